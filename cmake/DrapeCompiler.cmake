@@ -1,0 +1,20 @@
+# One target that every target of the project links: the language, the warnings, the floating-point rules and the sanitizers.
+add_library(drape_compiler INTERFACE)
+target_compile_features(drape_compiler INTERFACE cxx_std_20)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+# Same inputs, same bits: the compiler must not fuse a multiplication and an addition where the source does not say so.
+target_compile_options(drape_compiler INTERFACE -ffp-contract=off)
+
+target_compile_options(drape_compiler INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                                -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast)
+if(DRAPE_WARNINGS_AS_ERRORS)
+  target_compile_options(drape_compiler INTERFACE -Werror)
+endif()
+
+if(DRAPE_SANITIZER)
+  target_compile_options(drape_compiler INTERFACE -fsanitize=${DRAPE_SANITIZER} -fno-omit-frame-pointer)
+  target_link_options(drape_compiler INTERFACE -fsanitize=${DRAPE_SANITIZER})
+  # An address-space limit would starve the sanitizer's own shadow memory, so the mesh importer leaves it out.
+  target_compile_definitions(drape_compiler INTERFACE DRAPE_SANITIZED=1)
+endif()

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "scene/scene.hpp"
+#include "sim/vector.hpp"
+
+#include <Eigen/Core>
+
+namespace drape {
+
+/// A ray in world space.
+struct Ray {
+  Vec3 origin;     ///< [m]
+  Vec3 direction;  ///< unit length
+};
+
+/// An orbiting perspective camera that looks from a pose at its focal point; y is up.
+class Camera {
+ public:
+  Camera() = default;
+  explicit Camera(const CameraPose& pose) : pose_(pose) {}
+
+  [[nodiscard]] const CameraPose& pose() const { return pose_; }
+
+  /// Turns around the focal point; never over the poles [rad].
+  void orbit(double yaw, double pitch);
+  /// Moves camera and focal point in the view plane by fractions of the view's height (right, up).
+  void pan(double right, double up);
+  /// Multiplies the distance to the focal point; clamped to a sensible range.
+  void zoom(double factor);
+  /// Looks at another point from the same direction and distance.
+  void recentre(const Vec3& focalPoint);
+  /// Looks from a side (1: front, 3: right, 7: top as in other 3D programs) at the same focal point and distance.
+  enum class Side { Front, Right, Top };
+  void lookFrom(Side side);
+  /// Keeps the direction and moves so that the box fills the view.
+  void frame(const Vec3& min, const Vec3& max, double aspect);
+
+  [[nodiscard]] Eigen::Matrix4f viewMatrix() const;
+  [[nodiscard]] Eigen::Matrix4f projectionMatrix(double aspect) const;
+
+  /// The ray through a pixel; (0, 0) is the top left corner of the viewport, in pixels.
+  [[nodiscard]] Ray rayThrough(double x, double y, int width, int height) const;
+  /// Where a point appears, in pixels from the top left corner.
+  [[nodiscard]] Vec2 project(const Vec3& point, int width, int height) const;
+  /// The point on the ray through a pixel that lies as deep in the view as `reference`.
+  [[nodiscard]] Vec3 pointAtDepthOf(const Vec3& reference, double x, double y, int width, int height) const;
+
+ private:
+  CameraPose pose_;
+};
+
+}  // namespace drape

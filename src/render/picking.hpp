@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/camera.hpp"
+#include "sim/vector.hpp"
+
+#include <optional>
+#include <span>
+
+namespace drape {
+
+/// Where a ray meets a cloth.
+struct Hit {
+  int triangle = 0;
+  Vec3 barycentric = Vec3::Zero();  ///< weights of the triangle's corners
+  Vec3 point = Vec3::Zero();        ///< [m]
+  double distance = 0.0;            ///< along the ray [m]
+};
+
+/// The first triangle that the ray meets, from either side.
+[[nodiscard]] std::optional<Hit> pick(const Ray& ray, std::span<const Vec3> positions,
+                                      std::span<const Triangle> triangles);
+
+}  // namespace drape

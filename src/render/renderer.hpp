@@ -1,0 +1,38 @@
+#pragma once
+
+#include "render/camera.hpp"
+#include "render/image.hpp"
+#include "session/snapshot.hpp"
+
+#include <memory>
+
+namespace drape {
+
+/// Draws snapshots: cloth (smooth, two-sided, checkered or plain), stand, ground, soft light with shadows, the hand and
+/// the pins. Needs a current GlContext from construction to destruction.
+class Renderer {
+ public:
+  Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+  ~Renderer();
+
+  /// Draws into an own multisampled framebuffer of that size [pixels], resolves it, and leaves the result bound for
+  /// blit() and read(). Uploads only what changed since the last call. Uses snapshot.settings.view.
+  void draw(const Snapshot& snapshot, const Camera& camera, int width, int height);
+
+  /// Copies the last picture into framebuffer 0 (the window's), which must have the same size.
+  void blitToWindow();
+
+  /// Binds the resolved framebuffer for drawing, so that panels can be drawn over the picture.
+  void bindTarget();
+
+  /// Reads the last picture back.
+  [[nodiscard]] Image read();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace drape

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "io/mesh_import.hpp"
+#include "settings/settings.hpp"
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace drape {
+
+/// Where one looks from. The vertical angle of view is in degrees.
+struct CameraPose {
+  Vec3 position{0.0, 1.2, 3.0};    ///< [m]
+  Vec3 focalPoint{0.0, 0.8, 0.0};  ///< [m]
+  double viewAngle = 35.0;         ///< vertical [degrees]
+};
+
+/// A rectangular sheet; its size and resolution are settings.
+struct GridSource {
+  enum class Plane { Horizontal, Vertical } plane = Plane::Horizontal;
+};
+
+/// A mesh file: on disk, or one of those that are built in.
+struct MeshFileSource {
+  std::string path;  ///< as given; for a built-in file its name below assets
+  bool builtIn = false;
+};
+
+/// Pleats: the start is pressed together along x to `gather` of its width, in `count` folds.
+struct Pleats {
+  int count = 8;
+  double gather = 0.7;
+};
+
+/// Which vertices are held. All the parts that are present add up.
+struct PinSelection {
+  struct Box {
+    Vec3 min;
+    Vec3 max;
+  };
+  std::vector<int> vertices;  ///< by index
+  std::vector<Vec3> nearest;  ///< the vertex nearest to each point of the rest shape [m]
+  std::vector<Box> boxes;     ///< all vertices of the rest shape inside a box [m]
+  std::optional<double> top;  ///< all vertices within this fraction of the height from the top [-]
+  int everyAlongTop = 0;      ///< grid only: every n-th vertex of the first row, and the last; 0 for none
+};
+
+/// A scene as it is written down (docs/scenes.md), before anything is built.
+struct SceneDescription {
+  std::string name;   ///< "flag", or the file's name
+  std::string title;  ///< "A flag in the wind"
+  std::string help;
+  std::variant<GridSource, MeshFileSource> source;
+  Vec3 position = Vec3::Zero();  ///< added to the mesh [m]
+  std::optional<Pleats> pleats;
+  PinSelection pins;
+  std::optional<CameraPose> camera;     ///< absent: chosen so that the cloth fills the view
+  std::optional<MeshFileSource> stand;  ///< a thing that stands there and is drawn
+  double groundHeight = 0.0;            ///< [m]
+  bool groundBelowCloth = false;        ///< put the ground under the cloth instead
+  Settings settings;                    ///< the defaults with the scene's own values
+};
+
+/// A thing that is drawn and does not take part.
+struct Decor {
+  std::vector<Vec3> positions;  ///< [m]
+  std::vector<Triangle> triangles;
+};
+
+/// A scene that is ready to run. Immutable; shared by the simulation, the renderer and the panels.
+struct Scene {
+  SceneDescription description;
+  Settings settings;  ///< in force when it was built
+  std::shared_ptr<const ClothModel> model;
+  ClothState start;
+  RenderMesh renderMesh;
+  MeshSummary summary;
+  std::optional<Decor> stand;
+  CameraPose camera;
+  double groundHeight = 0.0;  ///< [m]
+};
+
+/// A built-in scene's name and what it shows.
+struct SceneInfo {
+  std::string name;
+  std::string title;
+  std::string help;
+};
+
+/// The built-in scenes; the first is what the program shows when nothing is asked for.
+[[nodiscard]] std::vector<SceneInfo> sceneList();
+
+/// Reads a built-in scene ("flag"), a scene file ("mine.toml") or a mesh file ("shirt.obj"). Throws InputError.
+[[nodiscard]] SceneDescription openScene(const std::string& nameOrPath);
+
+/// Builds mesh, model and start from a description under the given settings. Throws InputError.
+[[nodiscard]] std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const Settings& settings);
+
+}  // namespace drape

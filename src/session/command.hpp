@@ -1,0 +1,49 @@
+#pragma once
+
+#include "scene/scene.hpp"
+#include "settings/settings_table.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+
+namespace drape {
+
+struct SetSettingCommand {
+  std::string key;
+  SettingValue value;
+};
+struct PauseCommand {
+  bool paused = true;
+};
+/// One step, and stay paused.
+struct SingleStepCommand {};
+/// Back to the scene's start; settings and pins stay as the user left them.
+struct ResetCommand {};
+struct GrabCommand {
+  int triangle = 0;
+  Vec3 barycentric = Vec3::Zero();
+  Vec3 target = Vec3::Zero();  ///< [m]
+};
+struct MoveGrabCommand {
+  Vec3 target = Vec3::Zero();  ///< [m]
+};
+struct ReleaseGrabCommand {};
+/// Pins the vertex nearest to the grabbed point where it is now; lets it go when it was pinned.
+struct TogglePinCommand {};
+struct LoadSceneCommand {
+  std::shared_ptr<const Scene> scene;
+};
+
+/// Everything that anybody can ask of a running simulation.
+using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, GrabCommand,
+                             MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, LoadSceneCommand>;
+
+/// A command and the number of the step before which it took effect: enough to run a session again.
+struct LoggedCommand {
+  std::int64_t step = 0;
+  Command command;
+};
+
+}  // namespace drape

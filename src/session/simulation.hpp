@@ -1,0 +1,73 @@
+#pragma once
+
+#include "session/command.hpp"
+#include "session/snapshot.hpp"
+#include "sim/solver.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace drape {
+
+/// A scene that runs: model, state, settings and solver, changed by commands and advanced by steps. It has no thread;
+/// the viewer's thread, the headless program and the tests all use this same class.
+class Simulation {
+ public:
+  explicit Simulation(std::shared_ptr<const Scene> scene);
+
+  /// Takes effect at once; call between two steps. What a command asks wrongly (a value out of range, a triangle that
+  /// is not there) changes nothing and becomes the message.
+  void apply(const Command& command);
+
+  /// Advances by one time step, paused or not. When the state stops being finite the simulation goes back to the last
+  /// finite state, pauses and says so.
+  void step();
+
+  /// Fills `snapshot` with the present state, reusing its memory.
+  void capture(Snapshot& snapshot) const;
+
+  [[nodiscard]] const Scene& scene() const { return *scene_; }
+  [[nodiscard]] const ClothModel& model() const { return *model_; }
+  [[nodiscard]] const ClothState& state() const { return state_; }
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] std::int64_t stepIndex() const { return stepIndex_; }
+  [[nodiscard]] bool paused() const { return paused_; }
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+  /// The commands so far, in order. Applied to a fresh simulation of the same scene at the same steps they give the
+  /// same states, bit for bit.
+  [[nodiscard]] const std::vector<LoggedCommand>& log() const { return log_; }
+
+ private:
+  void on(const SetSettingCommand& command);
+  void on(const PauseCommand& command);
+  void on(const SingleStepCommand& command);
+  void on(const ResetCommand& command);
+  void on(const GrabCommand& command);
+  void on(const MoveGrabCommand& command);
+  void on(const ReleaseGrabCommand& command);
+  void on(const TogglePinCommand& command);
+  void on(const LoadSceneCommand& command);
+
+  void useSolver(const std::string& name);
+  void rebuildMasses();
+  [[nodiscard]] int nearestCornerOfGrab() const;
+
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const ClothModel> model_;
+  Settings settings_;
+  std::unique_ptr<Solver> solver_;
+  ClothState state_;
+  ClothState lastFinite_;
+  StepInputs inputs_;
+  std::int64_t stepIndex_ = 0;
+  std::int64_t version_ = 0;
+  bool paused_ = false;
+  std::string message_;
+  double stepSeconds_ = 0.0;
+  std::vector<LoggedCommand> log_;
+};
+
+}  // namespace drape

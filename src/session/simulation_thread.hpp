@@ -1,0 +1,42 @@
+#pragma once
+
+#include "session/command.hpp"
+#include "session/command_queue.hpp"
+#include "session/simulation.hpp"
+#include "session/snapshot.hpp"
+#include "session/triple_buffer.hpp"
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+namespace drape {
+
+/// A simulation on a thread of its own, paced by the clock. Commands go in, snapshots come out; nobody waits.
+class SimulationThread {
+ public:
+  SimulationThread(std::shared_ptr<const Scene> scene, bool paused);
+  SimulationThread(const SimulationThread&) = delete;
+  SimulationThread& operator=(const SimulationThread&) = delete;
+  /// Stops and joins.
+  ~SimulationThread();
+
+  /// Hands a command over; it takes effect at the next step boundary. Any thread.
+  void post(Command command);
+
+  /// The newest snapshot. One thread only (the one that draws); valid until its next call.
+  [[nodiscard]] const Snapshot& latest();
+
+ private:
+  void run();
+  void publish();
+
+  Simulation simulation_;
+  CommandQueue queue_;
+  TripleBuffer<Snapshot> snapshots_;
+  double realTimeFactor_ = 0.0;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace drape

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "scene/scene.hpp"
+#include "sim/diagnostics.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drape {
+
+/// The hand, as it is.
+struct GrabStatus {
+  int triangle = 0;
+  Vec3 barycentric = Vec3::Zero();
+  Vec3 target = Vec3::Zero();  ///< where the hand is [m]
+  Vec3 point = Vec3::Zero();   ///< where the held point of the cloth is [m]
+  bool pinned = false;         ///< the vertex nearest to the held point is pinned
+};
+
+/// A picture of the running simulation at a step boundary. All that the renderer and the panels ever see of it.
+struct Snapshot {
+  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const ClothModel> model;  ///< the scene's, or a successor with other masses or pins
+  std::vector<Vec3> positions;              ///< one a vertex [m]
+  std::int64_t step = 0;                    ///< steps since the scene was loaded or reset
+  std::int64_t version = 0;                 ///< grows with every snapshot that differs from the one before
+  double time = 0.0;                        ///< simulated [s]
+  Settings settings;                        ///< in force
+  bool paused = false;
+  Energy energy;
+  double maxStretch = 0.0;      ///< largest (L - l0) / l0 [-]
+  double stepSeconds = 0.0;     ///< what the last step cost [s]
+  double realTimeFactor = 0.0;  ///< simulated time over wall-clock time, lately [-]; 0 while paused
+  std::optional<GrabStatus> grab;
+  std::string message;  ///< for the status line, when something went wrong; else empty
+};
+
+}  // namespace drape

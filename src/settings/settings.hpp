@@ -1,0 +1,68 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/step_parameters.hpp"
+
+#include <string>
+
+namespace drape {
+
+/// Every value that a user can change, with its default. What it is called, its unit, its range and its explanation
+/// stand in the table (settings_table.cpp), from which the panels, the command line, the scene files and the
+/// documentation are made.
+struct Settings {
+  StepParameters step;
+
+  struct SolverChoice {
+    std::string name = "one_iteration";
+  } solver;
+
+  struct Material {
+    std::string massGivenAs = "density";  ///< which of the two below counts: "density" or "mass"
+    double density = 0.15;                ///< [kg/m^2]
+    double mass = 0.1;                    ///< [kg]
+    std::string lumping = "area";         ///< "area" or "uniform"
+  } material;
+
+  struct Hand {
+    double stiffness = 200.0;  ///< [N/m]
+    double maxForce = 10.0;    ///< [N]
+  } hand;
+
+  struct Playback {
+    double speed = 1.0;  ///< simulated seconds per second of the clock, when the machine keeps up [-]
+  } playback;
+
+  struct Mesh {
+    std::string unit = "m";       ///< of the file's coordinates
+    double weldTolerance = 1e-6;  ///< relative to the bounding box's diagonal [-]
+    std::string pins = "scene";   ///< "scene", "top" or "none"
+  } mesh;
+
+  struct Grid {
+    int resolution = 17;  ///< vertices along the shorter side
+    double width = 1.0;   ///< [m]
+    double height = 1.0;  ///< [m]
+  } grid;
+
+  struct View {
+    bool wireframe = false;
+    std::string surface = "checker";  ///< "checker" or "plain"
+    bool ground = true;
+    bool shadows = true;
+    double fontScale = 0.0;  ///< 0: from the monitor's scale
+  } view;
+};
+
+/// What has to be made anew when a setting changes.
+enum class SettingEffect {
+  Step,   ///< nothing: the next step uses it
+  Mass,   ///< the masses of the model
+  Scene,  ///< the scene: the mesh is built or imported again
+  View,   ///< the picture only
+};
+
+/// The panel that a setting is shown in.
+enum class SettingGroup { Simulation, Material, Air, Scene, View };
+
+}  // namespace drape

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "settings/settings.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace drape {
+
+using SettingValue = std::variant<double, int, bool, std::string>;
+
+/// A real number within a closed range.
+struct NumberField {
+  double& (*ref)(Settings&);
+  double min;
+  double max;
+  bool logarithmic;  ///< a slider should move in decades
+};
+
+/// A whole number within a closed range; only min, min + step, min + 2 step ... are allowed.
+struct IntegerField {
+  int& (*ref)(Settings&);
+  int min;
+  int max;
+  int step;
+  std::string_view whyStep;  ///< the reason for a step other than one, shown when a value is refused
+};
+
+/// On or off.
+struct FlagField {
+  bool& (*ref)(Settings&);
+};
+
+/// One of a list of words.
+struct ChoiceField {
+  std::string& (*ref)(Settings&);
+  std::vector<std::string> (*choices)();
+};
+
+using SettingField = std::variant<NumberField, IntegerField, FlagField, ChoiceField>;
+
+/// One setting, declared once: the panel, the command line, the scene files and the documentation all read this.
+struct SettingInfo {
+  std::string_view key;    ///< "wind.x", as typed and as in a scene file
+  std::string_view title;  ///< "Wind x", as on the panel
+  std::string_view unit;   ///< "m/s"; "-" where there is none
+  SettingGroup group;
+  SettingEffect effect;
+  SettingField field;
+  std::string_view help;            ///< what it means, one or two sentences
+  std::string_view alsoKey = {};    ///< a setting that giving this one decides ...
+  std::string_view alsoValue = {};  ///< ... and its value: giving mass sets mass_given_as to "mass"
+};
+
+/// Every setting, in the order in which it is shown.
+[[nodiscard]] std::span<const SettingInfo> settingsTable();
+
+/// The setting with that key, or nullptr.
+[[nodiscard]] const SettingInfo* findSetting(std::string_view key);
+
+/// The setting with that key. Throws UsageError naming the nearest key when there is none.
+[[nodiscard]] const SettingInfo& requireSetting(std::string_view key);
+
+/// The value in force.
+[[nodiscard]] SettingValue settingValue(const Settings& settings, const SettingInfo& info);
+
+/// The value as the user would type it; numbers in the shortest form that reads back to the same bits.
+[[nodiscard]] std::string formatValue(const SettingValue& value);
+
+/// The default.
+[[nodiscard]] SettingValue defaultValue(const SettingInfo& info);
+
+/// "1e-05 to 0.1", "on or off", "m, cm or mm".
+[[nodiscard]] std::string describeRange(const SettingInfo& info);
+
+/// Sets it (and what it decides through `alsoKey`). A whole number is taken where a real one is wanted.
+/// Throws UsageError naming key, value, range and unit when the value has the wrong kind or is out of range;
+/// `settings` is then unchanged.
+void assignSetting(Settings& settings, const SettingInfo& info, const SettingValue& value);
+
+/// The same from text, as on the command line: "0.01", "1/150", "on", "cm".
+void assignSettingText(Settings& settings, const SettingInfo& info, std::string_view text);
+
+/// "key=value" as given to --set. Throws UsageError as above.
+void assignSettingExpression(Settings& settings, std::string_view expression);
+
+}  // namespace drape

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "sim/vector.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace drape {
+
+/// A spring between two vertices. One for each edge of the mesh.
+struct Spring {
+  int a = 0;                ///< vertex index, a < b
+  int b = 0;                ///< vertex index
+  double restLength = 0.0;  ///< [m]
+};
+
+/// A spring as one of its ends sees it.
+struct SpringEnd {
+  int neighbour = 0;  ///< vertex at the other end
+  int spring = 0;     ///< index into ClothModel::springs
+};
+
+/// Rows of different length, stored one after the other: row i is values[begin[i]] .. values[begin[i + 1] - 1].
+template <typename T>
+struct RaggedRows {
+  std::vector<int> begin;  ///< rows + 1 entries
+  std::vector<T> values;
+};
+
+/// How the mass of the cloth is spread over its vertices.
+enum class MassLumping {
+  Uniform,  ///< the same mass at every vertex, as in the paper
+  Area,     ///< a third of each adjacent triangle's rest area, so that the mesh's resolution does not matter
+};
+
+/// A triangle mesh in its rest shape: what a cloth is made from.
+struct ClothMesh {
+  std::vector<Vec3> positions;      ///< rest positions [m], one a vertex
+  std::vector<Triangle> triangles;  ///< indices into positions
+};
+
+/// Everything about a cloth that does not change while it moves: rest mesh, springs, masses and pins.
+/// Immutable once built; a change of mass or pins makes a new model.
+struct ClothModel {
+  std::vector<Vec3> restPositions;   ///< [m]
+  std::vector<Triangle> triangles;   ///< front is counter-clockwise
+  std::vector<Spring> springs;       ///< the mesh's edges, sorted by (a, b)
+  RaggedRows<SpringEnd> springEnds;  ///< for each vertex its springs, neighbours ascending
+  RaggedRows<int> vertexTriangles;   ///< for each vertex the triangles it belongs to, ascending
+  std::vector<double> vertexArea;    ///< a third of the adjacent triangles' rest area [m^2]
+  std::vector<double> vertexMass;    ///< [kg]
+  std::vector<bool> pinned;          ///< true where a vertex is held where it is
+
+  [[nodiscard]] int vertexCount() const { return static_cast<int>(restPositions.size()); }
+  [[nodiscard]] double restArea() const;   ///< [m^2]
+  [[nodiscard]] double totalMass() const;  ///< [kg]
+};
+
+/// Builds springs, adjacency, areas and masses. `pins` are vertex indices.
+/// Throws InputError for an empty mesh, an index out of range, a position that is not finite or a mass that is not
+/// positive.
+[[nodiscard]] std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double totalMass,
+                                                                MassLumping lumping, const std::vector<int>& pins);
+
+/// The same cloth with another mass [kg]. Throws InputError when it is not positive.
+[[nodiscard]] std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double totalMass,
+                                                         MassLumping lumping);
+
+/// The same cloth with other pins. `pinned` has one entry a vertex.
+[[nodiscard]] std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned);
+
+}  // namespace drape

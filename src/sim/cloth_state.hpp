@@ -1,0 +1,31 @@
+#pragma once
+
+#include "sim/vector.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace drape {
+
+/// What changes while a cloth moves. Plain data: a copy is a checkpoint.
+struct ClothState {
+  std::vector<Vec3> positions;   ///< [m], one a vertex
+  std::vector<Vec3> velocities;  ///< [m/s], one a vertex
+  double time = 0.0;             ///< simulated time since the start [s]
+};
+
+/// A state at rest in the given positions at time 0.
+[[nodiscard]] ClothState stateAtRest(std::vector<Vec3> positions);
+
+/// True when every position and velocity is a finite number.
+[[nodiscard]] bool isFinite(const ClothState& state);
+
+/// A 64-bit FNV-1a hash over the bits of positions and velocities: equal states have equal hashes, and two runs agree
+/// to the last bit when their hashes do.
+[[nodiscard]] std::uint64_t stateHash(const ClothState& state);
+
+/// The hash as 16 hexadecimal digits.
+[[nodiscard]] std::string toHex(std::uint64_t hash);
+
+}  // namespace drape

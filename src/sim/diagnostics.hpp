@@ -1,0 +1,23 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+#include "sim/step_parameters.hpp"
+
+namespace drape {
+
+/// Mechanical energy of a cloth [J].
+struct Energy {
+  double kinetic = 0.0;    ///< sum of m |v|^2 / 2
+  double elastic = 0.0;    ///< sum of k (L - l0)^2 / 2
+  double potential = 0.0;  ///< of gravity, zero at the rest positions
+
+  [[nodiscard]] double total() const { return kinetic + elastic + potential; }
+};
+
+[[nodiscard]] Energy energyOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state);
+
+/// The largest elongation of a spring, (L - l0) / l0 [-]: 0 when none is longer than at rest.
+[[nodiscard]] double maxStretch(const ClothModel& model, const ClothState& state);
+
+}  // namespace drape
