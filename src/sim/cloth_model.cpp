@@ -1,1 +1,184 @@
-// To be written.
+#include "sim/cloth_model.hpp"
+
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace drape {
+namespace {
+
+void checkMesh(const ClothMesh& mesh) {
+  if (mesh.positions.empty() || mesh.triangles.empty()) {
+    throw InputError("a cloth needs at least one triangle; the mesh has " + std::to_string(mesh.positions.size()) +
+                     " vertices and " + std::to_string(mesh.triangles.size()) + " triangles");
+  }
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (!mesh.positions[v].allFinite()) {
+      throw InputError("vertex " + std::to_string(v) + " of the mesh has a coordinate that is not a finite number");
+    }
+  }
+  const int count = static_cast<int>(mesh.positions.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const int v : mesh.triangles[t]) {
+      if (v < 0 || v >= count) {
+        throw InputError("triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
+                         ", but the mesh has only " + std::to_string(count) + " (counted from 0)");
+      }
+    }
+  }
+}
+
+std::vector<Spring> springsOf(const ClothMesh& mesh) {
+  std::vector<std::pair<int, int>> edges;
+  edges.reserve(mesh.triangles.size() * 3);
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const int a = std::min(t[corner], t[(corner + 1) % 3]);
+      const int b = std::max(t[corner], t[(corner + 1) % 3]);
+      if (a != b) {
+        edges.emplace_back(a, b);
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+
+  std::vector<Spring> springs;
+  springs.reserve(edges.size());
+  for (const auto& [a, b] : edges) {
+    const double length =
+        (mesh.positions[static_cast<std::size_t>(b)] - mesh.positions[static_cast<std::size_t>(a)]).norm();
+    springs.push_back({a, b, length});
+  }
+  return springs;
+}
+
+/// Turns pairs (row, value), visited in order, into ragged rows. `forEach` calls its argument with every pair.
+template <typename T, typename ForEach>
+RaggedRows<T> collectRows(int rows, const ForEach& forEach) {
+  RaggedRows<T> result;
+  result.begin.assign(static_cast<std::size_t>(rows) + 1, 0);
+  forEach([&](int row, const T&) { ++result.begin[static_cast<std::size_t>(row) + 1]; });
+  std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
+  result.values.resize(static_cast<std::size_t>(result.begin.back()));
+  std::vector<int> next(result.begin.begin(), result.begin.end() - 1);
+  forEach([&](int row, const T& value) {
+    result.values[static_cast<std::size_t>(next[static_cast<std::size_t>(row)]++)] = value;
+  });
+  return result;
+}
+
+RaggedRows<SpringEnd> springEndsOf(const std::vector<Spring>& springs, int vertices) {
+  auto rows = collectRows<SpringEnd>(vertices, [&](const auto& add) {
+    for (std::size_t s = 0; s < springs.size(); ++s) {
+      add(springs[s].a, SpringEnd{springs[s].b, static_cast<int>(s)});
+      add(springs[s].b, SpringEnd{springs[s].a, static_cast<int>(s)});
+    }
+  });
+  for (std::size_t v = 0; v < static_cast<std::size_t>(vertices); ++v) {
+    std::sort(rows.values.begin() + rows.begin[v], rows.values.begin() + rows.begin[v + 1],
+              [](const SpringEnd& x, const SpringEnd& y) { return x.neighbour < y.neighbour; });
+  }
+  return rows;
+}
+
+RaggedRows<int> vertexTrianglesOf(const std::vector<Triangle>& triangles, int vertices) {
+  return collectRows<int>(vertices, [&](const auto& add) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      for (const int v : triangles[t]) {
+        add(v, static_cast<int>(t));
+      }
+    }
+  });
+}
+
+std::vector<double> vertexAreasOf(const ClothMesh& mesh) {
+  std::vector<double> areas(mesh.positions.size(), 0.0);
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3& a = mesh.positions[static_cast<std::size_t>(t[0])];
+    const Vec3& b = mesh.positions[static_cast<std::size_t>(t[1])];
+    const Vec3& c = mesh.positions[static_cast<std::size_t>(t[2])];
+    const double third = (b - a).cross(c - a).norm() / 6.0;
+    for (const int v : t) {
+      areas[static_cast<std::size_t>(v)] += third;
+    }
+  }
+  return areas;
+}
+
+/// A vertex that hardly any area belongs to would get hardly any mass and make the system stiff without bound, so area
+/// lumping gives every vertex at least this share of the mean.
+constexpr double smallestMassShare = 0.05;
+
+std::vector<double> massesOf(const ClothModel& model, double totalMass, MassLumping lumping) {
+  if (!(totalMass > 0.0) || !std::isfinite(totalMass)) {
+    throw InputError("the mass of a cloth must be positive and finite, not " + std::to_string(totalMass) +
+                     " kg; set mass or density");
+  }
+  const auto count = static_cast<double>(model.vertexCount());
+  std::vector<double> masses(model.restPositions.size(), totalMass / count);
+  const double area = std::accumulate(model.vertexArea.begin(), model.vertexArea.end(), 0.0);
+  if (lumping == MassLumping::Uniform || !(area > 0.0)) {
+    return masses;
+  }
+  std::transform(model.vertexArea.begin(), model.vertexArea.end(), masses.begin(),
+                 [&](double share) { return std::max(share, smallestMassShare * area / count); });
+  const double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
+  std::for_each(masses.begin(), masses.end(), [&](double& mass) { mass *= totalMass / sum; });
+  return masses;
+}
+
+}  // namespace
+
+double ClothModel::restArea() const {
+  return std::accumulate(vertexArea.begin(), vertexArea.end(), 0.0);
+}
+
+double ClothModel::totalMass() const {
+  return std::accumulate(vertexMass.begin(), vertexMass.end(), 0.0);
+}
+
+std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double totalMass, MassLumping lumping,
+                                                  const std::vector<int>& pins) {
+  checkMesh(mesh);
+  auto model = std::make_shared<ClothModel>();
+  const int count = static_cast<int>(mesh.positions.size());
+  model->restPositions = mesh.positions;
+  model->triangles = mesh.triangles;
+  model->springs = springsOf(mesh);
+  model->springEnds = springEndsOf(model->springs, count);
+  model->vertexTriangles = vertexTrianglesOf(mesh.triangles, count);
+  model->vertexArea = vertexAreasOf(mesh);
+  model->vertexMass = massesOf(*model, totalMass, lumping);
+  model->pinned.assign(mesh.positions.size(), false);
+  for (const int pin : pins) {
+    if (pin < 0 || pin >= count) {
+      throw InputError("vertex " + std::to_string(pin) + " cannot be pinned: the cloth has only " +
+                       std::to_string(count) + " vertices (counted from 0)");
+    }
+    model->pinned[static_cast<std::size_t>(pin)] = true;
+  }
+  return model;
+}
+
+std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double totalMass, MassLumping lumping) {
+  auto changed = std::make_shared<ClothModel>(model);
+  changed->vertexMass = massesOf(model, totalMass, lumping);
+  return changed;
+}
+
+std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned) {
+  if (pinned.size() != model.restPositions.size()) {
+    throw InputError("the list of pins has " + std::to_string(pinned.size()) + " entries for a cloth of " +
+                     std::to_string(model.restPositions.size()) + " vertices");
+  }
+  auto changed = std::make_shared<ClothModel>(model);
+  changed->pinned = std::move(pinned);
+  return changed;
+}
+
+}  // namespace drape

@@ -1,1 +1,56 @@
-// To be written.
+#include "sim/cloth_state.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr std::uint64_t fnvOffset = 14695981039346656037ULL;
+constexpr std::uint64_t fnvPrime = 1099511628211ULL;
+
+std::uint64_t hashVectors(std::uint64_t hash, const std::vector<Vec3>& vectors) {
+  for (const Vec3& vector : vectors) {
+    std::array<unsigned char, sizeof(double) * 3> bytes{};
+    std::memcpy(bytes.data(), vector.data(), bytes.size());
+    for (const unsigned char byte : bytes) {
+      hash = (hash ^ byte) * fnvPrime;
+    }
+  }
+  return hash;
+}
+
+bool allFinite(const std::vector<Vec3>& vectors) {
+  return std::all_of(vectors.begin(), vectors.end(), [](const Vec3& vector) { return vector.allFinite(); });
+}
+
+}  // namespace
+
+ClothState stateAtRest(std::vector<Vec3> positions) {
+  ClothState state;
+  state.velocities.assign(positions.size(), Vec3::Zero());
+  state.positions = std::move(positions);
+  return state;
+}
+
+bool isFinite(const ClothState& state) {
+  return allFinite(state.positions) && allFinite(state.velocities);
+}
+
+std::uint64_t stateHash(const ClothState& state) {
+  return hashVectors(hashVectors(fnvOffset, state.positions), state.velocities);
+}
+
+std::string toHex(std::uint64_t hash) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text(16, '0');
+  for (auto place = text.rbegin(); place != text.rend(); ++place, hash >>= 4U) {
+    *place = digits[hash & 0xFU];
+  }
+  return text;
+}
+
+}  // namespace drape

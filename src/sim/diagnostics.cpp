@@ -1,1 +1,37 @@
-// To be written.
+#include "sim/diagnostics.hpp"
+
+#include <algorithm>
+
+namespace drape {
+
+Energy energyOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
+  Energy energy;
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    energy.kinetic += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
+    energy.potential +=
+        model.vertexMass[v] * parameters.gravity * (state.positions[v].y() - model.restPositions[v].y());
+  }
+  for (const Spring& spring : model.springs) {
+    const double length =
+        (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
+            .norm();
+    const double elongation = length - spring.restLength;
+    energy.elastic += 0.5 * parameters.stiffness * elongation * elongation;
+  }
+  return energy;
+}
+
+double maxStretch(const ClothModel& model, const ClothState& state) {
+  double largest = 0.0;
+  for (const Spring& spring : model.springs) {
+    if (spring.restLength > 0.0) {
+      const double length =
+          (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
+              .norm();
+      largest = std::max(largest, (length - spring.restLength) / spring.restLength);
+    }
+  }
+  return largest;
+}
+
+}  // namespace drape

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "sim/vector.hpp"
+
+#include <cmath>
+
+/// The formulas of the method, as pure functions: one vertex or one spring at a time, no model and no state. Equation
+/// numbers are those of the paper on the one-iteration implicit mass-spring step (docs/method.md tells which paper, and
+/// where its print is departed from).
+///
+/// | symbol | meaning                                         | unit   |
+/// |--------|-------------------------------------------------|--------|
+/// | L, l0  | present and rest length of a spring             | m      |
+/// | d      | unit vector from vertex i to vertex j           | -      |
+/// | k      | spring stiffness k_s                            | N/m    |
+/// | J_ij   | dF_i / dx_j, the positive block between i and j | N/m    |
+/// | C_d    | spring damping                                  | N s/m  |
+/// | K      | 1/2 rho C S, air density, coefficient, area     | kg/m   |
+namespace drape::kernels {
+
+/// Springs shorter than this share of their rest length have no direction to speak of.
+inline constexpr double shortestLength = 1e-9;
+
+/// The force that a spring exerts on vertex i [N]: towards j when it is stretched.
+/// @param offset x_j - x_i [m]
+[[nodiscard]] inline Vec3 springForce(const Vec3& offset, double restLength, double stiffness) {
+  const double length = offset.norm();
+  if (length <= shortestLength * restLength) {
+    return Vec3::Zero();
+  }
+  return (stiffness * (length - restLength) / length) * offset;
+}
+
+/// J_ij stabilised (eq. 16): exact while the spring is stretched, k [(1 - l0/L)(I - d d^T) + d d^T]; when it is
+/// compressed the negative part (1 - l0/L) I is dropped and k (l0/L) d d^T stays. Symmetric and positive semi-definite.
+/// A spring without direction (L -> 0) couples with k I.
+[[nodiscard]] inline Mat3 springDerivative(const Vec3& offset, double restLength, double stiffness) {
+  const double length = offset.norm();
+  if (length <= shortestLength * restLength || length == 0.0) {
+    return stiffness * Mat3::Identity();
+  }
+  const double ratio = restLength / length;
+  const Vec3 direction = offset / length;
+  const Mat3 along = (stiffness * ratio) * (direction * direction.transpose());
+  return length < restLength ? along : Mat3(along + (stiffness * (1.0 - ratio)) * Mat3::Identity());
+}
+
+/// Damping of the relative velocity of a spring's ends (eq. 12): the force on vertex i [N].
+[[nodiscard]] inline Vec3 dampingForce(const Vec3& velocity, const Vec3& neighbourVelocity, double damping) {
+  return -damping * (velocity - neighbourVelocity);
+}
+
+/// Drag (eq. 18): -K |n.v^| |v|^2 v^ [N], with v relative to the air.
+/// @param normal unit normal of the surface  @param speed |v|, positive  @param heading v^ = v / |v|
+[[nodiscard]] inline Vec3 dragForce(const Vec3& normal, double speed, const Vec3& heading, double dragFactor) {
+  return (-dragFactor * std::abs(normal.dot(heading)) * speed * speed) * heading;
+}
+
+/// Lift (eqs. 19, 20): K (1 - |n.v^|) |v|^2 U [N] with U = (n x v^) x v^, where n is turned to face v^. The print lacks
+/// the absolute value; without it a vertex seen from behind would be lifted twice.
+[[nodiscard]] inline Vec3 liftForce(const Vec3& normal, double speed, const Vec3& heading, double liftFactor) {
+  const double facing = normal.dot(heading);
+  const Vec3 front = facing < 0.0 ? Vec3(-normal) : normal;
+  const Vec3 direction = front.cross(heading).cross(heading);
+  return (liftFactor * (1.0 - std::abs(facing)) * speed * speed) * direction;
+}
+
+/// The air's force on a vertex [N], held back to what would stop it against the air within one step. Evaluated at the
+/// start of the step as the paper has it, drag alone could otherwise throw a light vertex back faster than it came.
+/// @param velocity of the vertex relative to the air [m/s]  @param mass [kg]  @param timeStep [s]
+[[nodiscard]] inline Vec3 airForce(const Vec3& normal, const Vec3& velocity, double dragFactor, double liftFactor,
+                                   double mass, double timeStep) {
+  const double speed = velocity.norm();
+  if (!(speed > 0.0)) {
+    return Vec3::Zero();
+  }
+  const Vec3 heading = velocity / speed;
+  const Vec3 force = dragForce(normal, speed, heading, dragFactor) + liftForce(normal, speed, heading, liftFactor);
+  const double limit = mass * speed / timeStep;
+  const double size = force.norm();
+  return size > limit ? Vec3(force * (limit / size)) : force;
+}
+
+/// The force of a spring to `offset` = target - point, never larger than `maxForce` [N].
+[[nodiscard]] inline Vec3 boundedSpringForce(const Vec3& offset, double stiffness, double maxForce) {
+  const double size = stiffness * offset.norm();
+  return size > maxForce ? Vec3(offset * (stiffness * maxForce / size)) : Vec3(stiffness * offset);
+}
+
+}  // namespace drape::kernels
