@@ -8,6 +8,10 @@ target_compile_options(drape_compiler INTERFACE -ffp-contract=off)
 
 target_compile_options(drape_compiler INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                                 -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast)
+# GCC 12 sees overlapping copies in std::string's operator+ where there are none (GCC bug 105651).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  target_compile_options(drape_compiler INTERFACE -Wno-restrict)
+endif()
 if(DRAPE_WARNINGS_AS_ERRORS)
   target_compile_options(drape_compiler INTERFACE -Werror)
 endif()

@@ -1,1 +1,142 @@
-// To be written.
+#include "settings/settings_table.hpp"
+
+#include "sim/solver.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace drape {
+namespace {
+
+using enum SettingGroup;
+
+std::vector<std::string> solverNames() {
+  std::vector<std::string> names;
+  for (const SolverInfo& solver : solverTable()) {
+    names.emplace_back(solver.name);
+  }
+  return names;
+}
+
+// Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it decides].
+// clang-format off
+const std::array table{
+    SettingInfo{"solver", "Solver", "-", Simulation, SettingEffect::Step,
+        ChoiceField{[](Settings& s) -> std::string& { return s.solver.name; }, solverNames},
+        "The method that advances the cloth by one time step."},
+    SettingInfo{"time_step", "Time step", "s", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.timeStep; }, 1e-5, 0.1, true},
+        "Simulated time that one step covers. Smaller steps are more accurate and cost more."},
+    SettingInfo{"sweeps", "Sweeps", "-", Simulation, SettingEffect::Step,
+        IntegerField{[](Settings& s) -> int& { return s.step.sweeps; }, 1, 99, 2,
+            "an even number of block-Jacobi sweeps can amplify the stiffest modes, so that stiff cloth rattles"},
+        "Block-Jacobi sweeps a step; 1 is the paper's method. More sweeps solve the step's linear system better."},
+    SettingInfo{"threads", "Threads", "-", Simulation, SettingEffect::Step,
+        IntegerField{[](Settings& s) -> int& { return s.step.threads; }, 1, 64, 1, {}},
+        "Threads that one step may use. The result is the same to the last bit, whatever the number."},
+    SettingInfo{"speed", "Speed", "-", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.playback.speed; }, 0.01, 4.0, true},
+        "Simulated seconds per second of the clock in the viewer; below 1 is slow motion."},
+    SettingInfo{"gravity", "Gravity", "m/s^2", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.gravity; }, 0.0, 1000.0, false},
+        "Acceleration downwards, along -y."},
+
+    SettingInfo{"stiffness", "Stiffness", "N/m", Material, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.stiffness; }, 0.0, 1e7, true},
+        "Stiffness of every spring against stretching and compression."},
+    SettingInfo{"damping", "Damping", "N s/m", Material, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.damping; }, 0.0, 100.0, true},
+        "Damping of every spring: force for each metre per second that its ends differ in velocity."},
+    SettingInfo{"mass_given_as", "Mass given as", "-", Material, SettingEffect::Mass,
+        ChoiceField{[](Settings& s) -> std::string& { return s.material.massGivenAs; },
+            +[] { return std::vector<std::string>{"density", "mass"}; }},
+        "Whether density or mass decides how heavy the cloth is. Setting either of them chooses it."},
+    SettingInfo{"density", "Density", "kg/m^2", Material, SettingEffect::Mass,
+        NumberField{[](Settings& s) -> double& { return s.material.density; }, 1e-3, 100.0, true},
+        "Mass of a square metre of cloth. Silk is about 0.06, cotton 0.15, denim 0.4.",
+        "mass_given_as", "density"},
+    SettingInfo{"mass", "Mass", "kg", Material, SettingEffect::Mass,
+        NumberField{[](Settings& s) -> double& { return s.material.mass; }, 1e-6, 1000.0, true},
+        "Mass of the whole cloth.", "mass_given_as", "mass"},
+    SettingInfo{"mass_lumping", "Mass lumping", "-", Material, SettingEffect::Mass,
+        ChoiceField{[](Settings& s) -> std::string& { return s.material.lumping; },
+            +[] { return std::vector<std::string>{"area", "uniform"}; }},
+        "How the mass is spread over the vertices: by the area around each, or the same for all as in the paper."},
+
+    SettingInfo{"drag", "Drag", "-", Air, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.drag; }, 0.0, 10.0, false},
+        "Drag coefficient C_D: the air's resistance along the relative velocity, 1/2 rho C_D S |n.v| |v| at each vertex."},
+    SettingInfo{"lift", "Lift", "-", Air, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.lift; }, 0.0, 10.0, false},
+        "Lift coefficient C_L: the air's force across the relative velocity, strongest where the surface is along it."},
+    SettingInfo{"air_density", "Air density", "kg/m^3", Air, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.airDensity; }, 0.0, 1000.0, false},
+        "Density rho of the air; 1.225 at sea level, 1000 is water."},
+    SettingInfo{"wind.x", "Wind x", "m/s", Air, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.wind.x(); }, -100.0, 100.0, false},
+        "Velocity of the air to the right. Wind acts through drag and lift."},
+    SettingInfo{"wind.y", "Wind y", "m/s", Air, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.wind.y(); }, -100.0, 100.0, false},
+        "Velocity of the air upwards. Wind acts through drag and lift."},
+    SettingInfo{"wind.z", "Wind z", "m/s", Air, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.wind.z(); }, -100.0, 100.0, false},
+        "Velocity of the air towards the front. Wind acts through drag and lift."},
+
+    SettingInfo{"unit", "Mesh unit", "-", Scene, SettingEffect::Scene,
+        ChoiceField{[](Settings& s) -> std::string& { return s.mesh.unit; },
+            +[] { return std::vector<std::string>{"m", "cm", "mm"}; }},
+        "Unit of the coordinates in a mesh file."},
+    SettingInfo{"weld_tolerance", "Weld tolerance", "-", Scene, SettingEffect::Scene,
+        NumberField{[](Settings& s) -> double& { return s.mesh.weldTolerance; }, 0.0, 0.01, false},
+        "Vertices of a mesh that are nearer to each other than this share of its diagonal become one."},
+    SettingInfo{"pins", "Pins", "-", Scene, SettingEffect::Scene,
+        ChoiceField{[](Settings& s) -> std::string& { return s.mesh.pins; },
+            +[] { return std::vector<std::string>{"scene", "top", "none"}; }},
+        "What holds the cloth: what the scene says (a bare mesh hangs by its top), its topmost vertices, or nothing."},
+    SettingInfo{"grid.resolution", "Grid resolution", "-", Scene, SettingEffect::Scene,
+        IntegerField{[](Settings& s) -> int& { return s.grid.resolution; }, 2, 1025, 1, {}},
+        "Vertices along the shorter side of a grid."},
+    SettingInfo{"grid.width", "Grid width", "m", Scene, SettingEffect::Scene,
+        NumberField{[](Settings& s) -> double& { return s.grid.width; }, 0.01, 100.0, true},
+        "Extent of a grid along its rows."},
+    SettingInfo{"grid.height", "Grid height", "m", Scene, SettingEffect::Scene,
+        NumberField{[](Settings& s) -> double& { return s.grid.height; }, 0.01, 100.0, true},
+        "Extent of a grid across its rows."},
+    SettingInfo{"hand.stiffness", "Hand stiffness", "N/m", Scene, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.hand.stiffness; }, 0.1, 1e5, true},
+        "Stiffness of the spring by which the mouse pulls at the cloth."},
+    SettingInfo{"hand.max_force", "Hand force", "N", Scene, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.hand.maxForce; }, 0.01, 1000.0, true},
+        "The mouse never pulls harder than this."},
+
+    SettingInfo{"view.wireframe", "Wireframe", "-", SettingGroup::View, SettingEffect::View,
+        FlagField{[](Settings& s) -> bool& { return s.view.wireframe; }},
+        "Draws the edges of the triangles, which are the springs."},
+    SettingInfo{"view.surface", "Surface", "-", SettingGroup::View, SettingEffect::View,
+        ChoiceField{[](Settings& s) -> std::string& { return s.view.surface; },
+            +[] { return std::vector<std::string>{"checker", "plain"}; }},
+        "What the cloth looks like: a checker along its texture coordinates, or one colour."},
+    SettingInfo{"view.ground", "Ground", "-", SettingGroup::View, SettingEffect::View,
+        FlagField{[](Settings& s) -> bool& { return s.view.ground; }},
+        "Draws the ground. It does not stop the cloth."},
+    SettingInfo{"view.shadows", "Shadows", "-", SettingGroup::View, SettingEffect::View,
+        FlagField{[](Settings& s) -> bool& { return s.view.shadows; }},
+        "Draws shadows."},
+    SettingInfo{"view.font_scale", "Font scale", "-", SettingGroup::View, SettingEffect::View,
+        NumberField{[](Settings& s) -> double& { return s.view.fontScale; }, 0.0, 4.0, false},
+        "Size of the panels' text; 0 takes the monitor's own scale."},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const SettingInfo> settingsTable() {
+  return table;
+}
+
+const SettingInfo* findSetting(std::string_view key) {
+  const auto found = std::find_if(table.begin(), table.end(), [&](const SettingInfo& row) { return row.key == key; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+}  // namespace drape

@@ -1,1 +1,228 @@
-// To be written.
+#include "settings/settings_table.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+
+namespace drape {
+namespace {
+
+template <typename... Ts>
+struct Overloaded : Ts... {
+  using Ts::operator()...;
+};
+template <typename... Ts>
+Overloaded(Ts...) -> Overloaded<Ts...>;
+
+std::string formatNumber(double value) {
+  std::array<char, 40> text{};
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), result.ptr};
+}
+
+std::string quoted(std::string_view text) {
+  return "'" + std::string(text) + "'";
+}
+
+std::string withUnit(const SettingInfo& info, const std::string& text) {
+  return info.unit == "-" ? text : text + " " + std::string(info.unit);
+}
+
+std::string listWords(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  }
+  return text;
+}
+
+[[noreturn]] void refuse(const SettingInfo& info, const std::string& given, std::string_view why = {}) {
+  std::string message = std::string(info.key) + " must be " + describeRange(info) + "; " + given + " is not";
+  if (!why.empty()) {
+    message += " (" + std::string(why) + ")";
+  }
+  throw UsageError(message);
+}
+
+std::optional<double> parsePlainNumber(std::string_view text) {
+  if (text.starts_with('+')) {
+    text.remove_prefix(1);
+  }
+  double value = 0.0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size() || text.empty()) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+/// A number or a fraction such as 1/150.
+std::optional<double> parseNumber(std::string_view text) {
+  const auto slash = text.find('/');
+  if (slash == std::string_view::npos) {
+    return parsePlainNumber(text);
+  }
+  const auto numerator = parsePlainNumber(text.substr(0, slash));
+  const auto denominator = parsePlainNumber(text.substr(slash + 1));
+  if (!numerator || !denominator) {
+    return std::nullopt;
+  }
+  return *numerator / *denominator;
+}
+
+void assignNumber(Settings& settings, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
+  const auto* real = std::get_if<double>(&value);
+  const auto* whole = std::get_if<int>(&value);
+  if (real == nullptr && whole == nullptr) {
+    refuse(info, quoted(formatValue(value)));
+  }
+  const double number = real != nullptr ? *real : static_cast<double>(*whole);
+  if (!(number >= field.min && number <= field.max)) {
+    refuse(info, formatNumber(number));
+  }
+  field.ref(settings) = number;
+}
+
+void assignInteger(Settings& settings, const SettingInfo& info, const IntegerField& field, const SettingValue& value) {
+  const auto* whole = std::get_if<int>(&value);
+  if (whole == nullptr || *whole < field.min || *whole > field.max) {
+    refuse(info, quoted(formatValue(value)));
+  }
+  if ((*whole - field.min) % field.step != 0) {
+    refuse(info, formatValue(value), field.whyStep);
+  }
+  field.ref(settings) = *whole;
+}
+
+void assignChoice(Settings& settings, const SettingInfo& info, const ChoiceField& field, const SettingValue& value) {
+  const auto* word = std::get_if<std::string>(&value);
+  const auto choices = field.choices();
+  if (word == nullptr || std::find(choices.begin(), choices.end(), *word) == choices.end()) {
+    refuse(info, quoted(formatValue(value)));
+  }
+  field.ref(settings) = *word;
+}
+
+void assignFlag(Settings& settings, const SettingInfo& info, const FlagField& field, const SettingValue& value) {
+  const auto* flag = std::get_if<bool>(&value);
+  if (flag == nullptr) {
+    refuse(info, quoted(formatValue(value)));
+  }
+  field.ref(settings) = *flag;
+}
+
+SettingValue parseValue(const SettingInfo& info, std::string_view text) {
+  if (std::holds_alternative<NumberField>(info.field)) {
+    if (const auto number = parseNumber(text)) {
+      return *number;
+    }
+  } else if (std::holds_alternative<IntegerField>(info.field)) {
+    int whole = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), whole);
+    if (result.ec == std::errc() && result.ptr == text.data() + text.size()) {
+      return whole;
+    }
+  } else if (std::holds_alternative<FlagField>(info.field)) {
+    if (text == "on" || text == "true" || text == "1" || text == "yes") {
+      return true;
+    }
+    if (text == "off" || text == "false" || text == "0" || text == "no") {
+      return false;
+    }
+  }
+  return std::string(text);
+}
+
+/// Levenshtein distance, to guess which key was meant.
+int editDistance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i) + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+const SettingInfo& requireSetting(std::string_view key) {
+  if (const SettingInfo* info = findSetting(key)) {
+    return *info;
+  }
+  const auto table = settingsTable();
+  const auto nearest = std::min_element(table.begin(), table.end(), [&](const auto& a, const auto& b) {
+    return editDistance(key, a.key) < editDistance(key, b.key);
+  });
+  throw UsageError("there is no setting " + quoted(key) + "; did you mean " + quoted(nearest->key) +
+                   "? 'drape-headless list settings' shows them all");
+}
+
+SettingValue settingValue(const Settings& settings, const SettingInfo& info) {
+  // The accessors give references for writing; reading through them leaves the copy as it was.
+  Settings copy = settings;
+  return std::visit([&](const auto& field) -> SettingValue { return field.ref(copy); }, info.field);
+}
+
+std::string formatValue(const SettingValue& value) {
+  return std::visit(
+      Overloaded{[](double number) { return formatNumber(number); }, [](int whole) { return std::to_string(whole); },
+                 [](bool flag) { return std::string(flag ? "on" : "off"); },
+                 [](const std::string& word) { return word; }},
+      value);
+}
+
+SettingValue defaultValue(const SettingInfo& info) {
+  return settingValue(Settings{}, info);
+}
+
+std::string describeRange(const SettingInfo& info) {
+  return std::visit(Overloaded{[&](const NumberField& field) {
+                                 return withUnit(info, formatNumber(field.min) + " to " + formatNumber(field.max));
+                               },
+                               [&](const IntegerField& field) {
+                                 const std::string range =
+                                     std::to_string(field.min) + " to " + std::to_string(field.max);
+                                 const bool odd = field.step == 2 && field.min % 2 == 1;
+                                 return withUnit(info, (odd ? "an odd number from " : "a whole number from ") + range);
+                               },
+                               [](const FlagField&) { return std::string("on or off"); },
+                               [](const ChoiceField& field) { return listWords(field.choices()); }},
+                    info.field);
+}
+
+void assignSetting(Settings& settings, const SettingInfo& info, const SettingValue& value) {
+  std::visit(Overloaded{[&](const NumberField& field) { assignNumber(settings, info, field, value); },
+                        [&](const IntegerField& field) { assignInteger(settings, info, field, value); },
+                        [&](const FlagField& field) { assignFlag(settings, info, field, value); },
+                        [&](const ChoiceField& field) { assignChoice(settings, info, field, value); }},
+             info.field);
+  if (!info.alsoKey.empty()) {
+    assignSetting(settings, requireSetting(info.alsoKey), std::string(info.alsoValue));
+  }
+}
+
+void assignSettingText(Settings& settings, const SettingInfo& info, std::string_view text) {
+  assignSetting(settings, info, parseValue(info, text));
+}
+
+void assignSettingExpression(Settings& settings, std::string_view expression) {
+  const auto equals = expression.find('=');
+  if (equals == std::string_view::npos || equals == 0) {
+    throw UsageError("a setting is given as key=value, for example --set stiffness=100; " + quoted(expression) +
+                     " is not");
+  }
+  assignSettingText(settings, requireSetting(expression.substr(0, equals)), expression.substr(equals + 1));
+}
+
+}  // namespace drape
