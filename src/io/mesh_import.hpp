@@ -56,6 +56,7 @@ struct ImportedMesh {
 struct ImportOptions {
   double metresPerUnit = 1.0;
   double weldTolerance = 1e-6;  ///< vertices nearer than this times the bounding box's diagonal become one particle
+  double timeLimit = 0.0;       ///< reading may take this long [s]; 0: ten seconds and one for each 2 MiB of the file
 };
 
 /// The endings of the formats that are offered, lower case, without the dot.

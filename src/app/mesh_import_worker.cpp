@@ -1,0 +1,227 @@
+// drape-mesh-import FORMAT CPU_SECONDS: reads a mesh file from standard input and writes an ImportReply to standard
+// output. It runs as a program of its own because the parsing library crashes and stalls on some damaged files.
+#include "io/import_protocol.hpp"
+#include "sim/error.hpp"
+
+#include <assimp/BaseImporter.h>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace {
+
+using drape::ImportReply;
+using drape::InputError;
+using drape::RawMesh;
+
+/// A file may not make the library open others (materials, textures): there are none.
+class NoOtherFiles : public Assimp::IOSystem {
+ public:
+  bool Exists(const char*) const override { return false; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
+  void Close(Assimp::IOStream*) override {}
+};
+
+void limit(int resource, rlim_t amount) {
+  const rlimit limits{amount, amount};
+  setrlimit(static_cast<__rlimit_resource>(resource), &limits);
+}
+
+void limitThisProcess(long cpuSeconds) {
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, static_cast<rlim_t>(std::max(1L, cpuSeconds)));
+#ifndef DRAPE_SANITIZED
+  limit(RLIMIT_AS, rlim_t{4} << 30);
+#endif
+}
+
+std::string readStandardInput() {
+  std::string bytes;
+  std::array<char, 65536> buffer{};
+  while (true) {
+    const ssize_t got = read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (got == 0 || (got < 0 && errno != EINTR)) {
+      return bytes;
+    }
+    if (got > 0) {
+      bytes.append(buffer.data(), static_cast<std::size_t>(got));
+    }
+  }
+}
+
+void writeStandardOutput(const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t written = write(STDOUT_FILENO, bytes.data() + done, bytes.size() - done);
+    if (written < 0 && errno != EINTR) {
+      std::exit(EXIT_FAILURE);
+    }
+    done += written > 0 ? static_cast<std::size_t>(written) : 0;
+  }
+}
+
+/// Leaves the importer of one format only: a file is read as what its name says it is, or not at all.
+void keepOnly(Assimp::Importer& importer, const std::string& format) {
+  Assimp::BaseImporter* const kept = importer.GetImporter(format.c_str());
+  std::vector<Assimp::BaseImporter*> others;
+  for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
+    if (importer.GetImporter(i) != kept) {
+      others.push_back(importer.GetImporter(i));
+    }
+  }
+  for (Assimp::BaseImporter* other : others) {
+    importer.UnregisterLoader(other);
+    delete other;
+  }
+  if (kept == nullptr) {
+    throw InputError("there is no reader for '" + format + "' files.");
+  }
+}
+
+/// Parses, triangulates and joins the vertices that agree in position and texture coordinates. All else that would
+/// split vertices (normals, colours, further texture coordinates) is dropped first.
+const aiScene& parse(Assimp::Importer& importer, const std::string& format, const std::string& bytes) {
+  keepOnly(importer, format);
+  importer.SetIOHandler(new NoOtherFiles);
+  int unwanted = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
+                 aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
+                 aiComponent_CAMERAS | aiComponent_MATERIALS;
+  for (unsigned set = 1; set < AI_MAX_NUMBER_OF_TEXTURECOORDS; ++set) {
+    unwanted |= static_cast<int>(aiComponent_TEXCOORDSn(set));
+  }
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted);
+  const aiScene* scene = importer.ReadFileFromMemory(
+      bytes.data(), bytes.size(), aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_JoinIdenticalVertices,
+      format.c_str());
+  if (scene == nullptr) {
+    const std::string reason = importer.GetErrorString();
+    if (reason.find("bad_alloc") != std::string::npos) {
+      throw std::bad_alloc();
+    }
+    throw InputError("it cannot be read as a " + format + " file (" + reason + "). Export the mesh again.");
+  }
+  if (scene->mNumMeshes == 0 || scene->mRootNode == nullptr) {
+    throw InputError("there is no mesh in it. Export the mesh again.");
+  }
+  return *scene;
+}
+
+/// Appends the meshes of a scene to one raw mesh.
+class Collector {
+ public:
+  explicit Collector(const aiScene& scene) : scene_(scene) {
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+      hasUvs_ = hasUvs_ || scene.mMeshes[i]->HasTextureCoords(0);
+    }
+  }
+
+  void addNode(const aiNode& node, const aiMatrix4x4& parent) {
+    const aiMatrix4x4 placement = parent * node.mTransformation;
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      if (node.mMeshes[i] >= scene_.mNumMeshes) {
+        throw InputError("one of its nodes uses a mesh that is not there. Export the mesh again.");
+      }
+      addMesh(*scene_.mMeshes[node.mMeshes[i]], placement);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+      addNode(*node.mChildren[i], placement);
+    }
+  }
+
+  RawMesh take() { return std::move(raw_); }
+
+ private:
+  void addMesh(const aiMesh& mesh, const aiMatrix4x4& placement) {
+    const std::size_t base = raw_.positions.size();
+    if (base + mesh.mNumVertices > INT_MAX) {
+      throw InputError("it has more vertices than can be counted. Reduce the mesh first.");
+    }
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      const aiVector3D position = placement * mesh.mVertices[i];
+      raw_.positions.emplace_back(position.x, position.y, position.z);
+      if (!raw_.positions.back().allFinite()) {
+        throw InputError(
+            "one of its vertices has a coordinate that is not a finite number (nan or inf). "
+            "Repair the mesh or export it again.");
+      }
+    }
+    addUvs(mesh);
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+      addFace(mesh.mFaces[i], static_cast<int>(base), mesh.mNumVertices, placement.Determinant() < 0.0F);
+    }
+  }
+
+  void addUvs(const aiMesh& mesh) {
+    for (unsigned i = 0; hasUvs_ && i < mesh.mNumVertices; ++i) {
+      const aiVector3D uv = mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0][i] : aiVector3D();
+      raw_.uvs.emplace_back(uv.x, uv.y);
+    }
+  }
+
+  /// A face of one or two vertices may come in a mesh that calls itself triangles, so each is looked at.
+  void addFace(const aiFace& face, int base, unsigned vertices, bool mirrored) {
+    if (face.mNumIndices != 3) {
+      ++raw_.facesSkipped;
+      return;
+    }
+    drape::Triangle triangle{};
+    for (unsigned corner = 0; corner < 3; ++corner) {
+      if (face.mIndices[corner] >= vertices) {
+        throw InputError("one of its faces uses a vertex that is not there. Export the mesh again.");
+      }
+      triangle[corner] = base + static_cast<int>(face.mIndices[corner]);
+    }
+    if (mirrored) {
+      std::swap(triangle[1], triangle[2]);
+    }
+    raw_.triangles.push_back(triangle);
+  }
+
+  const aiScene& scene_;
+  bool hasUvs_ = false;
+  RawMesh raw_;
+};
+
+ImportReply import(const std::string& format) {
+  ImportReply reply;
+  try {
+    const std::string bytes = readStandardInput();
+    Assimp::Importer importer;
+    const aiScene& scene = parse(importer, format, bytes);
+    Collector collector(scene);
+    collector.addNode(*scene.mRootNode, aiMatrix4x4());
+    reply.mesh = collector.take();
+  } catch (const InputError& error) {
+    reply.error = error.what();
+  } catch (const std::bad_alloc&) {
+    reply.error = "reading it takes more memory than the 4 GiB it may have. Reduce the mesh, or export it again.";
+  }
+  return reply;
+}
+
+}  // namespace
+
+int main(int argumentCount, char** arguments) {
+  if (argumentCount != 3 || isatty(STDIN_FILENO) != 0) {
+    constexpr std::string_view usage =
+        "usage: drape-mesh-import FORMAT CPU_SECONDS < MESH > REPLY\nDrape starts this program; it is not for use by "
+        "hand.\n";
+    return write(STDERR_FILENO, usage.data(), usage.size()) < 0 ? EXIT_FAILURE : 2;
+  }
+  limitThisProcess(std::strtol(arguments[2], nullptr, 10));
+  writeStandardOutput(drape::encodeReply(import(arguments[1])));
+  return EXIT_SUCCESS;
+}

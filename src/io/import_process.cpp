@@ -1,0 +1,251 @@
+#include "io/import_process.hpp"
+
+#include "sim/error.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+extern char** environ;
+
+namespace drape {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A file descriptor that is closed at the end of its scope.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+
+  [[nodiscard]] int number() const { return number_; }
+
+  void close() {
+    if (number_ >= 0) {
+      ::close(number_);
+    }
+    number_ = -1;
+  }
+
+ private:
+  int number_;
+};
+
+/// What posix_spawn is told besides program and arguments.
+class SpawnSetup {
+ public:
+  /// The child's standard input and output are `channel`, its standard error is nowhere, and signals are as a program
+  /// expects them, whatever this one does with its own.
+  explicit SpawnSetup(int channel) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_adddup2(&actions_, channel, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, channel, STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawnattr_init(&attributes_);
+    sigset_t signals;
+    sigemptyset(&signals);
+    posix_spawnattr_setsigmask(&attributes_, &signals);
+    sigaddset(&signals, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes_, &signals);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  SpawnSetup(const SpawnSetup&) = delete;
+  SpawnSetup& operator=(const SpawnSetup&) = delete;
+  ~SpawnSetup() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+
+  /// Starts the program and returns its process number.
+  pid_t spawn(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+    std::vector<std::string> words{program.string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) {
+      pointers.push_back(word.data());
+    }
+    pointers.push_back(nullptr);
+    pid_t child = 0;
+    const int problem = posix_spawn(&child, program.c_str(), &actions_, &attributes_, pointers.data(), environ);
+    if (problem != 0) {
+      throw InputError("cannot start " + program.string() + ": " + std::strerror(problem));
+    }
+    return child;
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
+};
+
+/// A child process that does not outlive this object.
+class Child {
+ public:
+  explicit Child(pid_t number) : number_(number) {}
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child() {
+    kill();
+    wait();
+  }
+
+  void kill() const {
+    if (number_ > 0) {
+      ::kill(number_, SIGKILL);
+    }
+  }
+
+  /// Waits for its end and returns what waitpid says about it.
+  int wait() {
+    int status = 0;
+    while (number_ > 0 && waitpid(number_, &status, 0) < 0 && errno == EINTR) {
+    }
+    number_ = -1;
+    return status;
+  }
+
+  /// The same, but gives up and kills it at the deadline. True when it ended by itself.
+  bool waitUntil(Clock::time_point deadline, int& status) {
+    while (true) {
+      const pid_t ended = waitpid(number_, &status, WNOHANG);
+      if (ended != 0 && !(ended < 0 && errno == EINTR)) {
+        number_ = -1;
+        return true;
+      }
+      if (Clock::now() >= deadline) {
+        kill();
+        status = wait();
+        return false;
+      }
+      poll(nullptr, 0, 2);
+    }
+  }
+
+ private:
+  pid_t number_;
+};
+
+bool isPassing(int error) {
+  return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
+}
+
+/// The conversation with a child over a socket that is its standard input and output.
+class Conversation {
+ public:
+  Conversation(int channel, std::string_view input, std::size_t outputLimit)
+      : channel_(channel), input_(input), outputLimit_(outputLimit) {}
+
+  enum class State { Talking, Ended, TooMuch };
+
+  /// Sends and receives what can be without waiting.
+  State exchange() {
+    send();
+    return receive();
+  }
+
+  /// Waits until there is something to send or receive, but no longer than to the deadline.
+  void waitForTurn(Clock::time_point deadline) const {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count() + 1;
+    pollfd entry{channel_, static_cast<short>(closed_ ? POLLIN : POLLIN | POLLOUT), 0};
+    poll(&entry, 1, static_cast<int>(std::clamp<long long>(left, 0, 1000)));
+  }
+
+  std::string takeOutput() { return std::move(output_); }
+
+ private:
+  void send() {
+    while (!input_.empty()) {
+      const ssize_t sent = ::send(channel_, input_.data(), input_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (sent < 0) {
+        if (!isPassing(errno)) {
+          input_ = {};  // The child reads no more; what it has to say may still come.
+        }
+        break;
+      }
+      input_.remove_prefix(static_cast<std::size_t>(sent));
+    }
+    if (input_.empty() && !closed_) {
+      shutdown(channel_, SHUT_WR);
+      closed_ = true;
+    }
+  }
+
+  State receive() {
+    std::array<char, 65536> buffer{};
+    // A child that never stops writing must not keep this side from looking at the clock.
+    for (int turn = 0; turn < 64; ++turn) {
+      const ssize_t got = recv(channel_, buffer.data(), buffer.size(), MSG_DONTWAIT);
+      if (got < 0) {
+        return isPassing(errno) ? State::Talking : State::Ended;
+      }
+      if (got == 0) {
+        return State::Ended;
+      }
+      output_.append(buffer.data(), static_cast<std::size_t>(got));
+      if (output_.size() > outputLimit_) {
+        return State::TooMuch;
+      }
+    }
+    return State::Talking;
+  }
+
+  int channel_;
+  std::string_view input_;
+  std::size_t outputLimit_;
+  std::string output_;
+  bool closed_ = false;
+};
+
+ProcessOutcome converse(Child& child, Conversation& conversation, Clock::time_point deadline) {
+  ProcessOutcome outcome;
+  auto state = Conversation::State::Talking;
+  while ((state = conversation.exchange()) == Conversation::State::Talking && Clock::now() < deadline) {
+    conversation.waitForTurn(deadline);
+  }
+  int status = 0;
+  if (state == Conversation::State::TooMuch) {
+    outcome.end = ProcessOutcome::End::TooMuch;
+  } else if (state == Conversation::State::Talking || !child.waitUntil(deadline, status)) {
+    outcome.end = ProcessOutcome::End::TimedOut;
+  } else if (WIFSIGNALED(status)) {
+    outcome.end = ProcessOutcome::End::Killed;
+    outcome.code = WTERMSIG(status);
+  } else {
+    outcome.code = WEXITSTATUS(status);
+    outcome.output = conversation.takeOutput();
+  }
+  return outcome;
+}
+
+}  // namespace
+
+ProcessOutcome runProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                          std::string_view input, const ProcessLimits& limits) {
+  const Clock::time_point deadline = Clock::now() + limits.wallClock;
+  // A socket and not two pipes: sending to a child that has died can then be told to raise no SIGPIPE.
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw InputError(std::string("cannot talk to the import program: ") + std::strerror(errno));
+  }
+  Descriptor ours(ends[0]);
+  Descriptor theirs(ends[1]);
+  Child child(SpawnSetup(theirs.number()).spawn(program, arguments));
+  theirs.close();
+  Conversation conversation(ours.number(), input, limits.outputBytes);
+  return converse(child, conversation, deadline);
+}
+
+}  // namespace drape

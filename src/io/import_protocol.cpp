@@ -1,0 +1,125 @@
+#include "io/import_protocol.hpp"
+
+#include "sim/error.hpp"
+
+#include <climits>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace drape {
+namespace {
+
+constexpr std::uint64_t openingMark = 0x314853454d505244ULL;  // "DRPMESH1"
+constexpr std::uint64_t closingMark = 0x31444e4550524425ULL;
+
+struct Header {
+  std::uint64_t mark = openingMark;
+  std::uint64_t vertices = 0;
+  std::uint64_t uvs = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t facesSkipped = 0;
+  std::uint64_t errorLength = 0;
+};
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
+static_assert(sizeof(Triangle) == 3 * sizeof(int) && std::is_trivially_copyable_v<Header>);
+
+[[noreturn]] void throwGarbled(const std::string& what) {
+  throw InputError("the answer of drape-mesh-import " + what +
+                   ". Both programs must come from one build: install them again.");
+}
+
+void append(std::string& bytes, const void* data, std::size_t size) {
+  if (size > 0) {
+    bytes.append(static_cast<const char*>(data), size);
+  }
+}
+
+/// Takes values off the front of a run of bytes.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : rest_(bytes) {}
+
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
+
+  void take(void* into, std::size_t size) {
+    if (size > rest_.size()) {
+      throwGarbled("ends too early");
+    }
+    if (size > 0) {
+      std::memcpy(into, rest_.data(), size);
+    }
+    rest_.remove_prefix(size);
+  }
+
+  /// An array of `count` values. The count is checked against what is there before memory is taken for it.
+  template <typename T>
+  std::vector<T> takeArray(std::uint64_t count) {
+    if (count > INT_MAX || count > rest_.size() / sizeof(T)) {
+      throwGarbled("does not fit its own counts");
+    }
+    std::vector<T> values(static_cast<std::size_t>(count));
+    if (count > 0) {
+      take(values.front().data(), values.size() * sizeof(T));
+    }
+    return values;
+  }
+
+  std::string takeText(std::uint64_t length) {
+    if (length > rest_.size()) {
+      throwGarbled("does not fit its own counts");
+    }
+    std::string text(rest_.substr(0, static_cast<std::size_t>(length)));
+    rest_.remove_prefix(text.size());
+    return text;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+}  // namespace
+
+std::string encodeReply(const ImportReply& reply) {
+  const RawMesh& mesh = reply.mesh;
+  Header header;
+  header.vertices = mesh.positions.size();
+  header.uvs = mesh.uvs.size();
+  header.triangles = mesh.triangles.size();
+  header.facesSkipped = static_cast<std::uint64_t>(mesh.facesSkipped);
+  header.errorLength = reply.error.size();
+  std::string bytes;
+  bytes.reserve(sizeof(Header) + mesh.positions.size() * sizeof(Vec3) + mesh.uvs.size() * sizeof(Vec2) +
+                mesh.triangles.size() * sizeof(Triangle) + reply.error.size() + sizeof(closingMark));
+  append(bytes, &header, sizeof(header));
+  append(bytes, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
+  append(bytes, mesh.uvs.data(), mesh.uvs.size() * sizeof(Vec2));
+  append(bytes, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+  append(bytes, reply.error.data(), reply.error.size());
+  append(bytes, &closingMark, sizeof(closingMark));
+  return bytes;
+}
+
+ImportReply decodeReply(std::string_view bytes) {
+  Reader reader(bytes);
+  Header header;
+  reader.take(&header, sizeof(header));
+  if (header.mark != openingMark || header.facesSkipped > INT_MAX) {
+    throwGarbled("is not in its language");
+  }
+  ImportReply reply;
+  reply.mesh.positions = reader.takeArray<Vec3>(header.vertices);
+  reply.mesh.uvs = reader.takeArray<Vec2>(header.uvs);
+  reply.mesh.triangles = reader.takeArray<Triangle>(header.triangles);
+  reply.mesh.facesSkipped = static_cast<int>(header.facesSkipped);
+  reply.error = reader.takeText(header.errorLength);
+  std::uint64_t mark = 0;
+  reader.take(&mark, sizeof(mark));
+  if (mark != closingMark || reader.left() != 0) {
+    throwGarbled("does not end where it should");
+  }
+  return reply;
+}
+
+}  // namespace drape

@@ -1,0 +1,120 @@
+#include "io/mesh_summary.hpp"
+
+#include "io/mesh_topology.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace drape {
+namespace {
+
+/// Nothing that people wear or hang up is larger or smaller than this [m].
+constexpr double largestGarment = 5.0;
+constexpr double smallestGarment = 0.05;
+
+std::string formatted(const char* pattern, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), pattern, value);
+  return text.data();
+}
+
+std::string counted(int count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// "63 m tall", "12 m wide" or "7 m deep", whichever is largest.
+std::string largestExtent(const std::array<double, 3>& size) {
+  constexpr std::array<const char*, 3> words{"wide", "tall", "deep"};
+  const auto largest = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  return formatted("%.3g m ", size[largest]) + words[largest];
+}
+
+void warnAboutSize(MeshSummary& summary) {
+  const double largest = *std::max_element(summary.size.begin(), summary.size.end());
+  const std::string start =
+      "It is " + largestExtent(summary.size) + ", which is much for a garment: if the file is in ";
+  if (largest > 100.0 * largestGarment) {
+    summary.warnings.push_back(start + "millimetres, use --set unit=mm.");
+  } else if (largest > largestGarment) {
+    summary.warnings.push_back(start + "centimetres, use --set unit=cm.");
+  } else if (largest < smallestGarment) {
+    summary.warnings.push_back("It is " + largestExtent(summary.size) +
+                               ", which is little for a garment: see --set unit for files in larger units.");
+  }
+}
+
+void warnAboutFaces(MeshSummary& summary) {
+  if (summary.degenerateFaces > 0) {
+    summary.warnings.push_back(counted(summary.degenerateFaces, "face has", "faces have") + " no area: left out.");
+  }
+  if (summary.duplicateFaces > 0) {
+    summary.warnings.push_back(counted(summary.duplicateFaces, "face repeats", "faces repeat") +
+                               " the vertices of another: left out.");
+  }
+  if (summary.facesSkipped > 0) {
+    summary.warnings.push_back(counted(summary.facesSkipped, "point or line", "points and lines") +
+                               " in the file: left out.");
+  }
+  if (summary.isolatedVertices > 0) {
+    summary.warnings.push_back(counted(summary.isolatedVertices, "vertex belongs", "vertices belong") +
+                               " to no face: left out.");
+  }
+}
+
+void warnAboutTopology(MeshSummary& summary) {
+  if (summary.nonManifoldEdges > 0) {
+    summary.warnings.push_back(counted(summary.nonManifoldEdges, "edge has", "edges have") +
+                               " more than two faces (layers sewn together?): simulated as it is.");
+  }
+  if (summary.misorientedEdges > 0) {
+    summary.warnings.push_back("Across " + counted(summary.misorientedEdges, "edge", "edges") +
+                               " the faces point to opposite sides: shading and wind may look wrong there.");
+  }
+  if (summary.components > 1) {
+    summary.warnings.push_back("It falls into " + std::to_string(summary.components) +
+                               " separate pieces: each needs its own pins to stay up.");
+  }
+}
+
+}  // namespace
+
+void summarise(const ClothMesh& cloth, MeshSummary& summary) {
+  const MeshTopology topology = measureTopology(static_cast<int>(cloth.positions.size()), cloth.triangles);
+  summary.vertices = static_cast<int>(cloth.positions.size());
+  summary.triangles = static_cast<int>(cloth.triangles.size());
+  summary.springs = topology.edges;
+  summary.components = topology.components;
+  summary.boundaryLoops = topology.boundaryLoops;
+  summary.nonManifoldEdges = topology.nonManifoldEdges;
+  summary.misorientedEdges = topology.misorientedEdges;
+  Vec3 low = cloth.positions.front();
+  Vec3 high = low;
+  for (const Vec3& position : cloth.positions) {
+    low = low.cwiseMin(position);
+    high = high.cwiseMax(position);
+  }
+  const Vec3 size = high - low;
+  summary.size = {size.x(), size.y(), size.z()};
+  warnAboutSize(summary);
+  warnAboutFaces(summary);
+  warnAboutTopology(summary);
+}
+
+std::vector<std::string> describe(const MeshSummary& summary) {
+  std::vector<std::string> lines;
+  lines.push_back("mesh:        " + summary.source);
+  lines.push_back("vertices:    " + std::to_string(summary.vertices) + " (" + std::to_string(summary.verticesInFile) +
+                  " in the file, split at texture seams)");
+  lines.push_back("triangles:   " + std::to_string(summary.triangles));
+  lines.push_back("springs:     " + std::to_string(summary.springs));
+  lines.push_back("pieces:      " + std::to_string(summary.components) + ", with " +
+                  counted(summary.boundaryLoops, "open border", "open borders"));
+  lines.push_back("size:        " + formatted("%.3g", summary.size[0]) + " x " + formatted("%.3g", summary.size[1]) +
+                  " x " + formatted("%.3g", summary.size[2]) + " m (width x height x depth)");
+  for (const std::string& warning : summary.warnings) {
+    lines.push_back("warning:     " + warning);
+  }
+  return lines;
+}
+
+}  // namespace drape
