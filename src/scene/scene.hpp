@@ -42,14 +42,16 @@ struct Pleats {
 /// Which vertices are held. All the parts that are present add up.
 struct PinSelection {
   struct Box {
-    Vec3 min;
-    Vec3 max;
+    Vec3 min = Vec3::Zero();  ///< [m]
+    Vec3 max = Vec3::Zero();  ///< [m]
   };
-  std::vector<int> vertices;  ///< by index
-  std::vector<Vec3> nearest;  ///< the vertex nearest to each point of the rest shape [m]
-  std::vector<Box> boxes;     ///< all vertices of the rest shape inside a box [m]
-  std::optional<double> top;  ///< all vertices within this fraction of the height from the top [-]
-  int everyAlongTop = 0;      ///< grid only: every n-th vertex of the first row, and the last; 0 for none
+  std::vector<int> vertices;         ///< by index
+  std::vector<Vec3> nearest;         ///< the vertex nearest to each point of the rest shape [m]
+  std::vector<Box> boxes;            ///< all vertices of the rest shape inside a box
+  std::optional<double> top;         ///< all vertices within this fraction of the height from the top [-]
+  std::vector<std::string> corners;  ///< of a grid: "top_left", "top_right", "bottom_left", "bottom_right"
+  std::vector<std::string> edges;    ///< of a grid: "top", "bottom", "left", "right"
+  int every = 1;                     ///< along edges only every n-th vertex, and the last
 };
 
 /// A scene as it is written down (docs/scenes.md), before anything is built.

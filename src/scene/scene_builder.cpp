@@ -1,1 +1,123 @@
-// To be written.
+#include "scene/builtin_meshes.hpp"
+#include "scene/framing.hpp"
+#include "scene/grid_mesh.hpp"
+#include "scene/mass.hpp"
+#include "scene/pin_selection.hpp"
+#include "scene/scene.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace drape {
+namespace {
+
+/// How much of a bare mesh is held at its top.
+constexpr double topOfBareMesh = 0.03;
+
+double metresPerUnit(const std::string& unit) {
+  return unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1.0;
+}
+
+ImportOptions importOptions(const Settings& settings) {
+  return {metresPerUnit(settings.mesh.unit), settings.mesh.weldTolerance};
+}
+
+ImportedMesh readMesh(const MeshFileSource& source, const ImportOptions& options) {
+  if (!source.builtIn) {
+    return importMesh(source.path, options);
+  }
+  return importMeshFromMemory(source.path, builtinMesh(source.path), options);
+}
+
+PinSelection pinsInForce(const SceneDescription& description, const Settings& settings) {
+  if (settings.mesh.pins == "scene") {
+    return description.pins;
+  }
+  PinSelection pins;
+  if (settings.mesh.pins == "top") {
+    pins.top = topOfBareMesh;
+  }
+  return pins;
+}
+
+struct Box {
+  Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
+};
+
+Box boundsOf(const std::vector<Vec3>& positions) {
+  Box box;
+  for (const Vec3& position : positions) {
+    box.min = box.min.cwiseMin(position);
+    box.max = box.max.cwiseMax(position);
+  }
+  return box;
+}
+
+std::optional<Decor> readStand(const std::optional<MeshFileSource>& source) {
+  if (!source) {
+    return std::nullopt;
+  }
+  ImportedMesh mesh = readMesh(*source, ImportOptions{});
+  return Decor{std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles)};
+}
+
+/// Where the mesh comes from, and the layout when it is a grid.
+struct Source {
+  ImportedMesh mesh;
+  std::optional<GridLayout> grid;
+};
+
+Source makeSource(const SceneDescription& description, const Settings& settings) {
+  if (const auto* grid = std::get_if<GridSource>(&description.source)) {
+    const GridLayout layout = layoutOf(settings.grid);
+    return {makeGrid(layout, grid->plane), layout};
+  }
+  return {readMesh(std::get<MeshFileSource>(description.source), importOptions(settings)), std::nullopt};
+}
+
+std::vector<Vec3> startPositions(const SceneDescription& description, const Source& source) {
+  std::vector<Vec3> positions = source.mesh.cloth.positions;
+  if (description.pleats && source.grid) {
+    applyPleats(*description.pleats, source.grid->width, positions);
+  }
+  for (Vec3& position : positions) {
+    position += description.position;
+  }
+  return positions;
+}
+
+}  // namespace
+
+std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const Settings& settings) {
+  auto scene = std::make_shared<Scene>();
+  scene->description = description;
+  scene->settings = settings;
+
+  Source source = makeSource(description, settings);
+  scene->start = stateAtRest(startPositions(description, source));
+  for (Vec3& position : source.mesh.cloth.positions) {
+    position += description.position;
+  }
+  const std::vector<int> pins = selectPins(pinsInForce(description, settings), source.mesh.cloth.positions,
+                                           source.grid ? &*source.grid : nullptr);
+  scene->model = buildClothModel(source.mesh.cloth, totalMassOf(settings, restAreaOf(source.mesh.cloth)),
+                                 lumpingOf(settings), pins);
+  scene->renderMesh = std::move(source.mesh.render);
+  scene->summary = std::move(source.mesh.summary);
+  scene->stand = readStand(description.stand);
+
+  const Box box = boundsOf(scene->start.positions);
+  scene->groundHeight =
+      description.groundBelowCloth ? box.min.y() - 0.25 * (box.max.y() - box.min.y()) : description.groundHeight;
+  constexpr double usualAspect = 16.0 / 9.0;
+  constexpr double cautious = 1.25;  // cloth sags and swings beyond the box it starts in
+  const Vec3 middle = 0.5 * (box.min + box.max);
+  scene->camera = description.camera.value_or(framed({Vec3(0.35, 0.2, 1.0), Vec3::Zero(), CameraPose{}.viewAngle},
+                                                     middle + cautious * (box.min - middle),
+                                                     middle + cautious * (box.max - middle), usualAspect));
+  return scene;
+}
+
+}  // namespace drape

@@ -1,1 +1,147 @@
-// To be written.
+#include "scene/scene_file.hpp"
+
+#include "scene/toml_reader.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/error.hpp"
+
+#include <cmath>
+
+namespace drape {
+namespace {
+
+constexpr double farAway = 1e4;  // [m] beyond this a coordinate in a scene is a slip
+
+MeshFileSource meshSource(const std::string& name, const std::filesystem::path& folder) {
+  constexpr std::string_view builtin = "builtin:";
+  if (name.starts_with(builtin)) {
+    return {name.substr(builtin.size()), true};
+  }
+  return {(folder / name).string(), false};
+}
+
+void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, SceneDescription& scene) {
+  cloth.allowOnly({"mesh", "grid", "position", "pleats"});
+  const auto mesh = cloth.text("mesh");
+  const auto plane = cloth.text("grid");
+  if (mesh.has_value() == plane.has_value()) {
+    throw InputError(scene.name +
+                     ": [cloth] needs either mesh = \"file.obj\" or grid = \"horizontal\" or \"vertical\"");
+  }
+  if (mesh) {
+    scene.source = meshSource(*mesh, folder);
+  } else if (*plane == "horizontal" || *plane == "vertical") {
+    scene.source = GridSource{*plane == "vertical" ? GridSource::Plane::Vertical : GridSource::Plane::Horizontal};
+  } else {
+    throw InputError(scene.name + ": cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
+  }
+  scene.position = cloth.vector("position").value_or(Vec3::Zero());
+  if (const auto pleats = cloth.table("pleats")) {
+    pleats->allowOnly({"count", "gather"});
+    scene.pleats = Pleats{pleats->integer("count", 1, 1000).value_or(Pleats{}.count),
+                          pleats->number("gather", 0.1, 1.0).value_or(Pleats{}.gather)};
+  }
+}
+
+PinSelection readPins(const TomlReader& reader) {
+  reader.allowOnly({"vertices", "nearest", "boxes", "top", "corners", "edges", "every"});
+  PinSelection pins;
+  pins.vertices = reader.integers("vertices");
+  pins.nearest = reader.vectors("nearest");
+  for (const TomlReader& box : reader.tables("boxes")) {
+    box.allowOnly({"min", "max"});
+    pins.boxes.push_back(
+        {box.vector("min").value_or(Vec3::Constant(-farAway)), box.vector("max").value_or(Vec3::Constant(farAway))});
+  }
+  pins.top = reader.number("top", 0.0, 1.0);
+  pins.corners = reader.texts("corners");
+  pins.edges = reader.texts("edges");
+  pins.every = reader.integer("every", 1, 1000).value_or(1);
+  return pins;
+}
+
+CameraPose readCamera(const TomlReader& reader) {
+  reader.allowOnly({"position", "focal_point", "view_angle"});
+  CameraPose pose;
+  pose.position = reader.vector("position").value_or(pose.position);
+  pose.focalPoint = reader.vector("focal_point").value_or(pose.focalPoint);
+  pose.viewAngle = reader.number("view_angle", 1.0, 150.0).value_or(pose.viewAngle);
+  return pose;
+}
+
+SettingValue valueOf(const toml::node& node) {
+  if (const auto* flag = node.as_boolean()) {
+    return flag->get();
+  }
+  if (const auto* whole = node.as_integer()) {
+    const std::int64_t value = whole->get();
+    if (value == static_cast<int>(value)) {
+      return static_cast<int>(value);
+    }
+    return static_cast<double>(value);
+  }
+  if (const auto* real = node.as_floating_point()) {
+    return real->get();
+  }
+  return node.value_or(std::string("a list"));
+}
+
+void readSettings(const TomlReader& reader, Settings& settings) {
+  reader.forEachValue([&](const std::string& key, const toml::node& node) {
+    try {
+      // A text may also be a fraction: time_step = "1/150".
+      if (const auto* text = node.as_string()) {
+        assignSettingText(settings, requireSetting(key), text->get());
+      } else {
+        assignSetting(settings, requireSetting(key), valueOf(node));
+      }
+    } catch (const UsageError& error) {
+      reader.fail(node, error.what());
+    }
+  });
+}
+
+toml::table parseToml(std::string_view text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw InputError(file + ":" + std::to_string(error.source().begin.line) +
+                     ": this is not valid TOML: " + std::string(error.description()));
+  }
+}
+
+}  // namespace
+
+SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
+                            const std::filesystem::path& folder) {
+  const TomlReader reader(file, "", parseToml(text, file));
+  reader.allowOnly({"title", "help", "cloth", "pins", "camera", "stand", "ground", "settings"});
+  SceneDescription scene;
+  scene.name = name;
+  scene.title = reader.text("title").value_or(name);
+  scene.help = reader.text("help").value_or("");
+  const auto cloth = reader.table("cloth");
+  if (!cloth) {
+    throw InputError(file + ": a scene needs a table [cloth] with either mesh or grid");
+  }
+  readCloth(*cloth, folder, scene);
+  if (const auto pins = reader.table("pins")) {
+    scene.pins = readPins(*pins);
+  }
+  if (const auto camera = reader.table("camera")) {
+    scene.camera = readCamera(*camera);
+  }
+  if (const auto stand = reader.table("stand")) {
+    stand->allowOnly({"mesh"});
+    scene.stand = meshSource(stand->text("mesh").value_or(""), folder);
+  }
+  if (const auto ground = reader.table("ground")) {
+    ground->allowOnly({"height"});
+    scene.groundHeight = ground->number("height", -farAway, farAway).value_or(0.0);
+  }
+  if (const auto settings = reader.table("settings")) {
+    readSettings(*settings, scene.settings);
+  }
+  return scene;
+}
+
+}  // namespace drape

@@ -142,6 +142,12 @@ double ClothModel::totalMass() const {
   return std::accumulate(vertexMass.begin(), vertexMass.end(), 0.0);
 }
 
+double restAreaOf(const ClothMesh& mesh) {
+  checkMesh(mesh);
+  const std::vector<double> areas = vertexAreasOf(mesh);
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
+}
+
 std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double totalMass, MassLumping lumping,
                                                   const std::vector<int>& pins) {
   checkMesh(mesh);

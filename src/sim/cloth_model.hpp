@@ -56,6 +56,9 @@ struct ClothModel {
   [[nodiscard]] double totalMass() const;  ///< [kg]
 };
 
+/// Sum of the triangles' areas [m^2]. Throws InputError as buildClothModel does.
+[[nodiscard]] double restAreaOf(const ClothMesh& mesh);
+
 /// Builds springs, adjacency, areas and masses. `pins` are vertex indices.
 /// Throws InputError for an empty mesh, an index out of range, a position that is not finite or a mass that is not
 /// positive.

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "settings/settings.hpp"
+#include "sim/cloth_model.hpp"
+
+namespace drape {
+
+/// How the settings want the mass to be spread.
+[[nodiscard]] MassLumping lumpingOf(const Settings& settings);
+
+/// The mass of a cloth of that rest area [m^2] under the settings [kg].
+[[nodiscard]] double totalMassOf(const Settings& settings, double restArea);
+
+}  // namespace drape

@@ -1,0 +1,124 @@
+#include "scene/builtin_meshes.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_file.hpp"
+#include "sim/embedded_file.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <span>
+
+namespace drape {
+
+std::span<const EmbeddedFile> embeddedScenes();
+std::span<const EmbeddedFile> embeddedMeshes();
+
+namespace {
+
+constexpr std::string_view sceneEnding = ".toml";
+constexpr std::uintmax_t largestSceneFile = 1U << 20U;  // [bytes]
+
+std::string sceneName(const EmbeddedFile& file) {
+  return std::string(file.name.substr(0, file.name.size() - sceneEnding.size()));
+}
+
+std::string listOf(std::span<const EmbeddedFile> files) {
+  std::string names;
+  for (const EmbeddedFile& file : files) {
+    names += (names.empty() ? "" : ", ") + std::string(file.name);
+  }
+  return names;
+}
+
+std::string sceneNames() {
+  std::string names;
+  for (const SceneInfo& info : sceneList()) {
+    names += (names.empty() ? "" : ", ") + info.name;
+  }
+  return names;
+}
+
+bool isMeshFile(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto formats = meshFormats();
+  return !ending.empty() && std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end();
+}
+
+std::string readText(const std::filesystem::path& file) {
+  if (std::filesystem::file_size(file) > largestSceneFile) {
+    throw InputError(file.string() + " is larger than a scene file can be (1 MiB)");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) {
+    throw InputError(file.string() + " cannot be read; check its permissions");
+  }
+  return text;
+}
+
+SceneDescription sceneOfMesh(const std::filesystem::path& file) {
+  SceneDescription scene;
+  scene.name = file.filename().string();
+  scene.title = scene.name;
+  scene.help = "A mesh that hangs by its top.";
+  scene.source = MeshFileSource{file.string(), false};
+  scene.pins.top = 0.03;
+  scene.groundBelowCloth = true;
+  return scene;
+}
+
+SceneDescription openFile(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw InputError(file.string() + " is a folder; name a scene (.toml) or a mesh file inside it");
+  }
+  if (!std::filesystem::exists(file, error)) {
+    throw InputError("there is no scene and no file '" + file.string() + "'; the built-in scenes are " + sceneNames());
+  }
+  if (file.extension() == sceneEnding) {
+    return parseScene(readText(file), file.stem().string(), file.string(), file.parent_path());
+  }
+  if (isMeshFile(file)) {
+    return sceneOfMesh(file);
+  }
+  std::string formats;
+  for (const std::string& format : meshFormats()) {
+    formats += ", ." + format;
+  }
+  throw InputError(file.string() + " is neither a scene nor a mesh that can be read; known endings: .toml" + formats);
+}
+
+}  // namespace
+
+std::string_view builtinMesh(std::string_view name) {
+  const auto meshes = embeddedMeshes();
+  const auto found =
+      std::find_if(meshes.begin(), meshes.end(), [&](const EmbeddedFile& file) { return file.name == name; });
+  if (found == meshes.end()) {
+    throw InputError("there is no built-in mesh '" + std::string(name) + "'; there are " + listOf(meshes));
+  }
+  return found->bytes;
+}
+
+std::vector<SceneInfo> sceneList() {
+  std::vector<SceneInfo> list;
+  for (const EmbeddedFile& file : embeddedScenes()) {
+    const SceneDescription scene = parseScene(file.bytes, sceneName(file), std::string(file.name), {});
+    list.push_back({scene.name, scene.title, scene.help});
+  }
+  return list;
+}
+
+SceneDescription openScene(const std::string& nameOrPath) {
+  for (const EmbeddedFile& file : embeddedScenes()) {
+    if (sceneName(file) == nameOrPath) {
+      return parseScene(file.bytes, nameOrPath, std::string(file.name), {});
+    }
+  }
+  return openFile(nameOrPath);
+}
+
+}  // namespace drape

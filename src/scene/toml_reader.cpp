@@ -1,0 +1,173 @@
+#include "scene/toml_reader.hpp"
+
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace drape {
+namespace {
+
+std::string toText(double value) {
+  std::ostringstream stream;
+  stream << value;
+  return stream.str();
+}
+
+}  // namespace
+
+TomlReader::TomlReader(std::string file, std::string where, const toml::table& table)
+    : file_(std::move(file)), where_(std::move(where)), table_(table) {}
+
+void TomlReader::fail(const toml::node& node, const std::string& message) const {
+  throw InputError(file_ + ":" + std::to_string(node.source().begin.line) + ": " + message);
+}
+
+std::string TomlReader::nameOf(std::string_view key) const {
+  return where_.empty() ? std::string(key) : where_ + "." + std::string(key);
+}
+
+void TomlReader::allowOnly(const std::vector<std::string_view>& keys) const {
+  for (const auto& [key, node] : table_) {
+    if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
+      std::string known;
+      for (const auto& each : keys) {
+        known += (known.empty() ? "" : ", ") + std::string(each);
+      }
+      fail(node, "there is no '" + nameOf(key.str()) + "' in a scene; known here: " + known);
+    }
+  }
+}
+
+std::optional<std::string> TomlReader::text(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  if (const auto* value = node->as_string()) {
+    return value->get();
+  }
+  fail(*node, nameOf(key) + " must be a text in quotes");
+}
+
+std::optional<double> TomlReader::number(std::string_view key, double min, double max) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+  if (!value || !(*value >= min && *value <= max)) {
+    fail(*node, nameOf(key) + " must be a number from " + toText(min) + " to " + toText(max));
+  }
+  return value;
+}
+
+std::optional<int> TomlReader::integer(std::string_view key, int min, int max) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  const auto* value = node->as_integer();
+  if (value == nullptr || value->get() < min || value->get() > max) {
+    fail(*node, nameOf(key) + " must be a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+  }
+  return static_cast<int>(value->get());
+}
+
+Vec3 TomlReader::asVector(const toml::node& node, std::string_view key) const {
+  const toml::array* array = node.as_array();
+  Vec3 vector = Vec3::Zero();
+  const bool three = array != nullptr && array->size() == 3;
+  for (std::size_t i = 0; three && i < 3; ++i) {
+    const toml::node& entry = *array->get(i);
+    vector[static_cast<Eigen::Index>(i)] =
+        entry.is_number() ? *entry.value<double>() : std::numeric_limits<double>::quiet_NaN();
+  }
+  if (!three || !vector.allFinite()) {
+    fail(node, nameOf(key) + " must be three finite numbers: [x, y, z]");
+  }
+  return vector;
+}
+
+std::optional<Vec3> TomlReader::vector(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  return node == nullptr ? std::nullopt : std::optional(asVector(*node, key));
+}
+
+std::optional<TomlReader> TomlReader::table(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  if (const toml::table* table = node->as_table()) {
+    return TomlReader(file_, nameOf(key), *table);
+  }
+  fail(*node, nameOf(key) + " must be a table: [" + nameOf(key) + "]");
+}
+
+template <typename T, typename Convert>
+std::vector<T> TomlReader::list(std::string_view key, const char* expected, const Convert& convert) const {
+  std::vector<T> values;
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) {
+    return values;
+  }
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    fail(*node, nameOf(key) + " must be a list of " + expected);
+  }
+  for (const toml::node& entry : *array) {
+    std::optional<T> value = convert(entry);
+    if (!value) {
+      fail(entry, nameOf(key) + " must be a list of " + expected);
+    }
+    values.push_back(std::move(*value));
+  }
+  return values;
+}
+
+std::vector<std::string> TomlReader::texts(std::string_view key) const {
+  return list<std::string>(key, "texts", [](const toml::node& entry) { return entry.value_exact<std::string>(); });
+}
+
+std::vector<int> TomlReader::integers(std::string_view key) const {
+  return list<int>(key, "whole numbers", [](const toml::node& entry) -> std::optional<int> {
+    const auto value = entry.value_exact<std::int64_t>();
+    if (!value || *value < 0 || *value > std::numeric_limits<int>::max()) {
+      return std::nullopt;
+    }
+    return static_cast<int>(*value);
+  });
+}
+
+std::vector<Vec3> TomlReader::vectors(std::string_view key) const {
+  return list<Vec3>(key, "points [x, y, z]",
+                    [&](const toml::node& entry) { return std::optional(asVector(entry, key)); });
+}
+
+std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
+  return list<TomlReader>(key, "tables", [&](const toml::node& entry) -> std::optional<TomlReader> {
+    const toml::table* table = entry.as_table();
+    return table == nullptr ? std::nullopt : std::optional(TomlReader(file_, nameOf(key), *table));
+  });
+}
+
+void TomlReader::visitBelow(const std::string& prefix, const toml::table& table,
+                            const std::function<void(const std::string&, const toml::node&)>& visit) const {
+  for (const auto& [key, node] : table) {
+    const std::string dotted = prefix.empty() ? std::string(key.str()) : prefix + "." + std::string(key.str());
+    if (const toml::table* below = node.as_table()) {
+      visitBelow(dotted, *below, visit);
+    } else {
+      visit(dotted, node);
+    }
+  }
+}
+
+void TomlReader::forEachValue(const std::function<void(const std::string&, const toml::node&)>& visit) const {
+  visitBelow("", table_, visit);
+}
+
+}  // namespace drape

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "sim/vector.hpp"
+
+#include <toml++/toml.h>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drape {
+
+/// Checked access to a TOML table: every wrong type or unknown key becomes an InputError that says file, line and key.
+class TomlReader {
+ public:
+  /// @param file for messages  @param where the table's own name, "" for the file's top
+  TomlReader(std::string file, std::string where, const toml::table& table);
+
+  /// Throws unless every key is one of those.
+  void allowOnly(const std::vector<std::string_view>& keys) const;
+
+  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+  [[nodiscard]] std::optional<std::string> text(std::string_view key) const;
+  [[nodiscard]] std::optional<double> number(std::string_view key, double min, double max) const;
+  [[nodiscard]] std::optional<int> integer(std::string_view key, int min, int max) const;
+  [[nodiscard]] std::optional<Vec3> vector(std::string_view key) const;
+  [[nodiscard]] std::optional<TomlReader> table(std::string_view key) const;
+
+  /// Lists; empty when the key is absent.
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+  [[nodiscard]] std::vector<int> integers(std::string_view key) const;
+  [[nodiscard]] std::vector<Vec3> vectors(std::string_view key) const;
+  [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
+
+  /// Visits every value below the table with its dotted key.
+  void forEachValue(const std::function<void(const std::string& key, const toml::node& node)>& visit) const;
+
+  /// Throws InputError "file:line: message".
+  [[noreturn]] void fail(const toml::node& node, const std::string& message) const;
+
+ private:
+  [[nodiscard]] std::string nameOf(std::string_view key) const;
+  [[nodiscard]] Vec3 asVector(const toml::node& node, std::string_view key) const;
+  void visitBelow(const std::string& prefix, const toml::table& table,
+                  const std::function<void(const std::string& key, const toml::node& node)>& visit) const;
+
+  template <typename T, typename Convert>
+  std::vector<T> list(std::string_view key, const char* expected, const Convert& convert) const;
+
+  std::string file_;
+  std::string where_;
+  toml::table table_;
+};
+
+}  // namespace drape
