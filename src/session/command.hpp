@@ -40,7 +40,7 @@ struct LoadSceneCommand {
 using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, GrabCommand,
                              MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, LoadSceneCommand>;
 
-/// A command and the number of the step before which it took effect: enough to run a session again.
+/// A command and how many steps had been taken when it took effect: enough to run a session again.
 struct LoggedCommand {
   std::int64_t step = 0;
   Command command;

@@ -1,1 +1,182 @@
-// To be written.
+#include "session/simulation.hpp"
+
+#include "scene/mass.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace drape {
+
+Simulation::Simulation(std::shared_ptr<const Scene> scene) {
+  on(LoadSceneCommand{std::move(scene)});
+}
+
+void Simulation::apply(const Command& command) {
+  log_.push_back({stepsTaken_, command});
+  ++version_;
+  try {
+    std::visit([this](const auto& each) { on(each); }, command);
+  } catch (const InputError& error) {
+    message_ = error.what();
+  }
+}
+
+void Simulation::step() {
+  lastFinite_ = state_;
+  const auto before = std::chrono::steady_clock::now();
+  inputs_.grab = grabInForce();
+  solver_->step(*model_, settings_.step, inputs_, state_);
+  stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  ++version_;
+  if (!isFinite(state_)) {
+    state_ = lastFinite_;
+    paused_ = true;
+    message_ = "The cloth blew up at " + std::to_string(state_.time) +
+               " s and was stopped. Try a smaller time step or a lower stiffness, then reset.";
+    return;
+  }
+  ++stepIndex_;
+  ++stepsTaken_;
+}
+
+void Simulation::replay(const std::vector<LoggedCommand>& log) {
+  for (const LoggedCommand& entry : log) {
+    while (stepsTaken_ < entry.step) {
+      step();
+    }
+    apply(entry.command);
+  }
+}
+
+void Simulation::capture(Snapshot& snapshot) const {
+  snapshot.scene = scene_;
+  snapshot.model = model_;
+  snapshot.positions = state_.positions;
+  snapshot.step = stepIndex_;
+  snapshot.version = version_;
+  snapshot.time = state_.time;
+  snapshot.settings = settings_;
+  snapshot.paused = paused_;
+  snapshot.energy = energyOf(*model_, settings_.step, state_);
+  snapshot.maxStretch = drape::maxStretch(*model_, state_);
+  snapshot.stepSeconds = stepSeconds_;
+  snapshot.message = message_;
+  snapshot.grab.reset();
+  if (grab_) {
+    const int corner = nearestCornerOfGrab();
+    snapshot.grab = GrabStatus{grab_->triangle, grab_->barycentric, grab_->target, grabbedPoint(),
+                               model_->pinned[static_cast<std::size_t>(corner)]};
+  }
+}
+
+void Simulation::on(const SetSettingCommand& command) {
+  const SettingInfo& info = requireSetting(command.key);
+  if (info.effect == SettingEffect::Scene) {
+    throw InputError(command.key + " takes effect when the scene is built again");
+  }
+  assignSetting(settings_, info, command.value);
+  if (info.effect == SettingEffect::Mass) {
+    model_ = withMass(*model_, totalMassOf(settings_, model_->restArea()), lumpingOf(settings_));
+  }
+  useSolver(settings_.solver.name);
+  message_.clear();
+}
+
+void Simulation::on(const PauseCommand& command) {
+  paused_ = command.paused;
+}
+
+void Simulation::on(const SingleStepCommand&) {
+  paused_ = true;
+  step();
+}
+
+void Simulation::on(const ResetCommand&) {
+  state_ = scene_->start;
+  stepIndex_ = 0;
+  grab_.reset();
+  message_.clear();
+}
+
+void Simulation::on(const GrabCommand& command) {
+  const bool exists = command.triangle >= 0 && command.triangle < static_cast<int>(model_->triangles.size());
+  const bool inside = command.barycentric.allFinite() && (command.barycentric.array() >= -1e-6).all() &&
+                      std::abs(command.barycentric.sum() - 1.0) < 1e-6;
+  if (!exists || !inside || !command.target.allFinite()) {
+    throw InputError("there is no such point of the cloth to grab");
+  }
+  grab_ = Held{command.triangle, command.barycentric, command.target};
+}
+
+void Simulation::on(const MoveGrabCommand& command) {
+  if (grab_ && command.target.allFinite()) {
+    grab_->target = command.target;
+  }
+}
+
+void Simulation::on(const ReleaseGrabCommand&) {
+  grab_.reset();
+}
+
+void Simulation::on(const TogglePinCommand&) {
+  if (!grab_) {
+    throw InputError("Hold the cloth with the mouse, then press P to pin it there.");
+  }
+  std::vector<bool> pinned = model_->pinned;
+  pinned[static_cast<std::size_t>(nearestCornerOfGrab())].flip();
+  model_ = withPins(*model_, std::move(pinned));
+}
+
+void Simulation::on(const LoadSceneCommand& command) {
+  if (!command.scene) {
+    throw InputError("there is no scene to load");
+  }
+  scene_ = command.scene;
+  model_ = scene_->model;
+  settings_ = scene_->settings;
+  useSolver(settings_.solver.name);
+  on(ResetCommand{});
+  // What was asked of another scene cannot be asked of this one: the record starts afresh.
+  log_.clear();
+  stepsTaken_ = 0;
+}
+
+void Simulation::useSolver(const std::string& name) {
+  if (solverName_ == name) {
+    return;
+  }
+  const SolverInfo* info = findSolver(name);
+  if (info == nullptr) {
+    throw InputError("there is no solver '" + name + "'");
+  }
+  solver_ = info->make();
+  solverName_ = name;
+}
+
+std::optional<Grab> Simulation::grabInForce() const {
+  if (!grab_) {
+    return std::nullopt;
+  }
+  return Grab{grab_->triangle, grab_->barycentric, grab_->target, settings_.hand.stiffness, settings_.hand.maxForce};
+}
+
+Vec3 Simulation::grabbedPoint() const {
+  const Triangle& corners = model_->triangles[static_cast<std::size_t>(grab_->triangle)];
+  Vec3 point = Vec3::Zero();
+  for (int corner = 0; corner < 3; ++corner) {
+    const int vertex = corners[static_cast<std::size_t>(corner)];
+    point += grab_->barycentric[corner] * state_.positions[static_cast<std::size_t>(vertex)];
+  }
+  return point;
+}
+
+int Simulation::nearestCornerOfGrab() const {
+  Eigen::Index heaviest = 0;
+  grab_->barycentric.maxCoeff(&heaviest);
+  return model_->triangles[static_cast<std::size_t>(grab_->triangle)][static_cast<std::size_t>(heaviest)];
+}
+
+}  // namespace drape

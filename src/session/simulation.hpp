@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ class Simulation {
   /// finite state, pauses and says so.
   void step();
 
+  /// Goes through a log that another simulation of the same scene wrote, taking the steps between its commands. The
+  /// states are the same, bit for bit.
+  void replay(const std::vector<LoggedCommand>& log);
+
   /// Fills `snapshot` with the present state, reusing its memory.
   void capture(Snapshot& snapshot) const;
 
@@ -36,9 +41,11 @@ class Simulation {
   [[nodiscard]] bool paused() const { return paused_; }
   [[nodiscard]] const std::string& message() const { return message_; }
 
-  /// The commands so far, in order. Applied to a fresh simulation of the same scene at the same steps they give the
-  /// same states, bit for bit.
+  /// The commands since the scene was loaded, in order, each with the number of steps taken before it.
   [[nodiscard]] const std::vector<LoggedCommand>& log() const { return log_; }
+
+  /// Steps taken since the scene was loaded, resets or not.
+  [[nodiscard]] std::int64_t stepsTaken() const { return stepsTaken_; }
 
  private:
   void on(const SetSettingCommand& command);
@@ -52,17 +59,28 @@ class Simulation {
   void on(const LoadSceneCommand& command);
 
   void useSolver(const std::string& name);
-  void rebuildMasses();
+
+  /// What the hand holds; its stiffness and force come from the settings at each step.
+  struct Held {
+    int triangle = 0;
+    Vec3 barycentric = Vec3::Zero();
+    Vec3 target = Vec3::Zero();  ///< [m]
+  };
+  [[nodiscard]] std::optional<Grab> grabInForce() const;
+  [[nodiscard]] Vec3 grabbedPoint() const;
   [[nodiscard]] int nearestCornerOfGrab() const;
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const ClothModel> model_;
   Settings settings_;
   std::unique_ptr<Solver> solver_;
+  std::string solverName_;
   ClothState state_;
   ClothState lastFinite_;
+  std::optional<Held> grab_;
   StepInputs inputs_;
-  std::int64_t stepIndex_ = 0;
+  std::int64_t stepIndex_ = 0;   // since the last reset
+  std::int64_t stepsTaken_ = 0;  // since the scene was loaded
   std::int64_t version_ = 0;
   bool paused_ = false;
   std::string message_;

@@ -1,1 +1,91 @@
-// To be written.
+#include "session/simulation_thread.hpp"
+
+#include "session/pacer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace drape {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// New pictures are published at least this often, even when many steps are due, and commands are looked for.
+constexpr double longestBurst = 1.0 / 120.0;  // [s]
+/// The longest sleep: how late a command may be noticed while nothing moves.
+constexpr double longestSleep = 0.004;  // [s]
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+SimulationThread::SimulationThread(std::shared_ptr<const Scene> scene, bool paused) : simulation_(std::move(scene)) {
+  simulation_.apply(PauseCommand{paused});
+  publish();
+  thread_ = std::thread([this] { run(); });
+}
+
+SimulationThread::~SimulationThread() {
+  stop_ = true;
+  thread_.join();
+}
+
+void SimulationThread::post(Command command) {
+  queue_.post(std::move(command));
+}
+
+const Snapshot& SimulationThread::latest() {
+  return snapshots_.latest();
+}
+
+void SimulationThread::publish() {
+  Snapshot& snapshot = snapshots_.writeSlot();
+  simulation_.capture(snapshot);
+  snapshot.realTimeFactor = simulation_.paused() ? 0.0 : realTimeFactor_;
+  snapshots_.publish();
+}
+
+bool SimulationThread::drain(std::vector<Command>& commands) {
+  queue_.drain(commands);
+  for (const Command& command : commands) {
+    simulation_.apply(command);
+  }
+  return !commands.empty();
+}
+
+void SimulationThread::run() {
+  Pacer pacer;
+  RealTimeFactor factor;
+  std::vector<Command> commands;
+  auto last = Clock::now();
+  while (!stop_) {
+    const bool changed = drain(commands);
+    const double elapsed = secondsSince(last);
+    last = Clock::now();
+    const Settings& settings = simulation_.settings();
+    double simulated = 0.0;
+    if (simulation_.paused()) {
+      pacer.forget();
+      factor.reset();
+    } else {
+      pacer.collect(elapsed, settings.playback.speed);
+      while (!simulation_.paused() && secondsSince(last) < longestBurst && pacer.takeStep(settings.step.timeStep)) {
+        simulation_.step();
+        simulated += settings.step.timeStep;
+      }
+      factor.add(elapsed, simulated);
+    }
+    if (changed || simulated > 0.0) {
+      realTimeFactor_ = factor.value();
+      publish();
+    }
+    const double wait =
+        simulation_.paused() ? longestSleep : pacer.untilNext(settings.step.timeStep, settings.playback.speed);
+    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(wait, longestSleep)));
+  }
+}
+
+}  // namespace drape

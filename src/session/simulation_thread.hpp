@@ -9,6 +9,7 @@
 #include <atomic>
 #include <memory>
 #include <thread>
+#include <vector>
 
 namespace drape {
 
@@ -30,6 +31,8 @@ class SimulationThread {
  private:
   void run();
   void publish();
+  /// Applies what has been posted; true when there was anything.
+  bool drain(std::vector<Command>& commands);
 
   Simulation simulation_;
   CommandQueue queue_;
