@@ -1,9 +1,11 @@
 #include "sim/workers.hpp"
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
+#include <algorithm>
 
 namespace drape {
 namespace {
@@ -27,8 +29,10 @@ void Workers::forRange(int threads, int count, const std::function<void(int begi
     body(0, count);
     return;
   }
-  if (!arena_ || arena_->threads != threads) {
-    arena_ = std::make_unique<Arena>(threads);
+  // More threads than the machine has would only wait for each other.
+  const int useful = std::min(threads, oneapi::tbb::info::default_concurrency());
+  if (!arena_ || arena_->threads != useful) {
+    arena_ = std::make_unique<Arena>(useful);
   }
   arena_->arena.execute([&] {
     oneapi::tbb::parallel_for(

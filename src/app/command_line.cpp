@@ -1,0 +1,66 @@
+#include "app/command_line.hpp"
+
+#include "settings/settings_table.hpp"
+#include "sim/error.hpp"
+
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace drape {
+namespace {
+
+int fail(const CLI::App& app, ExitStatus status, const std::string& message) {
+  std::cerr << app.get_name() << ": " << message << '\n';
+  if (status == ExitStatus::WrongUsage) {
+    std::cerr << "'" << app.get_name() << " --help' tells how it is called.\n";
+  }
+  return static_cast<int>(status);
+}
+
+}  // namespace
+
+void SceneArguments::addTo(CLI::App& app) {
+  app.add_option("scene", scene, "A built-in scene, a scene file (.toml) or a mesh file")->type_name("SCENE|MESH");
+  app.add_option("--set", settings, "Set a setting; may be repeated ('drape-headless list settings' shows them)")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::shared_ptr<const Scene> SceneArguments::load() const {
+  const SceneDescription description = openScene(scene.empty() ? sceneList().front().name : scene);
+  Settings inForce = description.settings;
+  for (const std::string& expression : settings) {
+    assignSettingExpression(inForce, expression);
+  }
+  auto built = buildScene(description, inForce);
+  for (const std::string& warning : built->summary.warnings) {
+    std::cerr << "warning: " << warning << '\n';
+  }
+  return built;
+}
+
+int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& body) {
+  try {
+    app.parse(argc, argv);
+    body();
+    return static_cast<int>(ExitStatus::Ok);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      return app.exit(error);  // --help or --version
+    }
+    return fail(app, ExitStatus::WrongUsage, error.what());
+  } catch (const UsageError& error) {
+    return fail(app, ExitStatus::WrongUsage, error.what());
+  } catch (const InputError& error) {
+    return fail(app, ExitStatus::Failed, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(app, ExitStatus::Failed, "there is not enough memory for this; take a smaller mesh or grid");
+  } catch (const std::exception& error) {
+    return fail(app, ExitStatus::Failed, error.what());
+  }
+}
+
+}  // namespace drape

@@ -1,0 +1,122 @@
+#include "app/command_line.hpp"
+#include "app/headless/commands.hpp"
+#include "app/headless/frame_name.hpp"
+#include "app/headless/picture_maker.hpp"
+#include "app/headless/progress_bar.hpp"
+#include "session/simulation.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+namespace drape {
+namespace {
+
+struct CaptureArguments {
+  SceneArguments scene;
+  int frames = 1;
+  int every = 0;
+  std::string output;
+  std::vector<int> resolution{1280, 720};
+  std::vector<double> cameraPosition;
+  std::vector<double> focalPoint;
+  bool ui = false;
+};
+
+/// Without --every a frame is as near to this as whole steps come [s].
+constexpr double usualFrame = 1.0 / 30.0;
+
+CameraPose poseFor(const CaptureArguments& arguments, CameraPose pose) {
+  const auto take = [](const std::vector<double>& numbers, Vec3& point) {
+    if (!numbers.empty()) {
+      point = Vec3(numbers[0], numbers[1], numbers[2]);
+    }
+  };
+  take(arguments.cameraPosition, pose.position);
+  take(arguments.focalPoint, pose.focalPoint);
+  if (!((pose.position - pose.focalPoint).norm() > 0.0)) {
+    throw UsageError("--camera-position and --camera-focal-point must be two different points");
+  }
+  return pose;
+}
+
+/// Makes the folder of the pictures, so that a slip shows before the simulation and not after it.
+void makeFolder(const std::string& file) {
+  const auto folder = std::filesystem::path(file).parent_path();
+  std::error_code error;
+  if (!folder.empty()) {
+    std::filesystem::create_directories(folder, error);
+  }
+  if (error) {
+    throw InputError("cannot make the folder " + folder.string() + ": " + error.message());
+  }
+}
+
+void capture(const CaptureArguments& arguments) {
+  const FramePattern pattern(arguments.output, arguments.frames);
+  Simulation simulation(arguments.scene.load());
+  makeFolder(pattern.name(0));
+  const double timeStep = simulation.settings().step.timeStep;
+  const int every =
+      arguments.every > 0 ? arguments.every : std::max(1, static_cast<int>(std::lround(usualFrame / timeStep)));
+  PictureMaker pictures(arguments.resolution[0], arguments.resolution[1], arguments.ui,
+                        poseFor(arguments, simulation.scene().camera));
+  {
+    ProgressBar progress("capturing", arguments.frames);
+    for (int frame = 0; frame < arguments.frames; ++frame) {
+      for (int i = 0; frame > 0 && i < every && simulation.message().empty(); ++i) {
+        simulation.step();
+      }
+      writePng(pictures.draw(simulation), pattern.name(frame));
+      progress.show(frame + 1);
+    }
+  }
+  if (!simulation.message().empty()) {
+    std::cerr << "warning: " << simulation.message() << '\n';
+  }
+  std::cout << arguments.frames << (arguments.frames == 1 ? " picture: " : " pictures: ") << pattern.name(0);
+  if (arguments.frames > 1) {
+    std::cout << " to " << pattern.name(arguments.frames - 1);
+  }
+  std::cout << '\n';
+}
+
+}  // namespace
+
+void addCaptureCommand(CLI::App& app) {
+  constexpr int mostPixels = 16384;
+  constexpr double farAway = 1e6;
+  auto arguments = std::make_shared<CaptureArguments>();
+  CLI::App* command = app.add_subcommand("capture", "Simulates and draws pictures, without a display");
+  arguments->scene.addTo(*command);
+  command->add_option("--frames", arguments->frames, "Number of pictures; the first shows the start")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--every", arguments->every, "Time steps from one picture to the next; default: about 1/30 s")
+      ->check(CLI::Range(1, 1000000));
+  command
+      ->add_option("--output", arguments->output, "Name of the pictures, with a place for the number: f_{frame:4}.png")
+      ->required();
+  command->add_option("--resolution", arguments->resolution, "Width and height [pixels]")
+      ->delimiter(',')
+      ->expected(2)
+      ->type_name("W,H")
+      ->check(CLI::Range(16, mostPixels));
+  command->add_option("--camera-position", arguments->cameraPosition, "Where the camera is [m]")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,Z")
+      ->check(CLI::Range(-farAway, farAway));
+  command->add_option("--camera-focal-point", arguments->focalPoint, "What it looks at [m]")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,Z")
+      ->check(CLI::Range(-farAway, farAway));
+  command->add_flag("--ui", arguments->ui, "Draw the panels too");
+  command->callback([arguments] { capture(*arguments); });
+}
+
+}  // namespace drape

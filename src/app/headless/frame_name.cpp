@@ -1,0 +1,62 @@
+#include "app/headless/frame_name.hpp"
+
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace drape {
+namespace {
+
+constexpr int mostDigits = 9;
+
+[[noreturn]] void refuse(std::string_view pattern, const std::string& why) {
+  throw UsageError("--output '" + std::string(pattern) + "': " + why + "; for example out/frame_{frame:4}.png");
+}
+
+/// The digits asked for in "frame" or "frame:4"; -1 when it is neither.
+int digitsOf(std::string_view word) {
+  constexpr std::string_view keyword = "frame";
+  if (!word.starts_with(keyword)) {
+    return -1;
+  }
+  word.remove_prefix(keyword.size());
+  if (word.empty()) {
+    return 1;
+  }
+  const bool oneDigit = word.size() == 2 && word[0] == ':' && std::isdigit(static_cast<unsigned char>(word[1])) != 0;
+  const int digits = oneDigit ? word[1] - '0' : -1;
+  return digits >= 1 && digits <= mostDigits ? digits : -1;
+}
+
+}  // namespace
+
+FramePattern::FramePattern(std::string_view pattern, int frames) {
+  const auto open = pattern.find('{');
+  if (open == std::string_view::npos) {
+    if (frames > 1) {
+      refuse(pattern, "several frames need a place for their number");
+    }
+    before_ = pattern;
+    return;
+  }
+  const auto close = pattern.find('}', open);
+  digits_ = close == std::string_view::npos ? -1 : digitsOf(pattern.substr(open + 1, close - open - 1));
+  if (digits_ < 0) {
+    refuse(pattern, "the place for the frame's number is {frame} or {frame:DIGITS}, with 1 to 9 digits");
+  }
+  before_ = pattern.substr(0, open);
+  after_ = pattern.substr(close + 1);
+  numbered_ = true;
+}
+
+std::string FramePattern::name(int frame) const {
+  if (!numbered_) {
+    return before_;
+  }
+  std::string number = std::to_string(frame);
+  number.insert(0, static_cast<std::size_t>(std::max(0, digits_ - static_cast<int>(number.size()))), '0');
+  return before_ + number + after_;
+}
+
+}  // namespace drape

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace drape {
+
+/// A file name with a place for the frame's number: "{frame}", or "{frame:4}" for at least four digits.
+class FramePattern {
+ public:
+  /// Throws UsageError for another word in braces, or for more than one frame without a place for the number.
+  FramePattern(std::string_view pattern, int frames);
+
+  [[nodiscard]] std::string name(int frame) const;
+
+ private:
+  std::string before_;
+  std::string after_;
+  int digits_ = 0;
+  bool numbered_ = false;
+};
+
+}  // namespace drape

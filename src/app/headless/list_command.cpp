@@ -1,0 +1,125 @@
+#include "app/headless/commands.hpp"
+#include "scene/scene.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/solver.hpp"
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace drape {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const SettingValue& value) {
+  return std::visit([](const auto& each) { return Json(each); }, value);
+}
+
+void addRange(const SettingField& field, Json& json) {
+  if (const auto* number = std::get_if<NumberField>(&field)) {
+    json["type"] = "number";
+    json["min"] = number->min;
+    json["max"] = number->max;
+  } else if (const auto* integer = std::get_if<IntegerField>(&field)) {
+    json["type"] = "integer";
+    json["min"] = integer->min;
+    json["max"] = integer->max;
+    json["step"] = integer->step;
+  } else if (const auto* choice = std::get_if<ChoiceField>(&field)) {
+    json["type"] = "choice";
+    json["choices"] = choice->choices();
+  } else {
+    json["type"] = "flag";
+  }
+}
+
+Json settingsAsJson() {
+  Json list = Json::array();
+  for (const SettingInfo& info : settingsTable()) {
+    Json row{{"key", info.key}, {"title", info.title}, {"unit", info.unit}};
+    addRange(info.field, row);
+    row["range"] = describeRange(info);
+    row["default"] = toJson(defaultValue(info));
+    row["help"] = info.help;
+    list.push_back(row);
+  }
+  return list;
+}
+
+Json scenesAsJson() {
+  Json list = Json::array();
+  for (const SceneInfo& info : sceneList()) {
+    list.push_back({{"name", info.name}, {"title", info.title}, {"help", info.help}});
+  }
+  return list;
+}
+
+Json solversAsJson() {
+  Json list = Json::array();
+  for (const SolverInfo& info : solverTable()) {
+    list.push_back({{"name", info.name}, {"title", info.title}, {"help", info.help}});
+  }
+  return list;
+}
+
+void printSettings() {
+  for (const SettingInfo& info : settingsTable()) {
+    std::cout << info.key << " = " << formatValue(defaultValue(info));
+    if (info.unit != "-") {
+      std::cout << ' ' << info.unit;
+    }
+    std::cout << "   (" << describeRange(info) << ")\n    " << info.help << '\n';
+  }
+}
+
+/// A Markdown table, from which docs/settings.md is made.
+void printSettingsMarkdown() {
+  std::cout << "| key | unit | range | default | meaning |\n|---|---|---|---|---|\n";
+  for (const SettingInfo& info : settingsTable()) {
+    std::cout << "| `" << info.key << "` | " << info.unit << " | " << describeRange(info) << " | `"
+              << formatValue(defaultValue(info)) << "` | " << info.help << " |\n";
+  }
+}
+
+void printNamed(const Json& list) {
+  for (const auto& row : list) {
+    std::cout << row["name"].get<std::string>() << "   " << row["title"].get<std::string>() << "\n    "
+              << row["help"].get<std::string>() << '\n';
+  }
+}
+
+struct ListArguments {
+  std::string what;
+  bool json = false;
+  bool markdown = false;
+};
+
+void list(const ListArguments& arguments) {
+  if (arguments.json) {
+    std::cout << (arguments.what == "settings" ? settingsAsJson()
+                  : arguments.what == "scenes" ? scenesAsJson()
+                                               : solversAsJson())
+                     .dump(2)
+              << '\n';
+  } else if (arguments.what == "settings") {
+    arguments.markdown ? printSettingsMarkdown() : printSettings();
+  } else {
+    printNamed(arguments.what == "scenes" ? scenesAsJson() : solversAsJson());
+  }
+}
+
+}  // namespace
+
+void addListCommand(CLI::App& app) {
+  auto arguments = std::make_shared<ListArguments>();
+  CLI::App* command = app.add_subcommand("list", "Lists scenes, settings or solvers");
+  command->add_option("what", arguments->what, "What to list")
+      ->required()
+      ->check(CLI::IsMember({"scenes", "settings", "solvers"}));
+  auto* json = command->add_flag("--json", arguments->json, "As JSON");
+  command->add_flag("--markdown", arguments->markdown, "Settings as a Markdown table")->excludes(json);
+  command->callback([arguments] { list(*arguments); });
+}
+
+}  // namespace drape

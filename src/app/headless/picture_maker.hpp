@@ -1,0 +1,27 @@
+#pragma once
+
+#include "render/camera.hpp"
+#include "render/image.hpp"
+#include "session/simulation.hpp"
+
+#include <memory>
+
+namespace drape {
+
+/// Draws simulations off screen, with or without the panels.
+class PictureMaker {
+ public:
+  /// @param width, height [pixels]  @param panels draw the user interface over the picture
+  PictureMaker(int width, int height, bool panels, const CameraPose& pose);
+  PictureMaker(const PictureMaker&) = delete;
+  PictureMaker& operator=(const PictureMaker&) = delete;
+  ~PictureMaker();
+
+  [[nodiscard]] Image draw(const Simulation& simulation);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace drape

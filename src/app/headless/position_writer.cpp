@@ -1,0 +1,39 @@
+#include "app/headless/position_writer.hpp"
+
+#include "sim/error.hpp"
+
+#include <cerrno>
+#include <cstring>
+
+namespace drape {
+
+PositionWriter::PositionWriter(const std::string& file, double every, double timeStep)
+    : name_(file), file_(std::fopen(file.c_str(), "w")), every_(every), tolerance_(0.5 * timeStep) {
+  if (!file_) {
+    throw InputError("cannot write positions to " + file + ": " + std::strerror(errno));
+  }
+  std::fputs("time,vertex,x,y,z\n", file_.get());
+}
+
+void PositionWriter::sample(const ClothState& state) {
+  if (state.time + tolerance_ <= every_ * static_cast<double>(samples_)) {
+    return;
+  }
+  // Steps longer than the interval skip samples rather than fall behind.
+  while (every_ * static_cast<double>(samples_) < state.time + tolerance_) {
+    ++samples_;
+  }
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    const Vec3& position = state.positions[v];
+    std::fprintf(file_.get(), "%.9g,%zu,%.9g,%.9g,%.9g\n", state.time, v, position.x(), position.y(), position.z());
+  }
+}
+
+void PositionWriter::close() {
+  const bool written = std::ferror(file_.get()) == 0;
+  if (std::fclose(file_.release()) != 0 || !written) {
+    throw InputError("positions could not be written completely to " + name_ + ": " + std::strerror(errno));
+  }
+}
+
+}  // namespace drape

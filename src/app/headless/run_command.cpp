@@ -1,0 +1,101 @@
+#include "app/command_line.hpp"
+#include "app/headless/commands.hpp"
+#include "app/headless/position_writer.hpp"
+#include "app/headless/progress_bar.hpp"
+#include "app/headless/run_stats.hpp"
+#include "session/simulation.hpp"
+#include "sim/error.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace drape {
+namespace {
+
+struct RunArguments {
+  SceneArguments scene;
+  double seconds = 1.0;
+  int threads = 1;
+  std::string stats;
+  std::string positions;
+  double every = 0.0;
+};
+
+/// Longer runs would take days, and their number of steps would not be meant.
+constexpr double mostSeconds = 1e5;
+constexpr double mostSteps = 1e9;
+
+std::int64_t stepsFor(double seconds, double timeStep) {
+  const double steps = std::round(seconds / timeStep);
+  if (steps > mostSteps) {
+    throw UsageError(
+        "--seconds divided by time_step makes more than a thousand million steps; make the one shorter "
+        "or the other longer");
+  }
+  return static_cast<std::int64_t>(steps);
+}
+
+void printSummary(const Simulation& simulation, const RunStats& stats) {
+  const auto json = stats.toJson(simulation);
+  std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
+            << " springs, " << json["triangles"] << " triangles\n"
+            << json["steps"] << " steps to " << simulation.state().time << " s, " << json["step_us"]["median"]
+            << " us a step (median), largest stretch " << json["max_stretch"] << ", state "
+            << json["state_hash"].get<std::string>() << '\n';
+}
+
+void run(RunArguments arguments) {
+  arguments.scene.settings.push_back("threads=" + std::to_string(arguments.threads));
+  if (!arguments.positions.empty() && !(arguments.every > 0.0)) {
+    throw UsageError("--positions needs --every SECONDS: the simulated time between two samples");
+  }
+  Simulation simulation(arguments.scene.load());
+  const double timeStep = simulation.settings().step.timeStep;
+  const std::int64_t steps = stepsFor(arguments.seconds, timeStep);
+  std::optional<PositionWriter> positions;
+  if (!arguments.positions.empty()) {
+    positions.emplace(arguments.positions, arguments.every, timeStep);
+    positions->sample(simulation.state());
+  }
+  RunStats stats(arguments.stats, steps);
+  {
+    ProgressBar progress("simulating", steps);
+    for (std::int64_t i = 0; i < steps && simulation.message().empty(); ++i) {
+      simulation.step();
+      stats.add(simulation.lastStepSeconds());
+      if (positions) {
+        positions->sample(simulation.state());
+      }
+      progress.show(i + 1);
+    }
+  }
+  if (!simulation.message().empty()) {
+    std::cerr << "warning: " << simulation.message() << '\n';
+  }
+  stats.write(simulation);
+  if (positions) {
+    positions->close();
+  }
+  printSummary(simulation, stats);
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = app.add_subcommand("run", "Simulates without drawing and writes figures");
+  arguments->scene.addTo(*command);
+  command->add_option("--seconds", arguments->seconds, "Simulated time [s]")
+      ->required()
+      ->check(CLI::Range(0.0, mostSeconds));
+  command->add_option("--threads", arguments->threads, "Threads a step may use; the result does not depend on it");
+  command->add_option("--stats", arguments->stats, "Write the run's figures to this file (JSON)")->type_name("FILE");
+  command->add_option("--positions", arguments->positions, "Write positions to this file (CSV)")->type_name("FILE");
+  command->add_option("--every", arguments->every, "Simulated time between two samples of positions [s]")
+      ->check(CLI::Range(1e-6, mostSeconds));
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace drape

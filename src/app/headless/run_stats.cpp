@@ -1,0 +1,80 @@
+#include "app/headless/run_stats.hpp"
+
+#include "settings/settings_table.hpp"
+#include "sim/diagnostics.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// The value below which that share of the sorted values lies (nearest rank).
+double quantile(const std::vector<float>& sorted, double share) {
+  if (sorted.empty()) {
+    return 0.0;
+  }
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  return static_cast<double>(sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1]);
+}
+
+nlohmann::ordered_json settingsInForce(const Settings& settings) {
+  nlohmann::ordered_json json;
+  for (const SettingInfo& info : settingsTable()) {
+    std::visit([&](const auto& value) { json[std::string(info.key)] = value; }, settingValue(settings, info));
+  }
+  return json;
+}
+
+}  // namespace
+
+RunStats::RunStats(const std::string& file, std::int64_t steps) : name_(file) {
+  if (!file.empty()) {
+    file_.open(file);
+    if (!file_) {
+      throw InputError("cannot write statistics to " + file + "; check that its folder exists and can be written to");
+    }
+  }
+  seconds_.reserve(static_cast<std::size_t>(std::min<std::int64_t>(steps, 1 << 20)));
+}
+
+nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
+  constexpr double microseconds = 1e6;
+  std::vector<float> sorted = seconds_;
+  std::sort(sorted.begin(), sorted.end());
+  const ClothModel& model = simulation.model();
+  const Energy energy = energyOf(model, simulation.settings().step, simulation.state());
+  nlohmann::ordered_json json;
+  json["scene"] = simulation.scene().description.name;
+  json["vertices"] = model.vertexCount();
+  json["springs"] = model.springs.size();
+  json["triangles"] = model.triangles.size();
+  json["pins"] = std::count(model.pinned.begin(), model.pinned.end(), true);
+  json["mass"] = model.totalMass();
+  json["steps"] = simulation.stepIndex();
+  json["time"] = simulation.state().time;
+  json["step_us"] = {{"median", quantile(sorted, 0.5) * microseconds}, {"p99", quantile(sorted, 0.99) * microseconds}};
+  json["energy"] = energy.total();
+  json["energy_kinetic"] = energy.kinetic;
+  json["energy_elastic"] = energy.elastic;
+  json["energy_potential"] = energy.potential;
+  json["max_stretch"] = maxStretch(model, simulation.state());
+  json["finite"] = simulation.message().empty() && isFinite(simulation.state());
+  json["state_hash"] = toHex(stateHash(simulation.state()));
+  json["settings"] = settingsInForce(simulation.settings());
+  return json;
+}
+
+void RunStats::write(const Simulation& simulation) {
+  if (name_.empty()) {
+    return;
+  }
+  file_ << toJson(simulation).dump(2) << '\n';
+  file_.close();
+  if (!file_) {
+    throw InputError("statistics could not be written to " + name_);
+  }
+}
+
+}  // namespace drape

@@ -1,0 +1,95 @@
+#include "sim/cloth_model.hpp"
+#include "sim/error.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <numeric>
+#include <set>
+
+namespace drape {
+namespace {
+
+TEST(ClothModel, hasThePapersCountsFor17And33VerticesASide) {
+  const auto small = testing::pinnedSheet(17);
+  EXPECT_EQ(small->vertexCount(), 289);
+  EXPECT_EQ(small->springs.size(), 800U);
+  EXPECT_EQ(small->triangles.size(), 512U);
+  const auto large = testing::pinnedSheet(33);
+  EXPECT_EQ(large->vertexCount(), 1089);
+  EXPECT_EQ(large->springs.size(), 3136U);
+  EXPECT_EQ(large->triangles.size(), 2048U);
+}
+
+TEST(ClothModel, makesOneSpringForEachEdge) {
+  const auto model = testing::pinnedSheet(6);
+  std::set<std::pair<int, int>> seen;
+  for (const Spring& spring : model->springs) {
+    EXPECT_LT(spring.a, spring.b);
+    EXPECT_TRUE(seen.insert({spring.a, spring.b}).second);
+    const Vec3 offset = model->restPositions[static_cast<std::size_t>(spring.b)] -
+                        model->restPositions[static_cast<std::size_t>(spring.a)];
+    EXPECT_DOUBLE_EQ(spring.restLength, offset.norm());
+  }
+}
+
+TEST(ClothModel, listsEachSpringAtBothItsEnds) {
+  const auto model = testing::pinnedSheet(6);
+  EXPECT_EQ(model->springEnds.values.size(), 2 * model->springs.size());
+  for (int v = 0; v < model->vertexCount(); ++v) {
+    const auto row = static_cast<std::size_t>(v);
+    for (int e = model->springEnds.begin[row]; e < model->springEnds.begin[row + 1]; ++e) {
+      const SpringEnd& end = model->springEnds.values[static_cast<std::size_t>(e)];
+      const Spring& spring = model->springs[static_cast<std::size_t>(end.spring)];
+      EXPECT_TRUE((spring.a == v && spring.b == end.neighbour) || (spring.b == v && spring.a == end.neighbour));
+    }
+  }
+}
+
+TEST(ClothModel, spreadsTheMassByAreaOrEvenly) {
+  const auto uniform = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
+  EXPECT_NEAR(uniform->totalMass(), 0.1, 1e-15);
+  EXPECT_DOUBLE_EQ(uniform->vertexMass[0], uniform->vertexMass[12]);
+  const auto byArea = buildClothModel(testing::sheet(5), 0.1, MassLumping::Area, {});
+  EXPECT_NEAR(byArea->totalMass(), 0.1, 1e-15);
+  EXPECT_NEAR(byArea->vertexMass[12] / byArea->vertexMass[2], 2.0, 1e-12) << "an edge has half the area around it";
+  EXPECT_NEAR(byArea->restArea(), 1.0, 1e-14);
+}
+
+TEST(ClothModel, changesMassAndPinsWithoutTouchingTheOriginal) {
+  const auto model = testing::pinnedSheet(4);
+  const auto heavy = withMass(*model, 2.0, MassLumping::Uniform);
+  EXPECT_NEAR(heavy->totalMass(), 2.0, 1e-14);
+  EXPECT_NEAR(model->totalMass(), 0.1, 1e-15);
+  std::vector<bool> pinned(16, false);
+  pinned[5] = true;
+  const auto other = withPins(*model, pinned);
+  EXPECT_TRUE(other->pinned[5]);
+  EXPECT_FALSE(other->pinned[0]);
+  EXPECT_TRUE(model->pinned[0]);
+}
+
+TEST(ClothModel, refusesWhatCannotBeACloth) {
+  const auto mesh = testing::sheet(3);
+  EXPECT_THROW(static_cast<void>(buildClothModel({}, 0.1, MassLumping::Area, {})), InputError);
+  EXPECT_THROW(static_cast<void>(buildClothModel(mesh, 0.0, MassLumping::Area, {})), InputError);
+  EXPECT_THROW(static_cast<void>(buildClothModel(mesh, -1.0, MassLumping::Area, {})), InputError);
+  EXPECT_THROW(static_cast<void>(buildClothModel(mesh, 0.1, MassLumping::Area, {9})), InputError);
+  auto broken = mesh;
+  broken.triangles[0][1] = 99;
+  EXPECT_THROW(static_cast<void>(buildClothModel(broken, 0.1, MassLumping::Area, {})), InputError);
+  broken = mesh;
+  broken.positions[4].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(static_cast<void>(buildClothModel(broken, 0.1, MassLumping::Area, {})), InputError);
+}
+
+TEST(ClothModel, givesEvenAVertexOfASliverSomeMass) {
+  ClothMesh mesh = testing::sheet(3);
+  mesh.positions.emplace_back(0.5, 1e-9, -1e-9);
+  mesh.triangles.push_back({0, 1, 9});
+  const auto model = buildClothModel(mesh, 0.1, MassLumping::Area, {});
+  EXPECT_GT(model->vertexMass[9], 1e-4);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,116 @@
+#include "sim/kernels.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
+
+namespace drape {
+namespace {
+
+constexpr double stiffness = 120.0;
+constexpr double restLength = 0.5;
+
+Mat3 differenceQuotient(const Vec3& offset) {
+  constexpr double step = 1e-6;
+  Mat3 derivative;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 nudge = step * Vec3::Unit(axis);
+    derivative.col(axis) = (kernels::springForce(offset + nudge, restLength, stiffness) -
+                            kernels::springForce(offset - nudge, restLength, stiffness)) /
+                           (2.0 * step);
+  }
+  return derivative;
+}
+
+TEST(SpringDerivative, isTheForcesDerivativeWhereTheSpringIsStretched) {
+  testing::RandomVectors random(1);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 offset = random.next(1.0).normalized() * (restLength * (1.01 + 0.02 * i));
+    const Mat3 difference = kernels::springDerivative(offset, restLength, stiffness) - differenceQuotient(offset);
+    EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-6 * stiffness);
+  }
+}
+
+TEST(SpringDerivative, dropsOnlyTheNegativePartWhereTheSpringIsCompressed) {
+  testing::RandomVectors random(2);
+  for (int i = 1; i < 100; ++i) {
+    const double length = restLength * 0.01 * i;
+    const Vec3 offset = random.next(1.0).normalized() * length;
+    const Mat3 dropped = stiffness * (1.0 - restLength / length) * Mat3::Identity();
+    const Mat3 difference =
+        kernels::springDerivative(offset, restLength, stiffness) + dropped - differenceQuotient(offset);
+    EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-4 * stiffness) << "at " << length << " m";
+  }
+}
+
+TEST(SpringDerivative, isSymmetricAndPositiveSemiDefiniteAtAnyLength) {
+  testing::RandomVectors random(3);
+  for (int i = 0; i < 200; ++i) {
+    const Mat3 J = kernels::springDerivative(random.next(1.2), restLength, stiffness);
+    EXPECT_EQ(J, Mat3(J.transpose()));
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Mat3>(J).eigenvalues().minCoeff(), -1e-12 * J.norm());
+  }
+}
+
+TEST(SpringForce, vanishesForASpringWithoutLength) {
+  EXPECT_EQ(kernels::springForce(Vec3::Zero(), restLength, stiffness), Vec3(Vec3::Zero()));
+  EXPECT_TRUE(kernels::springDerivative(Vec3::Zero(), restLength, stiffness).allFinite());
+}
+
+TEST(Drag, pushesBackAlongTheVelocityOnly) {
+  const Vec3 heading = Vec3(1.0, 2.0, -0.5).normalized();
+  const Vec3 force = kernels::dragForce(Vec3(0.0, 0.6, 0.8), 3.0, heading, 0.2);
+  EXPECT_LT(force.dot(heading), 0.0);
+  EXPECT_LT(force.cross(heading).norm(), 1e-15);
+}
+
+TEST(Drag, equalsItsFormulaForASurfaceThatFacesTheWind) {
+  const Vec3 force = kernels::dragForce(Vec3::UnitX(), 4.0, Vec3::UnitX(), 0.25);
+  EXPECT_NEAR((force - Vec3(-4.0, 0.0, 0.0)).norm(), 0.0, 1e-15);
+}
+
+TEST(Lift, isAcrossTheVelocityAndTheSameFromEitherSide) {
+  const Vec3 heading = Vec3(1.0, 0.3, 0.0).normalized();
+  const Vec3 normal = Vec3(0.5, -1.0, 0.2).normalized();
+  const Vec3 force = kernels::liftForce(normal, 2.0, heading, 0.1);
+  EXPECT_NEAR(force.dot(heading), 0.0, 1e-15);
+  EXPECT_NEAR((force - kernels::liftForce(-normal, 2.0, heading, 0.1)).norm(), 0.0, 1e-15);
+  EXPECT_GT(force.norm(), 0.0);
+}
+
+TEST(Lift, raisesAPlateThatIsTiltedUpAgainstTheWind) {
+  // The plate moves to +x with its leading edge up, so that its underside meets the air.
+  const Vec3 underside = Vec3(1.0, -1.0, 0.0).normalized();
+  EXPECT_GT(kernels::liftForce(underside, 5.0, Vec3::UnitX(), 0.1).y(), 0.0);
+}
+
+TEST(AirForce, neverReversesTheRelativeVelocityWithinAStep) {
+  constexpr double mass = 1e-4;
+  constexpr double timeStep = 1.0 / 30.0;
+  testing::RandomVectors random(5);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 velocity = random.next(1000.0);
+    const Vec3 normal = random.next(1.0).normalized();
+    const Vec3 force = kernels::airForce(normal, velocity, 0.5, 0.5, mass, timeStep);
+    const Vec3 after = velocity + force * (timeStep / mass);
+    EXPECT_GE(after.dot(velocity), -1e-9 * velocity.squaredNorm());
+  }
+}
+
+TEST(AirForce, isThePlainFormulaInAGentleWind) {
+  const Vec3 velocity(0.5, -1.0, 0.25);
+  const Vec3 heading = velocity.normalized();
+  const Vec3 normal = Vec3(0.1, 1.0, 0.3).normalized();
+  const Vec3 expected = kernels::dragForce(normal, velocity.norm(), heading, 1e-3) +
+                        kernels::liftForce(normal, velocity.norm(), heading, 2e-3);
+  EXPECT_EQ(kernels::airForce(normal, velocity, 1e-3, 2e-3, 1e-3, 1.0 / 150.0), expected);
+}
+
+TEST(BoundedSpringForce, isLinearUpToItsBoundAndConstantBeyond) {
+  EXPECT_NEAR(kernels::boundedSpringForce(Vec3(0.1, 0.0, 0.0), 50.0, 8.0).x(), 5.0, 1e-12);
+  EXPECT_NEAR(kernels::boundedSpringForce(Vec3(0.0, 1e9, 0.0), 50.0, 8.0).norm(), 8.0, 1e-9);
+  EXPECT_EQ(kernels::boundedSpringForce(Vec3::Zero(), 50.0, 8.0), Vec3(Vec3::Zero()));
+}
+
+}  // namespace
+}  // namespace drape
