@@ -1,0 +1,178 @@
+#include "ui/interaction_controller.hpp"
+
+#include "render/picking.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace drape {
+namespace {
+
+constexpr double doubleClickTime = 0.35;            // [s]
+constexpr double doubleClickDistance = 5.0;         // [window units]
+constexpr double zoomPerNotch = 0.88;               // the distance shrinks to this
+constexpr double turnPerHeight = std::numbers::pi;  // a drag over the view's whole height turns by half a circle [rad]
+
+std::optional<Hit> hitAt(const Camera& camera, const Vec2& point, int width, int height, const Snapshot& snapshot) {
+  return pick(camera.rayThrough(point.x(), point.y(), width, height), snapshot.positions, snapshot.model->triangles);
+}
+
+}  // namespace
+
+void InteractionController::handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output) {
+  const auto* held = std::get_if<Grabbing>(&gesture_);
+  if (held != nullptr && held->scene != snapshot.scene) {
+    gesture_ = Idle{};  // another scene is running, and nobody holds its cloth
+  }
+  std::visit([&](const auto& each) { on(each, snapshot, output); }, event);
+}
+
+void InteractionController::frameCloth(const Snapshot& snapshot) {
+  if (snapshot.positions.empty()) {
+    return;
+  }
+  Vec3 low = snapshot.positions.front();
+  Vec3 high = low;
+  for (const Vec3& position : snapshot.positions) {
+    low = low.cwiseMin(position);
+    high = high.cwiseMax(position);
+  }
+  camera_.frame(low, high, view_.width / view_.height);
+}
+
+void InteractionController::on(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
+  mouse_ = event.position;
+  if (!std::holds_alternative<Idle>(gesture_)) {
+    return;  // one gesture at a time; another button does not end it
+  }
+  gestureButton_ = event.button;
+  if (event.button == MouseButton::Left) {
+    pressLeft(event, snapshot, output);
+  } else if (event.button == MouseButton::Middle) {
+    gesture_ = Panning{};
+  }
+}
+
+void InteractionController::pressLeft(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
+  if (event.shift) {
+    gesture_ = Panning{};
+  } else if (!recentreOnDoubleClick(event, snapshot) && !grab(event, snapshot, output) && !event.control) {
+    gesture_ = Orbiting{};
+  }
+}
+
+bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const Snapshot& snapshot) {
+  const bool isDouble = lastLeftPress_ && event.time - lastLeftPress_->time < doubleClickTime &&
+                        (event.position - lastLeftPress_->position).norm() < doubleClickDistance;
+  lastLeftPress_ = event;
+  if (!isDouble) {
+    return false;
+  }
+  lastLeftPress_.reset();  // a third click is not another double click
+  if (const auto hit = hitAt(camera_, inView(event.position), width(), height(), snapshot)) {
+    camera_.recentre(hit->point);
+  }
+  return true;
+}
+
+bool InteractionController::grab(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
+  const auto hit = hitAt(camera_, inView(event.position), width(), height(), snapshot);
+  if (!hit) {
+    return false;
+  }
+  output.commands.emplace_back(GrabCommand{hit->triangle, hit->barycentric, hit->point});
+  gesture_ = Grabbing{hit->point, snapshot.scene};
+  return true;
+}
+
+void InteractionController::letGo(UiOutput& output) {
+  if (holdsCloth()) {
+    output.commands.emplace_back(ReleaseGrabCommand{});
+  }
+  gesture_ = Idle{};
+}
+
+void InteractionController::on(const ReleaseEvent& event, const Snapshot& /*snapshot*/, UiOutput& output) {
+  if (event.button == gestureButton_) {
+    letGo(output);
+  }
+}
+
+void InteractionController::on(const MoveEvent& event, const Snapshot& /*snapshot*/, UiOutput& output) {
+  const Vec2 moved = (event.position - mouse_) / view_.height;
+  mouse_ = event.position;
+  if (std::holds_alternative<Orbiting>(gesture_)) {
+    camera_.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight);
+  } else if (std::holds_alternative<Panning>(gesture_)) {
+    camera_.pan(-moved.x(), moved.y());
+  } else if (const auto* held = std::get_if<Grabbing>(&gesture_)) {
+    const Vec2 point = inView(event.position);
+    output.commands.emplace_back(
+        MoveGrabCommand{camera_.pointAtDepthOf(held->point, point.x(), point.y(), width(), height())});
+  }
+}
+
+void InteractionController::on(const ScrollEvent& event, const Snapshot& /*snapshot*/, UiOutput& /*output*/) {
+  camera_.zoom(std::pow(zoomPerNotch, event.amount));
+}
+
+void InteractionController::escape(UiOutput& output) {
+  if (holdsCloth()) {
+    letGo(output);
+  } else {
+    output.requests.emplace_back(UiAction::Quit);
+  }
+}
+
+void InteractionController::on(const KeyEvent& event, const Snapshot& snapshot, UiOutput& output) {
+  if (event.repeated && event.key != Key::Period) {
+    return;
+  }
+  switch (event.key) {
+    case Key::Space:
+      output.commands.emplace_back(PauseCommand{!snapshot.paused});
+      break;
+    case Key::Period:
+      output.commands.emplace_back(SingleStepCommand{});
+      break;
+    case Key::R:
+      output.commands.emplace_back(ResetCommand{});
+      break;
+    case Key::P:
+      output.commands.emplace_back(TogglePinCommand{});
+      break;
+    case Key::W:
+      output.commands.emplace_back(SetSettingCommand{"view.wireframe", !snapshot.settings.view.wireframe});
+      break;
+    case Key::F:
+      frameCloth(snapshot);
+      break;
+    case Key::One:
+      lookFrom(Camera::Side::Front);
+      break;
+    case Key::Three:
+      lookFrom(Camera::Side::Right);
+      break;
+    case Key::Seven:
+      lookFrom(Camera::Side::Top);
+      break;
+    case Key::H:
+      output.requests.emplace_back(UiAction::TogglePanels);
+      break;
+    case Key::Help:
+      output.requests.emplace_back(UiAction::ToggleHelp);
+      break;
+    case Key::F12:
+      output.requests.emplace_back(UiAction::Screenshot);
+      break;
+    case Key::Escape:
+      escape(output);
+      break;
+  }
+}
+
+void InteractionController::on(const FocusLostEvent& /*event*/, const Snapshot& /*snapshot*/, UiOutput& output) {
+  letGo(output);
+}
+
+}  // namespace drape

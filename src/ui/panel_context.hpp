@@ -1,0 +1,60 @@
+#pragma once
+
+#include "session/snapshot.hpp"
+#include "ui/pending_settings.hpp"
+#include "ui/theme.hpp"
+#include "ui/ui_output.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace drape {
+
+/// The last values of a measure, for a plot.
+class History {
+ public:
+  void add(float value) {
+    values_[static_cast<std::size_t>(next_)] = value;
+    next_ = (next_ + 1) % capacity;
+    count_ = count_ < capacity ? count_ + 1 : capacity;
+  }
+  [[nodiscard]] int count() const { return count_; }
+  /// 0 is the oldest.
+  [[nodiscard]] float at(int i) const {
+    return values_[static_cast<std::size_t>((next_ - count_ + i + capacity) % capacity)];
+  }
+
+  static constexpr int capacity = 240;
+
+ private:
+  std::array<float, capacity> values_{};
+  int next_ = 0;
+  int count_ = 0;
+};
+
+/// What the panels remember from one frame to the next.
+struct PanelMemory {
+  PendingSettings pending;
+  History stepTimes;           ///< [ms]
+  std::int64_t lastStep = -1;  ///< the step that the history's last entry belongs to
+  std::string openPath;        ///< what is typed in the open field
+  std::string hoveredRow;      ///< whose explanation is about to be shown
+  double hoveredSince = 0.0;   ///< [s]
+  bool hoveredThisFrame = false;
+};
+
+/// What a panel sees while it is being drawn.
+struct PanelContext {
+  const Snapshot& snapshot;
+  const Settings& settings;  ///< in force, with the user's latest changes on top
+  const UiStats& stats;
+  const UiFonts& fonts;
+  float scale;  ///< of all lengths
+  PanelMemory& memory;
+  UiRects& widgets;  ///< filled with the settings' rectangles, by key
+  UiRects& buttons;  ///< filled with all other rectangles that can be clicked
+  UiOutput& output;
+};
+
+}  // namespace drape

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ui/panel_context.hpp"
+
+namespace drape {
+
+/// The sections of the column. Each draws its own heading and, when that is open, its content.
+void simulationPanel(PanelContext& context);
+void materialPanel(PanelContext& context);
+void airPanel(PanelContext& context);
+void scenePanel(PanelContext& context);
+void viewPanel(PanelContext& context);
+void performancePanel(PanelContext& context);
+
+/// The scene's title and the buttons that start, stop and rewind; always in sight above the sections.
+void headPanel(PanelContext& context);
+
+/// The line at the bottom of the window, over its whole width.
+void statusLine(PanelContext& context, const UiRect& place);
+
+/// What went wrong, in full, over the top of the picture. Gives back false once the user has closed it.
+[[nodiscard]] bool errorNotice(PanelContext& context, const UiRect& view);
+
+/// The list of keys and mouse gestures over the picture. Gives back false once the user has closed it.
+[[nodiscard]] bool helpOverlay(PanelContext& context, const UiRect& view);
+
+/// Tells the direction and the strength of the wind as seen from above; dragging turns it.
+void windDial(PanelContext& context);
+
+/// The recent cost of a step [ms] as a small filled curve.
+void historyPlot(const PanelContext& context, const History& history);
+
+}  // namespace drape

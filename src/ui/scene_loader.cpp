@@ -1,0 +1,76 @@
+#include "ui/scene_loader.hpp"
+
+#include "sim/error.hpp"
+
+#include <chrono>
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace drape {
+namespace {
+
+std::string reasonOf(const std::exception_ptr& failure) {
+  try {
+    std::rethrow_exception(failure);
+  } catch (const std::bad_alloc&) {
+    return "There is not enough memory for this. Take a smaller mesh or a coarser grid.";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+void SceneLoader::open(const std::string& nameOrPath, std::function<void(Settings&)> adjust) {
+  submit({.activity = "Opening " + nameOrPath + " \u2026",
+          .build =
+              [nameOrPath, adjust = std::move(adjust)] {
+                const SceneDescription description = openScene(nameOrPath);
+                Settings settings = description.settings;
+                adjust(settings);
+                return buildScene(description, settings);
+              },
+          .rebuilt = false});
+}
+
+void SceneLoader::rebuild(const SceneDescription& description, const Settings& settings) {
+  submit({.activity = "Building " + description.name + " \u2026",
+          .build = [description, settings] { return buildScene(description, settings); },
+          .rebuilt = true});
+}
+
+void SceneLoader::submit(Job job) {
+  if (running_.valid()) {
+    waiting_ = std::move(job);
+  } else {
+    start(std::move(job));
+  }
+}
+
+void SceneLoader::start(Job job) {
+  activity_ = job.activity;
+  running_ = std::async(std::launch::async, [job = std::move(job)]() -> Outcome {
+    try {
+      return {.scene = job.build(), .error = {}, .rebuilt = job.rebuilt};
+    } catch (...) {
+      return {.scene = nullptr, .error = reasonOf(std::current_exception()), .rebuilt = job.rebuilt};
+    }
+  });
+}
+
+std::optional<SceneLoader::Outcome> SceneLoader::poll() {
+  if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return std::nullopt;
+  }
+  std::optional<Outcome> outcome = running_.get();
+  activity_.clear();
+  if (waiting_) {
+    // The newer wish stands; what has just been built would be replaced at once.
+    outcome.reset();
+    start(*std::exchange(waiting_, std::nullopt));
+  }
+  return outcome;
+}
+
+}  // namespace drape

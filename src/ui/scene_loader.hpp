@@ -1,0 +1,55 @@
+#pragma once
+
+#include "scene/scene.hpp"
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace drape {
+
+/// Opens and builds scenes beside the running program. One at a time; of those that wait only the newest is kept,
+/// because it is what the user wants in the end. Destruction waits for the one in progress.
+class SceneLoader {
+ public:
+  /// How a job ended: with a scene, or with the reason why there is none.
+  struct Outcome {
+    std::shared_ptr<const Scene> scene;
+    std::string error;
+    bool rebuilt = false;  ///< the same scene under other settings
+  };
+
+  SceneLoader() = default;
+  SceneLoader(const SceneLoader&) = delete;
+  SceneLoader& operator=(const SceneLoader&) = delete;
+  ~SceneLoader() = default;
+
+  /// Opens another scene. `adjust` may change the scene's own settings before it is built.
+  void open(const std::string& nameOrPath, std::function<void(Settings&)> adjust);
+  /// Builds a description again.
+  void rebuild(const SceneDescription& description, const Settings& settings);
+
+  /// The outcome of a job that has ended since the last call. Never waits.
+  [[nodiscard]] std::optional<Outcome> poll();
+
+  /// What is being built, for the user to read; empty when nothing is.
+  [[nodiscard]] const std::string& activity() const { return activity_; }
+
+ private:
+  struct Job {
+    std::string activity;
+    std::function<std::shared_ptr<const Scene>()> build;
+    bool rebuilt = false;
+  };
+
+  void submit(Job job);
+  void start(Job job);
+
+  std::string activity_;
+  std::optional<Job> waiting_;
+  std::future<Outcome> running_;
+};
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+#include "ui/panels.hpp"
+#include "ui/setting_widget.hpp"
+#include "ui/text.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui_stdlib.h>
+
+#include <variant>
+
+namespace drape {
+namespace {
+
+void sceneChoice(PanelContext& context) {
+  const std::string& running = context.snapshot.scene->description.name;
+  beginRow(context, "Scene");
+  const bool open = ImGui::BeginCombo("##scene", running.c_str(), ImGuiComboFlags_HeightLarge);
+  context.buttons["scene.choice"] = lastItemRect();
+  if (!open) {
+    return;
+  }
+  for (const SceneInfo& scene : sceneList()) {
+    if (ImGui::Selectable(scene.name.c_str(), scene.name == running)) {
+      context.output.requests.emplace_back(OpenSceneRequest{scene.name});
+    }
+    context.buttons["scene.choice=" + scene.name] = lastItemRect();
+    explainItem(context, "scene.choice=" + scene.name, scene.title + ". " + scene.help);
+  }
+  ImGui::EndCombo();
+}
+
+void openField(PanelContext& context) {
+  std::string& path = context.memory.openPath;
+  beginRow(context, "Open a file");
+  const float button = ImGui::CalcTextSize("Open").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemInnerSpacing.x);
+  const bool entered = ImGui::InputTextWithHint("##path", "path", &path, ImGuiInputTextFlags_EnterReturnsTrue);
+  context.buttons["scene.path"] = lastItemRect();
+  explainItem(context, "scene.path",
+              "A scene (.toml) or a mesh (.obj and others). A file can also be dropped on the window.");
+  ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
+  const bool pressed = ImGui::Button("Open");
+  context.buttons["button.open"] = lastItemRect();
+  if ((entered || pressed) && !path.empty()) {
+    context.output.requests.emplace_back(OpenSceneRequest{path});
+  }
+}
+
+void meshFacts(PanelContext& context) {
+  const MeshSummary& summary = context.snapshot.scene->summary;
+  ImGui::Dummy({0.0F, 2.0F * context.scale});
+  for (const std::string& line : describe(summary)) {
+    mutedText(line);
+  }
+  valueRow(context, "Pinned vertices", formatCount(countPins(*context.snapshot.model)));
+  for (const std::string& warning : summary.warnings) {
+    mutedText(warning, palette().warning);
+  }
+}
+
+}  // namespace
+
+void scenePanel(PanelContext& context) {
+  if (!beginSection(context, "Scene", true)) {
+    return;
+  }
+  sceneChoice(context);
+  openField(context);
+  if (!context.snapshot.scene->description.help.empty()) {
+    mutedText(context.snapshot.scene->description.help);
+  }
+  settingsOfGroup(context, SettingGroup::Scene);
+  meshFacts(context);
+  endSection();
+}
+
+}  // namespace drape

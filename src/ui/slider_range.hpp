@@ -1,0 +1,21 @@
+#pragma once
+
+#include "settings/settings_table.hpp"
+
+namespace drape {
+
+/// What a slider covers: the everyday part of a setting's range. The rest can be typed.
+struct SliderRange {
+  double min = 0.0;
+  double max = 1.0;
+  bool logarithmic = false;
+};
+
+/// A slider over eleven decades cannot be aimed, so a wide range is narrowed around the default: three decades to
+/// either side on a logarithmic scale, five times the default on a linear one.
+[[nodiscard]] SliderRange everydayRange(const NumberField& field, double defaultValue);
+
+/// Where a value lies on the slider, from 0 to 1.
+[[nodiscard]] double sliderFraction(const SliderRange& range, double value);
+
+}  // namespace drape

@@ -1,0 +1,95 @@
+#include "ui/panels.hpp"
+#include "ui/text.hpp"
+#include "ui/widgets.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace drape {
+namespace {
+
+struct Message {
+  std::string text;
+  ImVec4 colour;
+};
+
+/// The most urgent thing there is to say.
+Message messageOf(const PanelContext& context) {
+  const Snapshot& snapshot = context.snapshot;
+  const UiStats& stats = context.stats;
+  if (!stats.loading.empty()) {
+    return {stats.loading, palette().accent};
+  }
+  if (!stats.error.empty()) {
+    return {stats.error, palette().error};
+  }
+  if (!snapshot.message.empty()) {
+    return {snapshot.message, palette().warning};
+  }
+  if (!stats.notice.empty()) {
+    return {stats.notice, palette().text};
+  }
+  if (!snapshot.paused && snapshot.realTimeFactor > 0.0 &&
+      snapshot.realTimeFactor < 0.9 * snapshot.settings.playback.speed) {
+    return {"The machine does not keep up, so the clock runs slower", palette().warning};
+  }
+  return {"F1 or ? for help", palette().muted};
+}
+
+std::vector<std::string> factsOf(const PanelContext& context) {
+  const Snapshot& snapshot = context.snapshot;
+  char time[32];
+  std::snprintf(time, sizeof time, "%.2f s", snapshot.time);
+  std::vector<std::string> facts{snapshot.scene->description.name,
+                                 formatCount(snapshot.model->vertexCount()) + " vertices", time,
+                                 describePace(snapshot)};
+  if (context.stats.frameSeconds > 0.0) {
+    facts.push_back(std::to_string(std::lround(1.0 / context.stats.frameSeconds)) + " fps");
+  }
+  return facts;
+}
+
+void drawMessage(const PanelContext& context, float room) {
+  const Message message = messageOf(context);
+  const auto fits = static_cast<std::size_t>(std::max(8.0F, room / (ImGui::GetFontSize() * 0.52F)));
+  const std::string firstLine = message.text.substr(0, message.text.find('\n'));
+  const std::string shown = shortened(firstLine, fits);
+  const float width = ImGui::CalcTextSize(shown.c_str()).x;
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
+  ImGui::PushStyleColor(ImGuiCol_Text, message.colour);
+  ImGui::TextUnformatted(shown.c_str());
+  ImGui::PopStyleColor();
+  if (shown != message.text) {
+    explainItem(context, "status.message", message.text);
+  }
+}
+
+}  // namespace
+
+void statusLine(PanelContext& context, const UiRect& place) {
+  ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
+  ImGui::SetNextWindowSize({static_cast<float>(place.width), static_cast<float>(place.height)});
+  const float padding = (static_cast<float>(place.height) - ImGui::GetTextLineHeight()) * 0.5F;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetStyle().WindowPadding.x, std::floor(padding)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+  ImGui::Begin("Status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  float used = 0.0F;
+  bool first = true;
+  for (const std::string& fact : factsOf(context)) {
+    if (!first) {
+      ImGui::SameLine(0.0F, 0.0F);
+      mutedText("   \u00B7   ");
+      ImGui::SameLine(0.0F, 0.0F);
+    }
+    first = false;
+    mutedText(fact, palette().text);
+    used = ImGui::GetItemRectMax().x;
+  }
+  drawMessage(context, static_cast<float>(place.width) - used - 3.0F * ImGui::GetStyle().WindowPadding.x);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace drape

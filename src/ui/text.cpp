@@ -1,0 +1,76 @@
+#include "ui/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace drape {
+namespace {
+
+std::string print(const char* format, double value) {
+  char buffer[64];
+  const int length = std::snprintf(buffer, sizeof buffer, format, value);
+  return {buffer, static_cast<std::size_t>(std::max(length, 0))};
+}
+
+}  // namespace
+
+std::string formatNumber(double value) {
+  const double size = std::abs(value);
+  if (!std::isfinite(value)) {
+    return "not finite";
+  }
+  if (size == 0.0) {
+    return "0";
+  }
+  if (size < 1e-3 || size >= 1e6) {
+    return print("%.2e", value);
+  }
+  const int decimals = size < 0.01 ? 5 : size < 0.1 ? 4 : size < 1.0 ? 3 : size < 10.0 ? 2 : size < 100.0 ? 1 : 0;
+  char format[8];
+  std::snprintf(format, sizeof format, "%%.%df", decimals);
+  return print(format, value);
+}
+
+std::string formatQuantity(double value, std::string_view unit) {
+  return formatNumber(value) + " " + std::string(unit);
+}
+
+std::string formatDuration(double seconds) {
+  if (seconds < 0.95e-3) {
+    return print(seconds < 0.95e-4 ? "%.1f \u00B5s" : "%.0f \u00B5s", seconds * 1e6);
+  }
+  return print(seconds < 0.095 ? "%.2f ms" : "%.0f ms", seconds * 1e3);
+}
+
+std::string formatCount(long long count) {
+  std::string digits = std::to_string(count);
+  for (auto place = static_cast<int>(digits.size()) - 3; place > (count < 0 ? 1 : 0); place -= 3) {
+    digits.insert(static_cast<std::size_t>(place), "\u00A0");
+  }
+  return digits;
+}
+
+std::string describePace(const Snapshot& snapshot) {
+  if (snapshot.paused) {
+    return "paused";
+  }
+  return print("%.2f", snapshot.realTimeFactor) + " \u00D7 real time";
+}
+
+int countPins(const ClothModel& model) {
+  return static_cast<int>(std::count(model.pinned.begin(), model.pinned.end(), true));
+}
+
+std::string shortened(std::string_view text, std::size_t limit) {
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool starts = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
+    if (starts && ++characters > limit) {
+      return std::string(text.substr(0, i)) + "\u2026";
+    }
+  }
+  return std::string(text);
+}
+
+}  // namespace drape

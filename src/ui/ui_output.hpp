@@ -1,0 +1,60 @@
+#pragma once
+
+#include "session/command.hpp"
+#include "settings/settings.hpp"
+#include "sim/vector.hpp"
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace drape {
+
+/// A rectangle in window coordinates; (0, 0) is the top left corner of the window.
+struct UiRect {
+  double x = 0.0;
+  double y = 0.0;
+  double width = 0.0;
+  double height = 0.0;
+  bool visible = true;  ///< false when it is scrolled out of sight
+
+  [[nodiscard]] bool contains(const Vec2& point) const {
+    return point.x() >= x && point.x() < x + width && point.y() >= y && point.y() < y + height;
+  }
+};
+
+/// Rectangles by name: settings by their key, buttons by "button.play" and the like, sections by "section.air".
+using UiRects = std::map<std::string, UiRect>;
+
+/// Open another scene: a built-in name, a scene file or a mesh file.
+struct OpenSceneRequest {
+  std::string nameOrPath;
+};
+
+/// Build the running scene again because a setting changed that its mesh depends on.
+struct RebuildSceneRequest {
+  Settings settings;  ///< all of them, with the change
+};
+
+/// What the program itself does, rather than the simulation.
+enum class UiAction { TogglePanels, ToggleHelp, Screenshot, FrameCloth, ViewFront, ViewRight, ViewTop, Quit };
+
+using UiRequest = std::variant<OpenSceneRequest, RebuildSceneRequest, UiAction>;
+
+/// Everything the user asked for during one frame. Panels and input only ever add to this; nobody changes live state.
+struct UiOutput {
+  std::vector<Command> commands;    ///< for the simulation, in order
+  std::vector<UiRequest> requests;  ///< for the program, in order
+  std::string hint;                 ///< a sentence for the status line, or empty
+};
+
+/// What the panels show besides the snapshot.
+struct UiStats {
+  double frameSeconds = 0.0;  ///< from one drawn frame to the next, lately [s]
+  std::string loading;        ///< what is being built in the background, or empty
+  std::string error;          ///< the last thing that failed, in words, or empty
+  std::string notice;         ///< the last thing worth telling, or empty
+};
+
+}  // namespace drape

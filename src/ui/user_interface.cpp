@@ -1,0 +1,263 @@
+#include "ui/user_interface.hpp"
+
+#include "ui/panels.hpp"
+
+#include <backends/imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace drape {
+namespace {
+
+constexpr float columnWidth = 372.0F;  // at scale 1
+constexpr float statusHeight = 30.0F;  // at scale 1
+constexpr float columnShare = 0.55F;   // of a small window, at most
+constexpr std::size_t sectionCount = 6;
+
+using Panel = void (*)(PanelContext&);
+constexpr std::array<Panel, sectionCount> sections{simulationPanel, materialPanel, airPanel,
+                                                   scenePanel,      viewPanel,     performancePanel};
+
+constexpr ImGuiWindowFlags columnFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                         ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
+                                         ImGuiWindowFlags_NoScrollWithMouse;
+
+}  // namespace
+
+struct UserInterface::Parts {
+  ImGuiContext* context = nullptr;
+  Backend backend = Backend::None;
+  UiDisplay display;
+  UiFonts fonts;
+  PanelMemory memory;
+  UiRects widgets;
+  UiRects buttons;
+  bool panels = true;
+  bool help = false;
+  std::string closedError;  ///< the error that the user has seen and closed
+  std::string shownError;
+  std::optional<bool> openSections;
+
+  void makeFonts();
+  void remember(const Snapshot& snapshot, const UiStats& stats);
+  void column(PanelContext& panel, const UiRect& place);
+  void overlays(PanelContext& panel, const UiRect& view);
+  [[nodiscard]] float width() const {
+    return std::round(std::min(columnWidth * display.scale, columnShare * static_cast<float>(display.width)));
+  }
+  [[nodiscard]] float bottom() const { return std::round(statusHeight * display.scale); }
+};
+
+void UserInterface::Parts::makeFonts() {
+  ImGuiIO& io = ImGui::GetIO();
+  applyTheme(ImGui::GetStyle(), display.scale);
+  fonts = buildFonts(*io.Fonts, display.scale, display.density);
+  io.FontDefault = fonts.regular;
+  io.FontGlobalScale = 1.0F / display.density;
+  if (backend == Backend::OpenGl) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
+}
+
+void UserInterface::Parts::remember(const Snapshot& snapshot, const UiStats& stats) {
+  // A slider that is still held has not said its last word, so what it shows must stay.
+  const bool waiting = !stats.loading.empty() || ImGui::IsAnyItemActive();
+  memory.pending.update(snapshot.settings, ImGui::GetTime(), waiting);
+  if (snapshot.step != memory.lastStep && snapshot.stepSeconds > 0.0) {
+    memory.stepTimes.add(static_cast<float>(snapshot.stepSeconds * 1e3));
+  }
+  memory.lastStep = snapshot.step;
+  if (!memory.hoveredThisFrame) {
+    memory.hoveredRow.clear();
+  }
+  memory.hoveredThisFrame = false;
+  if (stats.error.empty()) {
+    closedError.clear();
+  }
+  shownError = stats.error == closedError ? std::string() : stats.error;
+}
+
+void UserInterface::Parts::column(PanelContext& panel, const UiRect& place) {
+  ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
+  ImGui::SetNextWindowSize({static_cast<float>(place.width), static_cast<float>(place.height)});
+  ImGui::Begin("Panels", nullptr, columnFlags);
+  headPanel(panel);
+  ImGui::Dummy({0.0F, 2.0F * display.scale});
+  ImGui::BeginChild("Sections", {0.0F, 0.0F}, false, ImGuiWindowFlags_NoSavedSettings);
+  for (const Panel section : sections) {
+    if (openSections) {
+      ImGui::SetNextItemOpen(*openSections);
+    }
+    section(panel);
+  }
+  openSections.reset();
+  ImGui::EndChild();
+  ImGui::End();
+}
+
+void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
+  if (!shownError.empty() && !errorNotice(panel, view)) {
+    closedError = shownError;
+    shownError.clear();
+  }
+  if (help && !helpOverlay(panel, view)) {
+    help = false;
+  }
+}
+
+UserInterface::UserInterface(const UiDisplay& display, Backend backend) : parts_(std::make_unique<Parts>()) {
+  IMGUI_CHECKVERSION();
+  parts_->context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(parts_->context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+  io.DeltaTime = 1.0F / 60.0F;
+  parts_->display = display;
+  if (backend == Backend::OpenGl) {
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+  }
+  parts_->makeFonts();
+  parts_->backend = backend;
+  setDisplay(display);
+}
+
+UserInterface::~UserInterface() {
+  ImGui::SetCurrentContext(parts_->context);
+  if (parts_->backend == Backend::OpenGl) {
+    ImGui_ImplOpenGL3_Shutdown();
+  }
+  ImGui::DestroyContext(parts_->context);
+}
+
+void UserInterface::setDisplay(const UiDisplay& display) {
+  ImGui::SetCurrentContext(parts_->context);
+  const UiDisplay old = parts_->display;
+  parts_->display = display;
+  const bool resized = display.scale != old.scale || display.density != old.density;
+  if (resized && ImGui::IsAnyItemActive()) {
+    parts_->display.scale = old.scale;
+    parts_->display.density = old.density;
+  } else if (resized) {
+    parts_->makeFonts();
+  }
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(display.width), static_cast<float>(display.height)};
+  io.DisplayFramebufferScale = {display.density, display.density};
+}
+
+void UserInterface::build(const Snapshot& snapshot, const UiStats& stats, UiOutput& output) {
+  Parts& parts = *parts_;
+  ImGui::SetCurrentContext(parts.context);
+  if (parts.backend == Backend::OpenGl) {
+    ImGui_ImplOpenGL3_NewFrame();
+  }
+  ImGui::NewFrame();
+  parts.remember(snapshot, stats);
+  parts.widgets.clear();
+  parts.buttons.clear();
+  const Settings settings = parts.memory.pending.overlay(snapshot.settings);
+  PanelContext panel{snapshot,     settings,      stats,         parts.fonts, parts.display.scale,
+                     parts.memory, parts.widgets, parts.buttons, output};
+  if (parts.panels) {
+    const double below = static_cast<double>(parts.display.height) - parts.bottom();
+    parts.column(panel, {0.0, 0.0, parts.width(), below});
+    statusLine(panel, {0.0, below, static_cast<double>(parts.display.width), parts.bottom()});
+  }
+  parts.overlays(panel, view());
+  ImGui::Render();
+}
+
+void UserInterface::renderDrawData() {
+  ImGui::SetCurrentContext(parts_->context);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+UiRect UserInterface::view() const {
+  const UiDisplay& display = parts_->display;
+  if (!parts_->panels) {
+    return {0.0, 0.0, static_cast<double>(display.width), static_cast<double>(display.height)};
+  }
+  const double left = parts_->width();
+  return {left, 0.0, std::max(1.0, display.width - left),
+          std::max(1.0, display.height - static_cast<double>(parts_->bottom()))};
+}
+
+bool UserInterface::covers(const Vec2& point) const {
+  if (!view().contains(point)) {
+    return parts_->panels;
+  }
+  for (const char* overlay : {"overlay.help", "overlay.error"}) {
+    const auto found = parts_->buttons.find(overlay);
+    if (found != parts_->buttons.end() && found->second.contains(point)) {
+      return true;
+    }
+  }
+  // A list that dropped down, or a slider that is held, may reach over the picture.
+  ImGui::SetCurrentContext(parts_->context);
+  return ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+bool UserInterface::takesText() const {
+  ImGui::SetCurrentContext(parts_->context);
+  return ImGui::GetIO().WantTextInput;
+}
+
+bool UserInterface::panelsVisible() const {
+  return parts_->panels;
+}
+
+void UserInterface::showPanels(bool visible) {
+  parts_->panels = visible;
+}
+
+bool UserInterface::helpVisible() const {
+  return parts_->help;
+}
+
+void UserInterface::showHelp(bool visible) {
+  parts_->help = visible;
+}
+
+bool UserInterface::closeOverlay() {
+  ImGui::SetCurrentContext(parts_->context);
+  if (parts_->help) {
+    parts_->help = false;
+    return true;
+  }
+  if (!parts_->shownError.empty()) {
+    parts_->closedError = parts_->shownError;
+    parts_->shownError.clear();
+    return true;
+  }
+  return false;
+}
+
+void UserInterface::openSections(bool open) {
+  parts_->openSections = open;
+}
+
+const UiRects& UserInterface::widgets() const {
+  return parts_->widgets;
+}
+
+const UiRects& UserInterface::buttons() const {
+  return parts_->buttons;
+}
+
+float uiScale(double fontScaleSetting, float contentScale, int monitorRows) {
+  if (fontScaleSetting > 0.0) {
+    return static_cast<float>(std::clamp(fontScaleSetting, 0.5, 4.0));
+  }
+  constexpr int manyRows = 1600;
+  const float fromRows = monitorRows >= manyRows ? static_cast<float>(monitorRows) / 1080.0F : 1.0F;
+  return std::clamp(std::max(contentScale, fromRows), 1.0F, 4.0F);
+}
+
+}  // namespace drape

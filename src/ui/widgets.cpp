@@ -1,0 +1,206 @@
+#include "ui/widgets.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+constexpr float labelShare = 0.38F;  // of a row's width
+constexpr double hoverDelay = 0.45;  // [s]
+constexpr float iconSide = 11.0F;    // at scale 1
+
+ImVec2 operator+(const ImVec2& a, const ImVec2& b) {
+  return {a.x + b.x, a.y + b.y};
+}
+
+void drawPlay(ImDrawList& canvas, ImVec2 at, float side, ImU32 colour) {
+  canvas.AddTriangleFilled(at + ImVec2(side * 0.1F, 0.0F), at + ImVec2(side, side * 0.5F),
+                           at + ImVec2(side * 0.1F, side), colour);
+}
+
+void drawPause(ImDrawList& canvas, ImVec2 at, float side, ImU32 colour) {
+  canvas.AddRectFilled(at + ImVec2(side * 0.1F, 0.0F), at + ImVec2(side * 0.38F, side), colour);
+  canvas.AddRectFilled(at + ImVec2(side * 0.62F, 0.0F), at + ImVec2(side * 0.9F, side), colour);
+}
+
+void drawStep(ImDrawList& canvas, ImVec2 at, float side, ImU32 colour) {
+  canvas.AddTriangleFilled(at, at + ImVec2(side * 0.7F, side * 0.5F), at + ImVec2(0.0F, side), colour);
+  canvas.AddRectFilled(at + ImVec2(side * 0.74F, 0.0F), at + ImVec2(side, side), colour);
+}
+
+void drawReset(ImDrawList& canvas, ImVec2 at, float side, ImU32 colour) {
+  const ImVec2 middle = at + ImVec2(side * 0.5F, side * 0.5F);
+  const float radius = side * 0.42F;
+  canvas.PathArcTo(middle, radius, -0.9F, 4.1F, 20);
+  canvas.PathStroke(colour, ImDrawFlags_None, side * 0.16F);
+  const ImVec2 tip = middle + ImVec2(radius * std::cos(-0.9F), radius * std::sin(-0.9F));
+  canvas.AddTriangleFilled(tip + ImVec2(-side * 0.3F, side * 0.02F), tip + ImVec2(side * 0.2F, side * 0.2F),
+                           tip + ImVec2(side * 0.14F, -side * 0.34F), colour);
+}
+
+void drawIcon(Icon icon, ImDrawList& canvas, ImVec2 at, float side, ImU32 colour) {
+  switch (icon) {
+    case Icon::None:
+      break;
+    case Icon::Play:
+      drawPlay(canvas, at, side, colour);
+      break;
+    case Icon::Pause:
+      drawPause(canvas, at, side, colour);
+      break;
+    case Icon::Step:
+      drawStep(canvas, at, side, colour);
+      break;
+    case Icon::Reset:
+      drawReset(canvas, at, side, colour);
+      break;
+  }
+}
+
+void textAt(ImDrawList& canvas, ImVec2 at, const ImVec4& colour, std::string_view text) {
+  canvas.AddText(at, ImGui::GetColorU32(colour), text.data(), text.data() + text.size());
+}
+
+ImVec2 sizeOf(std::string_view text) {
+  return ImGui::CalcTextSize(text.data(), text.data() + text.size());
+}
+
+}  // namespace
+
+UiRect lastItemRect() {
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  return {low.x, low.y, high.x - low.x, high.y - low.y, ImGui::IsItemVisible()};
+}
+
+std::string prettyUnit(std::string_view unit) {
+  std::string pretty;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const bool power = unit[i] == '^' && i + 1 < unit.size() && (unit[i + 1] == '2' || unit[i + 1] == '3');
+    if (power) {
+      pretty += unit[++i] == '2' ? "\u00B2" : "\u00B3";
+    } else {
+      pretty += unit[i];
+    }
+  }
+  return pretty;
+}
+
+UiRect beginRow(const PanelContext& context, std::string_view label, bool marked) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float height = ImGui::GetFrameHeight();
+  if (marked) {
+    ImGui::GetWindowDrawList()->AddCircleFilled(at + ImVec2(-7.0F * context.scale, height * 0.5F), 2.2F * context.scale,
+                                                ImGui::GetColorU32(palette().accent));
+  }
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, marked ? palette().text : palette().muted);
+  ImGui::TextUnformatted(label.data(), label.data() + label.size());
+  ImGui::PopStyleColor();
+  ImGui::SameLine(std::round(ImGui::GetCursorStartPos().x + width * labelShare));
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  return {at.x, at.y, width, height};
+}
+
+void valueRow(const PanelContext& /*context*/, std::string_view label, std::string_view value, const ImVec4& colour) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList& canvas = *ImGui::GetWindowDrawList();
+  textAt(canvas, at, palette().muted, label);
+  textAt(canvas, {at.x + width - sizeOf(value).x, at.y}, colour, value);
+  ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+}
+
+bool hoversRow(const UiRect& row) {
+  const ImVec2 low{static_cast<float>(row.x), static_cast<float>(row.y)};
+  const ImVec2 high{static_cast<float>(row.x + row.width), static_cast<float>(row.y + row.height)};
+  return ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+         ImGui::IsMouseHoveringRect(low, high);
+}
+
+bool hoveredLongEnough(const PanelContext& context, const std::string& name) {
+  PanelMemory& memory = context.memory;
+  memory.hoveredThisFrame = true;
+  if (memory.hoveredRow != name || ImGui::IsAnyMouseDown()) {
+    memory.hoveredRow = name;
+    memory.hoveredSince = ImGui::GetTime();
+  }
+  return ImGui::GetTime() - memory.hoveredSince > hoverDelay;
+}
+
+void beginExplanation(const PanelContext& /*context*/) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetFontSize() * 0.7F, ImGui::GetFontSize() * 0.55F));
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0F);
+}
+
+void endExplanation() {
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void explainItem(const PanelContext& context, const std::string& name, std::string_view sentence) {
+  if (ImGui::IsItemHovered() && hoveredLongEnough(context, name)) {
+    beginExplanation(context);
+    ImGui::TextWrapped("%.*s", static_cast<int>(sentence.size()), sentence.data());
+    endExplanation();
+  }
+}
+
+void mutedText(std::string_view text, const ImVec4& colour) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour);
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::string_view word, float width,
+                bool strong) {
+  const float height = std::round(ImGui::GetFrameHeight() * 1.15F);
+  ImGui::PushID(name.c_str());
+  if (strong) {
+    ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImVec4(0.25F, 0.41F, 0.6F, 1.0F));
+  }
+  const bool pressed = ImGui::Button("##button", {width, height});
+  ImGui::PopStyleColor(strong ? 2 : 0);
+  ImGui::PopID();
+  context.buttons["button." + name] = lastItemRect();
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const float side = icon == Icon::None ? 0.0F : std::round(iconSide * context.scale);
+  const float gap = icon == Icon::None ? 0.0F : 7.0F * context.scale;
+  const ImVec2 text = sizeOf(word);
+  const float left = low.x + std::round((width - side - gap - text.x) * 0.5F);
+  ImDrawList& canvas = *ImGui::GetWindowDrawList();
+  drawIcon(icon, canvas, {left, low.y + std::round((height - side) * 0.5F)}, side, ImGui::GetColorU32(palette().text));
+  textAt(canvas, {left + side + gap, low.y + std::round((height - text.y) * 0.5F)}, palette().text, word);
+  return pressed;
+}
+
+bool beginSection(PanelContext& context, const std::string& title, bool openAtFirst) {
+  ImGui::Separator();
+  ImGui::SetNextItemOpen(openAtFirst, ImGuiCond_Once);
+  const bool open = ImGui::CollapsingHeader(title.c_str());
+  std::string name = title;
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  context.buttons["section." + name] = lastItemRect();
+  if (open) {
+    ImGui::PushID(title.c_str());
+    ImGui::Indent();
+  }
+  return open;
+}
+
+void endSection() {
+  ImGui::Unindent();
+  ImGui::Dummy({0.0F, ImGui::GetStyle().ItemSpacing.y * 0.5F});
+  ImGui::PopID();
+}
+
+}  // namespace drape
