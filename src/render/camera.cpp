@@ -1,1 +1,150 @@
-// To be written.
+#include "render/camera.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace drape {
+namespace {
+
+constexpr double minDistance = 0.01;                              // [m]
+constexpr double maxDistance = 100.0;                             // [m]
+constexpr double maxElevation = 89.5 * std::numbers::pi / 180.0;  // [rad]
+constexpr double framingMargin = 1.12;                            // air around what is framed [-]
+constexpr double smallestFramedSize = 0.02;                       // a single point is framed like this much [m]
+
+/// The camera's axes in world space: it looks along -back.
+struct Basis {
+  Vec3 right;
+  Vec3 up;
+  Vec3 back;
+};
+
+Vec3 viewOffset(const CameraPose& pose) {
+  const Vec3 offset = pose.position - pose.focalPoint;
+  return offset.norm() > 1e-9 ? offset : Vec3(0.0, 0.0, 1.0);
+}
+
+Basis basisOf(const CameraPose& pose) {
+  Basis basis;
+  basis.back = viewOffset(pose).normalized();
+  // Looking straight down or up there is no horizon to hold on to; x then stays to the right.
+  const Vec3 side = Vec3::UnitY().cross(basis.back);
+  basis.right = side.norm() > 1e-9 ? side.normalized() : Vec3(Vec3::UnitX());
+  basis.up = basis.back.cross(basis.right);
+  return basis;
+}
+
+double tanHalfAngle(const CameraPose& pose) {
+  return std::tan(0.5 * pose.viewAngle * std::numbers::pi / 180.0);
+}
+
+Vec3 directionFrom(double azimuth, double elevation) {
+  return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
+}
+
+}  // namespace
+
+void Camera::orbit(double yaw, double pitch) {
+  const Vec3 offset = viewOffset(pose_);
+  const double distance = offset.norm();
+  const double horizontal = std::hypot(offset.x(), offset.z());
+  const double azimuth = horizontal > 1e-9 ? std::atan2(offset.x(), offset.z()) : 0.0;
+  const double elevation = std::atan2(offset.y(), horizontal);
+  const double newElevation = std::clamp(elevation + pitch, -maxElevation, maxElevation);
+  pose_.position = pose_.focalPoint + distance * directionFrom(azimuth + yaw, newElevation);
+}
+
+void Camera::pan(double right, double up) {
+  const Basis basis = basisOf(pose_);
+  const double viewHeight = 2.0 * viewOffset(pose_).norm() * tanHalfAngle(pose_);
+  const Vec3 shift = viewHeight * (right * basis.right + up * basis.up);
+  pose_.position += shift;
+  pose_.focalPoint += shift;
+}
+
+void Camera::zoom(double factor) {
+  const Vec3 offset = viewOffset(pose_);
+  const double distance = std::clamp(offset.norm() * factor, minDistance, maxDistance);
+  pose_.position = pose_.focalPoint + distance * offset.normalized();
+}
+
+void Camera::recentre(const Vec3& focalPoint) {
+  pose_.position += focalPoint - pose_.focalPoint;
+  pose_.focalPoint = focalPoint;
+}
+
+void Camera::lookFrom(Side side) {
+  const double distance = viewOffset(pose_).norm();
+  const double azimuth = side == Side::Right ? std::numbers::pi / 2.0 : 0.0;
+  const double elevation = side == Side::Top ? maxElevation : 0.0;
+  pose_.position = pose_.focalPoint + distance * directionFrom(azimuth, elevation);
+}
+
+void Camera::frame(const Vec3& min, const Vec3& max, double aspect) {
+  const Basis basis = basisOf(pose_);
+  const Vec3 centre = 0.5 * (min + max);
+  const Vec3 half = (0.5 * framingMargin * (max - min)).cwiseMax(0.5 * smallestFramedSize);
+  const double slopeUp = tanHalfAngle(pose_);
+  const double slopeRight = slopeUp * aspect;
+  double distance = minDistance;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0);
+    const Vec3 offset = half.cwiseProduct(sign);
+    const double spread =
+        std::max(std::abs(offset.dot(basis.right)) / slopeRight, std::abs(offset.dot(basis.up)) / slopeUp);
+    distance = std::max(distance, offset.dot(basis.back) + spread);
+  }
+  pose_.focalPoint = centre;
+  pose_.position = centre + std::min(distance, maxDistance) * basis.back;
+}
+
+Eigen::Matrix4f Camera::viewMatrix() const {
+  const Basis basis = basisOf(pose_);
+  Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+  view.row(0) << basis.right.transpose(), -basis.right.dot(pose_.position);
+  view.row(1) << basis.up.transpose(), -basis.up.dot(pose_.position);
+  view.row(2) << basis.back.transpose(), -basis.back.dot(pose_.position);
+  return view.cast<float>();
+}
+
+Eigen::Matrix4f Camera::projectionMatrix(double aspect) const {
+  // The planes follow the distance, so that a close look is not cut off and a far one keeps its depth precision.
+  const double near = std::clamp(0.02 * viewOffset(pose_).norm(), 0.001, 0.1);
+  const double far = 5000.0 * near;
+  const double slope = tanHalfAngle(pose_);
+  Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
+  projection(0, 0) = 1.0 / (slope * aspect);
+  projection(1, 1) = 1.0 / slope;
+  projection(2, 2) = -(far + near) / (far - near);
+  projection(2, 3) = -2.0 * far * near / (far - near);
+  projection(3, 2) = -1.0;
+  return projection.cast<float>();
+}
+
+Ray Camera::rayThrough(double x, double y, int width, int height) const {
+  const Basis basis = basisOf(pose_);
+  const double slope = tanHalfAngle(pose_);
+  const double aspect = static_cast<double>(width) / height;
+  const double right = (2.0 * x / width - 1.0) * slope * aspect;
+  const double up = (1.0 - 2.0 * y / height) * slope;
+  return {pose_.position, (right * basis.right + up * basis.up - basis.back).normalized()};
+}
+
+Vec2 Camera::project(const Vec3& point, int width, int height) const {
+  const Basis basis = basisOf(pose_);
+  const Vec3 offset = point - pose_.position;
+  const double depth = std::max(-offset.dot(basis.back), 1e-9);
+  const double scale = 0.5 * height / (tanHalfAngle(pose_) * depth);
+  return {0.5 * width + scale * offset.dot(basis.right), 0.5 * height - scale * offset.dot(basis.up)};
+}
+
+Vec3 Camera::pointAtDepthOf(const Vec3& reference, double x, double y, int width, int height) const {
+  const Basis basis = basisOf(pose_);
+  const Ray ray = rayThrough(x, y, width, height);
+  const double depth = (pose_.position - reference).dot(basis.back);
+  return ray.origin + ray.direction * (depth / -ray.direction.dot(basis.back));
+}
+
+}  // namespace drape

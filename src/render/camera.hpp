@@ -21,18 +21,19 @@ class Camera {
 
   [[nodiscard]] const CameraPose& pose() const { return pose_; }
 
-  /// Turns around the focal point; never over the poles [rad].
+  /// Turns around the focal point [rad]: positive yaw carries the camera to its right, positive pitch upwards. It stops
+  /// short of the poles, so that up stays up.
   void orbit(double yaw, double pitch);
   /// Moves camera and focal point in the view plane by fractions of the view's height (right, up).
   void pan(double right, double up);
-  /// Multiplies the distance to the focal point; clamped to a sensible range.
+  /// Multiplies the distance to the focal point; clamped to 1 cm .. 100 m.
   void zoom(double factor);
   /// Looks at another point from the same direction and distance.
   void recentre(const Vec3& focalPoint);
   /// Looks from a side (1: front, 3: right, 7: top as in other 3D programs) at the same focal point and distance.
   enum class Side { Front, Right, Top };
   void lookFrom(Side side);
-  /// Keeps the direction and moves so that the box fills the view.
+  /// Keeps the direction and moves so that the box [m] fills the view, with a little air around it.
   void frame(const Vec3& min, const Vec3& max, double aspect);
 
   [[nodiscard]] Eigen::Matrix4f viewMatrix() const;
@@ -40,7 +41,8 @@ class Camera {
 
   /// The ray through a pixel; (0, 0) is the top left corner of the viewport, in pixels.
   [[nodiscard]] Ray rayThrough(double x, double y, int width, int height) const;
-  /// Where a point appears, in pixels from the top left corner.
+  /// Where a point appears, in pixels from the top left corner. A point behind the camera has no place in the picture;
+  /// what is returned for it is far outside.
   [[nodiscard]] Vec2 project(const Vec3& point, int width, int height) const;
   /// The point on the ray through a pixel that lies as deep in the view as `reference`.
   [[nodiscard]] Vec3 pointAtDepthOf(const Vec3& reference, double x, double y, int width, int height) const;

@@ -1,0 +1,100 @@
+#include "frame.glsl"
+#include "color.glsl"
+#include "light.glsl"
+
+uniform float checkSize;  // side of a check [m]
+uniform float checkered;  // 1: checks; 0: plain
+
+in Surface {
+  vec3 position;
+  vec3 normal;
+  vec2 coordinate;
+} surface;
+#ifdef WIREFRAME
+in vec3 barycentric;
+#endif
+
+out vec4 pixel;
+
+const vec3 frontLight = vec3(0.930, 0.910, 0.865);
+const vec3 frontDark = vec3(0.255, 0.420, 0.560);
+const vec3 backLight = vec3(0.930, 0.875, 0.820);
+const vec3 backDark = vec3(0.770, 0.450, 0.350);
+const vec3 frontPlain = vec3(0.300, 0.470, 0.600);
+const vec3 backPlain = vec3(0.800, 0.520, 0.420);
+
+// Mean over a pixel of the square wave that is +1 on even checks and -1 on odd ones. The wave's integral is a triangle
+// wave, so the mean is a difference of two of its values: exact, and flat grey where checks are smaller than pixels.
+vec2 meanSquareWave(vec2 x, vec2 width) {
+  vec2 w = max(width, 1e-4);
+  vec2 low = 1.0 - abs(2.0 * fract(0.5 * x - 0.25 * w) - 1.0);
+  vec2 high = 1.0 - abs(2.0 * fract(0.5 * x + 0.25 * w) - 1.0);
+  return (high - low) / w;
+}
+
+// Share of the light checks in the pixel, 0 to 1.
+float checks(vec2 coordinate) {
+  vec2 x = coordinate / checkSize;
+  vec2 wave = meanSquareWave(x, fwidth(x));
+  return 0.5 + 0.5 * wave.x * wave.y;
+}
+
+// The threads: a plain weave, of which nothing is left before it could alias.
+float weave(vec2 coordinate) {
+  const float threads = 700.0;  // a metre
+  vec2 x = coordinate * threads;
+  vec2 w = fwidth(x);
+  float visible = 1.0 - smoothstep(0.12, 0.42, max(w.x, w.y));
+  vec2 ridge = abs(fract(x) - 0.5);
+  float over = mod(floor(x.x) + floor(x.y), 2.0);
+  return 1.0 + visible * 0.22 * (0.25 - mix(ridge.x * ridge.x, ridge.y * ridge.y, over) * 2.0 - 0.09);
+}
+
+// Colour of the cloth itself, linear.
+vec3 clothColor(bool front) {
+  vec3 light = front ? frontLight : backLight;
+  vec3 dark = front ? frontDark : backDark;
+  vec3 plain = front ? frontPlain : backPlain;
+  vec3 pattern = mix(fromScreen(dark), fromScreen(light), checks(surface.coordinate));
+  return mix(fromScreen(plain), pattern, checkered) * weave(surface.coordinate);
+}
+
+#ifdef WIREFRAME
+// How much of the pixel belongs to an edge. Where triangles are only a few pixels large the edges step back, so that
+// the cloth does not turn into a dark blot.
+float edges() {
+  vec3 width = max(fwidth(barycentric), vec3(1e-6));
+  vec3 away = barycentric / width;  // [pixels]
+  float nearest = min(away.x, min(away.y, away.z));
+  float height = 1.0 / max(width.x, max(width.y, width.z));  // of the triangle [pixels]
+  return (1.0 - smoothstep(0.25, 1.15, nearest)) * clamp((height - 1.0) / 7.0, 0.12, 1.0);
+}
+#endif
+
+void main() {
+  bool front = gl_FrontFacing;
+  vec3 toEye = normalize(eye.xyz - surface.position);
+  vec3 normal = normalize(surface.normal) * (front ? 1.0 : -1.0);
+  // A smooth normal may lean away from the viewer at an outline; bring it back to the side that is seen.
+  normal = normalize(normal + toEye * max(0.02 - dot(normal, toEye), 0.0));
+
+  vec3 color = clothColor(front);
+#ifdef WIREFRAME
+  color = mix(color, vec3(dot(color, vec3(0.3, 0.6, 0.1))) + 0.12, 0.35);
+#endif
+  float facing = dot(normal, toLight.xyz);
+  float visible = keyVisibility(surface.position, facing >= 0.0 ? normal : -normal);
+  float lit = max((facing + 0.08) / 1.08, 0.0);
+  float through = 0.22 * max(-facing, 0.0);  // a thin cloth glows when the light stands behind it
+  vec3 light = keyLight * visible * (lit + through) + roomLight(normal, toEye);
+
+  // Fibres that stand off the cloth catch light at a grazing view, and the threads shine a little.
+  float fuzz = pow(1.0 - max(dot(normal, toEye), 0.0), 4.0);
+  float shine = pow(max(dot(normal, normalize(toLight.xyz + toEye)), 0.0), 22.0);
+  vec3 result = color * light + fuzz * 0.14 * skyLight + shine * 0.05 * visible * keyLight;
+
+#ifdef WIREFRAME
+  result = mix(result, vec3(0.010, 0.016, 0.026), 0.85 * edges());
+#endif
+  pixel = vec4(toScreen(result), 1.0);
+}

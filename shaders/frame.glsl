@@ -1,0 +1,11 @@
+// What every shader knows about a picture; src/render/frame_uniforms.hpp is the other half. Lengths in metres.
+layout(std140) uniform Frame {
+  mat4 viewProjection;
+  mat4 shadowFromWorld;  // to [0, 1] in each coordinate of the shadow map
+  vec4 eye;              // xyz
+  vec4 toLight;          // xyz: unit vector; w: 1 with shadows, 0 without
+  vec4 viewport;         // width, height, and one over each [pixels]
+  vec4 ground;           // xyz: centre; w: radius at which it has faded away
+  vec4 groundShadow;     // xy: centre (x and z); z: half the side
+  vec4 shadowScale;      // x: a texel's side, y: depth range, z: one over the number of texels
+};

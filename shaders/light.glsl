@@ -1,0 +1,34 @@
+// The studio's light: a large key light from above, the bright room around it, and a faint light from the viewer.
+
+uniform sampler2DShadow shadowMap;
+
+const vec3 keyLight = vec3(1.00, 0.965, 0.92) * 0.98;
+const vec3 skyLight = vec3(0.86, 0.93, 1.00) * 0.50;
+const vec3 floorLight = vec3(1.00, 0.94, 0.88) * 0.24;
+const float viewerLight = 0.12;
+
+// The i-th of n points that fill the unit disc evenly (golden angle).
+vec2 discPoint(int i, int n, float turn) {
+  float angle = 2.39996323 * float(i) + turn;
+  return sqrt((float(i) + 0.5) / float(n)) * vec2(cos(angle), sin(angle));
+}
+
+// How much of the key light reaches a point, 0 to 1. `normal` points to the side that the light comes from.
+float keyVisibility(vec3 position, vec3 normal) {
+  if (toLight.w < 0.5) {
+    return 1.0;
+  }
+  const int samples = 8;
+  vec3 lifted = position + shadowScale.x * (1.5 * normal + 1.5 * toLight.xyz);
+  vec3 place = (shadowFromWorld * vec4(lifted, 1.0)).xyz;
+  float light = 0.0;
+  for (int i = 0; i < samples; ++i) {
+    light += texture(shadowMap, vec3(place.xy + 2.4 * shadowScale.z * discPoint(i, samples, 0.4), place.z));
+  }
+  return light / float(samples);
+}
+
+// What comes from everywhere.
+vec3 roomLight(vec3 normal, vec3 toEye) {
+  return mix(floorLight, skyLight, 0.5 + 0.5 * normal.y) + viewerLight * max(dot(normal, toEye), 0.0);
+}

@@ -1,0 +1,28 @@
+// Hands every triangle on with barycentric coordinates, from which the fragment shader knows how near an edge is.
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+
+in Surface {
+  vec3 position;
+  vec3 normal;
+  vec2 coordinate;
+} corner[];
+
+out Surface {
+  vec3 position;
+  vec3 normal;
+  vec2 coordinate;
+} surface;
+out vec3 barycentric;
+
+void main() {
+  for (int i = 0; i < 3; ++i) {
+    surface.position = corner[i].position;
+    surface.normal = corner[i].normal;
+    surface.coordinate = corner[i].coordinate;
+    barycentric = vec3(i == 0, i == 1, i == 2);
+    gl_Position = gl_in[i].gl_Position;
+    EmitVertex();
+  }
+  EndPrimitive();
+}

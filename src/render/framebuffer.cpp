@@ -1,0 +1,52 @@
+#include "render/framebuffer.hpp"
+
+namespace drape {
+
+void Framebuffer::begin(int width, int height) {
+  if (width != width_ || height != height_) {
+    width_ = width;
+    height_ = height;
+    allocate();
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, multisampled_.name());
+  glViewport(0, 0, width_, height_);
+}
+
+void Framebuffer::allocate() {
+  glBindRenderbuffer(GL_RENDERBUFFER, sampledColour_.name());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width_, height_);
+  glBindRenderbuffer(GL_RENDERBUFFER, sampledDepth_.name());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width_, height_);
+  glBindRenderbuffer(GL_RENDERBUFFER, colour_.name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_, height_);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, multisampled_.name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, sampledColour_.name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sampledDepth_.name());
+  requireCompleteFramebuffer("the picture's samples");
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.name());
+  requireCompleteFramebuffer("the picture");
+}
+
+void Framebuffer::resolve() {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  bindResolved();
+}
+
+void Framebuffer::bindResolved() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
+  glViewport(0, 0, width_, height_);
+}
+
+void Framebuffer::blitToWindow() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width_, height_);
+}
+
+}  // namespace drape

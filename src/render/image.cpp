@@ -1,0 +1,114 @@
+#include "render/image.hpp"
+
+#include "render/stb.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <system_error>
+
+namespace drape {
+namespace {
+
+void appendBytes(void* target, void* data, int size) {
+  auto* bytes = static_cast<std::string*>(target);
+  bytes->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
+std::string encodePng(const Image& image) {
+  std::string bytes;
+  stbi_write_png_to_func(&appendBytes, &bytes, image.width, image.height, 3, image.rgb.data(), image.width * 3);
+  return bytes;
+}
+
+/// Largest difference over the channels of the pixel that starts at `offset`.
+int pixelDifference(const Image& a, const Image& b, std::size_t offset) {
+  int largest = 0;
+  for (std::size_t channel = offset; channel < offset + 3; ++channel) {
+    largest = std::max(largest, std::abs(int{a.rgb[channel]} - int{b.rgb[channel]}));
+  }
+  return largest;
+}
+
+bool haveSameSize(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height && a.rgb.size() == b.rgb.size();
+}
+
+}  // namespace
+
+void writePng(const Image& image, const std::filesystem::path& file) {
+  const std::string bytes = encodePng(image);
+  if (bytes.empty()) {
+    throw InputError("cannot write '" + file.string() + "': the picture could not be encoded (" +
+                     std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels)");
+  }
+  std::ofstream stream(file, std::ios::binary);
+  if (!stream) {
+    const std::error_code reason(errno, std::generic_category());
+    throw InputError("cannot write '" + file.string() + "': " + reason.message());
+  }
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  if (!stream) {
+    throw InputError("cannot write '" + file.string() + "': the disk may be full");
+  }
+}
+
+Image readPng(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    const std::error_code reason(errno, std::generic_category());
+    throw InputError("cannot read '" + file.string() + "': " + reason.message());
+  }
+  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  Image image;
+  int channels = 0;
+  const auto* data = static_cast<const stbi_uc*>(static_cast<const void*>(bytes.data()));
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &image.width, &image.height, &channels, 3),
+      &stbi_image_free);
+  if (pixels == nullptr) {
+    throw InputError("cannot read '" + file.string() + "' as a picture: " + stbi_failure_reason());
+  }
+  const std::size_t size =
+      std::size_t{3} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  image.rgb.assign(pixels.get(), pixels.get() + size);
+  return image;
+}
+
+ImageDifference compareImages(const Image& a, const Image& b, int tolerance) {
+  ImageDifference difference;
+  difference.sameSize = haveSameSize(a, b);
+  if (!difference.sameSize) {
+    return difference;
+  }
+  for (std::size_t offset = 0; offset + 2 < a.rgb.size(); offset += 3) {
+    const int largest = pixelDifference(a, b, offset);
+    difference.largest = std::max(difference.largest, largest);
+    difference.pixels += largest > tolerance ? 1 : 0;
+  }
+  return difference;
+}
+
+Image differencePicture(const Image& a, const Image& b, int tolerance) {
+  Image picture = a;
+  if (!haveSameSize(a, b)) {
+    return picture;
+  }
+  for (std::size_t offset = 0; offset + 2 < a.rgb.size(); offset += 3) {
+    const int grey = (int{a.rgb[offset]} + int{a.rgb[offset + 1]} + int{a.rgb[offset + 2]}) / 3;
+    const auto pale = static_cast<std::uint8_t>(192 + grey / 4);
+    const bool differs = pixelDifference(a, b, offset) > tolerance;
+    picture.rgb[offset] = differs ? std::uint8_t{220} : pale;
+    picture.rgb[offset + 1] = differs ? std::uint8_t{20} : pale;
+    picture.rgb[offset + 2] = differs ? std::uint8_t{30} : pale;
+  }
+  return picture;
+}
+
+}  // namespace drape

@@ -1,0 +1,75 @@
+#include "render/marks.hpp"
+
+#include <algorithm>
+
+namespace drape {
+namespace {
+
+// Colours as they appear on the screen, with opacity.
+const Eigen::Vector4f pinColour(0.16F, 0.18F, 0.22F, 1.0F);
+const Eigen::Vector4f handColour(0.96F, 0.62F, 0.16F, 1.0F);
+constexpr float pinSize = 8.0F;    // in units of a mark
+constexpr float heldSize = 12.0F;  // in units of a mark
+constexpr float handSize = 16.0F;  // in units of a mark
+constexpr float threadWidth = 2.5F;
+
+}  // namespace
+
+Marks::Marks() : dots_("dot.vert", "dot.frag"), thread_("thread.vert", "thread.frag") {
+  glBindVertexArray(pinArray_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, pinBuffer_.name());
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(0);
+}
+
+void Marks::setPins(const Snapshot& snapshot) {
+  pins_.clear();
+  const std::vector<bool>& pinned = snapshot.model->pinned;
+  for (std::size_t i = 0; i < std::min(pinned.size(), snapshot.positions.size()); ++i) {
+    if (pinned[i]) {
+      pins_.emplace_back(snapshot.positions[i].cast<float>());
+    }
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, pinBuffer_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(pins_.size() * sizeof(Eigen::Vector3f)), pins_.data(),
+               GL_STREAM_DRAW);
+}
+
+void Marks::drawPins(float scale) const {
+  if (pins_.empty()) {
+    return;
+  }
+  dots_.use();
+  dots_.set("fill", pinColour);
+  dots_.set("size", pinSize * scale);
+  glBindVertexArray(pinArray_.name());
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(pins_.size()));
+  glBindVertexArray(0);
+}
+
+void Marks::drawGrab(const GrabStatus& grab, float scale) const {
+  const Eigen::Vector3f held = grab.point.cast<float>();
+  const Eigen::Vector3f hand = grab.target.cast<float>();
+  thread_.use();
+  thread_.set("from", held);
+  thread_.set("to", hand);
+  thread_.set("width", threadWidth * scale);
+  thread_.set("colour", handColour);
+  glBindVertexArray(nothing_.name());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  drawDot(hand, handSize * scale, handColour);
+  drawDot(held, heldSize * scale, grab.pinned ? pinColour : Eigen::Vector4f(1.0F, 1.0F, 1.0F, 1.0F));
+  glBindVertexArray(0);
+}
+
+void Marks::drawDot(const Eigen::Vector3f& position, float size, const Eigen::Vector4f& fill) const {
+  dots_.use();
+  dots_.set("fill", fill);
+  dots_.set("size", size);
+  // One point: the attribute's constant value stands in for a buffer.
+  glVertexAttrib3fv(0, position.data());
+  glDrawArrays(GL_POINTS, 0, 1);
+}
+
+}  // namespace drape

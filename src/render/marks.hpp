@@ -1,0 +1,36 @@
+#pragma once
+
+#include "render/gl_objects.hpp"
+#include "render/shader_program.hpp"
+#include "session/snapshot.hpp"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace drape {
+
+/// Draws what is not there in the scene but helps the hand: pins as dots and the grab as a thread from the held point
+/// to the hand. All are as large on the screen from near as from afar.
+class Marks {
+ public:
+  Marks();
+
+  /// Takes over where the pins are.
+  void setPins(const Snapshot& snapshot);
+
+  /// `scale` is the size of a mark's unit [pixels].
+  void drawPins(float scale) const;
+  void drawGrab(const GrabStatus& grab, float scale) const;
+
+ private:
+  void drawDot(const Eigen::Vector3f& position, float size, const Eigen::Vector4f& fill) const;
+
+  ShaderProgram dots_;
+  ShaderProgram thread_;
+  GlVertexArray pinArray_;
+  GlBuffer pinBuffer_;
+  GlVertexArray nothing_;
+  std::vector<Eigen::Vector3f> pins_;
+};
+
+}  // namespace drape

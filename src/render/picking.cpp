@@ -1,0 +1,50 @@
+#include "render/picking.hpp"
+
+#include <Eigen/Geometry>
+
+namespace drape {
+namespace {
+
+/// Where a ray meets one triangle, from either side (Moeller and Trumbore 1997).
+std::optional<Hit> meet(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 normal = ray.direction.cross(ac);
+  const double determinant = ab.dot(normal);
+  // Written so that a NaN fails too. The bound only keeps out triangles without an area and rays in their plane.
+  if (!(determinant * determinant > 1e-24 * ab.squaredNorm() * ac.squaredNorm())) {
+    return std::nullopt;
+  }
+  const Vec3 fromA = ray.origin - a;
+  const double weightB = fromA.dot(normal) / determinant;
+  const Vec3 q = fromA.cross(ab);
+  const double weightC = ray.direction.dot(q) / determinant;
+  const double distance = ac.dot(q) / determinant;
+  if (!(weightB >= 0.0 && weightC >= 0.0 && weightB + weightC <= 1.0 && distance > 0.0)) {
+    return std::nullopt;
+  }
+  Hit hit;
+  hit.barycentric = {1.0 - weightB - weightC, weightB, weightC};
+  hit.point = ray.origin + distance * ray.direction;
+  hit.distance = distance;
+  return hit;
+}
+
+}  // namespace
+
+std::optional<Hit> pick(const Ray& ray, std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+  std::optional<Hit> nearest;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const Triangle& corners = triangles[t];
+    std::optional<Hit> hit =
+        meet(ray, positions[static_cast<std::size_t>(corners[0])], positions[static_cast<std::size_t>(corners[1])],
+             positions[static_cast<std::size_t>(corners[2])]);
+    if (hit && (!nearest || hit->distance < nearest->distance)) {
+      hit->triangle = static_cast<int>(t);
+      nearest = hit;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace drape

@@ -1,0 +1,93 @@
+#include "render/smooth_mesh.hpp"
+
+#include "render/vertex_normals.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+namespace drape {
+namespace {
+
+constexpr GLuint positionAttribute = 0U;
+constexpr GLuint normalAttribute = 1U;
+constexpr GLuint surfaceAttribute = 2U;
+
+const void* bufferOffset(std::size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);  // OpenGL takes offsets in the shape of pointers
+}
+
+}  // namespace
+
+SmoothMesh::SmoothMesh() {
+  glBindVertexArray(vertexArray_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, moving_.name());
+  glEnableVertexAttribArray(positionAttribute);
+  glVertexAttribPointer(positionAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MovingVertex), bufferOffset(0));
+  glEnableVertexAttribArray(normalAttribute);
+  glVertexAttribPointer(normalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MovingVertex),
+                        bufferOffset(offsetof(MovingVertex, normal)));
+  glBindBuffer(GL_ARRAY_BUFFER, fixed_.name());
+  glEnableVertexAttribArray(surfaceAttribute);
+  glVertexAttribPointer(surfaceAttribute, 2, GL_FLOAT, GL_FALSE, 0, bufferOffset(0));
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
+  glBindVertexArray(0);
+}
+
+void SmoothMesh::setTopology(const MeshTopology& topology) {
+  particleTriangles_.assign(topology.particleTriangles.begin(), topology.particleTriangles.end());
+  particleOfVertex_.assign(topology.particleOfVertex.begin(), topology.particleOfVertex.end());
+  if (particleOfVertex_.empty()) {
+    int count = 0;
+    for (const Triangle& triangle : particleTriangles_) {
+      count = std::max(count, *std::max_element(triangle.begin(), triangle.end()) + 1);
+    }
+    particleOfVertex_.resize(static_cast<std::size_t>(count));
+    std::iota(particleOfVertex_.begin(), particleOfVertex_.end(), 0);
+  }
+
+  std::vector<Eigen::Vector2f> coordinates(particleOfVertex_.size(), Eigen::Vector2f(0.0F, 0.0F));
+  for (std::size_t i = 0; i < std::min(coordinates.size(), topology.surfaceCoordinates.size()); ++i) {
+    coordinates[i] = topology.surfaceCoordinates[i].cast<float>();
+  }
+  glBindVertexArray(vertexArray_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, fixed_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(coordinates.size() * sizeof(Eigen::Vector2f)),
+               coordinates.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(topology.drawnTriangles.size_bytes()),
+               topology.drawnTriangles.data(), GL_STATIC_DRAW);
+  glBindVertexArray(0);
+  indexCount_ = static_cast<GLsizei>(3 * topology.drawnTriangles.size());
+}
+
+void SmoothMesh::setPositions(std::span<const Vec3> positions) {
+  areaWeightedNormals(positions, particleTriangles_, normals_);
+  bounds_.setEmpty();
+  for (const Vec3& position : positions) {
+    bounds_.extend(position);
+  }
+  const auto size = static_cast<GLsizeiptr>(particleOfVertex_.size() * sizeof(MovingVertex));
+  glBindBuffer(GL_ARRAY_BUFFER, moving_.name());
+  // A fresh store each time, so that the driver need not wait until it has drawn the old one.
+  glBufferData(GL_ARRAY_BUFFER, size, nullptr, GL_STREAM_DRAW);
+  auto* vertex = static_cast<MovingVertex*>(
+      glMapBufferRange(GL_ARRAY_BUFFER, 0, size, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
+  if (vertex == nullptr) {
+    return;  // the driver is out of memory; the cloth is not drawn, which is better than a crash
+  }
+  for (const int particle : particleOfVertex_) {
+    const auto i = static_cast<std::size_t>(particle);
+    vertex->position = positions[i].cast<float>();
+    vertex->normal = normals_[i];
+    ++vertex;
+  }
+  glUnmapBuffer(GL_ARRAY_BUFFER);
+}
+
+void SmoothMesh::draw() const {
+  glBindVertexArray(vertexArray_.name());
+  glDrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+  glBindVertexArray(0);
+}
+
+}  // namespace drape

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "render/gl_objects.hpp"
+#include "sim/vector.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+namespace drape {
+
+/// What does not change about a mesh while it moves. The views are only read during setTopology().
+struct MeshTopology {
+  std::span<const Triangle> particleTriangles;  ///< indices of particles; normals are smooth over these
+  std::span<const Triangle> drawnTriangles;     ///< indices of drawn vertices
+  std::span<const int> particleOfVertex;        ///< for each drawn vertex its particle; empty: they are the same
+  std::span<const Vec2> surfaceCoordinates;     ///< one a drawn vertex [m]; empty: all zero
+};
+
+/// A triangle mesh on the graphics card whose vertices move: positions and smooth normals are sent when they change,
+/// indices and surface coordinates once. Vertex attributes: 0 position, 1 normal, 2 surface coordinates.
+class SmoothMesh {
+ public:
+  SmoothMesh();
+
+  void setTopology(const MeshTopology& topology);
+
+  /// Sends positions (one a particle [m]) and their normals. No memory is allocated while the number stays the same.
+  void setPositions(std::span<const Vec3> positions);
+
+  /// Draws the triangles with the program in use.
+  void draw() const;
+
+  /// The box around the positions last set.
+  [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return bounds_; }
+
+ private:
+  struct MovingVertex {
+    Eigen::Vector3f position;
+    Eigen::Vector3f normal;
+  };
+
+  GlVertexArray vertexArray_;
+  GlBuffer moving_;
+  GlBuffer fixed_;
+  GlBuffer indices_;
+  GLsizei indexCount_ = 0;
+  std::vector<Triangle> particleTriangles_;
+  std::vector<int> particleOfVertex_;
+  std::vector<Eigen::Vector3f> normals_;
+  Eigen::AlignedBox3d bounds_;
+};
+
+}  // namespace drape
