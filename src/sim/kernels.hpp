@@ -41,7 +41,8 @@ inline constexpr double shortestLength = 1e-9;
   }
   const double ratio = restLength / length;
   const Vec3 direction = offset / length;
-  const Mat3 along = (stiffness * ratio) * (direction * direction.transpose());
+  const Mat3 outer = direction * direction.transpose();
+  const Mat3 along = (stiffness * ratio) * outer;
   return length < restLength ? along : Mat3(along + (stiffness * (1.0 - ratio)) * Mat3::Identity());
 }
 
