@@ -10,7 +10,7 @@ namespace drape {
 class Pacer {
  public:
   /// The longest stretch of time that is ever made up for [s].
-  static constexpr double longestDebt = 0.1;
+  static constexpr double longestDebt = 0.25;
 
   /// Collects elapsed time of the clock [s], scaled by `speed`.
   void collect(double elapsed, double speed) { owed_ = std::min(owed_ + elapsed * speed, longestDebt); }

@@ -39,6 +39,8 @@ class Simulation {
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] std::int64_t stepIndex() const { return stepIndex_; }
   [[nodiscard]] bool paused() const { return paused_; }
+  /// What the last step cost [s].
+  [[nodiscard]] double lastStepSeconds() const { return stepSeconds_; }
   [[nodiscard]] const std::string& message() const { return message_; }
 
   /// The commands since the scene was loaded, in order, each with the number of steps taken before it.

@@ -25,7 +25,7 @@ struct Settings {
   } material;
 
   struct Hand {
-    double stiffness = 200.0;  ///< [N/m]
+    double stiffness = 500.0;  ///< [N/m]
     double maxForce = 10.0;    ///< [N]
   } hand;
 

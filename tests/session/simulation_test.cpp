@@ -1,0 +1,215 @@
+#include "session/simulation.hpp"
+#include "sim/cloth_state.hpp"
+#include "test_scene.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+
+namespace drape {
+namespace {
+
+using testing::smallGrid;
+
+Vec3 centreOf(const Simulation& simulation, int triangle) {
+  Vec3 centre = Vec3::Zero();
+  for (const int v : simulation.model().triangles[static_cast<std::size_t>(triangle)]) {
+    centre += simulation.state().positions[static_cast<std::size_t>(v)] / 3.0;
+  }
+  return centre;
+}
+
+GrabCommand grabAt(const Simulation& simulation, int triangle, const Vec3& offset) {
+  return {triangle, Vec3::Constant(1.0 / 3.0), centreOf(simulation, triangle) + offset};
+}
+
+int pinCount(const Simulation& simulation) {
+  const auto& pinned = simulation.model().pinned;
+  return static_cast<int>(std::count(pinned.begin(), pinned.end(), true));
+}
+
+TEST(Simulation, startsAtTheScenesStartWithTheScenesSettings) {
+  const auto scene = smallGrid();
+  const Simulation simulation(scene);
+  EXPECT_EQ(stateHash(simulation.state()), stateHash(scene->start));
+  EXPECT_EQ(simulation.settings().material.mass, 0.1);
+  EXPECT_EQ(simulation.stepIndex(), 0);
+  EXPECT_FALSE(simulation.paused());
+}
+
+TEST(Simulation, appliesASettingToTheNextStep) {
+  Simulation simulation(smallGrid());
+  simulation.apply(SetSettingCommand{"gravity", 0.0});
+  simulation.step();
+  EXPECT_EQ(simulation.state().velocities[40], Vec3(Vec3::Zero()));
+  simulation.apply(SetSettingCommand{"gravity", 5.0});
+  simulation.step();
+  EXPECT_LT(simulation.state().velocities[40].y(), 0.0);
+}
+
+TEST(Simulation, refusesABadSettingWithAMessageAndKeepsTheOldOne) {
+  Simulation simulation(smallGrid());
+  simulation.apply(SetSettingCommand{"stiffness", -1.0});
+  EXPECT_NE(simulation.message().find("stiffness"), std::string::npos);
+  EXPECT_EQ(simulation.settings().step.stiffness, smallGrid()->settings.step.stiffness);
+  simulation.apply(SetSettingCommand{"no_such_thing", 1.0});
+  EXPECT_NE(simulation.message().find("no_such_thing"), std::string::npos);
+  simulation.apply(SetSettingCommand{"stiffness", 55.0});
+  EXPECT_TRUE(simulation.message().empty());
+  EXPECT_EQ(simulation.settings().step.stiffness, 55.0);
+}
+
+TEST(Simulation, changesTheMassWithoutMovingTheCloth) {
+  Simulation simulation(smallGrid());
+  for (int i = 0; i < 20; ++i) {
+    simulation.step();
+  }
+  const auto hash = stateHash(simulation.state());
+  simulation.apply(SetSettingCommand{"mass", 0.7});
+  EXPECT_EQ(stateHash(simulation.state()), hash);
+  EXPECT_NEAR(simulation.model().totalMass(), 0.7, 1e-12);
+  simulation.apply(SetSettingCommand{"density", 0.25});
+  EXPECT_NEAR(simulation.model().totalMass(), 0.25, 1e-12) << "the sheet has one square metre";
+}
+
+TEST(Simulation, pullsTheGrabbedPointToTheHandAndLetsGo) {
+  Simulation simulation(smallGrid());
+  simulation.apply(grabAt(simulation, 70, Vec3(0.1, 0.15, 0.05)));
+  for (int i = 0; i < 300; ++i) {
+    simulation.step();
+  }
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  ASSERT_TRUE(snapshot.grab.has_value());
+  EXPECT_LT((snapshot.grab->point - snapshot.grab->target).norm(), 0.02);
+  simulation.apply(ReleaseGrabCommand{});
+  const Vec3 before = snapshot.grab->target;
+  for (int i = 0; i < 60; ++i) {
+    simulation.step();
+  }
+  simulation.capture(snapshot);
+  EXPECT_FALSE(snapshot.grab.has_value());
+  EXPECT_GT((centreOf(simulation, 70) - before).norm(), 0.1);
+}
+
+TEST(Simulation, refusesToGrabWhatIsNotThere) {
+  Simulation simulation(smallGrid());
+  simulation.apply(GrabCommand{100000, Vec3::Constant(1.0 / 3.0), Vec3::Zero()});
+  EXPECT_FALSE(simulation.message().empty());
+  simulation.apply(GrabCommand{0, Vec3(2.0, -0.5, -0.5), Vec3::Zero()});
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  EXPECT_FALSE(snapshot.grab.has_value());
+}
+
+TEST(Simulation, pinsWhatIsHeldWhereItIsAndLetsItGoAgain) {
+  Simulation simulation(smallGrid());
+  EXPECT_EQ(pinCount(simulation), 2);
+  simulation.apply(TogglePinCommand{});
+  EXPECT_EQ(pinCount(simulation), 2) << "nothing is held yet";
+  simulation.apply(grabAt(simulation, 70, Vec3(0.0, 0.2, 0.0)));
+  for (int i = 0; i < 50; ++i) {
+    simulation.step();
+  }
+  simulation.apply(TogglePinCommand{});
+  EXPECT_EQ(pinCount(simulation), 3);
+  simulation.apply(ReleaseGrabCommand{});
+  const int vertex = simulation.model().triangles[70][0];
+  const Vec3 place = simulation.state().positions[static_cast<std::size_t>(vertex)];
+  for (int i = 0; i < 50; ++i) {
+    simulation.step();
+  }
+  EXPECT_EQ(simulation.state().positions[static_cast<std::size_t>(vertex)], place);
+  simulation.apply(GrabCommand{70, Vec3(1.0, 0.0, 0.0), place});
+  simulation.apply(TogglePinCommand{});
+  EXPECT_EQ(pinCount(simulation), 2);
+}
+
+TEST(Simulation, resetsToTheStartAndRunsTheSameAgain) {
+  Simulation simulation(smallGrid());
+  const auto run = [&] {
+    for (int i = 0; i < 40; ++i) {
+      simulation.step();
+    }
+    return stateHash(simulation.state());
+  };
+  const auto first = run();
+  simulation.apply(ResetCommand{});
+  EXPECT_EQ(simulation.stepIndex(), 0);
+  EXPECT_EQ(simulation.state().time, 0.0);
+  EXPECT_EQ(run(), first);
+}
+
+TEST(Simulation, takesOneStepAndStaysPaused) {
+  Simulation simulation(smallGrid());
+  simulation.apply(SingleStepCommand{});
+  EXPECT_TRUE(simulation.paused());
+  EXPECT_EQ(simulation.stepIndex(), 1);
+}
+
+TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
+  SceneDescription description = openScene("grid");
+  description.settings.grid.resolution = 65;
+  description.settings.step.stiffness = 1e7;
+  description.settings.step.timeStep = 0.1;
+  description.settings.step.gravity = 1000.0;
+  Simulation simulation(buildScene(description, description.settings));
+  for (int i = 0; i < 5000 && !simulation.paused(); ++i) {
+    simulation.step();
+  }
+  EXPECT_TRUE(isFinite(simulation.state()));
+  if (simulation.paused()) {
+    EXPECT_NE(simulation.message().find("blew up"), std::string::npos);
+  }
+}
+
+TEST(Simulation, replaysItsLogToTheSameBits) {
+  const auto scene = smallGrid();
+  Simulation original(scene);
+  const auto advance = [&](int steps) {
+    for (int i = 0; i < steps; ++i) {
+      original.step();
+    }
+  };
+  advance(10);
+  original.apply(SetSettingCommand{"stiffness", 300.0});
+  original.apply(grabAt(original, 30, Vec3(0.0, 0.3, 0.0)));
+  advance(15);
+  original.apply(MoveGrabCommand{Vec3(0.2, 1.5, 0.1)});
+  original.apply(TogglePinCommand{});
+  original.apply(SingleStepCommand{});
+  advance(7);
+  original.apply(ResetCommand{});
+  advance(20);
+  original.apply(ReleaseGrabCommand{});
+
+  Simulation again(scene);
+  again.replay(original.log());
+  EXPECT_EQ(stateHash(again.state()), stateHash(original.state()));
+  EXPECT_EQ(again.stepsTaken(), original.stepsTaken());
+}
+
+TEST(Simulation, loadsAnotherSceneWithItsOwnSettings) {
+  Simulation simulation(smallGrid());
+  simulation.apply(SetSettingCommand{"stiffness", 333.0});
+  const auto other = smallGrid(12);
+  simulation.apply(LoadSceneCommand{other});
+  EXPECT_EQ(simulation.model().vertexCount(), 144);
+  EXPECT_EQ(simulation.settings().step.stiffness, other->settings.step.stiffness);
+  simulation.step();
+  EXPECT_TRUE(isFinite(simulation.state()));
+}
+
+TEST(Simulation, numbersSnapshotsSoThatEveryChangeShows) {
+  Simulation simulation(smallGrid());
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  const auto before = snapshot.version;
+  simulation.capture(snapshot);
+  EXPECT_EQ(snapshot.version, before);
+  simulation.step();
+  simulation.capture(snapshot);
+  EXPECT_GT(snapshot.version, before);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,133 @@
+#include "settings/settings_table.hpp"
+
+#include "sim/error.hpp"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace drape {
+namespace {
+
+/// The message with which a value is refused, or "" when it is taken.
+std::string refusal(const std::string& expression) {
+  Settings settings;
+  try {
+    assignSettingExpression(settings, expression);
+    return "";
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+}
+
+TEST(SettingsTable, hasEveryKeyOnceWithTitleUnitAndHelp) {
+  std::set<std::string_view> keys;
+  for (const SettingInfo& info : settingsTable()) {
+    EXPECT_TRUE(keys.insert(info.key).second) << info.key;
+    EXPECT_FALSE(info.title.empty()) << info.key;
+    EXPECT_FALSE(info.unit.empty()) << info.key;
+    EXPECT_GT(info.help.size(), 10U) << info.key;
+    EXPECT_EQ(info.alsoKey.empty(), info.alsoValue.empty()) << info.key;
+    EXPECT_TRUE(info.alsoKey.empty() || findSetting(info.alsoKey) != nullptr) << info.key;
+  }
+  for (const char* key : {"time_step", "stiffness", "damping", "mass", "density", "gravity", "drag", "lift", "wind.x",
+                          "wind.y", "wind.z", "sweeps", "solver", "unit", "grid.resolution"}) {
+    EXPECT_TRUE(keys.contains(key)) << key;
+  }
+}
+
+TEST(SettingsTable, takesEveryDefaultAndEveryLimitAndReadsItBack) {
+  for (const SettingInfo& info : settingsTable()) {
+    Settings settings;
+    EXPECT_NO_THROW(assignSetting(settings, info, defaultValue(info))) << info.key;
+    std::vector<SettingValue> values{defaultValue(info)};
+    if (const auto* number = std::get_if<NumberField>(&info.field)) {
+      values = {number->min, number->max};
+    } else if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
+      values = {integer->min, integer->max};
+    }
+    for (const SettingValue& value : values) {
+      assignSettingText(settings, info, formatValue(value));
+      EXPECT_EQ(settingValue(settings, info), value) << info.key;
+    }
+  }
+}
+
+TEST(SettingsTable, refusesNumbersOutOfRangeWithKeyRangeAndUnit) {
+  for (const SettingInfo& info : settingsTable()) {
+    if (const auto* number = std::get_if<NumberField>(&info.field)) {
+      Settings settings;
+      const SettingValue before = settingValue(settings, info);
+      EXPECT_THROW(assignSetting(settings, info, number->max * 2.0 + 1.0), UsageError) << info.key;
+      EXPECT_THROW(assignSetting(settings, info, number->min - 1.0), UsageError) << info.key;
+      EXPECT_EQ(settingValue(settings, info), before) << info.key;
+    }
+  }
+  const std::string message = refusal("stiffness=-3");
+  EXPECT_NE(message.find("stiffness must be 0 to 1e+07 N/m"), std::string::npos) << message;
+  EXPECT_NE(message.find("-3"), std::string::npos) << message;
+}
+
+TEST(SettingsTable, refusesWhatIsNoNumber) {
+  for (const char* text : {"nan", "inf", "-inf", "", "1e", "abc", "1.0x", "0x10", "1/0", "0/0", "1/", "/2", "1e999"}) {
+    EXPECT_NE(refusal(std::string("time_step=") + text), "") << text;
+  }
+}
+
+TEST(SettingsTable, readsFractions) {
+  Settings settings;
+  assignSettingExpression(settings, "time_step=1/240");
+  EXPECT_DOUBLE_EQ(settings.step.timeStep, 1.0 / 240.0);
+}
+
+TEST(SettingsTable, refusesEvenSweepsWithTheReason) {
+  EXPECT_NE(refusal("sweeps=2").find("even number"), std::string::npos);
+  EXPECT_NE(refusal("sweeps=0"), "");
+  EXPECT_NE(refusal("sweeps=1.5"), "");
+  EXPECT_EQ(refusal("sweeps=5"), "");
+}
+
+TEST(SettingsTable, namesTheNearestKeyForAMistypedOne) {
+  EXPECT_NE(refusal("stifness=10").find("did you mean 'stiffness'"), std::string::npos);
+  EXPECT_NE(refusal("wind=3").find("wind.x"), std::string::npos);
+}
+
+TEST(SettingsTable, refusesAnExpressionWithoutKeyOrValue) {
+  EXPECT_NE(refusal("stiffness").find("key=value"), std::string::npos);
+  EXPECT_NE(refusal("=3").find("key=value"), std::string::npos);
+}
+
+TEST(SettingsTable, listsTheChoicesWhenAWordIsNone) {
+  EXPECT_NE(refusal("unit=inch").find("m, cm or mm"), std::string::npos);
+  EXPECT_NE(refusal("solver=magic").find("one_iteration"), std::string::npos);
+}
+
+TEST(SettingsTable, letsMassAndDensityDecideWhichOfThemCounts) {
+  Settings settings;
+  assignSettingExpression(settings, "mass=0.3");
+  EXPECT_EQ(settings.material.massGivenAs, "mass");
+  EXPECT_DOUBLE_EQ(settings.material.mass, 0.3);
+  assignSettingExpression(settings, "density=0.2");
+  EXPECT_EQ(settings.material.massGivenAs, "density");
+}
+
+TEST(SettingsTable, takesFlagsInTheWordsPeopleUse) {
+  Settings settings;
+  for (const char* word : {"on", "true", "1", "yes"}) {
+    settings.view.wireframe = false;
+    assignSettingExpression(settings, std::string("view.wireframe=") + word);
+    EXPECT_TRUE(settings.view.wireframe) << word;
+  }
+  assignSettingExpression(settings, "view.wireframe=off");
+  EXPECT_FALSE(settings.view.wireframe);
+  EXPECT_NE(refusal("view.wireframe=maybe"), "");
+}
+
+TEST(FormatValue, givesTheShortestTextThatReadsBackToTheSameBits) {
+  EXPECT_EQ(formatValue(0.1), "0.1");
+  EXPECT_EQ(formatValue(1.0 / 3.0), "0.3333333333333333");
+  EXPECT_EQ(formatValue(7), "7");
+  EXPECT_EQ(formatValue(true), "on");
+}
+
+}  // namespace
+}  // namespace drape
