@@ -9,6 +9,7 @@ in Surface {
   vec3 position;
   vec3 normal;
   vec2 coordinate;
+  float curvature;
 } surface;
 #ifdef WIREFRAME
 in vec3 barycentric;
@@ -16,11 +17,13 @@ in vec3 barycentric;
 
 out vec4 pixel;
 
-const vec3 frontLight = vec3(0.930, 0.910, 0.865);
+const vec3 frontLight = vec3(0.905, 0.885, 0.840);
 const vec3 frontDark = vec3(0.255, 0.420, 0.560);
-const vec3 backLight = vec3(0.930, 0.875, 0.820);
+const vec3 backLight = vec3(0.900, 0.845, 0.790);
 const vec3 backDark = vec3(0.770, 0.450, 0.350);
 const vec3 frontPlain = vec3(0.300, 0.470, 0.600);
+const vec3 frontWire = vec3(0.660, 0.745, 0.810);  // under the edges, that they can be read
+const vec3 backWire = vec3(0.880, 0.730, 0.660);
 const vec3 backPlain = vec3(0.800, 0.520, 0.420);
 
 // Mean over a pixel of the square wave that is +1 on even checks and -1 on odd ones. The wave's integral is a triangle
@@ -80,13 +83,14 @@ void main() {
 
   vec3 color = clothColor(front);
 #ifdef WIREFRAME
-  color = mix(color, vec3(dot(color, vec3(0.3, 0.6, 0.1))) + 0.12, 0.35);
+  color = mix(color, fromScreen(front ? frontWire : backWire), 0.72);
 #endif
   float facing = dot(normal, toLight.xyz);
   float visible = keyVisibility(surface.position, facing >= 0.0 ? normal : -normal);
   float lit = max((facing + 0.08) / 1.08, 0.0);
-  float through = 0.22 * max(-facing, 0.0);  // a thin cloth glows when the light stands behind it
-  vec3 light = keyLight * visible * (lit + through) + roomLight(normal, toEye);
+  // A thin cloth glows when the light stands behind it, in its own colour.
+  vec3 through = 0.48 * max(-facing, 0.0) * sqrt(color);
+  vec3 light = keyLight * visible * (lit + through) + roomLight(normal, toEye, front ? surface.curvature : -surface.curvature);
 
   // Fibres that stand off the cloth catch light at a grazing view, and the threads shine a little.
   float fuzz = pow(1.0 - max(dot(normal, toEye), 0.0), 4.0);

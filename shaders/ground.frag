@@ -24,7 +24,7 @@ void main() {
   vec2 width = fwidth(position.xz);
 
   vec3 color = mix(backdrop(gl_FragCoord.xy), floorColor, present * present);
-  float lines = 0.10 * gridLines(position.xz, width, 1.0) + 0.045 * gridLines(position.xz, width, 0.1);
+  float lines = 0.10 * gridLines(position.xz, width, 1.0) + 0.030 * gridLines(position.xz, width, 0.1);
   color *= 1.0 - lines * present;
 
   vec2 place = (position.xz - groundShadow.xy) / groundShadow.z;

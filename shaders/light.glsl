@@ -2,9 +2,9 @@
 
 uniform sampler2DShadow shadowMap;
 
-const vec3 keyLight = vec3(1.00, 0.965, 0.92) * 0.98;
-const vec3 skyLight = vec3(0.86, 0.93, 1.00) * 0.50;
-const vec3 floorLight = vec3(1.00, 0.94, 0.88) * 0.24;
+const vec3 keyLight = vec3(1.00, 0.965, 0.92) * 0.90;
+const vec3 skyLight = vec3(0.88, 0.94, 1.00) * 0.54;
+const vec3 floorLight = vec3(1.00, 0.95, 0.90) * 0.34;
 const float viewerLight = 0.12;
 
 // The i-th of n points that fill the unit disc evenly (golden angle).
@@ -28,7 +28,15 @@ float keyVisibility(vec3 position, vec3 normal) {
   return light / float(samples);
 }
 
+// Share of the room's light that reaches a point: less in a hollow, a little more on a ridge. A fold as wide as a hand
+// already counts. `curvature` is positive in a hollow [1/m].
+float openness(float curvature) {
+  float bend = 0.035 * curvature;
+  return 1.0 - 0.75 * bend / (0.55 + abs(bend)) * (bend > 0.0 ? 1.0 : 0.35);
+}
+
 // What comes from everywhere.
-vec3 roomLight(vec3 normal, vec3 toEye) {
-  return mix(floorLight, skyLight, 0.5 + 0.5 * normal.y) + viewerLight * max(dot(normal, toEye), 0.0);
+vec3 roomLight(vec3 normal, vec3 toEye, float curvature) {
+  vec3 room = mix(floorLight, skyLight, 0.5 + 0.5 * normal.y);
+  return (room + viewerLight * max(dot(normal, toEye), 0.0)) * openness(curvature);
 }

@@ -6,6 +6,7 @@ in Surface {
   vec3 position;
   vec3 normal;
   vec2 coordinate;
+  float curvature;
 } surface;
 
 out vec4 pixel;
@@ -16,6 +17,6 @@ void main() {
   vec3 toEye = normalize(eye.xyz - surface.position);
   vec3 normal = normalize(surface.normal);
   float facing = dot(normal, toLight.xyz);
-  vec3 light = keyLight * keyVisibility(surface.position, normal) * max(facing, 0.0) + roomLight(normal, toEye);
+  vec3 light = keyLight * keyVisibility(surface.position, normal) * max(facing, 0.0) + roomLight(normal, toEye, surface.curvature);
   pixel = vec4(toScreen(fromScreen(clay) * light), 1.0);
 }

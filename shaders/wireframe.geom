@@ -6,12 +6,14 @@ in Surface {
   vec3 position;
   vec3 normal;
   vec2 coordinate;
+  float curvature;
 } corner[];
 
 out Surface {
   vec3 position;
   vec3 normal;
   vec2 coordinate;
+  float curvature;
 } surface;
 out vec3 barycentric;
 
@@ -20,6 +22,7 @@ void main() {
     surface.position = corner[i].position;
     surface.normal = corner[i].normal;
     surface.coordinate = corner[i].coordinate;
+    surface.curvature = corner[i].curvature;
     barycentric = vec3(i == 0, i == 1, i == 2);
     gl_Position = gl_in[i].gl_Position;
     EmitVertex();

@@ -8,10 +8,17 @@ namespace {
 // Colours as they appear on the screen, with opacity.
 const Eigen::Vector4f pinColour(0.16F, 0.18F, 0.22F, 1.0F);
 const Eigen::Vector4f handColour(0.96F, 0.62F, 0.16F, 1.0F);
-constexpr float pinSize = 8.0F;    // in units of a mark
+constexpr float pinSize = 8.0F;    // in units of a mark; of a single pin
+constexpr float manySize = 4.5F;   // where there are so many that they would hide the cloth
 constexpr float heldSize = 12.0F;  // in units of a mark
 constexpr float handSize = 16.0F;  // in units of a mark
 constexpr float threadWidth = 2.5F;
+
+float sizeOfPins(std::size_t count) {
+  constexpr float few = 6.0F;
+  const float share = std::min(few / static_cast<float>(count), 1.0F);
+  return manySize + (pinSize - manySize) * share;
+}
 
 }  // namespace
 
@@ -42,7 +49,7 @@ void Marks::drawPins(float scale) const {
   }
   dots_.use();
   dots_.set("fill", pinColour);
-  dots_.set("size", pinSize * scale);
+  dots_.set("size", sizeOfPins(pins_.size()) * scale);
   glBindVertexArray(pinArray_.name());
   glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(pins_.size()));
   glBindVertexArray(0);

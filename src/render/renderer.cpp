@@ -22,7 +22,7 @@ constexpr double smallestFade = 1.5;  // but not nearer than this [m]
 constexpr float unitHeight = 800.0F;  // up to this height of the picture a mark's unit is one pixel [pixels]
 
 Eigen::Vector3d directionToLight() {
-  return Eigen::Vector3d(0.42, 1.0, 0.62).normalized();
+  return Eigen::Vector3d(0.60, 1.0, 0.55).normalized();
 }
 
 float markScale(int height) {

@@ -1,7 +1,5 @@
 #include "render/smooth_mesh.hpp"
 
-#include "render/vertex_normals.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -12,6 +10,7 @@ namespace {
 constexpr GLuint positionAttribute = 0U;
 constexpr GLuint normalAttribute = 1U;
 constexpr GLuint surfaceAttribute = 2U;
+constexpr GLuint curvatureAttribute = 3U;
 
 const void* bufferOffset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);  // OpenGL takes offsets in the shape of pointers
@@ -26,7 +25,10 @@ SmoothMesh::SmoothMesh() {
   glVertexAttribPointer(positionAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MovingVertex), bufferOffset(0));
   glEnableVertexAttribArray(normalAttribute);
   glVertexAttribPointer(normalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MovingVertex),
-                        bufferOffset(offsetof(MovingVertex, normal)));
+                        bufferOffset(offsetof(MovingVertex, shape.normal)));
+  glEnableVertexAttribArray(curvatureAttribute);
+  glVertexAttribPointer(curvatureAttribute, 1, GL_FLOAT, GL_FALSE, sizeof(MovingVertex),
+                        bufferOffset(offsetof(MovingVertex, shape.curvature)));
   glBindBuffer(GL_ARRAY_BUFFER, fixed_.name());
   glEnableVertexAttribArray(surfaceAttribute);
   glVertexAttribPointer(surfaceAttribute, 2, GL_FLOAT, GL_FALSE, 0, bufferOffset(0));
@@ -61,7 +63,8 @@ void SmoothMesh::setTopology(const MeshTopology& topology) {
 }
 
 void SmoothMesh::setPositions(std::span<const Vec3> positions) {
-  areaWeightedNormals(positions, particleTriangles_, normals_);
+  shapes_.compute(positions, particleTriangles_);
+  const std::span<const SurfaceShape> shapes = shapes_.values();
   bounds_.setEmpty();
   for (const Vec3& position : positions) {
     bounds_.extend(position);
@@ -78,7 +81,7 @@ void SmoothMesh::setPositions(std::span<const Vec3> positions) {
   for (const int particle : particleOfVertex_) {
     const auto i = static_cast<std::size_t>(particle);
     vertex->position = positions[i].cast<float>();
-    vertex->normal = normals_[i];
+    vertex->shape = shapes[i];
     ++vertex;
   }
   glUnmapBuffer(GL_ARRAY_BUFFER);

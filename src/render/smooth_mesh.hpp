@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/gl_objects.hpp"
+#include "render/surface_shapes.hpp"
 #include "sim/vector.hpp"
 
 #include <Eigen/Core>
@@ -19,7 +20,7 @@ struct MeshTopology {
 };
 
 /// A triangle mesh on the graphics card whose vertices move: positions and smooth normals are sent when they change,
-/// indices and surface coordinates once. Vertex attributes: 0 position, 1 normal, 2 surface coordinates.
+/// indices and surface coordinates once. Vertex attributes: 0 position, 1 normal, 2 surface coordinates, 3 curvature.
 class SmoothMesh {
  public:
   SmoothMesh();
@@ -38,7 +39,7 @@ class SmoothMesh {
  private:
   struct MovingVertex {
     Eigen::Vector3f position;
-    Eigen::Vector3f normal;
+    SurfaceShape shape;
   };
 
   GlVertexArray vertexArray_;
@@ -48,7 +49,7 @@ class SmoothMesh {
   GLsizei indexCount_ = 0;
   std::vector<Triangle> particleTriangles_;
   std::vector<int> particleOfVertex_;
-  std::vector<Eigen::Vector3f> normals_;
+  SurfaceShapes shapes_;
   Eigen::AlignedBox3d bounds_;
 };
 

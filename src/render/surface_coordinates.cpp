@@ -1,6 +1,7 @@
 #include "render/surface_coordinates.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace drape {
@@ -66,7 +67,12 @@ SurfaceCoordinates surfaceCoordinates(const RenderMesh& mesh, std::span<const Ve
   for (const Vec2& uv : mesh.uvs) {
     result.metres.emplace_back(uv.cwiseProduct(metresPerUnit));
   }
-  result.checkSize = roundLength(std::sqrt(measure.area) / 12.0);
+  Eigen::AlignedBox3d box;
+  for (const Vec3& position : restPositions) {
+    box.extend(position);
+  }
+  // A garment has several layers, so its area alone would make its checks too large.
+  result.checkSize = roundLength(std::min(std::sqrt(measure.area), box.sizes().maxCoeff()) / 12.0);
   return result;
 }
 
