@@ -100,20 +100,11 @@ void readSettings(const TomlReader& reader, Settings& settings) {
   });
 }
 
-toml::table parseToml(std::string_view text, const std::string& file) {
-  try {
-    return toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    throw InputError(file + ":" + std::to_string(error.source().begin.line) +
-                     ": this is not valid TOML: " + std::string(error.description()));
-  }
-}
-
 }  // namespace
 
 SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
                             const std::filesystem::path& folder) {
-  const TomlReader reader(file, "", parseToml(text, file));
+  const TomlReader reader(text, file);
   reader.allowOnly({"title", "help", "cloth", "pins", "camera", "stand", "ground", "settings"});
   SceneDescription scene;
   scene.name = name;

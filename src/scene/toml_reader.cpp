@@ -18,8 +18,18 @@ std::string toText(double value) {
 
 }  // namespace
 
-TomlReader::TomlReader(std::string file, std::string where, const toml::table& table)
-    : file_(std::move(file)), where_(std::move(where)), table_(table) {}
+TomlReader::TomlReader(std::string_view text, const std::string& file) : file_(file) {
+  try {
+    document_ = std::make_shared<const toml::table>(toml::parse(text, file));
+  } catch (const toml::parse_error& error) {
+    throw InputError(file + ":" + std::to_string(error.source().begin.line) +
+                     ": this is not valid TOML: " + std::string(error.description()));
+  }
+  table_ = document_.get();
+}
+
+TomlReader::TomlReader(const TomlReader& parent, std::string where, const toml::table& table)
+    : file_(parent.file_), where_(std::move(where)), document_(parent.document_), table_(&table) {}
 
 void TomlReader::fail(const toml::node& node, const std::string& message) const {
   throw InputError(file_ + ":" + std::to_string(node.source().begin.line) + ": " + message);
@@ -30,7 +40,7 @@ std::string TomlReader::nameOf(std::string_view key) const {
 }
 
 void TomlReader::allowOnly(const std::vector<std::string_view>& keys) const {
-  for (const auto& [key, node] : table_) {
+  for (const auto& [key, node] : *table_) {
     if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
       std::string known;
       for (const auto& each : keys) {
@@ -42,7 +52,7 @@ void TomlReader::allowOnly(const std::vector<std::string_view>& keys) const {
 }
 
 std::optional<std::string> TomlReader::text(std::string_view key) const {
-  const toml::node* node = table_.get(key);
+  const toml::node* node = table_->get(key);
   if (node == nullptr) {
     return std::nullopt;
   }
@@ -53,7 +63,7 @@ std::optional<std::string> TomlReader::text(std::string_view key) const {
 }
 
 std::optional<double> TomlReader::number(std::string_view key, double min, double max) const {
-  const toml::node* node = table_.get(key);
+  const toml::node* node = table_->get(key);
   if (node == nullptr) {
     return std::nullopt;
   }
@@ -65,7 +75,7 @@ std::optional<double> TomlReader::number(std::string_view key, double min, doubl
 }
 
 std::optional<int> TomlReader::integer(std::string_view key, int min, int max) const {
-  const toml::node* node = table_.get(key);
+  const toml::node* node = table_->get(key);
   if (node == nullptr) {
     return std::nullopt;
   }
@@ -92,17 +102,17 @@ Vec3 TomlReader::asVector(const toml::node& node, std::string_view key) const {
 }
 
 std::optional<Vec3> TomlReader::vector(std::string_view key) const {
-  const toml::node* node = table_.get(key);
+  const toml::node* node = table_->get(key);
   return node == nullptr ? std::nullopt : std::optional(asVector(*node, key));
 }
 
 std::optional<TomlReader> TomlReader::table(std::string_view key) const {
-  const toml::node* node = table_.get(key);
+  const toml::node* node = table_->get(key);
   if (node == nullptr) {
     return std::nullopt;
   }
   if (const toml::table* table = node->as_table()) {
-    return TomlReader(file_, nameOf(key), *table);
+    return TomlReader(*this, nameOf(key), *table);
   }
   fail(*node, nameOf(key) + " must be a table: [" + nameOf(key) + "]");
 }
@@ -110,7 +120,7 @@ std::optional<TomlReader> TomlReader::table(std::string_view key) const {
 template <typename T, typename Convert>
 std::vector<T> TomlReader::list(std::string_view key, const char* expected, const Convert& convert) const {
   std::vector<T> values;
-  const toml::node* node = table_.get(key);
+  const toml::node* node = table_->get(key);
   if (node == nullptr) {
     return values;
   }
@@ -150,7 +160,7 @@ std::vector<Vec3> TomlReader::vectors(std::string_view key) const {
 std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
   return list<TomlReader>(key, "tables", [&](const toml::node& entry) -> std::optional<TomlReader> {
     const toml::table* table = entry.as_table();
-    return table == nullptr ? std::nullopt : std::optional(TomlReader(file_, nameOf(key), *table));
+    return table == nullptr ? std::nullopt : std::optional(TomlReader(*this, nameOf(key), *table));
   });
 }
 
@@ -167,7 +177,7 @@ void TomlReader::visitBelow(const std::string& prefix, const toml::table& table,
 }
 
 void TomlReader::forEachValue(const std::function<void(const std::string&, const toml::node&)>& visit) const {
-  visitBelow("", table_, visit);
+  visitBelow("", *table_, visit);
 }
 
 }  // namespace drape

@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,13 +15,14 @@ namespace drape {
 /// Checked access to a TOML table: every wrong type or unknown key becomes an InputError that says file, line and key.
 class TomlReader {
  public:
-  /// @param file for messages  @param where the table's own name, "" for the file's top
-  TomlReader(std::string file, std::string where, const toml::table& table);
+  /// The top of a document. Throws InputError when the text is not TOML.
+  /// @param file for messages
+  TomlReader(std::string_view text, const std::string& file);
 
   /// Throws unless every key is one of those.
   void allowOnly(const std::vector<std::string_view>& keys) const;
 
-  [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
+  [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
   [[nodiscard]] std::optional<std::string> text(std::string_view key) const;
   [[nodiscard]] std::optional<double> number(std::string_view key, double min, double max) const;
   [[nodiscard]] std::optional<int> integer(std::string_view key, int min, int max) const;
@@ -40,6 +42,8 @@ class TomlReader {
   [[noreturn]] void fail(const toml::node& node, const std::string& message) const;
 
  private:
+  TomlReader(const TomlReader& parent, std::string where, const toml::table& table);
+
   [[nodiscard]] std::string nameOf(std::string_view key) const;
   [[nodiscard]] Vec3 asVector(const toml::node& node, std::string_view key) const;
   void visitBelow(const std::string& prefix, const toml::table& table,
@@ -49,8 +53,9 @@ class TomlReader {
   std::vector<T> list(std::string_view key, const char* expected, const Convert& convert) const;
 
   std::string file_;
-  std::string where_;
-  toml::table table_;
+  std::string where_;                            // the table's own name, "" for the file's top
+  std::shared_ptr<const toml::table> document_;  // nodes that are copied forget which line they came from
+  const toml::table* table_;
 };
 
 }  // namespace drape

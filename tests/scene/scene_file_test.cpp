@@ -1,0 +1,115 @@
+#include "scene/scene_file.hpp"
+
+#include "sim/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+SceneDescription parse(std::string_view text) {
+  return parseScene(text, "test", "test.toml", "/folder");
+}
+
+/// The message with which a scene is refused, or "" when it is taken.
+std::string refusal(std::string_view text) {
+  try {
+    static_cast<void>(parse(text));
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(SceneFile, readsEverythingThatASceneMayHave) {
+  const SceneDescription scene = parse(R"(
+title = "A test"
+help = "What it shows"
+[cloth]
+grid = "vertical"
+position = [1, 2.5, -3]
+pleats = { count = 4, gather = 0.5 }
+[pins]
+vertices = [1, 2]
+nearest = [[0, 1, 2]]
+boxes = [{ min = [0, 0, 0], max = [1, 1, 1] }]
+top = 0.1
+corners = ["top_left"]
+edges = ["left"]
+every = 2
+[camera]
+position = [3, 2, 1]
+focal_point = [0, 1, 0]
+view_angle = 50
+[stand]
+mesh = "pole.obj"
+[ground]
+height = -0.5
+[settings]
+time_step = "1/300"
+stiffness = 250
+sweeps = 3
+wind.x = 4.5
+view.wireframe = true
+unit = "cm"
+)");
+  EXPECT_EQ(scene.title, "A test");
+  EXPECT_EQ(std::get<GridSource>(scene.source).plane, GridSource::Plane::Vertical);
+  EXPECT_EQ(scene.position, Vec3(1, 2.5, -3));
+  EXPECT_EQ(scene.pleats->count, 4);
+  EXPECT_EQ(scene.pins.vertices, (std::vector<int>{1, 2}));
+  EXPECT_EQ(scene.pins.boxes.front().max, Vec3(1, 1, 1));
+  EXPECT_EQ(scene.pins.every, 2);
+  EXPECT_EQ(scene.camera->viewAngle, 50.0);
+  EXPECT_EQ(scene.stand->path, "/folder/pole.obj");
+  EXPECT_EQ(scene.groundHeight, -0.5);
+  EXPECT_DOUBLE_EQ(scene.settings.step.timeStep, 1.0 / 300.0);
+  EXPECT_EQ(scene.settings.step.stiffness, 250.0);
+  EXPECT_EQ(scene.settings.step.sweeps, 3);
+  EXPECT_EQ(scene.settings.step.wind.x(), 4.5);
+  EXPECT_TRUE(scene.settings.view.wireframe);
+  EXPECT_EQ(scene.settings.mesh.unit, "cm");
+}
+
+TEST(SceneFile, findsMeshesBesideTheFileOrBuiltIn) {
+  EXPECT_EQ(std::get<MeshFileSource>(parse("[cloth]\nmesh = \"a/b.obj\"").source).path, "/folder/a/b.obj");
+  const auto builtin = std::get<MeshFileSource>(parse("[cloth]\nmesh = \"builtin:skirt.obj\"").source);
+  EXPECT_TRUE(builtin.builtIn);
+  EXPECT_EQ(builtin.path, "skirt.obj");
+}
+
+TEST(SceneFile, saysFileAndLineOfWhatIsNoToml) {
+  EXPECT_NE(refusal("title = \"a\"\n[cloth\n").find("test.toml:2"), std::string::npos);
+}
+
+TEST(SceneFile, saysFileLineAndKeyOfWhatItDoesNotKnow) {
+  const std::string message = refusal("[cloth]\ngrid = \"vertical\"\ncolour = 3\n");
+  EXPECT_NE(message.find("test.toml:3"), std::string::npos) << message;
+  EXPECT_NE(message.find("cloth.colour"), std::string::npos) << message;
+}
+
+TEST(SceneFile, holdsSettingsToTheirRangesWithFileAndLine) {
+  const std::string message = refusal("[cloth]\ngrid = \"vertical\"\n[settings]\nstiffness = -1\n");
+  EXPECT_NE(message.find("test.toml:4"), std::string::npos) << message;
+  EXPECT_NE(message.find("0 to 1e+07 N/m"), std::string::npos) << message;
+  EXPECT_NE(refusal("[cloth]\ngrid = \"vertical\"\n[settings]\nsweeps = 2\n"), "");
+  EXPECT_NE(refusal("[cloth]\ngrid = \"vertical\"\n[settings]\nnonsense.key = 2\n"), "");
+  EXPECT_NE(refusal("[cloth]\ngrid = \"vertical\"\n[settings]\nstiffness = [1]\n"), "");
+  EXPECT_NE(refusal("[cloth]\ngrid = \"vertical\"\n[settings]\nstiffness = nan\n"), "");
+}
+
+TEST(SceneFile, refusesWrongTypesAndMissingParts) {
+  for (const char* text :
+       {"", "[cloth]", "[cloth]\ngrid = \"round\"", "[cloth]\ngrid = 3",
+        "[cloth]\ngrid = \"vertical\"\nmesh = \"a.obj\"", "cloth = 3",
+        "[cloth]\ngrid = \"vertical\"\nposition = [1, 2]", "[cloth]\ngrid = \"vertical\"\nposition = [1, 2, inf]",
+        "[cloth]\ngrid = \"vertical\"\npleats = { count = 0 }", "[cloth]\ngrid = \"vertical\"\n[pins]\nvertices = [-1]",
+        "[cloth]\ngrid = \"vertical\"\n[pins]\nvertices = [1.5]",
+        "[cloth]\ngrid = \"vertical\"\n[pins]\nedges = \"left\"", "[cloth]\ngrid = \"vertical\"\n[pins]\ntop = 2.0",
+        "[cloth]\ngrid = \"vertical\"\n[camera]\nview_angle = 0"}) {
+    EXPECT_NE(refusal(text), "") << text;
+  }
+}
+
+}  // namespace
+}  // namespace drape
