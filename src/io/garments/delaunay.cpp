@@ -1,0 +1,85 @@
+#include "io/garments/delaunay.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace drape {
+namespace {
+
+/// A triangle with the circle through its corners.
+struct Cell {
+  Triangle corners{};
+  Vec2 centre;
+  double squaredRadius = 0.0;
+};
+
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+Cell makeCell(const std::vector<Vec2>& points, int a, int b, int c) {
+  const Vec2& origin = points[static_cast<std::size_t>(a)];
+  const Vec2 ab = points[static_cast<std::size_t>(b)] - origin;
+  const Vec2 ac = points[static_cast<std::size_t>(c)] - origin;
+  const double twice = 2.0 * cross(ab, ac);
+  const Vec2 toCentre((ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm()) / twice,
+                      (ab.x() * ac.squaredNorm() - ac.x() * ab.squaredNorm()) / twice);
+  return {{a, b, c}, origin + toCentre, toCentre.squaredNorm()};
+}
+
+/// Adds a point: the triangles whose circle holds it make way, and the hole is filled with a fan around the point.
+void insertPoint(const std::vector<Vec2>& points, int point, std::vector<Cell>& cells) {
+  // The border of the hole: sides that occur in one of its triangles only.
+  std::map<std::pair<int, int>, int> sides;
+  const auto makesWay = [&](const Cell& cell) {
+    const double distance = (points[static_cast<std::size_t>(point)] - cell.centre).squaredNorm();
+    // A point on the circle stays outside, so that equal cases are decided in one way only.
+    if (distance >= cell.squaredRadius * (1.0 - 1e-10)) {
+      return false;
+    }
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      ++sides[{cell.corners[corner], cell.corners[(corner + 1) % 3]}];
+    }
+    return true;
+  };
+  std::erase_if(cells, makesWay);
+  for (const auto& [side, count] : sides) {
+    if (!sides.contains({side.second, side.first})) {
+      cells.push_back(makeCell(points, side.first, side.second, point));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Triangle> delaunay(const std::vector<Vec2>& points) {
+  Vec2 low = points.front();
+  Vec2 high = points.front();
+  for (const Vec2& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  // Three far points around everything to begin with.
+  const int count = static_cast<int>(points.size());
+  const Vec2 middle = (low + high) / 2.0;
+  const double reach = 1000.0 * (high - low).norm();
+  std::vector<Vec2> all = points;
+  all.push_back(middle + Vec2(-reach, -reach));
+  all.push_back(middle + Vec2(reach, -reach));
+  all.push_back(middle + Vec2(0.0, reach));
+  std::vector<Cell> cells{makeCell(all, count, count + 1, count + 2)};
+  for (int point = 0; point < count; ++point) {
+    insertPoint(all, point, cells);
+  }
+  std::vector<Triangle> triangles;
+  for (const Cell& cell : cells) {
+    if (*std::max_element(cell.corners.begin(), cell.corners.end()) < count) {
+      triangles.push_back(cell.corners);
+    }
+  }
+  return triangles;
+}
+
+}  // namespace drape

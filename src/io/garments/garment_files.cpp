@@ -1,0 +1,33 @@
+#include "io/garments/garments.hpp"
+#include "io/obj_writer.hpp"
+
+namespace drape {
+namespace {
+
+constexpr std::string_view comment = "Made by drape-make-garments. Metres, y up. Change the program, not this file.";
+
+GarmentFile clothFile(const std::string& name, const RawMesh& raw) {
+  const ImportedMesh mesh = weldMesh(raw, name, {});
+  return {name, objText(mesh.cloth.positions, mesh.render, comment)};
+}
+
+/// A thing that is drawn only: no texture coordinates.
+GarmentFile solidFile(const std::string& name, const RawMesh& raw) {
+  const ClothMesh mesh = weldMesh(raw, name, {}).cloth;
+  RenderMesh render;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    render.particle.push_back(static_cast<int>(i));
+  }
+  render.triangles = mesh.triangles;
+  return {name, objText(mesh.positions, render, comment)};
+}
+
+}  // namespace
+
+std::vector<GarmentFile> garmentFiles() {
+  return {clothFile("skirt.obj", makeSkirt()), clothFile("poncho.obj", makePoncho()),
+          clothFile("tshirt.obj", makeTshirt()), solidFile("stand.obj", makeSkirtStand()),
+          solidFile("hanger.obj", makeHangerStand())};
+}
+
+}  // namespace drape

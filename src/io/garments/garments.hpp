@@ -1,0 +1,52 @@
+#pragma once
+
+#include "io/mesh_import.hpp"
+
+#include <string>
+#include <vector>
+
+namespace drape {
+
+/// Where the garments hang, in metres, y up, over a ground at y = 0. They are symmetric to x = 0, with the front
+/// towards +z.
+namespace garment {
+
+inline constexpr double waistHeight = 1.05;  ///< the skirt's upper border
+inline constexpr double waistRadius = 0.13;
+inline constexpr double hemHeight = 0.45;  ///< the skirt's lower border
+
+inline constexpr double shoulderHeight = 1.45;     ///< the T-shirt's and the poncho's upper line, at z = 0
+inline constexpr double shoulderHalfWidth = 0.24;  ///< from the middle to where the T-shirt's sleeves begin
+
+/// Height of the T-shirt's shoulder line over x = 0 .. shoulderHalfWidth (and mirrored): level near the neck, then
+/// falling off [m].
+[[nodiscard]] double shoulderLine(double x);
+
+}  // namespace garment
+
+/// A flared skirt of two panels, each a quarter of a ring, sewn at x = -r and x = r. Triangulated, with texture
+/// coordinates in metres that are split at the seams; likewise below.
+[[nodiscard]] RawMesh makeSkirt();
+
+/// A square poncho of a front and a back, sewn along the shoulder line y = shoulderHeight, z = 0 and folded over it.
+[[nodiscard]] RawMesh makePoncho();
+
+/// A T-shirt: front and back, and two sleeves, sewn at shoulders, sides and armholes.
+[[nodiscard]] RawMesh makeTshirt();
+
+/// What the skirt hangs on: base, pole, and a hoop that fits into its waist. No texture coordinates; likewise below.
+[[nodiscard]] RawMesh makeSkirtStand();
+
+/// What the T-shirt and the poncho hang on: base, pole, and a shoulder bar just below their shoulder lines.
+[[nodiscard]] RawMesh makeHangerStand();
+
+/// A mesh file that is to be written.
+struct GarmentFile {
+  std::string name;  ///< "skirt.obj"
+  std::string text;
+};
+
+/// All of the above, welded and as OBJ text.
+[[nodiscard]] std::vector<GarmentFile> garmentFiles();
+
+}  // namespace drape

@@ -1,0 +1,92 @@
+#include "io/garments/garments.hpp"
+#include "io/garments/solids.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace drape {
+namespace {
+
+using namespace garment;
+
+constexpr double pi = std::numbers::pi;
+constexpr double poleRadius = 0.011;     // [m]
+constexpr double hoopThickness = 0.006;  // radius of the bar that it is bent from [m]
+constexpr double spokeRadius = 0.004;    // [m]
+constexpr double barRadius = 0.007;      // of the shoulder bar [m]
+constexpr double barDepth = 0.02;        // of its axis below the shoulder line: cloth on it falls to both sides [m]
+constexpr int roundSegments = 64;        // around base and pole
+constexpr int barSegments = 16;          // around bars
+
+/// A heavy base of that radius, a pole, and a knob that ends at `top`.
+void addBaseAndPole(double baseRadius, double top, RawMesh& stand) {
+  constexpr double knobRadius = 0.017;
+  const double knobBottom = top - 2.0 * knobRadius;
+  std::vector<SilhouettePoint> silhouette{{0.0, 0.0}, {baseRadius / 2.0, 0.0}};
+  const auto add = [&silhouette](const std::vector<SilhouettePoint>& part) {
+    silhouette.insert(silhouette.end(), part.begin(), part.end());
+  };
+  add(rounding({baseRadius - 0.004, 0.0}, {baseRadius, 0.004}, true));
+  add(rounding({baseRadius, 0.012}, {baseRadius - 0.006, 0.018}, false));
+  silhouette.push_back({baseRadius / 2.0, 0.021});
+  silhouette.push_back({0.040, 0.023});
+  add(rounding({0.036, 0.024}, {poleRadius + 0.006, 0.042}, true));
+  add(rounding({poleRadius + 0.006, 0.070}, {poleRadius, 0.076}, false));
+  silhouette.push_back({poleRadius, 0.1});
+  silhouette.push_back({poleRadius, knobBottom - 0.01});
+  silhouette.push_back({poleRadius, knobBottom});
+  constexpr int knobRings = 12;
+  const double start = std::asin(poleRadius / knobRadius);
+  for (int ring = 0; ring <= knobRings; ++ring) {
+    const double angle = start + (pi - start) * ring / knobRings;
+    silhouette.push_back({knobRadius * std::max(0.0, std::sin(angle)), top - knobRadius * (1.0 + std::cos(angle))});
+  }
+  addTurned(silhouette, roundSegments, stand);
+}
+
+Vec3 onCircle(double radius, double height, double angle) {
+  return {radius * std::sin(angle), height, radius * std::cos(angle)};
+}
+
+/// A hoop whose outer side is the skirt's waist.
+void addHoop(RawMesh& stand) {
+  const double radius = waistRadius - hoopThickness;
+  std::vector<Vec3> hoop;
+  constexpr int segments = 96;
+  for (int i = 0; i < segments; ++i) {
+    hoop.push_back(onCircle(radius, waistHeight, 2.0 * pi * i / segments));
+  }
+  addBar(hoop, true, hoopThickness, barSegments, stand);
+  constexpr int spokes = 3;
+  for (int i = 0; i < spokes; ++i) {
+    const double angle = 2.0 * pi * (i + 0.5) / spokes;
+    const Vec3 inner = onCircle(poleRadius / 2.0, waistHeight, angle);
+    const Vec3 outer = onCircle(radius, waistHeight, angle);
+    addBar({inner, 0.5 * (inner + outer), outer}, false, spokeRadius, barSegments, stand);
+  }
+}
+
+}  // namespace
+
+RawMesh makeSkirtStand() {
+  RawMesh stand;
+  addBaseAndPole(0.17, waistHeight + 0.045, stand);
+  addHoop(stand);
+  return stand;
+}
+
+RawMesh makeHangerStand() {
+  RawMesh stand;
+  addBaseAndPole(0.2, shoulderHeight + 0.04, stand);
+  std::vector<Vec3> bar;
+  constexpr int steps = 48;
+  const double reach = shoulderHalfWidth - 0.02;
+  for (int i = -steps; i <= steps; ++i) {
+    const double x = reach * i / steps;
+    bar.emplace_back(x, shoulderLine(x) - barDepth, 0.0);
+  }
+  addBar(bar, false, barRadius, barSegments, stand);
+  return stand;
+}
+
+}  // namespace drape

@@ -1,0 +1,145 @@
+#include "io/garments/flat_pattern.hpp"
+#include "io/garments/garments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numbers>
+
+namespace drape {
+namespace {
+
+using namespace garment;
+
+constexpr double edgeLength = 0.0205;  // [m]
+constexpr double pi = std::numbers::pi;
+constexpr double neckHalfWidth = 0.085;  // [m]
+constexpr double frontNeckDepth = 0.09;  // [m]
+constexpr double backNeckDepth = 0.025;  // [m]
+constexpr double sleeveLength = 0.19;    // [m]
+constexpr double sleeveWidth = 0.17;     // laid flat [m]
+constexpr double puffHeight = 0.11;      // how far front and back would stand off in the middle of a wide piece [m]
+constexpr double puffReach = 0.1;        // over which distance from a seam they do so [m]
+const Vec2 hemCorner(0.26, 0.79);        // [m]
+const Vec2 underarm(0.25, 1.2);          // [m]
+const Vec2 shoulder(shoulderHalfWidth, shoulderLine(shoulderHalfWidth));
+const Vec2 sleeveDirection = Vec2(0.88, -0.475).normalized();
+const Vec2 cuffTop = shoulder + sleeveLength * sleeveDirection;
+const Vec2 cuffBottom = cuffTop + sleeveWidth * Vec2(sleeveDirection.y(), -sleeveDirection.x());
+
+Vec2 mirrored(const Vec2& point) {
+  return {-point.x(), point.y()};
+}
+
+/// From the shoulder to the underarm, a little hollow.
+Vec2 armhole(double t) {
+  const Vec2 hollow = (shoulder + underarm) / 2.0 - Vec2(0.04, 0.01);
+  return (1.0 - t) * (1.0 - t) * shoulder + 2.0 * t * (1.0 - t) * hollow + t * t * underarm;
+}
+
+/// The outline of front or back with both sleeves, as it hangs.
+Outline makeOutline(double neckDepth) {
+  Outline outline(mirrored(hemCorner), edgeLength);
+  outline.lineTo(hemCorner, false);
+  outline.lineTo(underarm, true);
+  outline.lineTo(cuffBottom, true);
+  outline.lineTo(cuffTop, false);
+  outline.lineTo(shoulder, true);
+  const auto along = [](double x) { return Vec2(x, shoulderLine(x)); };
+  constexpr double length = shoulderHalfWidth - neckHalfWidth;
+  outline.curveTo([&](double t) { return along(shoulderHalfWidth - length * t); }, true);
+  outline.curveTo(
+      [&](double t) {
+        const double x = neckHalfWidth * std::cos(pi * t);
+        return Vec2(x, shoulderLine(neckHalfWidth) - neckDepth * std::sin(pi * t));
+      },
+      false);
+  outline.curveTo([&](double t) { return along(-neckHalfWidth - length * t); }, true);
+  outline.lineTo(mirrored(cuffTop), true);
+  outline.lineTo(mirrored(cuffBottom), false);
+  outline.lineTo(mirrored(underarm), true);
+  outline.lineTo(mirrored(hemCorner), true);
+  return outline;
+}
+
+/// How far each point stands off the plane of the seams: z - reach^2 laplace(z) = height, and 0 where it is sewn.
+std::vector<double> puff(const FlatMesh& mesh, const std::vector<bool>& sewn) {
+  constexpr double coupling = 4.0 * puffReach * puffReach / (edgeLength * edgeLength);
+  constexpr int passes = 400;
+  std::vector<double> height(mesh.points.size(), 0.0);
+  for (int pass = 0; pass < passes; ++pass) {
+    std::vector<double> sum(height.size(), 0.0);
+    std::vector<int> count(height.size(), 0);
+    for (const Triangle& triangle : mesh.triangles) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const auto self = static_cast<std::size_t>(triangle[corner]);
+        for (const std::size_t step : {1U, 2U}) {
+          sum[self] += height[static_cast<std::size_t>(triangle[(corner + step) % 3])];
+          ++count[self];
+        }
+      }
+    }
+    for (std::size_t i = 0; i < height.size(); ++i) {
+      const bool held = i < sewn.size() && sewn[i];
+      height[i] = held ? 0.0 : (puffHeight + coupling * sum[i] / std::max(1, count[i])) / (1.0 + coupling);
+    }
+  }
+  return height;
+}
+
+/// The right sleeve, laid flat.
+std::vector<Vec2> sleeveOutline() {
+  std::vector<Vec2> outline = sampleCurve(armhole, edgeLength);
+  outline.push_back(cuffBottom);
+  outline.push_back(cuffTop);
+  return outline;
+}
+
+/// For each triangle how far its texture coordinates are moved aside: the sleeves lie apart from the body.
+std::vector<Vec2> chartsOf(const FlatMesh& mesh, const Vec2& aside) {
+  constexpr double gap = 0.06;
+  const std::vector<Vec2> sleeve = sleeveOutline();
+  std::vector<Vec2> charts;
+  for (const Triangle& triangle : mesh.triangles) {
+    Vec2 centre = Vec2::Zero();
+    for (const int corner : triangle) {
+      centre += mesh.points[static_cast<std::size_t>(corner)] / 3.0;
+    }
+    const bool onSleeve = isInside(sleeve, {std::abs(centre.x()), centre.y()});
+    charts.emplace_back(aside + Vec2(onSleeve ? std::copysign(gap, centre.x()) : 0.0, 0.0));
+  }
+  return charts;
+}
+
+void addSide(bool front, RawMesh& tshirt) {
+  const Outline outline = makeOutline(front ? frontNeckDepth : backNeckDepth);
+  std::vector<Vec2> seam = sampleCurve(armhole, edgeLength);
+  std::vector<Vec2> otherSeam;
+  std::transform(seam.begin(), seam.end(), std::back_inserter(otherSeam), mirrored);
+  const FlatMesh mesh = meshPattern({outline.points(), {seam, otherSeam}}, edgeLength);
+  const std::vector<double> height = puff(mesh, outline.sewn());
+  std::vector<Vec3> positions;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const Vec2& flat = mesh.points[i];
+    positions.emplace_back(front ? flat.x() : -flat.x(), flat.y(), front ? height[i] : -height[i]);
+  }
+  const Vec2 aside(front ? 0.0 : 1.1, -hemCorner.y());
+  addPiece(mesh, positions, chartsOf(mesh, aside), tshirt);
+}
+
+}  // namespace
+
+double garment::shoulderLine(double x) {
+  const double beyond = std::max(0.0, std::abs(x) - 0.12);
+  return shoulderHeight - 1.5 * beyond * beyond;
+}
+
+RawMesh makeTshirt() {
+  RawMesh tshirt;
+  addSide(true, tshirt);
+  addSide(false, tshirt);
+  return tshirt;
+}
+
+}  // namespace drape
