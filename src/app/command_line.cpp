@@ -42,6 +42,16 @@ std::shared_ptr<const Scene> SceneArguments::load() const {
   return built;
 }
 
+CLI::Validator numberFrom(double min, double max) {
+  const std::string range = formatValue(min) + " to " + formatValue(max);
+  return {[min, max, range](std::string& text) {
+            double value = 0.0;
+            const bool inside = CLI::detail::lexical_cast(text, value) && value >= min && value <= max;
+            return inside ? std::string() : "must be a number from " + range + "; '" + text + "' is not";
+          },
+          "FLOAT in [" + formatValue(min) + " - " + formatValue(max) + "]"};
+}
+
 int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& body) {
   try {
     app.parse(argc, argv);

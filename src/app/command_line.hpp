@@ -25,6 +25,9 @@ struct SceneArguments {
   [[nodiscard]] std::shared_ptr<const Scene> load() const;
 };
 
+/// Accepts a number from min to max, both included, and nothing that is not a number.
+[[nodiscard]] CLI::Validator numberFrom(double min, double max);
+
 /// Parses the command line and runs `body`. Help is printed; wrong usage and errors become one message on standard
 /// error, starting with the program's name, and the exit status that main() returns.
 [[nodiscard]] int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& body);

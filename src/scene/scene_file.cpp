@@ -24,15 +24,14 @@ void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, Sce
   const auto mesh = cloth.text("mesh");
   const auto plane = cloth.text("grid");
   if (mesh.has_value() == plane.has_value()) {
-    throw InputError(scene.name +
-                     ": [cloth] needs either mesh = \"file.obj\" or grid = \"horizontal\" or \"vertical\"");
+    cloth.fail("[cloth] needs either mesh = \"file.obj\" or grid = \"horizontal\" or \"vertical\"");
   }
   if (mesh) {
     scene.source = meshSource(*mesh, folder);
   } else if (*plane == "horizontal" || *plane == "vertical") {
     scene.source = GridSource{*plane == "vertical" ? GridSource::Plane::Vertical : GridSource::Plane::Horizontal};
   } else {
-    throw InputError(scene.name + ": cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
+    cloth.fail("cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
   }
   scene.position = cloth.vector("position").value_or(Vec3::Zero());
   if (const auto pleats = cloth.table("pleats")) {

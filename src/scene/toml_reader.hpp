@@ -40,6 +40,8 @@ class TomlReader {
 
   /// Throws InputError "file:line: message".
   [[noreturn]] void fail(const toml::node& node, const std::string& message) const;
+  /// The same, at the line where this table begins.
+  [[noreturn]] void fail(const std::string& message) const { fail(*table_, message); }
 
  private:
   TomlReader(const TomlReader& parent, std::string where, const toml::table& table);

@@ -109,12 +109,12 @@ void addCaptureCommand(CLI::App& app) {
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z")
-      ->check(CLI::Range(-farAway, farAway));
+      ->check(numberFrom(-farAway, farAway));
   command->add_option("--camera-focal-point", arguments->focalPoint, "What it looks at [m]")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z")
-      ->check(CLI::Range(-farAway, farAway));
+      ->check(numberFrom(-farAway, farAway));
   command->add_flag("--ui", arguments->ui, "Draw the panels too");
   command->callback([arguments] { capture(*arguments); });
 }

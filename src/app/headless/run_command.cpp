@@ -89,12 +89,12 @@ void addRunCommand(CLI::App& app) {
   arguments->scene.addTo(*command);
   command->add_option("--seconds", arguments->seconds, "Simulated time [s]")
       ->required()
-      ->check(CLI::Range(0.0, mostSeconds));
+      ->check(numberFrom(0.0, mostSeconds));
   command->add_option("--threads", arguments->threads, "Threads a step may use; the result does not depend on it");
   command->add_option("--stats", arguments->stats, "Write the run's figures to this file (JSON)")->type_name("FILE");
   command->add_option("--positions", arguments->positions, "Write positions to this file (CSV)")->type_name("FILE");
   command->add_option("--every", arguments->every, "Simulated time between two samples of positions [s]")
-      ->check(CLI::Range(1e-6, mostSeconds));
+      ->check(numberFrom(1e-6, mostSeconds));
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -1,0 +1,37 @@
+#include "program.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace drape::testing {
+
+std::string readFile(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::filesystem::path testFolder() {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(::testing::TempDir()) /
+                      (std::string("drape_") + test->test_suite_name() + "_" + test->name());
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+Outcome headless(const std::string& arguments) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const std::string base = ::testing::TempDir() + "drape_" + test->test_suite_name() + "_" + test->name();
+  const std::string command =
+      std::string(DRAPE_HEADLESS) + " " + arguments + " >" + base + ".out 2>" + base + ".err </dev/null";
+  const int status = std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe): the test has one thread
+  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, readFile(base + ".out"), readFile(base + ".err")};
+  std::filesystem::remove(base + ".out");
+  std::filesystem::remove(base + ".err");
+  return outcome;
+}
+
+}  // namespace drape::testing

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace drape::testing {
+
+/// What a program left behind.
+struct Outcome {
+  int status = -1;     ///< exit status
+  std::string output;  ///< standard output
+  std::string errors;  ///< standard error
+};
+
+/// Runs drape-headless with arguments as a shell splits them.
+[[nodiscard]] Outcome headless(const std::string& arguments);
+
+/// A fresh folder for the running test.
+[[nodiscard]] std::filesystem::path testFolder();
+
+[[nodiscard]] std::string readFile(const std::filesystem::path& file);
+
+}  // namespace drape::testing

@@ -1,0 +1,135 @@
+#include "program.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+namespace drape::testing {
+namespace {
+
+nlohmann::json statsOf(const std::string& arguments) {
+  const auto file = testFolder() / "stats.json";
+  const Outcome outcome = headless("run " + arguments + " --stats " + file.string());
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  return nlohmann::json::parse(readFile(file));
+}
+
+TEST(Run, writesTheFiguresOfThePapersSheet) {
+  const auto stats = statsOf("grid --set grid.resolution=17 --seconds 0.5");
+  EXPECT_EQ(stats["vertices"], 289);
+  EXPECT_EQ(stats["springs"], 800);
+  EXPECT_EQ(stats["triangles"], 512);
+  EXPECT_EQ(stats["steps"], 75);
+  EXPECT_GT(stats["step_us"]["median"], 0.0);
+  EXPECT_GE(stats["step_us"]["p99"], stats["step_us"]["median"]);
+  EXPECT_TRUE(stats["energy"].is_number());
+  EXPECT_GT(stats["max_stretch"], 0.0);
+  EXPECT_EQ(stats["finite"], true);
+  EXPECT_EQ(stats["state_hash"].get<std::string>().size(), 16U);
+  EXPECT_EQ(stats["settings"]["grid.resolution"], 17);
+}
+
+TEST(Run, givesTheSameHashFromRunToRunAndForAnyNumberOfThreads) {
+  const std::string arguments = "grid --set grid.resolution=65 --set drag=0.5 --set wind.z=2 --seconds 0.1 --threads ";
+  const auto first = statsOf(arguments + "1")["state_hash"];
+  EXPECT_EQ(statsOf(arguments + "1")["state_hash"], first);
+  EXPECT_EQ(statsOf(arguments + "2")["state_hash"], first);
+  EXPECT_EQ(statsOf(arguments + "5")["state_hash"], first);
+}
+
+TEST(Run, writesALineForEachVertexAndSampleWithNineDigits) {
+  const auto file = testFolder() / "positions.csv";
+  const Outcome outcome =
+      headless("run grid --set grid.resolution=5 --seconds 0.4 --every 0.1 --positions " + file.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  std::istringstream lines(readFile(file));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "time,vertex,x,y,z");
+  std::vector<double> times;
+  bool manyDigits = false;
+  for (int i = 0; std::getline(lines, line); ++i) {
+    double time = 0.0;
+    int vertex = -1;
+    std::vector<double> point(3);
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%d,%lf,%lf,%lf", &time, &vertex, &point[0], &point[1], &point[2]), 5);
+    EXPECT_EQ(vertex, i % 25);
+    manyDigits = manyDigits || line.size() > 40;
+    if (vertex == 0) {
+      times.push_back(time);
+    }
+  }
+  ASSERT_EQ(times.size(), 5U);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_NEAR(times[i], 0.1 * static_cast<double>(i), 1e-6);
+  }
+  EXPECT_TRUE(manyDigits);
+}
+
+TEST(Run, fallsFreelyAsBackwardEulerDoes) {
+  const auto file = testFolder() / "positions.csv";
+  const Outcome outcome = headless(
+      "run grid --set pins=none --set grid.resolution=3 --set time_step=0.01 --seconds 0.5 "
+      "--every 0.5 --positions " +
+      file.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  std::istringstream lines(readFile(file));
+  std::string line;
+  std::vector<double> heights;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    double y = 0.0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%*f,%*d,%*f,%lf", &y), 1);
+    heights.push_back(y);
+  }
+  ASSERT_EQ(heights.size(), 18U);
+  EXPECT_NEAR(heights[0] - heights[9], 0.5 * 9.81 * 0.01 * 0.01 * 50 * 51, 1e-8);
+}
+
+TEST(Run, saysThatAClothBlewUpAndStillWritesItsFigures) {
+  const auto file = testFolder() / "stats.json";
+  const Outcome outcome = headless(
+      "run grid --set grid.resolution=129 --set stiffness=1e7 --set time_step=0.1 "
+      "--set gravity=1000 --seconds 60 --stats " +
+      file.string());
+  EXPECT_EQ(outcome.status, 0);
+  const auto stats = nlohmann::json::parse(readFile(file));
+  EXPECT_EQ(stats["finite"].get<bool>(), outcome.errors.find("blew up") == std::string::npos);
+}
+
+TEST(Run, refusesWrongUsageWithStatusTwo) {
+  for (const char* arguments :
+       {"", "run grid", "run grid --seconds abc", "run grid --seconds -1", "run grid --seconds nan",
+        "run grid --seconds 1 --threads 0", "run grid --seconds 1 --threads 1000", "run grid --seconds 1 --nonsense",
+        "run grid --seconds 1 --set stiffness=-1", "run grid --seconds 1 --set stiffness",
+        "run grid --seconds 1 --set nonsense=1", "run grid --seconds 1 --set sweeps=2",
+        "run grid --seconds 1 --positions /dev/null", "run grid --seconds 1e5 --set time_step=1e-5",
+        "walk grid --seconds 1"}) {
+    const Outcome outcome = headless(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments << '\n' << outcome.errors;
+    EXPECT_NE(outcome.errors.find("drape-headless: "), std::string::npos) << arguments;
+  }
+}
+
+TEST(Run, failsWithStatusOneWhenInputOrOutputCannotBeHad) {
+  for (const char* arguments :
+       {"run no_such_scene --seconds 1", "run / --seconds 1", "run grid --seconds 0.1 --stats /no/such/folder/s.json",
+        "run grid --seconds 0.1 --every 0.1 --positions /no/such/folder/p.csv"}) {
+    const Outcome outcome = headless(arguments);
+    EXPECT_EQ(outcome.status, 1) << arguments << '\n' << outcome.errors;
+    EXPECT_NE(outcome.errors.find("drape-headless: "), std::string::npos) << arguments;
+  }
+}
+
+TEST(Run, takesNoStepInNoTime) {
+  EXPECT_EQ(statsOf("grid --seconds 0")["steps"], 0);
+}
+
+TEST(Run, showsNoProgressBarWhereThereIsNoTerminal) {
+  EXPECT_EQ(headless("run grid --seconds 0.1").errors, "");
+}
+
+}  // namespace
+}  // namespace drape::testing
