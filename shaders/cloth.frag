@@ -42,15 +42,16 @@ float checks(vec2 coordinate) {
   return 0.5 + 0.5 * wave.x * wave.y;
 }
 
-// The threads: a plain weave, of which nothing is left before it could alias.
+// The threads: a plain weave, where warp and weft take turns on top. Nothing is left of it before it could alias.
 float weave(vec2 coordinate) {
   const float threads = 700.0;  // a metre
+  const float pi = 3.14159265;
   vec2 x = coordinate * threads;
   vec2 w = fwidth(x);
-  float visible = 1.0 - smoothstep(0.12, 0.42, max(w.x, w.y));
-  vec2 ridge = abs(fract(x) - 0.5);
-  float over = mod(floor(x.x) + floor(x.y), 2.0);
-  return 1.0 + visible * 0.22 * (0.25 - mix(ridge.x * ridge.x, ridge.y * ridge.y, over) * 2.0 - 0.09);
+  float visible = 1.0 - smoothstep(0.12, 0.40, max(w.x, w.y));
+  vec2 ridge = 0.5 + 0.5 * cos(2.0 * pi * x);
+  float warpOnTop = 0.5 + 0.5 * cos(pi * x.x) * cos(pi * x.y);
+  return 1.0 + visible * 0.16 * (mix(ridge.y, ridge.x, warpOnTop) - 0.5);
 }
 
 // Colour of the cloth itself, linear.

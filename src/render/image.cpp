@@ -20,8 +20,13 @@ void appendBytes(void* target, void* data, int size) {
   bytes->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
+/// Empty when the picture has no pixels or not as many as it says.
 std::string encodePng(const Image& image) {
   std::string bytes;
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (image.width <= 0 || image.height <= 0 || image.rgb.size() != 3 * pixels) {
+    return bytes;
+  }
   stbi_write_png_to_func(&appendBytes, &bytes, image.width, image.height, 3, image.rgb.data(), image.width * 3);
   return bytes;
 }

@@ -1,0 +1,222 @@
+#include "render/renderer.hpp"
+#include "render/osmesa_context.hpp"
+#include "render/shader_program.hpp"
+#include "wavy_sheet.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+namespace drape {
+namespace {
+
+constexpr int width = 320;
+constexpr int height = 240;
+
+using Pixel = std::array<int, 3>;
+
+Pixel pixelAt(const Image& image, int x, int y) {
+  const std::size_t offset =
+      3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  return {image.rgb[offset], image.rgb[offset + 1], image.rgb[offset + 2]};
+}
+
+int distanceOf(const Pixel& a, const Pixel& b) {
+  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+/// The same scene with the cloth far out of sight.
+Snapshot withoutCloth(Snapshot snapshot) {
+  for (Vec3& position : snapshot.positions) {
+    position.z() += 1000.0;
+  }
+  snapshot.settings.view.shadows = false;
+  ++snapshot.version;
+  return snapshot;
+}
+
+class RendererTest : public testing::Test {
+ protected:
+  Image picture(const Snapshot& snapshot, const Camera& camera = cameraInFront()) {
+    renderer_.draw(snapshot, camera, width, height);
+    return renderer_.read();
+  }
+
+  Renderer& renderer() { return renderer_; }
+
+ private:
+  OsmesaContext context_;
+  Renderer renderer_;
+};
+
+TEST_F(RendererTest, PictureHasTheSizeAskedForAndIsNotBlack) {
+  const Image image = picture(wavySheet(0.06));
+  EXPECT_EQ(image.width, width);
+  EXPECT_EQ(image.height, height);
+  ASSERT_EQ(image.rgb.size(), std::size_t{3} * width * height);
+  EXPECT_GT(*std::max_element(image.rgb.begin(), image.rgb.end()), 200);
+  const std::set<std::uint8_t> values(image.rgb.begin(), image.rgb.end());
+  EXPECT_GT(values.size(), 50U);
+}
+
+TEST_F(RendererTest, ClothIsWhereTheCameraProjectsIt) {
+  Snapshot snapshot = wavySheet(0.06);
+  snapshot.settings.view.surface = "plain";
+  snapshot.settings.view.shadows = false;
+  const Image with = picture(snapshot);
+  const Image without = picture(withoutCloth(snapshot));
+  const Camera camera = cameraInFront();
+  int covered = 0;
+  for (const Vec3& position : snapshot.positions) {
+    // A little towards the middle, so that vertices on the rim count too.
+    const Vec3 inside = position + 0.03 * (Vec3(0.0, 0.9, position.z()) - position);
+    const Vec2 place = camera.project(inside, width, height);
+    const int x = static_cast<int>(place.x());
+    const int y = static_cast<int>(place.y());
+    covered += distanceOf(pixelAt(with, x, y), pixelAt(without, x, y)) > 20 ? 1 : 0;
+  }
+  EXPECT_EQ(covered, static_cast<int>(snapshot.positions.size()));
+  for (const auto& [x, y] : {std::pair(3, 3), std::pair(width - 4, 3), std::pair(3, height / 2)}) {
+    EXPECT_EQ(pixelAt(with, x, y), pixelAt(without, x, y));
+  }
+}
+
+TEST_F(RendererTest, TwoRenderersDrawTheSameBytes) {
+  const Snapshot snapshot = wavySheet(0.06);
+  const Image first = picture(snapshot);
+  Renderer other;
+  other.draw(snapshot, cameraInFront(), width, height);
+  EXPECT_EQ(first.rgb, other.read().rgb);
+  EXPECT_EQ(first.rgb, picture(snapshot).rgb);
+}
+
+TEST_F(RendererTest, WhatWasDrawnBeforeLeavesNoTrace) {
+  const Snapshot snapshot = wavySheet(0.06);
+  const Image fresh = picture(snapshot);
+  Snapshot other = wavySheet(0.12);
+  other.settings.view.wireframe = true;
+  other.settings.view.shadows = false;
+  other.grab = GrabStatus{};
+  (void)picture(other);
+  EXPECT_EQ(fresh.rgb, picture(snapshot).rgb);
+}
+
+TEST_F(RendererTest, ViewSettingsChangeThePicture) {
+  const Snapshot plainView = wavySheet(0.06);
+  const Image before = picture(plainView);
+  const auto pixelsChangedBy = [&](auto change) {
+    Snapshot changed = plainView;
+    change(changed.settings.view);
+    return compareImages(before, picture(changed), 8).pixels;
+  };
+  EXPECT_GT(pixelsChangedBy([](Settings::View& view) { view.wireframe = true; }), 2000);
+  EXPECT_GT(pixelsChangedBy([](Settings::View& view) { view.surface = "plain"; }), 2000);
+  EXPECT_GT(pixelsChangedBy([](Settings::View& view) { view.ground = false; }), 2000);
+  EXPECT_GT(pixelsChangedBy([](Settings::View& view) { view.shadows = false; }), 500);
+}
+
+TEST_F(RendererTest, FrontAndBackAreTinted) {
+  Snapshot snapshot = wavySheet(0.0);
+  snapshot.settings.view.surface = "plain";
+  const Pixel front = pixelAt(picture(snapshot), width / 2, height / 2);
+  CameraPose pose = cameraInFront().pose();
+  pose.position.z() = -pose.position.z();
+  const Pixel back = pixelAt(picture(snapshot, Camera(pose)), width / 2, height / 2);
+  EXPECT_GT(front[2], front[0] + 30) << "the front is blue";
+  EXPECT_GT(back[0], back[2] + 30) << "the back is red";
+}
+
+TEST_F(RendererTest, OutlinesAreBlendedFromFourSamples) {
+  Snapshot snapshot = wavySheet(0.0);
+  snapshot.settings.view.surface = "plain";
+  snapshot.settings.view.shadows = false;
+  snapshot.settings.view.ground = false;
+  const Image with = picture(snapshot);
+  const Image without = picture(withoutCloth(snapshot));
+  // Along every row the left outline is crossed once; the pixel on it is a mixture of quarters.
+  std::set<int> quarters;
+  for (int y = 80; y < 160; ++y) {
+    for (int x = 1; x + 1 < width / 2; ++x) {
+      const int background = pixelAt(without, x, y)[0];
+      const int cloth = pixelAt(with, x + 2, y)[0];
+      const int here = pixelAt(with, x, y)[0];
+      const bool isOutline = std::abs(here - background) > 10 && std::abs(here - cloth) > 10;
+      if (isOutline) {
+        quarters.insert(static_cast<int>(std::lround(4.0 * (here - background) / (cloth - background))));
+      }
+    }
+  }
+  EXPECT_TRUE(quarters.contains(1) && quarters.contains(2) && quarters.contains(3));
+}
+
+TEST_F(RendererTest, NewPositionsAreDrawnWhenTheVersionGrows) {
+  Snapshot snapshot = wavySheet(0.06);
+  const Image before = picture(snapshot);
+  for (Vec3& position : snapshot.positions) {
+    position.x() += 0.2;
+  }
+  ++snapshot.version;
+  EXPECT_GT(compareImages(before, picture(snapshot), 8).pixels, 500);
+}
+
+TEST_F(RendererTest, HandAndPinsAreShown) {
+  const Snapshot snapshot = wavySheet(0.06);
+  const Camera camera = cameraInFront();
+  const Image without = picture(snapshot);
+  Snapshot grabbed = snapshot;
+  grabbed.grab = GrabStatus{0, {1.0, 0.0, 0.0}, {0.3, 1.1, 0.4}, {0.0, 0.9, 0.0}, false};
+  const Image with = picture(grabbed);
+  const Vec2 hand = camera.project(grabbed.grab->target, width, height);
+  const Pixel amber = pixelAt(with, static_cast<int>(hand.x()), static_cast<int>(hand.y()));
+  EXPECT_GT(amber[0], amber[2] + 100);
+  EXPECT_GT(compareImages(without, with, 8).pixels, 100);
+
+  Snapshot unpinned = snapshot;
+  auto model = std::make_shared<ClothModel>(*snapshot.model);
+  model->pinned.assign(model->pinned.size(), false);
+  unpinned.model = model;
+  const Image noPins = picture(unpinned);
+  EXPECT_GT(compareImages(without, noPins, 8).pixels, 20);
+  EXPECT_LT(compareImages(without, noPins, 8).pixels, 300);
+}
+
+TEST_F(RendererTest, GroundIsNotInTheWayFromBelow) {
+  CameraPose pose = cameraInFront().pose();
+  pose.position.y() = -0.8;
+  Snapshot snapshot = wavySheet(0.06);
+  const Image withGround = picture(snapshot, Camera(pose));
+  snapshot.settings.view.ground = false;
+  EXPECT_EQ(withGround.rgb, picture(snapshot, Camera(pose)).rgb);
+}
+
+TEST_F(RendererTest, SizeMayChangeBetweenPictures) {
+  const Snapshot snapshot = wavySheet(0.06);
+  const Image before = picture(snapshot);
+  renderer().draw(snapshot, cameraInFront(), 101, 77);
+  EXPECT_EQ(renderer().read().rgb.size(), std::size_t{3} * 101 * 77);
+  EXPECT_EQ(before.rgb, picture(snapshot).rgb);
+}
+
+TEST_F(RendererTest, ThingsThatStandThereAreDrawn) {
+  const Snapshot snapshot = wavySheet(0.06);
+  const Image without = picture(snapshot);
+  auto scene = std::make_shared<Scene>(*snapshot.scene);
+  scene->stand = Decor{{{-0.9, 0.0, 0.2}, {-0.6, 0.0, 0.2}, {-0.75, 1.2, 0.2}}, {{0, 1, 2}}};
+  Snapshot withStand = snapshot;
+  withStand.scene = scene;
+  const Vec2 place = cameraInFront().project({-0.75, 0.5, 0.2}, width, height);
+  const int x = static_cast<int>(place.x());
+  const int y = static_cast<int>(place.y());
+  EXPECT_GT(distanceOf(pixelAt(picture(withStand), x, y), pixelAt(without, x, y)), 15);
+}
+
+TEST_F(RendererTest, UnknownShadersAreReported) {
+  EXPECT_THROW(ShaderProgram("surface.vert", "no_such.frag"), std::logic_error);
+  EXPECT_THROW(ShaderProgram("surface.vert", "cloth.frag", {}, "#error broken\n"), std::logic_error);
+}
+
+}  // namespace
+}  // namespace drape
