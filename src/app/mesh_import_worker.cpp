@@ -91,6 +91,16 @@ void keepOnly(Assimp::Importer& importer, const std::string& format) {
   }
 }
 
+/// The library reads from memory under a name of its own, which says nothing to a user.
+std::string withoutInnerName(std::string reason) {
+  constexpr std::string_view inner = "$$$___magic___$$$";
+  for (std::size_t found = reason.find(inner); found != std::string::npos; found = reason.find(inner)) {
+    reason.replace(found, inner.size(), "mesh");
+  }
+  reason.erase(reason.find_last_not_of(". ") + 1);
+  return reason;
+}
+
 /// Parses, triangulates and joins the vertices that agree in position and texture coordinates. All else that would
 /// split vertices (normals, colours, further texture coordinates) is dropped first.
 const aiScene& parse(Assimp::Importer& importer, const std::string& format, const std::string& bytes) {
@@ -111,7 +121,7 @@ const aiScene& parse(Assimp::Importer& importer, const std::string& format, cons
     if (reason.find("bad_alloc") != std::string::npos) {
       throw std::bad_alloc();
     }
-    throw InputError("it cannot be read as a " + format + " file (" + reason + "). Export the mesh again.");
+    throw InputError("it cannot be read as ." + format + " (" + withoutInnerName(reason) + "). Export the mesh again.");
   }
   if (scene->mNumMeshes == 0 || scene->mRootNode == nullptr) {
     throw InputError("there is no mesh in it. Export the mesh again.");

@@ -2,6 +2,8 @@
 
 #include "io/import_process.hpp"
 #include "io/import_protocol.hpp"
+#include "io/obj_diagnosis.hpp"
+#include "io/ply_check.hpp"
 #include "sim/error.hpp"
 
 #include <signal.h>
@@ -152,12 +154,19 @@ ImportedMesh importMeshFromMemory(std::string_view nameView, std::string_view by
     throw InputError(name + ": is larger than " + std::to_string(largestFile / mebibyte) +
                      " MiB. Reduce the mesh first.");
   }
-  const double timeLimit = options.timeLimit > 0.0 ? options.timeLimit : defaultTimeLimit(bytes.size());
+  constexpr double longestTime = 86400.0;
+  const double timeLimit =
+      options.timeLimit > 0.0 ? std::min(options.timeLimit, longestTime) : defaultTimeLimit(bytes.size());
   RawMesh raw;
   try {
+    if (format == "ply") {
+      checkPly(bytes);
+    }
     raw = readInChild(format, bytes, timeLimit);
   } catch (const InputError& error) {
-    throw InputError(name + ": " + error.what());
+    const std::string problem = format == "obj" ? diagnoseObj(bytes) : "";
+    throw InputError(name + ": " +
+                     (problem.empty() ? error.what() : problem + ". Correct it, or export the mesh again."));
   }
   return weldMesh(raw, name, options);
 }

@@ -1,0 +1,184 @@
+#include "io/ply_check.hpp"
+
+#include "io/ply_header.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+namespace drape {
+namespace {
+
+using Kind = PlyNumber::Kind;
+
+static_assert(std::endian::native == std::endian::little);
+
+/// Which number is being read, for messages.
+struct Place {
+  const PlyElement* element = nullptr;
+  std::uint64_t index = 0;  ///< of the element, from 0
+};
+
+[[noreturn]] void fail(const Place& place, const std::string& what) {
+  throw InputError(place.element->name + " " + std::to_string(place.index + 1) + " of " +
+                   std::to_string(place.element->count) + " " + what);
+}
+
+[[noreturn]] void failCutOff(const Place& place) {
+  fail(place, "is missing: the file is cut off or damaged. Export or copy it again.");
+}
+
+/// The numbers of a text file, one after the other.
+class TextNumbers {
+ public:
+  explicit TextNumbers(std::string_view rest) : rest_(rest) {}
+
+  double next(const PlyNumber&, const Place& place) {
+    const std::size_t begin = rest_.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) {
+      failCutOff(place);
+    }
+    rest_.remove_prefix(begin);
+    std::string_view word = rest_.substr(0, rest_.find_first_of(blanks));
+    rest_.remove_prefix(word.size());
+    const std::string_view digits = word.substr(word[0] == '+' ? 1 : 0);
+    double value = 0.0;
+    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (result.ec != std::errc() || result.ptr != digits.data() + digits.size() || !std::isfinite(value)) {
+      fail(place, "has '" + std::string(word.substr(0, 40)) + "' where a finite number should be. Repair the file.");
+    }
+    return value;
+  }
+
+  /// At least two characters a number.
+  [[nodiscard]] bool canHold(std::uint64_t count, std::size_t) const { return count <= rest_.size() / 2 + 1; }
+
+ private:
+  static constexpr std::string_view blanks = " \t\r\n";
+  std::string_view rest_;
+};
+
+/// The numbers of a binary file.
+class BinaryNumbers {
+ public:
+  BinaryNumbers(std::string_view rest, bool bigEndian) : rest_(rest), bigEndian_(bigEndian) {}
+
+  double next(const PlyNumber& type, const Place& place) {
+    if (rest_.size() < type.bytes) {
+      failCutOff(place);
+    }
+    std::array<unsigned char, 8> raw{};
+    std::memcpy(raw.data(), rest_.data(), type.bytes);
+    rest_.remove_prefix(type.bytes);
+    if (bigEndian_) {
+      std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(type.bytes));
+    }
+    return type.kind == Kind::Real ? real(raw, type.bytes) : whole(raw, type);
+  }
+
+  [[nodiscard]] bool canHold(std::uint64_t count, std::size_t bytesEach) const {
+    return count <= rest_.size() / std::max<std::size_t>(1, bytesEach);
+  }
+
+ private:
+  using Raw = std::array<unsigned char, 8>;
+
+  static double real(const Raw& raw, std::size_t bytes) {
+    if (bytes == 4) {
+      float value = 0.0F;
+      std::memcpy(&value, raw.data(), sizeof(value));
+      return static_cast<double>(value);
+    }
+    return std::bit_cast<double>(raw);
+  }
+
+  static double whole(const Raw& raw, const PlyNumber& type) {
+    const auto bits = std::bit_cast<std::uint64_t>(raw);
+    const std::uint64_t sign = std::uint64_t{1} << (8 * type.bytes - 1);
+    const bool negative = type.kind == Kind::Signed && (bits & sign) != 0;
+    return static_cast<double>(bits) - (negative ? 2.0 * static_cast<double>(sign) : 0.0);
+  }
+
+  std::string_view rest_;
+  bool bigEndian_;
+};
+
+bool isCoordinate(std::string_view name) {
+  return name == "x" || name == "y" || name == "z";
+}
+
+std::uint64_t countOf(const PlyHeader& header, std::string_view name) {
+  std::uint64_t count = 0;
+  for (const PlyElement& element : header.elements) {
+    count += element.name == name ? element.count : 0;
+  }
+  return count;
+}
+
+/// The fewest bytes that one element takes in a binary file, and numbers in a text file.
+std::size_t leastSize(const PlyElement& element) {
+  std::size_t size = 0;
+  for (const PlyProperty& property : element.properties) {
+    size += property.isList ? property.length.bytes : property.value.bytes;
+  }
+  return size;
+}
+
+template <typename Numbers>
+void checkList(const PlyProperty& property, const Place& place, std::uint64_t vertices, Numbers& numbers) {
+  const double length = numbers.next(property.length, place);
+  if (!(length >= 0.0) || length != std::floor(length) || length > 4294967295.0 ||
+      !numbers.canHold(static_cast<std::uint64_t>(length), property.value.bytes)) {
+    failCutOff(place);
+  }
+  const bool isIndices = property.name == "vertex_indices" || property.name == "vertex_index";
+  for (double i = 0.0; i < length; i += 1.0) {
+    const double value = numbers.next(property.value, place);
+    if (isIndices && !(value >= 0.0 && value < static_cast<double>(vertices))) {
+      fail(place, "uses a vertex that is not there. Export the mesh again.");
+    }
+  }
+}
+
+template <typename Numbers>
+void checkElements(const PlyHeader& header, Numbers numbers) {
+  const std::uint64_t vertices = countOf(header, "vertex");
+  for (const PlyElement& element : header.elements) {
+    Place place{&element, 0};
+    if (element.properties.empty() || !numbers.canHold(element.count, leastSize(element))) {
+      place.index = element.count > 0 ? element.count - 1 : 0;
+      failCutOff(place);
+    }
+    for (; place.index < element.count; ++place.index) {
+      for (const PlyProperty& property : element.properties) {
+        if (property.isList) {
+          checkList(property, place, vertices, numbers);
+        } else if (!std::isfinite(numbers.next(property.value, place)) && isCoordinate(property.name)) {
+          fail(place, "has a coordinate that is not a finite number (nan or inf). Repair the mesh.");
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void checkPly(std::string_view bytes) {
+  const PlyHeader header = readPlyHeader(bytes);
+  if (countOf(header, "vertex") == 0 || countOf(header, "face") == 0) {
+    throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons, not a cloud of points.");
+  }
+  const std::string_view numbers = bytes.substr(header.size);
+  if (header.format == PlyHeader::Format::Text) {
+    checkElements(header, TextNumbers(numbers));
+  } else {
+    checkElements(header, BinaryNumbers(numbers, header.format == PlyHeader::Format::BigEndian));
+  }
+}
+
+}  // namespace drape
