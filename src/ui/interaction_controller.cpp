@@ -2,6 +2,7 @@
 
 #include "render/picking.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -25,6 +26,12 @@ void InteractionController::handle(const InputEvent& event, const Snapshot& snap
     gesture_ = Idle{};  // another scene is running, and nobody holds its cloth
   }
   std::visit([&](const auto& each) { on(each, snapshot, output); }, event);
+}
+
+void InteractionController::lookAtScene(const Scene& scene) {
+  constexpr double authorsAspect = 4.0 / 3.0;
+  camera_ = Camera(scene.camera);
+  camera_.zoom(std::max(1.0, authorsAspect * view_.height / view_.width));
 }
 
 void InteractionController::frameCloth(const Snapshot& snapshot) {

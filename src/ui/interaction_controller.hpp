@@ -51,6 +51,8 @@ class InteractionController {
 
   void handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output);
 
+  /// Looks at a scene as its author wants it seen; from farther away where the picture is too narrow for that.
+  void lookAtScene(const Scene& scene);
   /// Moves the camera so that the cloth as it is now fills the view.
   void frameCloth(const Snapshot& snapshot);
   void lookFrom(Camera::Side side) { camera_.lookFrom(side); }

@@ -15,8 +15,9 @@ struct HelpRow {
   const char* what;
 };
 
-constexpr std::array<HelpRow, 6> mouseHelp{{
-    {"Drag the cloth", "pull it (Ctrl: only ever pull)"},
+constexpr std::array<HelpRow, 7> mouseHelp{{
+    {"Drag the cloth", "pull it"},
+    {"Ctrl + drag", "pull it, and never turn the view"},
     {"Drag beside it", "turn the view"},
     {"Middle or Shift + drag", "move the view"},
     {"Wheel", "nearer and farther"},
@@ -39,9 +40,10 @@ constexpr std::array<HelpRow, 11> keyHelp{{
 }};
 
 template <std::size_t size>
-void helpTable(const char* title, const std::array<HelpRow, size>& rows) {
+void helpTable(float scale, const char* title, const std::array<HelpRow, size>& rows) {
   mutedText(title, palette().accent);
   if (ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit)) {
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 165.0F * scale);
     for (const HelpRow& row : rows) {
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(row.keys);
@@ -86,9 +88,9 @@ bool helpOverlay(PanelContext& context, const UiRect& view) {
   ImGui::TextUnformatted("Keys and mouse");
   ImGui::PopFont();
   ImGui::Spacing();
-  helpTable("Mouse", mouseHelp);
+  helpTable(context.scale, "Mouse", mouseHelp);
   ImGui::Spacing();
-  helpTable("Keys", keyHelp);
+  helpTable(context.scale, "Keys", keyHelp);
   ImGui::Spacing();
   mutedText("In the panels: Ctrl+click types a value,\na right click goes back to the default.");
   const bool clickedBeside =

@@ -8,6 +8,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace drape {
 
@@ -33,14 +34,23 @@ class History {
   int count_ = 0;
 };
 
+/// A number that is being typed into a slider.
+struct TypedText {
+  std::string key;  ///< of the setting; empty while nothing is typed
+  std::string text;
+  int frames = 0;  ///< since it began
+};
+
 /// What the panels remember from one frame to the next.
 struct PanelMemory {
   PendingSettings pending;
-  History stepTimes;           ///< [ms]
-  std::int64_t lastStep = -1;  ///< the step that the history's last entry belongs to
-  std::string openPath;        ///< what is typed in the open field
-  std::string hoveredRow;      ///< whose explanation is about to be shown
-  double hoveredSince = 0.0;   ///< [s]
+  TypedText typed;
+  History stepTimes;              ///< [ms]
+  std::int64_t lastStep = -1;     ///< the step that the history's last entry belongs to
+  std::string openPath;           ///< what is typed in the open field
+  std::vector<SceneInfo> scenes;  ///< the built-in ones
+  std::string hoveredRow;         ///< whose explanation is about to be shown
+  double hoveredSince = 0.0;      ///< [s]
   bool hoveredThisFrame = false;
 };
 

@@ -35,11 +35,15 @@ void historyPlot(const PanelContext& context, const History& history) {
   };
   const ImU32 fill = ImGui::GetColorU32(palette().accentFill);
   const float floor = low.y + size.y;
+  // Without smoothing the pieces of the filled area meet without a seam.
+  const ImDrawListFlags smooth = canvas.Flags;
+  canvas.Flags &= ~ImDrawListFlags_AntiAliasedFill;
   for (int i = 0; i + 1 < history.count(); ++i) {
     const ImVec2 a = place(i);
     const ImVec2 b = place(i + 1);
     canvas.AddQuadFilled({a.x, floor}, a, b, {b.x, floor}, fill);
   }
+  canvas.Flags = smooth;
   for (int i = 0; i < history.count(); ++i) {
     canvas.PathLineTo(place(i));
   }

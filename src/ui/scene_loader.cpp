@@ -73,4 +73,24 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
   return outcome;
 }
 
+void carryViewSettings(const Settings& current, const Settings& own, Settings& target) {
+  for (const SettingInfo& info : settingsTable()) {
+    const SettingValue value = settingValue(current, info);
+    if (info.group == SettingGroup::View && value != settingValue(own, info)) {
+      assignSetting(target, info, value);
+    }
+  }
+}
+
+std::vector<SetSettingCommand> runningChanges(const Settings& from, const Settings& to) {
+  std::vector<SetSettingCommand> changes;
+  for (const SettingInfo& info : settingsTable()) {
+    const SettingValue value = settingValue(to, info);
+    if (info.effect != SettingEffect::Scene && value != settingValue(from, info)) {
+      changes.push_back({std::string(info.key), value});
+    }
+  }
+  return changes;
+}
+
 }  // namespace drape

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "session/command.hpp"
 
 #include <functional>
 #include <future>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace drape {
 
@@ -51,5 +53,12 @@ class SceneLoader {
   std::optional<Job> waiting_;
   std::future<Outcome> running_;
 };
+
+/// Another scene keeps what the user changed about the view: `target`, the next scene's settings, takes each view
+/// setting in which `current` differs from `own`, what the present scene came with.
+void carryViewSettings(const Settings& current, const Settings& own, Settings& target);
+
+/// The changes that bring `from` to `to` without building the scene again.
+[[nodiscard]] std::vector<SetSettingCommand> runningChanges(const Settings& from, const Settings& to);
 
 }  // namespace drape

@@ -18,7 +18,7 @@ void sceneChoice(PanelContext& context) {
   if (!open) {
     return;
   }
-  for (const SceneInfo& scene : sceneList()) {
+  for (const SceneInfo& scene : context.memory.scenes) {
     if (ImGui::Selectable(scene.name.c_str(), scene.name == running)) {
       context.output.requests.emplace_back(OpenSceneRequest{scene.name});
     }
@@ -49,9 +49,15 @@ void meshFacts(PanelContext& context) {
   const MeshSummary& summary = context.snapshot.scene->summary;
   ImGui::Dummy({0.0F, 2.0F * context.scale});
   for (const std::string& line : describe(summary)) {
-    mutedText(line);
+    const std::size_t colon = line.find(':');
+    const std::size_t value = colon == std::string::npos ? colon : line.find_first_not_of(' ', colon + 1);
+    if (value == std::string::npos) {
+      mutedText(line);
+    } else {
+      factRow(context, line.substr(0, colon), line.substr(value));
+    }
   }
-  valueRow(context, "Pinned vertices", formatCount(countPins(*context.snapshot.model)));
+  factRow(context, "pinned", formatCount(countPins(*context.snapshot.model)) + " vertices");
   for (const std::string& warning : summary.warnings) {
     mutedText(warning, palette().warning);
   }

@@ -1,6 +1,7 @@
 #include "ui/setting_widget.hpp"
 
 #include "sim/error.hpp"
+#include "ui/number_slider.hpp"
 #include "ui/slider_range.hpp"
 #include "ui/widgets.hpp"
 
@@ -11,73 +12,16 @@
 namespace drape {
 namespace {
 
-/// How an edit ended in this frame.
-struct Edit {
-  bool changed = false;
-  bool finished = false;  ///< the mouse let go, or the text was confirmed
-  SettingValue value;
-};
-
-/// Paints the field and its filled part; the slider that is drawn on top then leaves its own background out.
-void paintTrack(const SliderRange& range, double value) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 size{ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
-  const float rounding = ImGui::GetStyle().FrameRounding;
-  ImDrawList& canvas = *ImGui::GetWindowDrawList();
-  canvas.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, ImGui::GetColorU32(palette().field), rounding);
-  // A range that goes both ways fills from its zero, any other from its left end.
-  const double origin = range.min < 0.0 ? sliderFraction(range, 0.0) : 0.0;
-  const auto [low, high] = std::minmax(origin, sliderFraction(range, value));
-  const float left = corner.x + size.x * static_cast<float>(low);
-  const float right = corner.x + size.x * static_cast<float>(high);
-  if (right - left > 1.0F) {
-    canvas.AddRectFilled({left, corner.y}, {right, corner.y + size.y}, ImGui::GetColorU32(palette().accentFill),
-                         rounding);
-  }
-}
-
-void pushTransparentFrame() {
-  ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
-  ImGui::PushStyleColor(ImGuiCol_FrameBgHovered, ImVec4(1.0F, 1.0F, 1.0F, 0.05F));
-  ImGui::PushStyleColor(ImGuiCol_FrameBgActive, ImVec4(1.0F, 1.0F, 1.0F, 0.08F));
-}
-
-Edit numberWidget(const SettingInfo& info, const NumberField& field, double value) {
+Edit numberWidget(PanelContext& context, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
   const SliderRange range = everydayRange(field, std::get<double>(defaultValue(info)));
-  const std::string format = numberFormat("%.4g", info.unit);
-  paintTrack(range, value);
-  pushTransparentFrame();
-  double edited = value;
-  const bool touched =
-      ImGui::SliderScalar("##value", ImGuiDataType_Double, &edited, &range.min, &range.max, format.c_str(),
-                          range.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  ImGui::PopStyleColor(3);
-  Edit edit{.finished = ImGui::IsItemDeactivatedAfterEdit(), .value = value};
-  if (touched && std::isfinite(edited)) {
-    const double clamped = std::clamp(edited, field.min, field.max);
-    edit.changed = clamped != value;
-    edit.value = clamped;
-  }
-  return edit;
+  return numberSlider(context, info, range, value, numberFormat("%.4g", info.unit));
 }
 
-Edit integerWidget(const SettingInfo& info, const IntegerField& field, int value) {
-  const SliderRange range{static_cast<double>(field.min), static_cast<double>(field.max), field.max > 100};
-  paintTrack(range, value);
-  pushTransparentFrame();
-  int edited = value;
-  const std::string format = numberFormat("%d", info.unit);
-  const bool touched =
-      ImGui::SliderScalar("##value", ImGuiDataType_S32, &edited, &field.min, &field.max, format.c_str(),
-                          range.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  ImGui::PopStyleColor(3);
-  Edit edit{.finished = ImGui::IsItemDeactivatedAfterEdit(), .value = value};
-  if (touched) {
-    const int allowed = nearestAllowed(field, edited);
-    edit.changed = allowed != value;
-    edit.value = allowed;
-  }
-  return edit;
+Edit integerWidget(PanelContext& context, const SettingInfo& info, const IntegerField& field,
+                   const SettingValue& value) {
+  constexpr int many = 32;  // above this the small numbers matter more than the large ones
+  const SliderRange range{static_cast<double>(field.min), static_cast<double>(field.max), field.max > many};
+  return numberSlider(context, info, range, value, numberFormat("%d", info.unit));
 }
 
 Edit flagWidget(bool value) {
@@ -146,10 +90,10 @@ Edit choiceWidget(PanelContext& context, const SettingInfo& info, const ChoiceFi
 
 Edit fieldWidget(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
   if (const auto* number = std::get_if<NumberField>(&info.field)) {
-    return numberWidget(info, *number, std::get<double>(value));
+    return numberWidget(context, info, *number, value);
   }
   if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
-    return integerWidget(info, *integer, std::get<int>(value));
+    return integerWidget(context, info, *integer, value);
   }
   if (std::holds_alternative<FlagField>(info.field)) {
     return flagWidget(std::get<bool>(value));
@@ -157,20 +101,31 @@ Edit fieldWidget(PanelContext& context, const SettingInfo& info, const SettingVa
   return choiceWidget(context, info, std::get<ChoiceField>(info.field), std::get<std::string>(value));
 }
 
+/// The value as typed, but a real number with no more digits than a reader wants.
+std::string shortValue(const SettingValue& value) {
+  const double* number = std::get_if<double>(&value);
+  if (number == nullptr) {
+    return formatValue(value);
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", *number);
+  return text;
+}
+
 std::string withUnit(const std::string& text, std::string_view unit) {
   return unit == "-" ? text : text + " " + prettyUnit(unit);
 }
 
-void explain(const PanelContext& context, const SettingInfo& info) {
-  beginExplanation(context);
+void explain(const PanelContext& context, const SettingInfo& info, const UiRect& row) {
+  beginExplanation(context, &row);
   ImGui::TextUnformatted(info.title.data(), info.title.data() + info.title.size());
   ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
   ImGui::TextWrapped("%.*s", static_cast<int>(info.help.size()), info.help.data());
   ImGui::Spacing();
-  ImGui::TextWrapped("Range: %s", withUnit(describeRange(info), info.unit).c_str());
-  ImGui::TextWrapped("Default: %s", withUnit(formatValue(defaultValue(info)), info.unit).c_str());
-  ImGui::TextWrapped("On the command line: --set %.*s=%s", static_cast<int>(info.key.size()), info.key.data(),
-                     formatValue(settingValue(context.settings, info)).c_str());
+  ImGui::TextWrapped("Range: %s", describeRange(info).c_str());
+  ImGui::TextWrapped("Default: %s", withUnit(shortValue(defaultValue(info)), info.unit).c_str());
+  ImGui::TextWrapped("Command line: --set %.*s=%s", static_cast<int>(info.key.size()), info.key.data(),
+                     shortValue(settingValue(context.settings, info)).c_str());
   ImGui::Spacing();
   const bool typed =
       std::holds_alternative<NumberField>(info.field) || std::holds_alternative<IntegerField>(info.field);
@@ -181,11 +136,16 @@ void explain(const PanelContext& context, const SettingInfo& info) {
 }
 
 void takeEdit(PanelContext& context, const SettingInfo& info, const Edit& edit) {
-  // Building a scene takes a while, so a slider that needs it acts when it is let go.
-  const bool waits = info.effect == SettingEffect::Scene;
-  if (waits && edit.changed && !edit.finished) {
-    context.memory.pending.add(info, edit.value, ImGui::GetTime());
-  } else if (edit.changed || (waits && edit.finished)) {
+  if (info.effect != SettingEffect::Scene) {
+    if (edit.changed) {
+      changeSetting(context, info, edit.value);
+    }
+  } else if (!edit.finished) {
+    // Building a scene takes a while, so a slider that needs it acts when it is let go.
+    if (edit.changed) {
+      context.memory.pending.add(info, edit.value, ImGui::GetTime());
+    }
+  } else if (edit.value != settingValue(context.snapshot.settings, info)) {
     changeSetting(context, info, edit.value);
   }
 }
@@ -202,13 +162,6 @@ std::string numberFormat(std::string_view digits, std::string_view unit) {
     format += letter == '%' ? std::string("%%") : std::string(1, letter);
   }
   return format;
-}
-
-int nearestAllowed(const IntegerField& field, int value) {
-  const int inside = std::clamp(value, field.min, field.max);
-  const int steps = (inside - field.min + field.step / 2) / field.step;
-  const int last = (field.max - field.min) / field.step;
-  return field.min + std::min(steps, last) * field.step;
 }
 
 bool settingApplies(const SettingInfo& info, const Settings& settings, const Scene& scene) {
@@ -256,7 +209,7 @@ void settingWidget(PanelContext& context, const SettingInfo& info) {
       changeSetting(context, info, usual);
     }
     if (hoveredLongEnough(context, key)) {
-      explain(context, info);
+      explain(context, info, row);
     }
   }
   ImGui::PopID();

@@ -22,10 +22,7 @@ void settingsOfGroup(PanelContext& context, SettingGroup group);
 /// Asks for a change, in whichever way the setting needs. A value that the setting refuses is dropped.
 void changeSetting(PanelContext& context, const SettingInfo& info, const SettingValue& value);
 
-/// A number's format for ImGui with its unit: "%.4g m/s".
+/// A number's format for printf with its unit: "%.4g m/s".
 [[nodiscard]] std::string numberFormat(std::string_view digits, std::string_view unit);
-
-/// The nearest whole number that an integer setting takes.
-[[nodiscard]] int nearestAllowed(const IntegerField& field, int value);
 
 }  // namespace drape

@@ -13,7 +13,9 @@ void simulationPanel(PanelContext& context) {
   settingsOfGroup(context, SettingGroup::Simulation);
   valueRow(context, "Steps per second", formatNumber(1.0 / context.settings.step.timeStep));
   if (const SolverInfo* solver = findSolver(context.settings.solver.name)) {
-    mutedText(solver->help);
+    // The first sentence says what it is; the rest, what to expect of it.
+    mutedText(solver->help.substr(0, solver->help.find(". ") + 1));
+    explainItem(context, "solver.help", solver->help);
   }
   endSection();
 }

@@ -8,13 +8,12 @@ namespace {
 
 constexpr double wideLinear = 40.0;  // a linear range beyond this is narrowed
 constexpr double linearAroundZero = 20.0;
-constexpr double decadesBelowMax = 1e-6;  // where a logarithmic slider starts when nothing else says so
+constexpr double smallestLogarithmic = 1e-4;  // where a slider that begins at zero starts its decades
 
 SliderRange logarithmicRange(const NumberField& field, double defaultValue) {
   if (defaultValue > 0.0) {
     return {std::max(field.min, defaultValue * 1e-3), std::min(field.max, defaultValue * 1e3), true};
   }
-  // From zero: ImGui puts the zero itself at the left end.
   return {field.min, field.max, true};
 }
 
@@ -24,6 +23,11 @@ SliderRange linearRange(const NumberField& field, double defaultValue) {
   }
   const double reach = defaultValue > 0.0 ? 5.0 * defaultValue : linearAroundZero;
   return {std::max(field.min, -reach), std::min(field.max, reach), false};
+}
+
+/// The smallest value on a logarithmic slider that is not its left end.
+double floorOf(const SliderRange& range) {
+  return range.min > 0.0 ? range.min : std::min(smallestLogarithmic, range.max * 1e-3);
 }
 
 }  // namespace
@@ -37,8 +41,20 @@ double sliderFraction(const SliderRange& range, double value) {
   if (!range.logarithmic) {
     return (inside - range.min) / (range.max - range.min);
   }
-  const double floor = range.min > 0.0 ? range.min : range.max * decadesBelowMax;
+  const double floor = floorOf(range);
   return inside <= floor ? 0.0 : std::log(inside / floor) / std::log(range.max / floor);
+}
+
+double sliderValue(const SliderRange& range, double fraction) {
+  const double place = std::clamp(fraction, 0.0, 1.0);
+  if (!range.logarithmic) {
+    return range.min + place * (range.max - range.min);
+  }
+  if (place == 0.0) {
+    return range.min;
+  }
+  const double floor = floorOf(range);
+  return std::min(range.max, floor * std::pow(range.max / floor, place));
 }
 
 }  // namespace drape

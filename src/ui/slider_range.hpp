@@ -18,4 +18,7 @@ struct SliderRange {
 /// Where a value lies on the slider, from 0 to 1.
 [[nodiscard]] double sliderFraction(const SliderRange& range, double value);
 
+/// The value at a place of the slider; the inverse of sliderFraction(), and clamped to the slider.
+[[nodiscard]] double sliderValue(const SliderRange& range, double fraction);
+
 }  // namespace drape

@@ -20,11 +20,11 @@ void applySizes(ImGuiStyle& style) {
   style.ItemInnerSpacing = {6.0F, 4.0F};
   style.IndentSpacing = 14.0F;
   style.ScrollbarSize = 11.0F;
-  style.GrabMinSize = 9.0F;
+  style.GrabMinSize = 5.0F;
   style.WindowRounding = 0.0F;
   style.PopupRounding = 6.0F;
   style.FrameRounding = 5.0F;
-  style.GrabRounding = 4.0F;
+  style.GrabRounding = 2.5F;
   style.ScrollbarRounding = 6.0F;
   style.WindowBorderSize = 0.0F;
   style.PopupBorderSize = 1.0F;

@@ -3,6 +3,7 @@
 #include "ui/panels.hpp"
 
 #include <backends/imgui_impl_opengl3.h>
+#include <imgui_internal.h>  // for closing a list that dropped down from outside
 
 #include <algorithm>
 #include <array>
@@ -119,6 +120,7 @@ UserInterface::UserInterface(const UiDisplay& display, Backend backend) : parts_
   io.LogFilename = nullptr;
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.DeltaTime = 1.0F / 60.0F;
+  parts_->memory.scenes = sceneList();
   parts_->display = display;
   if (backend == Backend::OpenGl) {
     ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -227,6 +229,10 @@ void UserInterface::showHelp(bool visible) {
 
 bool UserInterface::closeOverlay() {
   ImGui::SetCurrentContext(parts_->context);
+  if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
+    ImGui::ClosePopupToLevel(0, true);
+    return true;
+  }
   if (parts_->help) {
     parts_->help = false;
     return true;

@@ -31,13 +31,9 @@ void drawStep(ImDrawList& canvas, ImVec2 at, float side, ImU32 colour) {
 }
 
 void drawReset(ImDrawList& canvas, ImVec2 at, float side, ImU32 colour) {
-  const ImVec2 middle = at + ImVec2(side * 0.5F, side * 0.5F);
-  const float radius = side * 0.42F;
-  canvas.PathArcTo(middle, radius, -0.9F, 4.1F, 20);
-  canvas.PathStroke(colour, ImDrawFlags_None, side * 0.16F);
-  const ImVec2 tip = middle + ImVec2(radius * std::cos(-0.9F), radius * std::sin(-0.9F));
-  canvas.AddTriangleFilled(tip + ImVec2(-side * 0.3F, side * 0.02F), tip + ImVec2(side * 0.2F, side * 0.2F),
-                           tip + ImVec2(side * 0.14F, -side * 0.34F), colour);
+  canvas.AddRectFilled(at, at + ImVec2(side * 0.2F, side), colour);
+  canvas.AddTriangleFilled(at + ImVec2(side, 0.0F), at + ImVec2(side, side), at + ImVec2(side * 0.26F, side * 0.5F),
+                           colour);
 }
 
 void drawIcon(Icon icon, ImDrawList& canvas, ImVec2 at, float side, ImU32 colour) {
@@ -114,6 +110,13 @@ void valueRow(const PanelContext& /*context*/, std::string_view label, std::stri
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
 }
 
+void factRow(const PanelContext& /*context*/, std::string_view label, std::string_view fact) {
+  const float start = std::round(ImGui::GetCursorStartPos().x + ImGui::GetContentRegionAvail().x * labelShare);
+  mutedText(label);
+  ImGui::SameLine(start);
+  mutedText(fact, palette().text);
+}
+
 bool hoversRow(const UiRect& row) {
   const ImVec2 low{static_cast<float>(row.x), static_cast<float>(row.y)};
   const ImVec2 high{static_cast<float>(row.x + row.width), static_cast<float>(row.y + row.height)};
@@ -131,7 +134,13 @@ bool hoveredLongEnough(const PanelContext& context, const std::string& name) {
   return ImGui::GetTime() - memory.hoveredSince > hoverDelay;
 }
 
-void beginExplanation(const PanelContext& /*context*/) {
+void beginExplanation(const PanelContext& context, const UiRect* row) {
+  if (row != nullptr) {
+    const bool upper = row->y < static_cast<double>(ImGui::GetIO().DisplaySize.y) * 0.6;
+    const double beside = row->x + row->width + static_cast<double>(30.0F * context.scale);
+    ImGui::SetNextWindowPos({static_cast<float>(beside), static_cast<float>(upper ? row->y : row->y + row->height)},
+                            ImGuiCond_Always, {0.0F, upper ? 0.0F : 1.0F});
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetFontSize() * 0.7F, ImGui::GetFontSize() * 0.55F));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0F);

@@ -21,14 +21,19 @@ UiRect beginRow(const PanelContext& context, std::string_view label, bool marked
 void valueRow(const PanelContext& context, std::string_view label, std::string_view value,
               const ImVec4& colour = palette().text);
 
+/// A row of text: the label at the left, and what there is to say where the widgets of other rows begin, on as many
+/// lines as it needs.
+void factRow(const PanelContext& context, std::string_view label, std::string_view fact);
+
 /// True while the mouse is over the row and nothing lies over it.
 [[nodiscard]] bool hoversRow(const UiRect& row);
 
 /// True once the mouse has stayed on the thing with that name for a moment.
 [[nodiscard]] bool hoveredLongEnough(const PanelContext& context, const std::string& name);
 
-/// A tooltip of a readable width around what is drawn in between.
-void beginExplanation(const PanelContext& context);
+/// A tooltip of a readable width around what is drawn in between; beside the row, where it hides no other, or at the
+/// mouse.
+void beginExplanation(const PanelContext& context, const UiRect* row = nullptr);
 void endExplanation();
 
 /// A tooltip with one sentence for the item that was drawn last.

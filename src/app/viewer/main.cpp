@@ -1,0 +1,51 @@
+#include "app/command_line.hpp"
+#include "app/viewer/viewer.hpp"
+#include "sim/error.hpp"
+
+#include <charconv>
+#include <string>
+#include <utility>
+
+namespace drape {
+namespace {
+
+int sideOf(std::string_view text) {
+  constexpr int smallest = 320;
+  constexpr int largest = 16384;
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < smallest || value > largest) {
+    throw UsageError("--window-size wants width,height between 320 and 16384, like 1280,720");
+  }
+  return value;
+}
+
+std::pair<int, int> parseWindowSize(const std::string& text) {
+  const std::string_view all = text;
+  const std::size_t comma = all.find(',');
+  return {sideOf(all.substr(0, comma)), sideOf(comma == std::string_view::npos ? "" : all.substr(comma + 1))};
+}
+
+}  // namespace
+}  // namespace drape
+
+int main(int argc, char** argv) {
+  CLI::App app("Cloth that you can pull at, in a window. F1 in the window lists keys and mouse.", "drape");
+  drape::SceneArguments scene;
+  scene.addTo(app);
+  drape::ViewerOptions options;
+  std::string windowSize;
+  app.add_flag("--paused", options.paused, "Start with the clock standing still");
+  app.add_option("--window-size", windowSize, "Size of the window")->type_name("WIDTH,HEIGHT");
+  app.add_option("--status", options.statusFile, "Write the viewer's state to this file, for scripts (see below)")
+      ->type_name("FILE");
+  app.set_version_flag("--version", std::string("drape ") + DRAPE_VERSION);
+  app.footer(drape::StatusFile::help);
+  return drape::runProgram(app, argc, argv, [&] {
+    if (!windowSize.empty()) {
+      options.windowSize = drape::parseWindowSize(windowSize);
+    }
+    drape::Viewer viewer(scene.load(), options);
+    viewer.run();
+  });
+}

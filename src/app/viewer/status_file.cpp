@@ -1,0 +1,199 @@
+#include "app/viewer/status_file.hpp"
+
+#include "render/picking.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/error.hpp"
+#include "ui/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace drape {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr auto interval = std::chrono::milliseconds(50);
+constexpr std::size_t pickBudget = 400'000;  // triangles that may be looked at for one file
+constexpr std::size_t wantedPoints = 5;
+constexpr double margin = 12.0;  // from the edges of the picture [window units]
+
+Json toJson(const Vec3& vector) {
+  return Json::array({vector.x(), vector.y(), vector.z()});
+}
+
+Json toJson(const UiRect& rect) {
+  return {{"x", rect.x}, {"y", rect.y}, {"width", rect.width}, {"height", rect.height}, {"visible", rect.visible}};
+}
+
+Json toJson(const UiRects& rects) {
+  Json json = Json::object();
+  for (const auto& [name, rect] : rects) {
+    json[name] = toJson(rect);
+  }
+  return json;
+}
+
+Json toJson(const Settings& settings) {
+  Json json = Json::object();
+  for (const SettingInfo& info : settingsTable()) {
+    std::visit([&](const auto& value) { json[std::string(info.key)] = value; }, settingValue(settings, info));
+  }
+  return json;
+}
+
+Json toJson(const std::optional<GrabStatus>& grab) {
+  if (!grab) {
+    return nullptr;
+  }
+  return {{"triangle", grab->triangle},
+          {"target", toJson(grab->target)},
+          {"point", toJson(grab->point)},
+          {"distance", (grab->target - grab->point).norm()},
+          {"pinned", grab->pinned}};
+}
+
+/// Looks for places in the picture with and without cloth, within a budget of triangles.
+class PlaceFinder {
+ public:
+  explicit PlaceFinder(const ViewerStatus& status)
+      : status_(status),
+        view_(status.panels.view()),
+        triangles_(status.snapshot.model->triangles),
+        picks_(pickBudget / std::max<std::size_t>(1, triangles_.size()) + 2) {}
+
+  [[nodiscard]] Json clothPoints() {
+    Json points = Json::array();
+    const std::size_t candidates = std::min<std::size_t>(40, triangles_.size());
+    for (std::size_t i = 0; i < candidates && points.size() < wantedPoints; ++i) {
+      // Strides of about the golden ratio spread the candidates over the cloth.
+      const std::size_t triangle = (i * 618'034 + triangles_.size() / 2) % triangles_.size();
+      const Vec2 place = projected(centreOf(triangle));
+      const auto hit = free(place) ? hitAt(place) : std::nullopt;
+      if (hit && hit->triangle == static_cast<int>(triangle)) {
+        points.push_back({{"x", place.x()}, {"y", place.y()}, {"triangle", triangle}, {"point", toJson(hit->point)}});
+      }
+    }
+    return points;
+  }
+
+  [[nodiscard]] Json freePoint() {
+    static constexpr std::array<std::pair<double, double>, 6> places{
+        {{0.06, 0.9}, {0.94, 0.9}, {0.06, 0.12}, {0.94, 0.12}, {0.5, 0.94}, {0.06, 0.5}}};
+    for (const auto& [x, y] : places) {
+      const Vec2 place(view_.x + x * view_.width, view_.y + y * view_.height);
+      if (free(place) && !hitAt(place)) {
+        return {{"x", place.x()}, {"y", place.y()}};
+      }
+    }
+    return nullptr;
+  }
+
+ private:
+  [[nodiscard]] Vec3 centreOf(std::size_t triangle) const {
+    Vec3 sum = Vec3::Zero();
+    for (const int vertex : triangles_[triangle]) {
+      sum += status_.snapshot.positions[static_cast<std::size_t>(vertex)];
+    }
+    return sum / 3.0;
+  }
+
+  [[nodiscard]] Vec2 projected(const Vec3& point) const {
+    return status_.camera.project(point, static_cast<int>(view_.width), static_cast<int>(view_.height)) +
+           Vec2(view_.x, view_.y);
+  }
+
+  [[nodiscard]] bool free(const Vec2& place) const {
+    const bool inside = place.x() > view_.x + margin && place.x() < view_.x + view_.width - margin &&
+                        place.y() > view_.y + margin && place.y() < view_.y + view_.height - margin;
+    return inside && !status_.panels.covers(place);
+  }
+
+  [[nodiscard]] std::optional<Hit> hitAt(const Vec2& place) {
+    if (picks_ == 0) {
+      return Hit{.triangle = -1};  // out of budget: nothing is known about this place
+    }
+    --picks_;
+    const Ray ray = status_.camera.rayThrough(place.x() - view_.x, place.y() - view_.y, static_cast<int>(view_.width),
+                                              static_cast<int>(view_.height));
+    return pick(ray, status_.snapshot.positions, triangles_);
+  }
+
+  const ViewerStatus& status_;
+  UiRect view_;
+  const std::vector<Triangle>& triangles_;
+  std::size_t picks_;
+};
+
+std::string messageOf(const ViewerStatus& status) {
+  if (!status.stats.error.empty()) {
+    return status.stats.error;
+  }
+  return status.snapshot.message.empty() ? status.stats.notice : status.snapshot.message;
+}
+
+Json describeSimulation(const Snapshot& snapshot) {
+  return {{"scene", snapshot.scene->description.name},
+          {"vertices", snapshot.model->vertexCount()},
+          {"pins", countPins(*snapshot.model)},
+          {"paused", snapshot.paused},
+          {"step", snapshot.step},
+          {"time", snapshot.time},
+          {"settings", toJson(snapshot.settings)},
+          {"energy", snapshot.energy.total()},
+          {"max_stretch", snapshot.maxStretch},
+          {"grab", toJson(snapshot.grab)}};
+}
+
+Json describeAll(const ViewerStatus& status) {
+  Json json = describeSimulation(status.snapshot);
+  const CameraPose& pose = status.camera.pose();
+  json["camera"] = {
+      {"position", toJson(pose.position)}, {"focal_point", toJson(pose.focalPoint)}, {"view_angle", pose.viewAngle}};
+  json["window"] = {{"width", status.display.width},
+                    {"height", status.display.height},
+                    {"density", status.display.density},
+                    {"scale", status.display.scale}};
+  json["view"] = toJson(status.panels.view());
+  json["panels"] = status.panels.panelsVisible();
+  json["help"] = status.panels.helpVisible();
+  json["widgets"] = toJson(status.panels.widgets());
+  json["buttons"] = toJson(status.panels.buttons());
+  PlaceFinder places(status);
+  json["free_point"] = places.freePoint();
+  json["cloth_points"] = places.clothPoints();
+  json["loading"] = status.stats.loading;
+  json["message"] = messageOf(status);
+  return json;
+}
+
+}  // namespace
+
+void StatusFile::update(const ViewerStatus& status) {
+  const auto now = std::chrono::steady_clock::now();
+  if (file_.empty() || now < next_) {
+    return;
+  }
+  next_ = now + interval;
+  Json json{{"sequence", ++sequence_}, {"frame", status.frame}};
+  json.update(describeAll(status));
+  std::filesystem::path draft = file_;
+  draft += ".part";
+  std::ofstream stream(draft);
+  // Paths may hold bytes that are no UTF-8; a status with a replaced letter is better than none.
+  stream << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+  stream.close();
+  std::error_code error;
+  std::filesystem::rename(draft, file_, error);
+  if (!stream || error) {
+    throw InputError("cannot write the status file " + file_.string() + "; check that its folder exists");
+  }
+}
+
+}  // namespace drape

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "session/snapshot.hpp"
+#include "ui/interaction_controller.hpp"
+#include "ui/user_interface.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace drape {
+
+/// What the status file tells about one frame.
+struct ViewerStatus {
+  const Snapshot& snapshot;
+  const Camera& camera;
+  const UserInterface& panels;
+  UiDisplay display;
+  UiStats stats;
+  std::int64_t frame = 0;
+};
+
+/// The state query for scripts and tests: about every 50 ms it replaces a file by the viewer's state as JSON, in one
+/// piece, so that a reader never sees half of it. Settings, pins and the hand are the simulation's own, as the last
+/// snapshot has them.
+class StatusFile {
+ public:
+  /// An empty path: nothing is ever written.
+  explicit StatusFile(std::filesystem::path file) : file_(std::move(file)) {}
+
+  /// Writes when it is due. Throws InputError when the file cannot be written.
+  void update(const ViewerStatus& status);
+
+  /// What stands in the file, for --help.
+  static constexpr const char* help =
+      "With --status FILE the viewer replaces FILE about every 50 ms by a JSON object for scripts:\n"
+      "  sequence, frame          counters of writes and of drawn frames\n"
+      "  scene, vertices, pins    what runs, and how many vertices are pinned\n"
+      "  paused, step, time       the clock [s]\n"
+      "  settings                 all settings in force, by key\n"
+      "  energy, max_stretch      [J], [-]\n"
+      "  grab                     null, or triangle, target [m], point [m], distance [m], pinned\n"
+      "  camera                   position [m], focal_point [m], view_angle [degrees]\n"
+      "  window, view             sizes and the picture's place, in window coordinates\n"
+      "  panels, help             whether they are shown\n"
+      "  widgets, buttons         rectangles by setting key or name, in window coordinates\n"
+      "  cloth_points             places in the window where the cloth can be clicked\n"
+      "  free_point               a place in the picture beside the cloth, or null\n"
+      "  loading, message         what is being opened, and the last message";
+
+ private:
+  std::filesystem::path file_;
+  std::int64_t sequence_ = 0;
+  std::chrono::steady_clock::time_point next_;
+};
+
+}  // namespace drape

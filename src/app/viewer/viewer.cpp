@@ -1,0 +1,300 @@
+#include "app/viewer/viewer.hpp"
+
+#include "app/viewer/screenshot_name.hpp"
+#include "sim/error.hpp"
+
+#include <GL/glew.h>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace drape {
+namespace {
+
+constexpr int usualWidth = 1440;  // of the window at scale 1
+constexpr int usualHeight = 900;
+constexpr auto noticeTime = std::chrono::seconds(8);
+constexpr double frameSmoothing = 0.1;  // weight of the newest frame in the average
+
+struct Monitor {
+  int rows = 0;
+  int workWidth = usualWidth;
+  int workHeight = usualHeight;
+  int refreshRate = 60;  // [Hz]
+};
+
+Monitor measureMonitor() {
+  Monitor result;
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+  if (mode == nullptr) {
+    return result;
+  }
+  int x = 0;
+  int y = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &result.workWidth, &result.workHeight);
+  result.rows = std::min(mode->width, mode->height);  // it may stand upright
+  result.refreshRate = std::clamp(mode->refreshRate, 30, 240);
+  return result;
+}
+
+/// Opens the window in the size that was asked for, or in a comfortable one for the monitor.
+void resizeWindow(GLFWwindow* window, const ViewerOptions& options) {
+  if (options.windowSize) {
+    return;
+  }
+  const Monitor monitor = measureMonitor();
+  float contentScale = 1.0F;
+  glfwGetWindowContentScale(window, &contentScale, nullptr);
+  const float scale = uiScale(0.0, contentScale, monitor.rows);
+  glfwSetWindowSize(window, std::min(static_cast<int>(usualWidth * scale), monitor.workWidth),
+                    std::min(static_cast<int>(usualHeight * scale), monitor.workHeight));
+}
+
+std::pair<int, int> openingSize(const ViewerOptions& options) {
+  return options.windowSize.value_or(std::pair(usualWidth, usualHeight));
+}
+
+}  // namespace
+
+Viewer::Viewer(std::shared_ptr<const Scene> scene, const ViewerOptions& options)
+    : window_("Drape", openingSize(options).first, openingSize(options).second),
+      panels_(measureDisplay(scene->settings.view.fontScale), UserInterface::Backend::OpenGl),
+      events_(window_.window()),
+      status_(options.statusFile),
+      simulation_(scene, options.paused),
+      newScene_(scene) {
+  resizeWindow(window_.window(), options);
+  glfwSetWindowSizeLimits(window_.window(), 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwSwapInterval(1);
+}
+
+void Viewer::run() {
+  while (glfwWindowShouldClose(window_.window()) == GLFW_FALSE) {
+    const auto start = Clock::now();
+    if (glfwGetWindowAttrib(window_.window(), GLFW_ICONIFIED) == GLFW_TRUE) {
+      glfwWaitEventsTimeout(0.1);
+    } else {
+      glfwPollEvents();
+    }
+    updateStats(start);
+    frame();
+    pace(start);
+  }
+}
+
+void Viewer::frame() {
+  const Snapshot& snapshot = simulation_.latest();
+  display_ = measureDisplay(snapshot.settings.view.fontScale);
+  if (display_.width <= 0 || display_.height <= 0) {
+    return;  // minimised
+  }
+  UiOutput output;
+  panels_.setDisplay(display_);
+  controller_.setView(panels_.view());
+  followScene(snapshot);
+  takeLoadedScene(snapshot);
+  events_.beginFrame();
+  panels_.build(snapshot, stats_, output);
+  controller_.setView(panels_.view());
+  handleInput(snapshot, output);
+  draw(snapshot);
+  status_.update({snapshot, controller_.camera(), panels_, display_, stats_, ++frameCount_});
+  carryOut(output, snapshot);
+}
+
+void Viewer::draw(const Snapshot& snapshot) {
+  const UiRect view = panels_.view();
+  const auto pixels = [&](double length) {
+    return std::max(1, static_cast<int>(std::lround(length * display_.density)));
+  };
+  renderer_.draw(snapshot, controller_.camera(), pixels(view.width), pixels(view.height));
+  blit(view);
+  panels_.renderDrawData();
+  glfwSwapBuffers(window_.window());
+}
+
+/// Puts the picture beside the panels: it must not lie under them, or half of the cloth would.
+void Viewer::blit(const UiRect& view) {
+  int windowWidth = 0;
+  int windowHeight = 0;
+  glfwGetFramebufferSize(window_.window(), &windowWidth, &windowHeight);
+  const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * display_.density)); };
+  const int width = pixels(view.width);
+  const int height = pixels(view.height);
+  const int left = pixels(view.x);
+  const int bottom = windowHeight - pixels(view.y) - height;
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, width, height, left, bottom, left + width, bottom + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, windowWidth, windowHeight);
+}
+
+void Viewer::pace(Clock::time_point start) {
+  // Some systems swap at once whatever the swap interval; the processor's time is better spent on the simulation.
+  const auto period = std::chrono::duration<double>(1.0 / measureMonitor().refreshRate);
+  const auto spent = Clock::now() - start;
+  if (spent < 0.75 * period) {
+    std::this_thread::sleep_for(period - spent);
+  }
+}
+
+void Viewer::updateStats(Clock::time_point now) {
+  const double seconds = std::chrono::duration<double>(now - lastFrame_).count();
+  lastFrame_ = now;
+  stats_.frameSeconds += frameSmoothing * (seconds - stats_.frameSeconds);
+  stats_.loading = loader_.activity();
+  if (now > noticeEnds_) {
+    stats_.notice.clear();
+  }
+}
+
+UiDisplay Viewer::measureDisplay(double fontScaleSetting) const {
+  UiDisplay display;
+  int framebufferWidth = 0;
+  int framebufferHeight = 0;
+  float contentScale = 1.0F;
+  glfwGetWindowSize(window_.window(), &display.width, &display.height);
+  glfwGetFramebufferSize(window_.window(), &framebufferWidth, &framebufferHeight);
+  glfwGetWindowContentScale(window_.window(), &contentScale, nullptr);
+  display.density = static_cast<float>(std::max(1, framebufferWidth)) / static_cast<float>(std::max(1, display.width));
+  // Where window units are larger than pixels they already carry the monitor's scale.
+  display.scale = uiScale(fontScaleSetting, contentScale / display.density, measureMonitor().rows);
+  return display;
+}
+
+void Viewer::takeLoadedScene(const Snapshot& snapshot) {
+  const auto outcome = loader_.poll();
+  if (!outcome) {
+    return;
+  }
+  if (!outcome->scene) {
+    stats_.error = outcome->error;
+    return;
+  }
+  simulation_.post(LoadSceneCommand{outcome->scene});
+  if (outcome->rebuilt) {
+    // What the user changed while the scene was being built must not be lost.
+    for (auto& change : runningChanges(outcome->scene->settings, snapshot.settings)) {
+      simulation_.post(std::move(change));
+    }
+  } else {
+    newScene_ = outcome->scene;
+    tell("Opened " + outcome->scene->description.name);
+  }
+}
+
+void Viewer::followScene(const Snapshot& snapshot) {
+  if (snapshot.scene == shownScene_) {
+    return;
+  }
+  shownScene_ = snapshot.scene;
+  glfwSetWindowTitle(window_.window(), (shownScene_->description.name + " \u2013 Drape").c_str());
+  if (shownScene_ == newScene_) {
+    controller_.lookAtScene(*shownScene_);
+    newScene_.reset();
+  }
+}
+
+bool Viewer::belongsToPanels(const InputEvent& event) {
+  if (const auto* move = std::get_if<MoveEvent>(&event)) {
+    mouse_ = move->position;
+    return false;  // a gesture that began in the picture goes on over the panels
+  }
+  if (const auto* press = std::get_if<PressEvent>(&event)) {
+    return panels_.covers(press->position);
+  }
+  if (std::holds_alternative<ScrollEvent>(event)) {
+    return panels_.covers(mouse_);
+  }
+  if (const auto* key = std::get_if<KeyEvent>(&event)) {
+    const bool closes = key->key == Key::Escape && !controller_.holdsCloth();
+    return panels_.takesText() || (closes && panels_.closeOverlay());
+  }
+  return false;
+}
+
+void Viewer::handleInput(const Snapshot& snapshot, UiOutput& output) {
+  const WindowEvents::Batch batch = events_.take();
+  for (const InputEvent& event : batch.input) {
+    if (!belongsToPanels(event)) {
+      controller_.handle(event, snapshot, output);
+    }
+  }
+  if (!batch.droppedFiles.empty()) {
+    output.requests.emplace_back(OpenSceneRequest{batch.droppedFiles.front()});
+  }
+}
+
+void Viewer::carryOut(UiOutput& output, const Snapshot& snapshot) {
+  for (Command& command : output.commands) {
+    simulation_.post(std::move(command));
+  }
+  for (const UiRequest& request : output.requests) {
+    std::visit([&](const auto& each) { on(each, snapshot); }, request);
+  }
+  if (!output.hint.empty()) {
+    tell(output.hint);
+  }
+}
+
+void Viewer::on(const OpenSceneRequest& request, const Snapshot& snapshot) {
+  stats_.error.clear();
+  loader_.open(request.nameOrPath, [current = snapshot.settings, own = snapshot.scene->description.settings](
+                                       Settings& target) { carryViewSettings(current, own, target); });
+}
+
+void Viewer::on(const RebuildSceneRequest& request, const Snapshot& snapshot) {
+  stats_.error.clear();
+  loader_.rebuild(snapshot.scene->description, request.settings);
+}
+
+void Viewer::on(UiAction action, const Snapshot& snapshot) {
+  switch (action) {
+    case UiAction::TogglePanels:
+      panels_.showPanels(!panels_.panelsVisible());
+      break;
+    case UiAction::ToggleHelp:
+      panels_.showHelp(!panels_.helpVisible());
+      break;
+    case UiAction::Screenshot:
+      saveScreenshot(snapshot);
+      break;
+    case UiAction::FrameCloth:
+      controller_.frameCloth(snapshot);
+      break;
+    case UiAction::ViewFront:
+      controller_.lookFrom(Camera::Side::Front);
+      break;
+    case UiAction::ViewRight:
+      controller_.lookFrom(Camera::Side::Right);
+      break;
+    case UiAction::ViewTop:
+      controller_.lookFrom(Camera::Side::Top);
+      break;
+    case UiAction::Quit:
+      glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
+      break;
+  }
+}
+
+void Viewer::saveScreenshot(const Snapshot& snapshot) {
+  try {
+    const std::filesystem::path file =
+        freeScreenshotName(std::filesystem::current_path(), snapshot.scene->description.name);
+    writePng(renderer_.read(), file);
+    tell("Saved " + file.string());
+  } catch (const std::exception& error) {
+    stats_.error = error.what();
+  }
+}
+
+void Viewer::tell(const std::string& notice) {
+  stats_.notice = notice;
+  noticeEnds_ = Clock::now() + noticeTime;
+}
+
+}  // namespace drape

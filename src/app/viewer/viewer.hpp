@@ -1,0 +1,75 @@
+#pragma once
+
+#include "app/viewer/status_file.hpp"
+#include "app/viewer/window_events.hpp"
+#include "render/renderer.hpp"
+#include "render/window_context.hpp"
+#include "session/simulation_thread.hpp"
+#include "ui/interaction_controller.hpp"
+#include "ui/scene_loader.hpp"
+#include "ui/user_interface.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace drape {
+
+/// How the viewer was asked to start.
+struct ViewerOptions {
+  bool paused = false;
+  std::optional<std::pair<int, int>> windowSize;  ///< [window units]
+  std::filesystem::path statusFile;               ///< empty: none
+};
+
+/// The window: runs a scene on the simulation's thread, shows it, and turns what the user does into commands.
+class Viewer {
+ public:
+  Viewer(std::shared_ptr<const Scene> scene, const ViewerOptions& options);
+
+  /// Until the user quits.
+  void run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void frame();
+  void draw(const Snapshot& snapshot);
+  void blit(const UiRect& view);
+  void pace(Clock::time_point start);
+  void takeLoadedScene(const Snapshot& snapshot);
+  void followScene(const Snapshot& snapshot);
+  void handleInput(const Snapshot& snapshot, UiOutput& output);
+  [[nodiscard]] bool belongsToPanels(const InputEvent& event);
+  void carryOut(UiOutput& output, const Snapshot& snapshot);
+  void on(const OpenSceneRequest& request, const Snapshot& snapshot);
+  void on(const RebuildSceneRequest& request, const Snapshot& snapshot);
+  void on(UiAction action, const Snapshot& snapshot);
+  void saveScreenshot(const Snapshot& snapshot);
+  void tell(const std::string& notice);
+  [[nodiscard]] UiDisplay measureDisplay(double fontScaleSetting) const;
+  void updateStats(Clock::time_point now);
+
+  WindowContext window_;
+  Renderer renderer_;
+  UserInterface panels_;
+  WindowEvents events_;
+  InteractionController controller_;
+  SceneLoader loader_;
+  StatusFile status_;
+  SimulationThread simulation_;
+
+  std::shared_ptr<const Scene> shownScene_;  ///< whose name the title bar has
+  std::shared_ptr<const Scene> newScene_;    ///< on its way; its camera is to be taken over
+  UiStats stats_;
+  UiDisplay display_;
+  Vec2 mouse_ = Vec2::Zero();
+  Clock::time_point lastFrame_ = Clock::now();
+  Clock::time_point noticeEnds_ = Clock::now();
+  std::int64_t frameCount_ = 0;
+};
+
+}  // namespace drape

@@ -1,0 +1,146 @@
+#include "ui/number_slider.hpp"
+
+#include "sim/error.hpp"
+#include "ui/widgets.hpp"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace drape {
+namespace {
+
+double asNumber(const SettingValue& value) {
+  const int* whole = std::get_if<int>(&value);
+  return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
+}
+
+/// The nearest value of the setting's kind within its range.
+SettingValue allowedValue(const SettingInfo& info, double value) {
+  if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
+    return nearestAllowed(*integer, value);
+  }
+  const auto& number = std::get<NumberField>(info.field);
+  return std::clamp(value, number.min, number.max);
+}
+
+/// Four significant digits: what one sees is what one gets.
+double roundedForDisplay(double value) {
+  if (value == 0.0) {
+    return 0.0;
+  }
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3.0);
+  return std::strtod(formatValue(std::round(value / unit) * unit).c_str(), nullptr);
+}
+
+std::string printed(const SettingValue& value, const std::string& format) {
+  char text[64];
+  if (const int* whole = std::get_if<int>(&value)) {
+    std::snprintf(text, sizeof text, format.c_str(), *whole);
+  } else {
+    std::snprintf(text, sizeof text, format.c_str(), std::get<double>(value));
+  }
+  return text;
+}
+
+/// Draws field, filled part, handle and number over the item that was laid out last.
+void paint(const PanelContext& context, const SliderRange& range, const SettingValue& value,
+           const std::string& format) {
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  const float width = high.x - low.x;
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  const bool active = ImGui::IsItemActive();
+  const ImGuiCol background = active                   ? ImGuiCol_FrameBgActive
+                              : ImGui::IsItemHovered() ? ImGuiCol_FrameBgHovered
+                                                       : ImGuiCol_FrameBg;
+  ImDrawList& canvas = *ImGui::GetWindowDrawList();
+  canvas.AddRectFilled(low, high, ImGui::GetColorU32(background), rounding);
+  // A range that goes both ways fills from its zero, any other from its left end.
+  const double origin = range.min < 0.0 ? sliderFraction(range, 0.0) : 0.0;
+  const double place = sliderFraction(range, asNumber(value));
+  const float left = low.x + width * static_cast<float>(std::min(origin, place));
+  const float right = low.x + width * static_cast<float>(std::max(origin, place));
+  if (right - left > rounding) {
+    canvas.AddRectFilled({left, low.y}, {right, high.y}, ImGui::GetColorU32(palette().accentFill), rounding);
+  }
+  const float half = 1.5F * context.scale;
+  const float handle = std::clamp(low.x + width * static_cast<float>(place), low.x + half, high.x - half);
+  canvas.AddRectFilled({handle - half, low.y}, {handle + half, high.y},
+                       ImGui::GetColorU32(active ? palette().text : palette().accent), half);
+  const std::string text = printed(value, format);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  canvas.AddText({high.x - size.x - ImGui::GetStyle().FramePadding.x, low.y + ImGui::GetStyle().FramePadding.y},
+                 ImGui::GetColorU32(palette().text), text.c_str());
+}
+
+Edit typing(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
+  TypedText& typed = context.memory.typed;
+  if (typed.frames++ == 0) {
+    ImGui::SetKeyboardFocusHere();
+  }
+  const bool confirmed = ImGui::InputText("##typed", &typed.text,
+                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool left = ImGui::IsItemDeactivated() || (typed.frames > 4 && !ImGui::IsItemActive());
+  if (!confirmed && !left) {
+    return {.value = value};
+  }
+  Edit edit{.finished = true, .value = value};
+  if (confirmed || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
+    try {
+      edit.value = typedValue(info, context.settings, typed.text);
+      edit.changed = edit.value != value;
+    } catch (const UsageError& error) {
+      context.output.hint = error.what();
+    }
+  }
+  typed = {};
+  return edit;
+}
+
+}  // namespace
+
+int nearestAllowed(const IntegerField& field, double value) {
+  const double inside = std::clamp(value, static_cast<double>(field.min), static_cast<double>(field.max));
+  const int last = (field.max - field.min) / field.step;
+  const int steps = static_cast<int>(std::lround((inside - field.min) / field.step));
+  return field.min + std::min(steps, last) * field.step;
+}
+
+SettingValue typedValue(const SettingInfo& info, const Settings& settings, const std::string& text) {
+  Settings changed = settings;
+  try {
+    assignSettingText(changed, info, text);
+    return settingValue(changed, info);
+  } catch (const UsageError&) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    if (end == text.c_str() || *end != '\0' || !std::isfinite(number)) {
+      throw;
+    }
+    return allowedValue(info, number);
+  }
+}
+
+Edit numberSlider(PanelContext& context, const SettingInfo& info, const SliderRange& range, const SettingValue& value,
+                  const std::string& format) {
+  if (context.memory.typed.key == info.key) {
+    return typing(context, info, value);
+  }
+  ImGui::InvisibleButton("##value", {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()});
+  Edit edit{.finished = ImGui::IsItemDeactivated(), .value = value};
+  if (ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl) {
+    context.memory.typed = {.key = std::string(info.key), .text = formatValue(value), .frames = 0};
+  } else if (ImGui::IsItemActive()) {
+    const float width = ImGui::GetItemRectSize().x;
+    const double fraction = static_cast<double>((ImGui::GetMousePos().x - ImGui::GetItemRectMin().x) / width);
+    edit.value = allowedValue(info, roundedForDisplay(sliderValue(range, fraction)));
+    edit.changed = edit.value != value;
+  }
+  paint(context, range, edit.value, format);
+  return edit;
+}
+
+}  // namespace drape
