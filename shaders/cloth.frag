@@ -71,7 +71,7 @@ float edges() {
   vec3 away = barycentric / width;  // [pixels]
   float nearest = min(away.x, min(away.y, away.z));
   float height = 1.0 / max(width.x, max(width.y, width.z));  // of the triangle [pixels]
-  return (1.0 - smoothstep(0.25, 1.15, nearest)) * clamp((height - 1.0) / 7.0, 0.12, 1.0);
+  return (1.0 - smoothstep(0.25, 1.15, nearest)) * clamp((height - 1.0) / 5.0, 0.25, 1.0);
 }
 #endif
 

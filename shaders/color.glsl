@@ -2,7 +2,13 @@
 
 vec3 fromScreen(vec3 color) { return pow(color, vec3(2.2)); }
 
-vec3 toScreen(vec3 light) { return pow(clamp(light, 0.0, 1.0), vec3(1.0 / 2.2)); }
+// Bright parts bend towards white instead of being cut off, so that folds stay visible in full light.
+vec3 toScreen(vec3 light) {
+  const float bend = 0.55;
+  vec3 over = max(light - bend, 0.0);
+  vec3 soft = min(light, bend) + (1.0 - bend) * (1.0 - exp(-over / (1.0 - bend)));
+  return pow(max(soft, 0.0), vec3(1.0 / 2.2));
+}
 
 // The studio's wall, as it appears on the screen: brightest behind the cloth, and darker towards the corners.
 vec3 backdrop(vec2 pixel) {

@@ -10,8 +10,8 @@ out vec4 result;
 
 const float keySize = 0.10;   // radius of the key light as seen from the ground, over its distance
 const float roomSize = 0.75;  // the same for the bright part of the room
-const int blockerSamples = 24;
-const int samples = 32;
+const int blockerSamples = 10;
+const int samples = 16;
 
 // Share of the light of a disc of that size that is kept away.
 float shadowOf(vec3 at, float size, float turn) {

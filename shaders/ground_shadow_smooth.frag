@@ -1,4 +1,5 @@
-// Removes the grain that the turned sampling pattern leaves: a tent of 7 by 7 patches.
+// Removes the grain that the turned sampling pattern leaves: a tent of 6 by 6 patches, four of which come with each
+// read.
 uniform sampler2D rough;
 
 in vec2 place;
@@ -7,13 +8,11 @@ out vec4 result;
 void main() {
   vec2 texel = 1.0 / vec2(textureSize(rough, 0));
   float sum = 0.0;
-  float weights = 0.0;
-  for (int y = -3; y <= 3; ++y) {
-    for (int x = -3; x <= 3; ++x) {
-      float weight = (4.0 - abs(float(x))) * (4.0 - abs(float(y)));
-      sum += weight * texture(rough, place + vec2(x, y) * texel).r;
-      weights += weight;
+  for (int y = -1; y <= 1; ++y) {
+    for (int x = -1; x <= 1; ++x) {
+      float weight = (2.0 - abs(float(x))) * (2.0 - abs(float(y)));
+      sum += weight * texture(rough, place + (2.0 * vec2(x, y) + 0.5) * texel).r;
     }
   }
-  result = vec4(sum / weights);
+  result = vec4(sum / 16.0);
 }

@@ -1,10 +1,13 @@
-// The studio's light: a large key light from above, the bright room around it, and a faint light from the viewer.
+// The studio's light: a large key light from above, the bright room around it, and faint lights from
+// the other side and from the viewer, so that no side of the cloth is flat.
 
 uniform sampler2DShadow shadowMap;
 
-const vec3 keyLight = vec3(1.00, 0.965, 0.92) * 0.90;
+const vec3 keyLight = vec3(1.00, 0.965, 0.92) * 0.95;
 const vec3 skyLight = vec3(0.88, 0.94, 1.00) * 0.54;
 const vec3 floorLight = vec3(1.00, 0.95, 0.90) * 0.34;
+const vec3 counterLight = vec3(0.90, 0.95, 1.00) * 0.34;  // from the other side, without shadows
+const vec3 toCounterLight = vec3(-0.54, 0.36, -0.76);
 const float viewerLight = 0.12;
 
 // The i-th of n points that fill the unit disc evenly (golden angle).
@@ -38,5 +41,6 @@ float openness(float curvature) {
 // What comes from everywhere.
 vec3 roomLight(vec3 normal, vec3 toEye, float curvature) {
   vec3 room = mix(floorLight, skyLight, 0.5 + 0.5 * normal.y);
-  return (room + viewerLight * max(dot(normal, toEye), 0.0)) * openness(curvature);
+  room += counterLight * max(dot(normal, toCounterLight), 0.0) + viewerLight * max(dot(normal, toEye), 0.0);
+  return room * openness(curvature);
 }

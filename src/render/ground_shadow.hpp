@@ -26,7 +26,7 @@ class GroundShadow {
   [[nodiscard]] const Eigen::Vector2d& centre() const { return centre_; }  ///< x and z [m]
   [[nodiscard]] double halfSide() const { return halfSide_; }              ///< [m]
 
-  static constexpr int resolution = 384;  // [texels]
+  static constexpr int resolution = 256;  // [texels]
 
  private:
   ShaderProgram gather_;

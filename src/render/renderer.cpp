@@ -1,5 +1,6 @@
 #include "render/renderer.hpp"
 
+#include "render/creases.hpp"
 #include "render/frame_uniforms.hpp"
 #include "render/framebuffer.hpp"
 #include "render/ground_shadow.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double fadeInSizes = 5.0;   // the ground has faded away at this many sizes of the scene [-]
 constexpr double smallestFade = 1.5;  // but not nearer than this [m]
+constexpr double creaseAngle = 0.7;   // edges of a stand that turn by more are sharp [rad]
 constexpr float unitHeight = 800.0F;  // up to this height of the picture a mark's unit is one pixel [pixels]
 
 Eigen::Vector3d directionToLight() {
@@ -93,8 +95,9 @@ void Renderer::Parts::takeScene(const Scene& newScene) {
     box.extend(position);
   }
   const Decor standing = newScene.stand.value_or(Decor{});
-  stand.setTopology({standing.triangles, standing.triangles, {}, {}});
-  stand.setPositions(standing.positions);
+  const CreasedMesh creased = splitAtCreases(standing.positions, standing.triangles, creaseAngle);
+  stand.setTopology({creased.triangles, creased.triangles, {}, {}});
+  stand.setPositions(creased.positions);
   box.extend(stand.bounds());
 
   groundCentre = {box.center().x(), newScene.groundHeight, box.center().z()};
