@@ -17,7 +17,9 @@
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
+#include <iterator>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -73,21 +75,24 @@ void writeStandardOutput(const std::string& bytes) {
   }
 }
 
-/// Leaves the importer of one format only: a file is read as what its name says it is, or not at all.
+/// Whether an importer's list of endings ("glb gltf vrm") has this one.
+bool reads(const Assimp::BaseImporter& importer, const std::string& format) {
+  std::istringstream endings(importer.GetInfo()->mFileExtensions);
+  return std::find(std::istream_iterator<std::string>(endings), std::istream_iterator<std::string>(), format) !=
+         std::istream_iterator<std::string>();
+}
+
+/// Leaves the importers of one format only: a file is read as what its name says it is, or not at all.
 void keepOnly(Assimp::Importer& importer, const std::string& format) {
-  Assimp::BaseImporter* const kept = importer.GetImporter(format.c_str());
   std::vector<Assimp::BaseImporter*> others;
   for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
-    if (importer.GetImporter(i) != kept) {
+    if (!reads(*importer.GetImporter(i), format)) {
       others.push_back(importer.GetImporter(i));
     }
   }
   for (Assimp::BaseImporter* other : others) {
     importer.UnregisterLoader(other);
     delete other;
-  }
-  if (kept == nullptr) {
-    throw InputError("there is no reader for '" + format + "' files.");
   }
 }
 
@@ -98,6 +103,8 @@ std::string withoutInnerName(std::string reason) {
     reason.replace(found, inner.size(), "mesh");
   }
   reason.erase(reason.find_last_not_of(". ") + 1);
+  std::replace_if(
+      reason.begin(), reason.end(), [](char letter) { return letter < ' ' || letter > '~'; }, '?');
   return reason;
 }
 

@@ -1,5 +1,7 @@
 #include "io/obj_diagnosis.hpp"
 
+#include "io/quoted_text.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -15,10 +17,6 @@ std::string_view takeWord(std::string_view& line) {
   const std::string_view word = line.substr(0, line.find_first_of(blanks));
   line.remove_prefix(word.size());
   return word;
-}
-
-std::string quoted(std::string_view word) {
-  return "'" + std::string(word.substr(0, 40)) + "'";
 }
 
 std::string checkVertex(std::string_view line) {

@@ -1,6 +1,7 @@
 #include "io/ply_check.hpp"
 
 #include "io/ply_header.hpp"
+#include "io/quoted_text.hpp"
 #include "sim/error.hpp"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ class TextNumbers {
     double value = 0.0;
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (result.ec != std::errc() || result.ptr != digits.data() + digits.size() || !std::isfinite(value)) {
-      fail(place, "has '" + std::string(word.substr(0, 40)) + "' where a finite number should be. Repair the file.");
+      fail(place, "has " + quoted(word) + " where a finite number should be. Repair the file.");
     }
     return value;
   }

@@ -1,5 +1,6 @@
 #include "io/ply_header.hpp"
 
+#include "io/quoted_text.hpp"
 #include "sim/error.hpp"
 
 #include <algorithm>
@@ -89,7 +90,7 @@ class HeaderReader {
     } else if (words[0] == "property" && (words.size() == 3 || (words.size() == 5 && words[1] == "list"))) {
       readProperty(words);
     } else {
-      fail("cannot be understood: '" + words[0].substr(0, 40) + " ...'");
+      fail("cannot be understood: " + quoted(words[0]));
     }
   }
 
@@ -101,16 +102,19 @@ class HeaderReader {
     } else if (word == "binary_big_endian") {
       header_.format = PlyHeader::Format::BigEndian;
     } else {
-      fail("names an unknown format, '" + word.substr(0, 40) + "'");
+      fail("names an unknown format, " + quoted(word));
     }
   }
 
   void readElement(const std::vector<std::string>& words) {
     PlyElement element{words[1], 0, {}};
+    if (quoted(words[1]) != "'" + words[1] + "'") {
+      fail("names an unknown element, " + quoted(words[1]));
+    }
     const char* const end = words[2].data() + words[2].size();
     const auto result = std::from_chars(words[2].data(), end, element.count);
     if (result.ec != std::errc() || result.ptr != end) {
-      fail("promises '" + words[2].substr(0, 40) + "' of an element, which is not a count");
+      fail("promises " + quoted(words[2]) + " of an element, which is not a count");
     }
     header_.elements.push_back(element);
   }
@@ -134,7 +138,7 @@ class HeaderReader {
     const auto* const found = std::find_if(numberTypes.begin(), numberTypes.end(),
                                            [&word](const auto& entry) { return entry.first == word; });
     if (found == numberTypes.end()) {
-      fail("names an unknown type, '" + word.substr(0, 40) + "'");
+      fail("names an unknown type, " + quoted(word));
     }
     return found->second;
   }
