@@ -18,17 +18,18 @@
 namespace drape {
 namespace {
 
-constexpr double fadeInSizes = 5.0;   // the ground has faded away at this many sizes of the scene [-]
-constexpr double smallestFade = 1.5;  // but not nearer than this [m]
-constexpr double creaseAngle = 0.7;   // edges of a stand that turn by more are sharp [rad]
-constexpr float unitHeight = 800.0F;  // up to this height of the picture a mark's unit is one pixel [pixels]
+constexpr double fadeInSizes = 5.0;    // the ground has faded away at this many sizes of the scene [-]
+constexpr double smallestFade = 1.5;   // but not nearer than this [m]
+constexpr double creaseAngle = 0.7;    // edges of a stand that turn by more are sharp [rad]
+constexpr float unitHeight = 800.0F;   // in a picture this high a unit of a mark is one pixel [pixels]
+constexpr float smallestMark = 0.75F;  // a smaller dot would not be seen [pixels]
 
 Eigen::Vector3d directionToLight() {
   return Eigen::Vector3d(0.60, 1.0, 0.55).normalized();
 }
 
 float markScale(int height) {
-  return std::max(1.0F, static_cast<float>(height) / unitHeight);
+  return std::max(smallestMark, static_cast<float>(height) / unitHeight);
 }
 
 }  // namespace

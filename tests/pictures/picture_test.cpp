@@ -1,0 +1,109 @@
+// Every built-in scene, half a second after its start, against a picture that somebody has looked at. A change that is
+// meant is accepted with scripts/update-pictures; look at the new pictures before you commit them.
+
+#include "render/camera.hpp"
+#include "render/image.hpp"
+#include "render/osmesa_context.hpp"
+#include "render/renderer.hpp"
+#include "session/simulation.hpp"
+#include "settings/settings_table.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace drape {
+namespace {
+
+constexpr int width = 480;             // [pixels]
+constexpr int height = 360;            // [pixels]
+constexpr double simulatedTime = 0.5;  // [s]
+constexpr int stepOfColour = 1;        // a processor without fused multiply-add rounds a colour to its neighbour
+constexpr int pixelsForgiven = 20;     // ... and now and then decides an outline's sample the other way
+
+/// What a picture shows.
+struct PictureCase {
+  std::string name;                   ///< of the file, without ending
+  std::string scene;                  ///< a built-in scene
+  std::vector<std::string> settings;  ///< "key=value"
+  double yaw = 0.0;                   ///< how far the camera goes around from where the scene puts it [rad]
+};
+
+void PrintTo(const PictureCase& picture, std::ostream* stream) {
+  *stream << picture.name;
+}
+
+std::vector<PictureCase> pictureCases() {
+  std::vector<PictureCase> cases;
+  for (const SceneInfo& scene : sceneList()) {
+    cases.push_back({scene.name, scene.name, {}, 0.0});
+  }
+  cases.push_back({"grid_wireframe", "grid", {"view.wireframe=on"}, 0.0});
+  cases.push_back({"flag_plain_from_behind", "flag", {"view.surface=plain", "view.ground=off"}, 2.6});
+  return cases;
+}
+
+Snapshot simulate(const PictureCase& picture) {
+  const SceneDescription description = openScene(picture.scene);
+  Settings settings = description.settings;
+  for (const std::string& expression : picture.settings) {
+    assignSettingExpression(settings, expression);
+  }
+  Simulation simulation(buildScene(description, settings));
+  const auto steps = std::lround(simulatedTime / settings.step.timeStep);
+  for (long step = 0; step < steps; ++step) {
+    simulation.step();
+  }
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  return snapshot;
+}
+
+Image draw(const Snapshot& snapshot, double yaw) {
+  const OsmesaContext context;
+  Renderer renderer;
+  Camera camera(snapshot.scene->camera);
+  camera.orbit(yaw, 0.0);
+  renderer.draw(snapshot, camera, width, height);
+  return renderer.read();
+}
+
+/// Writes what was drawn and how it differs; returns a message that names the files.
+std::string keepEvidence(const PictureCase& picture, const Image& golden, const Image& actual) {
+  const std::filesystem::path folder = DRAPE_ACTUAL_PICTURES;
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path drawn = folder / (picture.name + ".png");
+  const std::filesystem::path difference = folder / (picture.name + "_difference.png");
+  writePng(actual, drawn);
+  writePng(differencePicture(golden, actual, stepOfColour), difference);
+  return "drawn:      " + drawn.string() + "\ndifference: " + difference.string() +
+         "\nIf the change is meant: scripts/update-pictures";
+}
+
+class PictureTest : public testing::TestWithParam<PictureCase> {};
+
+TEST_P(PictureTest, LooksAsBefore) {
+  const PictureCase& picture = GetParam();
+  const Image actual = draw(simulate(picture), picture.yaw);
+  const std::filesystem::path file = std::filesystem::path(DRAPE_GOLDEN_PICTURES) / (picture.name + ".png");
+  if (std::getenv("DRAPE_UPDATE_PICTURES") != nullptr) {
+    writePng(actual, file);
+    GTEST_SKIP() << "written: " << file;
+  }
+  ASSERT_TRUE(std::filesystem::exists(file)) << "no picture to compare with; make it with scripts/update-pictures";
+  const Image golden = readPng(file);
+  const ImageDifference difference = compareImages(golden, actual, stepOfColour);
+  const bool alike = difference.sameSize && difference.pixels <= pixelsForgiven;
+  EXPECT_TRUE(alike) << difference.pixels << " pixels differ, by up to " << difference.largest << "\n"
+                     << keepEvidence(picture, golden, actual);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PictureTest, testing::ValuesIn(pictureCases()),
+                         [](const auto& parameter) { return parameter.param.name; });
+
+}  // namespace
+}  // namespace drape
