@@ -1,0 +1,119 @@
+#include "io/garments/garments.hpp"
+
+#include "io/mesh_import.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace drape {
+namespace {
+
+ImportedMesh welded(const RawMesh& raw) {
+  return weldMesh(raw, "garment", {});
+}
+
+/// The longest of all edges over the shortest.
+double edgeRatio(const ClothMesh& mesh) {
+  double shortest = HUGE_VAL;
+  double longest = 0.0;
+  for (const Triangle& triangle : mesh.triangles) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3& a = mesh.positions[static_cast<std::size_t>(triangle[corner])];
+      const Vec3& b = mesh.positions[static_cast<std::size_t>(triangle[(corner + 1) % 3])];
+      shortest = std::min(shortest, (a - b).norm());
+      longest = std::max(longest, (a - b).norm());
+    }
+  }
+  return longest / shortest;
+}
+
+void expectSoundGarment(const ImportedMesh& mesh, int borders) {
+  EXPECT_TRUE(mesh.summary.warnings.empty()) << mesh.summary.warnings.front();
+  EXPECT_EQ(mesh.summary.components, 1);
+  EXPECT_EQ(mesh.summary.boundaryLoops, borders);
+  EXPECT_EQ(mesh.summary.nonManifoldEdges, 0);
+  EXPECT_EQ(mesh.summary.misorientedEdges, 0);
+  EXPECT_GT(mesh.render.particle.size(), mesh.cloth.positions.size()) << "seams split the texture";
+  EXPECT_GT(mesh.summary.vertices, 1500);
+  EXPECT_LT(mesh.summary.vertices, 2500);
+  EXPECT_LT(edgeRatio(mesh.cloth), 3.5);
+}
+
+TEST(Garments, areMadeTheSameAsTheyAreKept) {
+  for (const GarmentFile& file : garmentFiles()) {
+    std::ostringstream kept;
+    kept << std::ifstream(std::filesystem::path(DRAPE_MESH_FOLDER) / file.name, std::ios::binary).rdbuf();
+    EXPECT_TRUE(kept.str() == file.text) << file.name << " differs: run drape-make-garments assets/meshes";
+  }
+}
+
+TEST(Garments, includeASkirtWithAWaistAndAHem) {
+  const ImportedMesh mesh = welded(makeSkirt());
+  expectSoundGarment(mesh, 2);
+  int atWaist = 0;
+  for (const Vec3& position : mesh.cloth.positions) {
+    EXPECT_GE(position.y(), garment::hemHeight - 1e-9);
+    EXPECT_LE(position.y(), garment::waistHeight + 1e-9);
+    if (position.y() > garment::waistHeight - 1e-6) {
+      ++atWaist;
+      EXPECT_NEAR(std::hypot(position.x(), position.z()), garment::waistRadius, 1e-6);
+    }
+  }
+  EXPECT_GE(atWaist, 24);
+}
+
+TEST(Garments, includeAPonchoThatIsFoldedOverItsShoulderLine) {
+  const ImportedMesh mesh = welded(makePoncho());
+  expectSoundGarment(mesh, 2);
+  int onLine = 0;
+  for (const Vec3& position : mesh.cloth.positions) {
+    EXPECT_LE(position.y(), garment::shoulderHeight + 1e-9);
+    onLine += position.y() > garment::shoulderHeight - 1e-6 && std::abs(position.z()) < 1e-6 ? 1 : 0;
+  }
+  EXPECT_GE(onLine, 30);
+}
+
+TEST(Garments, includeATshirtThatIsOpenAtNeckSleevesAndHem) {
+  const ImportedMesh mesh = welded(makeTshirt());
+  expectSoundGarment(mesh, 4);
+  int onShoulders = 0;
+  for (const Vec3& position : mesh.cloth.positions) {
+    const bool isOnLine = std::abs(position.x()) <= garment::shoulderHalfWidth + 1e-6 &&
+                          std::abs(position.y() - garment::shoulderLine(position.x())) < 1e-6;
+    onShoulders += isOnLine && std::abs(position.z()) < 1e-9 ? 1 : 0;
+  }
+  EXPECT_GE(onShoulders, 14);
+}
+
+TEST(Garments, standOnClosedStandsThatReachTheGround) {
+  for (const RawMesh& raw : {makeSkirtStand(), makeHangerStand()}) {
+    const ImportedMesh mesh = welded(raw);
+    EXPECT_EQ(mesh.summary.boundaryLoops, 0);
+    EXPECT_EQ(mesh.summary.nonManifoldEdges, 0);
+    EXPECT_EQ(mesh.summary.misorientedEdges, 0);
+    double lowest = HUGE_VAL;
+    double volume = 0.0;
+    for (const Vec3& position : mesh.cloth.positions) {
+      lowest = std::min(lowest, position.y());
+    }
+    for (const Triangle& t : mesh.cloth.triangles) {
+      Mat3 corners;
+      for (int corner = 0; corner < 3; ++corner) {
+        corners.col(corner) = mesh.cloth.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(corner)])];
+      }
+      volume += corners.col(0).dot(Vec3(corners(1, 1) * corners(2, 2) - corners(2, 1) * corners(1, 2),
+                                        corners(2, 1) * corners(0, 2) - corners(0, 1) * corners(2, 2),
+                                        corners(0, 1) * corners(1, 2) - corners(1, 1) * corners(0, 2))) /
+                6.0;
+    }
+    EXPECT_DOUBLE_EQ(lowest, 0.0);
+    EXPECT_GT(volume, 1e-3) << "faces look outwards";
+  }
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/error.hpp"
+
+#include <gtest/gtest.h>
+#include <string>
+
+namespace drape {
+
+/// The message of the InputError that `action` throws; empty, and a failure, when it throws none.
+template <typename Action>
+std::string inputErrorOf(Action&& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "no InputError";
+  return "";
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace drape

@@ -1,0 +1,141 @@
+#include "io/mesh_import.hpp"
+
+#include <gtest/gtest.h>
+#include <bit>
+#include <cstdint>
+
+namespace drape {
+namespace {
+
+const std::string fourCorners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+
+ImportedMesh import(std::string_view name, std::string_view bytes) {
+  return importMeshFromMemory(name, bytes, {});
+}
+
+std::string little(std::uint32_t value) {
+  std::string bytes;
+  for (int shift = 0; shift < 32; shift += 8) {
+    bytes += static_cast<char>(value >> shift & 0xffU);
+  }
+  return bytes;
+}
+
+std::string little(float value) {
+  return little(std::bit_cast<std::uint32_t>(value));
+}
+
+/// A unit square as binary glTF, in a node that mirrors and stretches it to x = 0 .. -2.
+std::string glbSquare() {
+  std::string data;
+  for (const float value : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 1.0F, 1.0F, 0.0F}) {
+    data += little(value);
+  }
+  for (const std::uint32_t index : {0U, 1U, 2U, 1U, 3U, 2U}) {
+    data += little(index);
+  }
+  std::string json =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[-2,1,1]}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{"byteLength":72}],)"
+      R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},)"
+      R"({"bufferView":1,"componentType":5125,"count":6,"type":"SCALAR"}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const auto sizeOf = [](const std::string& chunk) { return static_cast<std::uint32_t>(chunk.size()); };
+  return "glTF" + little(2U) + little(28U + sizeOf(json) + sizeOf(data)) + little(sizeOf(json)) + "JSON" + json +
+         little(sizeOf(data)) + std::string("BIN\0", 4) + data;
+}
+
+TEST(MeshImport, readsAnObjFile) {
+  const ImportedMesh mesh = import("a.obj", fourCorners + "f 1 2 3\nf 2 4 3\n");
+  EXPECT_EQ(mesh.summary.vertices, 4);
+  EXPECT_EQ(mesh.summary.triangles, 2);
+  EXPECT_EQ(mesh.summary.springs, 5);
+  EXPECT_EQ(mesh.summary.source, "a.obj");
+}
+
+TEST(MeshImport, readsAPlyFile) {
+  const ImportedMesh mesh =
+      import("a.ply",
+             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+             "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+             "0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
+  EXPECT_EQ(mesh.summary.vertices, 4);
+  EXPECT_EQ(mesh.summary.springs, 5);
+}
+
+TEST(MeshImport, readsAnStlFileAndJoinsItsTriangles) {
+  const std::string facet = "facet normal 0 0 1\nouter loop\n";
+  const std::string end = "endloop\nendfacet\n";
+  const ImportedMesh mesh =
+      import("a.stl", "solid x\n" + facet + "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n" + end + facet +
+                          "vertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n" + end + "endsolid x\n");
+  EXPECT_EQ(mesh.summary.vertices, 4);
+  EXPECT_EQ(mesh.summary.springs, 5);
+}
+
+TEST(MeshImport, readsBinaryGltfWithTheTransformsOfItsNodes) {
+  const ImportedMesh mesh = import("a.glb", glbSquare());
+  EXPECT_EQ(mesh.summary.vertices, 4);
+  EXPECT_DOUBLE_EQ(mesh.summary.size[0], 2.0);
+  const Triangle& face = mesh.cloth.triangles.front();
+  const auto at = [&mesh, &face](std::size_t corner) {
+    return mesh.cloth.positions[static_cast<std::size_t>(face[corner])];
+  };
+  const Vec3 ab = at(1) - at(0);
+  const Vec3 ac = at(2) - at(0);
+  EXPECT_GT(ab.x() * ac.y() - ab.y() * ac.x(), 0.0) << "a mirrored mesh still shows its front";
+}
+
+TEST(MeshImport, takesTheEndingInCapitals) {
+  EXPECT_EQ(import("A.OBJ", fourCorners + "f 1 2 3\n").summary.triangles, 1);
+}
+
+TEST(MeshImport, triangulatesQuadsAndPolygons) {
+  EXPECT_EQ(import("a.obj", fourCorners + "f 1 2 4 3\n").summary.triangles, 2);
+  EXPECT_EQ(import("a.obj", fourCorners + "v -0.5 0.5 0\nf 1 2 4 3 5\n").summary.triangles, 3);
+}
+
+TEST(MeshImport, joinsObjectsAndMaterialGroups) {
+  const ImportedMesh mesh = import(
+      "a.obj", "mtllib nowhere.mtl\n" + fourCorners + "o one\nusemtl red\nf 1 2 3\no two\nusemtl blue\nf 2 4 3\n");
+  EXPECT_EQ(mesh.summary.vertices, 4);
+  EXPECT_EQ(mesh.summary.components, 1);
+}
+
+TEST(MeshImport, splitsByTextureCoordinatesButNotByNormals) {
+  const ImportedMesh mesh = import("a.obj", fourCorners +
+                                                "vt 0 0\nvt 1 0\nvt 0 1\nvt 5 5\nvn 0 0 1\nvn 0 1 0\n"
+                                                "f 1/1/1 2/2/1 3/3/1\nf 2/2/2 4/4/2 3/3/2\n");
+  EXPECT_EQ(mesh.render.uvs.size(), 4U);
+  EXPECT_EQ(mesh.render.uvs[1], Vec2(1, 0));
+  const ImportedMesh seam =
+      import("a.obj", fourCorners + "vt 0 0\nvt 1 0\nvt 0 1\nvt 5 5\nf 1/1 2/2 3/3\nf 2/4 4/4 3/3\n");
+  EXPECT_EQ(seam.render.uvs.size(), 5U);
+  EXPECT_EQ(seam.summary.vertices, 4);
+}
+
+TEST(MeshImport, leavesOutPointsAndLines) {
+  const ImportedMesh mesh = import("a.obj", fourCorners + "f 1 2\nf 1 2 3\nl 1 4\n");
+  EXPECT_EQ(mesh.summary.triangles, 1);
+  EXPECT_EQ(mesh.summary.facesSkipped, 2);
+}
+
+TEST(MeshImport, countsFromTheEndWhereAnObjFileDoes) {
+  EXPECT_EQ(import("a.obj", fourCorners + "f -4 -3 -2\n").summary.triangles, 1);
+}
+
+TEST(MeshImport, scalesToMetres) {
+  ImportOptions options;
+  options.metresPerUnit = 0.01;
+  EXPECT_NEAR(importMeshFromMemory("a.obj", fourCorners + "f 1 2 3\n", options).summary.size[0], 0.01, 1e-12);
+}
+
+TEST(MeshImport, offersFormatsWithoutDots) {
+  for (const std::string& format : meshFormats()) {
+    EXPECT_NE(format.front(), '.');
+  }
+}
+
+}  // namespace
+}  // namespace drape

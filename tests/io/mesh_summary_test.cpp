@@ -1,0 +1,74 @@
+#include "io/mesh_import.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+
+namespace drape {
+namespace {
+
+RawMesh square(double side) {
+  RawMesh raw;
+  raw.positions = {{0, 0, 0}, {side / 2, 0, 0}, {0, side, 0}, {side / 2, side, 0}};
+  raw.triangles = {{0, 1, 2}, {1, 3, 2}};
+  return raw;
+}
+
+bool warns(const ImportedMesh& mesh, const std::string& part) {
+  return std::any_of(mesh.summary.warnings.begin(), mesh.summary.warnings.end(),
+                     [&part](const std::string& warning) { return warning.find(part) != std::string::npos; });
+}
+
+TEST(MeshSummary, hasNothingToWarnAboutOnACleanGarment) {
+  EXPECT_TRUE(weldMesh(square(1.0), "mesh.obj", {}).summary.warnings.empty());
+}
+
+TEST(MeshSummary, warnsOfASizeInCentimetres) {
+  const ImportedMesh mesh = weldMesh(square(63.0), "mesh.obj", {});
+  EXPECT_TRUE(warns(mesh, "63 m tall"));
+  EXPECT_TRUE(warns(mesh, "--set unit=cm"));
+}
+
+TEST(MeshSummary, warnsOfASizeInMillimetres) {
+  EXPECT_TRUE(warns(weldMesh(square(630.0), "mesh.obj", {}), "--set unit=mm"));
+}
+
+TEST(MeshSummary, warnsOfASizeForDolls) {
+  EXPECT_TRUE(warns(weldMesh(square(0.02), "mesh.obj", {}), "--set unit"));
+}
+
+TEST(MeshSummary, warnsOfWhatWasLeftOut) {
+  RawMesh raw = square(1.0);
+  raw.positions.emplace_back(0.3, 0.3, 0.0);
+  raw.triangles.push_back({0, 0, 1});
+  raw.triangles.push_back({2, 1, 0});
+  raw.facesSkipped = 3;
+  const ImportedMesh mesh = weldMesh(raw, "mesh.obj", {});
+  EXPECT_TRUE(warns(mesh, "1 face has no area"));
+  EXPECT_TRUE(warns(mesh, "1 face repeats"));
+  EXPECT_TRUE(warns(mesh, "3 points and lines"));
+  EXPECT_TRUE(warns(mesh, "1 vertex belongs to no face"));
+}
+
+TEST(MeshSummary, warnsOfMeshesThatDoNotHangTogetherWell) {
+  RawMesh raw = square(1.0);
+  raw.positions.insert(raw.positions.end(), {{0.2, 0.9, 0.5}, {2, 0, 0}, {3, 0, 0}, {2, 1, 0}, {3, 1, 0}});
+  raw.triangles.push_back({1, 2, 4});
+  raw.triangles.push_back({5, 6, 7});
+  raw.triangles.push_back({6, 7, 8});
+  const ImportedMesh mesh = weldMesh(raw, "mesh.obj", {});
+  EXPECT_EQ(mesh.summary.nonManifoldEdges, 1);
+  EXPECT_EQ(mesh.summary.misorientedEdges, 1);
+  EXPECT_EQ(mesh.summary.components, 2);
+  EXPECT_TRUE(warns(mesh, "more than two faces"));
+  EXPECT_TRUE(warns(mesh, "opposite sides"));
+  EXPECT_TRUE(warns(mesh, "2 separate pieces"));
+}
+
+TEST(MeshSummary, isDescribedLineByLineWithItsWarnings) {
+  const std::vector<std::string> lines = describe(weldMesh(square(63.0), "big.obj", {}).summary);
+  EXPECT_NE(lines.front().find("big.obj"), std::string::npos);
+  EXPECT_NE(lines.back().find("warning"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,98 @@
+#include "io/ply_check.hpp"
+#include "input_error.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <cstring>
+
+namespace drape {
+namespace {
+
+std::string header(const std::string& format, const std::string& vertices = "3", const std::string& faces = "1") {
+  return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + vertices +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+std::string textPly(const std::string& body) {
+  return header("ascii") + body;
+}
+
+template <typename Number>
+std::string bytesOf(Number value, bool bigEndian) {
+  std::string bytes(sizeof(Number), '\0');
+  std::memcpy(bytes.data(), &value, sizeof(Number));
+  return bigEndian ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
+}
+
+std::string binaryPly(bool bigEndian, int lastIndex = 2, float lastCoordinate = 0.0F) {
+  std::string bytes = header(bigEndian ? "binary_big_endian" : "binary_little_endian");
+  for (const float value : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, lastCoordinate}) {
+    bytes += bytesOf(value, bigEndian);
+  }
+  bytes += '\3';
+  for (const int index : {0, 1, lastIndex}) {
+    bytes += bytesOf(index, bigEndian);
+  }
+  return bytes;
+}
+
+std::string problemOf(const std::string& bytes) {
+  return inputErrorOf([&bytes] { checkPly(bytes); });
+}
+
+TEST(PlyCheck, acceptsWholeFilesOfAllThreeFormats) {
+  EXPECT_NO_THROW(checkPly(textPly("0 0 0\n1 0 0\n0 +1e-3 0\n3 0 1 2\n")));
+  EXPECT_NO_THROW(checkPly(binaryPly(false)));
+  EXPECT_NO_THROW(checkPly(binaryPly(true)));
+}
+
+TEST(PlyCheck, refusesEveryTruncation) {
+  for (const bool bigEndian : {false, true}) {
+    const std::string whole = binaryPly(bigEndian);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      EXPECT_THROW(checkPly(whole.substr(0, size)), InputError) << size << " bytes";
+    }
+  }
+  const std::string whole = textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 2");
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    EXPECT_THROW(checkPly(whole.substr(0, size)), InputError) << size << " bytes";
+  }
+}
+
+TEST(PlyCheck, saysWhichElementIsWrong) {
+  EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 0 0\n")), "vertex 3 of 3 is missing"));
+  EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n")), "vertex 2 of 3 has 'nan'"));
+  EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n")), "vertex 2 of 3 has 'x'"));
+  EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")), "face 1 of 1 uses a vertex"));
+  EXPECT_TRUE(contains(problemOf(binaryPly(false, -1)), "face 1 of 1 uses a vertex"));
+  EXPECT_TRUE(contains(problemOf(binaryPly(true, 3)), "face 1 of 1 uses a vertex"));
+  EXPECT_TRUE(contains(problemOf(binaryPly(true, 2, HUGE_VALF)), "vertex 3 of 3 has a coordinate"));
+}
+
+TEST(PlyCheck, doesNotBelieveHugeCounts) {
+  for (const std::string count : {"4000000000", "18446744073709551615"}) {
+    EXPECT_TRUE(contains(problemOf(header("binary_little_endian", count) + std::string(100, '\0')), "is missing"));
+    EXPECT_TRUE(contains(problemOf(header("ascii", "3", count) + "0 0 0 1 0 0 0 1 0 3 0 1 2"), "is missing"));
+  }
+  EXPECT_TRUE(contains(problemOf(header("ascii", "99999999999999999999")), "not a count"));
+  EXPECT_TRUE(contains(problemOf(header("ascii", "-1")), "not a count"));
+  EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 0 0\n0 1 0\n1e9 0 1 2\n")), "face 1 of 1 is missing"));
+}
+
+TEST(PlyCheck, namesTheLineOfAHeaderThatItDoesNotUnderstand) {
+  EXPECT_TRUE(contains(problemOf("solid x\n"), "first line is not 'ply'"));
+  EXPECT_TRUE(contains(problemOf("ply\nformat ascii"), "does not end"));
+  EXPECT_TRUE(contains(problemOf("ply\nformat morse 1.0\n"), "line 2 of its header names an unknown format, 'morse'"));
+  EXPECT_TRUE(contains(problemOf("ply\nproperty float x\n"), "line 2 of its header names a property before"));
+  EXPECT_TRUE(contains(problemOf("ply\nelement vertex 1\nproperty quad x\n"), "unknown type, 'quad'"));
+  EXPECT_TRUE(contains(problemOf("ply\nelement face 1\nproperty list float int i\n"), "not a whole number"));
+  EXPECT_TRUE(contains(problemOf("ply\nnonsense\x01\n"), "line 2 of its header cannot be understood: 'nonsense?'"));
+}
+
+TEST(PlyCheck, saysThatAPointCloudHasNoFaces) {
+  EXPECT_TRUE(contains(problemOf(header("ascii", "3", "0") + "0 0 0 1 0 0 0 1 0"), "cloud of points"));
+}
+
+}  // namespace
+}  // namespace drape
