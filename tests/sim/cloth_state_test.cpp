@@ -1,7 +1,7 @@
 #include "sim/cloth_state.hpp"
 
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <limits>
 
 namespace drape {
