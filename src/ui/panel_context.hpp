@@ -6,6 +6,7 @@
 #include "ui/ui_output.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,12 +46,13 @@ struct TypedText {
 struct PanelMemory {
   PendingSettings pending;
   TypedText typed;
-  History stepTimes;              ///< [ms]
-  std::int64_t lastStep = -1;     ///< the step that the history's last entry belongs to
-  std::string openPath;           ///< what is typed in the open field
-  std::vector<SceneInfo> scenes;  ///< the built-in ones
-  std::string hoveredRow;         ///< whose explanation is about to be shown
-  double hoveredSince = 0.0;      ///< [s]
+  std::optional<bool> openSections;  ///< all of them, in the frame to come
+  History stepTimes;                 ///< [ms]
+  std::int64_t lastStep = -1;        ///< the step that the history's last entry belongs to
+  std::string openPath;              ///< what is typed in the open field
+  std::vector<SceneInfo> scenes;     ///< the built-in ones
+  std::string hoveredRow;            ///< whose explanation is about to be shown
+  double hoveredSince = 0.0;         ///< [s]
   bool hoveredThisFrame = false;
 };
 

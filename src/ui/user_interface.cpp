@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace drape {
 namespace {
@@ -41,7 +40,6 @@ struct UserInterface::Parts {
   bool help = false;
   std::string closedError;  ///< the error that the user has seen and closed
   std::string shownError;
-  std::optional<bool> openSections;
 
   void makeFonts();
   void remember(const Snapshot& snapshot, const UiStats& stats);
@@ -91,12 +89,9 @@ void UserInterface::Parts::column(PanelContext& panel, const UiRect& place) {
   ImGui::Dummy({0.0F, 2.0F * display.scale});
   ImGui::BeginChild("Sections", {0.0F, 0.0F}, false, ImGuiWindowFlags_NoSavedSettings);
   for (const Panel section : sections) {
-    if (openSections) {
-      ImGui::SetNextItemOpen(*openSections);
-    }
     section(panel);
   }
-  openSections.reset();
+  memory.openSections.reset();
   ImGui::EndChild();
   ImGui::End();
 }
@@ -246,7 +241,7 @@ bool UserInterface::closeOverlay() {
 }
 
 void UserInterface::openSections(bool open) {
-  parts_->openSections = open;
+  parts_->memory.openSections = open;
 }
 
 const UiRects& UserInterface::widgets() const {

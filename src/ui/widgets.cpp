@@ -193,7 +193,8 @@ bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::
 
 bool beginSection(PanelContext& context, const std::string& title, bool openAtFirst) {
   ImGui::Separator();
-  ImGui::SetNextItemOpen(openAtFirst, ImGuiCond_Once);
+  const std::optional<bool>& all = context.memory.openSections;
+  ImGui::SetNextItemOpen(all.value_or(openAtFirst), all ? ImGuiCond_Always : ImGuiCond_Once);
   const bool open = ImGui::CollapsingHeader(title.c_str());
   std::string name = title;
   std::transform(name.begin(), name.end(), name.begin(),

@@ -1,0 +1,202 @@
+#include "ui/interaction_controller.hpp"
+
+#include "session/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+/// A grid that hangs in the middle of the picture.
+class Interaction : public ::testing::Test {
+ protected:
+  Interaction() : simulation_(scene()) {
+    controller_.setView(view_);
+    simulation_.capture(snapshot_);
+    controller_.lookFrom(Camera::Side::Top);
+    controller_.frameCloth(snapshot_);
+    onCloth_ = inWindow(middleOf(0.31, 0.43));
+  }
+
+  static std::shared_ptr<const Scene> scene() {
+    const SceneDescription description = openScene("grid");
+    return buildScene(description, description.settings);
+  }
+
+  [[nodiscard]] Vec3 middleOf(double across, double along) const {
+    Vec3 low = snapshot_.positions.front();
+    Vec3 high = low;
+    for (const Vec3& position : snapshot_.positions) {
+      low = low.cwiseMin(position);
+      high = high.cwiseMax(position);
+    }
+    return {low.x() + across * (high.x() - low.x()), low.y(), low.z() + along * (high.z() - low.z())};
+  }
+
+  [[nodiscard]] Vec2 inWindow(const Vec3& point) const {
+    return controller_.camera().project(point, static_cast<int>(view_.width), static_cast<int>(view_.height)) +
+           Vec2(view_.x, view_.y);
+  }
+
+  UiOutput send(const InputEvent& event) {
+    UiOutput output;
+    controller_.handle(event, snapshot_, output);
+    return output;
+  }
+
+  [[nodiscard]] bool cameraMoved(const CameraPose& before) const {
+    const CameraPose& now = controller_.camera().pose();
+    return (now.position - before.position).norm() > 1e-9 || (now.focalPoint - before.focalPoint).norm() > 1e-9;
+  }
+
+  const UiRect view_{372.0, 0.0, 900.0, 690.0};
+  const Vec2 beside_{380.0, 5.0};
+  Simulation simulation_;
+  Snapshot snapshot_;
+  InteractionController controller_;
+  Vec2 onCloth_ = Vec2::Zero();
+};
+
+TEST_F(Interaction, LeftOnTheClothGrabsWhereItWasHit) {
+  const UiOutput output = send(PressEvent{.position = onCloth_});
+  ASSERT_EQ(output.commands.size(), 1U);
+  const auto& grab = std::get<GrabCommand>(output.commands.front());
+  EXPECT_NEAR(grab.barycentric.sum(), 1.0, 1e-9);
+  EXPECT_TRUE(grab.target.isApprox(middleOf(0.31, 0.43), 1e-6));
+  EXPECT_TRUE(controller_.holdsCloth());
+}
+
+TEST_F(Interaction, DraggingMovesTheHandAtTheDepthOfTheGrab) {
+  const UiOutput pressed = send(PressEvent{.position = onCloth_});
+  const Vec3 taken = std::get<GrabCommand>(pressed.commands.front()).target;
+  const CameraPose before = controller_.camera().pose();
+  const UiOutput moved = send(MoveEvent{onCloth_ + Vec2(60.0, -20.0)});
+  ASSERT_EQ(moved.commands.size(), 1U);
+  const Vec3 target = std::get<MoveGrabCommand>(moved.commands.front()).target;
+  EXPECT_TRUE(inWindow(target).isApprox(onCloth_ + Vec2(60.0, -20.0), 1e-6));
+  const Vec3 direction = (before.focalPoint - before.position).normalized();
+  EXPECT_NEAR((target - taken).dot(direction), 0.0, 1e-9);
+  EXPECT_FALSE(cameraMoved(before));
+}
+
+TEST_F(Interaction, LettingGoReleases) {
+  send(PressEvent{.position = onCloth_});
+  EXPECT_TRUE(send(ReleaseEvent{MouseButton::Right}).commands.empty());
+  const UiOutput output = send(ReleaseEvent{MouseButton::Left});
+  ASSERT_EQ(output.commands.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<ReleaseGrabCommand>(output.commands.front()));
+  EXPECT_TRUE(send(MoveEvent{beside_}).commands.empty());
+}
+
+TEST_F(Interaction, LeftBesideTheClothTurnsTheView) {
+  const CameraPose before = controller_.camera().pose();
+  EXPECT_TRUE(send(PressEvent{.position = beside_}).commands.empty());
+  EXPECT_TRUE(send(MoveEvent{beside_ + Vec2(80.0, 10.0)}).commands.empty());
+  EXPECT_TRUE(cameraMoved(before));
+  EXPECT_TRUE(controller_.camera().pose().focalPoint.isApprox(before.focalPoint));
+  EXPECT_TRUE(send(ReleaseEvent{MouseButton::Left}).commands.empty());
+}
+
+TEST_F(Interaction, ControlNeverTurnsTheView) {
+  const CameraPose before = controller_.camera().pose();
+  send(PressEvent{.position = beside_, .control = true});
+  send(MoveEvent{beside_ + Vec2(80.0, 10.0)});
+  EXPECT_FALSE(cameraMoved(before));
+  send(ReleaseEvent{MouseButton::Left});
+  EXPECT_EQ(send(PressEvent{.position = onCloth_, .control = true, .time = 5.0}).commands.size(), 1U);
+}
+
+TEST_F(Interaction, ShiftAndTheMiddleButtonMoveTheView) {
+  for (const PressEvent& press : {PressEvent{.position = onCloth_, .shift = true},
+                                  PressEvent{.button = MouseButton::Middle, .position = onCloth_}}) {
+    const CameraPose before = controller_.camera().pose();
+    EXPECT_TRUE(send(press).commands.empty());
+    send(MoveEvent{onCloth_ + Vec2(50.0, 0.0)});
+    send(ReleaseEvent{press.button});
+    const CameraPose& now = controller_.camera().pose();
+    EXPECT_GT((now.focalPoint - before.focalPoint).norm(), 1e-3);
+    EXPECT_TRUE((now.position - before.position).isApprox(now.focalPoint - before.focalPoint, 1e-6));
+  }
+}
+
+TEST_F(Interaction, TheWheelComesNearer) {
+  const auto distance = [&] {
+    const CameraPose& pose = controller_.camera().pose();
+    return (pose.position - pose.focalPoint).norm();
+  };
+  const double before = distance();
+  send(ScrollEvent{1.0});
+  EXPECT_LT(distance(), before);
+  send(ScrollEvent{-1.0});
+  EXPECT_NEAR(distance(), before, 1e-9);
+}
+
+TEST_F(Interaction, ADoubleClickLooksAtThePoint) {
+  send(PressEvent{.position = onCloth_, .time = 1.0});
+  send(ReleaseEvent{MouseButton::Left});
+  const UiOutput second = send(PressEvent{.position = onCloth_, .time = 1.2});
+  EXPECT_TRUE(second.commands.empty());
+  EXPECT_TRUE(controller_.camera().pose().focalPoint.isApprox(middleOf(0.31, 0.43), 1e-6));
+}
+
+TEST_F(Interaction, TwoSlowClicksAreNoDoubleClick) {
+  send(PressEvent{.position = onCloth_, .time = 1.0});
+  send(ReleaseEvent{MouseButton::Left});
+  EXPECT_EQ(send(PressEvent{.position = onCloth_, .time = 2.0}).commands.size(), 1U);
+}
+
+TEST_F(Interaction, KeysAreCommands) {
+  snapshot_.paused = true;
+  EXPECT_FALSE(std::get<PauseCommand>(send(KeyEvent{Key::Space}).commands.at(0)).paused);
+  EXPECT_TRUE(std::holds_alternative<SingleStepCommand>(send(KeyEvent{Key::Period}).commands.at(0)));
+  EXPECT_TRUE(std::holds_alternative<ResetCommand>(send(KeyEvent{Key::R}).commands.at(0)));
+  EXPECT_TRUE(std::holds_alternative<TogglePinCommand>(send(KeyEvent{Key::P}).commands.at(0)));
+  const UiOutput wireframe = send(KeyEvent{Key::W});
+  EXPECT_EQ(std::get<SetSettingCommand>(wireframe.commands.at(0)).key, "view.wireframe");
+  EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::H}).requests.at(0)), UiAction::TogglePanels);
+  EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::F12}).requests.at(0)), UiAction::Screenshot);
+  EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::Help}).requests.at(0)), UiAction::ToggleHelp);
+}
+
+TEST_F(Interaction, OnlySteppingRepeats) {
+  EXPECT_EQ(send(KeyEvent{Key::Period, true}).commands.size(), 1U);
+  EXPECT_TRUE(send(KeyEvent{Key::Space, true}).commands.empty());
+  EXPECT_TRUE(send(KeyEvent{Key::P, true}).commands.empty());
+}
+
+TEST_F(Interaction, EscapeLetsGoFirstAndQuitsThen) {
+  send(PressEvent{.position = onCloth_});
+  const UiOutput first = send(KeyEvent{Key::Escape});
+  EXPECT_TRUE(std::holds_alternative<ReleaseGrabCommand>(first.commands.at(0)));
+  EXPECT_TRUE(first.requests.empty());
+  const UiOutput second = send(KeyEvent{Key::Escape});
+  EXPECT_EQ(std::get<UiAction>(second.requests.at(0)), UiAction::Quit);
+}
+
+TEST_F(Interaction, LosingTheFocusLetsGo) {
+  send(PressEvent{.position = onCloth_});
+  EXPECT_EQ(send(FocusLostEvent{}).commands.size(), 1U);
+  EXPECT_FALSE(controller_.holdsCloth());
+}
+
+TEST_F(Interaction, AnotherSceneIsNotHeld) {
+  send(PressEvent{.position = onCloth_});
+  snapshot_.scene = scene();
+  EXPECT_TRUE(send(MoveEvent{onCloth_ + Vec2(5.0, 5.0)}).commands.empty());
+  EXPECT_FALSE(controller_.holdsCloth());
+}
+
+TEST_F(Interaction, ANarrowPictureShowsTheSceneFromFartherAway) {
+  const auto distance = [&] {
+    const CameraPose& pose = controller_.camera().pose();
+    return (pose.position - pose.focalPoint).norm();
+  };
+  controller_.lookAtScene(*snapshot_.scene);
+  const double wide = distance();
+  controller_.setView({0.0, 0.0, 300.0, 690.0});
+  controller_.lookAtScene(*snapshot_.scene);
+  EXPECT_GT(distance(), 1.5 * wide);
+}
+
+}  // namespace
+}  // namespace drape

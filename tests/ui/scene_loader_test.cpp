@@ -1,0 +1,79 @@
+#include "ui/scene_loader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace drape {
+namespace {
+
+SceneLoader::Outcome waitFor(SceneLoader& loader) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while (std::chrono::steady_clock::now() < end) {
+    if (auto outcome = loader.poll()) {
+      return *outcome;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  ADD_FAILURE() << "nothing was loaded";
+  return {};
+}
+
+TEST(SceneLoader, OpensASceneUnderAdjustedSettings) {
+  SceneLoader loader;
+  loader.open("grid", [](Settings& settings) { settings.view.surface = "plain"; });
+  EXPECT_NE(loader.activity().find("grid"), std::string::npos);
+  const auto outcome = waitFor(loader);
+  ASSERT_NE(outcome.scene, nullptr) << outcome.error;
+  EXPECT_EQ(outcome.scene->settings.view.surface, "plain");
+  EXPECT_FALSE(outcome.rebuilt);
+  EXPECT_TRUE(loader.activity().empty());
+}
+
+TEST(SceneLoader, AFailureIsASentenceAndNoScene) {
+  SceneLoader loader;
+  loader.open("no such scene", [](Settings&) {});
+  const auto outcome = waitFor(loader);
+  EXPECT_EQ(outcome.scene, nullptr);
+  EXPECT_NE(outcome.error.find("no such scene"), std::string::npos);
+}
+
+TEST(SceneLoader, OfThoseThatWaitTheNewestWins) {
+  SceneLoader loader;
+  const SceneDescription description = openScene("grid");
+  Settings settings = description.settings;
+  for (const int resolution : {5, 6, 7, 8}) {
+    settings.grid.resolution = resolution;
+    loader.rebuild(description, settings);
+  }
+  const auto outcome = waitFor(loader);
+  ASSERT_NE(outcome.scene, nullptr) << outcome.error;
+  EXPECT_EQ(outcome.scene->settings.grid.resolution, 8);
+  EXPECT_TRUE(outcome.rebuilt);
+}
+
+TEST(CarryViewSettings, TakesOnlyWhatTheUserChangedAboutTheView) {
+  Settings own;
+  own.view.surface = "plain";
+  Settings current = own;
+  current.view.wireframe = true;
+  current.step.drag = 3.0;
+  Settings target;
+  carryViewSettings(current, own, target);
+  EXPECT_TRUE(target.view.wireframe);
+  EXPECT_EQ(target.view.surface, Settings().view.surface);
+  EXPECT_EQ(target.step.drag, Settings().step.drag);
+}
+
+TEST(RunningChanges, LeaveOutWhatTheSceneIsBuiltFrom) {
+  Settings to;
+  to.step.drag = 3.0;
+  to.grid.width = 4.0;
+  const auto changes = runningChanges(Settings(), to);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes.front().key, "drag");
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,199 @@
+#include "ui/setting_widget.hpp"
+
+#include "panel_fixture.hpp"
+#include "sim/error.hpp"
+#include "ui/number_slider.hpp"
+
+#include <imgui.h>
+
+#include <set>
+
+namespace drape {
+namespace {
+
+class SettingWidget : public PanelFixture {
+ protected:
+  explicit SettingWidget(const char* scene = "grid") : PanelFixture(scene) {}
+
+  [[nodiscard]] std::set<std::string> drawnKeys() const {
+    std::set<std::string> keys;
+    for (const auto& [key, rect] : panels_.widgets()) {
+      keys.insert(key);
+    }
+    return keys;
+  }
+};
+
+TEST_F(SettingWidget, DrawsExactlyTheSettingsThatApply) {
+  for (const char* massGivenAs : {"density", "mass"}) {
+    simulation_.apply(SetSettingCommand{"mass_given_as", std::string(massGivenAs)});
+    settle();
+    std::set<std::string> expected;
+    for (const SettingInfo& info : settingsTable()) {
+      if (settingApplies(info, simulation_.settings(), simulation_.scene())) {
+        expected.insert(std::string(info.key));
+      }
+    }
+    EXPECT_EQ(drawnKeys(), expected);
+    EXPECT_EQ(expected.contains("density"), std::string(massGivenAs) == "density");
+    EXPECT_EQ(expected.contains("mass"), std::string(massGivenAs) == "mass");
+  }
+}
+
+TEST_F(SettingWidget, EverySettingOfTheTableAppliesSomewhere) {
+  Scene meshScene = simulation_.scene();
+  meshScene.description.source = MeshFileSource{"shirt.obj", false};
+  Settings byMass;
+  byMass.material.massGivenAs = "mass";
+  for (const SettingInfo& info : settingsTable()) {
+    EXPECT_TRUE(settingApplies(info, Settings(), simulation_.scene()) || settingApplies(info, Settings(), meshScene) ||
+                settingApplies(info, byMass, meshScene))
+        << info.key;
+  }
+}
+
+TEST_F(SettingWidget, NoTwoWidgetsShareAPlace) {
+  for (const auto& [key, rect] : panels_.widgets()) {
+    for (const auto& [other, otherRect] : panels_.widgets()) {
+      if (key != other) {
+        EXPECT_FALSE(rect.contains({otherRect.x + otherRect.width / 2.0, otherRect.y + otherRect.height / 2.0}))
+            << key << " and " << other;
+      }
+    }
+  }
+}
+
+TEST_F(SettingWidget, WidgetsStayInsideTheColumn) {
+  const double edge = panels_.view().x;
+  for (const auto& [key, rect] : panels_.widgets()) {
+    EXPECT_GE(rect.x, 0.0) << key;
+    EXPECT_LE(rect.x + rect.width, edge) << key;
+  }
+}
+
+TEST_F(SettingWidget, DraggingASliderSetsTheValueUnderTheMouse) {
+  const UiOutput output = drag(widget("drag"), 0.1, 0.5);
+  EXPECT_NEAR(std::get<double>(lastValue(output, "drag")), 5.0, 0.05);
+  EXPECT_GE(output.commands.size(), 2U);
+  EXPECT_TRUE(output.requests.empty());
+}
+
+TEST_F(SettingWidget, ASliderShowsWhatWasChosenUntilTheSimulationFollows) {
+  const UiOutput output = drag(widget("drag"), 0.1, 0.5);
+  EXPECT_EQ(simulation_.settings().step.drag, 0.0) << "nobody has applied the commands yet";
+  // Right click does something only when the shown value is not the default.
+  const UiOutput reset = click(widget("drag"), 0.5, 1);
+  EXPECT_EQ(std::get<double>(lastValue(reset, "drag")), 0.0);
+}
+
+TEST_F(SettingWidget, RightClickGoesBackToTheDefault) {
+  simulation_.apply(SetSettingCommand{"stiffness", 321.0});
+  settle();
+  const UiOutput output = click(widget("stiffness"), 0.3, 1);
+  EXPECT_EQ(lastValue(output, "stiffness"), defaultValue(requireSetting("stiffness")));
+}
+
+TEST_F(SettingWidget, RightClickOnTheDefaultAsksForNothing) {
+  simulation_.apply(SetSettingCommand{"drag", 0.0});
+  settle();
+  EXPECT_TRUE(click(widget("drag"), 0.3, 1).commands.empty());
+}
+
+TEST_F(SettingWidget, SweepsStayOdd) {
+  for (const double place : {0.05, 0.2, 0.33, 0.47, 0.61, 0.78, 1.0}) {
+    apply(drag(widget("sweeps"), 0.5, place));
+    settle();
+    EXPECT_EQ(simulation_.settings().step.sweeps % 2, 1) << place;
+    EXPECT_TRUE(simulation_.message().empty()) << simulation_.message();
+  }
+}
+
+TEST_F(SettingWidget, TypedNumbersAreTakenAsOnTheCommandLine) {
+  const UiOutput output = typeInto(widget("time_step"), "1/300");
+  EXPECT_DOUBLE_EQ(std::get<double>(lastValue(output, "time_step")), 1.0 / 300.0);
+}
+
+TEST_F(SettingWidget, TypedNumbersBeyondTheSliderButInRangeAreTaken) {
+  const UiOutput output = typeInto(widget("wind.x"), "-75");
+  EXPECT_DOUBLE_EQ(std::get<double>(lastValue(output, "wind.x")), -75.0);
+}
+
+TEST_F(SettingWidget, TypedNumbersBeyondTheRangeAreClamped) {
+  const UiOutput output = typeInto(widget("drag"), "1000");
+  EXPECT_DOUBLE_EQ(std::get<double>(lastValue(output, "drag")), 10.0);
+}
+
+TEST_F(SettingWidget, TypedNonsenseChangesNothingAndSaysWhy) {
+  const UiOutput output = typeInto(widget("drag"), "lots");
+  EXPECT_TRUE(output.commands.empty());
+  EXPECT_NE(output.hint.find("drag"), std::string::npos) << output.hint;
+}
+
+TEST_F(SettingWidget, CtrlClickAloneChangesNothing) {
+  EXPECT_TRUE(typeInto(widget("drag"), "0").commands.empty());
+}
+
+TEST_F(SettingWidget, AFlagIsTickedByAClick) {
+  const UiOutput output = click(widget("view.wireframe"), 0.5);
+  EXPECT_EQ(std::get<bool>(lastValue(output, "view.wireframe")), true);
+}
+
+TEST_F(SettingWidget, AShortChoiceIsOneClick) {
+  const UiOutput output = click(button("view.surface=plain"));
+  EXPECT_EQ(std::get<std::string>(lastValue(output, "view.surface")), "plain");
+}
+
+TEST_F(SettingWidget, AMeshSettingIsSentWhenTheMouseLetsGo) {
+  const UiRect rect = widget("grid.width");
+  moveTo(rect, 0.2);
+  settle();
+  ImGui::GetIO().MouseDown[0] = true;
+  EXPECT_TRUE(frame().requests.empty());
+  moveTo(rect, 0.4);
+  EXPECT_TRUE(frame().requests.empty());
+  ImGui::GetIO().MouseDown[0] = false;
+  UiOutput output = frame();
+  append(output, frame());
+  EXPECT_TRUE(output.commands.empty());
+  ASSERT_EQ(output.requests.size(), 1U);
+  const auto* request = std::get_if<RebuildSceneRequest>(&output.requests.front());
+  ASSERT_NE(request, nullptr);
+  EXPECT_NE(request->settings.grid.width, simulation_.settings().grid.width);
+  EXPECT_EQ(request->settings.grid.height, simulation_.settings().grid.height);
+}
+
+TEST_F(SettingWidget, ASecondMeshSettingKeepsTheFirstOneThatIsStillBeingBuilt) {
+  drag(widget("grid.width"), 0.2, 0.4);
+  stats_.loading = "Building grid";
+  const UiOutput output = drag(widget("grid.height"), 0.2, 0.6);
+  ASSERT_EQ(output.requests.size(), 1U);
+  const Settings& asked = std::get<RebuildSceneRequest>(output.requests.front()).settings;
+  EXPECT_NE(asked.grid.width, simulation_.settings().grid.width);
+  EXPECT_NE(asked.grid.height, simulation_.settings().grid.height);
+}
+
+TEST(NumberFormat, CarriesTheUnit) {
+  EXPECT_EQ(numberFormat("%.4g", "m/s"), "%.4g m/s");
+  EXPECT_EQ(numberFormat("%.4g", "-"), "%.4g");
+  EXPECT_EQ(numberFormat("%d", "%"), "%d %%");
+  EXPECT_EQ(numberFormat("%.4g", "kg/m^2"), "%.4g kg/m\u00B2");
+}
+
+TEST(NearestAllowed, KeepsToRangeAndStep) {
+  const IntegerField field{nullptr, 1, 99, 2, {}};
+  EXPECT_EQ(nearestAllowed(field, -5.0), 1);
+  EXPECT_EQ(nearestAllowed(field, 4.2), 5);
+  EXPECT_EQ(nearestAllowed(field, 98.6), 99);
+  EXPECT_EQ(nearestAllowed(field, 1e9), 99);
+}
+
+TEST(TypedValue, RefusesWhatIsNoNumber) {
+  const SettingInfo& info = requireSetting("drag");
+  EXPECT_THROW(static_cast<void>(typedValue(info, Settings(), "nan")), UsageError);
+  EXPECT_THROW(static_cast<void>(typedValue(info, Settings(), "")), UsageError);
+  EXPECT_THROW(static_cast<void>(typedValue(info, Settings(), "3 apples")), UsageError);
+  EXPECT_EQ(std::get<double>(typedValue(info, Settings(), "-1")), 0.0);
+}
+
+}  // namespace
+}  // namespace drape
