@@ -147,19 +147,16 @@ TEST(Simulation, takesOneStepAndStaysPaused) {
 }
 
 TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
-  SceneDescription description = openScene("grid");
-  description.settings.grid.resolution = 65;
-  description.settings.step.stiffness = 1e7;
-  description.settings.step.timeStep = 0.1;
-  description.settings.step.gravity = 1000.0;
-  Simulation simulation(buildScene(description, description.settings));
-  for (int i = 0; i < 5000 && !simulation.paused(); ++i) {
+  auto scene = std::make_shared<Scene>(*smallGrid());
+  scene->start.velocities[40] = Vec3(1e300, 0.0, 0.0);  // its square is beyond all numbers
+  scene->settings.step.drag = 1.0;
+  Simulation simulation(scene);
+  for (int i = 0; i < 10 && !simulation.paused(); ++i) {
     simulation.step();
   }
+  EXPECT_TRUE(simulation.paused());
+  EXPECT_NE(simulation.message().find("blew up"), std::string::npos) << simulation.message();
   EXPECT_TRUE(isFinite(simulation.state()));
-  if (simulation.paused()) {
-    EXPECT_NE(simulation.message().find("blew up"), std::string::npos);
-  }
 }
 
 TEST(Simulation, replaysItsLogToTheSameBits) {
