@@ -24,6 +24,14 @@ void* __wrap_dlopen(const char* file, int mode) {
   return __real_dlopen(wantsLibGl ? nullptr : file, mode);
 }
 
+#ifdef DRAPE_SANITIZED
+// OSMesa itself leaks a few hundred bytes a context. Only its own leaks are forgiven.
+const char* __lsan_default_suppressions();
+__attribute__((visibility("default"))) const char* __lsan_default_suppressions() {
+  return "leak:libOSMesa\n";
+}
+#endif
+
 }  // extern "C"
 
 namespace drape {

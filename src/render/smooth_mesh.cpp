@@ -69,6 +69,9 @@ void SmoothMesh::setPositions(std::span<const Vec3> positions) {
   for (const Vec3& position : positions) {
     bounds_.extend(position);
   }
+  if (particleOfVertex_.empty()) {
+    return;  // OpenGL refuses to map nothing
+  }
   const auto size = static_cast<GLsizeiptr>(particleOfVertex_.size() * sizeof(MovingVertex));
   glBindBuffer(GL_ARRAY_BUFFER, moving_.name());
   // A fresh store each time, so that the driver need not wait until it has drawn the old one.
