@@ -18,7 +18,8 @@ class Renderer {
   ~Renderer();
 
   /// Draws into an own multisampled framebuffer of that size [pixels], resolves it, and leaves the result bound for
-  /// blit() and read(). Uploads only what changed since the last call. Uses snapshot.settings.view.
+  /// blitToWindow() and read(). Uses snapshot.settings.view. What is on the graphics card already is known by the
+  /// snapshot's scene, model and version, so the snapshots of one renderer come from one simulation.
   void draw(const Snapshot& snapshot, const Camera& camera, int width, int height);
 
   /// Copies the last picture into framebuffer 0 (the window's), which must have the same size.
