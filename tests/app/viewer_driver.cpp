@@ -1,0 +1,216 @@
+#include "viewer_driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include <unistd.h>
+
+namespace drape {
+namespace {
+
+constexpr auto patience = std::chrono::seconds(60);  // far more than is needed, for machines under load
+constexpr const char* statusName = "status.json";
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// The rectangle of a widget or a button; null when it is not there.
+Json rectOf(const Json& state, const std::string& name) {
+  for (const char* kind : {"widgets", "buttons"}) {
+    if (state[kind].contains(name)) {
+      return state[kind][name];
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "drape-window-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) {
+    throw std::runtime_error("cannot make a temporary folder");
+  }
+  path_ = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+VirtualDisplay::VirtualDisplay() {
+  int ends[2] = {-1, -1};
+  if (pipe(ends) != 0) {
+    throw std::runtime_error("cannot make a pipe");
+  }
+  server_ =
+      std::make_unique<Process>(ProcessOptions{.command = {"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen",
+                                                           "0", "1280x800x24", "-nolisten", "tcp", "-noreset"},
+                                               .inheritedPipe = ends[1]});
+  close(ends[1]);
+  // The server writes its number once it is ready; when it cannot start, the pipe closes.
+  char letter = 0;
+  while (::read(ends[0], &letter, 1) == 1 && letter != '\n') {
+    name_ += letter;
+  }
+  close(ends[0]);
+  if (name_.empty()) {
+    throw std::runtime_error("Xvfb does not start; the window tests need xvfb and xdotool");
+  }
+  name_ = ":" + name_;
+}
+
+ViewerDriver::ViewerDriver(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{DRAPE_PROGRAM, "--status", (folder_.path() / statusName).string(), "--window-size",
+                                   "1280,800"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  viewer_ =
+      std::make_unique<Process>(ProcessOptions{.command = command,
+                                               .environment = {{"DISPLAY", display_.name()}, {"WAYLAND_DISPLAY", ""}},
+                                               .folder = folder_.path(),
+                                               .output = folder_.path() / "output.txt"});
+  // The first frames fill the panels' layout.
+  waitUntil("the first frames", [](const Json& state) { return state["frame"] >= 3; });
+}
+
+std::optional<Json> ViewerDriver::read() const {
+  const std::string text = contentOf(folder_.path() / statusName);
+  if (text.empty()) {
+    return std::nullopt;
+  }
+  return Json::parse(text);  // it is replaced in one piece, so it must always parse
+}
+
+Json ViewerDriver::state() {
+  return waitUntil("a state", [](const Json&) { return true; });
+}
+
+Json ViewerDriver::waitUntil(const std::string& what, const std::function<bool(const Json&)>& predicate) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  std::optional<Json> last;
+  while (std::chrono::steady_clock::now() < end && viewer_->running()) {
+    last = read();
+    if (last && predicate(*last)) {
+      return *last;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  throw std::runtime_error("waited in vain for " + what + "; output: " + contentOf(folder_.path() / "output.txt") +
+                           "; last state: " + (last ? last->dump() : "none"));
+}
+
+Json ViewerDriver::frames(int count) {
+  const Json first = state();
+  const int wanted = first["frame"].get<int>() + count;
+  return waitUntil("more frames", [&](const Json& now) { return now["frame"] >= wanted; });
+}
+
+void ViewerDriver::xdotool(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{"xdotool"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  if (runToEnd({.command = command, .environment = {{"DISPLAY", display_.name()}}}) != 0) {
+    throw std::runtime_error("xdotool failed; the window tests need xvfb and xdotool");
+  }
+}
+
+void ViewerDriver::move(const Place& place) {
+  xdotool({"mousemove", std::to_string(std::lround(place.x)), std::to_string(std::lround(place.y))});
+  frames();
+}
+
+// Between going down and coming up there are frames, as there are with a hand: ImGui sees keys and buttons by polling.
+void ViewerDriver::press(int button) {
+  xdotool({"mousedown", std::to_string(button)});
+  frames();
+}
+
+void ViewerDriver::release(int button) {
+  xdotool({"mouseup", std::to_string(button)});
+  frames();
+}
+
+void ViewerDriver::click(const Place& place, int button) {
+  move(place);
+  press(button);
+  release(button);
+}
+
+void ViewerDriver::doubleClick() {
+  xdotool({"click", "--repeat", "2", "--delay", "80", "1"});
+  frames();
+}
+
+void ViewerDriver::wheel(bool nearer) {
+  xdotool({"click", nearer ? "4" : "5"});
+  frames();
+}
+
+void ViewerDriver::key(const std::string& name) {
+  holdKey(name);
+  letKeyGo(name);
+}
+
+void ViewerDriver::tap(const std::string& name) {
+  xdotool({"key", name});
+}
+
+void ViewerDriver::holdKey(const std::string& name) {
+  xdotool({"keydown", name});
+  frames();
+}
+
+void ViewerDriver::letKeyGo(const std::string& name) {
+  xdotool({"keyup", name});
+  frames();
+}
+
+void ViewerDriver::type(const std::string& text) {
+  xdotool({"type", text});
+  frames();
+  key("Return");
+}
+
+Place ViewerDriver::find(const std::string& name, double across) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (std::chrono::steady_clock::now() < end) {
+    const Json now = frames();
+    const Json rect = rectOf(now, name);
+    if (rect.is_null()) {
+      throw std::runtime_error("there is no '" + name + "' in the panels");
+    }
+    const double y = rect["y"].get<double>() + rect["height"].get<double>() / 2.0;
+    const double top = now["buttons"]["button.play"]["y"].get<double>() + 60.0;
+    const double bottom = now["view"]["height"].get<double>() - 20.0;
+    const bool fixed = name == "button.play" || name == "button.step" || name == "button.reset";
+    if (fixed || (rect["visible"] && y > top && y < bottom)) {
+      return {rect["x"].get<double>() + across * rect["width"].get<double>(), y};
+    }
+    move({24.0, 300.0});  // over the labels, where the wheel scrolls
+    wheel(y <= top);
+  }
+  throw std::runtime_error("'" + name + "' cannot be scrolled into sight");
+}
+
+Place ViewerDriver::onCloth() {
+  const Json now = waitUntil("a place on the cloth", [](const Json& s) { return !s["cloth_points"].empty(); });
+  return {now["cloth_points"][0]["x"], now["cloth_points"][0]["y"]};
+}
+
+Place ViewerDriver::besideCloth() {
+  const Json now = waitUntil("a place beside the cloth", [](const Json& s) { return !s["free_point"].is_null(); });
+  return {now["free_point"]["x"], now["free_point"]["y"]};
+}
+
+}  // namespace drape

@@ -1,0 +1,344 @@
+#include "viewer_driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace drape {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double norm(const Vector& a) {
+  return std::sqrt(dot(a, a));
+}
+
+Vector normalized(const Vector& a) {
+  const double length = norm(a);
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
+double cameraDistance(const Json& state) {
+  return norm(state["camera"]["position"].get<Vector>() - state["camera"]["focal_point"].get<Vector>());
+}
+
+/// How far the hand must have moved in the world when the mouse has moved by so many window units.
+Vector expectedMove(const Json& state, const Vector& taken, double dx, double dy) {
+  const auto eye = state["camera"]["position"].get<Vector>();
+  const Vector forward = normalized(state["camera"]["focal_point"].get<Vector>() - eye);
+  const Vector right = normalized(cross(forward, {0.0, 1.0, 0.0}));
+  const Vector up = cross(right, forward);
+  const double depth = dot(taken - eye, forward);
+  const double angle = state["camera"]["view_angle"].get<double>() * std::acos(-1.0) / 180.0;
+  const double unit = 2.0 * depth * std::tan(angle / 2.0) / state["view"]["height"].get<double>();
+  Vector move{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    move[i] = unit * (dx * right[i] - dy * up[i]);
+  }
+  return move;
+}
+
+bool isHeld(const Json& state) {
+  return !state["grab"].is_null();
+}
+
+/// Takes the cloth at a place and waits until the simulation says so.
+Json takeCloth(ViewerDriver& viewer, const Place& place) {
+  viewer.move(place);
+  viewer.press();
+  return viewer.waitUntil("the hand", isHeld);
+}
+
+class Pulling : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Pulling, TheHeldPointFollowsTheMouse) {
+  ViewerDriver viewer({GetParam(), "--paused", "--set", "stiffness=60", "--set", "damping=0.02"});
+  const Place place = viewer.onCloth();
+  const Json taken = takeCloth(viewer, place);
+  const auto start = taken["grab"]["target"].get<Vector>();
+  EXPECT_LT(taken["grab"]["distance"], 1e-6) << "the hand takes the cloth where it is";
+
+  constexpr double dx = 70.0;
+  constexpr double dy = -45.0;
+  viewer.move({place.x + dx, place.y + dy});
+  const Json moved = viewer.waitUntil(
+      "the target", [&](const Json& s) { return isHeld(s) && norm(s["grab"]["target"].get<Vector>() - start) > 1e-3; });
+  const Vector expected = expectedMove(moved, start, dx, dy);
+  const Vector actual = moved["grab"]["target"].get<Vector>() - start;
+  EXPECT_LT(norm(actual - expected), 0.01 * norm(expected));
+  const double apart = moved["grab"]["distance"];
+  EXPECT_NEAR(apart, norm(expected), 0.01 * norm(expected)) << "nothing moves while paused";
+
+  viewer.key("space");
+  viewer.waitUntil("the cloth to follow", [&](const Json& s) { return s["grab"]["distance"] < 0.15 * apart; });
+  viewer.release();
+  viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Pulling, ::testing::Values("grid", "skirt"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST(Window, ControlAndLeftPullsARunningCloth) {
+  ViewerDriver viewer({"grid", "--set", "speed=0.05"});
+  viewer.holdKey("Control_L");
+  for (int attempt = 0; attempt < 20 && !isHeld(viewer.state()); ++attempt) {
+    viewer.release();
+    viewer.move(viewer.onCloth());
+    viewer.press();
+  }
+  const Json held = viewer.waitUntil("the hand", isHeld);
+  viewer.letKeyGo("Control_L");
+  viewer.waitUntil("time to pass", [&](const Json& s) { return s["step"] > held["step"]; });
+  EXPECT_TRUE(isHeld(viewer.state())) << "the button is still down";
+  viewer.release();
+  viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+}
+
+TEST(Window, PPinsWhatIsHeldAndLetsItGoAgain) {
+  ViewerDriver viewer({"grid", "--paused"});
+  const Place place = viewer.onCloth();
+  const Json before = takeCloth(viewer, place);
+  const int pins = before["pins"];
+  viewer.key("p");
+  viewer.waitUntil("another pin", [&](const Json& s) { return s["pins"] == pins + 1 && s["grab"]["pinned"]; });
+  viewer.release();
+  const Json released = viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  EXPECT_EQ(released["pins"], pins + 1);
+  viewer.key("space");
+  const Json later = viewer.waitUntil("time to pass", [](const Json& s) { return s["step"] > 20; });
+  EXPECT_EQ(later["pins"], pins + 1);
+  viewer.key("space");
+  viewer.key("r");
+  viewer.waitUntil("the start", [](const Json& s) { return s["step"] == 0 && s["paused"]; });
+  takeCloth(viewer, place);
+  viewer.key("p");
+  viewer.waitUntil("one pin less", [&](const Json& s) { return s["pins"] == pins; });
+}
+
+TEST(Window, AStiffnessDragReachesTheRunningSimulation) {
+  ViewerDriver viewer({"grid", "--set", "stiffness=10"});
+  viewer.move(viewer.find("stiffness", 0.2));
+  viewer.press();
+  const Json low = viewer.waitUntil("the low end", [](const Json& s) { return s["settings"]["stiffness"] != 10.0; });
+  viewer.move(viewer.find("stiffness", 0.7));
+  viewer.waitUntil("a stiffer cloth", [&](const Json& s) {
+    return s["settings"]["stiffness"].get<double>() > 100.0 * low["settings"]["stiffness"].get<double>();
+  });
+  viewer.release();
+  const Json after = viewer.state();
+  viewer.waitUntil("time to pass", [&](const Json& s) { return s["step"] > after["step"]; });
+}
+
+TEST(Window, TypedValuesAndRightClicks) {
+  ViewerDriver viewer({"grid", "--paused"});
+  const Json before = viewer.state();
+  viewer.move(viewer.find("drag"));
+  viewer.holdKey("Control_L");
+  viewer.press();
+  viewer.release();
+  viewer.letKeyGo("Control_L");
+  viewer.type("1.75");
+  const Json typed = viewer.waitUntil("the typed value", [](const Json& s) { return s["settings"]["drag"] == 1.75; });
+  EXPECT_EQ(typed["step"], before["step"]) << "a full stop in a number is no shortcut";
+  viewer.click(viewer.find("drag"), 3);
+  viewer.waitUntil("the default", [](const Json& s) { return s["settings"]["drag"] == 0.0; });
+}
+
+TEST(Window, TheClockIsStoppedSteppedAndSetBack) {
+  ViewerDriver viewer({"grid"});
+  viewer.waitUntil("time to pass", [](const Json& s) { return s["step"] > 5; });
+  viewer.key("space");
+  const Json paused = viewer.waitUntil("the pause", [](const Json& s) { return s["paused"].get<bool>(); });
+  EXPECT_EQ(viewer.frames(8)["step"], paused["step"]);
+  viewer.key("period");
+  const int next = paused["step"].get<int>() + 1;
+  viewer.waitUntil("one step", [&](const Json& s) { return s["step"] == next; });
+  EXPECT_EQ(viewer.frames(8)["step"], next);
+  viewer.key("r");
+  const Json start = viewer.waitUntil("the start", [](const Json& s) { return s["step"] == 0; });
+  EXPECT_EQ(start["time"], 0.0);
+  viewer.click(viewer.find("button.play"));
+  viewer.waitUntil("time to pass", [](const Json& s) { return !s["paused"] && s["step"] > 5; });
+}
+
+TEST(Window, KeysShowAndHide) {
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.key("h");
+  const Json hidden = viewer.waitUntil("no panels", [](const Json& s) { return !s["panels"]; });
+  EXPECT_EQ(hidden["view"]["width"], hidden["window"]["width"]);
+  viewer.key("h");
+  viewer.waitUntil("the panels", [](const Json& s) { return s["panels"].get<bool>(); });
+  viewer.key("w");
+  viewer.waitUntil("the wireframe", [](const Json& s) { return s["settings"]["view.wireframe"].get<bool>(); });
+  viewer.key("w");
+  viewer.waitUntil("no wireframe", [](const Json& s) { return !s["settings"]["view.wireframe"]; });
+  viewer.key("F1");
+  viewer.waitUntil("the help", [](const Json& s) { return s["help"].get<bool>(); });
+  viewer.key("Escape");
+  viewer.waitUntil("no help", [](const Json& s) { return !s["help"]; });
+  EXPECT_TRUE(viewer.process().running());
+}
+
+TEST(Window, TheMouseMovesTheCameraAndNotTheCloth) {
+  ViewerDriver viewer({"grid", "--paused"});
+  const Json before = viewer.state();
+  const Place free = viewer.besideCloth();
+  const Place there{free.x + 60.0, free.y - 40.0};
+
+  viewer.move(free);
+  viewer.wheel(true);
+  const Json nearer = viewer.waitUntil(
+      "a nearer camera", [&](const Json& s) { return cameraDistance(s) < 0.97 * cameraDistance(before); });
+
+  viewer.press();
+  viewer.move(there);
+  viewer.release();
+  const Json turned = viewer.waitUntil("another side", [&](const Json& s) { return s["camera"] != nearer["camera"]; });
+  EXPECT_EQ(turned["camera"]["focal_point"], nearer["camera"]["focal_point"]);
+  EXPECT_NEAR(cameraDistance(turned), cameraDistance(nearer), 1e-6);
+
+  viewer.move(viewer.besideCloth());
+  viewer.press(2);
+  viewer.move({640.0, 300.0});
+  viewer.release(2);
+  const Json panned = viewer.waitUntil(
+      "another place", [&](const Json& s) { return s["camera"]["focal_point"] != turned["camera"]["focal_point"]; });
+  EXPECT_TRUE(panned["grab"].is_null());
+  EXPECT_EQ(panned["step"], before["step"]);
+  EXPECT_EQ(panned["energy"], before["energy"]);
+
+  viewer.key("3");
+  const Json right = viewer.waitUntil("the view from the right", [](const Json& s) {
+    const auto eye = s["camera"]["position"].get<Vector>() - s["camera"]["focal_point"].get<Vector>();
+    return eye[0] > 0.99 * norm(eye);
+  });
+  viewer.key("f");
+  viewer.waitUntil("the whole cloth", [&](const Json& s) { return s["camera"] != right["camera"]; });
+}
+
+TEST(Window, DoubleClickLooksAtThePoint) {
+  ViewerDriver viewer({"grid", "--paused"});
+  const Json before = viewer.state();
+  const Place place = viewer.onCloth();
+  viewer.move(place);
+  const auto point = before["cloth_points"][0]["point"].get<Vector>();
+  const auto looksAtIt = [&](const Json& s) {
+    return norm(s["camera"]["focal_point"].get<Vector>() - point) < 0.02 * cameraDistance(s);
+  };
+  ASSERT_FALSE(looksAtIt(before));
+  // Two clicks within a third of a second; under load the second may come too late, as with a slow hand.
+  for (int attempt = 0; attempt < 20 && !looksAtIt(viewer.state()); ++attempt) {
+    viewer.doubleClick();
+  }
+  EXPECT_TRUE(looksAtIt(viewer.frames()));
+}
+
+TEST(Window, ASceneIsBuiltAgainWhenItsMeshChanges) {
+  ViewerDriver viewer({"grid"});
+  const Json before = viewer.state();
+  viewer.move(viewer.find("grid.resolution", 0.2));
+  viewer.press();
+  viewer.release();
+  viewer.waitUntil("another mesh", [&](const Json& s) {
+    return s["vertices"] != before["vertices"] && s["loading"] == "" &&
+           s["settings"]["grid.resolution"] != before["settings"]["grid.resolution"];
+  });
+}
+
+TEST(Window, ABadFileLeavesTheSceneRunning) {
+  ViewerDriver viewer({"grid"});
+  viewer.click(viewer.find("scene.path"));
+  viewer.type("no-such-shirt.obj");
+  const Json failed = viewer.waitUntil("the message", [](const Json& s) {
+    return s["message"].get<std::string>().find("no-such-shirt.obj") != std::string::npos;
+  });
+  EXPECT_EQ(failed["scene"], "grid");
+  viewer.waitUntil("time to pass", [&](const Json& s) { return s["step"] > failed["step"]; });
+}
+
+TEST(Window, F12SavesAPictureAndOverwritesNone) {
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.key("F12");
+  viewer.key("F12");
+  viewer.waitUntil("the message", [](const Json& s) {
+    return s["message"].get<std::string>().find("grid-002.png") != std::string::npos;
+  });
+  for (const char* name : {"grid-001.png", "grid-002.png"}) {
+    std::ifstream stream(viewer.folder() / name, std::ios::binary);
+    std::string start(4, '\0');
+    stream.read(start.data(), 4);
+    EXPECT_EQ(start, "\x89PNG") << name;
+  }
+}
+
+TEST(Window, EscapeLetsGoFirstAndQuitsThen) {
+  ViewerDriver viewer({"grid", "--paused"});
+  takeCloth(viewer, viewer.onCloth());
+  viewer.key("Escape");
+  viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  viewer.release();
+  viewer.tap("Escape");
+  EXPECT_EQ(viewer.process().waitFor(60.0), 0);
+}
+
+/// Runs the viewer without any display and gives its exit status and what it said.
+std::pair<int, std::string> runWithoutDisplay(const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  std::vector<std::string> command{DRAPE_PROGRAM};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  const int status = runToEnd({.command = command,
+                               .environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}},
+                               .output = folder.path() / "output.txt"});
+  std::ifstream stream(folder.path() / "output.txt");
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return {status, text.str()};
+}
+
+TEST(CommandLine, ABadSceneIsAFailure) {
+  const auto [status, text] = runWithoutDisplay({"no-such-scene"});
+  EXPECT_EQ(status, 1);
+  EXPECT_NE(text.find("no-such-scene"), std::string::npos) << text;
+}
+
+TEST(CommandLine, ASettingOutOfRangeIsWrongUsage) {
+  const auto [status, text] = runWithoutDisplay({"grid", "--set", "drag=-3"});
+  EXPECT_EQ(status, 2);
+  EXPECT_NE(text.find("drag"), std::string::npos) << text;
+}
+
+TEST(CommandLine, WrongOptionsAreWrongUsage) {
+  EXPECT_EQ(runWithoutDisplay({"--no-such-option"}).first, 2);
+  EXPECT_EQ(runWithoutDisplay({"grid", "--window-size", "wide"}).first, 2);
+  EXPECT_EQ(runWithoutDisplay({"grid", "--window-size", "1280,720,3"}).first, 2);
+}
+
+TEST(CommandLine, WithoutADisplayItSaysSo) {
+  const auto [status, text] = runWithoutDisplay({"grid"});
+  EXPECT_EQ(status, 1);
+  EXPECT_NE(text.find("display"), std::string::npos) << text;
+}
+
+TEST(CommandLine, HelpDescribesTheStatusFile) {
+  const auto [status, text] = runWithoutDisplay({"--help"});
+  EXPECT_EQ(status, 0);
+  EXPECT_NE(text.find("cloth_points"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace drape
