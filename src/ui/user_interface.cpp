@@ -252,6 +252,14 @@ const UiRects& UserInterface::buttons() const {
   return parts_->buttons;
 }
 
+Camera besidePanels(const Camera& camera, const UiRect& view, int width, int height) {
+  const double right = view.x + (view.width - width) / 2.0;
+  const double down = view.y + (view.height - height) / 2.0;
+  Camera moved = camera;
+  moved.pan(-right / height, down / height);
+  return moved;
+}
+
 float uiScale(double fontScaleSetting, float contentScale, int monitorRows) {
   if (fontScaleSetting > 0.0) {
     return static_cast<float>(std::clamp(fontScaleSetting, 0.5, 4.0));

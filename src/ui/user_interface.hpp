@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/camera.hpp"
 #include "session/snapshot.hpp"
 #include "ui/ui_output.hpp"
 
@@ -68,6 +69,10 @@ class UserInterface {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// A camera for a picture of the whole window in which the panels cover all but `view`: what the given camera has in the
+/// middle appears in the middle of what is left. For pictures in one piece, without a window.
+[[nodiscard]] Camera besidePanels(const Camera& camera, const UiRect& view, int width, int height);
 
 /// The scale of text and spacing: what the user set, or what the monitor asks for. Some systems report no scale for a
 /// monitor with very many rows, so those get one from their rows.
