@@ -25,9 +25,10 @@ GarmentFile solidFile(const std::string& name, const RawMesh& raw) {
 }  // namespace
 
 std::vector<GarmentFile> garmentFiles() {
-  return {clothFile("skirt.obj", makeSkirt()), clothFile("poncho.obj", makePoncho()),
-          clothFile("tshirt.obj", makeTshirt()), solidFile("stand.obj", makeSkirtStand()),
-          solidFile("hanger.obj", makeHangerStand())};
+  return {clothFile("skirt.obj", makeSkirt()),        clothFile("poncho.obj", makePoncho()),
+          clothFile("tshirt.obj", makeTshirt()),      solidFile("stand.obj", makeSkirtStand()),
+          solidFile("hanger.obj", makeHangerStand()), solidFile("pole.obj", makeFlagPole()),
+          solidFile("rail.obj", makeCurtainRail())};
 }
 
 }  // namespace drape

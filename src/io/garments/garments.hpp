@@ -13,19 +13,27 @@ namespace garment {
 
 inline constexpr double waistHeight = 1.05;  ///< the skirt's upper border
 inline constexpr double waistRadius = 0.13;
-inline constexpr double hemHeight = 0.45;  ///< the skirt's lower border
+inline constexpr double hipHeight = 0.93;  ///< the line at which the skirt's second hoop holds it
+inline constexpr double hemHeight = 0.38;  ///< the skirt's lower border
 
 inline constexpr double shoulderHeight = 1.45;     ///< the T-shirt's and the poncho's upper line, at z = 0
 inline constexpr double shoulderHalfWidth = 0.24;  ///< from the middle to where the T-shirt's sleeves begin
+
+inline constexpr double flagTop = 2.4;      ///< of the flag's upper corner
+inline constexpr double railHeight = 2.27;  ///< of the curtain rail's axis
+inline constexpr double railLength = 1.9;
 
 /// Height of the T-shirt's shoulder line over x = 0 .. shoulderHalfWidth (and mirrored): level near the neck, then
 /// falling off [m].
 [[nodiscard]] double shoulderLine(double x);
 
+/// The skirt's radius at hipHeight: a cone that is half a disc when laid flat widens by this much from the waist [m].
+[[nodiscard]] double hipRadius();
+
 }  // namespace garment
 
-/// A flared skirt of two panels, each a quarter of a ring, sewn at x = -r and x = r. Triangulated, with texture
-/// coordinates in metres that are split at the seams; likewise below.
+/// A flared skirt of two panels, each a quarter of a ring, sewn at x = -r and x = r, smooth down to the hips and in
+/// folds below. Triangulated, with texture coordinates in metres that are split at the seams; likewise below.
 [[nodiscard]] RawMesh makeSkirt();
 
 /// A square poncho of a front and a back, sewn along the shoulder line y = shoulderHeight, z = 0 and folded over it.
@@ -34,11 +42,18 @@ inline constexpr double shoulderHalfWidth = 0.24;  ///< from the middle to where
 /// A T-shirt: front and back, and two sleeves, sewn at shoulders, sides and armholes.
 [[nodiscard]] RawMesh makeTshirt();
 
-/// What the skirt hangs on: base, pole, and a hoop that fits into its waist. No texture coordinates; likewise below.
+/// What the skirt hangs on: base, pole, and hoops that fit into its waist and its hips. No texture coordinates;
+/// likewise below.
 [[nodiscard]] RawMesh makeSkirtStand();
 
 /// What the T-shirt and the poncho hang on: base, pole, and a shoulder bar just below their shoulder lines.
 [[nodiscard]] RawMesh makeHangerStand();
+
+/// A pole for a flag whose upper corner is at x = 0, y = flagTop.
+[[nodiscard]] RawMesh makeFlagPole();
+
+/// A rail between two posts, for a curtain that hangs at z = 0.
+[[nodiscard]] RawMesh makeCurtainRail();
 
 /// A mesh file that is to be written.
 struct GarmentFile {

@@ -1,6 +1,7 @@
 #include "io/garments/flat_pattern.hpp"
 #include "io/garments/garments.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,11 +17,13 @@ constexpr double pi = std::numbers::pi;
 constexpr double slantPerRadius = 2.0;
 const double slantPerHeight = 1.0 / std::sqrt(0.75);
 const double waistSlant = waistRadius * slantPerRadius;
-const double hemSlant = waistSlant + (waistHeight - hemHeight) * slantPerHeight;
+const double hipSlant = waistSlant + (waistHeight - hipHeight) * slantPerHeight;
 
-/// Shallow waves towards the hem give the folds a place to begin.
-constexpr double waveHeight = 0.03;  // [m]
-constexpr int waves = 7;
+/// Below the hips the skirt hangs in folds around a steeper cone.
+constexpr double flare = 0.15;  // [m] that it widens by for each metre of cloth
+constexpr int folds = 12;
+const double dropPerSlant = std::sqrt(1.0 - flare * flare);
+const double hemSlant = hipSlant + (hipHeight - hemHeight) / dropPerSlant;
 
 Vec2 flatPoint(double slant, double angle) {
   return {slant * std::sin(angle), -slant * std::cos(angle)};
@@ -34,19 +37,39 @@ FlatMesh meshPanel() {
   outline.curveTo([](double t) { return flatPoint(hemSlant, -half + 2.0 * half * t); }, false);
   outline.lineTo(flatPoint(waistSlant, half), true);
   outline.curveTo([](double t) { return flatPoint(waistSlant, half - 2.0 * half * t); }, false);
-  return meshPattern({outline.points(), {}}, edgeLength);
+  const auto hips = sampleCurve([](double t) { return flatPoint(hipSlant, -half + 2.0 * half * t); }, edgeLength);
+  return meshPattern({outline.points(), {hips}}, edgeLength);
+}
+
+/// A point of the cloth below the hips. With a mean radius R there is too much cloth by a factor 1 + b. Folds of the
+/// height 2 sqrt(b) R / n take it up, and moving points from their flanks towards their crests by b / (2 n) evens out
+/// how much cloth lies where.
+Vec3 placeInFolds(double slant, double azimuth) {
+  const double below = slant - hipSlant;
+  const double radius = hipRadius() + flare * below;
+  const double surplus = slant / slantPerRadius / radius - 1.0;
+  const double height = 2.0 * std::sqrt(std::max(0.0, surplus)) * radius / folds;
+  const double angle = azimuth + surplus / (2.0 * folds) * std::sin(2.0 * folds * azimuth);
+  const double r = radius + height * std::cos(folds * azimuth);
+  return {r * std::sin(angle), hipHeight - below * dropPerSlant, r * std::cos(angle)};
 }
 
 /// Where a point of a panel is whose middle looks in the direction `facing` (0: +z).
 Vec3 place(const Vec2& flat, double facing) {
   const double slant = flat.norm();
   const double azimuth = facing + slantPerRadius * std::atan2(flat.x(), -flat.y());
-  const double down = (slant - waistSlant) / (hemSlant - waistSlant);
-  const double radius = slant / slantPerRadius + waveHeight * down * down * std::cos(waves * azimuth);
+  if (slant > hipSlant) {
+    return placeInFolds(slant, azimuth);
+  }
+  const double radius = slant / slantPerRadius;
   return {radius * std::sin(azimuth), waistHeight - (slant - waistSlant) / slantPerHeight, radius * std::cos(azimuth)};
 }
 
 }  // namespace
+
+double garment::hipRadius() {
+  return hipSlant / slantPerRadius;
+}
 
 RawMesh makeSkirt() {
   const FlatMesh panel = meshPanel();

@@ -48,20 +48,19 @@ Vec3 onCircle(double radius, double height, double angle) {
   return {radius * std::sin(angle), height, radius * std::cos(angle)};
 }
 
-/// A hoop whose outer side is the skirt's waist.
-void addHoop(RawMesh& stand) {
-  const double radius = waistRadius - hoopThickness;
+/// A hoop around the pole, on spokes, whose outer side has that radius.
+void addHoop(double outerRadius, double height, int spokes, RawMesh& stand) {
+  const double radius = outerRadius - hoopThickness;
   std::vector<Vec3> hoop;
   constexpr int segments = 96;
   for (int i = 0; i < segments; ++i) {
-    hoop.push_back(onCircle(radius, waistHeight, 2.0 * pi * i / segments));
+    hoop.push_back(onCircle(radius, height, 2.0 * pi * i / segments));
   }
   addBar(hoop, true, hoopThickness, barSegments, stand);
-  constexpr int spokes = 3;
   for (int i = 0; i < spokes; ++i) {
     const double angle = 2.0 * pi * (i + 0.5) / spokes;
-    const Vec3 inner = onCircle(poleRadius / 2.0, waistHeight, angle);
-    const Vec3 outer = onCircle(radius, waistHeight, angle);
+    const Vec3 inner = onCircle(poleRadius / 2.0, height, angle);
+    const Vec3 outer = onCircle(radius, height, angle);
     addBar({inner, 0.5 * (inner + outer), outer}, false, spokeRadius, barSegments, stand);
   }
 }
@@ -71,8 +70,28 @@ void addHoop(RawMesh& stand) {
 RawMesh makeSkirtStand() {
   RawMesh stand;
   addBaseAndPole(0.17, waistHeight + 0.045, stand);
-  addHoop(stand);
+  addHoop(waistRadius, waistHeight, 3, stand);
+  addHoop(hipRadius(), hipHeight, 3, stand);
   return stand;
+}
+
+RawMesh makeFlagPole() {
+  RawMesh pole;
+  addBaseAndPole(0.25, flagTop + 0.06, pole);
+  return pole;
+}
+
+RawMesh makeCurtainRail() {
+  RawMesh rail;
+  const double end = 0.5 * railLength;
+  addBar({Vec3(-end, railHeight, 0.0), Vec3(0.0, railHeight, 0.0), Vec3(end, railHeight, 0.0)}, false, 0.012,
+         barSegments, rail);
+  for (const double x : {-end, end}) {
+    addBar({Vec3(x, 0.0, 0.0), Vec3(x, 0.5 * railHeight, 0.0), Vec3(x, railHeight + 0.03, 0.0)}, false, 0.016,
+           barSegments, rail);
+    addBar({Vec3(x, 0.012, -0.25), Vec3(x, 0.012, 0.0), Vec3(x, 0.012, 0.25)}, false, 0.012, barSegments, rail);
+  }
+  return rail;
 }
 
 RawMesh makeHangerStand() {
