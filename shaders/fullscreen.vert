@@ -1,7 +1,7 @@
-// One triangle that covers the whole target.
+// One triangle that covers the whole target, behind everything else.
 out vec2 place;  // 0 to 1
 
 void main() {
   place = vec2((gl_VertexID & 1) * 2, gl_VertexID & 2);
-  gl_Position = vec4(2.0 * place - 1.0, 0.0, 1.0);
+  gl_Position = vec4(2.0 * place - 1.0, 1.0, 1.0);
 }

@@ -132,14 +132,13 @@ void Renderer::Parts::updateShadows(const FrameUniforms& uniforms) {
 }
 
 void Renderer::Parts::drawBackground() const {
-  glDepthMask(GL_FALSE);
-  glDisable(GL_DEPTH_TEST);
+  // Comes after the solid things and fills what they leave, so that no pixel is coloured twice.
+  glDepthFunc(GL_LEQUAL);
   backgroundProgram.use();
   glBindVertexArray(nothing.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
-  glEnable(GL_DEPTH_TEST);
-  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LESS);
 }
 
 void Renderer::Parts::drawStand() const {
@@ -213,13 +212,16 @@ void Renderer::draw(const Snapshot& snapshot, const Camera& camera, int width, i
   parts.shadowMap.bind(shadowUnit, shadowDepthUnit);
 
   parts.framebuffer.begin(width, height);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
-  parts.drawBackground();
   parts.drawStand();
   parts.drawCloth(view);
   if (view.ground && camera.pose().position.y() > parts.groundCentre.y()) {
     parts.drawGround();
   }
+  parts.drawBackground();
   parts.drawMarks(snapshot, height);
   parts.framebuffer.resolve();
   glUseProgram(0);
