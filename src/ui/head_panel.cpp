@@ -1,14 +1,62 @@
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
+#include <string>
+
 namespace drape {
+namespace {
+
+std::string titleOf(const std::string& title, const std::string& name) {
+  return title.empty() ? name : title;
+}
+
+/// What drops down: the built-in scenes.
+void otherScenes(PanelContext& context) {
+  for (const SceneInfo& scene : context.memory.scenes) {
+    ImGui::PushID(scene.name.c_str());
+    if (ImGui::Selectable(titleOf(scene.title, scene.name).c_str(),
+                          scene.name == context.snapshot.scene->description.name)) {
+      context.output.requests.emplace_back(OpenSceneRequest{scene.name});
+    }
+    const UiRect row = lastItemRect();
+    context.buttons["scene.choice=" + scene.name] = row;
+    if (ImGui::IsItemHovered() && hoveredLongEnough(context, "scene.choice=" + scene.name)) {
+      beginExplanation(context, &row);
+      ImGui::TextWrapped("%s", scene.help.c_str());
+      endExplanation();
+    }
+    ImGui::PopID();
+  }
+}
+
+/// The scene's title, which is also the list of the others.
+void sceneChoice(PanelContext& context) {
+  const SceneDescription& running = context.snapshot.scene->description;
+  ImGui::PushFont(context.fonts.title);
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
+  ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const bool open =
+      ImGui::BeginCombo("##scene", titleOf(running.title, running.name).c_str(), ImGuiComboFlags_HeightLarge);
+  ImGui::PopStyleColor(2);
+  if (open) {
+    ImGui::PushFont(context.fonts.regular);
+    otherScenes(context);
+    ImGui::PopFont();
+    ImGui::EndCombo();
+  }
+  ImGui::PopFont();
+  if (!open) {
+    context.buttons["scene.choice"] = lastItemRect();
+    explainItem(context, "scene.choice", running.help + " Click for other scenes.");
+  }
+}
+
+}  // namespace
 
 void headPanel(PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
-  const SceneDescription& scene = snapshot.scene->description;
-  ImGui::PushFont(context.fonts.title);
-  mutedText(scene.title.empty() ? scene.name : scene.title, palette().text);
-  ImGui::PopFont();
+  sceneChoice(context);
   ImGui::Dummy({0.0F, 2.0F * context.scale});
 
   const float gap = ImGui::GetStyle().ItemSpacing.x;

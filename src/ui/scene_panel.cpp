@@ -5,28 +5,8 @@
 
 #include <imgui_stdlib.h>
 
-#include <variant>
-
 namespace drape {
 namespace {
-
-void sceneChoice(PanelContext& context) {
-  const std::string& running = context.snapshot.scene->description.name;
-  beginRow(context, "Scene");
-  const bool open = ImGui::BeginCombo("##scene", running.c_str(), ImGuiComboFlags_HeightLarge);
-  context.buttons["scene.choice"] = lastItemRect();
-  if (!open) {
-    return;
-  }
-  for (const SceneInfo& scene : context.memory.scenes) {
-    if (ImGui::Selectable(scene.name.c_str(), scene.name == running)) {
-      context.output.requests.emplace_back(OpenSceneRequest{scene.name});
-    }
-    context.buttons["scene.choice=" + scene.name] = lastItemRect();
-    explainItem(context, "scene.choice=" + scene.name, scene.title + ". " + scene.help);
-  }
-  ImGui::EndCombo();
-}
 
 void openField(PanelContext& context) {
   std::string& path = context.memory.openPath;
@@ -69,7 +49,6 @@ void scenePanel(PanelContext& context) {
   if (!beginSection(context, "Scene", true)) {
     return;
   }
-  sceneChoice(context);
   openField(context);
   if (!context.snapshot.scene->description.help.empty()) {
     mutedText(context.snapshot.scene->description.help);

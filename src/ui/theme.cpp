@@ -38,7 +38,7 @@ void applyColours(ImGuiStyle& style) {
   slot[ImGuiCol_TextDisabled] = colours.muted;
   slot[ImGuiCol_WindowBg] = colours.panel;
   slot[ImGuiCol_ChildBg] = rgb(0x000000, 0.0F);
-  slot[ImGuiCol_PopupBg] = rgb(0x242933, 0.98F);
+  slot[ImGuiCol_PopupBg] = rgb(0x242933);
   slot[ImGuiCol_Border] = colours.line;
   slot[ImGuiCol_FrameBg] = colours.field;
   slot[ImGuiCol_FrameBgHovered] = rgb(0x343B49);

@@ -60,6 +60,8 @@ void UserInterface::Parts::makeFonts() {
   if (backend == Backend::OpenGl) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+  } else {
+    io.Fonts->SetTexID(context);  // any name but none, so that ImGui's own checks of its texture stack mean something
   }
 }
 
@@ -117,11 +119,11 @@ UserInterface::UserInterface(const UiDisplay& display, Backend backend) : parts_
   io.DeltaTime = 1.0F / 60.0F;
   parts_->memory.scenes = sceneList();
   parts_->display = display;
+  parts_->backend = backend;
   if (backend == Backend::OpenGl) {
     ImGui_ImplOpenGL3_Init("#version 330 core");
   }
   parts_->makeFonts();
-  parts_->backend = backend;
   setDisplay(display);
 }
 

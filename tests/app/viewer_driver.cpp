@@ -193,7 +193,8 @@ Place ViewerDriver::find(const std::string& name, double across) {
     const double y = rect["y"].get<double>() + rect["height"].get<double>() / 2.0;
     const double top = now["buttons"]["button.play"]["y"].get<double>() + 60.0;
     const double bottom = now["view"]["height"].get<double>() - 20.0;
-    const bool fixed = name == "button.play" || name == "button.step" || name == "button.reset";
+    const bool fixed = y <= top && (name == "scene.choice" || name == "button.play" || name == "button.step" ||
+                                    name == "button.reset");
     if (fixed || (rect["visible"] && y > top && y < bottom)) {
       return {rect["x"].get<double>() + across * rect["width"].get<double>(), y};
     }

@@ -260,6 +260,18 @@ TEST(Window, ASceneIsBuiltAgainWhenItsMeshChanges) {
   });
 }
 
+TEST(Window, AnotherSceneIsOpenedFromTheList) {
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.click(viewer.find("scene.choice"));
+  const Json list =
+      viewer.waitUntil("the list", [](const Json& s) { return s["buttons"].contains("scene.choice=flag"); });
+  const Json& entry = list["buttons"]["scene.choice=flag"];
+  viewer.click({entry["x"].get<double>() + 10.0, entry["y"].get<double>() + 5.0});
+  const Json flag = viewer.waitUntil("the flag", [](const Json& s) { return s["scene"] == "flag"; });
+  EXPECT_TRUE(flag["paused"]) << "the clock stays as it was";
+  EXPECT_NE(flag["camera"], list["camera"]);
+}
+
 TEST(Window, ABadFileLeavesTheSceneRunning) {
   ViewerDriver viewer({"grid"});
   viewer.click(viewer.find("scene.path"));

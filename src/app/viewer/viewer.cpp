@@ -75,14 +75,21 @@ Viewer::Viewer(std::shared_ptr<const Scene> scene, const ViewerOptions& options)
 void Viewer::run() {
   while (glfwWindowShouldClose(window_.window()) == GLFW_FALSE) {
     const auto start = Clock::now();
-    if (glfwGetWindowAttrib(window_.window(), GLFW_ICONIFIED) == GLFW_TRUE) {
-      glfwWaitEventsTimeout(0.1);
-    } else {
-      glfwPollEvents();
-    }
+    awaitEvents();
     updateStats(start);
     frame();
     pace(start);
+  }
+}
+
+/// While nothing moves there is little to draw, so the processor rests; any event wakes the window at once.
+void Viewer::awaitEvents() const {
+  constexpr auto restless = std::chrono::milliseconds(800);
+  const bool minimised = glfwGetWindowAttrib(window_.window(), GLFW_ICONIFIED) == GLFW_TRUE;
+  if (minimised || Clock::now() - lastChange_ > restless) {
+    glfwWaitEventsTimeout(minimised ? 0.1 : 0.05);
+  } else {
+    glfwPollEvents();
   }
 }
 
@@ -219,6 +226,9 @@ bool Viewer::belongsToPanels(const InputEvent& event) {
 
 void Viewer::handleInput(const Snapshot& snapshot, UiOutput& output) {
   const WindowEvents::Batch batch = events_.take();
+  if (!snapshot.paused || !batch.input.empty() || !stats_.loading.empty()) {
+    lastChange_ = Clock::now();
+  }
   for (const InputEvent& event : batch.input) {
     if (!belongsToPanels(event)) {
       controller_.handle(event, snapshot, output);

@@ -36,6 +36,7 @@ class Viewer {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void awaitEvents() const;
   void frame();
   void draw(const Snapshot& snapshot);
   void blit(const UiRect& view);
@@ -69,6 +70,7 @@ class Viewer {
   Vec2 mouse_ = Vec2::Zero();
   Clock::time_point lastFrame_ = Clock::now();
   Clock::time_point noticeEnds_ = Clock::now();
+  Clock::time_point lastChange_ = Clock::now();  ///< when something last moved, or the user did something
   std::int64_t frameCount_ = 0;
 };
 
