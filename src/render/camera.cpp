@@ -1,5 +1,7 @@
 #include "render/camera.hpp"
 
+#include "scene/framing.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -8,38 +10,7 @@
 namespace drape {
 namespace {
 
-constexpr double minDistance = 0.01;                              // [m]
-constexpr double maxDistance = 100.0;                             // [m]
 constexpr double maxElevation = 89.5 * std::numbers::pi / 180.0;  // [rad]
-constexpr double framingMargin = 1.12;                            // air around what is framed [-]
-constexpr double smallestFramedSize = 0.02;                       // a single point is framed like this much [m]
-
-/// The camera's axes in world space: it looks along -back.
-struct Basis {
-  Vec3 right;
-  Vec3 up;
-  Vec3 back;
-};
-
-Vec3 viewOffset(const CameraPose& pose) {
-  const Vec3 offset = pose.position - pose.focalPoint;
-  return offset.norm() > 1e-9 ? offset : Vec3(0.0, 0.0, 1.0);
-}
-
-Basis basisOf(const CameraPose& pose) {
-  Basis basis;
-  basis.back = viewOffset(pose).normalized();
-  // Looking straight down or up there is no horizon to hold on to; x then stays to the right.
-  const Vec3 side = Vec3::UnitY().cross(basis.back);
-  basis.right = side.norm() > 1e-9 ? side.normalized() : Vec3(Vec3::UnitX());
-  basis.up = basis.back.cross(basis.right);
-  return basis;
-}
-
-double tanHalfAngle(const CameraPose& pose) {
-  return std::tan(0.5 * pose.viewAngle * std::numbers::pi / 180.0);
-}
-
 Vec3 directionFrom(double azimuth, double elevation) {
   return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
 }
@@ -57,7 +28,7 @@ void Camera::orbit(double yaw, double pitch) {
 }
 
 void Camera::pan(double right, double up) {
-  const Basis basis = basisOf(pose_);
+  const CameraBasis basis = basisOf(pose_);
   const double viewHeight = 2.0 * viewOffset(pose_).norm() * tanHalfAngle(pose_);
   const Vec3 shift = viewHeight * (right * basis.right + up * basis.up);
   pose_.position += shift;
@@ -66,7 +37,7 @@ void Camera::pan(double right, double up) {
 
 void Camera::zoom(double factor) {
   const Vec3 offset = viewOffset(pose_);
-  const double distance = std::clamp(offset.norm() * factor, minDistance, maxDistance);
+  const double distance = std::clamp(offset.norm() * factor, nearestView, farthestView);
   pose_.position = pose_.focalPoint + distance * offset.normalized();
 }
 
@@ -83,25 +54,11 @@ void Camera::lookFrom(Side side) {
 }
 
 void Camera::frame(const Vec3& min, const Vec3& max, double aspect) {
-  const Basis basis = basisOf(pose_);
-  const Vec3 centre = 0.5 * (min + max);
-  const Vec3 half = (0.5 * framingMargin * (max - min)).cwiseMax(0.5 * smallestFramedSize);
-  const double slopeUp = tanHalfAngle(pose_);
-  const double slopeRight = slopeUp * aspect;
-  double distance = minDistance;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0);
-    const Vec3 offset = half.cwiseProduct(sign);
-    const double spread =
-        std::max(std::abs(offset.dot(basis.right)) / slopeRight, std::abs(offset.dot(basis.up)) / slopeUp);
-    distance = std::max(distance, offset.dot(basis.back) + spread);
-  }
-  pose_.focalPoint = centre;
-  pose_.position = centre + std::min(distance, maxDistance) * basis.back;
+  pose_ = framed(pose_, min, max, aspect);
 }
 
 Eigen::Matrix4f Camera::viewMatrix() const {
-  const Basis basis = basisOf(pose_);
+  const CameraBasis basis = basisOf(pose_);
   Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
   view.row(0) << basis.right.transpose(), -basis.right.dot(pose_.position);
   view.row(1) << basis.up.transpose(), -basis.up.dot(pose_.position);
@@ -124,7 +81,7 @@ Eigen::Matrix4f Camera::projectionMatrix(double aspect) const {
 }
 
 Ray Camera::rayThrough(double x, double y, int width, int height) const {
-  const Basis basis = basisOf(pose_);
+  const CameraBasis basis = basisOf(pose_);
   const double slope = tanHalfAngle(pose_);
   const double aspect = static_cast<double>(width) / height;
   const double right = (2.0 * x / width - 1.0) * slope * aspect;
@@ -133,7 +90,7 @@ Ray Camera::rayThrough(double x, double y, int width, int height) const {
 }
 
 Vec2 Camera::project(const Vec3& point, int width, int height) const {
-  const Basis basis = basisOf(pose_);
+  const CameraBasis basis = basisOf(pose_);
   const Vec3 offset = point - pose_.position;
   const double depth = std::max(-offset.dot(basis.back), 1e-9);
   const double scale = 0.5 * height / (tanHalfAngle(pose_) * depth);
@@ -141,7 +98,7 @@ Vec2 Camera::project(const Vec3& point, int width, int height) const {
 }
 
 Vec3 Camera::pointAtDepthOf(const Vec3& reference, double x, double y, int width, int height) const {
-  const Basis basis = basisOf(pose_);
+  const CameraBasis basis = basisOf(pose_);
   const Ray ray = rayThrough(x, y, width, height);
   const double depth = (pose_.position - reference).dot(basis.back);
   return ray.origin + ray.direction * (depth / -ray.direction.dot(basis.back));

@@ -6,16 +6,43 @@
 
 namespace drape {
 
+Vec3 viewOffset(const CameraPose& pose) {
+  const Vec3 offset = pose.position - pose.focalPoint;
+  return offset.norm() > 1e-9 ? offset : Vec3(0.0, 0.0, 1.0);
+}
+
+CameraBasis basisOf(const CameraPose& pose) {
+  CameraBasis basis;
+  basis.back = viewOffset(pose).normalized();
+  // Looking straight down or up there is no horizon to hold on to; x then stays to the right.
+  const Vec3 side = Vec3::UnitY().cross(basis.back);
+  basis.right = side.norm() > 1e-9 ? side.normalized() : Vec3(Vec3::UnitX());
+  basis.up = basis.back.cross(basis.right);
+  return basis;
+}
+
+double tanHalfAngle(const CameraPose& pose) {
+  return std::tan(0.5 * pose.viewAngle * std::numbers::pi / 180.0);
+}
+
 CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, double aspect) {
-  constexpr double margin = 1.1;
-  const double radius = std::max(0.5 * (max - min).norm(), 1e-3);
-  const double halfAngle = 0.5 * pose.viewAngle * std::numbers::pi / 180.0;
-  const double narrowest = std::min(halfAngle, std::atan(std::tan(halfAngle) * aspect));
-  Vec3 direction = pose.position - pose.focalPoint;
-  direction = direction.norm() > 0.0 ? Vec3(direction.normalized()) : Vec3(Vec3::UnitZ());
+  constexpr double margin = 1.12;
+  constexpr double smallestSize = 0.02;  // [m] a single point is framed like this much
+  const CameraBasis basis = basisOf(pose);
+  const Vec3 half = (0.5 * margin * (max - min)).cwiseMax(0.5 * smallestSize);
+  const double slopeUp = tanHalfAngle(pose);
+  const double slopeRight = slopeUp * aspect;
+  double distance = nearestView;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0);
+    const Vec3 offset = half.cwiseProduct(sign);
+    const double spread =
+        std::max(std::abs(offset.dot(basis.right)) / slopeRight, std::abs(offset.dot(basis.up)) / slopeUp);
+    distance = std::max(distance, offset.dot(basis.back) + spread);
+  }
   CameraPose result = pose;
   result.focalPoint = 0.5 * (min + max);
-  result.position = result.focalPoint + direction * (margin * radius / std::sin(narrowest));
+  result.position = result.focalPoint + std::min(distance, farthestView) * basis.back;
   return result;
 }
 

@@ -4,7 +4,25 @@
 
 namespace drape {
 
-/// The pose that looks in the same direction as `pose` and whose view is filled by the sphere around the box.
+/// A camera's axes in world space: it looks along -back.
+struct CameraBasis {
+  Vec3 right;
+  Vec3 up;
+  Vec3 back;
+};
+[[nodiscard]] CameraBasis basisOf(const CameraPose& pose);
+
+/// From the focal point to the camera [m]; never zero.
+[[nodiscard]] Vec3 viewOffset(const CameraPose& pose);
+
+/// Tangent of half the vertical angle of view.
+[[nodiscard]] double tanHalfAngle(const CameraPose& pose);
+
+/// Nearest and farthest that a camera may be from its focal point [m].
+inline constexpr double nearestView = 0.01;
+inline constexpr double farthestView = 400.0;
+
+/// The pose that looks in the same direction as `pose` and whose view is filled by the box, with a little air around.
 /// @param aspect width over height of the picture
 [[nodiscard]] CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, double aspect);
 

@@ -112,7 +112,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->groundHeight =
       description.groundBelowCloth ? box.min.y() - 0.25 * (box.max.y() - box.min.y()) : description.groundHeight;
   constexpr double usualAspect = 16.0 / 9.0;
-  constexpr double cautious = 1.25;  // cloth sags and swings beyond the box it starts in
+  constexpr double cautious = 1.15;  // cloth sags and swings beyond the box it starts in
   const Vec3 middle = 0.5 * (box.min + box.max);
   scene->camera = description.camera.value_or(framed({Vec3(0.35, 0.2, 1.0), Vec3::Zero(), CameraPose{}.viewAngle},
                                                      middle + cautious * (box.min - middle),

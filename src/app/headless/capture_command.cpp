@@ -64,7 +64,7 @@ void capture(const CaptureArguments& arguments) {
   const int every =
       arguments.every > 0 ? arguments.every : std::max(1, static_cast<int>(std::lround(usualFrame / timeStep)));
   PictureMaker pictures(arguments.resolution[0], arguments.resolution[1], arguments.ui,
-                        poseFor(arguments, simulation.scene().camera));
+                        simulation.settings().view.fontScale, poseFor(arguments, simulation.scene().camera));
   {
     ProgressBar progress("capturing", arguments.frames);
     for (int frame = 0; frame < arguments.frames; ++frame) {

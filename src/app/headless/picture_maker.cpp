@@ -2,31 +2,55 @@
 
 #include "render/osmesa_context.hpp"
 #include "render/renderer.hpp"
+#include "ui/user_interface.hpp"
+
+#include <optional>
 
 namespace drape {
 
 struct PictureMaker::Parts {
   OsmesaContext context;
   Renderer renderer;
+  std::optional<UserInterface> panels;
   Camera camera;
   Snapshot snapshot;
   int width = 0;
   int height = 0;
 };
 
-PictureMaker::PictureMaker(int width, int height, bool panels, const CameraPose& pose)
+PictureMaker::PictureMaker(int width, int height, bool panels, double fontScale, const CameraPose& pose)
     : parts_(std::make_unique<Parts>()) {
-  static_cast<void>(panels);
   parts_->camera = Camera(pose);
   parts_->width = width;
   parts_->height = height;
+  if (panels) {
+    parts_->panels.emplace(UiDisplay{width, height, 1.0F, uiScale(fontScale, 1.0F, height)},
+                           UserInterface::Backend::OpenGl);
+  }
 }
 
 PictureMaker::~PictureMaker() = default;
 
 Image PictureMaker::draw(const Simulation& simulation) {
   simulation.capture(parts_->snapshot);
-  parts_->renderer.draw(parts_->snapshot, parts_->camera, parts_->width, parts_->height);
+  return parts_->panels ? drawWithPanels() : drawPlain(parts_->camera);
+}
+
+Image PictureMaker::drawPlain(const Camera& camera) {
+  parts_->renderer.draw(parts_->snapshot, camera, parts_->width, parts_->height);
+  return parts_->renderer.read();
+}
+
+Image PictureMaker::drawWithPanels() {
+  UserInterface& panels = *parts_->panels;
+  UiOutput ignored;  // nobody clicks here
+  const UiStats stats;
+  panels.build(parts_->snapshot, stats, ignored);  // the first frame only measures
+  panels.build(parts_->snapshot, stats, ignored);
+  const Camera camera = besidePanels(parts_->camera, panels.view(), parts_->width, parts_->height);
+  parts_->renderer.draw(parts_->snapshot, camera, parts_->width, parts_->height);
+  parts_->renderer.bindTarget();
+  panels.renderDrawData();
   return parts_->renderer.read();
 }
 
