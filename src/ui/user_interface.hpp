@@ -70,8 +70,8 @@ class UserInterface {
   std::unique_ptr<Parts> parts_;
 };
 
-/// A camera for a picture of the whole window in which the panels cover all but `view`: what the given camera has in the
-/// middle appears in the middle of what is left. For pictures in one piece, without a window.
+/// A camera for a picture of the whole window in which the panels cover all but `view`: what the given camera has in
+/// the middle appears in the middle of what is left. For pictures in one piece, without a window.
 [[nodiscard]] Camera besidePanels(const Camera& camera, const UiRect& view, int width, int height);
 
 /// The scale of text and spacing: what the user set, or what the monitor asks for. Some systems report no scale for a
