@@ -1,6 +1,7 @@
 #include "ui/number_slider.hpp"
 
 #include "sim/error.hpp"
+#include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
 #include <imgui_stdlib.h>
@@ -35,16 +36,6 @@ double roundedForDisplay(double value) {
   return std::strtod(formatValue(std::round(value / unit) * unit).c_str(), nullptr);
 }
 
-std::string printed(const SettingValue& value, const std::string& format) {
-  char text[64];
-  if (const int* whole = std::get_if<int>(&value)) {
-    std::snprintf(text, sizeof text, format.c_str(), *whole);
-  } else {
-    std::snprintf(text, sizeof text, format.c_str(), std::get<double>(value));
-  }
-  return text;
-}
-
 /// Draws field, filled part, handle and number over the item that was laid out last.
 void paint(const PanelContext& context, const SliderRange& range, const SettingValue& value,
            const std::string& format) {
@@ -70,7 +61,7 @@ void paint(const PanelContext& context, const SliderRange& range, const SettingV
   const float handle = std::clamp(low.x + width * static_cast<float>(place), low.x + half, high.x - half);
   canvas.AddRectFilled({handle - half, low.y}, {handle + half, high.y},
                        ImGui::GetColorU32(active ? palette().text : palette().accent), half);
-  const std::string text = printed(value, format);
+  const std::string text = printed(format.c_str(), asNumber(value));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   canvas.AddText({high.x - size.x - ImGui::GetStyle().FramePadding.x, low.y + ImGui::GetStyle().FramePadding.y},
                  ImGui::GetColorU32(palette().text), text.c_str());

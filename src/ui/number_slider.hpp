@@ -15,10 +15,10 @@ struct Edit {
   SettingValue value;
 };
 
-/// A slider for a real or a whole number, over `range`, whose value reads as in `format`. Ctrl+click turns it into a
-/// text field, which takes the setting's whole range and the same notations as the command line ("1/150"); a number
-/// beyond the range becomes the nearest that is allowed. It replaces ImGui's slider because that one loses small values
-/// of a logarithmic scale and hides the number behind its handle.
+/// A slider for a real or a whole number, over `range`, whose value reads as `format` prints a double. Ctrl+click turns
+/// it into a text field, which takes the setting's whole range and the same notations as the command line ("1/150"); a
+/// number beyond the range becomes the nearest that is allowed. It replaces ImGui's slider because that one loses small
+/// values of a logarithmic scale and hides the number behind its handle.
 [[nodiscard]] Edit numberSlider(PanelContext& context, const SettingInfo& info, const SliderRange& range,
                                 const SettingValue& value, const std::string& format);
 

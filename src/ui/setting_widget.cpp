@@ -3,6 +3,7 @@
 #include "sim/error.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/slider_range.hpp"
+#include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ Edit integerWidget(PanelContext& context, const SettingInfo& info, const Integer
                    const SettingValue& value) {
   constexpr int many = 32;  // above this the small numbers matter more than the large ones
   const SliderRange range{static_cast<double>(field.min), static_cast<double>(field.max), field.max > many};
-  return numberSlider(context, info, range, value, numberFormat("%d", info.unit));
+  return numberSlider(context, info, range, value, numberFormat("%.0f", info.unit));
 }
 
 Edit flagWidget(bool value) {
@@ -107,9 +108,7 @@ std::string shortValue(const SettingValue& value) {
   if (number == nullptr) {
     return formatValue(value);
   }
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", *number);
-  return text;
+  return printed("%.6g", *number);
 }
 
 std::string withUnit(const std::string& text, std::string_view unit) {

@@ -38,11 +38,9 @@ Message messageOf(const PanelContext& context) {
 
 std::vector<std::string> factsOf(const PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
-  char time[32];
-  std::snprintf(time, sizeof time, "%.2f s", snapshot.time);
   std::vector<std::string> facts{snapshot.scene->description.name,
-                                 formatCount(snapshot.model->vertexCount()) + " vertices", time,
-                                 describePace(snapshot)};
+                                 formatCount(snapshot.model->vertexCount()) + " vertices",
+                                 printed("%.2f s", snapshot.time), describePace(snapshot)};
   if (context.stats.frameSeconds > 0.0) {
     facts.push_back(std::to_string(std::lround(1.0 / context.stats.frameSeconds)) + " fps");
   }

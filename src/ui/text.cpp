@@ -1,19 +1,17 @@
 #include "ui/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
 namespace drape {
-namespace {
 
-std::string print(const char* format, double value) {
-  char buffer[64];
-  const int length = std::snprintf(buffer, sizeof buffer, format, value);
-  return {buffer, static_cast<std::size_t>(std::max(length, 0))};
+std::string printed(const char* format, double value) {
+  std::array<char, 64> buffer{};
+  const int length = std::snprintf(buffer.data(), buffer.size(), format, value);
+  return {buffer.data(), static_cast<std::size_t>(std::clamp(length, 0, static_cast<int>(buffer.size()) - 1))};
 }
-
-}  // namespace
 
 std::string formatNumber(double value) {
   const double size = std::abs(value);
@@ -24,12 +22,11 @@ std::string formatNumber(double value) {
     return "0";
   }
   if (size < 1e-3 || size >= 1e6) {
-    return print("%.2e", value);
+    return printed("%.2e", value);
   }
   const int decimals = size < 0.01 ? 5 : size < 0.1 ? 4 : size < 1.0 ? 3 : size < 10.0 ? 2 : size < 100.0 ? 1 : 0;
-  char format[8];
-  std::snprintf(format, sizeof format, "%%.%df", decimals);
-  return print(format, value);
+  const std::string format = "%." + std::to_string(decimals) + "f";
+  return printed(format.c_str(), value);
 }
 
 std::string formatQuantity(double value, std::string_view unit) {
@@ -38,9 +35,9 @@ std::string formatQuantity(double value, std::string_view unit) {
 
 std::string formatDuration(double seconds) {
   if (seconds < 0.95e-3) {
-    return print(seconds < 0.95e-4 ? "%.1f \u00B5s" : "%.0f \u00B5s", seconds * 1e6);
+    return printed(seconds < 0.95e-4 ? "%.1f \u00B5s" : "%.0f \u00B5s", seconds * 1e6);
   }
-  return print(seconds < 0.095 ? "%.2f ms" : "%.0f ms", seconds * 1e3);
+  return printed(seconds < 0.095 ? "%.2f ms" : "%.0f ms", seconds * 1e3);
 }
 
 std::string formatCount(long long count) {
@@ -55,7 +52,7 @@ std::string describePace(const Snapshot& snapshot) {
   if (snapshot.paused) {
     return "paused";
   }
-  return print("%.2f", snapshot.realTimeFactor) + " \u00D7 real time";
+  return printed("%.2f", snapshot.realTimeFactor) + " \u00D7 real time";
 }
 
 int countPins(const ClothModel& model) {

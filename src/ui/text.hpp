@@ -7,6 +7,9 @@
 
 namespace drape {
 
+/// The number in a printf format that takes one double.
+[[nodiscard]] std::string printed(const char* format, double value);
+
 /// A number with about three significant digits, as people write it: 0.0123, 45.6, 1 230 000 as "1.23e+06".
 [[nodiscard]] std::string formatNumber(double value);
 

@@ -11,7 +11,7 @@ namespace {
 
 struct Dial {
   ImVec2 centre;
-  float radius;
+  float radius = 0.0F;
 };
 
 ImVec2 tipOf(const Dial& dial, const Vec3& wind) {

@@ -60,7 +60,7 @@ std::pair<int, int> openingSize(const ViewerOptions& options) {
 
 }  // namespace
 
-Viewer::Viewer(std::shared_ptr<const Scene> scene, const ViewerOptions& options)
+Viewer::Viewer(const std::shared_ptr<const Scene>& scene, const ViewerOptions& options)
     : window_("Drape", openingSize(options).first, openingSize(options).second),
       panels_(measureDisplay(scene->settings.view.fontScale), UserInterface::Backend::OpenGl),
       events_(window_.window()),

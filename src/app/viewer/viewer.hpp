@@ -28,7 +28,7 @@ struct ViewerOptions {
 /// The window: runs a scene on the simulation's thread, shows it, and turns what the user does into commands.
 class Viewer {
  public:
-  Viewer(std::shared_ptr<const Scene> scene, const ViewerOptions& options);
+  Viewer(const std::shared_ptr<const Scene>& scene, const ViewerOptions& options);
 
   /// Until the user quits.
   void run();
