@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace drape {
 namespace {
@@ -28,6 +29,14 @@ ImportedMesh readMesh(const MeshFileSource& source, const ImportOptions& options
     return importMesh(source.path, options);
   }
   return importMeshFromMemory(source.path, builtinMesh(source.path), options);
+}
+
+/// Turns a mesh whose z points up by a quarter around x.
+void turnUpright(ImportedMesh& mesh) {
+  for (Vec3& position : mesh.cloth.positions) {
+    position = Vec3(position.x(), position.z(), -position.y());
+  }
+  std::swap(mesh.summary.size[1], mesh.summary.size[2]);
 }
 
 PinSelection pinsInForce(const SceneDescription& description, const Settings& settings) {
@@ -74,7 +83,11 @@ Source makeSource(const SceneDescription& description, const Settings& settings)
     const GridLayout layout = layoutOf(settings.grid);
     return {makeGrid(layout, grid->plane), layout};
   }
-  return {readMesh(std::get<MeshFileSource>(description.source), importOptions(settings)), std::nullopt};
+  Source source{readMesh(std::get<MeshFileSource>(description.source), importOptions(settings)), std::nullopt};
+  if (settings.mesh.up == "z") {
+    turnUpright(source.mesh);
+  }
+  return source;
 }
 
 std::vector<Vec3> startPositions(const SceneDescription& description, const Source& source) {

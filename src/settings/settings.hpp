@@ -35,6 +35,7 @@ struct Settings {
 
   struct Mesh {
     std::string unit = "m";       ///< of the file's coordinates
+    std::string up = "y";         ///< the file's axis that points up
     double weldTolerance = 1e-6;  ///< relative to the bounding box's diagonal [-]
     std::string pins = "scene";   ///< "scene", "top" or "none"
   } mesh;

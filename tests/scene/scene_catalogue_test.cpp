@@ -98,6 +98,17 @@ TEST(Scenes, takeAMeshFilesUnitFromTheSettings) {
   EXPECT_NEAR(buildScene(description, centimetres)->model->restArea(), 2e-4, 1e-12);
 }
 
+TEST(Scenes, turnAMeshUprightWhoseZPointsUp) {
+  const Folder folder;
+  const SceneDescription description = openScene(folder.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 0 2\nf 1 2 3\n"));
+  Settings settings = description.settings;
+  settings.mesh.up = "z";
+  const auto scene = buildScene(description, settings);
+  EXPECT_EQ(scene->start.positions[2], Vec3(1.0, 2.0, 0.0));
+  EXPECT_EQ(scene->summary.size[1], 2.0);
+  EXPECT_TRUE(scene->model->pinned[2]);
+}
+
 TEST(Scenes, openAUsersFileWithAMeshBesideIt) {
   const Folder folder;
   folder.write("sheet.obj", quad);
