@@ -33,7 +33,7 @@ using drape::RawMesh;
 class NoOtherFiles : public Assimp::IOSystem {
  public:
   bool Exists(const char*) const override { return false; }
-  char getOsSeparator() const override { return '/'; }
+  [[nodiscard]] char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
   void Close(Assimp::IOStream*) override {}
 };

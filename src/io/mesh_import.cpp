@@ -6,12 +6,11 @@
 #include "io/ply_check.hpp"
 #include "sim/error.hpp"
 
-#include <signal.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -88,7 +87,7 @@ fs::path importProgram() {
   }
   std::error_code problem;
   const fs::path self = fs::read_symlink("/proc/self/exe", problem);
-  const fs::path program = self.parent_path() / "drape-mesh-import";
+  fs::path program = self.parent_path() / "drape-mesh-import";
   if (problem || !fs::exists(program, problem)) {
     throw InputError("the program drape-mesh-import, which reads meshes, is not at " + program.string() +
                      ". Install it there or set DRAPE_MESH_IMPORT to its path.");

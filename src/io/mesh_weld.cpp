@@ -77,9 +77,9 @@ Bounds boundsOf(const std::vector<Vec3>& positions, const std::vector<Triangle>&
 class PointWelder {
  public:
   /// Points nearer than `distance` are one; `origin` is the corner of a box of that `diagonal` that holds them all.
-  PointWelder(const Vec3& origin, double diagonal, double distance, std::size_t capacity)
+  PointWelder(Vec3 origin, double diagonal, double distance, std::size_t capacity)
       // Cells much wider than the distance: most points then have all their candidates in their own cell.
-      : origin_(origin),
+      : origin_(std::move(origin)),
         distance_(distance),
         cell_(diagonal > 0.0 ? std::max(16.0 * distance, 1e-7 * diagonal) : 1.0),
         index_(capacity) {}

@@ -4,6 +4,7 @@
 #include "sim/vector.hpp"
 
 #include <Eigen/Core>
+#include <utility>
 
 namespace drape {
 
@@ -17,7 +18,7 @@ struct Ray {
 class Camera {
  public:
   Camera() = default;
-  explicit Camera(const CameraPose& pose) : pose_(pose) {}
+  explicit Camera(CameraPose pose) : pose_(std::move(pose)) {}
 
   [[nodiscard]] const CameraPose& pose() const { return pose_; }
 

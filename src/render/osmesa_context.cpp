@@ -16,6 +16,8 @@ __attribute__((visibility("default"))) void (*glXGetProcAddressARB(const unsigne
   return OSMesaGetProcAddress(static_cast<const char*>(static_cast<const void*>(name)));
 }
 
+// The linker's option --wrap asks for these names.
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
 void* __real_dlopen(const char* file, int mode);
 void* __wrap_dlopen(const char* file, int mode);
 
@@ -31,6 +33,7 @@ __attribute__((visibility("default"))) const char* __lsan_default_suppressions()
   return "leak:libOSMesa\n";
 }
 #endif
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
 
 }  // extern "C"
 

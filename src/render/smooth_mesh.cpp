@@ -13,7 +13,8 @@ constexpr GLuint surfaceAttribute = 2U;
 constexpr GLuint curvatureAttribute = 3U;
 
 const void* bufferOffset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);  // OpenGL takes offsets in the shape of pointers
+  // OpenGL takes offsets in the shape of pointers.
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class SurfaceShapes {
   struct Sums {
     Eigen::Vector3f twiceArea;     ///< times the normal [m^2]
     Eigen::Vector3f toNeighbours;  ///< vectors along the edges [m]
-    float squaredLengths;          ///< of the same edges [m^2]
+    float squaredLengths = 0.0F;   ///< of the same edges [m^2]
   };
 
   std::vector<Sums> sums_;

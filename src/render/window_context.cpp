@@ -8,12 +8,12 @@
 namespace drape {
 namespace {
 
-/// An error that says what GLFW said, and what to do.
-InputError windowError(const std::string& what) {
+/// A message that says what GLFW said, and what to do.
+std::string windowMessage(const std::string& what) {
   const char* reason = nullptr;
   glfwGetError(&reason);
-  return InputError(what + (reason != nullptr ? std::string(": ") + reason : std::string()) +
-                    ". The viewer needs a desktop with OpenGL 3.3; without one, drape-headless draws into files");
+  return what + (reason != nullptr ? std::string(": ") + reason : std::string()) +
+         ". The viewer needs a desktop with OpenGL 3.3; without one, drape-headless draws into files";
 }
 
 GLFWwindow* openWindow(const std::string& title, int width, int height) {
@@ -31,13 +31,14 @@ GLFWwindow* openWindow(const std::string& title, int width, int height) {
 
 WindowContext::WindowContext(const std::string& title, int width, int height) {
   if (glfwInit() != GLFW_TRUE) {
-    throw windowError("cannot reach a display");
+    throw InputError(windowMessage("cannot reach a display"));
   }
   window_ = openWindow(title, width, height);
   if (window_ == nullptr) {
-    const InputError error = windowError("cannot open a window");
+    // The reason must be asked for before GLFW is gone.
+    const std::string message = windowMessage("cannot open a window");
     glfwTerminate();
-    throw error;
+    throw InputError(message);
   }
   glfwMakeContextCurrent(window_);
   try {

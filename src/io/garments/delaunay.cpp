@@ -66,9 +66,9 @@ std::vector<Triangle> delaunay(const std::vector<Vec2>& points) {
   const Vec2 middle = (low + high) / 2.0;
   const double reach = 1000.0 * (high - low).norm();
   std::vector<Vec2> all = points;
-  all.push_back(middle + Vec2(-reach, -reach));
-  all.push_back(middle + Vec2(reach, -reach));
-  all.push_back(middle + Vec2(0.0, reach));
+  all.emplace_back(middle + Vec2(-reach, -reach));
+  all.emplace_back(middle + Vec2(reach, -reach));
+  all.emplace_back(middle + Vec2(0.0, reach));
   std::vector<Cell> cells{makeCell(all, count, count + 1, count + 2)};
   for (int point = 0; point < count; ++point) {
     insertPoint(all, point, cells);

@@ -174,7 +174,7 @@ void addPiece(const FlatMesh& piece, const std::vector<Vec3>& position, const st
           known.try_emplace({point, chart[t].x(), chart[t].y()}, static_cast<int>(garment.positions.size()));
       if (isNew) {
         garment.positions.push_back(position[at(point)]);
-        garment.uvs.push_back(piece.points[at(point)] + chart[t]);
+        garment.uvs.emplace_back(piece.points[at(point)] + chart[t]);
       }
       added[corner] = entry->second;
     }
