@@ -190,7 +190,8 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
     }
   } else {
     newScene_ = outcome->scene;
-    tell("Opened " + outcome->scene->description.name);
+    const std::vector<std::string>& warnings = outcome->scene->summary.warnings;
+    tell("Opened " + outcome->scene->description.name + (warnings.empty() ? "" : ": " + warnings.front()));
   }
 }
 
