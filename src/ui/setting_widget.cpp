@@ -168,7 +168,7 @@ bool settingApplies(const SettingInfo& info, const Settings& settings, const Sce
   if (info.key.starts_with("grid.")) {
     return isGrid;
   }
-  if (info.key == "unit" || info.key == "weld_tolerance") {
+  if (info.key == "unit" || info.key == "up" || info.key == "weld_tolerance") {
     return !isGrid;
   }
   if (!info.alsoKey.empty()) {
