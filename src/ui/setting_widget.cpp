@@ -47,6 +47,8 @@ Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::v
     const std::string& choice = choices[static_cast<std::size_t>(i)];
     const bool chosen = choice == value;
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? palette().accentFill : palette().field);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
+                          ImGui::GetStyleColorVec4(chosen ? ImGuiCol_Button : ImGuiCol_ButtonHovered));
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? palette().text : palette().muted);
     if (ImGui::Button(
             spoken(choice).c_str(),
@@ -54,7 +56,7 @@ Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::v
         !chosen) {
       edit = {.changed = true, .finished = true, .value = choice};
     }
-    ImGui::PopStyleColor(2);
+    ImGui::PopStyleColor(3);
     context.buttons[std::string(info.key) + "=" + choice] = lastItemRect();
     if (i + 1 < count) {
       ImGui::SameLine(0.0F, gap);

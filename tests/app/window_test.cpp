@@ -260,6 +260,16 @@ TEST(Window, ASceneIsBuiltAgainWhenItsMeshChanges) {
   });
 }
 
+TEST(Window, AMeshInAnotherUnitIsLookedAtFromWhereItFillsTheView) {
+  ViewerDriver viewer({"skirt", "--paused"});
+  const Json metres = viewer.state();
+  viewer.click(viewer.find("unit=cm"));
+  const Json centimetres =
+      viewer.waitUntil("another unit", [](const Json& s) { return s["settings"]["unit"] == "cm"; });
+  viewer.waitUntil("a nearer camera", [&](const Json& s) { return cameraDistance(s) < 0.2 * cameraDistance(metres); });
+  EXPECT_EQ(centimetres["vertices"], metres["vertices"]);
+}
+
 TEST(Window, AnotherSceneIsOpenedFromTheList) {
   ViewerDriver viewer({"grid", "--paused"});
   viewer.click(viewer.find("scene.choice"));

@@ -58,6 +58,22 @@ std::pair<int, int> openingSize(const ViewerOptions& options) {
   return options.windowSize.value_or(std::pair(usualWidth, usualHeight));
 }
 
+/// True when one would want to look from elsewhere: the mesh came in another unit, or was turned upright.
+bool differsInSize(const Scene& a, const Scene& b) {
+  constexpr double much = 1.5;
+  const double least = 0.02 * std::max(*std::max_element(a.summary.size.begin(), a.summary.size.end()),
+                                       *std::max_element(b.summary.size.begin(), b.summary.size.end()));
+  for (std::size_t axis = 0; axis < a.summary.size.size(); ++axis) {
+    // A flat cloth has a side of zero, and a little more of it is no other size.
+    const double one = a.summary.size[axis] + least;
+    const double other = b.summary.size[axis] + least;
+    if (one > much * other || other > much * one) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 Viewer::Viewer(const std::shared_ptr<const Scene>& scene, const ViewerOptions& options)
@@ -184,14 +200,14 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
   }
   simulation_.post(LoadSceneCommand{outcome->scene});
   if (outcome->rebuilt) {
+    grownScene_ = differsInSize(*outcome->scene, *snapshot.scene) ? outcome->scene : nullptr;
     // What the user changed while the scene was being built must not be lost.
     for (auto& change : runningChanges(outcome->scene->settings, snapshot.settings)) {
       simulation_.post(std::move(change));
     }
   } else {
     newScene_ = outcome->scene;
-    const std::vector<std::string>& warnings = outcome->scene->summary.warnings;
-    tell("Opened " + outcome->scene->description.name + (warnings.empty() ? "" : ": " + warnings.front()));
+    tell("Opened " + outcome->scene->description.name);
   }
 }
 
@@ -204,6 +220,12 @@ void Viewer::followScene(const Snapshot& snapshot) {
   if (shownScene_ == newScene_) {
     controller_.lookAtScene(*shownScene_);
     newScene_.reset();
+  } else if (shownScene_ == grownScene_) {
+    controller_.frameCloth(snapshot);
+    grownScene_.reset();
+  }
+  if (!shownScene_->summary.warnings.empty()) {
+    tell(shownScene_->summary.warnings.front());
   }
 }
 

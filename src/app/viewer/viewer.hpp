@@ -64,7 +64,8 @@ class Viewer {
   SimulationThread simulation_;
 
   std::shared_ptr<const Scene> shownScene_;  ///< whose name the title bar has
-  std::shared_ptr<const Scene> newScene_;    ///< on its way; its camera is to be taken over
+  std::shared_ptr<const Scene> newScene_;    ///< on its way; it is to be looked at as its author wants
+  std::shared_ptr<const Scene> grownScene_;  ///< on its way; it is to be framed from the same direction
   UiStats stats_;
   UiDisplay display_;
   Vec2 mouse_ = Vec2::Zero();
