@@ -8,7 +8,8 @@ namespace drape {
 namespace {
 
 const ImVec4& paceColour(const Snapshot& snapshot) {
-  const bool slow = !snapshot.paused && snapshot.realTimeFactor < 0.95 * snapshot.settings.playback.speed;
+  const bool slow = !snapshot.paused && snapshot.realTimeFactor > 0.0 &&
+                    snapshot.realTimeFactor < 0.95 * snapshot.settings.playback.speed;
   return slow ? palette().warning : palette().text;
 }
 

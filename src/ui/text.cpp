@@ -52,6 +52,9 @@ std::string describePace(const Snapshot& snapshot) {
   if (snapshot.paused) {
     return "paused";
   }
+  if (snapshot.realTimeFactor <= 0.0) {
+    return "not timed";  // no clock is running, as in a capture, or it has only just begun
+  }
   return printed("%.2f", snapshot.realTimeFactor) + " \u00D7 real time";
 }
 

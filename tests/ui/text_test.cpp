@@ -34,6 +34,8 @@ TEST(Text, PaceIsInWords) {
   Snapshot snapshot;
   snapshot.realTimeFactor = 0.414;
   EXPECT_EQ(describePace(snapshot), "0.41 \u00D7 real time");
+  snapshot.realTimeFactor = 0.0;
+  EXPECT_EQ(describePace(snapshot), "not timed");
   snapshot.paused = true;
   EXPECT_EQ(describePace(snapshot), "paused");
 }
