@@ -93,7 +93,14 @@ void measure(const GridLayout& layout, GridSource::Plane plane, MeshSummary& sum
 }  // namespace
 
 GridLayout layoutOf(const Settings::Grid& grid) {
+  constexpr double mostVertices = 4e6;
   const double cell = std::min(grid.width, grid.height) / (grid.resolution - 1);
+  const double vertices = (grid.width / cell + 1.0) * (grid.height / cell + 1.0);
+  if (vertices > mostVertices) {
+    throw InputError("a grid of " + std::to_string(static_cast<long long>(vertices)) +
+                     " vertices is too large (4000000 at most): lower grid.resolution, or bring grid.width and "
+                     "grid.height nearer to each other");
+  }
   const auto along = [&](double length) { return static_cast<int>(std::lround(length / cell)) + 1; };
   return {along(grid.width), along(grid.height), grid.width, grid.height};
 }

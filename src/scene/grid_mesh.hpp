@@ -15,6 +15,7 @@ struct GridLayout {
 };
 
 /// `resolution` vertices along the shorter side, and as many along the longer one as make the cells nearly square.
+/// Throws InputError for more than four million vertices.
 [[nodiscard]] GridLayout layoutOf(const Settings::Grid& grid);
 
 /// A flat sheet centred on the origin, one diagonal a quad (from row r, column c to row r + 1, column c + 1), texture

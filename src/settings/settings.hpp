@@ -63,6 +63,9 @@ enum class SettingEffect {
   View,   ///< the picture only
 };
 
+/// Which cloth a setting concerns; for others it is not shown.
+enum class SettingScope { Everywhere, Grid, MeshFile };
+
 /// The panel that a setting is shown in.
 enum class SettingGroup { Simulation, Material, Air, Scene, View };
 

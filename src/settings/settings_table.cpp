@@ -18,7 +18,7 @@ std::vector<std::string> solverNames() {
   return names;
 }
 
-// Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it decides].
+// Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it decides [, scope]].
 // clang-format off
 const std::array table{
     SettingInfo{"solver", "Solver", "-", Simulation, SettingEffect::Step,
@@ -85,27 +85,27 @@ const std::array table{
     SettingInfo{"unit", "Mesh unit", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](Settings& s) -> std::string& { return s.mesh.unit; },
             +[] { return std::vector<std::string>{"m", "cm", "mm"}; }},
-        "Unit of the coordinates in a mesh file."},
+        "Unit of the coordinates in a mesh file.", {}, {}, SettingScope::MeshFile},
     SettingInfo{"up", "Mesh up axis", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](Settings& s) -> std::string& { return s.mesh.up; },
             +[] { return std::vector<std::string>{"y", "z"}; }},
-        "The axis that points up in a mesh file. Some programs write z; the mesh is then turned upright."},
+        "The axis that points up in a mesh file. Some programs write z; the mesh is then turned upright.", {}, {}, SettingScope::MeshFile},
     SettingInfo{"weld_tolerance", "Weld tolerance", "-", Scene, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.mesh.weldTolerance; }, 0.0, 0.01, false},
-        "Vertices of a mesh that are nearer to each other than this share of its diagonal become one."},
+        "Vertices of a mesh that are nearer to each other than this share of its diagonal become one.", {}, {}, SettingScope::MeshFile},
     SettingInfo{"pins", "Pins", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](Settings& s) -> std::string& { return s.mesh.pins; },
             +[] { return std::vector<std::string>{"scene", "top", "none"}; }},
         "What holds the cloth: what the scene says (a bare mesh hangs by its top), its topmost vertices, or nothing."},
     SettingInfo{"grid.resolution", "Grid resolution", "-", Scene, SettingEffect::Scene,
         IntegerField{[](Settings& s) -> int& { return s.grid.resolution; }, 2, 1025, 1, {}},
-        "Vertices along the shorter side of a grid."},
+        "Vertices along the shorter side of a grid.", {}, {}, SettingScope::Grid},
     SettingInfo{"grid.width", "Grid width", "m", Scene, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.grid.width; }, 0.01, 100.0, true},
-        "Extent of a grid along its rows."},
+        "Extent of a grid along its rows.", {}, {}, SettingScope::Grid},
     SettingInfo{"grid.height", "Grid height", "m", Scene, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.grid.height; }, 0.01, 100.0, true},
-        "Extent of a grid across its rows."},
+        "Extent of a grid across its rows.", {}, {}, SettingScope::Grid},
     SettingInfo{"hand.stiffness", "Hand stiffness", "N/m", Scene, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.hand.stiffness; }, 0.1, 1e5, true},
         "Stiffness of the spring by which the mouse pulls at the cloth."},

@@ -54,6 +54,7 @@ struct SettingInfo {
   std::string_view help;            ///< what it means, one or two sentences
   std::string_view alsoKey = {};    ///< a setting that giving this one decides ...
   std::string_view alsoValue = {};  ///< ... and its value: giving mass sets mass_given_as to "mass"
+  SettingScope scope = SettingScope::Everywhere;
 };
 
 /// Every setting, in the order in which it is shown.

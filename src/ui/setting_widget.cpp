@@ -167,11 +167,8 @@ std::string numberFormat(std::string_view digits, std::string_view unit) {
 
 bool settingApplies(const SettingInfo& info, const Settings& settings, const Scene& scene) {
   const bool isGrid = std::holds_alternative<GridSource>(scene.description.source);
-  if (info.key.starts_with("grid.")) {
-    return isGrid;
-  }
-  if (info.key == "unit" || info.key == "up" || info.key == "weld_tolerance") {
-    return !isGrid;
+  if (info.scope == (isGrid ? SettingScope::MeshFile : SettingScope::Grid)) {
+    return false;
   }
   if (!info.alsoKey.empty()) {
     const SettingInfo* decided = findSetting(info.alsoKey);

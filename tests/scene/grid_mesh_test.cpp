@@ -24,6 +24,11 @@ TEST(GridMesh, keepsItsCellsSquareOnARectangle) {
   EXPECT_EQ(layout.columns, 49);
 }
 
+TEST(GridMesh, refusesMoreVerticesThanAMachineHolds) {
+  EXPECT_THROW(static_cast<void>(layoutOf({1025, 100.0, 0.01})), InputError);
+  EXPECT_NO_THROW(static_cast<void>(layoutOf({1025, 1.0, 1.0})));
+}
+
 TEST(GridMesh, countsTheSpringsThatTheClothHas) {
   for (const Settings::Grid& grid : {Settings::Grid{5, 1.0, 2.0}, Settings::Grid{9, 3.0, 1.0}}) {
     const ImportedMesh mesh = makeGrid(layoutOf(grid), GridSource::Plane::Vertical);
