@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
@@ -110,6 +111,18 @@ TEST(Run, failsWithStatusOneWhenInputOrOutputCannotBeHad) {
     EXPECT_EQ(outcome.status, 1) << arguments << '\n' << outcome.errors;
     EXPECT_NE(outcome.errors.find("drape-headless: "), std::string::npos) << arguments;
   }
+}
+
+TEST(Run, tellsWhatWasFoundInAMeshFile) {
+  const auto mesh = testFolder() / "sheet.obj";
+  std::ofstream(mesh) << "v 0 0 0\nv 100 0 0\nv 100 200 0\nv 0 200 0\nf 1 2 3 4\nf 1 2 3\n";
+  const Outcome metres = headless("run " + mesh.string() + " --seconds 0.01");
+  EXPECT_EQ(metres.status, 0) << metres.errors;
+  EXPECT_NE(metres.errors.find("--set unit=cm"), std::string::npos) << metres.errors;
+  const Outcome centimetres = headless("run " + mesh.string() + " --set unit=cm --seconds 0.01");
+  EXPECT_EQ(centimetres.errors.find("--set unit=cm"), std::string::npos) << centimetres.errors;
+  EXPECT_NE(centimetres.output.find("triangles:   2"), std::string::npos) << centimetres.output;
+  EXPECT_NE(centimetres.output.find("1 x 2 x 0 m"), std::string::npos) << centimetres.output;
 }
 
 TEST(Run, takesNoStepInNoTime) {

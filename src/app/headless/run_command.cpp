@@ -37,7 +37,17 @@ std::int64_t stepsFor(double seconds, double timeStep) {
   return static_cast<std::int64_t>(steps);
 }
 
+/// What was found in a mesh file and done to it; a grid has nothing to tell.
+void printMesh(const Scene& scene) {
+  if (std::holds_alternative<MeshFileSource>(scene.description.source)) {
+    for (const std::string& line : describe(scene.summary)) {
+      std::cout << line << '\n';
+    }
+  }
+}
+
 void printSummary(const Simulation& simulation, const RunStats& stats) {
+  printMesh(simulation.scene());
   const auto json = stats.toJson(simulation);
   std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
             << " springs, " << json["triangles"] << " triangles\n"
