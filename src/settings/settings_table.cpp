@@ -18,7 +18,8 @@ std::vector<std::string> solverNames() {
   return names;
 }
 
-// Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it decides [, scope]].
+// Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it decides [,
+// scope]].
 // clang-format off
 const std::array table{
     SettingInfo{"solver", "Solver", "-", Simulation, SettingEffect::Step,
