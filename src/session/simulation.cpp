@@ -9,6 +9,12 @@
 #include <utility>
 
 namespace drape {
+namespace {
+
+/// No cloth stretches to three times its length. Where springs do, the step is beyond what it can carry.
+constexpr double implausibleStretch = 2.0;
+
+}  // namespace
 
 Simulation::Simulation(std::shared_ptr<const Scene> scene) {
   on(LoadSceneCommand{std::move(scene)});
@@ -64,6 +70,11 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.maxStretch = drape::maxStretch(*model_, state_);
   snapshot.stepSeconds = stepSeconds_;
   snapshot.message = message_;
+  if (message_.empty() && snapshot.maxStretch > implausibleStretch) {
+    snapshot.message =
+        "Springs are stretched to over three times their length: the time step is too large for this stiffness and "
+        "mesh. Make it smaller, then reset.";
+  }
   snapshot.grab.reset();
   if (grab_) {
     const int corner = nearestCornerOfGrab();

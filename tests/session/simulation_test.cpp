@@ -159,6 +159,18 @@ TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
   EXPECT_TRUE(isFinite(simulation.state()));
 }
 
+TEST(Simulation, saysWhenSpringsAreStretchedBeyondAllMeasure) {
+  auto scene = std::make_shared<Scene>(*smallGrid());
+  Snapshot snapshot;
+  Simulation(scene).capture(snapshot);
+  EXPECT_TRUE(snapshot.message.empty());
+  for (Vec3& position : scene->start.positions) {
+    position *= 3.5;
+  }
+  Simulation(scene).capture(snapshot);
+  EXPECT_NE(snapshot.message.find("time step is too large"), std::string::npos) << snapshot.message;
+}
+
 TEST(Simulation, replaysItsLogToTheSameBits) {
   const auto scene = smallGrid();
   Simulation original(scene);
