@@ -71,9 +71,7 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.stepSeconds = stepSeconds_;
   snapshot.message = message_;
   if (message_.empty() && snapshot.maxStretch > implausibleStretch) {
-    snapshot.message =
-        "Springs are stretched to over three times their length: the time step is too large for this stiffness and "
-        "mesh. Make it smaller, then reset.";
+    snapshot.message = "Overstretched: this cloth needs a smaller time step. Change it, then reset.";
   }
   snapshot.grab.reset();
   if (grab_) {
