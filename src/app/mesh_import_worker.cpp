@@ -116,7 +116,9 @@ const aiScene& parse(Assimp::Importer& importer, const std::string& format, cons
   int unwanted = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
                  aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
                  aiComponent_CAMERAS | aiComponent_MATERIALS;
-  for (unsigned set = 1; set < AI_MAX_NUMBER_OF_TEXTURECOORDS; ++set) {
+  // assimp has room for eight sets of texture coordinates, but a flag for the first seven only.
+  constexpr unsigned flaggedSets = 7;
+  for (unsigned set = 1; set < flaggedSets; ++set) {
     unwanted |= static_cast<int>(aiComponent_TEXCOORDSn(set));
   }
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted);
