@@ -17,7 +17,8 @@ if(DRAPE_WARNINGS_AS_ERRORS)
 endif()
 
 if(DRAPE_SANITIZER)
-  target_compile_options(drape_compiler INTERFACE -fsanitize=${DRAPE_SANITIZER} -fno-omit-frame-pointer)
+  target_compile_options(drape_compiler INTERFACE -fsanitize=${DRAPE_SANITIZER} -fno-sanitize-recover=all
+                                                  -fno-omit-frame-pointer)
   target_link_options(drape_compiler INTERFACE -fsanitize=${DRAPE_SANITIZER})
   # An address-space limit would starve the sanitizer's own shadow memory, so the mesh importer leaves it out.
   target_compile_definitions(drape_compiler INTERFACE DRAPE_SANITIZED=1)
