@@ -36,13 +36,18 @@ std::string formatList() {
   return list;
 }
 
-/// The file's format by its ending. Throws InputError when it is none of those that are offered.
-std::string formatOf(std::string_view name) {
-  std::string ending = fs::path(name).extension().string();
+/// The file's ending in small letters, with its dot; empty when it has none.
+std::string endingOf(const fs::path& file) {
+  std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  const std::vector<std::string> formats = meshFormats();
-  if (ending.empty() || std::find(formats.begin(), formats.end(), ending.substr(1)) == formats.end()) {
+  return ending;
+}
+
+/// The file's format by its ending. Throws InputError when it is none of those that are offered.
+std::string formatOf(std::string_view name) {
+  const std::string ending = endingOf(name);
+  if (!isMeshFile(name)) {
     throw InputError(std::string(name) + ": " + (ending.empty() ? "no ending" : "'" + ending + "' is not an ending") +
                      " that tells a mesh format. Meshes are read from " + formatList() +
                      ": export the mesh in one of these.");
@@ -136,6 +141,12 @@ RawMesh readInChild(const std::string& format, std::string_view bytes, double ti
 
 std::vector<std::string> meshFormats() {
   return {"obj", "ply", "stl", "glb"};
+}
+
+bool isMeshFile(const fs::path& file) {
+  const std::string ending = endingOf(file);
+  const std::vector<std::string> formats = meshFormats();
+  return !ending.empty() && std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end();
 }
 
 ImportedMesh importMesh(const std::filesystem::path& file, const ImportOptions& options) {

@@ -62,6 +62,9 @@ struct ImportOptions {
 /// The endings of the formats that are offered, lower case, without the dot.
 [[nodiscard]] std::vector<std::string> meshFormats();
 
+/// True when the file's ending, in capitals or not, is that of a format that is offered.
+[[nodiscard]] bool isMeshFile(const std::filesystem::path& file);
+
 /// Reads a mesh file. The parsing happens in a child process with limits on memory and time, so that a file that
 /// crashes or stalls the parser costs a message. Throws InputError (missing, a directory, unknown format, too large,
 /// not a mesh, no faces, NaN, crash, time-out), naming file, place and remedy.

@@ -1,6 +1,7 @@
 #include "io/mesh_summary.hpp"
 
 #include "io/mesh_topology.hpp"
+#include "sim/bounds.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -87,13 +88,7 @@ void summarise(const ClothMesh& cloth, MeshSummary& summary) {
   summary.boundaryLoops = topology.boundaryLoops;
   summary.nonManifoldEdges = topology.nonManifoldEdges;
   summary.misorientedEdges = topology.misorientedEdges;
-  Vec3 low = cloth.positions.front();
-  Vec3 high = low;
-  for (const Vec3& position : cloth.positions) {
-    low = low.cwiseMin(position);
-    high = high.cwiseMax(position);
-  }
-  const Vec3 size = high - low;
+  const Vec3 size = boundsOf(cloth.positions).sizes();
   summary.size = {size.x(), size.y(), size.z()};
   warnAboutSize(summary);
   warnAboutFaces(summary);

@@ -41,12 +41,12 @@ void Framebuffer::bindResolved() const {
   glViewport(0, 0, width_, height_);
 }
 
-void Framebuffer::blitToWindow() const {
+void Framebuffer::blitToWindow(int left, int bottom) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBlitFramebuffer(0, 0, width_, height_, left, bottom, left + width_, bottom + height_, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, width_, height_);
 }
 
 }  // namespace drape

@@ -17,8 +17,8 @@ class Framebuffer {
   /// Binds the picture itself for drawing.
   void bindResolved() const;
 
-  /// Copies the picture into framebuffer 0.
-  void blitToWindow() const;
+  /// Copies the picture into framebuffer 0, with its lower left corner there [pixels].
+  void blitToWindow(int left, int bottom) const;
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }

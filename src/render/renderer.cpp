@@ -228,8 +228,8 @@ void Renderer::draw(const Snapshot& snapshot, const Camera& camera, int width, i
   checkGl("the picture");
 }
 
-void Renderer::blitToWindow() {
-  parts_->framebuffer.blitToWindow();
+void Renderer::blitToWindow(int left, int bottom) {
+  parts_->framebuffer.blitToWindow(left, bottom);
 }
 
 void Renderer::bindTarget() {

@@ -22,8 +22,9 @@ class Renderer {
   /// snapshot's scene, model and version, so the snapshots of one renderer come from one simulation.
   void draw(const Snapshot& snapshot, const Camera& camera, int width, int height);
 
-  /// Copies the last picture into framebuffer 0 (the window's), which must have the same size.
-  void blitToWindow();
+  /// Copies the last picture into framebuffer 0 (the window's), with its lower left corner there [pixels], and leaves
+  /// that framebuffer bound.
+  void blitToWindow(int left = 0, int bottom = 0);
 
   /// Binds the resolved framebuffer for drawing, so that panels can be drawn over the picture.
   void bindTarget();

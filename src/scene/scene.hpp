@@ -39,6 +39,9 @@ struct Pleats {
   double gather = 0.7;
 };
 
+/// How much of a mesh without a scene is held at its top, as a share of its height [-].
+inline constexpr double topOfBareMesh = 0.03;
+
 /// Which vertices are held. All the parts that are present add up.
 struct PinSelection {
   struct Box {

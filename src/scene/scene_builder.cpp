@@ -4,17 +4,14 @@
 #include "scene/mass.hpp"
 #include "scene/pin_selection.hpp"
 #include "scene/scene.hpp"
+#include "sim/bounds.hpp"
 #include "sim/error.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace drape {
 namespace {
-
-/// How much of a bare mesh is held at its top.
-constexpr double topOfBareMesh = 0.03;
 
 double metresPerUnit(const std::string& unit) {
   return unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1.0;
@@ -48,20 +45,6 @@ PinSelection pinsInForce(const SceneDescription& description, const Settings& se
     pins.top = topOfBareMesh;
   }
   return pins;
-}
-
-struct Box {
-  Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
-};
-
-Box boundsOf(const std::vector<Vec3>& positions) {
-  Box box;
-  for (const Vec3& position : positions) {
-    box.min = box.min.cwiseMin(position);
-    box.max = box.max.cwiseMax(position);
-  }
-  return box;
 }
 
 std::optional<Decor> readStand(const std::optional<MeshFileSource>& source) {
@@ -121,15 +104,15 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->summary = std::move(source.mesh.summary);
   scene->stand = readStand(description.stand);
 
-  const Box box = boundsOf(scene->start.positions);
+  const Eigen::AlignedBox3d box = boundsOf(scene->start.positions);
   scene->groundHeight =
-      description.groundBelowCloth ? box.min.y() - 0.25 * (box.max.y() - box.min.y()) : description.groundHeight;
+      description.groundBelowCloth ? box.min().y() - 0.25 * (box.max().y() - box.min().y()) : description.groundHeight;
   constexpr double usualAspect = 16.0 / 9.0;
   constexpr double cautious = 1.15;  // cloth sags and swings beyond the box it starts in
-  const Vec3 middle = 0.5 * (box.min + box.max);
+  const Vec3 middle = 0.5 * (box.min() + box.max());
   scene->camera = description.camera.value_or(framed({Vec3(0.35, 0.2, 1.0), Vec3::Zero(), CameraPose{}.viewAngle},
-                                                     middle + cautious * (box.min - middle),
-                                                     middle + cautious * (box.max - middle), usualAspect));
+                                                     middle + cautious * (box.min() - middle),
+                                                     middle + cautious * (box.max() - middle), usualAspect));
   return scene;
 }
 

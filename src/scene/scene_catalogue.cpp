@@ -39,14 +39,6 @@ std::string sceneNames() {
   return names;
 }
 
-bool isMeshFile(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto formats = meshFormats();
-  return !ending.empty() && std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end();
-}
-
 std::string readText(const std::filesystem::path& file) {
   if (std::filesystem::file_size(file) > largestSceneFile) {
     throw InputError(file.string() + " is larger than a scene file can be (1 MiB)");
@@ -65,7 +57,7 @@ SceneDescription sceneOfMesh(const std::filesystem::path& file) {
   scene.title = scene.name;
   scene.help = "A mesh that hangs by its top.";
   scene.source = MeshFileSource{file.string(), false};
-  scene.pins.top = 0.03;
+  scene.pins.top = topOfBareMesh;
   scene.groundBelowCloth = true;
   return scene;
 }

@@ -1,6 +1,7 @@
 #include "ui/interaction_controller.hpp"
 
 #include "render/picking.hpp"
+#include "sim/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,13 +39,8 @@ void InteractionController::frameCloth(const Snapshot& snapshot) {
   if (snapshot.positions.empty()) {
     return;
   }
-  Vec3 low = snapshot.positions.front();
-  Vec3 high = low;
-  for (const Vec3& position : snapshot.positions) {
-    low = low.cwiseMin(position);
-    high = high.cwiseMax(position);
-  }
-  camera_.frame(low, high, view_.width / view_.height);
+  const Eigen::AlignedBox3d box = boundsOf(snapshot.positions);
+  camera_.frame(box.min(), box.max(), view_.width / view_.height);
 }
 
 void InteractionController::on(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {

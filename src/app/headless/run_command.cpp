@@ -46,9 +46,8 @@ void printMesh(const Scene& scene) {
   }
 }
 
-void printSummary(const Simulation& simulation, const RunStats& stats) {
+void printSummary(const Simulation& simulation, const nlohmann::ordered_json& json) {
   printMesh(simulation.scene());
-  const auto json = stats.toJson(simulation);
   std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
             << " springs, " << json["triangles"] << " triangles\n"
             << json["steps"] << " steps to " << simulation.state().time << " s, " << json["step_us"]["median"]
@@ -84,11 +83,12 @@ void run(RunArguments arguments) {
   if (!simulation.message().empty()) {
     std::cerr << "warning: " << simulation.message() << '\n';
   }
-  stats.write(simulation);
+  const auto figures = stats.toJson(simulation);
+  stats.write(figures);
   if (positions) {
     positions->close();
   }
-  printSummary(simulation, stats);
+  printSummary(simulation, figures);
 }
 
 }  // namespace

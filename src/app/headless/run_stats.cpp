@@ -66,11 +66,11 @@ nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
   return json;
 }
 
-void RunStats::write(const Simulation& simulation) {
+void RunStats::write(const nlohmann::ordered_json& figures) {
   if (name_.empty()) {
     return;
   }
-  file_ << toJson(simulation).dump(2) << '\n';
+  file_ << figures.dump(2) << '\n';
   file_.close();
   if (!file_) {
     throw InputError("statistics could not be written to " + name_);

@@ -23,7 +23,7 @@ class RunStats {
   [[nodiscard]] nlohmann::ordered_json toJson(const Simulation& simulation) const;
 
   /// Throws InputError when the file could not be written.
-  void write(const Simulation& simulation);
+  void write(const nlohmann::ordered_json& figures);
 
  private:
   std::string name_;

@@ -146,13 +146,7 @@ void Viewer::blit(const UiRect& view) {
   int windowHeight = 0;
   glfwGetFramebufferSize(window_.window(), &windowWidth, &windowHeight);
   const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * display_.density)); };
-  const int width = pixels(view.width);
-  const int height = pixels(view.height);
-  const int left = pixels(view.x);
-  const int bottom = windowHeight - pixels(view.y) - height;
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, width, height, left, bottom, left + width, bottom + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  renderer_.blitToWindow(pixels(view.x), windowHeight - pixels(view.y) - pixels(view.height));
   glViewport(0, 0, windowWidth, windowHeight);
 }
 
