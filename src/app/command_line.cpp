@@ -35,6 +35,7 @@ std::shared_ptr<const Scene> SceneArguments::load() const {
   for (const std::string& expression : settings) {
     assignSettingExpression(inForce, expression);
   }
+  requireConsistent(inForce);
   auto built = buildScene(description, inForce);
   for (const std::string& warning : built->summary.warnings) {
     std::cerr << "warning: " << warning << '\n';

@@ -97,6 +97,11 @@ void readSettings(const TomlReader& reader, Settings& settings) {
       reader.fail(node, error.what());
     }
   });
+  try {
+    requireConsistent(settings);
+  } catch (const UsageError& error) {
+    reader.fail(error.what());
+  }
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ void Simulation::step() {
   lastFinite_ = state_;
   const auto before = std::chrono::steady_clock::now();
   inputs_.grab = grabInForce();
-  solver_->step(*model_, settings_.step, inputs_, state_);
+  stepReport_ = stepper_->step(*model_, settings_.step, inputs_, state_);
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   ++version_;
   if (!isFinite(state_)) {
@@ -69,6 +69,7 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.energy = energyOf(*model_, settings_.step, state_);
   snapshot.maxStretch = drape::maxStretch(*model_, state_);
   snapshot.stepSeconds = stepSeconds_;
+  snapshot.stepReport = stepReport_;
   snapshot.message = message_;
   if (message_.empty() && snapshot.maxStretch > implausibleStretch) {
     snapshot.message = "Overstretched: this cloth needs a smaller time step. Change it, then reset.";
@@ -86,7 +87,10 @@ void Simulation::on(const SetSettingCommand& command) {
   if (info.effect == SettingEffect::Scene) {
     throw InputError(command.key + " takes effect when the scene is built again");
   }
-  assignSetting(settings_, info, command.value);
+  Settings changed = settings_;
+  assignSetting(changed, info, command.value);
+  requireConsistent(changed);
+  settings_ = changed;
   if (info.effect == SettingEffect::Mass) {
     model_ = withMass(*model_, totalMassOf(settings_, model_->restArea()), lumpingOf(settings_));
   }
@@ -154,15 +158,9 @@ void Simulation::on(const LoadSceneCommand& command) {
 }
 
 void Simulation::useSolver(const std::string& name) {
-  if (solverName_ == name) {
-    return;
+  if (!stepper_ || stepper_->info().name != name) {
+    stepper_ = std::make_unique<Stepper>(name);
   }
-  const SolverInfo* info = findSolver(name);
-  if (info == nullptr) {
-    throw InputError("there is no solver '" + name + "'");
-  }
-  solver_ = info->make();
-  solverName_ = name;
 }
 
 std::optional<Grab> Simulation::grabInForce() const {

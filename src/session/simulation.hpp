@@ -2,7 +2,7 @@
 
 #include "session/command.hpp"
 #include "session/snapshot.hpp"
-#include "sim/solver.hpp"
+#include "sim/stepper.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -75,8 +75,8 @@ class Simulation {
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const ClothModel> model_;
   Settings settings_;
-  std::unique_ptr<Solver> solver_;
-  std::string solverName_;
+  std::unique_ptr<Stepper> stepper_;
+  StepReport stepReport_;
   ClothState state_;
   ClothState lastFinite_;
   std::optional<Held> grab_;

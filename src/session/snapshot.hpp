@@ -2,6 +2,7 @@
 
 #include "scene/scene.hpp"
 #include "sim/diagnostics.hpp"
+#include "sim/solver.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -33,6 +34,7 @@ struct Snapshot {
   Energy energy;
   double maxStretch = 0.0;      ///< largest (L - l0) / l0 [-]
   double stepSeconds = 0.0;     ///< what the last step cost [s]
+  StepReport stepReport;        ///< how the last step went
   double realTimeFactor = 0.0;  ///< simulated time over wall-clock time, lately [-]; 0 while paused or not timed
   std::optional<GrabStatus> grab;
   std::string message;  ///< for the status line, when something went wrong; else empty

@@ -18,22 +18,100 @@ std::vector<std::string> solverNames() {
   return names;
 }
 
+template <typename Enum>
+struct Word {
+  Enum value;
+  std::string_view word;
+};
+
+constexpr std::array integrations{Word{Integration::BackwardEuler, "backward_euler"}, Word{Integration::Theta, "theta"},
+                                  Word{Integration::Bdf2, "bdf2"}};
+
+constexpr std::array derivatives{Word{ForceDerivative::Stabilised, "stabilised"}, Word{ForceDerivative::Exact, "exact"},
+                                 Word{ForceDerivative::Scalar, "scalar"}, Word{ForceDerivative::Axial, "axial"},
+                                 Word{ForceDerivative::TensionOnly, "tension_only"}};
+
+/// A choice between the values of an enumeration, each with its word.
+template <const auto& words, auto ref>
+ChoiceField choiceOf() {
+  return {[](const Settings& settings) {
+            Settings copy = settings;
+            const auto found =
+                std::find_if(words.begin(), words.end(), [&](const auto& entry) { return entry.value == ref(copy); });
+            return std::string(found->word);
+          },
+          [](Settings& settings, const std::string& word) {
+            const auto found =
+                std::find_if(words.begin(), words.end(), [&](const auto& entry) { return entry.word == word; });
+            ref(settings) = found->value;
+          },
+          [] {
+            std::vector<std::string> list;
+            for (const auto& entry : words) {
+              list.emplace_back(entry.word);
+            }
+            return list;
+          }};
+}
+
+bool solvesBackwardEuler(const Settings& settings) {
+  const SolverInfo* solver = findSolver(settings.solver.name);
+  return solver != nullptr && solver->backwardEuler;
+}
+
 // Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it decides [,
-// scope]].
+// scope [, when it has an effect]]].
 // clang-format off
 const std::array table{
     SettingInfo{"solver", "Solver", "-", Simulation, SettingEffect::Step,
-        ChoiceField{[](Settings& s) -> std::string& { return s.solver.name; }, solverNames},
+        ChoiceField{[](const Settings& s) { return s.solver.name; }, [](Settings& s, const std::string& word) { s.solver.name = word; }, solverNames},
         "The method that advances the cloth by one time step."},
     SettingInfo{"time_step", "Time step", "s", Simulation, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.timeStep; }, 1e-5, 0.1, true},
         "Simulated time that one step covers. Smaller steps are more accurate and cost more."},
+    SettingInfo{"substeps", "Substeps", "-", Simulation, SettingEffect::Step,
+        IntegerField{[](Settings& s) -> int& { return s.step.substeps; }, 1, 1000},
+        "Equal parts that each time step is taken in. Costs as much as a time step shorter by that factor."},
+    SettingInfo{"integration", "Integration", "-", Simulation, SettingEffect::Step,
+        choiceOf<integrations, [](Settings& s) -> Integration& { return s.step.integration; }>(),
+        "How an implicit step's end is found. Backward Euler is robust and damps; theta and bdf2 are of second order, "
+        "more accurate for the same work, and less robust in stiff cloth.",
+        {}, {}, SettingScope::Everywhere, solvesBackwardEuler},
+    SettingInfo{"theta", "Theta", "-", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.theta; }, 0.5, 1.0, false},
+        "Where in the step the theta scheme looks: 0.5 is the implicit midpoint rule, accurate and easily unstable; 1 is "
+        "backward Euler; 0.75 holds in nearly all scenes.",
+        {}, {}, SettingScope::Everywhere,
+        [](const Settings& s) { return solvesBackwardEuler(s) && s.step.integration == Integration::Theta; }},
     SettingInfo{"sweeps", "Sweeps", "-", Simulation, SettingEffect::Step,
-        IntegerField{[](Settings& s) -> int& { return s.step.sweeps; }, 1, 99, 2,
-            "an even number of block-Jacobi sweeps can amplify the stiffest modes, so that stiff cloth rattles"},
-        "Block-Jacobi sweeps a step; 1 is the paper's method. More sweeps solve the step's linear system better."},
+        IntegerField{[](Settings& s) -> int& { return s.step.sweeps; }, 1, 99},
+        "Block-Jacobi sweeps a step; 1 is the paper's method. More sweeps solve the step's linear system better. Must be "
+        "odd unless relaxation is 0.8 or less."},
+    SettingInfo{"relaxation", "Relaxation", "-", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.relaxation; }, 0.1, 1.0, false},
+        "How far a sweep goes towards its answer: 1 is Jacobi as in the paper, less is damped Jacobi."},
+    SettingInfo{"derivative", "Derivative", "-", Simulation, SettingEffect::Step,
+        choiceOf<derivatives, [](Settings& s) -> ForceDerivative& { return s.step.derivative; }>(),
+        "The springs' force derivative: stabilised where compressed (the paper), exact, scalar (Desbrun), axial (Volino) "
+        "or of tension only (Choi and Ko)."},
+    SettingInfo{"iterations", "Iterations", "-", Simulation, SettingEffect::Step,
+        IntegerField{[](Settings& s) -> int& { return s.step.iterations; }, 1, 1000},
+        "Iterations a step of a method that takes a fixed number of them."},
+    SettingInfo{"spectral_radius", "Spectral radius", "-", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.spectralRadius; }, 0.0, 0.9999, false},
+        "What the acceleration takes for the largest eigenvalue of the iteration. Too small accelerates little, too large "
+        "overshoots."},
+    SettingInfo{"tolerance", "Tolerance", "-", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.tolerance; }, 1e-14, 0.5, true},
+        "A solve ends when its residual is smaller than this share of the first one."},
+    SettingInfo{"max_iterations", "Most iterations", "-", Simulation, SettingEffect::Step,
+        IntegerField{[](Settings& s) -> int& { return s.step.maxIterations; }, 1, 100000},
+        "A solve that has not reached its tolerance by then goes on with what it has, and says so."},
+    SettingInfo{"keep_momentum", "Keep momentum", "-", Simulation, SettingEffect::Step,
+        FlagField{[](Settings& s) -> bool& { return s.step.keepMomentum; }},
+        "Gives cloth that nothing holds the linear and angular momentum back that a step took from it."},
     SettingInfo{"threads", "Threads", "-", Simulation, SettingEffect::Step,
-        IntegerField{[](Settings& s) -> int& { return s.step.threads; }, 1, 64, 1, {}},
+        IntegerField{[](Settings& s) -> int& { return s.step.threads; }, 1, 64},
         "Threads that one step may use. The result is the same to the last bit, whatever the number."},
     SettingInfo{"speed", "Speed", "-", Simulation, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.playback.speed; }, 0.01, 4.0, true},
@@ -49,7 +127,7 @@ const std::array table{
         NumberField{[](Settings& s) -> double& { return s.step.damping; }, 0.0, 100.0, true},
         "Damping of every spring: force for each metre per second that its ends differ in velocity."},
     SettingInfo{"mass_given_as", "Mass given as", "-", Material, SettingEffect::Mass,
-        ChoiceField{[](Settings& s) -> std::string& { return s.material.massGivenAs; },
+        ChoiceField{[](const Settings& s) { return s.material.massGivenAs; }, [](Settings& s, const std::string& word) { s.material.massGivenAs = word; },
             +[] { return std::vector<std::string>{"density", "mass"}; }},
         "Whether density or mass decides how heavy the cloth is. Setting either of them chooses it."},
     SettingInfo{"density", "Density", "kg/m^2", Material, SettingEffect::Mass,
@@ -60,7 +138,7 @@ const std::array table{
         NumberField{[](Settings& s) -> double& { return s.material.mass; }, 1e-6, 1000.0, true},
         "Mass of the whole cloth.", "mass_given_as", "mass"},
     SettingInfo{"mass_lumping", "Mass lumping", "-", Material, SettingEffect::Mass,
-        ChoiceField{[](Settings& s) -> std::string& { return s.material.lumping; },
+        ChoiceField{[](const Settings& s) { return s.material.lumping; }, [](Settings& s, const std::string& word) { s.material.lumping = word; },
             +[] { return std::vector<std::string>{"area", "uniform"}; }},
         "How the mass is spread over the vertices: by the area around each, or the same for all as in the paper."},
 
@@ -84,22 +162,22 @@ const std::array table{
         "Velocity of the air towards the front. Wind acts through drag and lift."},
 
     SettingInfo{"unit", "Mesh unit", "-", Scene, SettingEffect::Scene,
-        ChoiceField{[](Settings& s) -> std::string& { return s.mesh.unit; },
+        ChoiceField{[](const Settings& s) { return s.mesh.unit; }, [](Settings& s, const std::string& word) { s.mesh.unit = word; },
             +[] { return std::vector<std::string>{"m", "cm", "mm"}; }},
         "Unit of the coordinates in a mesh file.", {}, {}, SettingScope::MeshFile},
     SettingInfo{"up", "Mesh up axis", "-", Scene, SettingEffect::Scene,
-        ChoiceField{[](Settings& s) -> std::string& { return s.mesh.up; },
+        ChoiceField{[](const Settings& s) { return s.mesh.up; }, [](Settings& s, const std::string& word) { s.mesh.up = word; },
             +[] { return std::vector<std::string>{"y", "z"}; }},
         "The axis that points up in a mesh file. Some programs write z; the mesh is then turned upright.", {}, {}, SettingScope::MeshFile},
     SettingInfo{"weld_tolerance", "Weld tolerance", "-", Scene, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.mesh.weldTolerance; }, 0.0, 0.01, false},
         "Vertices of a mesh that are nearer to each other than this share of its diagonal become one.", {}, {}, SettingScope::MeshFile},
     SettingInfo{"pins", "Pins", "-", Scene, SettingEffect::Scene,
-        ChoiceField{[](Settings& s) -> std::string& { return s.mesh.pins; },
+        ChoiceField{[](const Settings& s) { return s.mesh.pins; }, [](Settings& s, const std::string& word) { s.mesh.pins = word; },
             +[] { return std::vector<std::string>{"scene", "top", "none"}; }},
         "What holds the cloth: what the scene says (a bare mesh hangs by its top), its topmost vertices, or nothing."},
     SettingInfo{"grid.resolution", "Grid resolution", "-", Scene, SettingEffect::Scene,
-        IntegerField{[](Settings& s) -> int& { return s.grid.resolution; }, 2, 1025, 1, {}},
+        IntegerField{[](Settings& s) -> int& { return s.grid.resolution; }, 2, 1025},
         "Vertices along the shorter side of a grid.", {}, {}, SettingScope::Grid},
     SettingInfo{"grid.width", "Grid width", "m", Scene, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.grid.width; }, 0.01, 100.0, true},
@@ -118,7 +196,7 @@ const std::array table{
         FlagField{[](Settings& s) -> bool& { return s.view.wireframe; }},
         "Draws the edges of the triangles, which are the springs."},
     SettingInfo{"view.surface", "Surface", "-", SettingGroup::View, SettingEffect::View,
-        ChoiceField{[](Settings& s) -> std::string& { return s.view.surface; },
+        ChoiceField{[](const Settings& s) { return s.view.surface; }, [](Settings& s, const std::string& word) { s.view.surface = word; },
             +[] { return std::vector<std::string>{"checker", "plain"}; }},
         "What the cloth looks like: a checker along its texture coordinates, or one colour."},
     SettingInfo{"view.ground", "Ground", "-", SettingGroup::View, SettingEffect::View,

@@ -21,13 +21,11 @@ struct NumberField {
   bool logarithmic;  ///< a slider should move in decades
 };
 
-/// A whole number within a closed range; only min, min + step, min + 2 step ... are allowed.
+/// A whole number within a closed range.
 struct IntegerField {
   int& (*ref)(Settings&);
   int min;
   int max;
-  int step;
-  std::string_view whyStep;  ///< the reason for a step other than one, shown when a value is refused
 };
 
 /// On or off.
@@ -37,7 +35,8 @@ struct FlagField {
 
 /// One of a list of words.
 struct ChoiceField {
-  std::string& (*ref)(Settings&);
+  std::string (*get)(const Settings&);
+  void (*set)(Settings&, const std::string&);  ///< of one of the choices
   std::vector<std::string> (*choices)();
 };
 
@@ -55,6 +54,7 @@ struct SettingInfo {
   std::string_view alsoKey = {};    ///< a setting that giving this one decides ...
   std::string_view alsoValue = {};  ///< ... and its value: giving mass sets mass_given_as to "mass"
   SettingScope scope = SettingScope::Everywhere;
+  bool (*relevant)(const Settings&) = nullptr;  ///< whether it has an effect beside the other settings; null: always
 };
 
 /// Every setting, in the order in which it is shown.
@@ -83,7 +83,15 @@ struct SettingInfo {
 /// `settings` is then unchanged.
 void assignSetting(Settings& settings, const SettingInfo& info, const SettingValue& value);
 
-/// The same from text, as on the command line: "0.01", "1/150", "on", "cm".
+/// Whether the setting has an effect under these settings: one that belongs to another solver, or to a choice that was
+/// not made, has none and need not be shown.
+[[nodiscard]] bool isRelevant(const SettingInfo& info, const Settings& settings);
+
+/// Throws UsageError where values that are each allowed do not go together, with the reason and what to do. Call it
+/// when all the values that belong together have been assigned.
+void requireConsistent(const Settings& settings);
+
+/// Assigns from text, as on the command line: "0.01", "1/150", "on", "cm".
 void assignSettingText(Settings& settings, const SettingInfo& info, std::string_view text);
 
 /// "key=value" as given to --set. Throws UsageError as above.

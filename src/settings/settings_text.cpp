@@ -1,5 +1,6 @@
 #include "settings/settings_table.hpp"
 #include "sim/error.hpp"
+#include "sim/solver.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,12 +42,8 @@ std::string listWords(const std::vector<std::string>& words) {
   return text;
 }
 
-[[noreturn]] void refuse(const SettingInfo& info, const std::string& given, std::string_view why = {}) {
-  std::string message = std::string(info.key) + " must be " + describeRange(info) + "; " + given + " is not";
-  if (!why.empty()) {
-    message += " (" + std::string(why) + ")";
-  }
-  throw UsageError(message);
+[[noreturn]] void refuse(const SettingInfo& info, const std::string& given) {
+  throw UsageError(std::string(info.key) + " must be " + describeRange(info) + "; " + given + " is not");
 }
 
 std::optional<double> parsePlainNumber(std::string_view text) {
@@ -93,9 +90,6 @@ void assignInteger(Settings& settings, const SettingInfo& info, const IntegerFie
   if (whole == nullptr || *whole < field.min || *whole > field.max) {
     refuse(info, quoted(formatValue(value)));
   }
-  if ((*whole - field.min) % field.step != 0) {
-    refuse(info, formatValue(value), field.whyStep);
-  }
   field.ref(settings) = *whole;
 }
 
@@ -105,7 +99,7 @@ void assignChoice(Settings& settings, const SettingInfo& info, const ChoiceField
   if (word == nullptr || std::find(choices.begin(), choices.end(), *word) == choices.end()) {
     refuse(info, quoted(formatValue(value)));
   }
-  field.ref(settings) = *word;
+  field.set(settings, *word);
 }
 
 void assignFlag(Settings& settings, const SettingInfo& info, const FlagField& field, const SettingValue& value) {
@@ -171,7 +165,9 @@ const SettingInfo& requireSetting(std::string_view key) {
 SettingValue settingValue(const Settings& settings, const SettingInfo& info) {
   // The accessors give references for writing; reading through them leaves the copy as it was.
   Settings copy = settings;
-  return std::visit([&](const auto& field) -> SettingValue { return field.ref(copy); }, info.field);
+  return std::visit(Overloaded{[&](const ChoiceField& field) -> SettingValue { return field.get(settings); },
+                               [&](const auto& field) -> SettingValue { return field.ref(copy); }},
+                    info.field);
 }
 
 std::string formatValue(const SettingValue& value) {
@@ -191,10 +187,8 @@ std::string describeRange(const SettingInfo& info) {
                                  return withUnit(info, formatNumber(field.min) + " to " + formatNumber(field.max));
                                },
                                [&](const IntegerField& field) {
-                                 const std::string range =
-                                     std::to_string(field.min) + " to " + std::to_string(field.max);
-                                 const bool odd = field.step == 2 && field.min % 2 == 1;
-                                 return withUnit(info, (odd ? "an odd number from " : "a whole number from ") + range);
+                                 return withUnit(info, "a whole number from " + std::to_string(field.min) + " to " +
+                                                           std::to_string(field.max));
                                },
                                [](const FlagField&) { return std::string("on or off"); },
                                [](const ChoiceField& field) { return listWords(field.choices()); }},
@@ -209,6 +203,25 @@ void assignSetting(Settings& settings, const SettingInfo& info, const SettingVal
              info.field);
   if (!info.alsoKey.empty()) {
     assignSetting(settings, requireSetting(info.alsoKey), std::string(info.alsoValue));
+  }
+}
+
+bool isRelevant(const SettingInfo& info, const Settings& settings) {
+  const auto lists = [&](const SolverInfo& solver) {
+    return std::find(solver.settings.begin(), solver.settings.end(), info.key) != solver.settings.end();
+  };
+  const auto table = solverTable();
+  const SolverInfo* chosen = findSolver(settings.solver.name);
+  const bool special = std::any_of(table.begin(), table.end(), lists);
+  return (!special || (chosen != nullptr && lists(*chosen))) && (info.relevant == nullptr || info.relevant(settings));
+}
+
+void requireConsistent(const Settings& settings) {
+  if (settings.step.sweeps % 2 == 0 && settings.step.relaxation > evenSweepsRelaxation) {
+    throw UsageError("sweeps must be odd while relaxation is above " + formatNumber(evenSweepsRelaxation) + "; " +
+                     std::to_string(settings.step.sweeps) +
+                     " is not (an even number of block-Jacobi sweeps can answer the stiffest modes with up to twice "
+                     "what they ask for, so that stiff cloth rattles; damped Jacobi cannot: lower relaxation first)");
   }
 }
 

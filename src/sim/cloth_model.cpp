@@ -2,8 +2,10 @@
 
 #include "sim/error.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -132,6 +134,31 @@ std::vector<double> massesOf(const ClothModel& model, double totalMass, MassLump
   return masses;
 }
 
+/// The fastest local motion that the rest shape allows: a vertex whose neighbours move against it feels the stiffness
+/// 2 sum_j k d d^T, so omega_i^2 = 2 lambda_max(sum_j k d d^T) / m_i.
+void findRates(ClothModel& model) {
+  model.unitFrequency = 0.0;
+  model.unitDampingRate = 0.0;
+  for (std::size_t i = 0; i < model.restPositions.size(); ++i) {
+    if (model.pinned[i]) {
+      continue;
+    }
+    Mat3 stiffness = Mat3::Zero();
+    const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
+    const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
+    for (std::size_t e = begin; e < end; ++e) {
+      const auto j = static_cast<std::size_t>(model.springEnds.values[e].neighbour);
+      const Vec3 offset = model.restPositions[j] - model.restPositions[i];
+      stiffness += offset * offset.transpose() / std::max(offset.squaredNorm(), std::numeric_limits<double>::min());
+    }
+    const double largest =
+        Eigen::SelfAdjointEigenSolver<Mat3>().computeDirect(stiffness, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+    const double mass = model.vertexMass[i];
+    model.unitFrequency = std::max(model.unitFrequency, std::sqrt(2.0 * largest / mass));
+    model.unitDampingRate = std::max(model.unitDampingRate, 2.0 * static_cast<double>(end - begin) / mass);
+  }
+}
+
 }  // namespace
 
 double ClothModel::restArea() const {
@@ -168,12 +195,14 @@ std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double 
     }
     model->pinned[static_cast<std::size_t>(pin)] = true;
   }
+  findRates(*model);
   return model;
 }
 
 std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double totalMass, MassLumping lumping) {
   auto changed = std::make_shared<ClothModel>(model);
   changed->vertexMass = massesOf(model, totalMass, lumping);
+  findRates(*changed);
   return changed;
 }
 
@@ -184,6 +213,7 @@ std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<
   }
   auto changed = std::make_shared<ClothModel>(model);
   changed->pinned = std::move(pinned);
+  findRates(*changed);
   return changed;
 }
 

@@ -41,7 +41,7 @@ struct ClothMesh {
 
 /// Everything about a cloth that does not change while it moves: rest mesh, springs, masses and pins.
 /// Immutable once built; a change of mass or pins makes a new model.
-struct ClothModel {
+struct ClothModel : std::enable_shared_from_this<ClothModel> {
   std::vector<Vec3> restPositions;   ///< [m]
   std::vector<Triangle> triangles;   ///< front is counter-clockwise
   std::vector<Spring> springs;       ///< the mesh's edges, sorted by (a, b)
@@ -50,6 +50,8 @@ struct ClothModel {
   std::vector<double> vertexArea;    ///< a third of the adjacent triangles' rest area [m^2]
   std::vector<double> vertexMass;    ///< [kg]
   std::vector<bool> pinned;          ///< true where a vertex is held where it is
+  double unitFrequency = 0.0;        ///< largest local angular frequency for springs of 1 N/m [1/s], see stability.hpp
+  double unitDampingRate = 0.0;      ///< largest 2 n_i / m_i, for a damping of 1 N s/m [1/s]
 
   [[nodiscard]] int vertexCount() const { return static_cast<int>(restPositions.size()); }
   [[nodiscard]] double restArea() const;   ///< [m^2]

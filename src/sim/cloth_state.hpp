@@ -8,11 +8,19 @@
 
 namespace drape {
 
+/// The state before the last step, for integrations that look back further than one step.
+struct StepHistory {
+  std::vector<Vec3> positions;   ///< [m], one a vertex
+  std::vector<Vec3> velocities;  ///< [m/s], one a vertex
+  double timeStep = 0.0;         ///< of the step from there to here [s]; 0: there is no history
+};
+
 /// What changes while a cloth moves. Plain data: a copy is a checkpoint.
 struct ClothState {
   std::vector<Vec3> positions;   ///< [m], one a vertex
   std::vector<Vec3> velocities;  ///< [m/s], one a vertex
   double time = 0.0;             ///< simulated time since the start [s]
+  StepHistory history = {};      ///< kept only by integrations that use it
 };
 
 /// A state at rest in the given positions at time 0.

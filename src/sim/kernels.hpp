@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/step_parameters.hpp"
 #include "sim/vector.hpp"
 
 #include <cmath>
@@ -31,19 +32,36 @@ inline constexpr double shortestLength = 1e-9;
   return (stiffness * (length - restLength) / length) * offset;
 }
 
-/// J_ij stabilised (eq. 16): exact while the spring is stretched, k [(1 - l0/L)(I - d d^T) + d d^T]; when it is
-/// compressed the negative part (1 - l0/L) I is dropped and k (l0/L) d d^T stays. Symmetric and positive semi-definite.
-/// A spring without direction (L -> 0) couples with k I.
-[[nodiscard]] inline Mat3 springDerivative(const Vec3& offset, double restLength, double stiffness) {
+/// J_ij, the positive block between the ends of a spring, in one of its variants. With r = l0/L:
+///
+/// | variant      | stretched                     | compressed                     | semi-definite, derivative     |
+/// |--------------|-------------------------------|--------------------------------|-------------------------------|
+/// | Stabilised   | k [(1 - r) I + r d d^T]       | k r d d^T (eq. 16)             | always; only when stretched   |
+/// | Exact        | k [(1 - r) I + r d d^T]       | the same (eq. 15)              | only when stretched; always   |
+/// | Scalar       | k I                           | k I                            | always; only for l0 = 0       |
+/// | Axial        | k d d^T                       | k d d^T                        | always; only along the spring |
+/// | TensionOnly  | k [(1 - r) I + r d d^T]       | 0                              | always; only when stretched   |
+///
+/// A spring without direction (L -> 0) couples with k I, or with nothing when only tension counts.
+[[nodiscard]] inline Mat3 springDerivative(const Vec3& offset, double restLength, double stiffness,
+                                           ForceDerivative variant = ForceDerivative::Stabilised) {
   const double length = offset.norm();
-  if (length <= shortestLength * restLength || length == 0.0) {
+  const bool compressed = length < restLength;
+  if (variant == ForceDerivative::TensionOnly && compressed) {
+    return Mat3::Zero();
+  }
+  if (variant == ForceDerivative::Scalar || length <= shortestLength * restLength || length == 0.0) {
     return stiffness * Mat3::Identity();
   }
-  const double ratio = restLength / length;
   const Vec3 direction = offset / length;
   const Mat3 outer = direction * direction.transpose();
+  if (variant == ForceDerivative::Axial) {
+    return stiffness * outer;
+  }
+  const double ratio = restLength / length;
   const Mat3 along = (stiffness * ratio) * outer;
-  return length < restLength ? along : Mat3(along + (stiffness * (1.0 - ratio)) * Mat3::Identity());
+  const bool dropped = compressed && variant == ForceDerivative::Stabilised;
+  return dropped ? along : Mat3(along + (stiffness * (1.0 - ratio)) * Mat3::Identity());
 }
 
 /// Damping of the relative velocity of a spring's ends (eq. 12): the force on vertex i [N].

@@ -1,22 +1,20 @@
 #include "sim/solver.hpp"
 
-#include "sim/one_iteration.hpp"
+#include "sim/solvers/registry.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace drape {
 
 std::span<const SolverInfo> solverTable() {
-  static constexpr std::array solvers{
-      SolverInfo{
-          "one_iteration", "One iteration (implicit)",
-          "Backward Euler with one block-Jacobi sweep a step and a force derivative that is stabilised where "
-          "springs are compressed. Cheap and calm at large steps; stiff cloth turns slack and sluggish, and very "
-          "fine stiff meshes can still blow up.",
-          makeOneIterationSolver},
-  };
-  return solvers;
+  static const std::vector<SolverInfo> table = [] {
+    std::vector<SolverInfo> infos;
+    for (const auto describe : solvers::all) {
+      infos.push_back(describe());
+    }
+    return infos;
+  }();
+  return table;
 }
 
 const SolverInfo* findSolver(std::string_view name) {

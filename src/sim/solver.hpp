@@ -6,9 +6,18 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace drape {
+
+/// How a step went, for methods that iterate until something is reached.
+struct StepReport {
+  int iterations = 0;     ///< taken, over all substeps [-]; 0 for methods that do not count any
+  double residual = 0.0;  ///< relative residual of the last solve [-]; 0 where it is not computed
+  bool converged = true;  ///< false when a solve gave up before its tolerance
+};
 
 /// A method that advances a cloth by one time step. A solver keeps only scratch memory and what can be computed again
 /// from its arguments, so that a step depends on nothing but its arguments.
@@ -19,16 +28,22 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
   virtual ~Solver() = default;
 
-  /// Advances `state` by `parameters.timeStep`. Pinned vertices stay where they are, with velocity zero.
-  virtual void step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                    ClothState& state) = 0;
+  /// Advances positions, velocities and time of `state` by `parameters.timeStep`. Pinned vertices stay where they are,
+  /// with velocity zero.
+  virtual StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                          ClothState& state) = 0;
 };
 
-/// How a solver presents itself.
+/// How a solver presents itself, and what it needs.
 struct SolverInfo {
-  std::string_view name;   ///< as typed by the user: "one_iteration"
-  std::string_view title;  ///< as shown: "One iteration (implicit)"
-  std::string_view help;   ///< what it is, with its source
+  std::string_view name;                   ///< as typed by the user: "one_iteration"
+  std::string_view title;                  ///< as shown: "One iteration (implicit)"
+  std::string_view help;                   ///< what it is in one sentence, then what it costs and when it fails
+  std::string_view source;                 ///< who published it
+  bool backwardEuler = false;              ///< solves a backward-Euler step, so other integrations can stand on it
+  std::vector<std::string_view> settings;  ///< keys of the settings that it reads and that not every solver reads
+  /// What is wrong with it on this cloth under these parameters, in words; empty when nothing is. May be null.
+  std::string (*warning)(const ClothModel&, const StepParameters&) = nullptr;
   std::unique_ptr<Solver> (*make)() = nullptr;
 };
 

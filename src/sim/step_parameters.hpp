@@ -6,6 +6,27 @@
 
 namespace drape {
 
+/// Which derivative of a spring's force the implicit methods put into their matrix (docs/method.md compares them).
+enum class ForceDerivative {
+  Stabilised,  ///< the paper's eq. 16: exact when stretched, k (l0/L) d d^T when compressed
+  Exact,       ///< the paper's eq. 15: k [(1 - l0/L) I + (l0/L) d d^T]; indefinite when compressed
+  Scalar,      ///< k I, as Desbrun, Schroeder and Barr (1999)
+  Axial,       ///< k d d^T, as Volino and Magnenat-Thalmann
+  TensionOnly  ///< exact when stretched, nothing when compressed, as Choi and Ko (2002)
+};
+
+/// How a step's end is found from its start, with any solver of a backward-Euler step.
+enum class Integration {
+  BackwardEuler,  ///< first order, damps fast motion strongly
+  Theta,          ///< a backward-Euler step over theta h, extrapolated to h; theta = 1/2 is the implicit midpoint rule
+  Bdf2            ///< second order from the last two states (backward differentiation formula)
+};
+
+/// The largest relaxation with which an even number of block-Jacobi sweeps is harmless. k sweeps with relaxation w
+/// answer a mode of the Jacobi eigenvalue mu >= -1 with g <= 1 + (2 w - 1)^(k+1) times the exact velocity change, and a
+/// backward- Euler oscillator stays stable while g <= 4/3; two sweeps reach that at w = 0.847.
+inline constexpr double evenSweepsRelaxation = 0.8;
+
 /// What a step needs to know besides the cloth itself. Any of it may change between two steps.
 struct StepParameters {
   double timeStep = 1.0 / 150.0;  ///< h [s]
@@ -16,8 +37,19 @@ struct StepParameters {
   double lift = 0.0;              ///< lift coefficient C_L [-]
   double airDensity = 1.225;      ///< rho [kg/m^3]
   Vec3 wind = Vec3::Zero();       ///< velocity of the air [m/s]
-  int sweeps = 1;                 ///< block-Jacobi sweeps a step, odd [-]
-  int threads = 1;                ///< threads a step may use [-]; the result does not depend on it
+
+  int substeps = 1;                                          ///< equal parts that a step is taken in [-]
+  ForceDerivative derivative = ForceDerivative::Stabilised;  ///< of all implicit methods
+  Integration integration = Integration::BackwardEuler;      ///< of all solvers of a backward-Euler step
+  double theta = 0.5;                                        ///< of Integration::Theta, 1/2 to 1 [-]
+  int sweeps = 1;                                            ///< block-Jacobi sweeps of one_iteration [-]
+  double relaxation = 1.0;                                   ///< damping of these sweeps; below 1: damped Jacobi [-]
+  int iterations = 10;                                       ///< of the methods that take a fixed number [-]
+  double spectralRadius = 0.8;                               ///< of the Jacobi iteration, for its acceleration [-]
+  double tolerance = 1e-6;                                   ///< relative residual at which a solve ends [-]
+  int maxIterations = 1000;                                  ///< at which a solve gives up [-]
+  bool keepMomentum = false;                                 ///< free cloth is given back the momentum it lost
+  int threads = 1;  ///< threads a step may use [-]; the result does not depend on it
 };
 
 /// A hand that holds the cloth: a spring from a point on a triangle to a target, whose force is bounded.

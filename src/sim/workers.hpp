@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -17,6 +18,16 @@ class Workers {
   /// Calls body(begin, end) on pieces that together cover 0 .. count - 1, on at most `threads` threads; short loops
   /// stay on the calling one.
   void forRange(int threads, int count, const std::function<void(int begin, int end)>& body);
+
+  /// Calls visit(i) for every index i from 0 to count - 1.
+  template <typename Visit>
+  void forEach(int threads, std::size_t count, Visit&& visit) {
+    forRange(threads, static_cast<int>(count), [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        visit(static_cast<std::size_t>(i));
+      }
+    });
+  }
 
  private:
   struct Arena;

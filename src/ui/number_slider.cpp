@@ -18,10 +18,27 @@ double asNumber(const SettingValue& value) {
   return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
 }
 
-/// The nearest value of the setting's kind within its range.
-SettingValue allowedValue(const SettingInfo& info, double value) {
+bool goesTogether(const SettingInfo& info, Settings settings, const SettingValue& value) {
+  try {
+    assignSetting(settings, info, value);
+    requireConsistent(settings);
+    return true;
+  } catch (const UsageError&) {
+    return false;
+  }
+}
+
+/// The nearest value of the setting's kind within its range; a whole number that the other settings forbid gives way to
+/// its neighbour, so that a slider passes over it.
+SettingValue allowedValue(const SettingInfo& info, const Settings& settings, double value) {
   if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
-    return nearestAllowed(*integer, value);
+    const int nearest = nearestAllowed(*integer, value);
+    for (const int candidate : {nearest, nearest + 1, nearest - 1}) {
+      if (goesTogether(info, settings, candidate)) {
+        return candidate;
+      }
+    }
+    return nearest;
   }
   const auto& number = std::get<NumberField>(info.field);
   return std::clamp(value, number.min, number.max);
@@ -95,9 +112,7 @@ Edit typing(PanelContext& context, const SettingInfo& info, const SettingValue& 
 
 int nearestAllowed(const IntegerField& field, double value) {
   const double inside = std::clamp(value, static_cast<double>(field.min), static_cast<double>(field.max));
-  const int last = (field.max - field.min) / field.step;
-  const int steps = static_cast<int>(std::lround((inside - field.min) / field.step));
-  return field.min + std::min(steps, last) * field.step;
+  return static_cast<int>(std::lround(inside));
 }
 
 SettingValue typedValue(const SettingInfo& info, const Settings& settings, const std::string& text) {
@@ -111,7 +126,7 @@ SettingValue typedValue(const SettingInfo& info, const Settings& settings, const
     if (end == text.c_str() || *end != '\0' || !std::isfinite(number)) {
       throw;
     }
-    return allowedValue(info, number);
+    return allowedValue(info, settings, number);
   }
 }
 
@@ -127,7 +142,7 @@ Edit numberSlider(PanelContext& context, const SettingInfo& info, const SliderRa
   } else if (ImGui::IsItemActive()) {
     const float width = ImGui::GetItemRectSize().x;
     const double fraction = static_cast<double>((ImGui::GetMousePos().x - ImGui::GetItemRectMin().x) / width);
-    edit.value = allowedValue(info, roundedForDisplay(sliderValue(range, fraction)));
+    edit.value = allowedValue(info, context.settings, roundedForDisplay(sliderValue(range, fraction)));
     edit.changed = edit.value != value;
   }
   paint(context, range, edit.value, format);

@@ -170,6 +170,9 @@ bool settingApplies(const SettingInfo& info, const Settings& settings, const Sce
   if (info.scope == (isGrid ? SettingScope::MeshFile : SettingScope::Grid)) {
     return false;
   }
+  if (!isRelevant(info, settings)) {
+    return false;
+  }
   if (!info.alsoKey.empty()) {
     const SettingInfo* decided = findSetting(info.alsoKey);
     return decided == nullptr || formatValue(settingValue(settings, *decided)) == info.alsoValue;
@@ -181,6 +184,7 @@ void changeSetting(PanelContext& context, const SettingInfo& info, const Setting
   Settings changed = context.settings;
   try {
     assignSetting(changed, info, value);
+    requireConsistent(changed);
   } catch (const UsageError& error) {
     context.output.hint = error.what();
     return;

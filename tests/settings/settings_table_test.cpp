@@ -1,6 +1,7 @@
 #include "settings/settings_table.hpp"
 
 #include "sim/error.hpp"
+#include "sim/solver.hpp"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -13,6 +14,7 @@ std::string refusal(const std::string& expression) {
   Settings settings;
   try {
     assignSettingExpression(settings, expression);
+    requireConsistent(settings);
     return "";
   } catch (const UsageError& error) {
     return error.what();
@@ -84,6 +86,45 @@ TEST(SettingsTable, refusesEvenSweepsWithTheReason) {
   EXPECT_NE(refusal("sweeps=0"), "");
   EXPECT_NE(refusal("sweeps=1.5"), "");
   EXPECT_EQ(refusal("sweeps=5"), "");
+}
+
+TEST(SettingsTable, takesEvenSweepsOfDampedJacobi) {
+  Settings settings;
+  assignSettingExpression(settings, "sweeps=4");
+  EXPECT_THROW(requireConsistent(settings), UsageError);
+  assignSettingExpression(settings, "relaxation=0.81");
+  EXPECT_THROW(requireConsistent(settings), UsageError);
+  assignSettingExpression(settings, "relaxation=0.8");
+  EXPECT_NO_THROW(requireConsistent(settings));
+}
+
+TEST(SettingsTable, tellsWhichSettingsHaveAnEffect) {
+  Settings settings;
+  EXPECT_TRUE(isRelevant(requireSetting("stiffness"), settings));
+  EXPECT_TRUE(isRelevant(requireSetting("sweeps"), settings));
+  EXPECT_FALSE(isRelevant(requireSetting("theta"), settings));
+  assignSettingExpression(settings, "integration=theta");
+  EXPECT_TRUE(isRelevant(requireSetting("theta"), settings));
+}
+
+TEST(SettingsTable, readsAndWritesEveryWordOfEveryChoice) {
+  for (const SettingInfo& info : settingsTable()) {
+    if (const auto* choice = std::get_if<ChoiceField>(&info.field)) {
+      for (const std::string& word : choice->choices()) {
+        Settings settings;
+        assignSetting(settings, info, word);
+        EXPECT_EQ(settingValue(settings, info), SettingValue(word)) << info.key;
+      }
+    }
+  }
+}
+
+TEST(SolverTable, namesOnlySettingsThatExist) {
+  for (const SolverInfo& solver : solverTable()) {
+    for (const std::string_view key : solver.settings) {
+      EXPECT_NE(findSetting(key), nullptr) << solver.name << ": " << key;
+    }
+  }
 }
 
 TEST(SettingsTable, namesTheNearestKeyForAMistypedOne) {

@@ -25,7 +25,6 @@ void addRange(const SettingField& field, Json& json) {
     json["type"] = "integer";
     json["min"] = integer->min;
     json["max"] = integer->max;
-    json["step"] = integer->step;
   } else if (const auto* choice = std::get_if<ChoiceField>(&field)) {
     json["type"] = "choice";
     json["choices"] = choice->choices();
@@ -58,7 +57,12 @@ Json scenesAsJson() {
 Json solversAsJson() {
   Json list = Json::array();
   for (const SolverInfo& info : solverTable()) {
-    list.push_back({{"name", info.name}, {"title", info.title}, {"help", info.help}});
+    list.push_back({{"name", info.name},
+                    {"title", info.title},
+                    {"help", info.help},
+                    {"source", info.source},
+                    {"backward_euler", info.backwardEuler},
+                    {"settings", info.settings}});
   }
   return list;
 }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+#include "sim/step_parameters.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace drape {
+
+/// Gravity and air on a vertex [N]. Every method evaluates the air at the start of a step.
+[[nodiscard]] Vec3 gravityAndAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                                 std::size_t vertex);
+
+/// The hand's pull at the corners of the triangle that it holds.
+struct HandPull {
+  std::array<std::size_t, 3> vertices{};  ///< the triangle's corners
+  Vec3 weights = Vec3::Zero();            ///< of the corners, summing to 1
+  Vec3 force = Vec3::Zero();              ///< on the held point [N]; corner c feels weights[c] of it
+  Vec3 velocity = Vec3::Zero();           ///< of the held point [m/s]
+  double stiffness = 0.0;                 ///< |force| over the distance to the target [N/m]: less where it is bounded
+};
+
+[[nodiscard]] HandPull handPull(const ClothModel& model, const Grab& grab, const ClothState& state);
+
+}  // namespace drape

@@ -1,0 +1,92 @@
+#include "sim/implicit_system.hpp"
+
+#include "sim/external_forces.hpp"
+#include "sim/kernels.hpp"
+
+namespace drape {
+
+void ImplicitSystem::assemble(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                              const ClothState& state, Workers& workers) {
+  springBlocks_.resize(model.springs.size());
+  springForces_.resize(model.springs.size());
+  diagonal_.resize(state.positions.size());
+  rightHandSide_.resize(state.positions.size());
+  workers.forEach(parameters.threads, model.springs.size(),
+                  [&](std::size_t s) { evaluateSpring(model, parameters, state, s); });
+  workers.forEach(parameters.threads, state.positions.size(),
+                  [&](std::size_t i) { assembleVertex(model, parameters, state, i); });
+  if (inputs.grab) {
+    addHand(model, parameters.timeStep, *inputs.grab, state);
+  }
+}
+
+void ImplicitSystem::evaluateSpring(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                                    std::size_t spring) {
+  const Spring& ends = model.springs[spring];
+  const auto a = static_cast<std::size_t>(ends.a);
+  const auto b = static_cast<std::size_t>(ends.b);
+  const Vec3 offset = state.positions[b] - state.positions[a];
+  const Mat3 block = kernels::springDerivative(offset, ends.restLength, parameters.stiffness, parameters.derivative);
+  springBlocks_[spring] = block;
+  springForces_[spring] = kernels::springForce(offset, ends.restLength, parameters.stiffness) +
+                          kernels::dampingForce(state.velocities[a], state.velocities[b], parameters.damping) +
+                          parameters.timeStep * (block * (state.velocities[b] - state.velocities[a]));
+}
+
+void ImplicitSystem::assembleVertex(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                                    std::size_t vertex) {
+  const double h = parameters.timeStep;
+  Vec3 force = gravityAndAir(model, parameters, state, vertex);
+  Mat3 stiffness = Mat3::Zero();
+  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
+  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
+  for (std::size_t e = begin; e < end; ++e) {
+    const auto s = static_cast<std::size_t>(model.springEnds.values[e].spring);
+    const bool first = static_cast<int>(vertex) == model.springs[s].a;
+    force += first ? springForces_[s] : Vec3(-springForces_[s]);
+    stiffness += springBlocks_[s];
+  }
+  rightHandSide_[vertex] = h * force;
+  const double isotropic = model.vertexMass[vertex] + static_cast<double>(end - begin) * h * parameters.damping;
+  diagonal_[vertex] = h * h * stiffness + isotropic * Mat3::Identity();
+}
+
+void ImplicitSystem::addHand(const ClothModel& model, double timeStep, const Grab& grab, const ClothState& state) {
+  const HandPull pull = handPull(model, grab, state);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double weight = pull.weights[static_cast<Eigen::Index>(c)];
+    const std::size_t v = pull.vertices[c];
+    rightHandSide_[v] += (timeStep * weight) * (pull.force - timeStep * pull.stiffness * pull.velocity);
+    diagonal_[v] += (weight * timeStep * timeStep * pull.stiffness) * Mat3::Identity();
+  }
+}
+
+Vec3 ImplicitSystem::coupling(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& dv,
+                              std::size_t vertex) const {
+  const double h = parameters.timeStep;
+  Vec3 elastic = Vec3::Zero();
+  Vec3 damped = Vec3::Zero();
+  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
+  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
+  for (std::size_t e = begin; e < end; ++e) {
+    const SpringEnd& springEnd = model.springEnds.values[e];
+    const Vec3& change = dv[static_cast<std::size_t>(springEnd.neighbour)];
+    elastic += springBlocks_[static_cast<std::size_t>(springEnd.spring)] * change;
+    damped += change;
+  }
+  return h * h * elastic + h * parameters.damping * damped;
+}
+
+void advance(const ClothModel& model, double timeStep, const std::vector<Vec3>& dv, ClothState& state) {
+  for (std::size_t i = 0; i < dv.size(); ++i) {
+    if (model.pinned[i]) {
+      state.velocities[i].setZero();
+    } else {
+      state.velocities[i] += dv[i];
+      state.positions[i] += timeStep * state.velocities[i];
+    }
+  }
+  state.time += timeStep;
+}
+
+}  // namespace drape

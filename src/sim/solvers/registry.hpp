@@ -1,0 +1,16 @@
+#pragma once
+
+#include "sim/solver.hpp"
+
+#include <array>
+
+/// Every solver: a function that describes it, defined in the file of its name, and its place in the list. Nothing else
+/// has to know a new one.
+namespace drape::solvers {
+
+SolverInfo oneIteration();
+
+/// In the order in which they are shown; the first is the default.
+inline constexpr std::array all{oneIteration};
+
+}  // namespace drape::solvers

@@ -1,0 +1,86 @@
+#include "sim/stepper.hpp"
+
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace drape {
+
+Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
+  if (info_ == nullptr) {
+    throw InputError("there is no solver '" + std::string(solver) + "'");
+  }
+  solver_ = info_->make();
+}
+
+StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                         ClothState& state) {
+  const double end = state.time + parameters.timeStep;
+  StepParameters part = parameters;
+  part.timeStep = parameters.timeStep / parameters.substeps;
+  StepReport total;
+  for (int i = 0; i < parameters.substeps; ++i) {
+    const StepReport report = substep(model, part, inputs, state);
+    total.iterations += report.iterations;
+    total.residual = report.residual;
+    total.converged = total.converged && report.converged;
+  }
+  state.time = end;  // not the sum of the parts, which rounds
+  return total;
+}
+
+StepReport Stepper::substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                            ClothState& state) {
+  const Integration integration = info_->backwardEuler ? parameters.integration : Integration::BackwardEuler;
+  if (integration != Integration::Bdf2) {
+    state.history.timeStep = 0.0;
+  }
+  switch (integration) {
+    case Integration::Theta:
+      return thetaStep(model, parameters, inputs, state);
+    case Integration::Bdf2:
+      return bdf2Step(model, parameters, inputs, state);
+    case Integration::BackwardEuler:
+      break;
+  }
+  return solver_->step(model, parameters, inputs, state);
+}
+
+StepReport Stepper::thetaStep(const ClothModel& model, StepParameters parameters, const StepInputs& inputs,
+                              ClothState& state) {
+  before_.positions = state.positions;
+  before_.velocities = state.velocities;
+  parameters.timeStep *= parameters.theta;
+  const StepReport report = solver_->step(model, parameters, inputs, state);
+  const double scale = 1.0 / parameters.theta;
+  for (std::size_t i = 0; i < state.positions.size(); ++i) {
+    state.positions[i] = before_.positions[i] + scale * (state.positions[i] - before_.positions[i]);
+    state.velocities[i] = before_.velocities[i] + scale * (state.velocities[i] - before_.velocities[i]);
+  }
+  return report;
+}
+
+StepReport Stepper::bdf2Step(const ClothModel& model, StepParameters parameters, const StepInputs& inputs,
+                             ClothState& state) {
+  constexpr double part = 2.0 / 3.0;
+  before_.positions = state.positions;
+  before_.velocities = state.velocities;
+  const double timeStep = parameters.timeStep;
+  // A state that was put there since, as by a new scene, has no history or one of another size.
+  const bool usable = state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
+  if (usable) {
+    for (std::size_t i = 0; i < state.positions.size(); ++i) {
+      state.positions[i] += (state.positions[i] - state.history.positions[i]) / 3.0;
+      state.velocities[i] += (state.velocities[i] - state.history.velocities[i]) / 3.0;
+    }
+    parameters.timeStep *= part;
+  }
+  const StepReport report = solver_->step(model, parameters, inputs, state);
+  state.history.positions.swap(before_.positions);
+  state.history.velocities.swap(before_.velocities);
+  state.history.timeStep = timeStep;
+  return report;
+}
+
+}  // namespace drape

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "sim/solver.hpp"
+
+#include <memory>
+
+namespace drape {
+
+/// Advances a cloth by one time step: substeps, the integration and the solver that the parameters ask for. What a
+/// solver does with its step is its own; what stands around it is here, so that it need not be written for each.
+///
+/// With S(h) a solver's backward-Euler step from (x, v):
+/// - theta:  (x', v') = (x, v) + (S(theta h) - (x, v)) / theta. For theta = 1/2 this is the implicit midpoint rule.
+/// - BDF2:   S(2/3 h) from (x*, v*) = 4/3 (x_n, v_n) - 1/3 (x_{n-1}, v_{n-1}). The first step, and the first after the
+///   step length changed, is one of backward Euler.
+class Stepper {
+ public:
+  /// Throws InputError when there is no solver of that name.
+  explicit Stepper(std::string_view solver);
+
+  [[nodiscard]] const SolverInfo& info() const { return *info_; }
+
+  /// Advances `state` by `parameters.timeStep`.
+  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                  ClothState& state);
+
+ private:
+  StepReport substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                     ClothState& state);
+  StepReport thetaStep(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state);
+  StepReport bdf2Step(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state);
+
+  const SolverInfo* info_;
+  std::unique_ptr<Solver> solver_;
+  ClothState before_;
+};
+
+}  // namespace drape
