@@ -68,6 +68,7 @@ SolverInfo solvers::oneIteration() {
           .backwardEuler = true,
           .settings = {"sweeps", "relaxation", "derivative"},
           .warning = nullptr,
+          .stepLimit = nullptr,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<OneIterationSolver>(); }};
 }
 
