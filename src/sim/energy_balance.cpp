@@ -1,0 +1,68 @@
+#include "sim/energy_balance.hpp"
+
+#include "sim/external_forces.hpp"
+#include "sim/kernels.hpp"
+
+namespace drape {
+namespace {
+
+/// -C_d (v_a - v_b) on a and its opposite on b, spring by spring.
+double dampingWork(const ClothModel& model, double damping, const ClothState& before, const ClothState& after) {
+  if (damping == 0.0) {
+    return 0.0;
+  }
+  double work = 0.0;
+  for (const Spring& spring : model.springs) {
+    const auto a = static_cast<std::size_t>(spring.a);
+    const auto b = static_cast<std::size_t>(spring.b);
+    const Vec3 force = 0.5 * (kernels::dampingForce(before.velocities[a], before.velocities[b], damping) +
+                              kernels::dampingForce(after.velocities[a], after.velocities[b], damping));
+    const Vec3 relative = (after.positions[a] - before.positions[a]) - (after.positions[b] - before.positions[b]);
+    work += relative.dot(force);
+  }
+  return work;
+}
+
+double airWork(const ClothModel& model, const StepParameters& parameters, const ClothState& before,
+               const ClothState& after) {
+  if (parameters.drag == 0.0 && parameters.lift == 0.0) {
+    return 0.0;
+  }
+  StepParameters airOnly = parameters;
+  airOnly.gravity = 0.0;
+  // The air's force is bounded by what would stop a vertex within one evaluation of it, which is a substep.
+  airOnly.timeStep = parameters.timeStep / parameters.substeps;
+  double work = 0.0;
+  for (std::size_t i = 0; i < after.positions.size(); ++i) {
+    const Vec3 motion = after.positions[i] - before.positions[i];
+    if (!motion.isZero(0.0)) {
+      work += 0.5 * motion.dot(gravityAndAir(model, airOnly, before, i) + gravityAndAir(model, airOnly, after, i));
+    }
+  }
+  return work;
+}
+
+double handWork(const ClothModel& model, const Grab& grab, const ClothState& before, const ClothState& after) {
+  const HandPull first = handPull(model, grab, before);
+  const HandPull last = handPull(model, grab, after);
+  Vec3 motion = Vec3::Zero();
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t v = first.vertices[c];
+    motion += first.weights[static_cast<Eigen::Index>(c)] * (after.positions[v] - before.positions[v]);
+  }
+  return 0.5 * motion.dot(first.force + last.force);
+}
+
+}  // namespace
+
+void EnergyBalance::add(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                        const ClothState& before, const ClothState& after) {
+  change_ += energyOf(model, parameters, after).total() - energyOf(model, parameters, before).total();
+  damping_ += dampingWork(model, parameters.damping, before, after);
+  air_ += airWork(model, parameters, before, after);
+  if (inputs.grab) {
+    hand_ += handWork(model, *inputs.grab, before, after);
+  }
+}
+
+}  // namespace drape

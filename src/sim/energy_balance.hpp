@@ -1,0 +1,41 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+#include "sim/diagnostics.hpp"
+#include "sim/step_parameters.hpp"
+
+namespace drape {
+
+/// Where the energy of a cloth went: what damping, air and the hand did to it over the steps that were added, and what
+/// is left to explain, which is the method's own doing. Work of a force f over a step from x0 to x1 is taken by the
+/// trapezoidal rule, (x1 - x0) . (f(0) + f(1)) / 2, whatever rule the method uses, so that two methods are held to the
+/// same account. A pinned vertex does not move and no work is done on it.
+///
+/// The rule's own error falls with h^2, as does the integrator's part of a converged second-order method. Settings that
+/// change between two steps (stiffness, gravity) are no error of the method: each step is judged under its own.
+class EnergyBalance {
+ public:
+  /// Adds one step. `parameters` and `inputs` are those under which it was taken from `before` to `after`.
+  void add(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+           const ClothState& before, const ClothState& after);
+
+  /// Change of kinetic + elastic + potential energy [J].
+  [[nodiscard]] double change() const { return change_; }
+  /// Work of the springs' damping [J]: negative where it takes energy.
+  [[nodiscard]] double damping() const { return damping_; }
+  /// Work of drag and lift [J]: of either sign in wind.
+  [[nodiscard]] double air() const { return air_; }
+  /// Work of the hand [J].
+  [[nodiscard]] double hand() const { return hand_; }
+  /// Change less these works [J]: positive where the method made energy from nothing, negative where it lost some.
+  [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - hand_; }
+
+ private:
+  double change_ = 0.0;
+  double damping_ = 0.0;
+  double air_ = 0.0;
+  double hand_ = 0.0;
+};
+
+}  // namespace drape

@@ -1,0 +1,80 @@
+#include "sim/residuals.hpp"
+
+#include "sim/external_forces.hpp"
+#include "sim/forces.hpp"
+#include "sim/implicit_system.hpp"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace drape {
+namespace {
+
+double relative(double squaredResidual, double squaredScale) {
+  if (squaredScale > 0.0) {
+    return std::sqrt(squaredResidual / squaredScale);
+  }
+  return squaredResidual > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
+}
+
+/// f(x, v) of springs, damping and hand at `end`, of gravity and air at `start` [N].
+std::vector<Vec3> forcesAtEnd(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                              const ClothState& start, const ClothState& end) {
+  std::vector<Vec3> force(end.positions.size());
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    force[i] = springForcesOn(model, parameters, end, i) + gravityAndAir(model, parameters, start, i);
+  }
+  if (inputs.grab) {
+    const HandPull pull = handPull(model, *inputs.grab, end);
+    for (std::size_t c = 0; c < 3; ++c) {
+      force[pull.vertices[c]] += pull.weights[static_cast<Eigen::Index>(c)] * pull.force;
+    }
+  }
+  return force;
+}
+
+}  // namespace
+
+double linearResidual(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                      const ClothState& before, const ClothState& after) {
+  Workers workers;
+  ImplicitSystem system;
+  system.assemble(model, parameters, inputs, before, workers);
+  std::vector<Vec3> dv(after.velocities.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < dv.size(); ++i) {
+    if (!model.pinned[i]) {
+      dv[i] = after.velocities[i] - before.velocities[i];
+    }
+  }
+  double residual = 0.0;
+  double scale = 0.0;
+  for (std::size_t i = 0; i < dv.size(); ++i) {
+    if (!model.pinned[i]) {
+      residual += (system.rightHandSide()[i] - system.row(model, parameters, dv, i)).squaredNorm();
+      scale += system.rightHandSide()[i].squaredNorm();
+    }
+  }
+  return relative(residual, scale);
+}
+
+double nonlinearResidual(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                         const ClothState& before, const ClothState& after) {
+  const double h = parameters.timeStep;
+  ClothState coasting = before;
+  advance(model, h, std::vector<Vec3>(before.positions.size(), Vec3::Zero()), coasting);
+  const std::vector<Vec3> reached = forcesAtEnd(model, parameters, inputs, before, after);
+  const std::vector<Vec3> coasted = forcesAtEnd(model, parameters, inputs, before, coasting);
+  double residual = 0.0;
+  double scale = 0.0;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    if (!model.pinned[i]) {
+      const Vec3 change = model.vertexMass[i] * (after.velocities[i] - before.velocities[i]);
+      residual += (change - h * reached[i]).squaredNorm();
+      scale += (h * coasted[i]).squaredNorm();
+    }
+  }
+  return relative(residual, scale);
+}
+
+}  // namespace drape
