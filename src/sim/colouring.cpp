@@ -1,0 +1,85 @@
+#include "sim/colouring.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace drape {
+namespace {
+
+constexpr int none = -1;
+
+/// The smallest colour that `taken` does not mark; `taken` is grown so that it can be marked.
+int smallestFree(std::vector<bool>& taken) {
+  const auto found = std::find(taken.begin(), taken.end(), false);
+  const auto colour = static_cast<int>(found - taken.begin());
+  if (found == taken.end()) {
+    taken.push_back(false);
+  }
+  return colour;
+}
+
+/// The indices gathered by their colour, ascending within each.
+RaggedRows<int> gatherByColour(const std::vector<int>& colourOf) {
+  const int colours = colourOf.empty() ? 0 : *std::max_element(colourOf.begin(), colourOf.end()) + 1;
+  RaggedRows<int> rows;
+  rows.begin.assign(static_cast<std::size_t>(colours) + 1, 0);
+  for (const int colour : colourOf) {
+    ++rows.begin[static_cast<std::size_t>(colour) + 1];
+  }
+  std::partial_sum(rows.begin.begin(), rows.begin.end(), rows.begin.begin());
+  rows.values.resize(colourOf.size());
+  std::vector<int> next(rows.begin.begin(), rows.begin.end() - 1);
+  for (std::size_t i = 0; i < colourOf.size(); ++i) {
+    rows.values[static_cast<std::size_t>(next[static_cast<std::size_t>(colourOf[i])]++)] = static_cast<int>(i);
+  }
+  return rows;
+}
+
+/// Marks or unmarks in `taken` the colours that `colourOf` names for what `index` takes from each spring at a vertex.
+template <typename Index>
+void mark(const ClothModel& model, std::size_t vertex, const std::vector<int>& colourOf, const Index& index, bool value,
+          std::vector<bool>& taken) {
+  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
+  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
+  for (std::size_t e = begin; e < end; ++e) {
+    const int colour = colourOf[static_cast<std::size_t>(index(model.springEnds.values[e]))];
+    if (colour != none) {
+      taken[static_cast<std::size_t>(colour)] = value;
+    }
+  }
+}
+
+}  // namespace
+
+RaggedRows<int> colourSprings(const ClothModel& model) {
+  std::vector<int> colourOf(model.springs.size(), none);
+  std::vector<bool> taken;
+  const auto springOf = [](const SpringEnd& end) { return end.spring; };
+  for (std::size_t s = 0; s < model.springs.size(); ++s) {
+    const auto a = static_cast<std::size_t>(model.springs[s].a);
+    const auto b = static_cast<std::size_t>(model.springs[s].b);
+    mark(model, a, colourOf, springOf, true, taken);
+    mark(model, b, colourOf, springOf, true, taken);
+    const int colour = smallestFree(taken);
+    mark(model, a, colourOf, springOf, false, taken);
+    mark(model, b, colourOf, springOf, false, taken);
+    colourOf[s] = colour;
+  }
+  return gatherByColour(colourOf);
+}
+
+RaggedRows<int> colourVertices(const ClothModel& model) {
+  std::vector<int> colourOf(model.restPositions.size(), none);
+  std::vector<bool> taken;
+  const auto neighbourOf = [](const SpringEnd& end) { return end.neighbour; };
+  for (std::size_t v = 0; v < colourOf.size(); ++v) {
+    mark(model, v, colourOf, neighbourOf, true, taken);
+    const int colour = smallestFree(taken);
+    mark(model, v, colourOf, neighbourOf, false, taken);
+    colourOf[v] = colour;
+  }
+  return gatherByColour(colourOf);
+}
+
+}  // namespace drape

@@ -1,0 +1,113 @@
+#include "sim/colouring.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <set>
+
+namespace drape {
+namespace {
+
+/// A fan around vertex 0, a lonely triangle with an edge of its own and a triangle with one foot in the fan.
+ClothMesh irregularMesh() {
+  ClothMesh mesh;
+  testing::RandomVectors random(11);
+  for (int v = 0; v < 14; ++v) {
+    mesh.positions.push_back(random.next(1.0));
+  }
+  for (int v = 1; v < 9; ++v) {
+    mesh.triangles.push_back({0, v, v + 1});
+  }
+  mesh.triangles.push_back({9, 10, 11});
+  mesh.triangles.push_back({3, 12, 13});
+  return mesh;
+}
+
+std::vector<std::shared_ptr<const ClothModel>> models() {
+  return {testing::pinnedSheet(2), testing::pinnedSheet(17),
+          buildClothModel(irregularMesh(), 1.0, MassLumping::Area, {})};
+}
+
+int mostSprings(const ClothModel& model) {
+  int most = 0;
+  for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+    most = std::max(most, model.springEnds.begin[v + 1] - model.springEnds.begin[v]);
+  }
+  return most;
+}
+
+/// Every index once, ascending within a colour, no colour empty.
+void expectAPartition(const RaggedRows<int>& colours, std::size_t count) {
+  ASSERT_EQ(colours.begin.front(), 0);
+  ASSERT_EQ(colours.begin.back(), static_cast<int>(count));
+  for (std::size_t c = 0; c + 1 < colours.begin.size(); ++c) {
+    EXPECT_LT(colours.begin[c], colours.begin[c + 1]);
+    EXPECT_TRUE(
+        std::is_sorted(colours.values.begin() + colours.begin[c], colours.values.begin() + colours.begin[c + 1]));
+  }
+  const std::set<int> all(colours.values.begin(), colours.values.end());
+  ASSERT_EQ(all.size(), count);
+  EXPECT_EQ(*all.begin(), 0);
+  EXPECT_EQ(*all.rbegin(), static_cast<int>(count) - 1);
+}
+
+TEST(Colouring, givesNoTwoSpringsOfAColourAVertexInCommon) {
+  for (const auto& model : models()) {
+    const RaggedRows<int> colours = colourSprings(*model);
+    expectAPartition(colours, model->springs.size());
+    for (std::size_t c = 0; c + 1 < colours.begin.size(); ++c) {
+      std::set<int> touched;
+      for (int i = colours.begin[c]; i < colours.begin[c + 1]; ++i) {
+        const Spring& spring = model->springs[static_cast<std::size_t>(colours.values[static_cast<std::size_t>(i)])];
+        EXPECT_TRUE(touched.insert(spring.a).second);
+        EXPECT_TRUE(touched.insert(spring.b).second);
+      }
+    }
+  }
+}
+
+TEST(Colouring, givesNoTwoNeighboursTheSameColour) {
+  for (const auto& model : models()) {
+    const RaggedRows<int> colours = colourVertices(*model);
+    expectAPartition(colours, model->restPositions.size());
+    std::vector<std::size_t> colourOf(model->restPositions.size());
+    for (std::size_t c = 0; c + 1 < colours.begin.size(); ++c) {
+      for (int i = colours.begin[c]; i < colours.begin[c + 1]; ++i) {
+        colourOf[static_cast<std::size_t>(colours.values[static_cast<std::size_t>(i)])] = c;
+      }
+    }
+    for (const Spring& spring : model->springs) {
+      EXPECT_NE(colourOf[static_cast<std::size_t>(spring.a)], colourOf[static_cast<std::size_t>(spring.b)]);
+    }
+  }
+}
+
+TEST(Colouring, needsNoMoreColoursThanAGreedyOneMay) {
+  for (const auto& model : models()) {
+    const int most = mostSprings(*model);
+    const auto springColours = static_cast<int>(colourSprings(*model).begin.size()) - 1;
+    const auto vertexColours = static_cast<int>(colourVertices(*model).begin.size()) - 1;
+    EXPECT_GE(springColours, most);
+    EXPECT_LE(springColours, 2 * most - 1);
+    EXPECT_GE(vertexColours, 3) << "a triangle needs three";
+    EXPECT_LE(vertexColours, most + 1);
+  }
+}
+
+TEST(Colouring, visitsEveryIndexOnceColourAfterColour) {
+  const auto model = testing::pinnedSheet(9);
+  const RaggedRows<int> colours = colourVertices(*model);
+  Workers workers;
+  std::vector<int> visited;
+  forEachByColour(workers, 1, colours, [&](std::size_t i) { visited.push_back(static_cast<int>(i)); });
+  EXPECT_EQ(visited, colours.values);
+}
+
+TEST(Colouring, hasNoColoursWhereThereAreNoSprings) {
+  ClothModel model;
+  EXPECT_EQ(colourSprings(model).begin, std::vector<int>{0});
+  EXPECT_TRUE(colourVertices(model).values.empty());
+}
+
+}  // namespace
+}  // namespace drape
