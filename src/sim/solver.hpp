@@ -44,7 +44,8 @@ struct SolverInfo {
   std::vector<std::string_view> settings;  ///< keys of the settings that it reads and that not every solver reads
   /// What is wrong with it on this cloth under these parameters, in words; empty when nothing is. May be null.
   std::string (*warning)(const ClothModel&, const StepParameters&) = nullptr;
-  /// The longest substep [s] with which it stays stable on this cloth. Null for methods that have no such limit.
+  /// The longest substep [s] with which it stays stable on this cloth; 0 when there is none, infinite when any will do.
+  /// Null for methods that have no such limit.
   double (*stepLimit)(const ClothModel&, const StepParameters&) = nullptr;
   std::unique_ptr<Solver> (*make)() = nullptr;
 };

@@ -1,9 +1,18 @@
 #include "sim/stability.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 namespace drape {
+namespace {
+
+/// More cannot be set (settings_table.cpp).
+constexpr double mostSubsteps = 1000.0;
+
+}  // namespace
 
 double largestFrequency(const ClothModel& model, const StepParameters& parameters) {
   return model.unitFrequency * std::sqrt(parameters.stiffness);
@@ -15,6 +24,51 @@ double verletStepLimit(const ClothModel& model, const StepParameters& parameters
   // The positive root of omega^2 h^2 + 2 c h - 4 = 0, in the form that does not cancel.
   const double denominator = c + std::sqrt(c * c + 4.0 * omega * omega);
   return denominator > 0.0 ? 4.0 / denominator : std::numeric_limits<double>::infinity();
+}
+
+std::string stepInWords(double seconds) {
+  std::ostringstream words;
+  if (!(seconds < 1.0)) {
+    words << seconds << " s";
+    return words.str();
+  }
+  const double denominator = 1.0 / seconds;
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(denominator)) - 2.0));
+  words << std::fixed << std::setprecision(0) << "1/" << std::ceil(denominator / unit * (1.0 - 1e-12)) * unit << " s";
+  return words.str();
+}
+
+std::string stepLimitWarning(const StepParameters& parameters, double limit) {
+  if (parameters.timeStep / parameters.substeps <= limit) {
+    return {};
+  }
+  std::ostringstream words;
+  words << "The time step is above this mesh's stability limit of " << stepInWords(limit) << ": the cloth "
+        << "can blow up. ";
+  const double needed = std::ceil(parameters.timeStep / limit * (1.0 - 1e-12));
+  if (needed <= mostSubsteps) {
+    words << "Use " << needed << " substeps.";
+  } else {
+    words << "Use softer or heavier cloth, or an implicit solver.";
+  }
+  return words.str();
+}
+
+std::string slackWarning(const ClothModel& model, const StepParameters& parameters, double reach) {
+  const double carried = std::sqrt(reach * parameters.iterations);
+  const double needed = parameters.timeStep * largestFrequency(model, parameters) / carried;
+  if (needed <= parameters.substeps) {
+    return {};
+  }
+  std::ostringstream words;
+  words << parameters.iterations << (parameters.iterations == 1 ? " iteration is" : " iterations are")
+        << " too few for this stiffness and time step: the cloth is softer than asked for. ";
+  if (needed <= mostSubsteps) {
+    words << "Use " << std::ceil(needed) << " substeps or more iterations.";
+  } else {
+    words << "Use more iterations, or a solver that solves for all springs at once.";
+  }
+  return words.str();
 }
 
 }  // namespace drape

@@ -3,6 +3,8 @@
 #include "sim/cloth_model.hpp"
 #include "sim/step_parameters.hpp"
 
+#include <string>
+
 namespace drape {
 
 /// The largest local angular frequency omega of a cloth [1/s]: omega_i^2 = 2 lambda_max(sum_j k d d^T) / m_i at the
@@ -12,5 +14,17 @@ namespace drape {
 /// The longest time step [s] with which Stoermer-Verlet stays stable: 2 / omega without damping; with the damping rate
 /// c (explicit, a step late) where h^2 omega^2 + 2 h c = 4. Infinite for cloth without stiffness and damping.
 [[nodiscard]] double verletStepLimit(const ClothModel& model, const StepParameters& parameters);
+
+/// A short time in words: "1/240 s". The denominator is rounded up, to three digits, so that a step that is set to what
+/// is read here is not above it.
+[[nodiscard]] std::string stepInWords(double seconds);
+
+/// What to tell a user whose substeps are longer than `limit` [s], with what helps; empty when they are not.
+[[nodiscard]] std::string stepLimitWarning(const StepParameters& parameters, double limit);
+
+/// What to tell a user whose cloth is softer than asked for because a method that passes on tension from spring to
+/// spring has too few iterations: when (h omega)^2 of a substep exceeds `reach` times the iterations. The methods say
+/// which reach they were measured to have; empty when there are enough.
+[[nodiscard]] std::string slackWarning(const ClothModel& model, const StepParameters& parameters, double reach);
 
 }  // namespace drape

@@ -9,8 +9,12 @@
 namespace drape::solvers {
 
 SolverInfo oneIteration();
+SolverInfo verlet();
+SolverInfo explicitEuler();
+SolverInfo xpbd();
+SolverInfo vbd();
 
 /// In the order in which they are shown; the first is the default.
-inline constexpr std::array all{oneIteration};
+inline constexpr std::array all{oneIteration, verlet, explicitEuler, xpbd, vbd};
 
 }  // namespace drape::solvers

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+#include "sim/step_parameters.hpp"
+#include "sim/workers.hpp"
+
+#include <vector>
+
+namespace drape {
+
+/// Where the vertices would go without springs, damping and hand: y = x + h v + h^2 a, with gravity and the air at the
+/// start of the step; the start of the methods that solve for positions. Pinned vertices stay.
+/// @param predicted one a vertex [m]; resized
+void predictPositions(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                      Workers& workers, std::vector<Vec3>& predicted);
+
+/// Ends a step whose positions are known: v = (x - start) / h. Pinned vertices have velocity zero.
+void velocitiesFromPositions(const ClothModel& model, double timeStep, const std::vector<Vec3>& start,
+                             ClothState& state);
+
+}  // namespace drape

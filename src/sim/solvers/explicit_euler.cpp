@@ -1,0 +1,89 @@
+#include "sim/forces.hpp"
+#include "sim/solvers/registry.hpp"
+#include "sim/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace drape {
+namespace {
+
+/// Explicit Euler: x' = x + h v, v' = v + h a(x, v), both from the start of the step.
+///
+/// It turns x'' = -w^2 x by the matrix [1, h; -h w^2, 1], whose eigenvalues 1 +- i h w are of size sqrt(1 + h^2 w^2) >
+/// 1: an undamped oscillator grows by that factor a step, and no step is stable. With x'' = -c x' - w^2 x it is stable
+/// up to h = c / w^2 where it still swings (c < 2 w).
+class ExplicitEulerSolver final : public Solver {
+ public:
+  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                  ClothState& state) override {
+    const double h = parameters.timeStep;
+    evaluateForces(model, parameters, inputs, state, workers_, force_);
+    for (std::size_t i = 0; i < force_.size(); ++i) {
+      if (model.pinned[i]) {
+        state.velocities[i].setZero();
+      } else {
+        state.positions[i] += h * state.velocities[i];
+        state.velocities[i] += (h / model.vertexMass[i]) * force_[i];
+      }
+    }
+    state.time += h;
+    return {};
+  }
+
+ private:
+  Workers workers_;
+  std::vector<Vec3> force_;  // [N], one a vertex
+};
+
+/// A spring that is not compressed is at most k / C_d as stiff in any direction as it is damped, hence so is the whole
+/// cloth: c / w^2 >= C_d / k in every mode. The second bound is that of a mode too strongly damped to swing.
+double stepLimit(const ClothModel& model, const StepParameters& parameters) {
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  const double swinging =
+      largestFrequency(model, parameters) > 0.0 ? parameters.damping / parameters.stiffness : unlimited;
+  const double rate = model.unitDampingRate * parameters.damping;
+  const double damped = rate > 0.0 ? 2.0 / rate : unlimited;
+  return std::min(swinging, damped);
+}
+
+std::string warning(const ClothModel& model, const StepParameters& parameters) {
+  const double h = parameters.timeStep / parameters.substeps;
+  const double limit = stepLimit(model, parameters);
+  if (h <= limit) {
+    return {};
+  }
+  if (limit > 0.0) {
+    return stepLimitWarning(parameters, limit);
+  }
+  // The energy of an undamped mode grows by 1 + h^2 w^2 a step.
+  const double growth = std::log1p(std::pow(h * largestFrequency(model, parameters), 2));
+  std::ostringstream words;
+  words.precision(2);
+  words
+      << "Explicit Euler gains energy at every step, however short. At this one the cloth's fastest motion doubles its "
+         "energy every "
+      << h * std::log(2.0) / growth << " s. Take much shorter steps, add damping or choose another solver.";
+  return words.str();
+}
+
+}  // namespace
+
+SolverInfo solvers::explicitEuler() {
+  return {.name = "explicit_euler",
+          .title = "Explicit Euler",
+          .help =
+              "The simplest integrator: position and velocity both go on from the start of the step. One evaluation of "
+              "the forces a step and first order; it gains energy at any step unless springs are damped, so it serves "
+              "only as a reference with tiny steps (the paper takes 1/30000 s).",
+          .source = "Euler, 1768",
+          .backwardEuler = false,
+          .settings = {},
+          .warning = warning,
+          .stepLimit = stepLimit,
+          .make = []() -> std::unique_ptr<Solver> { return std::make_unique<ExplicitEulerSolver>(); }};
+}
+
+}  // namespace drape

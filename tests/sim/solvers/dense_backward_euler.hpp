@@ -1,0 +1,15 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+#include "sim/step_parameters.hpp"
+
+namespace drape::testing {
+
+/// A backward-Euler step whose nonlinear equations M (x - y) = h^2 f(x) - h C_d L (x - x_n) are solved to rounding by
+/// Newton's method with dense matrices and exact derivatives; y = x_n + h v_n + h^2 g. Springs, damping, gravity, pins
+/// and hand (as long as its force is not at its bound); no air. Throws when Newton does not converge.
+void denseBackwardEulerStep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                            ClothState& state);
+
+}  // namespace drape::testing
