@@ -32,6 +32,18 @@ TEST(Run, writesTheFiguresOfThePapersSheet) {
   EXPECT_EQ(stats["settings"]["grid.resolution"], 17);
 }
 
+TEST(Run, tellsTheStabilityLimitWhereTheSolverHasOne) {
+  EXPECT_TRUE(statsOf("grid --seconds 0.01")["stability_limit"].is_null());
+  const std::string sheet = "grid --set grid.resolution=17 --set mass=0.1 --set stiffness=10 --seconds 0.01 ";
+  const auto limit = statsOf(sheet + "--set solver=verlet")["stability_limit"];
+  EXPECT_NEAR(limit.get<double>(), 2.0 / 480.8, 1e-5);
+  EXPECT_NE(headless("run " + sheet + "--set solver=verlet").output.find("stability limit: 1/241 s"),
+            std::string::npos);
+  EXPECT_EQ(statsOf(sheet + "--set solver=explicit_euler")["stability_limit"], 0.0);
+  EXPECT_NE(headless("run " + sheet + "--set solver=explicit_euler").output.find("no step is stable"),
+            std::string::npos);
+}
+
 TEST(Run, givesTheSameHashFromRunToRunAndForAnyNumberOfThreads) {
   const std::string arguments = "grid --set grid.resolution=65 --set drag=0.5 --set wind.z=2 --seconds 0.1 --threads ";
   const auto first = statsOf(arguments + "1")["state_hash"];

@@ -5,6 +5,7 @@
 #include "app/headless/run_stats.hpp"
 #include "session/simulation.hpp"
 #include "sim/error.hpp"
+#include "sim/stability.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -46,6 +47,14 @@ void printMesh(const Scene& scene) {
   }
 }
 
+/// Tells up to which step the solver stays stable, where there is such a limit.
+void printStabilityLimit(const nlohmann::ordered_json& limit) {
+  if (limit.is_number()) {
+    const auto seconds = limit.get<double>();
+    std::cout << "stability limit: " << (seconds > 0.0 ? stepInWords(seconds) : "no step is stable") << '\n';
+  }
+}
+
 void printSummary(const Simulation& simulation, const nlohmann::ordered_json& json) {
   printMesh(simulation.scene());
   std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
@@ -53,6 +62,7 @@ void printSummary(const Simulation& simulation, const nlohmann::ordered_json& js
             << json["steps"] << " steps to " << simulation.state().time << " s, " << json["step_us"]["median"]
             << " us a step (median), largest stretch " << json["max_stretch"] << ", state "
             << json["state_hash"].get<std::string>() << '\n';
+  printStabilityLimit(json["stability_limit"]);
 }
 
 void run(RunArguments arguments) {

@@ -3,6 +3,7 @@
 #include "settings/settings_table.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
+#include "sim/solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,16 @@ nlohmann::ordered_json settingsInForce(const Settings& settings) {
     std::visit([&](const auto& value) { json[std::string(info.key)] = value; }, settingValue(settings, info));
   }
   return json;
+}
+
+/// The longest stable substep [s], or null where the solver has no such limit on this cloth.
+nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& settings) {
+  const SolverInfo* solver = findSolver(settings.solver.name);
+  if (solver == nullptr || solver->stepLimit == nullptr) {
+    return nullptr;
+  }
+  const double limit = solver->stepLimit(model, settings.step);
+  return std::isfinite(limit) ? nlohmann::ordered_json(limit) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace
@@ -60,6 +71,7 @@ nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
   json["energy_elastic"] = energy.elastic;
   json["energy_potential"] = energy.potential;
   json["max_stretch"] = maxStretch(model, simulation.state());
+  json["stability_limit"] = stabilityLimit(model, simulation.settings());
   json["finite"] = simulation.message().empty() && isFinite(simulation.state());
   json["state_hash"] = toHex(stateHash(simulation.state()));
   json["settings"] = settingsInForce(simulation.settings());
