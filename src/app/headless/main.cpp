@@ -2,11 +2,12 @@
 #include "app/headless/commands.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Cloth simulation without a window: runs with statistics, pictures, and lists of what there is",
+  CLI::App app("Cloth simulation without a window: runs with statistics, pictures, errors, and lists of what there is",
                "drape-headless");
   app.require_subcommand(1);
   drape::addRunCommand(app);
   drape::addCaptureCommand(app);
+  drape::addMeasureCommand(app);
   drape::addListCommand(app);
   return drape::runProgram(app, argc, argv, [] {});
 }

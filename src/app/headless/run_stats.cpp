@@ -1,6 +1,6 @@
 #include "app/headless/run_stats.hpp"
 
-#include "settings/settings_table.hpp"
+#include "report/settings_json.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
 #include "sim/solver.hpp"
@@ -18,14 +18,6 @@ double quantile(const std::vector<float>& sorted, double share) {
   }
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
   return static_cast<double>(sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1]);
-}
-
-nlohmann::ordered_json settingsInForce(const Settings& settings) {
-  nlohmann::ordered_json json;
-  for (const SettingInfo& info : settingsTable()) {
-    std::visit([&](const auto& value) { json[std::string(info.key)] = value; }, settingValue(settings, info));
-  }
-  return json;
 }
 
 /// The longest stable substep [s], or null where the solver has no such limit on this cloth.
@@ -74,7 +66,7 @@ nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
   json["stability_limit"] = stabilityLimit(model, simulation.settings());
   json["finite"] = simulation.message().empty() && isFinite(simulation.state());
   json["state_hash"] = toHex(stateHash(simulation.state()));
-  json["settings"] = settingsInForce(simulation.settings());
+  json["settings"] = settingsJson(simulation.settings());
   return json;
 }
 

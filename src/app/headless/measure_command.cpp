@@ -1,0 +1,166 @@
+#include "app/command_line.hpp"
+#include "app/headless/commands.hpp"
+#include "app/headless/progress_bar.hpp"
+#include "report/error_table.hpp"
+#include "report/measurement.hpp"
+#include "report/report_json.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/error.hpp"
+#include "sim/solver.hpp"
+
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drape {
+namespace {
+
+struct MeasureArguments {
+  SceneArguments scene;
+  double seconds = 0.5;
+  std::string against;
+  std::vector<std::string> referenceSettings;
+  double referenceTolerance = 1e-6;
+  bool restarted = false;
+  std::vector<double> summaries{0.2, 0.5};
+  std::string json;
+};
+
+/// A minute is far beyond what can be compared.
+constexpr double mostSeconds = 60.0;
+
+ReferenceKind kindOf(const std::string& against) {
+  if (against == "same_step") {
+    return ReferenceKind::SameStep;
+  }
+  if (against == "converged") {
+    return ReferenceKind::Converged;
+  }
+  if (findSolver(against) != nullptr) {
+    return ReferenceKind::Solver;
+  }
+  std::string solvers;
+  for (const SolverInfo& solver : solverTable()) {
+    solvers += ", " + std::string(solver.name);
+  }
+  throw UsageError("--against takes same_step, converged or a solver" + solvers + "; '" + against +
+                   "' is none of them");
+}
+
+/// The reference's settings: what its kind asks for, and then --reference-set.
+Settings referenceSettings(const MeasureArguments& arguments, ReferenceKind kind, const Settings& method) {
+  Settings settings = kind == ReferenceKind::SameStep    ? sameStepSettings(method)
+                      : kind == ReferenceKind::Converged ? convergedSettings(method)
+                                                         : method;
+  if (kind == ReferenceKind::Solver) {
+    settings.solver.name = arguments.against;
+  }
+  for (const std::string& expression : arguments.referenceSettings) {
+    const SettingInfo& info = requireSetting(expression.substr(0, expression.find('=')));
+    if (info.effect != SettingEffect::Step) {
+      throw UsageError("--reference-set " + std::string(info.key) +
+                       " would make another cloth; the reference takes settings of the step alone");
+    }
+    assignSettingExpression(settings, expression);
+  }
+  requireConsistent(settings);
+  return settings;
+}
+
+/// Shows one bar after the other, one for each run.
+class ProgressBars {
+ public:
+  void show(std::string_view label, std::int64_t done, std::int64_t total) {
+    if (done == 1) {
+      bar_.reset();
+      bar_.emplace(std::string(label), total);
+    }
+    bar_->show(done);
+  }
+
+ private:
+  std::optional<ProgressBar> bar_;
+};
+
+Measurement measureWithProgress(const Scene& scene, const MeasurementPlan& plan) {
+  ProgressBars bars;
+  return measure(scene, scene.settings, plan, [&bars](std::string_view label, std::int64_t done, std::int64_t total) {
+    bars.show(label, done, total);
+  });
+}
+
+void warn(const Measurement& measurement) {
+  if (!measurement.own.finite) {
+    std::cerr << "warning: the cloth blew up after " << measurement.report.checkpoints.back().time
+              << " s; what is reported ends there\n";
+  }
+  if (!measurement.reference.doubt.empty()) {
+    std::cerr << "warning: " << measurement.reference.doubt << '\n';
+  }
+}
+
+void run(const MeasureArguments& arguments) {
+  const ReferenceKind kind = kindOf(arguments.against);
+  const auto scene = arguments.scene.load();
+  MeasurementPlan plan;
+  plan.checkpoints = checkpointsIn(arguments.seconds);
+  plan.against = kind;
+  plan.reference = referenceSettings(arguments, kind, scene->settings);
+  plan.restarted = arguments.restarted;
+  plan.tolerance.absolute = arguments.referenceTolerance;
+  plan.summaryTimes = arguments.summaries;
+  std::ofstream file;
+  if (!arguments.json.empty()) {
+    file.open(arguments.json);
+    if (!file) {
+      throw InputError("cannot write to " + arguments.json + "; check that its folder exists and can be written to");
+    }
+  }
+  const Measurement measurement = measureWithProgress(*scene, plan);
+  warn(measurement);
+  std::cout << errorTable(measurement);
+  if (!arguments.json.empty()) {
+    file << measurementJson(measurement).dump(2) << '\n';
+    file.close();
+    if (!file) {
+      throw InputError("the measurement could not be written to " + arguments.json);
+    }
+  }
+}
+
+}  // namespace
+
+void addMeasureCommand(CLI::App& app) {
+  auto arguments = std::make_shared<MeasureArguments>();
+  CLI::App* command = app.add_subcommand("measure", "Holds a method against a reference and prints its errors");
+  arguments->scene.addTo(*command);
+  command->add_option("--seconds", arguments->seconds, "Simulated time [s]; taken to whole checkpoints of 1/30 s")
+      ->required()
+      ->check(numberFrom(0.0, mostSeconds));
+  command
+      ->add_option("--against", arguments->against,
+                   "same_step (this step solved to the end), converged (the limit of small steps) or a solver's name")
+      ->required()
+      ->type_name("REFERENCE");
+  command->add_flag("--restarted", arguments->restarted, "Begin each checkpoint's interval where the reference was");
+  command
+      ->add_option("--reference-set", arguments->referenceSettings, "Set a setting of the reference; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      ->add_option("--reference-tolerance", arguments->referenceTolerance,
+                   "How much halving its step may still move the converged reference, mean [m]")
+      ->check(numberFrom(1e-12, 1.0));
+  command->add_option("--summary", arguments->summaries, "Times to sum up at [s]")
+      ->delimiter(',')
+      ->type_name("T,...")
+      ->check(numberFrom(0.0, mostSeconds));
+  command->add_option("--json", arguments->json, "Write everything to this file (JSON)")->type_name("FILE");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace drape

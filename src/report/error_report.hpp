@@ -1,0 +1,54 @@
+#pragma once
+
+#include "report/references.hpp"
+#include "sim/diagnostics.hpp"
+#include "sim/measures.hpp"
+
+#include <span>
+#include <vector>
+
+namespace drape {
+
+/// A method at one checkpoint, held against a reference (docs/measures.md).
+struct CheckpointReport {
+  double time = 0.0;               ///< [s]
+  DisplacementError displacement;  ///< of the interval that ends here
+  double meanError = 0.0;          ///< mean distance of the positions [m]
+  double rmsError = 0.0;           ///< root of their mean square [m]
+  double motionKept = 0.0;         ///< of the interval [-]
+  double maxStretch = 0.0;         ///< [-]
+  Energy energy;                   ///< [J]
+  EnergyBalance balance;           ///< since the start, or over the interval when restarted
+  double referenceStretch = 0.0;   ///< largest, of the reference [-]
+  Energy referenceEnergy;          ///< [J]
+  bool trusted = true;             ///< the reference passed its check here
+};
+
+/// A method's errors over a run.
+struct ErrorReport {
+  double diagonal = 0.0;                      ///< of the rest shape [m]
+  std::vector<CheckpointReport> checkpoints;  ///< from 1/30 s on
+};
+
+/// What one wants to read first: a run up to a time.
+struct ErrorSummary {
+  double time = 0.0;               ///< of the last checkpoint that counts [s]
+  double meanEps = 0.0;            ///< mean over the checkpoints up to there [-]
+  double meanSquaredCosine = 0.0;  ///< as above [-]
+  double meanError = 0.0;          ///< at that time [m]
+  double rmsError = 0.0;           ///< at that time [m]
+  double motionKept = 0.0;         ///< over the run up to there [-]
+};
+
+/// Holds `own` against `reference`, both under their settings; as far as both go.
+/// @param parameters of the method, for its energies
+[[nodiscard]] ErrorReport judge(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
+                                const Reference& reference);
+
+/// The summary up to the checkpoint that is nearest to each of these times [s]; times beyond the run are left out, as
+/// are checkpoints with no vertex left to judge.
+[[nodiscard]] std::vector<ErrorSummary> summarise(const ClothModel& model, const Trajectory& own,
+                                                  const Reference& reference, const ErrorReport& report,
+                                                  std::span<const double> times);
+
+}  // namespace drape

@@ -1,0 +1,47 @@
+#include "report/measurement.hpp"
+
+#include "sim/error.hpp"
+
+namespace drape {
+namespace {
+
+Reference runReference(const Scene& scene, const MeasurementPlan& plan, const Trajectory* judged,
+                       const Progress& progress) {
+  ConvergenceTolerance tolerance = plan.tolerance;
+  tolerance.judged = judged;
+  switch (plan.against) {
+    case ReferenceKind::SameStep:
+      return sameStepReference(scene, plan.reference, plan.checkpoints, progress);
+    case ReferenceKind::Converged:
+      return convergedReference(scene, plan.reference, plan.checkpoints, tolerance, progress);
+    case ReferenceKind::Solver:
+      break;
+  }
+  return solverReference(scene, plan.reference, plan.checkpoints, progress);
+}
+
+}  // namespace
+
+Measurement measure(const Scene& scene, const Settings& settings, const MeasurementPlan& plan,
+                    const Progress& progress) {
+  const Watch watch{.energy = true, .stepResiduals = false, .label = "method", .progress = progress};
+  Measurement measurement;
+  measurement.scene = &scene;
+  measurement.settings = settings;
+  if (plan.restarted) {
+    measurement.reference = runReference(scene, plan, nullptr, progress);
+    measurement.own = runRestarted(scene, settings, measurement.reference.trajectory, watch);
+  } else {
+    measurement.own = runTrajectory(scene, settings, plan.checkpoints, watch);
+    measurement.reference = runReference(scene, plan, &measurement.own, progress);
+  }
+  if (measurement.own.checkpoints() < 1) {
+    throw InputError("the cloth blew up before the first checkpoint; try a smaller time step or a lower stiffness");
+  }
+  measurement.report = judge(*scene.model, settings.step, measurement.own, measurement.reference);
+  measurement.summaries =
+      summarise(*scene.model, measurement.own, measurement.reference, measurement.report, plan.summaryTimes);
+  return measurement;
+}
+
+}  // namespace drape

@@ -1,0 +1,210 @@
+#include "report/references.hpp"
+
+#include "sim/error.hpp"
+#include "sim/measures.hpp"
+#include "sim/solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace drape {
+namespace {
+
+/// How many halvings in a row may fail to help before it is taken that none will.
+constexpr int patience = 3;
+/// A halving that leaves more than this share of the difference has not helped.
+constexpr double helpful = 0.7;
+
+std::string shortNumber(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+std::string timeOf(int checkpoint) {
+  return shortNumber(checkpoint * checkpointInterval) + " s";
+}
+
+void requireMotion(const Reference& reference) {
+  if (reference.trajectory.checkpoints() < 1) {
+    throw InputError("the reference (" + reference.settings.solver.name +
+                     ") blew up before the first checkpoint; give it a shorter step or another solver with "
+                     "--reference-set");
+  }
+}
+
+std::string blewUp(const Reference& reference) {
+  return "The reference blew up after " + timeOf(reference.trajectory.checkpoints()) +
+         "; what came later cannot be judged.";
+}
+
+Reference runOnce(ReferenceKind kind, const Scene& scene, const Settings& settings, int checkpoints,
+                  const Watch& watch) {
+  Reference reference;
+  reference.kind = kind;
+  reference.settings = settings;
+  reference.trajectory = runTrajectory(scene, settings, checkpoints, watch);
+  reference.trusted = reference.trajectory.checkpoints();
+  requireMotion(reference);
+  if (!reference.trajectory.finite) {
+    reference.doubt = blewUp(reference);
+  }
+  return reference;
+}
+
+/// The first step of the halving: at most half of what is stable, a whole part of the time between two checkpoints.
+double firstStep(const Scene& scene, const Settings& settings) {
+  double longest = settings.step.timeStep;
+  const SolverInfo* solver = findSolver(settings.solver.name);
+  if (solver != nullptr && solver->stepLimit != nullptr) {
+    longest = std::min(longest, 0.5 * solver->stepLimit(*scene.model, settings.step));
+  }
+  return checkpointInterval / std::ceil(checkpointInterval / longest * (1.0 - 1e-9));
+}
+
+double toleranceAt(const ConvergenceTolerance& tolerance, const Trajectory& run, std::size_t checkpoint) {
+  if (tolerance.judged == nullptr || checkpoint >= tolerance.judged->states.size()) {
+    return tolerance.absolute;
+  }
+  const double error = meanDistance(tolerance.judged->states[checkpoint].positions, run.states[checkpoint].positions);
+  return std::max(tolerance.absolute, tolerance.share * error);
+}
+
+/// Holds the finer run against the coarser one and takes its place.
+void accept(Reference& reference, Trajectory finer, const ConvergenceTolerance& tolerance) {
+  const Trajectory& coarser = reference.trajectory;
+  const std::size_t count = std::min(coarser.states.size(), finer.states.size());
+  Halving halving;
+  halving.timeStep = reference.settings.step.timeStep;
+  reference.differences.assign(count, 0.0);
+  bool passing = true;
+  for (std::size_t k = 1; k < count; ++k) {
+    reference.differences[k] = meanDistance(coarser.states[k].positions, finer.states[k].positions);
+    halving.difference = std::max(halving.difference, reference.differences[k]);
+    passing = passing && reference.differences[k] <= toleranceAt(tolerance, finer, k);
+    halving.trusted = passing ? static_cast<int>(k) : halving.trusted;
+  }
+  reference.trusted = halving.trusted;
+  reference.halvings.push_back(halving);
+  reference.trajectory = std::move(finer);
+}
+
+/// Whether the last halvings brought the first checkpoint that fails no nearer, time after time.
+class Hope {
+ public:
+  [[nodiscard]] bool lost(const Reference& reference) {
+    const auto failing = static_cast<std::size_t>(reference.trusted) + 1;
+    const double difference = failing < reference.differences.size() ? reference.differences[failing] : 0.0;
+    const bool helped = failing != failing_ || difference < helpful * difference_;
+    fruitless_ = helped ? 0 : fruitless_ + 1;
+    failing_ = failing;
+    difference_ = difference;
+    return fruitless_ >= patience;
+  }
+
+ private:
+  std::size_t failing_ = 0;
+  double difference_ = 0.0;
+  int fruitless_ = 0;
+};
+
+/// Why the halving ended.
+enum class Ending { Passed, Hopeless, TooMuchWork };
+
+std::string doubtAbout(const Reference& reference, Ending ending) {
+  const auto failing = static_cast<std::size_t>(reference.trusted) + 1;
+  if (failing >= reference.differences.size()) {
+    return blewUp(reference);
+  }
+  return "The reference does not converge after " + timeOf(reference.trusted) + ": halving its step to " +
+         shortNumber(reference.settings.step.timeStep) + " s still moved the cloth by " +
+         shortNumber(1000.0 * reference.differences[failing]) + " mm (mean) at " + timeOf(reference.trusted + 1) +
+         (ending == Ending::Hopeless ? ", and finer steps bring it no nearer: the motion is chaotic there. "
+                                     : ", and finer steps would take too long. ") +
+         "What comes later cannot be judged.";
+}
+
+double workOf(const Scene& scene, double timeStep, int checkpoints) {
+  return static_cast<double>(scene.model->springs.size()) * checkpoints * checkpointInterval / timeStep;
+}
+
+/// Halves the step until every checkpoint passes or something ends it.
+Ending halve(Reference& reference, const Scene& scene, int checkpoints, const ConvergenceTolerance& tolerance,
+             const Watch& watch) {
+  Hope hope;
+  for (int i = 0; reference.trusted < checkpoints; ++i) {
+    const double timeStep = 0.5 * reference.settings.step.timeStep;
+    if (i == tolerance.mostHalvings || workOf(scene, timeStep, checkpoints) > tolerance.mostWork) {
+      return Ending::TooMuchWork;
+    }
+    reference.settings.step.timeStep = timeStep;
+    accept(reference, runTrajectory(scene, reference.settings, checkpoints, watch), tolerance);
+    if (hope.lost(reference)) {
+      return Ending::Hopeless;
+    }
+  }
+  return Ending::Passed;
+}
+
+}  // namespace
+
+Settings sameStepSettings(Settings settings) {
+  settings.solver.name = "newton";
+  settings.step.tolerance = 1e-10;
+  return settings;
+}
+
+Settings convergedSettings(Settings settings) {
+  settings.solver.name = "verlet";
+  settings.step.integration = Integration::BackwardEuler;
+  settings.step.substeps = 1;
+  return settings;
+}
+
+Reference sameStepReference(const Scene& scene, const Settings& settings, int checkpoints, const Progress& progress) {
+  // A step in parts, or one that is extrapolated, does not satisfy the equation of the whole step.
+  const bool plain = settings.step.substeps == 1 && settings.step.integration == Integration::BackwardEuler;
+  Reference reference = runOnce(ReferenceKind::SameStep, scene, settings, checkpoints,
+                                {.energy = false, .stepResiduals = plain, .label = "reference", .progress = progress});
+  if (reference.trajectory.unsolvedSteps > 0 && reference.doubt.empty()) {
+    reference.doubt = std::to_string(reference.trajectory.unsolvedSteps) +
+                      " steps of the reference did not reach its tolerance; the worst residual is " +
+                      shortNumber(reference.trajectory.largestResidual) + ".";
+  }
+  return reference;
+}
+
+Reference convergedReference(const Scene& scene, const Settings& settings, int checkpoints,
+                             const ConvergenceTolerance& tolerance, const Progress& progress) {
+  Watch watch;
+  watch.label = "reference";
+  watch.progress = progress;
+  Reference reference;
+  reference.kind = ReferenceKind::Converged;
+  reference.settings = settings;
+  reference.settings.step.timeStep = firstStep(scene, settings);
+  reference.trajectory = runTrajectory(scene, reference.settings, checkpoints, watch);
+  reference.differences.assign(reference.trajectory.states.size(), std::numeric_limits<double>::infinity());
+  const Ending ending = halve(reference, scene, checkpoints, tolerance, watch);
+  requireMotion(reference);
+  if (ending != Ending::Passed) {
+    reference.doubt = doubtAbout(reference, ending);
+  }
+  if (reference.trusted < 1) {
+    throw InputError(reference.doubt + " Allow a larger --reference-tolerance, or another solver with --reference-set");
+  }
+  return reference;
+}
+
+Reference solverReference(const Scene& scene, const Settings& settings, int checkpoints, const Progress& progress) {
+  Watch watch;
+  watch.label = "reference";
+  watch.progress = progress;
+  return runOnce(ReferenceKind::Solver, scene, settings, checkpoints, watch);
+}
+
+}  // namespace drape

@@ -1,0 +1,136 @@
+#include "report/trajectory.hpp"
+
+#include "settings/settings_table.hpp"
+#include "sim/error.hpp"
+#include "sim/residuals.hpp"
+#include "sim/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace drape {
+namespace {
+
+/// Advances a cloth from checkpoint to checkpoint and keeps the account.
+class Runner {
+ public:
+  Runner(const Scene& scene, const Settings& settings, int checkpoints, const Watch& watch)
+      : model_(*scene.model),
+        parameters_(settings.step),
+        watch_(watch),
+        stepper_(settings.solver.name),
+        stepsTotal_(static_cast<std::int64_t>(checkpoints) * stepsPerCheckpoint(settings.step.timeStep)) {
+    trajectory_.stepsPerCheckpoint = stepsPerCheckpoint(settings.step.timeStep);
+    record(scene.start);
+  }
+
+  /// Takes `state` to the next checkpoint and records it there. False when it blew up on the way.
+  bool advance(ClothState& state) {
+    for (int i = 0; i < trajectory_.stepsPerCheckpoint; ++i) {
+      step(state);
+    }
+    if (!isFinite(state)) {
+      trajectory_.finite = false;
+      return false;
+    }
+    record(state);
+    return true;
+  }
+
+  void forgetBalance() { balance_ = {}; }
+
+  [[nodiscard]] Trajectory take() { return std::move(trajectory_); }
+
+ private:
+  void step(ClothState& state) {
+    const bool compare = watch_.energy || watch_.stepResiduals;
+    if (compare) {
+      before_ = state;
+    }
+    const StepReport report = stepper_.step(model_, parameters_, {}, state);
+    trajectory_.unsolvedSteps += report.converged ? 0 : 1;
+    trajectory_.largestResidual = std::max(trajectory_.largestResidual, report.residual);
+    if (watch_.energy) {
+      balance_.add(model_, parameters_, {}, before_, state);
+    }
+    if (watch_.stepResiduals) {
+      trajectory_.largestStepResidual =
+          std::max(trajectory_.largestStepResidual, nonlinearResidual(model_, parameters_, {}, before_, state));
+    }
+    if (watch_.progress) {
+      watch_.progress(watch_.label, ++stepsDone_, stepsTotal_);
+    }
+  }
+
+  void record(const ClothState& state) {
+    trajectory_.states.push_back(state);
+    trajectory_.states.back().history = {};
+    if (watch_.energy) {
+      trajectory_.balances.push_back(balance_);
+    }
+  }
+
+  const ClothModel& model_;
+  StepParameters parameters_;
+  const Watch& watch_;
+  Stepper stepper_;
+  std::int64_t stepsDone_ = 0;
+  std::int64_t stepsTotal_;
+  EnergyBalance balance_;
+  ClothState before_;
+  Trajectory trajectory_;
+};
+
+std::string stepText(int steps) {
+  return "1/" + std::to_string(30 * steps) + " s";
+}
+
+}  // namespace
+
+int stepsPerCheckpoint(double timeStep) {
+  constexpr double rounding = 1e-6;
+  const double steps = checkpointInterval / timeStep;
+  const double whole = std::round(steps);
+  if (whole >= 1.0 && std::abs(steps - whole) <= rounding * whole) {
+    return static_cast<int>(whole);
+  }
+  const int fewer = static_cast<int>(std::floor(steps));
+  throw UsageError(
+      "measuring needs a time_step of which a whole number makes 1/30 s, the time between two checkpoints; " +
+      formatValue(timeStep) + " s is not: take " + (fewer < 1 ? "" : stepText(fewer) + " or ") + stepText(fewer + 1));
+}
+
+int checkpointsIn(double seconds) {
+  const double count = std::round(seconds / checkpointInterval);
+  if (!(count >= 1.0)) {
+    throw UsageError("measuring needs at least 1/30 s, the time between two checkpoints; " + formatValue(seconds) +
+                     " s is less");
+  }
+  return static_cast<int>(count);
+}
+
+Trajectory runTrajectory(const Scene& scene, const Settings& settings, int checkpoints, const Watch& watch) {
+  Runner runner(scene, settings, checkpoints, watch);
+  ClothState state = scene.start;
+  for (int k = 0; k < checkpoints && runner.advance(state); ++k) {
+  }
+  return runner.take();
+}
+
+Trajectory runRestarted(const Scene& scene, const Settings& settings, const Trajectory& reference, const Watch& watch) {
+  const int checkpoints = reference.checkpoints();
+  Runner runner(scene, settings, checkpoints, watch);
+  bool finite = true;
+  for (int k = 0; k < checkpoints && finite; ++k) {
+    ClothState state = reference.states[static_cast<std::size_t>(k)];
+    runner.forgetBalance();
+    finite = runner.advance(state);
+  }
+  Trajectory trajectory = runner.take();
+  trajectory.restarted = true;
+  return trajectory;
+}
+
+}  // namespace drape

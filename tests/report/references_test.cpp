@@ -1,0 +1,106 @@
+#include "report/references.hpp"
+
+#include "sim/error.hpp"
+#include "sim/measures.hpp"
+#include "small_grid.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+constexpr int checkpoints = 3;
+
+/// A converged reference by a method of first order, which takes many halvings.
+Reference firstOrder(const Scene& scene, const ConvergenceTolerance& tolerance) {
+  return convergedReference(scene, testing::with(scene, {"solver=one_iteration", "sweeps=3"}), checkpoints, tolerance);
+}
+
+TEST(ConvergedReference, halvesUntilTheDifferenceIsBelowTheToleranceAndIsThatNearToAFarFinerRun) {
+  const auto scene = testing::smallGrid({"stiffness=10"});
+  ConvergenceTolerance tolerance;
+  tolerance.absolute = 2e-5;
+  const Reference reference = firstOrder(*scene, tolerance);
+  EXPECT_EQ(reference.doubt, "");
+  EXPECT_EQ(reference.trusted, checkpoints);
+  ASSERT_GE(reference.halvings.size(), 3U);
+  const Halving& last = reference.halvings.back();
+  EXPECT_LE(last.difference, 2e-5);
+  EXPECT_GT(reference.halvings[reference.halvings.size() - 2].difference, 2e-5);
+  EXPECT_DOUBLE_EQ(last.timeStep, reference.settings.step.timeStep);
+
+  Settings finer = reference.settings;
+  finer.step.timeStep /= 16.0;
+  const Trajectory truth = runTrajectory(*scene, finer, checkpoints);
+  const double distance = meanDistance(truth.states.back().positions, reference.trajectory.states.back().positions);
+  EXPECT_GT(distance, 0.5 * last.difference);  // of first order: as much again is left
+  EXPECT_LT(distance, 1.1 * last.difference);
+}
+
+TEST(ConvergedReference, saysWhereItEndsWhenItIsNotConverged) {
+  const auto scene = testing::smallGrid({"stiffness=10"});
+  ConvergenceTolerance exact;
+  exact.absolute = 1e-12;
+  exact.mostHalvings = 3;
+  const Reference three = [&] {
+    ConvergenceTolerance tolerance = exact;
+    tolerance.absolute = 1.0;
+    return firstOrder(*scene, tolerance);
+  }();
+  ASSERT_EQ(three.differences.size(), 4U);
+  // Something between what the first and the last checkpoint leave over, by three halvings.
+  ConvergenceTolerance tolerance = exact;
+  tolerance.mostHalvings = 1;
+  tolerance.absolute = 0.5 * (three.differences[1] + three.differences[3]);
+  const Reference reference = firstOrder(*scene, tolerance);
+  EXPECT_GE(reference.trusted, 1);
+  EXPECT_LT(reference.trusted, checkpoints);
+  EXPECT_NE(reference.doubt.find("does not converge after"), std::string::npos) << reference.doubt;
+  EXPECT_NE(reference.doubt.find("would take too long"), std::string::npos) << reference.doubt;
+  EXPECT_THROW((void)firstOrder(*scene, exact), InputError);
+}
+
+TEST(ConvergedReference, needsBeNoBetterThanTheErrorThatItJudges) {
+  const auto scene = testing::smallGrid({"stiffness=10"});
+  const Trajectory judged = runTrajectory(*scene, scene->settings, checkpoints);
+  ConvergenceTolerance tolerance;
+  tolerance.absolute = 1e-12;
+  tolerance.share = 0.02;
+  tolerance.judged = &judged;
+  const Reference reference = firstOrder(*scene, tolerance);
+  EXPECT_EQ(reference.doubt, "");
+  for (std::size_t k = 1; k <= checkpoints; ++k) {
+    const double error = meanDistance(judged.states[k].positions, reference.trajectory.states[k].positions);
+    EXPECT_LE(reference.differences[k], 0.02 * error);
+    EXPECT_GT(reference.differences[k], 1e-12);
+  }
+}
+
+TEST(ConvergedReference, doesNotBeginARunThatIsTooLong) {
+  const auto scene = testing::smallGrid();
+  ConvergenceTolerance tolerance;
+  tolerance.absolute = 1e-12;
+  tolerance.mostWork = 1.0;
+  EXPECT_THROW((void)firstOrder(*scene, tolerance), InputError);
+}
+
+TEST(SameStepReference, keepsTheMethodsStep) {
+  const auto scene = testing::smallGrid({"time_step=1/300", "substeps=2", "integration=theta", "theta=0.75"});
+  const Settings settings = sameStepSettings(scene->settings);
+  EXPECT_EQ(settings.solver.name, "newton");
+  EXPECT_EQ(settings.step.tolerance, 1e-10);
+  EXPECT_EQ(settings.step.timeStep, scene->settings.step.timeStep);
+  EXPECT_EQ(settings.step.substeps, 2);
+  EXPECT_EQ(settings.step.integration, Integration::Theta);
+}
+
+TEST(SolverReference, isThatSolversRun) {
+  const auto scene = testing::smallGrid();
+  const Reference reference = solverReference(*scene, scene->settings, checkpoints);
+  const Trajectory run = runTrajectory(*scene, scene->settings, checkpoints);
+  EXPECT_EQ(stateHash(reference.trajectory.states.back()), stateHash(run.states.back()));
+  EXPECT_EQ(reference.trusted, checkpoints);
+}
+
+}  // namespace
+}  // namespace drape
