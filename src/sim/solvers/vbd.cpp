@@ -178,7 +178,8 @@ SolverInfo solvers::vbd() {
           .title = "Vertex block descent",
           .help =
               "Backward Euler as a minimisation: vertex after vertex takes a Newton step while its neighbours stand "
-              "still. Robust at large steps; every sweep costs about an evaluation of forces and derivatives, and with "
+              "still. Robust at large steps from three sweeps on; every sweep costs about an evaluation of forces and "
+              "derivatives, and with "
               "few of them stiff cloth is slack and sluggish.",
           .source = "Chen, Liu, Yang and Yuksel, 2024, Vertex Block Descent",
           .backwardEuler = true,

@@ -110,6 +110,16 @@ TEST(Vbd, warnsOfAnAccelerationThatOvershootsWhichReallyBlowsUp) {
   EXPECT_EQ(info.warning(*model, parameters).find("overshoots"), std::string::npos);
 }
 
+TEST(Vbd, warnsOfItsDefaultAccelerationWithTwoSweepsAlone) {
+  const auto model = pinnedSheet(5);
+  StepParameters parameters;
+  parameters.stiffness = 1.0;
+  for (int iterations = 1; iterations < 20; ++iterations) {
+    parameters.iterations = iterations;
+    EXPECT_EQ(findSolver("vbd")->warning(*model, parameters).find("overshoots") != std::string::npos, iterations == 2);
+  }
+}
+
 TEST(Xpbd, convergesToTheBackwardEulerStepWhereSpringsDoNotTurn) {
   const auto model = hangingChain(4, 0.02, 0.1);
   StepParameters parameters;
