@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 namespace drape {
 namespace {
 
 constexpr double stiffness = 120.0;
 constexpr double restLength = 0.5;
+
+using testing::allDerivatives;
 
 Mat3 differenceQuotient(const Vec3& offset) {
   constexpr double step = 1e-6;
@@ -49,6 +52,91 @@ TEST(SpringDerivative, isSymmetricAndPositiveSemiDefiniteAtAnyLength) {
     const Mat3 J = kernels::springDerivative(random.next(1.2), restLength, stiffness);
     EXPECT_EQ(J, Mat3(J.transpose()));
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Mat3>(J).eigenvalues().minCoeff(), -1e-12 * J.norm());
+  }
+}
+
+/// The largest difference from the difference quotient, relative to the stiffness, over many directions.
+double derivativeError(ForceDerivative variant, double length, const Mat3& projection) {
+  testing::RandomVectors random(4);
+  double largest = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 offset = random.next(1.0).normalized() * length;
+    const Vec3 d = offset.normalized();
+    const Mat3 along = d * d.transpose();
+    // `projection` mixes the parts along and across the spring: its (0, 0) and (1, 1).
+    const Mat3 kept = projection(0, 0) * along + projection(1, 1) * (Mat3::Identity() - along);
+    const Mat3 difference =
+        kernels::springDerivative(offset, restLength, stiffness, variant) - differenceQuotient(offset);
+    largest = std::max(largest, (kept * difference).cwiseAbs().maxCoeff() / stiffness);
+  }
+  return largest;
+}
+
+const Mat3 alongAndAcross = Vec3(1.0, 1.0, 0.0).asDiagonal();
+const Mat3 alongAlone = Vec3(1.0, 0.0, 0.0).asDiagonal();
+
+TEST(SpringDerivativeVariants, areTheForcesDerivativeWhereTheySayThatTheyAre) {
+  constexpr double stretched = 1.3 * restLength;
+  constexpr double compressed = 0.7 * restLength;
+  EXPECT_LT(derivativeError(ForceDerivative::Stabilised, stretched, alongAndAcross), 1e-6);
+  EXPECT_LT(derivativeError(ForceDerivative::TensionOnly, stretched, alongAndAcross), 1e-6);
+  for (const double length : {stretched, compressed}) {
+    EXPECT_LT(derivativeError(ForceDerivative::Exact, length, alongAndAcross), 1e-6) << length;
+    EXPECT_LT(derivativeError(ForceDerivative::Axial, length, alongAlone), 1e-6) << length;
+    EXPECT_LT(derivativeError(ForceDerivative::Scalar, length, alongAlone), 1e-6) << length;
+  }
+}
+
+TEST(SpringDerivativeVariants, areNotTheForcesDerivativeElsewhere) {
+  constexpr double stretched = 1.3 * restLength;
+  constexpr double compressed = 0.7 * restLength;
+  EXPECT_GT(derivativeError(ForceDerivative::Stabilised, compressed, alongAlone), 0.1);
+  EXPECT_GT(derivativeError(ForceDerivative::TensionOnly, compressed, alongAlone), 0.1);
+  EXPECT_GT(derivativeError(ForceDerivative::Axial, stretched, alongAndAcross), 0.1);
+  EXPECT_GT(derivativeError(ForceDerivative::Scalar, stretched, alongAndAcross), 0.1);
+}
+
+TEST(SpringDerivativeVariants, ofAScalarAreTheForcesDerivativeForASpringWithoutRestLength) {
+  const Vec3 offset(0.3, -0.2, 0.5);
+  const Mat3 exact = kernels::springDerivative(offset, 0.0, stiffness, ForceDerivative::Exact);
+  const Mat3 scalar = kernels::springDerivative(offset, 0.0, stiffness, ForceDerivative::Scalar);
+  EXPECT_LT((exact - scalar).cwiseAbs().maxCoeff(), 1e-12 * stiffness);
+}
+
+double smallestEigenvalue(const Mat3& J) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>(J).eigenvalues().minCoeff();
+}
+
+TEST(SpringDerivativeVariants, areSymmetricAndAllButTheExactOneArePositiveSemiDefinite) {
+  testing::RandomVectors random(5);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 offset = random.next(1.0);
+    for (const auto variant : allDerivatives) {
+      const Mat3 J = kernels::springDerivative(offset, restLength, stiffness, variant);
+      EXPECT_EQ(J, Mat3(J.transpose()));
+      if (variant != ForceDerivative::Exact || offset.norm() > restLength) {
+        EXPECT_GE(smallestEigenvalue(J), -1e-12 * stiffness) << static_cast<int>(variant) << " at " << offset.norm();
+      }
+    }
+  }
+}
+
+TEST(SpringDerivativeVariants, ofTheExactKindAreIndefiniteUnderCompression) {
+  testing::RandomVectors random(6);
+  for (int i = 1; i < 100; ++i) {
+    const double ratio = 0.01 * i;
+    const Vec3 offset = random.next(1.0).normalized() * (ratio * restLength);
+    const Mat3 J = kernels::springDerivative(offset, restLength, stiffness, ForceDerivative::Exact);
+    EXPECT_NEAR(smallestEigenvalue(J), stiffness * (1.0 - 1.0 / ratio), 1e-9 * stiffness / ratio);
+    EXPECT_LT(smallestEigenvalue(J), 0.0);
+  }
+}
+
+TEST(SpringDerivativeVariants, areFiniteForASpringWithoutLength) {
+  for (const auto variant : allDerivatives) {
+    for (const double rest : {restLength, 0.0}) {
+      EXPECT_TRUE(kernels::springDerivative(Vec3::Zero(), rest, stiffness, variant).allFinite());
+    }
   }
 }
 

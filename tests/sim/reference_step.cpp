@@ -10,11 +10,32 @@ using Eigen::VectorXd;
 
 struct System {
   MatrixXd mass;
-  MatrixXd J;        // df/dx of the springs, stabilised
+  MatrixXd J;        // df/dx of the springs
   MatrixXd damping;  // -df/dv
-  MatrixXd hand;     // -df/dx of the hand, its diagonal blocks
+  MatrixXd hand;     // -df/dx of the hand
   VectorXd force;
 };
+
+/// The block that couples the ends of a spring, from what the publications say rather than from one formula for all.
+Mat3 couplingOf(const Vec3& d, double L, double l0, double k, ForceDerivative variant) {
+  const Mat3 along = d * d.transpose();
+  const Mat3 across = Mat3::Identity() - along;
+  // The force k (L - l0) d: its size changes by k along the spring, its direction by 1/L across.
+  const Mat3 derivative = k * along + k * (L - l0) / L * across;
+  switch (variant) {
+    case ForceDerivative::Exact:
+      return derivative;
+    case ForceDerivative::Scalar:
+      return k * Mat3::Identity();
+    case ForceDerivative::Axial:
+      return k * along;
+    case ForceDerivative::TensionOnly:
+      return L < l0 ? Mat3(Mat3::Zero()) : derivative;
+    case ForceDerivative::Stabilised:
+      break;
+  }
+  return L < l0 ? Mat3(k * l0 / L * along) : derivative;
+}
 
 void addSprings(const ClothModel& model, const StepParameters& p, const ClothState& state, System& system) {
   for (const Spring& spring : model.springs) {
@@ -22,10 +43,7 @@ void addSprings(const ClothModel& model, const StepParameters& p, const ClothSta
     const Vec3 xb = state.positions[static_cast<std::size_t>(spring.b)];
     const double L = (xb - xa).norm();
     const Vec3 d = (xb - xa) / L;
-    Mat3 block = p.stiffness * (spring.restLength / L) * d * d.transpose();
-    if (L > spring.restLength) {
-      block += p.stiffness * (1.0 - spring.restLength / L) * Mat3::Identity();
-    }
+    const Mat3 block = couplingOf(d, L, spring.restLength, p.stiffness, p.derivative);
     const int a = 3 * spring.a;
     const int b = 3 * spring.b;
     system.J.block<3, 3>(a, a) -= block;
@@ -76,56 +94,64 @@ void addGravityAndAir(const ClothModel& model, const StepParameters& p, const Cl
   }
 }
 
-void addHand(const ClothModel& model, const Grab& grab, double h, const ClothState& state, System& system) {
-  Vec3 point = Vec3::Zero();
-  Vec3 velocity = Vec3::Zero();
+/// The hand's force and its derivative: lumped on the diagonal with the chord's stiffness as the paper's method has it,
+/// or whole as Newton's method needs it.
+void addHand(const ClothModel& model, const Grab& grab, double h, const ClothState& state, bool lumped,
+             System& system) {
   const Triangle& t = model.triangles[static_cast<std::size_t>(grab.triangle)];
-  for (int c = 0; c < 3; ++c) {
-    const auto v = static_cast<std::size_t>(t[static_cast<std::size_t>(c)]);
-    point += grab.barycentric[c] * state.positions[v];
-    velocity += grab.barycentric[c] * state.velocities[v];
+  MatrixXd weights = MatrixXd::Zero(3, 3 * model.vertexCount());
+  VectorXd x(3 * model.vertexCount());
+  VectorXd v(3 * model.vertexCount());
+  for (int i = 0; i < model.vertexCount(); ++i) {
+    x.segment<3>(3 * i) = state.positions[static_cast<std::size_t>(i)];
+    v.segment<3>(3 * i) = state.velocities[static_cast<std::size_t>(i)];
   }
-  const double distance = (grab.target - point).norm();
-  const double stiffness = std::min(grab.stiffness, grab.maxForce / distance);
   for (int c = 0; c < 3; ++c) {
-    const int row = 3 * t[static_cast<std::size_t>(c)];
-    system.force.segment<3>(row) += grab.barycentric[c] * stiffness * (grab.target - point - h * velocity);
-    system.hand.block<3, 3>(row, row) += grab.barycentric[c] * stiffness * Mat3::Identity();
+    weights.block<3, 3>(0, 3 * t[static_cast<std::size_t>(c)]) = grab.barycentric[c] * Mat3::Identity();
+  }
+  const Vec3 offset = grab.target - weights * x;
+  const double distance = offset.norm();
+  const double chord = std::min(grab.stiffness, grab.maxForce / distance);
+  Mat3 stiffness = chord * Mat3::Identity();
+  if (!lumped && chord < grab.stiffness) {
+    stiffness -= chord / (distance * distance) * offset * offset.transpose();
+  }
+  const Vec3 point = weights * v;
+  system.force += weights.transpose() * (chord * offset - h * (stiffness * point));
+  if (lumped) {
+    system.hand.diagonal() += chord * (weights.transpose() * Vec3::Ones());
+  } else {
+    system.hand += weights.transpose() * stiffness * weights;
   }
 }
 
-}  // namespace
-
-void referenceStep(const ClothModel& model, const StepParameters& p, const StepInputs& inputs, ClothState& state) {
+System systemOf(const ClothModel& model, const StepParameters& p, const StepInputs& inputs, const ClothState& state,
+                bool lumped) {
   const int n = model.vertexCount();
-  const double h = p.timeStep;
   const MatrixXd zero = MatrixXd::Zero(3 * n, 3 * n);
   System system{zero, zero, zero, zero, VectorXd::Zero(3 * n)};
   addSprings(model, p, state, system);
   addGravityAndAir(model, p, state, system);
   if (inputs.grab) {
-    addHand(model, *inputs.grab, h, state, system);
+    addHand(model, *inputs.grab, p.timeStep, state, lumped, system);
   }
-  VectorXd v(3 * n);
-  for (int i = 0; i < n; ++i) {
-    v.segment<3>(3 * i) = state.velocities[static_cast<std::size_t>(i)];
-  }
-  const VectorXd rhs = h * (system.force - system.damping * v + h * system.J * v);
-  const MatrixXd W = system.mass - h * h * system.J + h * system.damping + h * h * system.hand;
+  return system;
+}
 
-  MatrixXd inverse = zero;  // of the block-diagonal part; nothing moves where the cloth is pinned
-  MatrixXd off = W;
-  for (int i = 0; i < n; ++i) {
-    off.block<3, 3>(3 * i, 3 * i).setZero();
-    if (!model.pinned[static_cast<std::size_t>(i)]) {
-      inverse.block<3, 3>(3 * i, 3 * i) = W.block<3, 3>(3 * i, 3 * i).inverse();
-    }
+MatrixXd matrixOf(const System& system, double h) {
+  return system.mass - h * h * system.J + h * system.damping + h * h * system.hand;
+}
+
+VectorXd rightHandSideOf(const System& system, double h, const ClothState& state) {
+  VectorXd v(3 * static_cast<int>(state.velocities.size()));
+  for (std::size_t i = 0; i < state.velocities.size(); ++i) {
+    v.segment<3>(3 * static_cast<int>(i)) = state.velocities[i];
   }
-  VectorXd dv = inverse * rhs;
-  for (int sweep = 0; sweep < p.sweeps; ++sweep) {
-    dv = inverse * (rhs - off * dv);
-  }
-  for (int i = 0; i < n; ++i) {
+  return h * (system.force - system.damping * v + h * system.J * v);
+}
+
+void advanceBy(const ClothModel& model, double h, const VectorXd& dv, ClothState& state) {
+  for (int i = 0; i < model.vertexCount(); ++i) {
     const auto vertex = static_cast<std::size_t>(i);
     state.velocities[vertex] += dv.segment<3>(3 * i);
     if (!model.pinned[vertex]) {
@@ -133,6 +159,44 @@ void referenceStep(const ClothModel& model, const StepParameters& p, const StepI
     }
   }
   state.time += h;
+}
+
+}  // namespace
+
+void referenceStep(const ClothModel& model, const StepParameters& p, const StepInputs& inputs, ClothState& state) {
+  const int n = model.vertexCount();
+  const System system = systemOf(model, p, inputs, state, true);
+  const MatrixXd W = matrixOf(system, p.timeStep);
+  const VectorXd rhs = rightHandSideOf(system, p.timeStep, state);
+  MatrixXd inverse = MatrixXd::Zero(3 * n, 3 * n);  // of the block-diagonal part; nothing moves where it is pinned
+  for (int i = 0; i < n; ++i) {
+    if (!model.pinned[static_cast<std::size_t>(i)]) {
+      inverse.block<3, 3>(3 * i, 3 * i) = W.block<3, 3>(3 * i, 3 * i).inverse();
+    }
+  }
+  // Damped Jacobi: every sweep goes by `relaxation` towards where Jacobi would go. The first comes from zero.
+  VectorXd dv = VectorXd::Zero(3 * n);
+  for (int sweep = 0; sweep <= p.sweeps; ++sweep) {
+    dv += p.relaxation * (inverse * (rhs - W * dv));
+  }
+  advanceBy(model, p.timeStep, dv, state);
+}
+
+void exactLinearStep(const ClothModel& model, const StepParameters& p, const StepInputs& inputs, HandDerivative hand,
+                     ClothState& state) {
+  const System system = systemOf(model, p, inputs, state, hand == HandDerivative::Lumped);
+  MatrixXd W = matrixOf(system, p.timeStep);
+  VectorXd rhs = rightHandSideOf(system, p.timeStep, state);
+  for (int i = 0; i < model.vertexCount(); ++i) {
+    if (model.pinned[static_cast<std::size_t>(i)]) {
+      W.middleRows<3>(3 * i).setZero();
+      W.middleCols<3>(3 * i).setZero();
+      W.block<3, 3>(3 * i, 3 * i).setIdentity();
+      rhs.segment<3>(3 * i).setZero();
+    }
+  }
+  const VectorXd dv = W.partialPivLu().solve(rhs);
+  advanceBy(model, p.timeStep, dv, state);
 }
 
 }  // namespace drape::testing

@@ -7,8 +7,19 @@
 namespace drape::testing {
 
 /// The paper's step written down a second time, from the equations alone and with dense matrices: 3n x 3n mass,
-/// stiffness and damping, block-diagonal part, `sweeps` Jacobi sweeps. Slow and plain: it is the judge of the fast one.
+/// stiffness and damping in every variant of the force derivative, block-diagonal part, `sweeps` Jacobi sweeps damped
+/// by `relaxation`. Slow and plain: it is the judge of the fast one.
 void referenceStep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                    ClothState& state);
+
+/// How the hand's force counts in the matrix.
+enum class HandDerivative {
+  Lumped,  ///< the chord's stiffness, on the diagonal
+  Whole    ///< the derivative, which couples the corners of the triangle that is held
+};
+
+/// The same linear system, solved by elimination.
+void exactLinearStep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                     HandDerivative hand, ClothState& state);
 
 }  // namespace drape::testing

@@ -2,7 +2,10 @@
 
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
+#include "sim/step_parameters.hpp"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <random>
 #include <vector>
@@ -58,6 +61,29 @@ inline ClothState shaken(const ClothModel& model, double size, unsigned seed) {
     state.velocities[v] = model.pinned[v] ? Vec3(Vec3::Zero()) : random.next(10.0 * size);
   }
   return state;
+}
+
+inline constexpr std::array allDerivatives{ForceDerivative::Stabilised, ForceDerivative::Exact, ForceDerivative::Scalar,
+                                           ForceDerivative::Axial, ForceDerivative::TensionOnly};
+
+/// A sheet with vertices that are out of line and masses by area, all different, held at one corner.
+inline std::shared_ptr<const ClothModel> irregularSheet(int n, std::vector<int> pins = {0}) {
+  ClothMesh mesh = sheet(n);
+  RandomVectors random(11);
+  for (Vec3& position : mesh.positions) {
+    position += random.next(0.25 / (n - 1));
+  }
+  return buildClothModel(mesh, 0.1, MassLumping::Area, pins);
+}
+
+/// The largest difference between two states in any component of position [m] or velocity [m/s].
+inline double largestDifference(const ClothState& a, const ClothState& b) {
+  double largest = 0.0;
+  for (std::size_t v = 0; v < a.positions.size(); ++v) {
+    largest = std::max(largest, (a.positions[v] - b.positions[v]).cwiseAbs().maxCoeff());
+    largest = std::max(largest, (a.velocities[v] - b.velocities[v]).cwiseAbs().maxCoeff());
+  }
+  return largest;
 }
 
 }  // namespace drape::testing

@@ -9,12 +9,15 @@
 namespace drape::solvers {
 
 SolverInfo oneIteration();
+SolverInfo chebyshev();
+SolverInfo pcg();
+SolverInfo newton();
 SolverInfo verlet();
 SolverInfo explicitEuler();
 SolverInfo xpbd();
 SolverInfo vbd();
 
 /// In the order in which they are shown; the first is the default.
-inline constexpr std::array all{oneIteration, verlet, explicitEuler, xpbd, vbd};
+inline constexpr std::array all{oneIteration, chebyshev, pcg, newton, verlet, explicitEuler, xpbd, vbd};
 
 }  // namespace drape::solvers

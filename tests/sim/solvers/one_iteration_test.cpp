@@ -10,21 +10,13 @@
 namespace drape {
 namespace {
 
+using testing::largestDifference;
 using testing::pinnedSheet;
 using testing::referenceStep;
 using testing::shaken;
 
 std::unique_ptr<Solver> oneIteration() {
   return findSolver("one_iteration")->make();
-}
-
-double largestDifference(const ClothState& a, const ClothState& b) {
-  double largest = 0.0;
-  for (std::size_t v = 0; v < a.positions.size(); ++v) {
-    largest = std::max(largest, (a.positions[v] - b.positions[v]).cwiseAbs().maxCoeff());
-    largest = std::max(largest, (a.velocities[v] - b.velocities[v]).cwiseAbs().maxCoeff());
-  }
-  return largest;
 }
 
 /// Runs both for some steps from a shaken start and returns how far they ever part.
@@ -80,6 +72,26 @@ TEST(OneIteration, equalsTheDenseReferenceWhileAHandPulls) {
   EXPECT_LT(differenceFromReference({}, inputs), 1e-10);
   inputs.grab->maxForce = 0.05;
   EXPECT_LT(differenceFromReference({}, inputs), 1e-10);
+}
+
+TEST(OneIteration, equalsTheDenseReferenceInEveryVariantOfTheForceDerivative) {
+  for (const auto variant : testing::allDerivatives) {
+    StepParameters parameters;
+    parameters.derivative = variant;
+    parameters.damping = 0.01;
+    EXPECT_LT(differenceFromReference(parameters), 1e-9) << static_cast<int>(variant);
+  }
+}
+
+TEST(OneIteration, equalsTheDenseReferenceForDampedSweepsOddAndEven) {
+  for (const int sweeps : {1, 2, 3, 4}) {
+    for (const double relaxation : {0.5, 0.8}) {
+      StepParameters parameters;
+      parameters.sweeps = sweeps;
+      parameters.relaxation = relaxation;
+      EXPECT_LT(differenceFromReference(parameters), 1e-10) << sweeps << " sweeps by " << relaxation;
+    }
+  }
 }
 
 TEST(OneIteration, makesAFreeVertexFallByBackwardEulersClosedForm) {

@@ -1,0 +1,208 @@
+#include "sim/incremental_potential.hpp"
+
+#include "sim/external_forces.hpp"
+#include "sim/kernels.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace drape {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Energy of the hand's bounded spring [J]: a parabola that goes on as a straight line where the force is bounded.
+double handEnergy(const Grab& grab, double distance) {
+  const double reach = grab.maxForce / grab.stiffness;  // where the bound begins [m]
+  return grab.stiffness * distance <= grab.maxForce ? 0.5 * grab.stiffness * distance * distance
+                                                    : grab.maxForce * (distance - 0.5 * reach);
+}
+
+/// Its second derivative [N/m].
+Mat3 handStiffness(const Grab& grab, const Vec3& offset) {
+  const double distance = offset.norm();
+  if (grab.stiffness * distance <= grab.maxForce) {
+    return grab.stiffness * Mat3::Identity();
+  }
+  const Vec3 direction = offset / distance;
+  return (grab.maxForce / distance) * (Mat3::Identity() - direction * direction.transpose());
+}
+
+}  // namespace
+
+void IncrementalPotential::begin(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                 const ClothState& state, Workers& workers) {
+  model_ = &model;
+  parameters_ = &parameters;
+  workers_ = &workers;
+  startVelocities_ = state.velocities;
+  const std::size_t vertices = state.positions.size();
+  const std::size_t springs = model.springs.size();
+  external_.resize(vertices);
+  gradient_.resize(vertices);
+  size_.resize(vertices);
+  startOffsets_.resize(springs);
+  startExcess_.resize(springs);
+  offsets_.resize(springs);
+  springForces_.resize(springs);
+  springEnergy_.resize(springs);
+  springSize_.resize(springs);
+  workers.forEach(parameters.threads, vertices,
+                  [&](std::size_t i) { external_[i] = gravityAndAir(model, parameters, state, i); });
+  workers.forEach(parameters.threads, springs, [&](std::size_t s) { beginSpring(s, state); });
+  grab_ = inputs.grab;
+  if (grab_) {
+    handStartOffset_ = grab_->target;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int corner = model.triangles[static_cast<std::size_t>(grab_->triangle)][c];
+      handStartOffset_ -=
+          grab_->barycentric[static_cast<Eigen::Index>(c)] * state.positions[static_cast<std::size_t>(corner)];
+    }
+  }
+}
+
+void IncrementalPotential::beginSpring(std::size_t spring, const ClothState& state) {
+  const Spring& ends = model_->springs[spring];
+  const Vec3 offset =
+      state.positions[static_cast<std::size_t>(ends.b)] - state.positions[static_cast<std::size_t>(ends.a)];
+  const double length = offset.norm();
+  startOffsets_[spring] = offset;
+  startExcess_[spring] = (length - ends.restLength) * (length + ends.restLength);
+}
+
+IncrementalPotential::Value IncrementalPotential::evaluate(const std::vector<Vec3>& velocities) {
+  workers_->forEach(parameters_->threads, offsets_.size(), [&](std::size_t s) { evaluateSpring(s, velocities); });
+  workers_->forEach(parameters_->threads, gradient_.size(), [&](std::size_t i) { gatherVertex(i, velocities); });
+  return sum(velocities, addHand(velocities));
+}
+
+void IncrementalPotential::evaluateSpring(std::size_t spring, const std::vector<Vec3>& velocities) {
+  const Spring& ends = model_->springs[spring];
+  const double h = parameters_->timeStep;
+  const double k = parameters_->stiffness;
+  const Vec3& va = velocities[static_cast<std::size_t>(ends.a)];
+  const Vec3& vb = velocities[static_cast<std::size_t>(ends.b)];
+  const Vec3 change = h * (vb - va);
+  const Vec3 offset = startOffsets_[spring] + change;
+  const double length = offset.norm();
+  // L - l0 = (L^2 - l0^2) / (L + l0), where L^2 is that of x0 and what the change adds.
+  const double excess = startExcess_[spring] + change.dot(2.0 * startOffsets_[spring] + change);
+  const double both = length + ends.restLength;
+  const double elongation = both > 0.0 ? excess / both : 0.0;
+  const bool hasDirection = length > kernels::shortestLength * ends.restLength;
+  offsets_[spring] = offset;
+  springForces_[spring] = kernels::dampingForce(va, vb, parameters_->damping);
+  if (hasDirection) {
+    springForces_[spring] += (k * elongation / length) * offset;
+  }
+  springEnergy_[spring] = 0.5 * k * elongation * elongation + 0.5 * h * parameters_->damping * (vb - va).squaredNorm();
+  const double speeds = va.norm() + vb.norm();
+  springSize_[spring] = k * (std::abs(elongation) + h * speeds) + parameters_->damping * speeds;
+}
+
+void IncrementalPotential::gatherVertex(std::size_t vertex, const std::vector<Vec3>& velocities) {
+  if (model_->pinned[vertex]) {
+    gradient_[vertex].setZero();
+    size_[vertex] = 0.0;
+    return;
+  }
+  Vec3 force = external_[vertex];
+  double forceSize = force.norm();
+  const auto begin = static_cast<std::size_t>(model_->springEnds.begin[vertex]);
+  const auto end = static_cast<std::size_t>(model_->springEnds.begin[vertex + 1]);
+  for (std::size_t e = begin; e < end; ++e) {
+    const auto s = static_cast<std::size_t>(model_->springEnds.values[e].spring);
+    const bool first = static_cast<int>(vertex) == model_->springs[s].a;
+    force += first ? springForces_[s] : Vec3(-springForces_[s]);
+    forceSize += springSize_[s];
+  }
+  const double mass = model_->vertexMass[vertex];
+  gradient_[vertex] = mass * (velocities[vertex] - startVelocities_[vertex]) - parameters_->timeStep * force;
+  size_[vertex] =
+      mass * (velocities[vertex].norm() + startVelocities_[vertex].norm()) + parameters_->timeStep * forceSize;
+}
+
+double IncrementalPotential::addHand(const std::vector<Vec3>& velocities) {
+  if (!grab_) {
+    return 0.0;
+  }
+  const Triangle& corners = model_->triangles[static_cast<std::size_t>(grab_->triangle)];
+  handOffset_ = handStartOffset_;
+  for (std::size_t c = 0; c < 3; ++c) {
+    handOffset_ -= (parameters_->timeStep * grab_->barycentric[static_cast<Eigen::Index>(c)]) *
+                   velocities[static_cast<std::size_t>(corners[c])];
+  }
+  const Vec3 force = kernels::boundedSpringForce(handOffset_, grab_->stiffness, grab_->maxForce);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto v = static_cast<std::size_t>(corners[c]);
+    if (!model_->pinned[v]) {
+      const double impulse = parameters_->timeStep * grab_->barycentric[static_cast<Eigen::Index>(c)];
+      gradient_[v] -= impulse * force;
+      size_[v] += std::abs(impulse) * force.norm();
+    }
+  }
+  return handEnergy(*grab_, handOffset_.norm());
+}
+
+IncrementalPotential::Value IncrementalPotential::sum(const std::vector<Vec3>& velocities, double handEnergy) const {
+  double kinetic = 0.0;
+  double work = 0.0;
+  double workSize = 0.0;
+  double residual = 0.0;
+  double rounding = 0.0;
+  for (std::size_t i = 0; i < gradient_.size(); ++i) {
+    if (!model_->pinned[i]) {
+      kinetic += 0.5 * model_->vertexMass[i] * (velocities[i] - startVelocities_[i]).squaredNorm();
+      work += parameters_->timeStep * velocities[i].dot(external_[i]);
+      workSize += parameters_->timeStep * velocities[i].norm() * external_[i].norm();
+      residual += gradient_[i].squaredNorm();
+      rounding += size_[i] * size_[i];
+    }
+  }
+  double elastic = 0.0;
+  for (const double energy : springEnergy_) {
+    elastic += energy;
+  }
+  return {.value = kinetic + elastic + handEnergy - work,
+          .valueRounding = 16.0 * epsilon * (kinetic + elastic + handEnergy + workSize),
+          .residual = std::sqrt(residual),
+          .rounding = epsilon * std::sqrt(rounding)};
+}
+
+void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& hessian) {
+  const ClothModel& model = *model_;
+  const double h = parameters_->timeStep;
+  const Mat3 damped = h * parameters_->damping * Mat3::Identity();
+  springBlocks_.resize(offsets_.size());
+  diagonal_.resize(gradient_.size());
+  workers_->forEach(parameters_->threads, offsets_.size(), [&](std::size_t s) {
+    springBlocks_[s] =
+        -h * h * kernels::springDerivative(offsets_[s], model.springs[s].restLength, parameters_->stiffness, variant) -
+        damped;
+  });
+  workers_->forEach(parameters_->threads, diagonal_.size(), [&](std::size_t i) {
+    diagonal_[i] = model.vertexMass[i] * Mat3::Identity();
+    const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
+    for (auto e = static_cast<std::size_t>(model.springEnds.begin[i]); e < end; ++e) {
+      diagonal_[i] -= springBlocks_[static_cast<std::size_t>(model.springEnds.values[e].spring)];
+    }
+  });
+  hessian.fill(model, parameters_->threads, *workers_, diagonal_, springBlocks_);
+  if (!grab_) {
+    return;
+  }
+  const Mat3 stiffness = h * h * handStiffness(*grab_, handOffset_);
+  const Triangle& corners = model.triangles[static_cast<std::size_t>(grab_->triangle)];
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t d = c; d < 3; ++d) {
+      const double weight =
+          grab_->barycentric[static_cast<Eigen::Index>(c)] * grab_->barycentric[static_cast<Eigen::Index>(d)];
+      // Corners that are one vertex share a diagonal block, where both halves of the pair belong.
+      const double share = c != d && corners[c] == corners[d] ? 2.0 : 1.0;
+      hessian.add(model, static_cast<std::size_t>(corners[c]), static_cast<std::size_t>(corners[d]),
+                  (share * weight) * stiffness);
+    }
+  }
+}
+
+}  // namespace drape

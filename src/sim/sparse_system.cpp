@@ -1,0 +1,128 @@
+#include "sim/sparse_system.hpp"
+
+#include <algorithm>
+
+// The three columns of a free vertex hold the lower triangle of its own block, then the blocks of its neighbours of
+// higher index, in ascending order. Column c therefore begins with 3 - c values of the diagonal block, and the rows of
+// its p-th neighbour stand 3 p values further on.
+
+namespace drape {
+namespace {
+
+template <typename Visit>
+void forEachEnd(const ClothModel& model, std::size_t vertex, Visit&& visit) {
+  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
+  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
+  for (std::size_t e = begin; e < end; ++e) {
+    visit(model.springEnds.values[e]);
+  }
+}
+
+}  // namespace
+
+SparseSystem::SparseSystem(const ClothModel& model) {
+  Eigen::Index free = 0;
+  for (const bool pinned : model.pinned) {
+    row_.push_back(pinned ? -1 : static_cast<int>(free++));
+  }
+  lower_.resize(3 * free, 3 * free);
+  reserve(model);
+  writePattern(model);
+}
+
+bool SparseSystem::isBelow(std::size_t vertex, const SpringEnd& end) const {
+  return row_[static_cast<std::size_t>(end.neighbour)] > row_[vertex];
+}
+
+void SparseSystem::reserve(const ClothModel& model) {
+  int* const outer = lower_.outerIndexPtr();
+  outer[0] = 0;
+  for (std::size_t v = 0; v < row_.size(); ++v) {
+    if (row_[v] < 0) {
+      continue;
+    }
+    int below = 0;
+    forEachEnd(model, v, [&](const SpringEnd& end) { below += isBelow(v, end) ? 3 : 0; });
+    for (int c = 0; c < 3; ++c) {
+      const int column = 3 * row_[v] + c;
+      outer[column + 1] = outer[column] + 3 - c + below;
+    }
+  }
+  lower_.resizeNonZeros(outer[lower_.cols()]);
+}
+
+void SparseSystem::writePattern(const ClothModel& model) {
+  for (std::size_t v = 0; v < row_.size(); ++v) {
+    for (int c = 0; row_[v] >= 0 && c < 3; ++c) {
+      int* inner = lower_.innerIndexPtr() + lower_.outerIndexPtr()[3 * row_[v] + c];
+      for (int r = c; r < 3; ++r) {
+        *inner++ = 3 * row_[v] + r;
+      }
+      forEachEnd(model, v, [&](const SpringEnd& end) {
+        for (int r = 0; isBelow(v, end) && r < 3; ++r) {
+          *inner++ = 3 * row_[static_cast<std::size_t>(end.neighbour)] + r;
+        }
+      });
+    }
+  }
+}
+
+void SparseSystem::fill(const ClothModel& model, int threads, Workers& workers, const std::vector<Mat3>& diagonal,
+                        const std::vector<Mat3>& springBlocks) {
+  workers.forEach(threads, row_.size(), [&](std::size_t v) {
+    if (row_[v] >= 0) {
+      fillVertex(model, v, diagonal, springBlocks);
+    }
+  });
+}
+
+void SparseSystem::fillVertex(const ClothModel& model, std::size_t vertex, const std::vector<Mat3>& diagonal,
+                              const std::vector<Mat3>& springBlocks) {
+  for (int c = 0; c < 3; ++c) {
+    double* value = lower_.valuePtr() + lower_.outerIndexPtr()[3 * row_[vertex] + c];
+    for (int r = c; r < 3; ++r) {
+      *value++ = diagonal[vertex](r, c);
+    }
+    forEachEnd(model, vertex, [&](const SpringEnd& end) {
+      for (int r = 0; isBelow(vertex, end) && r < 3; ++r) {
+        *value++ = springBlocks[static_cast<std::size_t>(end.spring)](r, c);
+      }
+    });
+  }
+}
+
+void SparseSystem::add(const ClothModel& model, std::size_t vertex, std::size_t other, const Mat3& block) {
+  const std::size_t first = std::min(vertex, other);
+  const std::size_t second = std::max(vertex, other);
+  if (row_[first] < 0 || row_[second] < 0) {
+    return;
+  }
+  int before = 0;  // values between the diagonal block and the wanted one
+  forEachEnd(model, first, [&](const SpringEnd& end) {
+    before += isBelow(first, end) && end.neighbour < static_cast<int>(second) ? 3 : 0;
+  });
+  for (int c = 0; c < 3; ++c) {
+    double* const column = lower_.valuePtr() + lower_.outerIndexPtr()[3 * row_[first] + c];
+    for (int r = first == second ? c : 0; r < 3; ++r) {
+      column[first == second ? r - c : 3 - c + before + r] += block(r, c);
+    }
+  }
+}
+
+Eigen::VectorXd SparseSystem::gather(const std::vector<Vec3>& vectors) const {
+  Eigen::VectorXd numbers(lower_.rows());
+  for (std::size_t v = 0; v < row_.size(); ++v) {
+    if (row_[v] >= 0) {
+      numbers.segment<3>(Eigen::Index{3} * row_[v]) = vectors[v];
+    }
+  }
+  return numbers;
+}
+
+void SparseSystem::scatter(const Eigen::VectorXd& numbers, std::vector<Vec3>& vectors) const {
+  for (std::size_t v = 0; v < row_.size(); ++v) {
+    vectors[v] = row_[v] < 0 ? Vec3(Vec3::Zero()) : Vec3(numbers.segment<3>(Eigen::Index{3} * row_[v]));
+  }
+}
+
+}  // namespace drape

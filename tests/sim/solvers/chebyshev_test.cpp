@@ -1,0 +1,126 @@
+#include "reference_step.hpp"
+#include "sim/diagnostics.hpp"
+#include "sim/solver.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <limits>
+
+namespace drape {
+namespace {
+
+using testing::largestDifference;
+using testing::pinnedSheet;
+using testing::shaken;
+
+ClothState after(const char* solver, const ClothModel& model, const StepParameters& parameters, ClothState state) {
+  findSolver(solver)->make()->step(model, parameters, {}, state);
+  return state;
+}
+
+TEST(Chebyshev, isTheOneIterationMethodWithOneIteration) {
+  const auto model = pinnedSheet(5);
+  const ClothState start = shaken(*model, 0.03, 7);
+  StepParameters parameters;
+  parameters.iterations = 1;
+  EXPECT_LT(largestDifference(after("chebyshev", *model, parameters, start),
+                              after("one_iteration", *model, parameters, start)),
+            1e-15);
+}
+
+TEST(Chebyshev, isPlainJacobiForASpectralRadiusOfZero) {
+  const auto model = pinnedSheet(5);
+  const ClothState start = shaken(*model, 0.03, 7);
+  StepParameters parameters;
+  parameters.spectralRadius = 0.0;
+  parameters.sweeps = 5;
+  for (const int iterations : {5, 6}) {  // six from zero are five from where the five start
+    parameters.iterations = iterations;
+    EXPECT_LT(largestDifference(after("chebyshev", *model, parameters, start),
+                                after("one_iteration", *model, parameters, start)),
+              1e-13);
+  }
+}
+
+TEST(Chebyshev, convergesToTheExactSolveWithDampingAirAndHand) {
+  for (const auto& model : {pinnedSheet(5), testing::irregularSheet(5, {})}) {
+    StepParameters parameters;
+    parameters.damping = 0.02;
+    parameters.drag = 0.8;
+    parameters.lift = 0.5;
+    parameters.wind = Vec3(1.0, 0.2, -2.0);
+    parameters.iterations = 200;
+    parameters.spectralRadius = 0.9;
+    StepInputs inputs;
+    inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, 5.0};
+    ClothState state = shaken(*model, 0.03, 7);
+    ClothState exact = state;
+    findSolver("chebyshev")->make()->step(*model, parameters, inputs, state);
+    exactLinearStep(*model, parameters, inputs, testing::HandDerivative::Lumped, exact);
+    EXPECT_LT(largestDifference(state, exact), 1e-9);
+  }
+}
+
+TEST(Chebyshev, comesNearerToTheExactSolveThanAsManyPlainSweeps) {
+  const auto model = pinnedSheet(9);
+  StepParameters parameters;
+  parameters.stiffness = 1000.0;
+  parameters.spectralRadius = 0.95;
+  parameters.iterations = 15;
+  parameters.sweeps = 15;
+  const ClothState start = shaken(*model, 0.01, 7);
+  ClothState exact = start;
+  exactLinearStep(*model, parameters, {}, testing::HandDerivative::Lumped, exact);
+  const double accelerated = largestDifference(after("chebyshev", *model, parameters, start), exact);
+  const double plain = largestDifference(after("one_iteration", *model, parameters, start), exact);
+  EXPECT_LT(accelerated, 0.5 * plain);
+}
+
+double largestEnergy(const ClothModel& model, const StepParameters& parameters) {
+  ClothState state = stateAtRest(model.restPositions);
+  const auto solver = findSolver("chebyshev")->make();
+  double largest = -std::numeric_limits<double>::infinity();
+  for (int step = 0; step < 300; ++step) {
+    solver->step(model, parameters, {}, state);
+    largest = std::max(largest, energyOf(model, parameters, state).total());
+  }
+  return largest;
+}
+
+TEST(Chebyshev, isCalmWithAnyNumberOfIterationsThatItDoesNotWarnOf) {
+  const auto model = pinnedSheet(17);
+  const auto warning = findSolver("chebyshev")->warning;
+  StepParameters parameters;
+  parameters.stiffness = 1000.0;
+  int calm = 0;
+  for (const double radius : {0.0, 0.8, 0.95}) {
+    for (const int iterations : {1, 4, 5, 6, 9, 10}) {
+      parameters.spectralRadius = radius;
+      parameters.iterations = iterations;
+      if (warning(*model, parameters).empty()) {
+        EXPECT_LT(largestEnergy(*model, parameters), 1.0) << iterations << " iterations, radius " << radius;
+        ++calm;
+      }
+    }
+  }
+  EXPECT_EQ(calm, 17) << "it should warn of four iterations at 0.95 alone";
+}
+
+TEST(Chebyshev, warnsWhereItsIterationsOvershoot) {
+  const auto model = pinnedSheet(17);
+  StepParameters parameters;
+  parameters.stiffness = 1000.0;
+  parameters.iterations = 2;
+  EXPECT_FALSE(findSolver("chebyshev")->warning(*model, parameters).empty());
+  EXPECT_GT(largestEnergy(*model, parameters), 10.0);
+  parameters.iterations = 5;
+  parameters.spectralRadius = 0.99;
+  EXPECT_FALSE(findSolver("chebyshev")->warning(*model, parameters).empty());
+  EXPECT_GT(largestEnergy(*model, parameters), 10.0);
+  parameters.substeps = 100;
+  EXPECT_TRUE(findSolver("chebyshev")->warning(*model, parameters).empty());
+}
+
+}  // namespace
+}  // namespace drape

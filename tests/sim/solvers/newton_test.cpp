@@ -1,0 +1,176 @@
+#include "reference_step.hpp"
+#include "sim/solver.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+using testing::largestDifference;
+using testing::pinnedSheet;
+using testing::shaken;
+
+/// What x and v leave over of M (v - v0) = h f(x, v) at the free vertices [N s], where v0 are the velocities of `from`.
+/// Springs, damping and gravity only; written from the equations.
+double leftOver(const ClothModel& model, const StepParameters& p, const ClothState& from, const std::vector<Vec3>& x,
+                const std::vector<Vec3>& v) {
+  std::vector<Vec3> rest;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vec3 weight(0.0, -p.gravity * model.vertexMass[i], 0.0);
+    rest.emplace_back(model.vertexMass[i] * (v[i] - from.velocities[i]) - p.timeStep * weight);
+  }
+  for (const Spring& spring : model.springs) {
+    const auto a = static_cast<std::size_t>(spring.a);
+    const auto b = static_cast<std::size_t>(spring.b);
+    const double L = (x[b] - x[a]).norm();
+    const Vec3 pull = p.stiffness * (1.0 - spring.restLength / L) * (x[b] - x[a]) + p.damping * (v[b] - v[a]);
+    rest[a] -= p.timeStep * pull;
+    rest[b] += p.timeStep * pull;
+  }
+  double square = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    square += model.pinned[i] ? 0.0 : rest[i].squaredNorm();
+  }
+  return std::sqrt(square);
+}
+
+/// What is left over where nothing moves, against which the solver measures.
+double leftOverAtFirst(const ClothModel& model, const StepParameters& p, const ClothState& from) {
+  return leftOver(model, p, from, from.positions, std::vector<Vec3>(from.velocities.size(), Vec3::Zero()));
+}
+
+TEST(Newton, isTheDenseSolveOfTheLinearisedStepWithOneIteration) {
+  const auto solver = findSolver("newton")->make();
+  StepParameters parameters;
+  parameters.maxIterations = 1;
+  parameters.damping = 0.02;
+  parameters.drag = 0.8;
+  parameters.lift = 0.5;
+  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  for (const auto& model : {pinnedSheet(5), testing::irregularSheet(5), testing::irregularSheet(5, {})}) {
+    for (const double maxForce : {50.0, 2.0}) {
+      StepInputs inputs;
+      inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+      ClothState state = shaken(*model, 0.03, 7);
+      ClothState exact = state;
+      EXPECT_EQ(solver->step(*model, parameters, inputs, state).iterations, 1);
+      exactLinearStep(*model, parameters, inputs, testing::HandDerivative::Whole, exact);
+      EXPECT_LT(largestDifference(state, exact), 1e-10);
+    }
+  }
+}
+
+TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
+  const auto model = pinnedSheet(9);
+  StepParameters parameters;
+  parameters.stiffness = 1e5;
+  parameters.timeStep = 1.0 / 30.0;
+  parameters.damping = 0.01;
+  parameters.tolerance = 1e-10;
+  ClothState state = shaken(*model, 0.03, 7);
+  const auto solver = findSolver("newton")->make();
+  for (int step = 0; step < 3; ++step) {
+    const ClothState before = state;
+    const StepReport report = solver->step(*model, parameters, {}, state);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LE(report.residual, 1e-10);
+    // The judge computes lengths from positions near 1 m, which are known to 1e-16 m.
+    const double judgesRounding = parameters.timeStep * parameters.stiffness * 2.2e-16 *
+                                  std::sqrt(6.0 * static_cast<double>(model->springs.size()));
+    EXPECT_LT(leftOver(*model, parameters, before, state.positions, state.velocities),
+              1e-10 * leftOverAtFirst(*model, parameters, before) + judgesRounding)
+        << "step " << step;
+  }
+}
+
+TEST(Newton, saysWhenItDidNotGetThere) {
+  const auto model = pinnedSheet(9);
+  StepParameters parameters;
+  parameters.stiffness = 1e5;
+  parameters.timeStep = 1.0 / 30.0;
+  parameters.tolerance = 1e-10;
+  parameters.maxIterations = 3;
+  ClothState state = shaken(*model, 0.03, 7);
+  const ClothState before = state;
+  const StepReport report = findSolver("newton")->make()->step(*model, parameters, {}, state);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.iterations, 3);
+  const double judged = leftOver(*model, parameters, before, state.positions, state.velocities) /
+                        leftOverAtFirst(*model, parameters, before);
+  EXPECT_NEAR(report.residual, judged, 1e-9 * judged);
+}
+
+TEST(Newton, getsAsFarAsRoundingAllowsWhenItIsAskedForMore) {
+  const auto model = pinnedSheet(9);
+  StepParameters parameters;
+  parameters.stiffness = 1e5;
+  parameters.timeStep = 1.0 / 30.0;
+  parameters.tolerance = 1e-30;
+  ClothState state = stateAtRest(model->restPositions);
+  const auto solver = findSolver("newton")->make();
+  for (int step = 0; step < 10; ++step) {
+    const StepReport report = solver->step(*model, parameters, {}, state);
+    EXPECT_TRUE(report.converged) << "step " << step;
+    EXPECT_LT(report.residual, 1e-9) << "step " << step;
+  }
+}
+
+TEST(Newton, endsInTheSamePlaceForEveryVariantOfTheForceDerivative) {
+  const auto model = pinnedSheet(9);
+  StepParameters parameters;
+  parameters.stiffness = 100.0;
+  parameters.tolerance = 1e-10;
+  parameters.maxIterations = 2000;
+  const auto end = [&](ForceDerivative variant) {
+    ClothState state = shaken(*model, 0.03, 7);
+    parameters.derivative = variant;
+    EXPECT_TRUE(findSolver("newton")->make()->step(*model, parameters, {}, state).converged);
+    return state;
+  };
+  const ClothState exact = end(ForceDerivative::Exact);
+  for (const auto variant : testing::allDerivatives) {
+    EXPECT_LT(largestDifference(end(variant), exact), 1e-6) << static_cast<int>(variant);
+  }
+}
+
+TEST(Newton, takesFewestIterationsWithTheExactDerivative) {
+  const auto model = pinnedSheet(9);
+  StepParameters parameters;
+  parameters.tolerance = 1e-8;
+  const auto iterations = [&](ForceDerivative variant) {
+    ClothState state = shaken(*model, 0.02, 7);
+    parameters.derivative = variant;
+    return findSolver("newton")->make()->step(*model, parameters, {}, state).iterations;
+  };
+  const int exact = iterations(ForceDerivative::Exact);
+  EXPECT_LE(exact, 10);
+  EXPECT_GT(iterations(ForceDerivative::Stabilised), exact);
+  EXPECT_GT(iterations(ForceDerivative::Scalar), iterations(ForceDerivative::Stabilised));
+}
+
+TEST(Newton, settlesAHeldPointWhereHandAndWeightBalance) {
+  const auto model = testing::irregularSheet(3, {});
+  ClothState state = stateAtRest(model->restPositions);
+  StepParameters parameters;
+  parameters.stiffness = 1000.0;
+  parameters.damping = 0.5;
+  parameters.timeStep = 1.0 / 30.0;
+  StepInputs inputs;
+  inputs.grab = Grab{0, Vec3(0.2, 0.3, 0.5), Vec3(0.4, 0.5, 0.4), 40.0, 100.0};
+  const auto solver = findSolver("newton")->make();
+  for (int step = 0; step < 600; ++step) {
+    EXPECT_TRUE(solver->step(*model, parameters, inputs, state).converged);
+  }
+  Vec3 point = Vec3::Zero();
+  for (std::size_t c = 0; c < 3; ++c) {
+    point += inputs.grab->barycentric[static_cast<Eigen::Index>(c)] *
+             state.positions[static_cast<std::size_t>(model->triangles[0][c])];
+  }
+  const double below = 0.1 * parameters.gravity / inputs.grab->stiffness;
+  EXPECT_LT((point - inputs.grab->target + Vec3(0.0, below, 0.0)).norm(), 1e-3);
+}
+
+}  // namespace
+}  // namespace drape
