@@ -1,0 +1,96 @@
+#include "sim/stepper.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <string>
+
+namespace drape {
+namespace {
+
+constexpr double mass = 0.01;      // [kg]
+constexpr double rest = 0.5;       // [m]
+constexpr double stiffness = 4.0;  // [N/m]
+constexpr double damping = 0.02;   // [N s/m]
+constexpr double gravity = 9.81;   // [m/s^2]
+
+/// A mass that hangs by one damped spring.
+std::shared_ptr<const ClothModel> hangingMass() {
+  ClothModel model;
+  model.restPositions = {Vec3(0.0, 0.0, 0.0), Vec3(0.0, -rest, 0.0)};
+  model.springs = {Spring{0, 1, rest}};
+  model.springEnds = {{0, 1, 2}, {SpringEnd{1, 0}, SpringEnd{0, 0}}};
+  model.vertexTriangles = {{0, 0, 0}, {}};
+  model.vertexArea = {0.0, 0.0};
+  model.vertexMass = {mass, mass};
+  model.pinned = {true, false};
+  return std::make_shared<const ClothModel>(model);
+}
+
+constexpr double stretch = mass * gravity / stiffness;  // in equilibrium [m]
+
+/// Its height, let go `amplitude` below equilibrium: a damped harmonic motion.
+double exactHeight(double amplitude, double time) {
+  const double decay = damping / (2.0 * mass);
+  const double omega = std::sqrt(stiffness / mass - decay * decay);
+  return -rest - stretch -
+         amplitude * std::exp(-decay * time) * (std::cos(omega * time) + decay / omega * std::sin(omega * time));
+}
+
+double errorWith(const char* solver, StepParameters parameters, double amplitude, int steps) {
+  const auto model = hangingMass();
+  constexpr double duration = 0.4;
+  parameters.timeStep = duration / steps;
+  ClothState state = stateAtRest(model->restPositions);
+  state.positions[1].y() = exactHeight(amplitude, 0.0);
+  Stepper stepper(solver);
+  for (int step = 0; step < steps; ++step) {
+    stepper.step(*model, parameters, {}, state);
+  }
+  return std::abs(state.positions[1].y() - exactHeight(amplitude, duration));
+}
+
+StepParameters parametersOf(Integration integration) {
+  StepParameters parameters;
+  parameters.stiffness = stiffness;
+  parameters.damping = damping;
+  parameters.gravity = gravity;
+  parameters.tolerance = 1e-12;
+  parameters.integration = integration;
+  parameters.theta = 0.5;
+  return parameters;
+}
+
+double orderOf(const char* solver, const StepParameters& parameters, double amplitude, int steps = 200) {
+  const double coarse = errorWith(solver, parameters, amplitude, steps);
+  const double fine = errorWith(solver, parameters, amplitude, 2 * steps);
+  return std::log2(coarse / fine);
+}
+
+class Order : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Order, isOneForBackwardEulerAndTwoForMidpointAndBdf2OnAHangingSpring) {
+  const double amplitude = 0.8 * stretch;  // the spring is never compressed
+  EXPECT_NEAR(orderOf(GetParam(), parametersOf(Integration::BackwardEuler), amplitude), 1.0, 0.1);
+  EXPECT_NEAR(orderOf(GetParam(), parametersOf(Integration::Theta), amplitude), 2.0, 0.1);
+  EXPECT_NEAR(orderOf(GetParam(), parametersOf(Integration::Bdf2), amplitude), 2.0, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Order, ::testing::Values("pcg", "newton", "one_iteration"),
+                         [](const auto& chosen) { return std::string(chosen.param); });
+
+TEST(OrderOfMidpointAndBdf2, staysTwoUnderCompressionWhereTheStepIsSolvedToTheEnd) {
+  const double amplitude = 2.0 * stretch;
+  EXPECT_NEAR(orderOf("newton", parametersOf(Integration::Theta), amplitude), 2.0, 0.1);
+  EXPECT_NEAR(orderOf("newton", parametersOf(Integration::Bdf2), amplitude), 2.0, 0.1);
+}
+
+TEST(OrderOfMidpointAndBdf2, fallsTowardsOneUnderCompressionWhereTheStabilisedDerivativeIsNotTheForces) {
+  const double amplitude = 10.0 * stretch;
+  StepParameters parameters = parametersOf(Integration::Theta);
+  EXPECT_NEAR(orderOf("pcg", parameters, amplitude, 1600), 1.0, 0.2);
+  parameters.derivative = ForceDerivative::Axial;  // which is the force's along the spring
+  EXPECT_NEAR(orderOf("pcg", parameters, amplitude), 2.0, 0.1);
+}
+
+}  // namespace
+}  // namespace drape
