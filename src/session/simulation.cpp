@@ -37,15 +37,29 @@ void Simulation::step() {
   stepReport_ = stepper_->step(*model_, settings_.step, inputs_, state_);
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   ++version_;
-  if (!isFinite(state_)) {
+  blewUp_ = !isFinite(state_);
+  if (blewUp_) {
     state_ = lastFinite_;
     paused_ = true;
     message_ = "The cloth blew up at " + std::to_string(state_.time) +
                " s and was stopped. Try a smaller time step or a lower stiffness, then reset.";
     return;
   }
+  if (balance_) {
+    balance_->add(*model_, settings_.step, inputs_, lastFinite_, state_);
+  }
+  stepGhost();
   ++stepIndex_;
   ++stepsTaken_;
+}
+
+void Simulation::stepGhost() {
+  if (ghost_ && !ghost_->step(*model_, settings_, inputs_)) {
+    message_ = "The ghost (" + std::string(ghost_->solver().title) + ") blew up at " + std::to_string(state_.time) +
+               " s and was taken away. Give it more substeps, or choose another solver for it.";
+    settings_.ghost.solver = "off";
+    useSolvers();
+  }
 }
 
 void Simulation::replay(const std::vector<LoggedCommand>& log) {
@@ -67,12 +81,18 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.settings = settings_;
   snapshot.paused = paused_;
   snapshot.energy = energyOf(*model_, settings_.step, state_);
+  snapshot.balance = balance_;
   snapshot.maxStretch = drape::maxStretch(*model_, state_);
   snapshot.stepSeconds = stepSeconds_;
   snapshot.stepReport = stepReport_;
   snapshot.message = message_;
   if (message_.empty() && snapshot.maxStretch > implausibleStretch) {
     snapshot.message = "Overstretched: this cloth needs a smaller time step. Change it, then reset.";
+  }
+  if (!ghost_) {
+    snapshot.ghost.reset();
+  } else {
+    ghost_->capture(state_, snapshot.ghost ? *snapshot.ghost : snapshot.ghost.emplace());
   }
   snapshot.grab.reset();
   if (grab_) {
@@ -94,7 +114,8 @@ void Simulation::on(const SetSettingCommand& command) {
   if (info.effect == SettingEffect::Mass) {
     model_ = withMass(*model_, totalMassOf(settings_, model_->restArea()), lumpingOf(settings_));
   }
-  useSolver(settings_.solver.name);
+  useSolvers();
+  useBalance();
   message_.clear();
 }
 
@@ -109,6 +130,14 @@ void Simulation::on(const SingleStepCommand&) {
 
 void Simulation::on(const ResetCommand&) {
   state_ = scene_->start;
+  if (ghost_) {
+    ghost_->reset(scene_->start);
+  }
+  if (balance_) {
+    balance_.emplace();
+  }
+  stepReport_ = {};
+  blewUp_ = false;
   stepIndex_ = 0;
   grab_.reset();
   message_.clear();
@@ -150,16 +179,37 @@ void Simulation::on(const LoadSceneCommand& command) {
   scene_ = command.scene;
   model_ = scene_->model;
   settings_ = scene_->settings;
-  useSolver(settings_.solver.name);
+  ghost_.reset();
   on(ResetCommand{});
+  useSolvers();
+  useBalance();
   // What was asked of another scene cannot be asked of this one: the record starts afresh.
   log_.clear();
   stepsTaken_ = 0;
 }
 
-void Simulation::useSolver(const std::string& name) {
-  if (!stepper_ || stepper_->info().name != name) {
-    stepper_ = std::make_unique<Stepper>(name);
+/// Takes the solvers that the settings name. The states carry on: only who moves them changes.
+void Simulation::useSolvers() {
+  if (!stepper_ || stepper_->info().name != settings_.solver.name) {
+    stepper_ = std::make_unique<Stepper>(settings_.solver.name);
+    stepReport_ = {};
+  }
+  const std::string& ghost = settings_.ghost.solver;
+  if (ghost == "off") {
+    ghost_.reset();
+  } else if (ghost_) {
+    ghost_->useSolver(ghost);
+  } else {
+    ghost_.emplace(ghost, state_);
+  }
+}
+
+/// The account begins when it is asked for.
+void Simulation::useBalance() {
+  if (!settings_.measures.energyBalance) {
+    balance_.reset();
+  } else if (!balance_) {
+    balance_.emplace();
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "session/command.hpp"
+#include "session/ghost.hpp"
 #include "session/snapshot.hpp"
 #include "sim/stepper.hpp"
 
@@ -23,7 +24,7 @@ class Simulation {
   void apply(const Command& command);
 
   /// Advances by one time step, paused or not. When the state stops being finite the simulation goes back to the last
-  /// finite state, pauses and says so.
+  /// finite state, pauses and says so. A ghost that stops being finite is taken away, and the first cloth goes on.
   void step();
 
   /// Goes through a log that another simulation of the same scene wrote, taking the steps between its commands. The
@@ -39,7 +40,11 @@ class Simulation {
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] std::int64_t stepIndex() const { return stepIndex_; }
   [[nodiscard]] bool paused() const { return paused_; }
-  /// What the last step cost [s].
+  /// The second cloth, or nullptr.
+  [[nodiscard]] const Ghost* ghost() const { return ghost_ ? &*ghost_ : nullptr; }
+  /// True when the last step was undone because the state stopped being finite.
+  [[nodiscard]] bool blewUp() const { return blewUp_; }
+  /// What the last step cost, without the ghost's [s].
   [[nodiscard]] double lastStepSeconds() const { return stepSeconds_; }
   [[nodiscard]] const std::string& message() const { return message_; }
 
@@ -60,7 +65,9 @@ class Simulation {
   void on(const TogglePinCommand& command);
   void on(const LoadSceneCommand& command);
 
-  void useSolver(const std::string& name);
+  void useSolvers();
+  void useBalance();
+  void stepGhost();
 
   /// What the hand holds; its stiffness and force come from the settings at each step.
   struct Held {
@@ -79,12 +86,15 @@ class Simulation {
   StepReport stepReport_;
   ClothState state_;
   ClothState lastFinite_;
+  std::optional<Ghost> ghost_;
+  std::optional<EnergyBalance> balance_;
   std::optional<Held> grab_;
   StepInputs inputs_;
   std::int64_t stepIndex_ = 0;   // since the last reset
   std::int64_t stepsTaken_ = 0;  // since the scene was loaded
   std::int64_t version_ = 0;
   bool paused_ = false;
+  bool blewUp_ = false;
   std::string message_;
   double stepSeconds_ = 0.0;
   std::vector<LoggedCommand> log_;

@@ -2,6 +2,7 @@
 
 #include "scene/scene.hpp"
 #include "sim/diagnostics.hpp"
+#include "sim/energy_balance.hpp"
 #include "sim/solver.hpp"
 
 #include <cstdint>
@@ -21,6 +22,14 @@ struct GrabStatus {
   bool pinned = false;         ///< the vertex nearest to the held point is pinned
 };
 
+/// The second cloth, as it is.
+struct GhostStatus {
+  std::vector<Vec3> positions;  ///< one a vertex [m], where it is: not yet moved by ghost.offset
+  double meanDistance = 0.0;    ///< from the first cloth, mean over the vertices [m]
+  double stepSeconds = 0.0;     ///< what its last step cost [s]
+  StepReport stepReport;        ///< how its last step went
+};
+
 /// A picture of the running simulation at a step boundary. All that the renderer and the panels ever see of it.
 struct Snapshot {
   std::shared_ptr<const Scene> scene;
@@ -32,11 +41,13 @@ struct Snapshot {
   Settings settings;                        ///< in force
   bool paused = false;
   Energy energy;
-  double maxStretch = 0.0;      ///< largest (L - l0) / l0 [-]
-  double stepSeconds = 0.0;     ///< what the last step cost [s]
-  StepReport stepReport;        ///< how the last step went
+  std::optional<EnergyBalance> balance;  ///< of the steps since it was asked for or the cloth was reset
+  double maxStretch = 0.0;               ///< largest (L - l0) / l0 [-]
+  double stepSeconds = 0.0;              ///< what the last step cost, without the ghost's [s]
+  StepReport stepReport;                 ///< how the last step went
   double realTimeFactor = 0.0;  ///< simulated time over wall-clock time, lately [-]; 0 while paused or not timed
   std::optional<GrabStatus> grab;
+  std::optional<GhostStatus> ghost;
   std::string message;  ///< for the status line, when something went wrong; else empty
 };
 

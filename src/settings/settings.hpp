@@ -46,6 +46,17 @@ struct Settings {
     double height = 1.0;  ///< [m]
   } grid;
 
+  /// A second cloth beside the first, for comparison. All that is not said here is as for the first.
+  struct Ghost {
+    std::string solver = "off";  ///< "off" or a solver's name
+    int substeps = 1;            ///< equal parts that a step is taken in [-]
+    double offset = 0.0;         ///< how far to the right it is drawn [m]
+  } ghost;
+
+  struct Measures {
+    bool energyBalance = false;  ///< where the energy goes is worked out in every step
+  } measures;
+
   struct View {
     bool wireframe = false;
     std::string surface = "checker";  ///< "checker" or "plain"
@@ -67,6 +78,6 @@ enum class SettingEffect {
 enum class SettingScope { Everywhere, Grid, MeshFile };
 
 /// The panel that a setting is shown in.
-enum class SettingGroup { Simulation, Material, Air, Scene, View };
+enum class SettingGroup { Simulation, Ghost, Material, Air, Scene, View, Performance };
 
 }  // namespace drape

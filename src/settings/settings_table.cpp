@@ -18,18 +18,48 @@ std::vector<std::string> solverNames() {
   return names;
 }
 
+std::vector<std::string> ghostNames() {
+  std::vector<std::string> names = solverNames();
+  names.insert(names.begin(), "off");
+  return names;
+}
+
+ChoiceLabel solverLabel(std::string_view word) {
+  const SolverInfo* solver = findSolver(word);
+  if (solver == nullptr) {
+    return {"Off", "There is no second cloth."};
+  }
+  return {solver->title, solver->help.substr(0, solver->help.find(". ") + 1)};
+}
+
 template <typename Enum>
 struct Word {
   Enum value;
   std::string_view word;
+  ChoiceLabel label;
 };
 
-constexpr std::array integrations{Word{Integration::BackwardEuler, "backward_euler"}, Word{Integration::Theta, "theta"},
-                                  Word{Integration::Bdf2, "bdf2"}};
+constexpr std::array integrations{
+    Word{Integration::BackwardEuler, "backward_euler", {"Backward Euler", "First order, robust, damps fast motion."}},
+    Word{Integration::Theta,
+         "theta",
+         {"Theta scheme", "Up to second order: extrapolates a shorter step of backward Euler."}},
+    Word{Integration::Bdf2, "bdf2", {"BDF2", "Second order, from the last two states."}}};
 
-constexpr std::array derivatives{Word{ForceDerivative::Stabilised, "stabilised"}, Word{ForceDerivative::Exact, "exact"},
-                                 Word{ForceDerivative::Scalar, "scalar"}, Word{ForceDerivative::Axial, "axial"},
-                                 Word{ForceDerivative::TensionOnly, "tension_only"}};
+constexpr std::array derivatives{
+    Word{ForceDerivative::Stabilised,
+         "stabilised",
+         {"Stabilised", "Exact where springs are stretched, safe where they are compressed: the paper's."}},
+    Word{ForceDerivative::Exact,
+         "exact",
+         {"Exact", "The true derivative; it loses stability where springs are compressed."}},
+    Word{ForceDerivative::Scalar,
+         "scalar",
+         {"Scalar (Desbrun)", "As stiff across a spring as along it; never blows up, damps much."}},
+    Word{ForceDerivative::Axial, "axial", {"Axial (Volino)", "Along the spring only; blows up in stiff cloth."}},
+    Word{ForceDerivative::TensionOnly,
+         "tension_only",
+         {"Tension only (Choi, Ko)", "Nothing where springs are compressed; rattles with a single sweep."}}};
 
 /// A choice between the values of an enumeration, each with its word.
 template <const auto& words, auto ref>
@@ -51,12 +81,25 @@ ChoiceField choiceOf() {
               list.emplace_back(entry.word);
             }
             return list;
+          },
+          [](std::string_view word) {
+            const auto found =
+                std::find_if(words.begin(), words.end(), [&](const auto& entry) { return entry.word == word; });
+            return found == words.end() ? ChoiceLabel{} : found->label;
           }};
 }
 
+/// True when the cloth or its ghost is moved by a solver of backward-Euler steps.
 bool solvesBackwardEuler(const Settings& settings) {
-  const SolverInfo* solver = findSolver(settings.solver.name);
-  return solver != nullptr && solver->backwardEuler;
+  const auto solves = [](const std::string& name) {
+    const SolverInfo* solver = findSolver(name);
+    return solver != nullptr && solver->backwardEuler;
+  };
+  return solves(settings.solver.name) || solves(settings.ghost.solver);
+}
+
+bool showsGhost(const Settings& settings) {
+  return settings.ghost.solver != "off";
 }
 
 // Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it decides [,
@@ -64,7 +107,7 @@ bool solvesBackwardEuler(const Settings& settings) {
 // clang-format off
 const std::array table{
     SettingInfo{"solver", "Solver", "-", Simulation, SettingEffect::Step,
-        ChoiceField{[](const Settings& s) { return s.solver.name; }, [](Settings& s, const std::string& word) { s.solver.name = word; }, solverNames},
+        ChoiceField{[](const Settings& s) { return s.solver.name; }, [](Settings& s, const std::string& word) { s.solver.name = word; }, solverNames, solverLabel},
         "The method that advances the cloth by one time step."},
     SettingInfo{"time_step", "Time step", "s", Simulation, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.timeStep; }, 1e-5, 0.1, true},
@@ -119,6 +162,19 @@ const std::array table{
     SettingInfo{"gravity", "Gravity", "m/s^2", Simulation, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.gravity; }, 0.0, 1000.0, false},
         "Acceleration downwards, along -y."},
+
+    SettingInfo{"ghost.solver", "Solver", "-", Ghost, SettingEffect::Step,
+        ChoiceField{[](const Settings& s) { return s.ghost.solver; }, [](Settings& s, const std::string& word) { s.ghost.solver = word; }, ghostNames, solverLabel},
+        "The method that moves a second cloth, to compare with the first; off: there is none. It begins where the first one "
+        "is, shares all other settings, and leaves the first one as it is."},
+    SettingInfo{"ghost.substeps", "Substeps", "-", Ghost, SettingEffect::Step,
+        IntegerField{[](Settings& s) -> int& { return s.ghost.substeps; }, 1, 1000},
+        "Equal parts that each time step of the second cloth is taken in.",
+        {}, {}, SettingScope::Everywhere, showsGhost},
+    SettingInfo{"ghost.offset", "Offset", "m", Ghost, SettingEffect::View,
+        NumberField{[](Settings& s) -> double& { return s.ghost.offset; }, -10.0, 10.0, false},
+        "How far to the right of its place the second cloth is drawn; 0 lays it over the first. It moves where the first one does.",
+        {}, {}, SettingScope::Everywhere, showsGhost},
 
     SettingInfo{"stiffness", "Stiffness", "N/m", Material, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.stiffness; }, 0.0, 1e7, true},
@@ -208,6 +264,10 @@ const std::array table{
     SettingInfo{"view.font_scale", "Font scale", "-", SettingGroup::View, SettingEffect::View,
         NumberField{[](Settings& s) -> double& { return s.view.fontScale; }, 0.0, 4.0, false},
         "Size of the panels' text; 0 takes the monitor's own scale."},
+
+    SettingInfo{"energy_balance", "Energy balance", "-", Performance, SettingEffect::Step,
+        FlagField{[](Settings& s) -> bool& { return s.measures.energyBalance; }},
+        "Works out in every step what damping, air, hand and the method itself gave or took. Costs another pass over the forces."},
 };
 // clang-format on
 

@@ -33,11 +33,18 @@ struct FlagField {
   bool& (*ref)(Settings&);
 };
 
+/// How a word of a choice stands on the panel, and what it means in one sentence. May be empty.
+struct ChoiceLabel {
+  std::string_view title;
+  std::string_view help;
+};
+
 /// One of a list of words.
 struct ChoiceField {
   std::string (*get)(const Settings&);
   void (*set)(Settings&, const std::string&);  ///< of one of the choices
   std::vector<std::string> (*choices)();
+  ChoiceLabel (*label)(std::string_view word) = nullptr;  ///< of one of the choices; null: words speak for themselves
 };
 
 using SettingField = std::variant<NumberField, IntegerField, FlagField, ChoiceField>;
@@ -77,6 +84,9 @@ struct SettingInfo {
 
 /// "1e-05 to 0.1", "on or off", "m, cm or mm".
 [[nodiscard]] std::string describeRange(const SettingInfo& info);
+
+/// What a word of a choice is called where people read it: its title, or the word itself with gaps.
+[[nodiscard]] std::string choiceTitle(const ChoiceField& field, std::string_view word);
 
 /// Sets it (and what it decides through `alsoKey`). A whole number is taken where a real one is wanted.
 /// Throws UsageError naming key, value, range and unit when the value has the wrong kind or is out of range;

@@ -178,6 +178,15 @@ std::string formatValue(const SettingValue& value) {
       value);
 }
 
+std::string choiceTitle(const ChoiceField& field, std::string_view word) {
+  if (const std::string_view title = field.label == nullptr ? "" : field.label(word).title; !title.empty()) {
+    return std::string(title);
+  }
+  std::string spoken(word);
+  std::replace(spoken.begin(), spoken.end(), '_', ' ');
+  return spoken;
+}
+
 SettingValue defaultValue(const SettingInfo& info) {
   return settingValue(Settings{}, info);
 }
@@ -211,9 +220,13 @@ bool isRelevant(const SettingInfo& info, const Settings& settings) {
     return std::find(solver.settings.begin(), solver.settings.end(), info.key) != solver.settings.end();
   };
   const auto table = solverTable();
-  const SolverInfo* chosen = findSolver(settings.solver.name);
+  const auto read = [&](const std::string& name) {
+    const SolverInfo* chosen = findSolver(name);
+    return chosen != nullptr && lists(*chosen);
+  };
   const bool special = std::any_of(table.begin(), table.end(), lists);
-  return (!special || (chosen != nullptr && lists(*chosen))) && (info.relevant == nullptr || info.relevant(settings));
+  return (!special || read(settings.solver.name) || read(settings.ghost.solver)) &&
+         (info.relevant == nullptr || info.relevant(settings));
 }
 
 void requireConsistent(const Settings& settings) {

@@ -46,6 +46,18 @@ TEST(Capture, takesTheCameraFromTheCommandLine) {
   EXPECT_GT(compareImages(readPng(folder / "a.png"), readPng(folder / "b.png")).pixels, 500);
 }
 
+TEST(Capture, drawsTheGhost) {
+  const auto folder = testFolder();
+  const std::string start = "capture grid --frames 2 --every 40 --resolution 160,120 ";
+  ASSERT_EQ(headless(start + "--output " + pattern(folder / "a")).status, 0);
+  ASSERT_EQ(
+      headless(start + "--set ghost.solver=one_iteration --set ghost.substeps=10 --output " + pattern(folder / "b"))
+          .status,
+      0);
+  EXPECT_EQ(compareImages(readPng(folder / "a" / "f_000.png"), readPng(folder / "b" / "f_000.png"), 8).pixels, 0);
+  EXPECT_GT(compareImages(readPng(folder / "a" / "f_001.png"), readPng(folder / "b" / "f_001.png"), 8).pixels, 100);
+}
+
 TEST(Capture, drawsThePanelsWhenAsked) {
   const auto folder = testFolder();
   const std::string start = "capture grid --frames 1 --resolution 960,600 ";

@@ -52,6 +52,30 @@ TEST(Run, givesTheSameHashFromRunToRunAndForAnyNumberOfThreads) {
   EXPECT_EQ(statsOf(arguments + "5")["state_hash"], first);
 }
 
+TEST(Run, tellsHowFarTheGhostIsAndLeavesTheClothAsItIs) {
+  const std::string arguments = "grid --set grid.resolution=9 --seconds 0.3";
+  const auto alone = statsOf(arguments);
+  EXPECT_FALSE(alone.contains("ghost_distance_mean"));
+  const auto haunted = statsOf(arguments + " --set ghost.solver=one_iteration --set ghost.substeps=10");
+  EXPECT_GT(haunted["ghost_distance_mean"], 1e-3);
+  EXPECT_EQ(haunted["state_hash"], alone["state_hash"]);
+  EXPECT_EQ(haunted["steps"], alone["steps"]);
+}
+
+TEST(Run, goesOnWhenTheGhostBlowsUp) {
+  const auto file = testFolder() / "stats.json";
+  const Outcome outcome = headless(
+      "run grid --set grid.resolution=9 --set derivative=axial --set stiffness=1e3 --set time_step=1/30 "
+      "--set substeps=20 --set ghost.solver=one_iteration --seconds 8 --stats " +
+      file.string());
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.errors.find("ghost"), std::string::npos) << outcome.errors;
+  const auto stats = nlohmann::json::parse(readFile(file));
+  EXPECT_EQ(stats["steps"], 240);
+  EXPECT_EQ(stats["finite"], true);
+  EXPECT_FALSE(stats.contains("ghost_distance_mean"));
+}
+
 TEST(Run, writesALineForEachVertexAndSampleWithNineDigits) {
   const auto file = testFolder() / "positions.csv";
   const Outcome outcome =

@@ -155,6 +155,7 @@ TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
     simulation.step();
   }
   EXPECT_TRUE(simulation.paused());
+  EXPECT_TRUE(simulation.blewUp());
   EXPECT_NE(simulation.message().find("blew up"), std::string::npos) << simulation.message();
   EXPECT_TRUE(isFinite(simulation.state()));
 }
@@ -169,6 +170,40 @@ TEST(Simulation, saysWhenSpringsAreStretchedBeyondAllMeasure) {
   }
   Simulation(scene).capture(snapshot);
   EXPECT_NE(snapshot.message.find("smaller time step"), std::string::npos) << snapshot.message;
+}
+
+TEST(Simulation, keepsTheEnergyBalanceWhileItIsAskedFor) {
+  Simulation simulation(smallGrid());
+  Snapshot snapshot;
+  simulation.apply(SetSettingCommand{"damping", 0.01});
+  simulation.step();
+  simulation.capture(snapshot);
+  EXPECT_FALSE(snapshot.balance.has_value()) << "it costs, so it is off unless asked for";
+  simulation.apply(SetSettingCommand{"energy_balance", true});
+  simulation.apply(grabAt(simulation, 70, Vec3(0.1, 0.15, 0.05)));
+  const double start = energyOf(simulation.model(), simulation.settings().step, simulation.state()).total();
+  for (int i = 0; i < 30; ++i) {
+    simulation.step();
+  }
+  simulation.capture(snapshot);
+  ASSERT_TRUE(snapshot.balance.has_value());
+  EXPECT_NEAR(snapshot.balance->change(), snapshot.energy.total() - start, 1e-9);
+  EXPECT_LT(snapshot.balance->damping(), 0.0);
+  EXPECT_GT(snapshot.balance->hand(), 0.0);
+  simulation.apply(ResetCommand{});
+  simulation.capture(snapshot);
+  EXPECT_EQ(snapshot.balance->change(), 0.0);
+}
+
+TEST(Simulation, goesTheSameWayWithAndWithoutTheEnergyBalance) {
+  Simulation plain(smallGrid());
+  Simulation measured(smallGrid());
+  measured.apply(SetSettingCommand{"energy_balance", true});
+  for (int i = 0; i < 30; ++i) {
+    plain.step();
+    measured.step();
+  }
+  EXPECT_EQ(stateHash(plain.state()), stateHash(measured.state()));
 }
 
 TEST(Simulation, replaysItsLogToTheSameBits) {

@@ -107,6 +107,40 @@ TEST(SettingsTable, tellsWhichSettingsHaveAnEffect) {
   EXPECT_TRUE(isRelevant(requireSetting("theta"), settings));
 }
 
+TEST(SettingsTable, showsWhatTheGhostsSolverReads) {
+  Settings settings;
+  EXPECT_FALSE(isRelevant(requireSetting("ghost.substeps"), settings));
+  for (const SolverInfo& solver : solverTable()) {
+    settings.ghost.solver = solver.name;
+    EXPECT_TRUE(isRelevant(requireSetting("ghost.substeps"), settings));
+    for (const std::string_view key : solver.settings) {
+      EXPECT_TRUE(isRelevant(requireSetting(key), settings)) << solver.name << ": " << key;
+    }
+  }
+}
+
+TEST(ChoiceTitle, isTheTitleOrTheWordWithGaps) {
+  const auto& solvers = std::get<ChoiceField>(requireSetting("solver").field);
+  EXPECT_EQ(choiceTitle(solvers, "one_iteration"), findSolver("one_iteration")->title);
+  EXPECT_EQ(choiceTitle(std::get<ChoiceField>(requireSetting("ghost.solver").field), "off"), "Off");
+  EXPECT_EQ(choiceTitle(std::get<ChoiceField>(requireSetting("integration").field), "bdf2"), "BDF2");
+  EXPECT_EQ(choiceTitle(ChoiceField{nullptr, nullptr, nullptr}, "two_words"), "two words");
+}
+
+TEST(ChoiceTitle, isThereForEveryWordThatHasALabel) {
+  for (const SettingInfo& info : settingsTable()) {
+    const auto* choice = std::get_if<ChoiceField>(&info.field);
+    if (choice == nullptr || choice->label == nullptr) {
+      continue;
+    }
+    std::set<std::string> titles;
+    for (const std::string& word : choice->choices()) {
+      EXPECT_TRUE(titles.insert(choiceTitle(*choice, word)).second) << info.key << ": " << word;
+      EXPECT_GT(choice->label(word).help.size(), 10U) << info.key << ": " << word;
+    }
+  }
+}
+
 TEST(SettingsTable, readsAndWritesEveryWordOfEveryChoice) {
   for (const SettingInfo& info : settingsTable()) {
     if (const auto* choice = std::get_if<ChoiceField>(&info.field)) {

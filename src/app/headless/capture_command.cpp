@@ -68,7 +68,7 @@ void capture(const CaptureArguments& arguments) {
   {
     ProgressBar progress("capturing", arguments.frames);
     for (int frame = 0; frame < arguments.frames; ++frame) {
-      for (int i = 0; frame > 0 && i < every && simulation.message().empty(); ++i) {
+      for (int i = 0; frame > 0 && i < every && !simulation.blewUp(); ++i) {
         simulation.step();
       }
       writePng(pictures.draw(simulation), pattern.name(frame));

@@ -45,8 +45,10 @@ Image PictureMaker::drawWithPanels() {
   UserInterface& panels = *parts_->panels;
   UiOutput ignored;  // nobody clicks here
   const UiStats stats;
-  panels.build(parts_->snapshot, stats, ignored);  // the first frame only measures
-  panels.build(parts_->snapshot, stats, ignored);
+  // The first frames only measure: what is longer than the column, and then what wraps beside the scroll bar.
+  for (int frame = 0; frame < 3; ++frame) {
+    panels.build(parts_->snapshot, stats, ignored);
+  }
   const Camera camera = besidePanels(parts_->camera, panels.view(), parts_->width, parts_->height);
   parts_->renderer.draw(parts_->snapshot, camera, parts_->width, parts_->height);
   parts_->renderer.bindTarget();

@@ -81,7 +81,7 @@ void run(RunArguments arguments) {
   RunStats stats(arguments.stats, steps);
   {
     ProgressBar progress("simulating", steps);
-    for (std::int64_t i = 0; i < steps && simulation.message().empty(); ++i) {
+    for (std::int64_t i = 0; i < steps && !simulation.blewUp(); ++i) {
       simulation.step();
       stats.add(simulation.lastStepSeconds());
       if (positions) {

@@ -3,6 +3,7 @@
 #include "report/settings_json.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
+#include "sim/measures.hpp"
 #include "sim/solver.hpp"
 
 #include <algorithm>
@@ -64,7 +65,10 @@ nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
   json["energy_potential"] = energy.potential;
   json["max_stretch"] = maxStretch(model, simulation.state());
   json["stability_limit"] = stabilityLimit(model, simulation.settings());
-  json["finite"] = simulation.message().empty() && isFinite(simulation.state());
+  if (const Ghost* ghost = simulation.ghost()) {
+    json["ghost_distance_mean"] = meanDistance(simulation.state().positions, ghost->state().positions);
+  }
+  json["finite"] = !simulation.blewUp() && isFinite(simulation.state());
   json["state_hash"] = toHex(stateHash(simulation.state()));
   json["settings"] = settingsJson(simulation.settings());
   return json;

@@ -1,0 +1,156 @@
+#include "session/simulation.hpp"
+#include "sim/measures.hpp"
+#include "test_scene.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+
+namespace drape {
+namespace {
+
+using testing::smallGrid;
+
+void advance(Simulation& simulation, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    simulation.step();
+  }
+}
+
+void set(Simulation& simulation, const char* key, const SettingValue& value) {
+  simulation.apply(SetSettingCommand{key, value});
+  ASSERT_EQ(simulation.message(), "");
+}
+
+/// What a user might do, with or without a ghost: the same for the first cloth.
+void use(Simulation& simulation) {
+  set(simulation, "wind.z", 2.0);
+  set(simulation, "drag", 0.5);
+  advance(simulation, 10);
+  simulation.apply(GrabCommand{70, Vec3::Constant(1.0 / 3.0), Vec3(0.1, 1.2, 0.3)});
+  advance(simulation, 15);
+  simulation.apply(TogglePinCommand{});
+  set(simulation, "stiffness", 300.0);
+  advance(simulation, 15);
+  simulation.apply(ReleaseGrabCommand{});
+  set(simulation, "mass", 0.2);
+  advance(simulation, 15);
+}
+
+TEST(Ghost, leavesTheFirstClothAsItIsToTheLastBit) {
+  Simulation alone(smallGrid());
+  use(alone);
+  for (const SolverInfo& solver : solverTable()) {
+    Simulation haunted(smallGrid());
+    set(haunted, "ghost.solver", std::string(solver.name));
+    set(haunted, "ghost.substeps", 8);
+    use(haunted);
+    EXPECT_EQ(stateHash(haunted.state()), stateHash(alone.state())) << solver.name;
+  }
+}
+
+TEST(Ghost, ofTheSameSolverGoesTheSameWay) {
+  Simulation simulation(smallGrid());
+  set(simulation, "ghost.solver", simulation.settings().solver.name);
+  use(simulation);
+  ASSERT_NE(simulation.ghost(), nullptr);
+  EXPECT_EQ(stateHash(simulation.ghost()->state()), stateHash(simulation.state()))
+      << "hand, pins, mass and settings are the same for both";
+}
+
+TEST(Ghost, beginsWhereTheFirstClothIsAndPartsFromIt) {
+  Simulation simulation(smallGrid());
+  advance(simulation, 30);
+  set(simulation, "ghost.substeps", 10);
+  set(simulation, "ghost.solver", std::string("one_iteration"));
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  ASSERT_TRUE(snapshot.ghost.has_value());
+  EXPECT_EQ(snapshot.ghost->meanDistance, 0.0);
+  advance(simulation, 30);
+  simulation.capture(snapshot);
+  EXPECT_GT(snapshot.ghost->meanDistance, 1e-3);
+  EXPECT_EQ(snapshot.ghost->meanDistance, meanDistance(snapshot.positions, snapshot.ghost->positions));
+  EXPECT_GT(snapshot.ghost->stepSeconds, 0.0);
+}
+
+TEST(Ghost, goesWhenItIsTurnedOff) {
+  Simulation simulation(smallGrid());
+  set(simulation, "ghost.solver", std::string("one_iteration"));
+  set(simulation, "ghost.solver", std::string("off"));
+  Snapshot snapshot;
+  snapshot.ghost.emplace();
+  simulation.capture(snapshot);
+  EXPECT_FALSE(snapshot.ghost.has_value());
+}
+
+TEST(Ghost, goesBackToTheStartWithTheFirstCloth) {
+  Simulation simulation(smallGrid());
+  set(simulation, "ghost.substeps", 10);
+  set(simulation, "ghost.solver", std::string("one_iteration"));
+  advance(simulation, 30);
+  const auto moved = stateHash(simulation.ghost()->state());
+  simulation.apply(ResetCommand{});
+  EXPECT_EQ(stateHash(simulation.ghost()->state()), stateHash(simulation.state()));
+  advance(simulation, 30);
+  EXPECT_EQ(stateHash(simulation.ghost()->state()), moved);
+}
+
+TEST(Ghost, comesWithASceneThatAsksForIt) {
+  auto scene = std::make_shared<Scene>(*smallGrid());
+  scene->settings.ghost.solver = "one_iteration";
+  Simulation simulation(scene);
+  ASSERT_NE(simulation.ghost(), nullptr);
+  EXPECT_EQ(stateHash(simulation.ghost()->state()), stateHash(scene->start));
+  const auto other = smallGrid(12);
+  simulation.apply(LoadSceneCommand{other});
+  EXPECT_EQ(simulation.ghost(), nullptr) << "the other scene has none";
+}
+
+/// Force derivatives along the springs only let a large step blow up, and twenty small ones not.
+std::shared_ptr<const Scene> explosive() {
+  auto scene = std::make_shared<Scene>(*smallGrid());
+  scene->settings.step.derivative = ForceDerivative::Axial;
+  scene->settings.step.stiffness = 1e3;
+  scene->settings.step.timeStep = 1.0 / 30.0;
+  scene->settings.step.substeps = 20;
+  scene->settings.ghost.solver = "one_iteration";
+  return scene;
+}
+
+TEST(Ghost, thatBlowsUpIsTakenAwayAndTheFirstClothGoesOn) {
+  Simulation simulation(explosive());
+  int steps = 0;
+  for (; simulation.ghost() != nullptr && steps < 200; ++steps) {
+    simulation.step();
+  }
+  ASSERT_EQ(simulation.ghost(), nullptr);
+  EXPECT_EQ(simulation.settings().ghost.solver, "off");
+  EXPECT_NE(simulation.message().find("ghost"), std::string::npos) << simulation.message();
+  EXPECT_FALSE(simulation.blewUp());
+  EXPECT_FALSE(simulation.paused());
+  EXPECT_EQ(simulation.stepIndex(), steps);
+  simulation.step();
+  EXPECT_EQ(simulation.stepIndex(), steps + 1);
+  EXPECT_TRUE(isFinite(simulation.state()));
+}
+
+TEST(Ghost, isReplayed) {
+  const auto scene = smallGrid();
+  Simulation original(scene);
+  set(original, "ghost.substeps", 5);
+  advance(original, 5);
+  set(original, "ghost.solver", std::string("one_iteration"));
+  use(original);
+  set(original, "ghost.substeps", 2);
+  advance(original, 5);
+  set(original, "gravity", 5.0);
+
+  Simulation again(scene);
+  again.replay(original.log());
+  ASSERT_NE(again.ghost(), nullptr);
+  EXPECT_EQ(stateHash(again.ghost()->state()), stateHash(original.ghost()->state()));
+  EXPECT_EQ(stateHash(again.state()), stateHash(original.state()));
+}
+
+}  // namespace
+}  // namespace drape
