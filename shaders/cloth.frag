@@ -4,6 +4,9 @@
 
 uniform float checkSize;  // side of a check [m]
 uniform float checkered;  // 1: checks; 0: plain
+uniform float ghostly;    // 1: the second cloth, which is green on both sides
+uniform float shadowed;   // 1: shadows fall on it
+uniform float opacity;
 
 in Surface {
   vec3 position;
@@ -25,6 +28,10 @@ const vec3 frontPlain = vec3(0.300, 0.470, 0.600);
 const vec3 frontWire = vec3(0.660, 0.745, 0.810);  // under the edges, that they can be read
 const vec3 backWire = vec3(0.880, 0.730, 0.660);
 const vec3 backPlain = vec3(0.800, 0.520, 0.420);
+const vec3 ghostFrontLight = vec3(0.800, 0.900, 0.760);
+const vec3 ghostFrontDark = vec3(0.130, 0.560, 0.300);
+const vec3 ghostBackLight = vec3(0.860, 0.890, 0.700);
+const vec3 ghostBackDark = vec3(0.470, 0.580, 0.160);
 
 // Mean over a pixel of the square wave that is +1 on even checks and -1 on odd ones. The wave's integral is a triangle
 // wave, so the mean is a difference of two of its values: exact, and flat grey where checks are smaller than pixels.
@@ -59,6 +66,11 @@ vec3 clothColor(bool front) {
   vec3 light = front ? frontLight : backLight;
   vec3 dark = front ? frontDark : backDark;
   vec3 plain = front ? frontPlain : backPlain;
+  if (ghostly > 0.5) {
+    light = front ? ghostFrontLight : ghostBackLight;
+    dark = front ? ghostFrontDark : ghostBackDark;
+    plain = dark;
+  }
   vec3 pattern = mix(fromScreen(dark), fromScreen(light), checks(surface.coordinate));
   return mix(fromScreen(plain), pattern, checkered) * weave(surface.coordinate);
 }
@@ -84,10 +96,14 @@ void main() {
 
   vec3 color = clothColor(front);
 #ifdef WIREFRAME
-  color = mix(color, fromScreen(front ? frontWire : backWire), 0.72);
+  vec3 wire = front ? frontWire : backWire;
+  if (ghostly > 0.5) {
+    wire = front ? ghostFrontLight : ghostBackLight;
+  }
+  color = mix(color, fromScreen(wire), 0.72);
 #endif
   float facing = dot(normal, toLight.xyz);
-  float visible = keyVisibility(surface.position, facing >= 0.0 ? normal : -normal);
+  float visible = mix(1.0, keyVisibility(surface.position, facing >= 0.0 ? normal : -normal), shadowed);
   float lit = max((facing + 0.08) / 1.08, 0.0);
   // A thin cloth glows when the light stands behind it, in its own colour.
   vec3 through = 0.48 * max(-facing, 0.0) * sqrt(color);
@@ -101,5 +117,5 @@ void main() {
 #ifdef WIREFRAME
   result = mix(result, vec3(0.010, 0.016, 0.026), 0.85 * edges());
 #endif
-  pixel = vec4(toScreen(result), 1.0);
+  pixel = vec4(toScreen(result), opacity);
 }

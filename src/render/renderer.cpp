@@ -18,9 +18,10 @@
 namespace drape {
 namespace {
 
-constexpr double fadeInSizes = 5.0;    // the ground has faded away at this many sizes of the scene [-]
-constexpr double smallestFade = 1.5;   // but not nearer than this [m]
-constexpr double creaseAngle = 0.7;    // edges of a stand that turn by more are sharp [rad]
+constexpr double fadeInSizes = 5.0;   // the ground has faded away at this many sizes of the scene [-]
+constexpr double smallestFade = 1.5;  // but not nearer than this [m]
+constexpr double creaseAngle = 0.7;   // edges of a stand that turn by more are sharp [rad]
+constexpr float ghostOpacity = 0.6F;
 constexpr float unitHeight = 800.0F;   // in a picture this high a unit of a mark is one pixel [pixels]
 constexpr float smallestMark = 0.75F;  // a smaller dot would not be seen [pixels]
 
@@ -37,12 +38,14 @@ float markScale(int height) {
 struct Renderer::Parts {
   void take(const Snapshot& snapshot);
   void takeScene(const Scene& scene);
+  void takeGhost(const Snapshot& snapshot);
   void updateShadows(const FrameUniforms& uniforms);
   [[nodiscard]] FrameUniforms frameUniforms(const Snapshot& snapshot, const Camera& camera, int width,
                                             int height) const;
   void drawBackground() const;
   void drawStand() const;
   void drawCloth(const Settings::View& view) const;
+  void drawGhost(const Settings::View& view) const;
   void drawGround() const;
   void drawMarks(const Snapshot& snapshot, int height) const;
 
@@ -55,6 +58,7 @@ struct Renderer::Parts {
   ShaderProgram groundProgram{"ground.vert", "ground.frag"};
   GlVertexArray nothing;
   SmoothMesh cloth;
+  SmoothMesh ghost;
   SmoothMesh stand;
   Marks marks;
   ShadowMap shadowMap;
@@ -67,6 +71,10 @@ struct Renderer::Parts {
   Eigen::Vector3d groundCentre{0.0, 0.0, 0.0};  // [m]
   double groundFade = 1.0;                      // [m]
   bool shadowsAreCurrent = false;
+  bool hasGhost = false;
+  bool ghostStandsBeside = false;    // far enough from the cloth to have shadows of its own
+  double clothWidth = 0.0;           // at the scene's start [m]
+  std::vector<Vec3> ghostPositions;  // where it is drawn [m]
 };
 
 /// Sends to the graphics card what has changed since the last picture.
@@ -80,21 +88,39 @@ void Renderer::Parts::take(const Snapshot& snapshot) {
     version = snapshot.version;
     model = snapshot.model;
     cloth.setPositions(snapshot.positions);
+    takeGhost(snapshot);
     marks.setPins(snapshot);
     shadowsAreCurrent = false;
   }
+}
+
+void Renderer::Parts::takeGhost(const Snapshot& snapshot) {
+  hasGhost = snapshot.ghost.has_value();
+  if (!hasGhost) {
+    return;
+  }
+  const double offset = snapshot.settings.ghost.offset;
+  ghostPositions = snapshot.ghost->positions;
+  for (Vec3& position : ghostPositions) {
+    position.x() += offset;
+  }
+  ghost.setPositions(ghostPositions);
+  ghostStandsBeside = std::abs(offset) > 0.5 * clothWidth;
 }
 
 void Renderer::Parts::takeScene(const Scene& newScene) {
   const RenderMesh& mesh = newScene.renderMesh;
   const SurfaceCoordinates coordinates = surfaceCoordinates(mesh, newScene.model->restPositions);
   checkSize = coordinates.checkSize;
-  cloth.setTopology({newScene.model->triangles, mesh.triangles, mesh.particle, coordinates.metres});
+  const MeshTopology topology{newScene.model->triangles, mesh.triangles, mesh.particle, coordinates.metres};
+  cloth.setTopology(topology);
+  ghost.setTopology(topology);
 
   Eigen::AlignedBox3d box;
   for (const Vec3& position : newScene.start.positions) {
     box.extend(position);
   }
+  clothWidth = box.sizes().x();
   const Decor standing = newScene.stand.value_or(Decor{});
   const CreasedMesh creased = splitAtCreases(standing.positions, standing.triangles, creaseAngle);
   stand.setTopology({creased.triangles, creased.triangles, {}, {}});
@@ -124,8 +150,8 @@ FrameUniforms Renderer::Parts::frameUniforms(const Snapshot& snapshot, const Cam
 
 void Renderer::Parts::updateShadows(const FrameUniforms& uniforms) {
   frameBlock.upload(uniforms);
-  const std::array<const SmoothMesh*, 2> meshes{&cloth, &stand};
-  shadowMap.draw(meshes);
+  const std::array<const SmoothMesh*, 3> meshes{&cloth, &stand, &ghost};
+  shadowMap.draw(std::span(meshes).first(hasGhost && ghostStandsBeside ? 3 : 2));
   shadowMap.bind(shadowUnit, shadowDepthUnit);
   groundShadow.draw();
   shadowsAreCurrent = true;
@@ -153,7 +179,33 @@ void Renderer::Parts::drawCloth(const Settings::View& view) const {
   program.set("shadowMap", static_cast<int>(shadowUnit));
   program.set("checkSize", static_cast<float>(checkSize));
   program.set("checkered", view.surface == "checker" ? 1.0F : 0.0F);
+  program.set("ghostly", 0.0F);
+  program.set("shadowed", 1.0F);
+  program.set("opacity", 1.0F);
   cloth.draw();
+}
+
+/// The second cloth, through which the first one shows: only its nearest layer, or every fold would count twice. Where
+/// the two are in the same place the first one is seen.
+void Renderer::Parts::drawGhost(const Settings::View& view) const {
+  const ShaderProgram& program = view.wireframe ? wireframeProgram : clothProgram;
+  program.use();
+  program.set("ghostly", 1.0F);
+  // Where the two lie in each other their shadows would be patches that tell nothing.
+  program.set("shadowed", ghostStandsBeside ? 1.0F : 0.0F);
+  program.set("opacity", ghostStandsBeside ? 1.0F : ghostOpacity);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.0F, 4.0F);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  ghost.draw();
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthFunc(GL_EQUAL);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  ghost.draw();
+  glDisable(GL_BLEND);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void Renderer::Parts::drawGround() const {
@@ -204,6 +256,9 @@ void Renderer::draw(const Snapshot& snapshot, const Camera& camera, int width, i
   if (view.shadows && !parts.shadowsAreCurrent) {
     Eigen::AlignedBox3d box = parts.cloth.bounds();
     box.extend(parts.stand.bounds());
+    if (parts.hasGhost && parts.ghostStandsBeside) {
+      box.extend(parts.ghost.bounds());
+    }
     parts.shadowMap.fit(box, directionToLight());
     parts.groundShadow.fit(parts.shadowMap, parts.groundCentre.y(), directionToLight());
     parts.updateShadows(parts.frameUniforms(snapshot, camera, width, height));
@@ -222,6 +277,9 @@ void Renderer::draw(const Snapshot& snapshot, const Camera& camera, int width, i
     parts.drawGround();
   }
   parts.drawBackground();
+  if (parts.hasGhost) {
+    parts.drawGhost(view);
+  }
   parts.drawMarks(snapshot, height);
   parts.framebuffer.resolve();
   glUseProgram(0);

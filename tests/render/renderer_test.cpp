@@ -183,6 +183,74 @@ TEST_F(RendererTest, HandAndPinsAreShown) {
   EXPECT_LT(compareImages(without, noPins, 8).pixels, 300);
 }
 
+/// The sheet with a ghost that is so far behind (+) or in front (-) of it.
+Snapshot withGhost(Snapshot snapshot, double behind) {
+  snapshot.ghost.emplace();
+  snapshot.ghost->positions = snapshot.positions;
+  for (Vec3& position : snapshot.ghost->positions) {
+    position.z() -= behind;
+  }
+  ++snapshot.version;
+  return snapshot;
+}
+
+TEST_F(RendererTest, AGhostInFrontIsGreenAndTheClothShowsThrough) {
+  Snapshot snapshot = wavySheet(0.0);
+  snapshot.settings.view.surface = "plain";
+  const Pixel cloth = pixelAt(picture(snapshot), width / 2, height / 2);
+  const Pixel mixed = pixelAt(picture(withGhost(snapshot, -0.1)), width / 2, height / 2);
+  EXPECT_GT(mixed[1], mixed[0] + 20);
+  EXPECT_GT(mixed[1], mixed[2] + 10);
+  Snapshot alone = withGhost(snapshot, -0.1);
+  for (Vec3& position : alone.positions) {
+    position.z() += 1000.0;
+  }
+  ++alone.version;
+  const Pixel ghost = pixelAt(picture(alone), width / 2, height / 2);
+  EXPECT_GT(distanceOf(mixed, cloth), 20);
+  EXPECT_GT(distanceOf(mixed, ghost), 20);
+}
+
+TEST_F(RendererTest, AGhostInTheSamePlaceOrBehindIsHidden) {
+  for (const bool wireframe : {false, true}) {
+    Snapshot snapshot = wavySheet(0.06);
+    snapshot.settings.view.wireframe = wireframe;
+    const Image without = picture(snapshot);
+    EXPECT_EQ(compareImages(without, picture(withGhost(snapshot, 0.0)), 8).pixels, 0);
+    const Pixel before = pixelAt(without, width / 2, height / 2);
+    EXPECT_EQ(pixelAt(picture(withGhost(snapshot, 0.1)), width / 2, height / 2), before);
+  }
+}
+
+TEST_F(RendererTest, AGhostIsDrawnBesideTheCloth) {
+  Snapshot snapshot = wavySheet(0.0);
+  snapshot.settings.view.surface = "plain";
+  CameraPose pose = cameraInFront().pose();
+  pose.position.z() += 3.0;
+  const Camera camera(pose);
+  const Image without = picture(snapshot, camera);
+  Snapshot beside = withGhost(snapshot, 0.0);
+  beside.settings.ghost.offset = 1.5;
+  const Image with = picture(beside, camera);
+  const Vec2 place = camera.project({1.5, 0.9, 0.0}, width, height);
+  const int x = static_cast<int>(place.x());
+  const int y = static_cast<int>(place.y());
+  EXPECT_GT(distanceOf(pixelAt(with, x, y), pixelAt(without, x, y)), 40);
+  EXPECT_GT(pixelAt(with, x, y)[1], pixelAt(with, x, y)[0] + 30) << "it is green, and not seen through";
+}
+
+TEST_F(RendererTest, AGhostThatLeavesLeavesNoTrace) {
+  const Snapshot snapshot = wavySheet(0.06);
+  const Image fresh = picture(snapshot);
+  Snapshot haunted = withGhost(snapshot, -0.1);
+  haunted.settings.ghost.offset = 1.5;
+  haunted.settings.view.wireframe = true;
+  (void)picture(haunted);
+  Snapshot after = snapshot;
+  after.version = haunted.version + 1;
+  EXPECT_EQ(fresh.rgb, picture(after).rgb);
+}
+
 TEST_F(RendererTest, GroundIsNotInTheWayFromBelow) {
   CameraPose pose = cameraInFront().pose();
   pose.position.y() = -0.8;
