@@ -39,7 +39,11 @@ void InteractionController::frameCloth(const Snapshot& snapshot) {
   if (snapshot.positions.empty()) {
     return;
   }
-  const Eigen::AlignedBox3d box = boundsOf(snapshot.positions);
+  Eigen::AlignedBox3d box = boundsOf(snapshot.positions);
+  if (snapshot.ghost) {
+    const Eigen::AlignedBox3d ghost = boundsOf(snapshot.ghost->positions);
+    box.extend(ghost.translated(Vec3(snapshot.settings.ghost.offset, 0.0, 0.0)));
+  }
   camera_.frame(box.min(), box.max(), view_.width / view_.height);
 }
 

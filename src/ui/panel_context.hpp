@@ -1,11 +1,13 @@
 #pragma once
 
 #include "session/snapshot.hpp"
+#include "ui/measure_history.hpp"
 #include "ui/pending_settings.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_output.hpp"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,11 +50,13 @@ struct PanelMemory {
   TypedText typed;
   std::optional<bool> openSections;  ///< all of them, in the frame to come
   History stepTimes;                 ///< [ms]
-  std::int64_t lastStep = -1;        ///< the step that the history's last entry belongs to
-  std::string openPath;              ///< what is typed in the open field
-  std::vector<SceneInfo> scenes;     ///< the built-in ones
-  std::string hoveredRow;            ///< whose explanation is about to be shown
-  double hoveredSince = 0.0;         ///< [s]
+  MeasureHistory measures;
+  std::map<std::string, float> textHeights;  ///< of the texts that come and go
+  std::int64_t lastStep = -1;                ///< the step that the history's last entry belongs to
+  std::string openPath;                      ///< what is typed in the open field
+  std::vector<SceneInfo> scenes;             ///< the built-in ones
+  std::string hoveredRow;                    ///< whose explanation is about to be shown
+  double hoveredSince = 0.0;                 ///< [s]
   bool hoveredThisFrame = false;
 };
 

@@ -6,6 +6,7 @@ namespace drape {
 
 /// The sections of the column. Each draws its own heading and, when that is open, its content.
 void simulationPanel(PanelContext& context);
+void ghostPanel(PanelContext& context);
 void materialPanel(PanelContext& context);
 void airPanel(PanelContext& context);
 void scenePanel(PanelContext& context);

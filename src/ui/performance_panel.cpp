@@ -1,8 +1,11 @@
 #include "ui/panels.hpp"
+#include "ui/setting_widget.hpp"
 #include "ui/text.hpp"
+#include "ui/time_plot.hpp"
 #include "ui/widgets.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace drape {
 namespace {
@@ -11,6 +14,37 @@ const ImVec4& paceColour(const Snapshot& snapshot) {
   const bool slow = !snapshot.paused && snapshot.realTimeFactor > 0.0 &&
                     snapshot.realTimeFactor < 0.95 * snapshot.settings.playback.speed;
   return slow ? palette().warning : palette().text;
+}
+
+template <double (EnergyBalance::*part)() const>
+std::optional<double> balanceOf(const MeasureSample& sample) {
+  return sample.balance ? std::optional(((*sample.balance).*part)()) : std::nullopt;
+}
+
+void energyPlot(const PanelContext& context) {
+  const auto& colours = palette().plot;
+  const std::array curves{
+      PlotCurve{"Kinetic", colours[0], [](const MeasureSample& s) { return std::optional(s.energy.kinetic); }},
+      PlotCurve{"Elastic", colours[1], [](const MeasureSample& s) { return std::optional(s.energy.elastic); }},
+      PlotCurve{"Potential", colours[2], [](const MeasureSample& s) { return std::optional(s.energy.potential); }},
+      PlotCurve{"Total", colours[3], [](const MeasureSample& s) { return std::optional(s.energy.total()); }}};
+  timePlot(context, "Energy", "J", context.memory.measures.samples(), curves);
+}
+
+void balancePlot(const PanelContext& context) {
+  const auto& colours = palette().plot;
+  const std::array curves{PlotCurve{"Damping", colours[0], balanceOf<&EnergyBalance::damping>},
+                          PlotCurve{"Air", colours[2], balanceOf<&EnergyBalance::air>},
+                          PlotCurve{"Hand", colours[1], balanceOf<&EnergyBalance::hand>},
+                          PlotCurve{"Method", colours[4], balanceOf<&EnergyBalance::integrator>}};
+  timePlot(context, "Given or taken so far", "J", context.memory.measures.samples(), curves);
+}
+
+void ghostPlot(const PanelContext& context) {
+  const std::array curves{PlotCurve{"Now", palette().ghost, [](const MeasureSample& s) {
+                                      return s.ghostDistance ? std::optional(*s.ghostDistance * 1e3) : std::nullopt;
+                                    }}};
+  timePlot(context, "Mean distance of the ghost", "mm", context.memory.measures.samples(), curves);
 }
 
 }  // namespace
@@ -61,13 +95,20 @@ void performancePanel(PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
   valueRow(context, "Frame", formatDuration(context.stats.frameSeconds));
   valueRow(context, "Step", formatDuration(snapshot.stepSeconds));
+  if (snapshot.ghost) {
+    valueRow(context, "Step of the ghost", formatDuration(snapshot.ghost->stepSeconds));
+  }
   valueRow(context, "Pace", describePace(snapshot), paceColour(snapshot));
-  historyPlot(context, context.memory.stepTimes);
-  valueRow(context, "Kinetic energy", formatQuantity(snapshot.energy.kinetic, "J"));
-  valueRow(context, "Elastic energy", formatQuantity(snapshot.energy.elastic, "J"));
-  valueRow(context, "Potential energy", formatQuantity(snapshot.energy.potential, "J"));
-  valueRow(context, "Total energy", formatQuantity(snapshot.energy.total(), "J"));
   valueRow(context, "Largest stretch", formatQuantity(snapshot.maxStretch * 100.0, "%"));
+  historyPlot(context, context.memory.stepTimes);
+  if (snapshot.ghost) {
+    ghostPlot(context);
+  }
+  energyPlot(context);
+  settingsOfGroup(context, SettingGroup::Performance);
+  if (snapshot.balance) {
+    balancePlot(context);
+  }
   endSection();
 }
 

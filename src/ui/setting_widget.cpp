@@ -31,12 +31,31 @@ Edit flagWidget(bool value) {
   return {.changed = changed, .finished = changed, .value = edited};
 }
 
-std::string spoken(std::string word) {
-  std::replace(word.begin(), word.end(), '_', ' ');
-  return word;
+/// One word of a choice, as it is shown.
+struct Choice {
+  std::string word;
+  std::string title;
+  std::string_view help;
+};
+
+std::vector<Choice> choicesOf(const ChoiceField& field) {
+  std::vector<Choice> choices;
+  for (const std::string& word : field.choices()) {
+    choices.push_back({word, choiceTitle(field, word), field.label == nullptr ? "" : field.label(word).help});
+  }
+  return choices;
 }
 
-Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::vector<std::string>& choices,
+/// What each word means, beside its entry.
+void explainChoice(const PanelContext& context, const std::string& name, const Choice& choice, const UiRect& row) {
+  if (!choice.help.empty() && ImGui::IsItemHovered() && hoveredLongEnough(context, name)) {
+    beginExplanation(context, &row);
+    ImGui::TextWrapped("%.*s", static_cast<int>(choice.help.size()), choice.help.data());
+    endExplanation();
+  }
+}
+
+Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::vector<Choice>& choices,
                     const std::string& value) {
   Edit edit{.value = value};
   const float width = ImGui::CalcItemWidth();
@@ -44,20 +63,19 @@ Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::v
   const float gap = std::round(2.0F * context.scale);
   ImGui::BeginGroup();
   for (int i = 0; i < count; ++i) {
-    const std::string& choice = choices[static_cast<std::size_t>(i)];
-    const bool chosen = choice == value;
+    const Choice& choice = choices[static_cast<std::size_t>(i)];
+    const bool chosen = choice.word == value;
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? palette().accentFill : palette().field);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
                           ImGui::GetStyleColorVec4(chosen ? ImGuiCol_Button : ImGuiCol_ButtonHovered));
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? palette().text : palette().muted);
-    if (ImGui::Button(
-            spoken(choice).c_str(),
-            {(width - gap * static_cast<float>(count - 1)) / static_cast<float>(count), ImGui::GetFrameHeight()}) &&
+    if (ImGui::Button(choice.title.c_str(), {(width - gap * static_cast<float>(count - 1)) / static_cast<float>(count),
+                                             ImGui::GetFrameHeight()}) &&
         !chosen) {
-      edit = {.changed = true, .finished = true, .value = choice};
+      edit = {.changed = true, .finished = true, .value = choice.word};
     }
     ImGui::PopStyleColor(3);
-    context.buttons[std::string(info.key) + "=" + choice] = lastItemRect();
+    context.buttons[std::string(info.key) + "=" + choice.word] = lastItemRect();
     if (i + 1 < count) {
       ImGui::SameLine(0.0F, gap);
     }
@@ -66,13 +84,22 @@ Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::v
   return edit;
 }
 
-Edit comboWidget(const std::vector<std::string>& choices, const std::string& value) {
+Edit comboWidget(PanelContext& context, const SettingInfo& info, const std::vector<Choice>& choices,
+                 const std::string& value) {
   Edit edit{.value = value};
-  if (ImGui::BeginCombo("##value", spoken(value).c_str())) {
-    for (const std::string& choice : choices) {
-      if (ImGui::Selectable(spoken(choice).c_str(), choice == value) && choice != value) {
-        edit = {.changed = true, .finished = true, .value = choice};
+  const auto chosen = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.word == value; });
+  const float room =
+      ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;  // beside the arrow
+  const std::string shown = chosen == choices.end() ? value : fitted(chosen->title, room);
+  if (ImGui::BeginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+    for (const Choice& choice : choices) {
+      if (ImGui::Selectable(choice.title.c_str(), choice.word == value) && choice.word != value) {
+        edit = {.changed = true, .finished = true, .value = choice.word};
       }
+      const std::string name = std::string(info.key) + "=" + choice.word;
+      const UiRect row = lastItemRect();
+      context.buttons[name] = row;
+      explainChoice(context, name, choice, row);
     }
     ImGui::EndCombo();
   }
@@ -81,14 +108,14 @@ Edit comboWidget(const std::vector<std::string>& choices, const std::string& val
 
 /// Up to three short words stand side by side; more of them share a list that drops down.
 Edit choiceWidget(PanelContext& context, const SettingInfo& info, const ChoiceField& field, const std::string& value) {
-  const std::vector<std::string> choices = field.choices();
+  const std::vector<Choice> choices = choicesOf(field);
   float widest = 0.0F;
-  for (const std::string& choice : choices) {
-    widest = std::max(widest, ImGui::CalcTextSize(spoken(choice).c_str()).x);
+  for (const Choice& choice : choices) {
+    widest = std::max(widest, ImGui::CalcTextSize(choice.title.c_str()).x);
   }
   const float needed = (widest + 2.0F * ImGui::GetStyle().FramePadding.x) * static_cast<float>(choices.size());
   const bool sideBySide = choices.size() > 1 && choices.size() <= 3 && needed <= ImGui::CalcItemWidth();
-  return sideBySide ? segmentsWidget(context, info, choices, value) : comboWidget(choices, value);
+  return sideBySide ? segmentsWidget(context, info, choices, value) : comboWidget(context, info, choices, value);
 }
 
 Edit fieldWidget(PanelContext& context, const SettingInfo& info, const SettingValue& value) {

@@ -1,6 +1,6 @@
-#include "sim/solver.hpp"
 #include "ui/panels.hpp"
 #include "ui/setting_widget.hpp"
+#include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -13,10 +13,10 @@ void simulationPanel(PanelContext& context) {
   settingsOfGroup(context, SettingGroup::Simulation);
   valueRow(context, "Steps per second", formatNumber(1.0 / context.settings.step.timeStep));
   if (const SolverInfo* solver = findSolver(context.settings.solver.name)) {
-    // The first sentence says what it is; the rest, what to expect of it.
-    mutedText(solver->help.substr(0, solver->help.find(". ") + 1));
-    explainItem(context, "solver.help", solver->help);
+    solverRows(context, *solver, context.settings.step, context.snapshot.stepReport);
+    solverHelp(context, *solver);
   }
+  steadyText(context, "solver.warning", solverWarning(context.settings, *context.snapshot.model), palette().warning);
   endSection();
 }
 

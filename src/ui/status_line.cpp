@@ -1,8 +1,10 @@
 #include "ui/panels.hpp"
+#include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace drape {
@@ -28,6 +30,12 @@ Message messageOf(const PanelContext& context) {
   }
   if (!stats.notice.empty()) {
     return {stats.notice, palette().text};
+  }
+  if (std::string warning = solverWarning(context.settings, *snapshot.model); !warning.empty()) {
+    return {std::move(warning), palette().warning};
+  }
+  if (std::string warning = ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
+    return {"Ghost: " + warning, palette().warning};
   }
   if (!snapshot.paused && snapshot.realTimeFactor > 0.0 &&
       snapshot.realTimeFactor < 0.9 * snapshot.settings.playback.speed) {

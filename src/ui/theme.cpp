@@ -76,6 +76,8 @@ const Palette& palette() {
       .good = rgb(0x7CC58E),
       .warning = rgb(0xEDBB5F),
       .error = rgb(0xF58A84),
+      .ghost = rgb(0x63D08A),
+      .plot = {rgb(0x6FB3FA), rgb(0xF2A65A), rgb(0xC792EA), rgb(0xF2F4F8), rgb(0xF06A8A)},
   };
   return colours;
 }

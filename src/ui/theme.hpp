@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <array>
+
 namespace drape {
 
 /// The colours that the panels use beyond ImGui's own style entries.
@@ -16,6 +18,8 @@ struct Palette {
   ImVec4 good;
   ImVec4 warning;
   ImVec4 error;
+  ImVec4 ghost;                ///< what belongs to the second cloth
+  std::array<ImVec4, 5> plot;  ///< lines of a plot, told apart
 };
 
 /// The dark palette of the program.

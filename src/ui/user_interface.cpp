@@ -15,11 +15,11 @@ namespace {
 constexpr float columnWidth = 372.0F;  // at scale 1
 constexpr float statusHeight = 30.0F;  // at scale 1
 constexpr float columnShare = 0.55F;   // of a small window, at most
-constexpr std::size_t sectionCount = 6;
+constexpr std::size_t sectionCount = 7;
 
 using Panel = void (*)(PanelContext&);
-constexpr std::array<Panel, sectionCount> sections{simulationPanel, materialPanel, airPanel,
-                                                   scenePanel,      viewPanel,     performancePanel};
+constexpr std::array<Panel, sectionCount> sections{simulationPanel, ghostPanel, materialPanel,   airPanel,
+                                                   scenePanel,      viewPanel,  performancePanel};
 
 constexpr ImGuiWindowFlags columnFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -73,6 +73,7 @@ void UserInterface::Parts::remember(const Snapshot& snapshot, const UiStats& sta
     memory.stepTimes.add(static_cast<float>(snapshot.stepSeconds * 1e3));
   }
   memory.lastStep = snapshot.step;
+  memory.measures.add(snapshot);
   if (!memory.hoveredThisFrame) {
     memory.hoveredRow.clear();
   }

@@ -1,5 +1,7 @@
 #include "ui/widgets.hpp"
 
+#include "ui/text.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -7,7 +9,7 @@
 namespace drape {
 namespace {
 
-constexpr float labelShare = 0.38F;  // of a row's width
+constexpr float labelShare = 0.4F;   // of a row's width
 constexpr double hoverDelay = 0.45;  // [s]
 constexpr float iconSide = 11.0F;    // at scale 1
 
@@ -82,6 +84,14 @@ std::string prettyUnit(std::string_view unit) {
     }
   }
   return pretty;
+}
+
+std::string fitted(std::string_view text, float width) {
+  std::string cut(text);
+  for (std::size_t limit = text.size(); limit > 1 && sizeOf(cut).x > width; --limit) {
+    cut = shortened(text, limit - 1);
+  }
+  return cut;
 }
 
 UiRect beginRow(const PanelContext& context, std::string_view label, bool marked) {
@@ -166,6 +176,22 @@ void mutedText(std::string_view text, const ImVec4& colour) {
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
+}
+
+void steadyText(PanelContext& context, const std::string& name, const std::string& text, const ImVec4& colour) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  float& height = context.memory.textHeights[name];
+  if (!ImGui::IsAnyItemActive()) {
+    height = text.empty() ? 0.0F : ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
+  }
+  if (height <= 0.0F) {
+    return;
+  }
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec4 room(at.x, at.y, at.x + width, at.y + height);
+  ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ImGui::GetColorU32(colour),
+                                      text.c_str(), nullptr, width, &room);
+  ImGui::Dummy({width, height});
 }
 
 bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::string_view word, float width,

@@ -13,6 +13,9 @@ namespace drape {
 /// "kg/m^2" with the powers raised: "kg/m²".
 [[nodiscard]] std::string prettyUnit(std::string_view unit);
 
+/// The text, cut with an ellipsis where it would be wider than that.
+[[nodiscard]] std::string fitted(std::string_view text, float width);
+
 /// Starts a row: the label at the left, and the cursor where the widget goes, whose width is set to the rest of the
 /// row. A row whose value is not the default carries a small mark. Gives back the whole row's rectangle.
 UiRect beginRow(const PanelContext& context, std::string_view label, bool marked = false);
@@ -41,6 +44,10 @@ void explainItem(const PanelContext& context, const std::string& name, std::stri
 
 /// A paragraph in the colour of explanations.
 void mutedText(std::string_view text, const ImVec4& colour = palette().muted);
+
+/// A paragraph that comes and goes, or changes its length. While the mouse holds something it keeps its height, so that
+/// nothing moves away from under the mouse.
+void steadyText(PanelContext& context, const std::string& name, const std::string& text, const ImVec4& colour);
 
 /// The signs on the transport buttons; drawn, because the typeface has none of them.
 enum class Icon { None, Play, Pause, Step, Reset };

@@ -282,6 +282,41 @@ TEST(Window, AnotherSceneIsOpenedFromTheList) {
   EXPECT_NE(flag["camera"], list["camera"]);
 }
 
+/// Opens the list of a choice and clicks on one of its words.
+void pickFromList(ViewerDriver& viewer, const std::string& key, const std::string& word) {
+  const std::string entry = key + "=" + word;
+  viewer.click(viewer.find(key));
+  viewer.waitUntil("the list", [&](const Json& s) { return s["buttons"].contains(entry); });
+  const Json rect = viewer.frames()["buttons"][entry];  // a list finds its place in its second frame
+  viewer.click({rect["x"].get<double>() + 10.0, rect["y"].get<double>() + rect["height"].get<double>() / 2.0});
+}
+
+TEST(Window, AnotherSolverIsPickedFromTheListWhileTheClothMoves) {
+  ViewerDriver viewer({"grid", "--set", "stiffness=10", "--set", "substeps=10"});
+  const Json before = viewer.waitUntil("time to pass", [](const Json& s) { return s["step"] > 5; });
+  ASSERT_EQ(before["settings"]["solver"], "one_iteration");
+  pickFromList(viewer, "solver", "verlet");
+  const Json after =
+      viewer.waitUntil("the other solver", [](const Json& s) { return s["settings"]["solver"] == "verlet"; });
+  EXPECT_GE(after["step"], before["step"]) << "the cloth goes on from where it is";
+  viewer.waitUntil("time to pass", [&](const Json& s) { return s["step"] > after["step"].get<int>() + 5; });
+  EXPECT_FALSE(viewer.state()["widgets"].contains("sweeps")) << "a setting of the first solver only";
+}
+
+TEST(Window, AGhostIsCalledAndSentAway) {
+  ViewerDriver viewer({"grid"});
+  EXPECT_TRUE(viewer.state()["ghost"].is_null());
+  viewer.click(viewer.find("section.ghost"));
+  pickFromList(viewer, "ghost.solver", "one_iteration");
+  viewer.waitUntil("the ghost", [](const Json& s) { return !s["ghost"].is_null(); });
+  viewer.move(viewer.find("ghost.substeps", 0.7));
+  viewer.press();
+  viewer.release();
+  viewer.waitUntil("a distance", [](const Json& s) { return s["ghost"]["distance"] > 1e-3; });
+  pickFromList(viewer, "ghost.solver", "off");
+  viewer.waitUntil("no ghost", [](const Json& s) { return s["ghost"].is_null(); });
+}
+
 TEST(Window, ABadFileLeavesTheSceneRunning) {
   ViewerDriver viewer({"grid"});
   viewer.click(viewer.find("scene.path"));

@@ -49,6 +49,7 @@ TEST_F(SettingWidget, EverySettingOfTheTableAppliesSomewhere) {
     Settings settings;
     settings.solver.name = solver.name;
     assignSetting(settings, requireSetting("integration"), std::string(integration));
+    settings.ghost.solver = solver.name;
     Settings byMass = settings;
     byMass.material.massGivenAs = "mass";
     return settingApplies(info, settings, simulation_.scene()) || settingApplies(info, settings, meshScene) ||
@@ -151,6 +152,53 @@ TEST_F(SettingWidget, AFlagIsTickedByAClick) {
 TEST_F(SettingWidget, AShortChoiceIsOneClick) {
   const UiOutput output = click(button("view.surface=plain"));
   EXPECT_EQ(std::get<std::string>(lastValue(output, "view.surface")), "plain");
+}
+
+TEST_F(SettingWidget, ALongChoiceIsPickedFromTheListByItsTitle) {
+  click(widget("derivative"));
+  settle();
+  for (const char* word : {"stabilised", "exact", "scalar", "axial", "tension_only"}) {
+    EXPECT_TRUE(panels_.buttons().contains(std::string("derivative=") + word)) << word;
+  }
+  const UiOutput output = click(button("derivative=scalar"));
+  EXPECT_EQ(std::get<std::string>(lastValue(output, "derivative")), "scalar");
+}
+
+TEST_F(SettingWidget, EverySolverIsInBothLists) {
+  for (const std::string key : {"solver", "ghost.solver"}) {
+    click(widget(key));
+    settle();
+    for (const SolverInfo& solver : solverTable()) {
+      EXPECT_TRUE(panels_.buttons().contains(key + "=" + std::string(solver.name))) << key << solver.name;
+    }
+    panels_.closeOverlay();
+    settle();
+  }
+}
+
+TEST_F(SettingWidget, SolversAreShownOnlyTheirOwnSettings) {
+  for (const SolverInfo& solver : solverTable()) {
+    simulation_.apply(SetSettingCommand{"solver", std::string(solver.name)});
+    settle();
+    const std::set<std::string> drawn = drawnKeys();
+    for (const SolverInfo& other : solverTable()) {
+      for (const std::string_view key : other.settings) {
+        const bool own = std::find(solver.settings.begin(), solver.settings.end(), key) != solver.settings.end();
+        EXPECT_EQ(drawn.contains(std::string(key)), own) << solver.name << ": " << key;
+      }
+    }
+  }
+}
+
+TEST_F(SettingWidget, TheGhostsSettingsAppearWithTheGhost) {
+  EXPECT_FALSE(drawnKeys().contains("ghost.substeps"));
+  apply(click(widget("ghost.solver")));
+  settle();
+  apply(click(button("ghost.solver=one_iteration")));
+  settle();
+  EXPECT_EQ(simulation_.settings().ghost.solver, "one_iteration");
+  EXPECT_TRUE(drawnKeys().contains("ghost.substeps"));
+  EXPECT_TRUE(drawnKeys().contains("ghost.offset"));
 }
 
 TEST_F(SettingWidget, AMeshSettingIsSentWhenTheMouseLetsGo) {

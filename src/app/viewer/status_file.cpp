@@ -3,6 +3,7 @@
 #include "render/picking.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/error.hpp"
+#include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -57,6 +58,13 @@ Json toJson(const std::optional<GrabStatus>& grab) {
           {"point", toJson(grab->point)},
           {"distance", (grab->target - grab->point).norm()},
           {"pinned", grab->pinned}};
+}
+
+Json toJson(const std::optional<GhostStatus>& ghost) {
+  if (!ghost) {
+    return nullptr;
+  }
+  return {{"distance", ghost->meanDistance}, {"step_seconds", ghost->stepSeconds}};
 }
 
 /// Looks for places in the picture with and without cloth, within a budget of triangles.
@@ -148,7 +156,9 @@ Json describeSimulation(const Snapshot& snapshot) {
           {"settings", toJson(snapshot.settings)},
           {"energy", snapshot.energy.total()},
           {"max_stretch", snapshot.maxStretch},
-          {"grab", toJson(snapshot.grab)}};
+          {"grab", toJson(snapshot.grab)},
+          {"ghost", toJson(snapshot.ghost)},
+          {"warning", solverWarning(snapshot.settings, *snapshot.model)}};
 }
 
 Json describeAll(const ViewerStatus& status) {

@@ -41,6 +41,8 @@ class StatusFile {
       "  settings                 all settings in force, by key\n"
       "  energy, max_stretch      [J], [-]\n"
       "  grab                     null, or triangle, target [m], point [m], distance [m], pinned\n"
+      "  ghost                    null, or distance [m] (mean) and step_seconds [s]\n"
+      "  warning                  what is wrong with the solver on this cloth, or empty\n"
       "  camera                   position [m], focal_point [m], view_angle [degrees]\n"
       "  window, view             sizes and the picture's place, in window coordinates\n"
       "  panels, help             whether they are shown\n"

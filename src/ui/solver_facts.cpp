@@ -1,0 +1,65 @@
+#include "ui/solver_facts.hpp"
+
+#include "session/ghost.hpp"
+#include "ui/text.hpp"
+#include "ui/widgets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+std::string warningOf(const std::string& name, const ClothModel& model, const StepParameters& parameters) {
+  const SolverInfo* solver = findSolver(name);
+  return solver == nullptr || solver->warning == nullptr ? std::string() : solver->warning(model, parameters);
+}
+
+bool solvesToATolerance(const SolverInfo& solver) {
+  return std::find(solver.settings.begin(), solver.settings.end(), "tolerance") != solver.settings.end();
+}
+
+}  // namespace
+
+std::string solverWarning(const Settings& settings, const ClothModel& model) {
+  return warningOf(settings.solver.name, model, settings.step);
+}
+
+std::string ghostWarning(const Settings& settings, const ClothModel& model) {
+  return warningOf(settings.ghost.solver, model, ghostParameters(settings));
+}
+
+std::string describeStepLimit(double limit) {
+  constexpr double longStep = 0.5;  // [s]
+  if (!std::isfinite(limit)) {
+    return "none";
+  }
+  if (limit >= longStep) {
+    return formatQuantity(limit, "s");
+  }
+  // A little less than the inverse, so that 1/240 s does not become 1/241 s by its last bit.
+  return "1/" + formatCount(std::llround(std::ceil(1.0 / limit * (1.0 - 1e-9)))) + " s";
+}
+
+void solverRows(const PanelContext& context, const SolverInfo& solver, const StepParameters& parameters,
+                const StepReport& report) {
+  if (solver.stepLimit != nullptr) {
+    const double limit = solver.stepLimit(*context.snapshot.model, parameters);
+    const bool beyond = parameters.timeStep / parameters.substeps > limit * (1.0 + 1e-9);
+    valueRow(context, "Stability limit", describeStepLimit(limit), beyond ? palette().warning : palette().text);
+  }
+  // A row that is there from the start does not push the others down with the first step.
+  if (report.iterations > 0 || solvesToATolerance(solver)) {
+    valueRow(context, "Iterations", formatCount(report.iterations));
+    const std::string residual = formatNumber(report.residual);
+    valueRow(context, "Residual", report.converged ? residual : residual + ", did not converge",
+             report.converged ? palette().text : palette().warning);
+  }
+}
+
+void solverHelp(const PanelContext& context, const SolverInfo& solver) {
+  mutedText(solver.help.substr(0, solver.help.find(". ") + 1));
+  explainItem(context, "help." + std::string(solver.name), solver.help);
+}
+
+}  // namespace drape

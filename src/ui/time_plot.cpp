@@ -1,0 +1,167 @@
+#include "ui/time_plot.hpp"
+
+#include "ui/text.hpp"
+#include "ui/widgets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+constexpr double shortestSpan = 0.5;  // of the time axis [s]
+
+/// Where the curves are drawn, and what its edges mean.
+struct Frame {
+  ImVec2 low;   // upper left corner
+  ImVec2 high;  // lower right corner
+  PlotScale scale;
+  double start = 0.0;  // [s]
+  double span = 1.0;   // [s]
+
+  [[nodiscard]] float x(double time) const {
+    return low.x + (high.x - low.x) * static_cast<float>((time - start) / span);
+  }
+  [[nodiscard]] float y(double value) const {
+    return high.y - (high.y - low.y) * static_cast<float>((value - scale.low) / (scale.high - scale.low));
+  }
+};
+
+std::optional<double> finiteValue(const PlotCurve& curve, const MeasureSample& sample) {
+  const std::optional<double> value = curve.value(sample);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::pair<double, double> rangeOf(std::span<const MeasureSample> samples, std::span<const PlotCurve> curves) {
+  std::pair<double, double> range{0.0, 0.0};
+  for (const PlotCurve& curve : curves) {
+    for (const MeasureSample& sample : samples) {
+      if (const auto value = finiteValue(curve, sample)) {
+        range.first = std::min(range.first, *value);
+        range.second = std::max(range.second, *value);
+      }
+    }
+  }
+  return range;
+}
+
+/// Multiples of the step; the rounding of a sum must not turn zero into 1e-17.
+std::vector<double> ticksOf(const PlotScale& scale) {
+  std::vector<double> ticks;
+  const auto first = static_cast<long long>(std::llround(scale.low / scale.step));
+  const auto last = static_cast<long long>(std::llround(scale.high / scale.step));
+  for (long long i = first; i <= last; ++i) {
+    ticks.push_back(static_cast<double>(i) * scale.step);
+  }
+  return ticks;
+}
+
+std::string tickText(double value) {
+  return printed("%.4g", value);
+}
+
+float widestTick(const PlotScale& scale) {
+  float widest = 0.0F;
+  for (const double tick : ticksOf(scale)) {
+    widest = std::max(widest, ImGui::CalcTextSize(tickText(tick).c_str()).x);
+  }
+  return widest;
+}
+
+void drawScale(const PanelContext& context, const Frame& frame) {
+  ImDrawList& canvas = *ImGui::GetWindowDrawList();
+  canvas.AddRectFilled(frame.low, frame.high, ImGui::GetColorU32(palette().field));
+  const ImU32 muted = ImGui::GetColorU32(palette().muted);
+  for (const double tick : ticksOf(frame.scale)) {
+    const float y = std::round(frame.y(tick));
+    const bool zero = tick == 0.0;
+    canvas.AddLine({frame.low.x, y}, {frame.high.x, y}, zero ? muted : ImGui::GetColorU32(palette().line),
+                   std::max(1.0F, context.scale));
+    const std::string text = tickText(tick);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    canvas.AddText({frame.low.x - size.x - 5.0F * context.scale, y - std::round(size.y * 0.5F)}, muted, text.c_str());
+  }
+  const std::string start = printed("%.3g s", frame.start);
+  const std::string end = printed("%.3g s", frame.start + frame.span);
+  const float below = frame.high.y + 3.0F * context.scale + ImGui::GetTextLineHeight() * 0.25F;
+  canvas.AddText({frame.low.x, below}, muted, start.c_str());
+  canvas.AddText({frame.high.x - ImGui::CalcTextSize(end.c_str()).x, below}, muted, end.c_str());
+}
+
+void drawCurve(const PanelContext& context, const Frame& frame, std::span<const MeasureSample> samples,
+               const PlotCurve& curve) {
+  ImDrawList& canvas = *ImGui::GetWindowDrawList();
+  const ImU32 colour = ImGui::GetColorU32(curve.colour);
+  const auto stroke = [&] { canvas.PathStroke(colour, ImDrawFlags_None, 1.5F * context.scale); };
+  for (const MeasureSample& sample : samples) {
+    if (const auto value = finiteValue(curve, sample)) {
+      canvas.PathLineTo({frame.x(sample.time), frame.y(*value)});
+    } else {
+      stroke();
+    }
+  }
+  stroke();
+}
+
+void legendRow(const PanelContext& context, const PlotCurve& curve, std::span<const MeasureSample> samples,
+               std::string_view unit) {
+  const float length = ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float y = at.y + ImGui::GetTextLineHeight() * 0.5F;
+  ImGui::GetWindowDrawList()->AddLine({at.x, y}, {at.x + length, y}, ImGui::GetColorU32(curve.colour),
+                                      2.5F * context.scale);
+  ImGui::Indent(length * 1.5F);
+  const std::optional<double> value = samples.empty() ? std::nullopt : curve.value(samples.back());
+  valueRow(context, curve.name, value ? formatQuantity(*value, unit) : "\u2013");
+  ImGui::Unindent(length * 1.5F);
+}
+
+}  // namespace
+
+PlotScale plotScale(double low, double high, int most) {
+  low = std::min(low, 0.0);
+  high = std::max(high, 0.0);
+  const double span = high - low;
+  if (!(span > 0.0) || !std::isfinite(span)) {
+    return {0.0, 1.0, 1.0};
+  }
+  const double power = std::pow(10.0, std::floor(std::log10(span / most)));
+  for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
+    const double step = factor * power;
+    const double below = std::floor(low / step);
+    const double above = std::ceil(high / step);
+    if (above - below <= most) {
+      return {below * step, above * step, step};
+    }
+  }
+  return {low, high, span};
+}
+
+void timePlot(const PanelContext& context, std::string_view title, std::string_view unit,
+              std::span<const MeasureSample> samples, std::span<const PlotCurve> curves) {
+  ImGui::Dummy({0.0F, 2.0F * context.scale});
+  mutedText(std::string(title) + " [" + std::string(unit) + "]", palette().text);
+  const float line = ImGui::GetTextLineHeight();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size{ImGui::GetContentRegionAvail().x, std::round(line * 8.0F)};
+  ImGui::Dummy(size);
+  const auto [least, most] = rangeOf(samples, curves);
+  Frame frame;
+  frame.scale = plotScale(least, most, 4);
+  // Half a line of text stands above the uppermost tick and below the lowest, and the time below that.
+  frame.low = {std::round(at.x + widestTick(frame.scale) + 6.0F * context.scale), std::round(at.y + 0.5F * line)};
+  frame.high = {at.x + size.x, std::round(at.y + size.y - 1.4F * line)};
+  if (!samples.empty()) {
+    frame.start = samples.front().time;
+    frame.span = std::max(shortestSpan, samples.back().time - frame.start);
+  }
+  drawScale(context, frame);
+  for (const PlotCurve& curve : curves) {
+    drawCurve(context, frame, samples, curve);
+  }
+  for (const PlotCurve& curve : curves) {
+    legendRow(context, curve, samples, unit);
+  }
+}
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+#include "ui/measure_history.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+Snapshot at(double time, double kinetic, const std::shared_ptr<const Scene>& scene) {
+  Snapshot snapshot;
+  snapshot.scene = scene;
+  snapshot.time = time;
+  snapshot.energy.kinetic = kinetic;
+  return snapshot;
+}
+
+TEST(MeasureHistory, KeepsTheNewestAndThinsOutTheRest) {
+  const auto scene = std::make_shared<const Scene>();
+  MeasureHistory history;
+  constexpr double step = 1e-3;
+  for (int i = 0; i <= 5000; ++i) {
+    history.add(at(i * step, i, scene));
+  }
+  const auto& samples = history.samples();
+  EXPECT_EQ(samples.back().energy.kinetic, 5000.0);
+  EXPECT_EQ(samples.front().time, 0.0);
+  EXPECT_LT(samples.size(), 260U);
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    EXPECT_GE(samples[i].time - samples[i - 1].time, MeasureHistory::spacing - 1e-12);
+    EXPECT_LT(samples[i].time - samples[i - 1].time, MeasureHistory::spacing + 1.5 * step);
+  }
+}
+
+TEST(MeasureHistory, ForgetsWhatIsLongAgo) {
+  const auto scene = std::make_shared<const Scene>();
+  MeasureHistory history;
+  for (int i = 0; i <= 300; ++i) {
+    history.add(at(0.1 * i, 1.0, scene));
+  }
+  EXPECT_GE(history.samples().front().time, 30.0 - MeasureHistory::window - 1e-9);
+  EXPECT_LT(history.samples().front().time, 30.0 - MeasureHistory::window + 0.2);
+}
+
+TEST(MeasureHistory, TakesTheSameMomentOnce) {
+  const auto scene = std::make_shared<const Scene>();
+  MeasureHistory history;
+  history.add(at(0.0, 1.0, scene));
+  history.add(at(0.0, 2.0, scene));
+  ASSERT_EQ(history.samples().size(), 1U);
+  EXPECT_EQ(history.samples().front().energy.kinetic, 2.0);
+}
+
+TEST(MeasureHistory, BeginsAnewWithAResetAndWithAnotherScene) {
+  const auto scene = std::make_shared<const Scene>();
+  MeasureHistory history;
+  history.add(at(0.0, 1.0, scene));
+  history.add(at(2.0, 1.0, scene));
+  history.add(at(0.0, 1.0, scene));
+  EXPECT_EQ(history.samples().size(), 1U);
+  history.add(at(2.0, 1.0, scene));
+  history.add(at(3.0, 1.0, std::make_shared<const Scene>()));
+  EXPECT_EQ(history.samples().size(), 1U);
+}
+
+TEST(MeasureHistory, KnowsTheGhostsDistanceOnlyWhereThereIsAGhost) {
+  const auto scene = std::make_shared<const Scene>();
+  MeasureHistory history;
+  history.add(at(0.0, 1.0, scene));
+  Snapshot haunted = at(1.0, 1.0, scene);
+  haunted.ghost.emplace().meanDistance = 0.25;
+  history.add(haunted);
+  EXPECT_FALSE(history.samples()[0].ghostDistance.has_value());
+  EXPECT_EQ(history.samples()[1].ghostDistance, 0.25);
+}
+
+}  // namespace
+}  // namespace drape
