@@ -20,7 +20,7 @@ constexpr double percent = 100.0;
 }
 
 std::string stepText(const Settings& settings) {
-  std::string text = settings.solver.name + format(", time step 1/%.4g s", 1.0 / settings.step.timeStep);
+  std::string text = settings.solver.name + format(", time step 1/%.6g s", 1.0 / settings.step.timeStep);
   if (settings.step.substeps > 1) {
     text += format(" in %d substeps", settings.step.substeps);
   }

@@ -61,7 +61,8 @@ double firstStep(const Scene& scene, const Settings& settings) {
   double longest = settings.step.timeStep;
   const SolverInfo* solver = findSolver(settings.solver.name);
   if (solver != nullptr && solver->stepLimit != nullptr) {
-    longest = std::min(longest, 0.5 * solver->stepLimit(*scene.model, settings.step));
+    const double limit = solver->stepLimit(*scene.model, settings.step);
+    longest = limit > 0.0 ? std::min(longest, 0.5 * limit) : longest;
   }
   return checkpointInterval / std::ceil(checkpointInterval / longest * (1.0 - 1e-9));
 }

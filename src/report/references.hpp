@@ -48,7 +48,7 @@ struct ConvergenceTolerance {
   double share = 1e-3;                 ///< [-]
   const Trajectory* judged = nullptr;  ///< runs freely; null: `absolute` alone counts
   int mostHalvings = 12;
-  double mostWork = 2e10;  ///< springs times steps of a run [-]; a longer one is not begun
+  double mostWork = 5e8;  ///< springs times steps of a run [-], about half a minute; a longer one is not begun
 };
 
 /// The settings of the same-step reference for a method's: solver newton, tolerance 1e-10.

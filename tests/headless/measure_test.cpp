@@ -49,6 +49,18 @@ TEST(Measure, tellsHowFarTheConvergedReferenceIsFromHalfItsStep) {
   EXPECT_EQ(json["reference"]["differences"].size(), 4U);
 }
 
+TEST(Measure, holdsOneIterationAgainstBothReferences) {
+  const auto solved = measurementOf("--set stiffness=10 --seconds 0.2 --against same_step");
+  const auto converged = measurementOf("--set stiffness=10 --seconds 0.2 --against converged");
+  EXPECT_EQ(solved["reference"]["solver"], "newton");
+  EXPECT_EQ(solved["reference"]["doubt"], "");
+  EXPECT_LT(solved["reference"]["largest_step_residual"], 1e-8);
+  EXPECT_EQ(converged["reference"]["solver"], "verlet");
+  EXPECT_EQ(converged["reference"]["doubt"], "");
+  // The time step's own error is in the one and not in the other.
+  EXPECT_LT(10.0 * solved["checkpoints"][0]["mean_error"].get<double>(), converged["checkpoints"][0]["mean_error"]);
+}
+
 TEST(Measure, printsALineForEachCheckpoint) {
   const Outcome outcome = headless(small + "--seconds 0.2 --against one_iteration");
   EXPECT_EQ(outcome.status, 0);

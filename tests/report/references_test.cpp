@@ -2,6 +2,7 @@
 
 #include "sim/error.hpp"
 #include "sim/measures.hpp"
+#include "sim/solver.hpp"
 #include "small_grid.hpp"
 
 #include <gtest/gtest.h>
@@ -82,6 +83,72 @@ TEST(ConvergedReference, doesNotBeginARunThatIsTooLong) {
   tolerance.absolute = 1e-12;
   tolerance.mostWork = 1.0;
   EXPECT_THROW((void)firstOrder(*scene, tolerance), InputError);
+}
+
+TEST(ConvergedReference, ofVerletApproachesTheLimitWithTheSquareOfItsStep) {
+  const auto scene = testing::smallGrid({"stiffness=10"});
+  ConvergenceTolerance tolerance;
+  tolerance.absolute = 1e-8;
+  const Reference reference = convergedReference(*scene, convergedSettings(scene->settings), checkpoints, tolerance);
+  EXPECT_EQ(reference.doubt, "");
+  EXPECT_EQ(reference.settings.solver.name, "verlet");
+  const std::size_t last = reference.halvings.size() - 1;
+  ASSERT_GE(last, 2U);
+  EXPECT_NEAR(reference.halvings[last - 2].difference / reference.halvings[last].difference, 16.0, 0.5);
+
+  // Another method of second order, from the other side of the house, tends to the same motion.
+  const Settings midpoint =
+      testing::with(*scene, {"solver=newton", "integration=theta", "theta=0.5", "time_step=1/3000", "tolerance=1e-12"});
+  const Trajectory truth = runTrajectory(*scene, midpoint, checkpoints);
+  EXPECT_LT(meanDistance(truth.states.back().positions, reference.trajectory.states.back().positions), 5e-6);
+}
+
+TEST(ConvergedReference, beginsBelowHalfOfTheStabilityLimit) {
+  const auto scene = testing::smallGrid({"stiffness=1e5"});
+  ConvergenceTolerance loose;
+  loose.absolute = 1.0;
+  const Reference reference = convergedReference(*scene, convergedSettings(scene->settings), checkpoints, loose);
+  ASSERT_EQ(reference.halvings.size(), 1U);
+  EXPECT_TRUE(reference.trajectory.finite);
+  const double limit = findSolver("verlet")->stepLimit(*scene->model, scene->settings.step);
+  EXPECT_LE(2.0 * reference.settings.step.timeStep, 0.5 * limit * (1.0 + 1e-9));
+}
+
+TEST(ConvergedReference, givesUpWhereHalvingBringsItNoNearer) {
+  // Verlet falls freely without error, so that only rounding is left, which no halving takes away.
+  const auto scene = testing::smallGrid({"pins=none"});
+  ConvergenceTolerance belowRounding;
+  belowRounding.absolute = 1e-19;
+  try {
+    (void)convergedReference(*scene, convergedSettings(scene->settings), checkpoints, belowRounding);
+    FAIL() << "there should be no reference";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("bring it no nearer"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SameStepReference, solvesEachStepToTheEnd) {
+  const auto scene = testing::smallGrid({"stiffness=1000"});
+  const Reference reference = sameStepReference(*scene, sameStepSettings(scene->settings), checkpoints);
+  EXPECT_EQ(reference.doubt, "");
+  EXPECT_GT(reference.trajectory.largestStepResidual, 0.0);
+  EXPECT_LT(reference.trajectory.largestStepResidual, 1e-8);
+}
+
+TEST(SameStepReference, saysWhenAStepWasNotSolved) {
+  const auto scene = testing::smallGrid({"stiffness=1000"});
+  Settings settings = sameStepSettings(scene->settings);
+  settings.step.maxIterations = 1;
+  const Reference reference = sameStepReference(*scene, settings, checkpoints);
+  EXPECT_GT(reference.trajectory.unsolvedSteps, 0);
+  EXPECT_NE(reference.doubt.find("did not reach its tolerance"), std::string::npos) << reference.doubt;
+}
+
+TEST(References, areDifferentMotionsAtALargeStep) {
+  const auto scene = testing::smallGrid({"stiffness=10", "time_step=1/30"});
+  const Reference same = sameStepReference(*scene, sameStepSettings(scene->settings), checkpoints);
+  const Reference converged = convergedReference(*scene, convergedSettings(scene->settings), checkpoints, {});
+  EXPECT_GT(meanDistance(same.trajectory.states.back().positions, converged.trajectory.states.back().positions), 0.01);
 }
 
 TEST(SameStepReference, keepsTheMethodsStep) {

@@ -1,6 +1,7 @@
 #include "sim/energy_balance.hpp"
 
 #include "sim/forces.hpp"
+#include "sim/stepper.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -187,6 +188,31 @@ TEST(EnergyBalance, leavesTheIntegratorNothingButSecondOrderWhenDampingWindAndHa
   EXPECT_GT(std::abs(fine.hand()), 1e-4);
   EXPECT_LT(std::abs(fine.integrator()), 1e-3 * std::abs(fine.damping()));
   EXPECT_NEAR(coarse.integrator() / fine.integrator(), 4.0, 0.4);
+}
+
+/// Verlet without damping and air, which it takes to first order only.
+EnergyBalance verlet(int steps) {
+  const auto model = testing::pinnedSheet(4);
+  StepParameters parameters;
+  parameters.stiffness = 20.0;
+  parameters.timeStep = 0.2 / steps;
+  Stepper stepper("verlet");
+  ClothState state = testing::shaken(*model, 0.05, 3);
+  EnergyBalance balance;
+  for (int i = 0; i < steps; ++i) {
+    const ClothState before = state;
+    stepper.step(*model, parameters, {}, state);
+    balance.add(*model, parameters, {}, before, state);
+  }
+  return balance;
+}
+
+TEST(EnergyBalance, ofVerletLeavesTheIntegratorAnErrorOfSecondOrder) {
+  const EnergyBalance coarse = verlet(200);
+  const EnergyBalance fine = verlet(400);
+  EXPECT_GT(std::abs(fine.integrator()), 1e-10);
+  EXPECT_LT(std::abs(fine.integrator()), 1e-3);
+  EXPECT_NEAR(coarse.integrator() / fine.integrator(), 4.0, 0.2);
 }
 
 }  // namespace
