@@ -152,7 +152,8 @@ const std::array table{
         "A solve that has not reached its tolerance by then goes on with what it has, and says so."},
     SettingInfo{"keep_momentum", "Keep momentum", "-", Simulation, SettingEffect::Step,
         FlagField{[](Settings& s) -> bool& { return s.step.keepMomentum; }},
-        "Gives cloth that nothing holds the linear and angular momentum back that a step took from it."},
+        "Gives the linear and angular momentum back that a step took from cloth that nothing holds. Pieces with pinned "
+        "vertices stay as they are."},
     SettingInfo{"threads", "Threads", "-", Simulation, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.step.threads; }, 1, 64},
         "Threads that one step may use. The result is the same to the last bit, whatever the number."},

@@ -6,6 +6,17 @@
 #include <string>
 
 namespace drape {
+namespace {
+
+/// The part of a BDF2 step that its solver takes.
+constexpr double bdf2Part = 2.0 / 3.0;
+
+/// A state that was put there since the last step, as by a new scene, has no history or one of another size.
+bool hasHistory(const ClothState& state, double timeStep) {
+  return state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
+}
+
+}  // namespace
 
 Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
   if (info_ == nullptr) {
@@ -32,7 +43,35 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
 
 StepReport Stepper::substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                             ClothState& state) {
-  const Integration integration = info_->backwardEuler ? parameters.integration : Integration::BackwardEuler;
+  if (!parameters.keepMomentum) {
+    return integrate(model, parameters, inputs, state);
+  }
+  const double reach = reachOf(parameters, state) * parameters.timeStep;
+  momentum_.before(model, parameters, inputs, state);
+  const StepReport report = integrate(model, parameters, inputs, state);
+  momentum_.after(model, parameters.timeStep, reach, state);
+  return report;
+}
+
+Integration Stepper::integrationOf(const StepParameters& parameters) const {
+  return info_->backwardEuler ? parameters.integration : Integration::BackwardEuler;
+}
+
+double Stepper::reachOf(const StepParameters& parameters, const ClothState& state) const {
+  switch (integrationOf(parameters)) {
+    case Integration::Theta:
+      return parameters.theta;
+    case Integration::Bdf2:
+      return hasHistory(state, parameters.timeStep) ? bdf2Part : 1.0;
+    case Integration::BackwardEuler:
+      break;
+  }
+  return 1.0;
+}
+
+StepReport Stepper::integrate(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                              ClothState& state) {
+  const Integration integration = integrationOf(parameters);
   if (integration != Integration::Bdf2) {
     state.history.timeStep = 0.0;
   }
@@ -63,18 +102,15 @@ StepReport Stepper::thetaStep(const ClothModel& model, StepParameters parameters
 
 StepReport Stepper::bdf2Step(const ClothModel& model, StepParameters parameters, const StepInputs& inputs,
                              ClothState& state) {
-  constexpr double part = 2.0 / 3.0;
   before_.positions = state.positions;
   before_.velocities = state.velocities;
   const double timeStep = parameters.timeStep;
-  // A state that was put there since, as by a new scene, has no history or one of another size.
-  const bool usable = state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
-  if (usable) {
+  if (hasHistory(state, timeStep)) {
     for (std::size_t i = 0; i < state.positions.size(); ++i) {
       state.positions[i] += (state.positions[i] - state.history.positions[i]) / 3.0;
       state.velocities[i] += (state.velocities[i] - state.history.velocities[i]) / 3.0;
     }
-    parameters.timeStep *= part;
+    parameters.timeStep *= bdf2Part;
   }
   const StepReport report = solver_->step(model, parameters, inputs, state);
   state.history.positions.swap(before_.positions);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/momentum.hpp"
 #include "sim/solver.hpp"
 
 #include <memory>
@@ -13,6 +14,8 @@ namespace drape {
 /// - theta:  (x', v') = (x, v) + (S(theta h) - (x, v)) / theta. For theta = 1/2 this is the implicit midpoint rule.
 /// - BDF2:   S(2/3 h) from (x*, v*) = 4/3 (x_n, v_n) - 1/3 (x_{n-1}, v_{n-1}). The first step, and the first after the
 ///   step length changed, is one of backward Euler.
+///
+/// With `keepMomentum`, the MomentumKeeper stands around every substep.
 class Stepper {
  public:
   /// Throws InputError when there is no solver of that name.
@@ -27,12 +30,19 @@ class Stepper {
  private:
   StepReport substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                      ClothState& state);
+  StepReport integrate(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                       ClothState& state);
   StepReport thetaStep(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state);
   StepReport bdf2Step(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state);
+
+  /// For how much of a substep the velocity at its end acts on the positions [-].
+  [[nodiscard]] double reachOf(const StepParameters& parameters, const ClothState& state) const;
+  [[nodiscard]] Integration integrationOf(const StepParameters& parameters) const;
 
   const SolverInfo* info_;
   std::unique_ptr<Solver> solver_;
   ClothState before_;
+  MomentumKeeper momentum_;
 };
 
 }  // namespace drape

@@ -1,0 +1,122 @@
+#include "sim/momentum.hpp"
+
+#include "sim/pieces.hpp"
+#include "sim/rigid_motion.hpp"
+
+#include <algorithm>
+
+namespace drape {
+namespace {
+
+Vec3 heldPoint(const HandPull& pull, const ClothState& state) {
+  Vec3 point = Vec3::Zero();
+  for (std::size_t c = 0; c < 3; ++c) {
+    point += pull.weights[static_cast<Eigen::Index>(c)] * state.positions[pull.vertices[c]];
+  }
+  return point;
+}
+
+Vec3 linearMomentumOf(const ClothModel& model, const std::vector<std::size_t>& piece, const ClothState& state) {
+  Vec3 sum = Vec3::Zero();
+  for (const std::size_t v : piece) {
+    sum += model.vertexMass[v] * state.velocities[v];
+  }
+  return sum;
+}
+
+}  // namespace
+
+Vec3 linearMomentum(const ClothModel& model, const ClothState& state) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+    sum += model.vertexMass[v] * state.velocities[v];
+  }
+  return sum;
+}
+
+Vec3 angularMomentum(const ClothModel& model, const ClothState& state, const Vec3& about) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+    sum += model.vertexMass[v] * (state.positions[v] - about).cross(state.velocities[v]);
+  }
+  return sum;
+}
+
+MomentumKeeper::Target MomentumKeeper::targetOf(const ClothModel& model, const StepParameters& parameters,
+                                                const std::vector<std::size_t>& piece, const ClothState& state,
+                                                const std::optional<HandPull>& pull, const Vec3& handPoint) {
+  const MassMoments moments = momentsOf(model, piece, state.positions);
+  Target target;
+  for (const std::size_t v : piece) {
+    const Vec3 impulse =
+        model.vertexMass[v] * state.velocities[v] + parameters.timeStep * gravityAndAir(model, parameters, state, v);
+    target.linear += impulse;
+    target.angular += (state.positions[v] - moments.barycentre).cross(impulse);
+  }
+  target.held = pull && std::binary_search(piece.begin(), piece.end(), pull->vertices[0]);
+  if (target.held) {
+    target.handArm = handPoint - moments.barycentre;
+  }
+  return target;
+}
+
+void MomentumKeeper::before(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                            const ClothState& state) {
+  pull_.reset();
+  if (inputs.grab) {
+    pull_ = handPull(model, *inputs.grab, state);
+    handPoint_ = heldPoint(*pull_, state);
+  }
+  targets_.clear();
+  for (const auto& piece : pieces_.get(model, freePieces)) {
+    targets_.push_back(targetOf(model, parameters, piece, state, pull_, handPoint_));
+  }
+}
+
+void MomentumKeeper::after(const ClothModel& model, double timeStep, double reach, ClothState& state) {
+  const Vec3 handMove = pull_ ? Vec3(heldPoint(*pull_, state) - handPoint_) : Vec3(Vec3::Zero());
+  const Pieces& pieces = pieces_.get(model, freePieces);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    correct(model, timeStep, reach, pieces[p], targets_[p], handMove, state);
+  }
+}
+
+void MomentumKeeper::correct(const ClothModel& model, double timeStep, double reach,
+                             const std::vector<std::size_t>& piece, const Target& target, const Vec3& handMove,
+                             ClothState& state) const {
+  const MassMoments moments = momentsOf(model, piece, state.positions);
+  Vec3 linear = target.linear - linearMomentumOf(model, piece, state);  // what is missing
+  Vec3 angular = target.angular;
+  // The positions move with the correction, so that it changes the angular momentum by
+  // sum m r x (omega x r) + reach sum m (omega x r) x v, which is still linear in omega.
+  Mat3 inertia = moments.inertia;
+  for (const std::size_t v : piece) {
+    const Vec3 arm = state.positions[v] - moments.barycentre;
+    const Vec3& velocity = state.velocities[v];
+    angular -= model.vertexMass[v] * arm.cross(velocity);
+    inertia += (reach * model.vertexMass[v]) * (arm * velocity.transpose() - arm.dot(velocity) * Mat3::Identity());
+  }
+  // The hand's impulse is h (F - stiffness (way of the held point)), and the correction is part of that way: it meets
+  // the mass `hand` at the held point. The first unknown, a, is eliminated from the two equations.
+  double hand = 0.0;         // [kg]
+  Vec3 held = Vec3::Zero();  // from the barycentre to the held point now [m]
+  const Vec3& arm = target.handArm;
+  if (target.held) {
+    held = heldPoint(*pull_, state) - moments.barycentre;
+    const Vec3 impulse = timeStep * (pull_->force - pull_->stiffness * handMove);
+    linear += impulse;
+    angular += arm.cross(impulse);
+    hand = timeStep * reach * pull_->stiffness;
+    inertia +=
+        (hand * moments.mass / (moments.mass + hand)) * (arm.dot(held) * Mat3::Identity() - held * arm.transpose());
+  }
+  const Vec3 spin = solveRigid(inertia, angular - (hand / (moments.mass + hand)) * arm.cross(linear));
+  const Vec3 shift = (linear - hand * spin.cross(held)) / (moments.mass + hand);
+  for (const std::size_t v : piece) {
+    const Vec3 change = shift + spin.cross(state.positions[v] - moments.barycentre);
+    state.velocities[v] += change;
+    state.positions[v] += reach * change;
+  }
+}
+
+}  // namespace drape
