@@ -16,8 +16,13 @@ SolverInfo verlet();
 SolverInfo explicitEuler();
 SolverInfo xpbd();
 SolverInfo vbd();
+SolverInfo kang();
+SolverInfo desbrun();
+SolverInfo meyer();
+SolverInfo localGlobal();
 
 /// In the order in which they are shown; the first is the default.
-inline constexpr std::array all{oneIteration, chebyshev, pcg, newton, verlet, explicitEuler, xpbd, vbd};
+inline constexpr std::array all{oneIteration, chebyshev, pcg,  newton,  verlet, explicitEuler,
+                                xpbd,         vbd,       kang, desbrun, meyer,  localGlobal};
 
 }  // namespace drape::solvers

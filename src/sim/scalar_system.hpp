@@ -1,0 +1,51 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/model_cache.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <memory>
+#include <vector>
+
+namespace drape {
+
+/// The constant matrix A = M + w L of one row a vertex, and its Cholesky factor: M the masses, L the Laplacian of the
+/// springs (L_ii = n_i, L_ij = -1 between neighbours) and w a weight [kg], as h^2 k + h C_d. It is the matrix of
+/// backward Euler for springs without rest length; x, y and z are solved for one by one. Pinned vertices have neither
+/// row nor column; they stay on their neighbours' diagonals.
+///
+/// Factored again only when the weight or the model changes, ordered again only when the model does.
+class ScalarSystem {
+ public:
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;  ///< x, y, z; one row a free vertex
+
+  /// Makes the factor that of the given model and weight. True when it had to be computed.
+  bool prepare(const ClothModel& model, double weight);
+
+  /// The vertices that are not pinned, ascending: vertex of each row.
+  [[nodiscard]] const std::vector<std::size_t>& vertices() const { return pattern_->vertices; }
+  /// The row of each vertex, -1 where it is pinned.
+  [[nodiscard]] const std::vector<int>& rows() const { return pattern_->rows; }
+
+  /// A^-1 b. Not a number where A could not be factored, as with infinite stiffness.
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& rightSides) const;
+
+ private:
+  using Factor = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
+
+  struct Pattern {
+    std::vector<std::size_t> vertices;
+    std::vector<int> rows;
+    std::unique_ptr<Factor> factor;
+    bool factored = false;
+    double weight = 0.0;  // of the factor [kg]
+  };
+
+  static Pattern patternOf(const ClothModel& model);
+
+  ModelCache<Pattern> patterns_;
+  const Pattern* pattern_ = nullptr;  // of the last `prepare`
+};
+
+}  // namespace drape

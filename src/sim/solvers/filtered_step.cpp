@@ -1,0 +1,97 @@
+#include "sim/solvers/filtered_step.hpp"
+
+#include "sim/external_forces.hpp"
+#include "sim/forces.hpp"
+#include "sim/pieces.hpp"
+#include "sim/rigid_motion.hpp"
+
+#include <algorithm>
+
+namespace drape {
+
+StepReport FilteredStepSolver::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                    ClothState& state) {
+  const double h = parameters.timeStep;
+  const std::size_t count = state.positions.size();
+  filtered_.resize(count);
+  external_.resize(count);
+  workers_.forEach(parameters.threads, count, [&](std::size_t i) {
+    filtered_[i] = internalImpulse(model, parameters, state, i);
+    external_[i] = (h / model.vertexMass[i]) * gravityAndAir(model, parameters, state, i);
+  });
+  held_ = inputs.grab.has_value();
+  if (inputs.grab) {
+    addHand(model, h, *inputs.grab, state);
+  }
+  filter_.prepare(model, h * (h * parameters.stiffness + parameters.damping), held_ ? &hand_ : nullptr);
+  filter_.apply(parameters.threads, workers_, filtered_);
+  findCorrection(model, state);
+  move(model, parameters, state);
+  return {};
+}
+
+Vec3 FilteredStepSolver::internalImpulse(const ClothModel& model, const StepParameters& parameters,
+                                         const ClothState& state, std::size_t vertex) {
+  Vec3 difference = Vec3::Zero();
+  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
+  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
+  for (std::size_t e = begin; e < end; ++e) {
+    const auto neighbour = static_cast<std::size_t>(model.springEnds.values[e].neighbour);
+    difference += state.velocities[neighbour] - state.velocities[vertex];
+  }
+  const double h = parameters.timeStep;
+  return h * (springForcesOn(model, parameters, state, vertex) + h * parameters.stiffness * difference);
+}
+
+void FilteredStepSolver::addHand(const ClothModel& model, double timeStep, const Grab& grab, const ClothState& state) {
+  const HandPull pull = handPull(model, grab, state);
+  hand_.vertices = pull.vertices;
+  hand_.additions = timeStep * timeStep * pull.stiffness * pull.weights;
+  const Vec3 impulse = timeStep * (pull.force - timeStep * pull.stiffness * pull.velocity);
+  for (std::size_t c = 0; c < 3; ++c) {
+    handImpulse_[c] = pull.weights[static_cast<Eigen::Index>(c)] * impulse;
+    filtered_[pull.vertices[c]] += handImpulse_[c];
+  }
+}
+
+void FilteredStepSolver::findCorrection(const ClothModel& model, const ClothState& state) {
+  rotation_.assign(state.positions.size(), Vec3::Zero());
+  for (const auto& piece : pieces_.get(model, freePieces)) {
+    const MassMoments moments = momentsOf(model, piece, state.positions);
+    const auto arm = [&](std::size_t v) { return Vec3(state.positions[v] - moments.barycentre); };
+    Vec3 impulse = Vec3::Zero();  // h T, without the hand's [N m s]
+    for (const std::size_t v : piece) {
+      impulse += model.vertexMass[v] * arm(v).cross(filtered_[v]);
+    }
+    if (held_ && std::binary_search(piece.begin(), piece.end(), hand_.vertices[0])) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t v = hand_.vertices[c];
+        impulse -= arm(v).cross(handImpulse_[c] - hand_.additions[static_cast<Eigen::Index>(c)] * filtered_[v]);
+      }
+    }
+    const Vec3 spin = -solveRigid(moments.inertia, impulse);
+    for (const std::size_t v : piece) {
+      rotation_[v] = spin.cross(arm(v));
+    }
+  }
+}
+
+void FilteredStepSolver::move(const ClothModel& model, const StepParameters& parameters, ClothState& state) {
+  const double h = parameters.timeStep;
+  workers_.forEach(parameters.threads, state.positions.size(), [&](std::size_t i) {
+    if (model.pinned[i]) {
+      state.velocities[i].setZero();
+      return;
+    }
+    state.velocities[i] += filtered_[i] + external_[i];
+    if (correction_ == RotationCorrection::Velocities) {
+      state.velocities[i] += rotation_[i];
+      state.positions[i] += h * state.velocities[i];
+    } else {
+      state.positions[i] += h * (state.velocities[i] + rotation_[i]);
+    }
+  });
+  state.time += h;
+}
+
+}  // namespace drape

@@ -1,0 +1,135 @@
+#include "sim/external_forces.hpp"
+#include "sim/kernels.hpp"
+#include "sim/solvers/registry.hpp"
+#include "sim/workers.hpp"
+
+namespace drape {
+namespace {
+
+/// The direct update of Kang, Choi, Cho and Lee (2001): backward Euler with the scalar derivative k I, of which one
+/// iteration is written out, so that no matrix is left and every vertex divides by one number.
+///
+///     F~_i = F_i + h sum_j k (v_j - v_i)
+///     dv_i = [h F~_i + h^2 sum_j k h F~_j / (m_j + h^2 k n_j)] / (m_i + h^2 k n_i)
+///
+/// then v += dv, x += h v. It is the solver one_iteration with one sweep and the derivative `scalar`, in loops of its
+/// own that have only scalars to divide by.
+///
+/// What the print leaves open, and what is done here:
+/// - Damping -C_d (v_i - v_j) is part of F, and implicit: n_i h C_d joins the denominators and h C_d the coupling h^2
+/// k,
+///   as in one_iteration.
+/// - A pinned vertex has dv = 0 and hands nothing on; its neighbours keep its spring in their denominators.
+/// - Masses may differ: m_i stands where the print has one mass.
+/// - Gravity, air and hand stand in F, and so are filtered like the springs; the hand's stiffness, shared out over the
+///   corners that it holds, joins their denominators.
+class KangSolver final : public Solver {
+ public:
+  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                  ClothState& state) override {
+    const std::size_t count = state.positions.size();
+    pull_.resize(model.springs.size());
+    denominator_.resize(count);
+    p_.resize(count);
+    workers_.forEach(parameters.threads, model.springs.size(),
+                     [&](std::size_t s) { evaluateSpring(model, parameters, state, s); });
+    workers_.forEach(parameters.threads, count, [&](std::size_t i) { start(model, parameters, state, i); });
+    if (inputs.grab) {
+      addHand(model, parameters.timeStep, handPull(model, *inputs.grab, state));
+    }
+    workers_.forEach(parameters.threads, count, [&](std::size_t i) { finish(model, parameters, state, i); });
+    state.time += parameters.timeStep;
+    return {};
+  }
+
+ private:
+  /// h^2 k + h C_d, what a spring couples its ends with [kg].
+  static double couplingOf(const StepParameters& parameters) {
+    const double h = parameters.timeStep;
+    return h * (h * parameters.stiffness + parameters.damping);
+  }
+
+  /// The spring's share of F~ on its first end: force, damping and h k (v_b - v_a).
+  void evaluateSpring(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                      std::size_t s) {
+    const Spring& spring = model.springs[s];
+    const auto a = static_cast<std::size_t>(spring.a);
+    const auto b = static_cast<std::size_t>(spring.b);
+    const double viscosity = parameters.damping + parameters.timeStep * parameters.stiffness;
+    pull_[s] = kernels::springForce(state.positions[b] - state.positions[a], spring.restLength, parameters.stiffness) +
+               viscosity * (state.velocities[b] - state.velocities[a]);
+  }
+
+  /// p_i = h F~_i / (m_i + h^2 k n_i + h C_d n_i).
+  void start(const ClothModel& model, const StepParameters& parameters, const ClothState& state, std::size_t i) {
+    Vec3 force = gravityAndAir(model, parameters, state, i);
+    const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
+    const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
+    for (std::size_t e = begin; e < end; ++e) {
+      // Neighbours ascend, so the sign is that of (neighbour - i): a spring's first end is the lower one.
+      const SpringEnd& spring = model.springEnds.values[e];
+      const Vec3& pull = pull_[static_cast<std::size_t>(spring.spring)];
+      if (spring.neighbour > static_cast<int>(i)) {
+        force += pull;
+      } else {
+        force -= pull;
+      }
+    }
+    denominator_[i] = model.vertexMass[i] + static_cast<double>(end - begin) * couplingOf(parameters);
+    p_[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : Vec3((parameters.timeStep / denominator_[i]) * force);
+  }
+
+  void addHand(const ClothModel& model, double h, const HandPull& pull) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t v = pull.vertices[c];
+      if (model.pinned[v]) {
+        continue;
+      }
+      const double weight = pull.weights[static_cast<Eigen::Index>(c)];
+      const Vec3 impulse = denominator_[v] * p_[v] + (h * weight) * (pull.force - h * pull.stiffness * pull.velocity);
+      denominator_[v] += h * h * weight * pull.stiffness;
+      p_[v] = impulse / denominator_[v];
+    }
+  }
+
+  /// dv_i = p_i + (h^2 k + h C_d) sum_j p_j / denominator_i; v += dv, x += h v.
+  void finish(const ClothModel& model, const StepParameters& parameters, ClothState& state, std::size_t i) const {
+    if (model.pinned[i]) {
+      state.velocities[i].setZero();
+      return;
+    }
+    Vec3 sum = Vec3::Zero();
+    const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
+    const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
+    for (std::size_t e = begin; e < end; ++e) {
+      sum += p_[static_cast<std::size_t>(model.springEnds.values[e].neighbour)];
+    }
+    state.velocities[i] += p_[i] + (couplingOf(parameters) / denominator_[i]) * sum;
+    state.positions[i] += parameters.timeStep * state.velocities[i];
+  }
+
+  Workers workers_;
+  std::vector<Vec3> pull_;           // per spring, on its first end [N]
+  std::vector<double> denominator_;  // [kg]
+  std::vector<Vec3> p_;              // h F~_i over the denominator [m/s]; zero where pinned
+};
+
+}  // namespace
+
+SolverInfo solvers::kang() {
+  return {
+      .name = "kang",
+      .title = "Kang direct update (implicit)",
+      .help =
+          "Backward Euler with the spring constant as the whole force derivative, and one iteration written out as "
+          "a formula: no matrix, one division a vertex. The cheapest implicit step, and hard to make explode. "
+          "Cloth moves as if through honey, since folding meets as much resistance as stretching does: small steps "
+          "and soft springs suit it best.",
+      .source = "Kang, Choi, Cho and Lee (2001), The Visual Computer 17; first Kang, Choi, Cho and Park (2000), CGI",
+      .backwardEuler = true,
+      .settings = {},
+      .warning = nullptr,
+      .make = []() -> std::unique_ptr<Solver> { return std::make_unique<KangSolver>(); }};
+}
+
+}  // namespace drape

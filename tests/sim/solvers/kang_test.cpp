@@ -1,0 +1,65 @@
+#include "dense_cloth.hpp"
+#include "sim/solver.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+using namespace drape::testing;
+
+StepParameters everything() {
+  StepParameters p;
+  p.damping = 0.01;
+  p.drag = 0.6;
+  p.lift = 0.4;
+  p.wind = Vec3(1.0, 0.0, -2.0);
+  return p;
+}
+
+StepInputs hand(double maxForce) {
+  StepInputs inputs;
+  inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+  return inputs;
+}
+
+TEST(Kang, equalsTheFormulaWithDenseMatrices) {
+  const auto model = unevenSheet(5, {0, 4});
+  const Eigen::MatrixXd free = freedom(*model);
+  for (const double maxForce : {5.0, 0.05}) {
+    const StepParameters p = everything();
+    const double h = p.timeStep;
+    ClothState state = shaken(*model, 0.03, 7);
+    const DenseHand pull = denseHand(*model, hand(maxForce), h, state);
+    const Eigen::MatrixXd coupling = (h * h * p.stiffness + h * p.damping) * laplacian(*model);
+    const Eigen::MatrixXd W = massMatrix(*model) + coupling + h * h * pull.stiffness;
+    const Eigen::MatrixXd inverse = free * Eigen::MatrixXd(W.diagonal().cwiseInverse().asDiagonal());
+    const Eigen::MatrixXd off = W - Eigen::MatrixXd(W.diagonal().asDiagonal());
+    const Rows x = rowsOf(state.positions);
+    const Rows v = rowsOf(state.velocities);
+    const Rows impulse = h * (springForces(*model, p.stiffness, x) + outerForces(*model, p, state) + pull.force -
+                              (p.damping + h * p.stiffness) * (laplacian(*model) * v));
+    const Rows first = inverse * impulse;
+    const Rows expected = v + inverse * (impulse - off * first);
+    findSolver("kang")->make()->step(*model, p, hand(maxForce), state);
+    EXPECT_LT(distance(state, x + h * expected, expected), 1e-12);
+  }
+}
+
+TEST(Kang, equalsOneIterationWithTheScalarDerivative) {
+  const auto model = unevenSheet(5, {0, 4});
+  StepParameters p = everything();
+  p.derivative = ForceDerivative::Scalar;
+  ClothState direct = shaken(*model, 0.03, 7);
+  ClothState iterated = direct;
+  const auto kang = findSolver("kang")->make();
+  const auto oneIteration = findSolver("one_iteration")->make();
+  for (int step = 0; step < 50; ++step) {
+    kang->step(*model, p, hand(5.0), direct);
+    oneIteration->step(*model, p, hand(5.0), iterated);
+  }
+  EXPECT_LT(distance(direct, rowsOf(iterated.positions), rowsOf(iterated.velocities)), 1e-11);
+}
+
+}  // namespace
+}  // namespace drape

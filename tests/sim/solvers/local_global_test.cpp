@@ -1,0 +1,163 @@
+#include "dense_cloth.hpp"
+#include "sim/solver.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+using namespace drape::testing;
+
+StepParameters everything() {
+  StepParameters p;
+  p.damping = 0.01;
+  p.drag = 0.6;
+  p.lift = 0.4;
+  p.wind = Vec3(1.0, 0.0, -2.0);
+  return p;
+}
+
+StepInputs hand(double maxForce) {
+  StepInputs inputs;
+  inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+  return inputs;
+}
+
+/// M (y - x_n), with the hand's force.
+Rows inertiaTerm(const ClothModel& model, const StepParameters& p, const DenseHand& pull, const ClothState& state) {
+  const double h = p.timeStep;
+  const Rows v = rowsOf(state.velocities);
+  // The hand's force counts the held point's way in the step; its stiffness counts each corner's.
+  return h * massMatrix(model) * v + h * h * (outerForces(model, p, state) + pull.force) +
+         h * h * h * pull.stiffness * v;
+}
+
+/// The method as printed: absolute positions, x and d in turn.
+Rows alternate(const ClothModel& model, const StepParameters& p, const StepInputs& inputs, const ClothState& state) {
+  const double h = p.timeStep;
+  const DenseHand pull = denseHand(model, inputs, h, state);
+  const Eigen::MatrixXd M = massMatrix(model);
+  const Eigen::MatrixXd L = laplacian(model);
+  const Rows x0 = rowsOf(state.positions);
+  const Rows inertia = inertiaTerm(model, p, pull, state);
+  const Eigen::MatrixXd A = M + (h * h * p.stiffness + h * p.damping) * L + h * h * pull.stiffness;
+  Rows x = x0 + freedom(model) * (M.inverse() * (inertiaTerm(model, p, denseHand(model, {}, h, state), state)));
+  for (int iteration = 0; iteration < p.iterations; ++iteration) {
+    Rows right = M * x0 + inertia + h * p.damping * L * x0 + h * h * pull.stiffness * x0;
+    for (const Spring& s : model.springs) {
+      const Eigen::RowVector3d d = s.restLength * (x.row(s.b) - x.row(s.a)).normalized();
+      right.row(s.a) -= h * h * p.stiffness * d;
+      right.row(s.b) += h * h * p.stiffness * d;
+    }
+    const Eigen::MatrixXd held = Eigen::MatrixXd::Identity(A.rows(), A.cols()) - freedom(model);
+    x = held * x0 + solveFree(model, A, right - A * held * x0);
+  }
+  return x;
+}
+
+/// The end of a backward-Euler step by Newton's method with the exact derivative, 3n x 3n.
+Rows newton(const ClothModel& model, const StepParameters& p, const StepInputs& inputs, const ClothState& state) {
+  const double h = p.timeStep;
+  const Eigen::Index n = model.vertexCount();
+  const DenseHand pull = denseHand(model, inputs, h, state);
+  const Eigen::MatrixXd scalar = massMatrix(model) + h * p.damping * laplacian(model) + h * h * pull.stiffness;
+  const Rows x0 = rowsOf(state.positions);
+  const Rows inertia = inertiaTerm(model, p, pull, state);
+  const Eigen::MatrixXd free = freedom(model);
+  Rows x = x0;
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const Rows residual = free * (inertia + h * h * springForces(model, p.stiffness, x) - scalar * (x - x0));
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index j = 0; j < n; ++j) {
+        matrix.block<3, 3>(3 * i, 3 * j) = scalar(i, j) * Mat3::Identity();
+      }
+    }
+    for (const Spring& s : model.springs) {
+      const Vec3 offset = (x.row(s.b) - x.row(s.a)).transpose();
+      const double ratio = s.restLength / offset.norm();
+      const Vec3 d = offset.normalized();
+      const Mat3 block = h * h * p.stiffness * ((1.0 - ratio) * Mat3::Identity() + ratio * d * d.transpose());
+      matrix.block<3, 3>(3 * s.a, 3 * s.a) += block;
+      matrix.block<3, 3>(3 * s.b, 3 * s.b) += block;
+      matrix.block<3, 3>(3 * s.a, 3 * s.b) -= block;
+      matrix.block<3, 3>(3 * s.b, 3 * s.a) -= block;
+    }
+    Eigen::VectorXd right(3 * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      right.segment<3>(3 * i) = residual.row(i).transpose();
+      if (free(i, i) == 0.0) {
+        matrix.middleRows(3 * i, 3).setZero();
+        matrix.block<3, 3>(3 * i, 3 * i).setIdentity();
+      }
+    }
+    const Eigen::VectorXd change = matrix.partialPivLu().solve(right);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      x.row(i) += change.segment<3>(3 * i).transpose();
+    }
+  }
+  return x;
+}
+
+TEST(LocalGlobal, equalsTheAlternationAsPrintedWithDenseMatrices) {
+  for (const std::vector<int>& pins : {std::vector<int>{0, 4}, std::vector<int>{}}) {
+    const auto model = unevenSheet(5, pins);
+    for (const StepInputs& inputs : {StepInputs{}, hand(5.0), hand(0.05)}) {
+      StepParameters p = everything();
+      p.iterations = 4;
+      ClothState state = shaken(*model, 0.03, 7);
+      const Rows x = rowsOf(state.positions);
+      const Rows expected = alternate(*model, p, inputs, state);
+      findSolver("local_global")->make()->step(*model, p, inputs, state);
+      EXPECT_LT(distance(state, expected, (expected - x) / p.timeStep), 1e-11);
+    }
+  }
+}
+
+TEST(LocalGlobal, endsWhereNewtonFindsTheBackwardEulerStep) {
+  const auto model = unevenSheet(5, {0, 4});
+  for (const StepInputs& inputs : {StepInputs{}, hand(5.0)}) {
+    StepParameters p = everything();
+    p.iterations = 3000;
+    ClothState state = shaken(*model, 0.01, 7);
+    const Rows expected = newton(*model, p, inputs, state);
+    findSolver("local_global")->make()->step(*model, p, inputs, state);
+    EXPECT_LT((rowsOf(state.positions) - expected).cwiseAbs().maxCoeff(), 1e-10);
+  }
+}
+
+TEST(LocalGlobal, comesCloserToTheBackwardEulerStepWithEveryIteration) {
+  const auto model = unevenSheet(5, {0, 4});
+  StepParameters p = everything();
+  p.stiffness = 1000.0;
+  const ClothState start = shaken(*model, 0.01, 7);
+  const Rows exact = newton(*model, p, {}, start);
+  double last = 1.0;
+  for (const int iterations : {1, 5, 20, 100}) {
+    p.iterations = iterations;
+    ClothState state = start;
+    const StepReport report = findSolver("local_global")->make()->step(*model, p, {}, state);
+    const double error = (rowsOf(state.positions) - exact).norm();
+    EXPECT_LT(error, 0.8 * last) << iterations << " iterations";
+    EXPECT_EQ(report.iterations, iterations);
+    last = error;
+  }
+}
+
+TEST(LocalGlobal, forgetsTheHandThatLetGoAndFollowsOneThatTakesAnotherTriangle) {
+  const auto model = unevenSheet(5, {0, 4});
+  const StepParameters p = everything();
+  ClothState fresh = shaken(*model, 0.03, 7);
+  ClothState kept = fresh;
+  const auto solver = findSolver("local_global")->make();
+  StepInputs elsewhere = hand(5.0);
+  elsewhere.grab->triangle = 20;
+  for (const StepInputs& inputs : {hand(5.0), elsewhere, StepInputs{}, hand(5.0)}) {
+    solver->step(*model, p, inputs, kept);
+    findSolver("local_global")->make()->step(*model, p, inputs, fresh);
+    EXPECT_EQ(stateHash(kept), stateHash(fresh));
+  }
+}
+
+}  // namespace
+}  // namespace drape
