@@ -5,6 +5,7 @@
 #include "sim/stepper.hpp"
 
 #include <string>
+#include <utility>
 
 namespace drape {
 
@@ -13,7 +14,7 @@ namespace drape {
 class Ghost {
  public:
   /// Begins in `start`. Throws InputError when there is no solver of that name.
-  Ghost(const std::string& solver, const ClothState& start) : stepper_(solver), state_(start) {}
+  Ghost(const std::string& solver, ClothState start) : stepper_(solver), state_(std::move(start)) {}
 
   /// Goes on from where it is with another solver.
   void useSolver(const std::string& name);

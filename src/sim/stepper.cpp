@@ -107,8 +107,11 @@ StepReport Stepper::bdf2Step(const ClothModel& model, StepParameters parameters,
   const double timeStep = parameters.timeStep;
   if (hasHistory(state, timeStep)) {
     for (std::size_t i = 0; i < state.positions.size(); ++i) {
-      state.positions[i] += (state.positions[i] - state.history.positions[i]) / 3.0;
-      state.velocities[i] += (state.velocities[i] - state.history.velocities[i]) / 3.0;
+      // A vertex that has just been pinned still has a history in which it moves.
+      if (!model.pinned[i]) {
+        state.positions[i] += (state.positions[i] - state.history.positions[i]) / 3.0;
+        state.velocities[i] += (state.velocities[i] - state.history.velocities[i]) / 3.0;
+      }
     }
     parameters.timeStep *= bdf2Part;
   }

@@ -57,6 +57,21 @@ void expectNoJump(Simulation& simulation, const char* key, const SettingValue& v
   EXPECT_TRUE(isFinite(simulation.state()));
 }
 
+TEST(Pinning, holdsAVertexAtOnceWhateverTheIntegration) {
+  for (const char* integration : {"backward_euler", "theta", "bdf2"}) {
+    Simulation simulation = calmSheet();
+    simulation.apply(SetSettingCommand{"integration", std::string(integration)});
+    simulation.step();
+    const int vertex = simulation.model().triangles[70][0];
+    simulation.apply(GrabCommand{70, Vec3(1.0, 0.0, 0.0), Vec3::Zero()});
+    simulation.step();
+    const Vec3 place = simulation.state().positions[static_cast<std::size_t>(vertex)];
+    simulation.apply(TogglePinCommand{});
+    simulation.step();
+    EXPECT_EQ(simulation.state().positions[static_cast<std::size_t>(vertex)], place) << integration;
+  }
+}
+
 class SwitchingTo : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(SwitchingTo, carriesTheStateOn) {
