@@ -104,9 +104,11 @@ UiRect beginRow(const PanelContext& context, std::string_view label, bool marked
   }
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, marked ? palette().text : palette().muted);
-  ImGui::TextUnformatted(label.data(), label.data() + label.size());
+  // Where large letters meet a small window, the explanation still has the whole title.
+  const float column = std::round(ImGui::GetCursorStartPos().x + width * labelShare);
+  ImGui::TextUnformatted(fitted(label, column - ImGui::GetCursorPosX() - 4.0F * context.scale).c_str());
   ImGui::PopStyleColor();
-  ImGui::SameLine(std::round(ImGui::GetCursorStartPos().x + width * labelShare));
+  ImGui::SameLine(column);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   return {at.x, at.y, width, height};
 }
