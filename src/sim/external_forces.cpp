@@ -8,7 +8,7 @@ namespace drape {
 Vec3 gravityAndAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                    std::size_t vertex) {
   const double mass = model.vertexMass[vertex];
-  const Vec3 weight(0.0, -mass * parameters.gravity, 0.0);
+  Vec3 weight(0.0, -mass * parameters.gravity, 0.0);
   if (parameters.drag == 0.0 && parameters.lift == 0.0) {
     return weight;
   }
