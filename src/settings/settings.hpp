@@ -11,6 +11,10 @@ namespace drape {
 /// stand in the table (settings_table.cpp), from which the panels, the command line, the scene files and the
 /// documentation are made.
 struct Settings {
+  /// The library calculates in double unless told otherwise; the programs in float, where a method has it, which is at
+  /// least as fast and in what one sees as accurate (docs/performance.md).
+  Settings() { step.precision = Precision::Float; }
+
   StepParameters step;
 
   struct SolverChoice {

@@ -61,6 +61,10 @@ constexpr std::array derivatives{
          "tension_only",
          {"Tension only (Choi, Ko)", "Nothing where springs are compressed; rattles with a single sweep."}}};
 
+constexpr std::array precisions{
+    Word{Precision::Float, "float", {"Float", "Seven digits: fast, and as accurate as the eye can tell."}},
+    Word{Precision::Double, "double", {"Double", "Sixteen digits: for comparisons and very small steps."}}};
+
 /// A choice between the values of an enumeration, each with its word.
 template <const auto& words, auto ref>
 ChoiceField choiceOf() {
@@ -154,6 +158,10 @@ const std::array table{
         FlagField{[](Settings& s) -> bool& { return s.step.keepMomentum; }},
         "Gives the linear and angular momentum back that a step took from cloth that nothing holds. Pieces with pinned "
         "vertices stay as they are."},
+    SettingInfo{"precision", "Precision", "-", Simulation, SettingEffect::Step,
+        choiceOf<precisions, [](Settings& s) -> Precision& { return s.step.precision; }>(),
+        "The numbers that a step calculates with. Float is about twice as fast; double for comparisons with other programs "
+        "and for very small steps. States are kept and written in double."},
     SettingInfo{"threads", "Threads", "-", Simulation, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.step.threads; }, 1, 64},
         "Threads that one step may use. The result is the same to the last bit, whatever the number."},

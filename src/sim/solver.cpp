@@ -6,6 +6,15 @@
 
 namespace drape {
 
+StepReport Solver::steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+                         ClothState& state) {
+  StepReport total;
+  for (int i = 0; i < count; ++i) {
+    total.add(step(model, parameters, inputs, state));
+  }
+  return total;
+}
+
 std::span<const SolverInfo> solverTable() {
   static const std::vector<SolverInfo> table = [] {
     std::vector<SolverInfo> infos;

@@ -17,6 +17,13 @@ struct StepReport {
   int iterations = 0;     ///< taken, over all substeps [-]; 0 for methods that do not count any
   double residual = 0.0;  ///< relative residual of the last solve [-]; 0 where it is not computed
   bool converged = true;  ///< false when a solve gave up before its tolerance
+
+  /// Takes in how the next step went.
+  void add(const StepReport& next) {
+    iterations += next.iterations;
+    residual = next.residual;
+    converged = converged && next.converged;
+  }
 };
 
 /// A method that advances a cloth by one time step. A solver keeps only scratch memory and what can be computed again
@@ -32,6 +39,11 @@ class Solver {
   /// with velocity zero.
   virtual StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                           ClothState& state) = 0;
+
+  /// The same as `count` steps one after the other, to the last bit. A solver that keeps a cloth in a form of its own
+  /// converts it once only.
+  virtual StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                           int count, ClothState& state);
 };
 
 /// How a solver presents itself, and what it needs.

@@ -22,6 +22,9 @@ enum class Integration {
   Bdf2            ///< second order from the last two states (backward differentiation formula)
 };
 
+/// The numbers that a step calculates with. States are kept in double whatever the step uses.
+enum class Precision { Float, Double };
+
 /// The largest relaxation with which an even number of block-Jacobi sweeps is harmless. k sweeps with relaxation w
 /// answer a mode of the Jacobi eigenvalue mu >= -1 with g <= 1 + (2 w - 1)^(k+1) times the exact velocity change, and a
 /// backward- Euler oscillator stays stable while g <= 4/3; two sweeps reach that at w = 0.847.
@@ -49,6 +52,7 @@ struct StepParameters {
   double tolerance = 1e-6;                                   ///< relative residual at which a solve ends [-]
   int maxIterations = 1000;                                  ///< at which a solve gives up [-]
   bool keepMomentum = false;                                 ///< free cloth is given back the momentum it lost
+  Precision precision = Precision::Double;                   ///< of the methods that have both
   int threads = 1;  ///< threads a step may use [-]; the result does not depend on it
 };
 

@@ -31,11 +31,13 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
   StepParameters part = parameters;
   part.timeStep = parameters.timeStep / parameters.substeps;
   StepReport total;
-  for (int i = 0; i < parameters.substeps; ++i) {
-    const StepReport report = substep(model, part, inputs, state);
-    total.iterations += report.iterations;
-    total.residual = report.residual;
-    total.converged = total.converged && report.converged;
+  if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum) {
+    state.history.timeStep = 0.0;
+    total = solver_->steps(model, part, inputs, parameters.substeps, state);
+  } else {
+    for (int i = 0; i < parameters.substeps; ++i) {
+      total.add(substep(model, part, inputs, state));
+    }
   }
   state.time = end;  // not the sum of the parts, which rounds
   return total;

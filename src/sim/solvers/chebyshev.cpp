@@ -1,8 +1,7 @@
-#include "sim/implicit_system.hpp"
+#include "sim/simd/sliced_run.hpp"
 #include "sim/solvers/registry.hpp"
 #include "sim/stability.hpp"
 
-#include <Eigen/LU>
 #include <utility>
 
 namespace drape {
@@ -43,41 +42,31 @@ class ChebyshevSolver final : public Solver {
  public:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
-    const std::size_t count = state.positions.size();
-    system_.assemble(model, parameters, inputs, state, workers_);
-    inverse_.resize(count);
-    p_.resize(count);
-    workers_.forEach(parameters.threads, count, [&](std::size_t i) { start(model, i); });
-    previous_.assign(count, Vec3::Zero());  // of no consequence: the first weight is 1
-    current_ = startsFromZero(parameters.iterations) ? previous_ : p_;
+    return steps(model, parameters, inputs, 1, state);
+  }
+
+  /// The sweeps are those of the one-iteration method with weights. From zero the first one's answer is p, which is
+  /// where those sweeps start: an even number of iterations takes one sweep fewer, and leaves the first weight out.
+  StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+                   ClothState& state) override {
+    StepParameters sweeping = parameters;
+    const int skipped = startsFromZero(parameters.iterations) ? 1 : 0;
+    sweeping.sweeps = parameters.iterations - skipped;
+    sweeping.relaxation = 1.0;
     Weights weights(parameters.spectralRadius);
+    std::vector<double> ofSweeps;
     for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
       const double weight = weights.next();
-      workers_.forEach(parameters.threads, count, [&](std::size_t i) { sweep(model, parameters, weight, i); });
-      current_.swap(previous_);
+      if (iteration >= skipped) {
+        ofSweeps.push_back(weight);
+      }
     }
-    advance(model, parameters.timeStep, current_, state);
-    return {.iterations = parameters.iterations};
+    run_.oneIteration(model, sweeping, inputs, count, ofSweeps, state);
+    return {.iterations = count * parameters.iterations};
   }
 
  private:
-  /// A pinned vertex has no velocity to gain.
-  void start(const ClothModel& model, std::size_t i) {
-    inverse_[i] = model.pinned[i] ? Mat3(Mat3::Zero()) : Mat3(system_.diagonal()[i].inverse());
-    p_[i] = inverse_[i] * system_.rightHandSide()[i];
-  }
-
-  void sweep(const ClothModel& model, const StepParameters& parameters, double weight, std::size_t i) {
-    const Vec3 answer = p_[i] + inverse_[i] * system_.coupling(model, parameters, current_, i);
-    previous_[i] = weight * (answer - previous_[i]) + previous_[i];
-  }
-
-  Workers workers_;
-  ImplicitSystem system_;
-  std::vector<Mat3> inverse_;   // W'_ii^-1, one a vertex [1/kg]; zero where pinned
-  std::vector<Vec3> p_;         // [m/s]
-  std::vector<Vec3> current_;   // velocity change of the last sweep [m/s]
-  std::vector<Vec3> previous_;  // of the one before [m/s]
+  SlicedRun run_;
 };
 
 /// What is left of the error of a mode of the Jacobi eigenvalue mu, with its sign: the solver's recursion on one
@@ -128,7 +117,7 @@ SolverInfo solvers::chebyshev() {
           "Wang (2015), A Chebyshev semi-iterative approach for accelerating projective and position-based "
           "dynamics",
       .backwardEuler = true,
-      .settings = {"iterations", "spectral_radius", "derivative"},
+      .settings = {"iterations", "spectral_radius", "derivative", "precision"},
       .warning = warningOf,
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<ChebyshevSolver>(); }};
 }

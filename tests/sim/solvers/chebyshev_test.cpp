@@ -26,7 +26,7 @@ TEST(Chebyshev, isTheOneIterationMethodWithOneIteration) {
   parameters.iterations = 1;
   EXPECT_LT(largestDifference(after("chebyshev", *model, parameters, start),
                               after("one_iteration", *model, parameters, start)),
-            1e-15);
+            1e-14);
 }
 
 TEST(Chebyshev, isPlainJacobiForASpectralRadiusOfZero) {

@@ -1,0 +1,101 @@
+// Included once for each instruction set, so the usual guard does not serve.
+#if defined(DRAPE_SIM_SIMD_AIR_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef DRAPE_SIM_SIMD_AIR_INL_HPP
+#undef DRAPE_SIM_SIMD_AIR_INL_HPP
+#else
+#define DRAPE_SIM_SIMD_AIR_INL_HPP
+#endif
+
+#include "sim/simd/lanes-inl.hpp"
+
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace drape {
+namespace HWY_NAMESPACE {
+
+constexpr std::uint16_t allLanes = 0xFFFF;
+
+/// The lanes whose bits are set, from `lane` on.
+template <class D>
+HWY_INLINE hn::Mask<D> lanesOfBits(D d, std::uint16_t bits, int lane) {
+  std::uint64_t shifted = static_cast<std::uint64_t>(bits) >> static_cast<unsigned>(lane);
+  std::array<std::uint8_t, sizeof(shifted)> bytes;
+  std::memcpy(bytes.data(), &shifted, sizeof(shifted));
+  return hn::LoadMaskBits(d, bytes.data());
+}
+
+/// Offsets to the neighbours in slots that differ from lane to lane.
+template <class D, typename T>
+HWY_INLINE Lanes3<D> gatherOffsets(D d, const SpringTerms<T>* terms, hn::Vec<hn::RebindToSigned<D>> at) {
+  return {hn::GatherIndex(d, terms->x.data(), at), hn::GatherIndex(d, terms->y.data(), at),
+          hn::GatherIndex(d, terms->z.data(), at)};
+}
+
+/// Twice the sum of the areas of each vertex's triangles, with their directions: what vertexNormal sums up.
+template <class D, typename T>
+HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTerms<T>* terms, int slice, int lane) {
+  const SliceLayout& layout = cloth.layout;
+  Lanes3<D> sum = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  const int end = layout.cornerBegin[static_cast<std::size_t>(slice) + 1];
+  for (int c = layout.cornerBegin[static_cast<std::size_t>(slice)]; c < end; ++c) {
+    const SliceLayout::Corner& corner = layout.corners[static_cast<std::size_t>(c)];
+    Lanes3<D> a;
+    Lanes3<D> b;
+    if (HWY_LIKELY(corner.table < 0)) {
+      a = offsetOf(d, terms[corner.slotA], lane);
+      b = offsetOf(d, terms[corner.slotB], lane);
+    } else {
+      const auto& table = layout.cornerTables[static_cast<std::size_t>(corner.table)];
+      a = gatherOffsets(d, terms, loadIndices(d, table.a.data() + lane));
+      b = gatherOffsets(d, terms, loadIndices(d, table.b.data() + lane));
+    }
+    if (HWY_UNLIKELY(corner.lanes != allLanes)) {
+      const auto present = lanesOfBits(d, corner.lanes, lane);
+      b = {hn::IfThenElseZero(present, b.x), hn::IfThenElseZero(present, b.y), hn::IfThenElseZero(present, b.z)};
+    }
+    sum = addCross(a, b, sum);
+  }
+  return sum;
+}
+
+/// force + drag and lift (eqs. 18-20), held to what would stop the vertex against the air within the step, as
+/// kernels::airForce. With w the velocity relative to the air, s = |w|, the unit normal n turned to face w, and q = n .
+/// w: drag = -K_D q w, and as (n x u) x u = (q/s) u - n for u = w/s, lift = K_L s (s - q) ((q/s^2) w - n).
+template <class D, typename T>
+HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step, const SpringTerms<T>* terms,
+                            int slice, int lane, const Lanes3<D>& force) {
+  const int i = slice * sliceLanes + lane;
+  const auto zero = hn::Zero(d);
+  const Lanes3<D> wind = {hn::Set(d, step.windX), hn::Set(d, step.windY), hn::Set(d, step.windZ)};
+  const Lanes3<D> relative = subtract(load3(d, cloth.velocity, i), wind);
+  const Lanes3<D> area = areaNormal(d, cloth, terms, slice, lane);
+  const auto speed = hn::Sqrt(dot(relative, relative));
+  const auto size = hn::Sqrt(dot(area, area));
+  // One division for both: 1 / |w| = |N| / (|w| |N|).
+  const auto product = hn::Mul(speed, size);
+  const auto inverse = hn::IfThenElseZero(hn::Gt(product, zero), hn::Div(hn::Set(d, T(1)), product));
+  const Lanes3<D> normal = scaled(area, hn::Mul(inverse, speed));
+  const auto facing = dot(normal, relative);
+  const auto q = hn::Abs(facing);
+  const auto surface = hn::LoadU(d, cloth.area.data() + i);
+  const auto lift = hn::Mul(hn::Mul(surface, hn::Set(d, step.lift)), hn::Sub(speed, q));  // K_L (s - q)
+  const auto drag = hn::Mul(hn::Mul(surface, hn::Set(d, step.drag)), q);
+  const auto along = hn::MulSub(hn::Mul(lift, q), hn::Mul(inverse, size), drag);
+  Lanes3<D> air = scaled(relative, along);
+  air = multiplyAdd(normal, hn::Neg(hn::Mul(hn::CopySign(lift, facing), speed)), air);
+  const auto limit = hn::Mul(hn::LoadU(d, cloth.mass.data() + i), hn::Mul(speed, hn::Set(d, T(1) / step.timeStep)));
+  const auto strength = dot(air, air);
+  const auto excessive = hn::Gt(strength, hn::Mul(limit, limit));
+  if (HWY_UNLIKELY(!hn::AllFalse(d, excessive))) {
+    const auto held = hn::Div(limit, hn::Sqrt(strength));
+    air = scaled(air, hn::IfThenElse(excessive, held, hn::Set(d, T(1))));
+  }
+  return add(force, air);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace drape
+HWY_AFTER_NAMESPACE();
+
+#endif

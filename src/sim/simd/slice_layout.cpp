@@ -1,0 +1,258 @@
+#include "sim/simd/slice_layout.hpp"
+
+#include "sim/simd/vertex_order.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace drape {
+namespace {
+
+/// A slot of consecutive neighbours that fewer lanes use costs more than its springs would as gathers.
+constexpr int fewestConsecutive = 10;
+constexpr int fewestCommonCorners = 3;
+
+struct LaneSpring {
+  int neighbour = 0;  // place
+  int spring = 0;     // index into ClothModel::springs
+};
+
+class SliceBuilder {
+ public:
+  SliceBuilder(const ClothModel& model, SliceLayout& layout, int slice)
+      : model_(model), layout_(layout), first_(slice * sliceLanes) {
+    for (int lane = 0; lane < sliceLanes && first_ + lane < layout.vertices; ++lane) {
+      collect(lane);
+    }
+  }
+
+  void build() {
+    addConsecutiveSlots();
+    addGatheredSlots();
+    addCorners();
+    layout_.slotBegin.push_back(static_cast<int>(layout_.slots.size()));
+    layout_.cornerBegin.push_back(static_cast<int>(layout_.corners.size()));
+  }
+
+  /// The last place that a spring of this slice leads to.
+  [[nodiscard]] int farthest() const {
+    int last = first_;
+    for (const auto& springs : springs_) {
+      for (const LaneSpring& spring : springs) {
+        last = std::max(last, spring.neighbour);
+      }
+    }
+    return last;
+  }
+
+ private:
+  [[nodiscard]] std::size_t vertexAt(int lane) const {
+    return static_cast<std::size_t>(layout_.order[static_cast<std::size_t>(first_ + lane)]);
+  }
+
+  void collect(int lane) {
+    const std::size_t vertex = vertexAt(lane);
+    const auto begin = static_cast<std::size_t>(model_.springEnds.begin[vertex]);
+    const auto end = static_cast<std::size_t>(model_.springEnds.begin[vertex + 1]);
+    auto& springs = springs_[static_cast<std::size_t>(lane)];
+    for (std::size_t e = begin; e < end; ++e) {
+      const SpringEnd& springEnd = model_.springEnds.values[e];
+      springs.push_back({layout_.place[static_cast<std::size_t>(springEnd.neighbour)], springEnd.spring});
+    }
+    orderAsFan(vertex, springs);
+    slotOf_[static_cast<std::size_t>(lane)].assign(springs.size(), -1);
+  }
+
+  /// Neighbours in the order in which the triangles around a vertex follow each other, so that the same two slots make
+  /// a triangle in most lanes. Where the triangles end, or are no fan, the next one starts at the lowest place left.
+  void orderAsFan(std::size_t vertex, std::vector<LaneSpring>& springs) const {
+    std::sort(springs.begin(), springs.end(),
+              [](const LaneSpring& a, const LaneSpring& b) { return a.neighbour < b.neighbour; });
+    std::map<int, int> next;
+    std::set<int> reached;
+    const auto begin = static_cast<std::size_t>(model_.vertexTriangles.begin[vertex]);
+    const auto end = static_cast<std::size_t>(model_.vertexTriangles.begin[vertex + 1]);
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto [a, b] = cornerOf(vertex, model_.vertexTriangles.values[t]);
+      next.emplace(a, b);
+      reached.insert(b);
+    }
+    std::vector<LaneSpring> fan;
+    const auto take = [&](int place) {
+      const auto found = std::find_if(springs.begin(), springs.end(),
+                                      [&](const LaneSpring& spring) { return spring.neighbour == place; });
+      fan.push_back(*found);
+      springs.erase(found);
+    };
+    while (!springs.empty()) {
+      const auto open = std::find_if(springs.begin(), springs.end(),
+                                     [&](const LaneSpring& spring) { return !reached.contains(spring.neighbour); });
+      take(open != springs.end() ? open->neighbour : springs.front().neighbour);
+      const auto left = [&](int place) {
+        return std::any_of(springs.begin(), springs.end(),
+                           [&](const LaneSpring& spring) { return spring.neighbour == place; });
+      };
+      for (auto step = next.find(fan.back().neighbour); step != next.end() && left(step->second);
+           step = next.find(fan.back().neighbour)) {
+        take(step->second);
+      }
+    }
+    springs.swap(fan);
+  }
+
+  /// The places of a triangle's other two vertices, seen from one of them.
+  [[nodiscard]] std::pair<int, int> cornerOf(std::size_t vertex, int triangle) const {
+    const Triangle& t = model_.triangles[static_cast<std::size_t>(triangle)];
+    const std::size_t at = t[0] == static_cast<int>(vertex) ? 0 : t[1] == static_cast<int>(vertex) ? 1 : 2;
+    return {layout_.place[static_cast<std::size_t>(t[(at + 1) % 3])],
+            layout_.place[static_cast<std::size_t>(t[(at + 2) % 3])]};
+  }
+
+  [[nodiscard]] int newSlot(SliceLayout::Slot slot) {
+    layout_.slots.push_back(slot);
+    layout_.springs.emplace_back().fill(-1);
+    return static_cast<int>(layout_.slots.size()) - 1 - layout_.slotBegin.back();
+  }
+
+  void put(int slot, int lane, std::size_t spring) {
+    const auto at = static_cast<std::size_t>(layout_.slotBegin.back() + slot);
+    layout_.springs[at][static_cast<std::size_t>(lane)] = springs_[static_cast<std::size_t>(lane)][spring].spring;
+    slotOf_[static_cast<std::size_t>(lane)][spring] = slot;
+  }
+
+  void addConsecutiveSlots() {
+    std::map<int, std::vector<std::pair<int, std::size_t>>> byOffset;
+    for (int lane = 0; lane < sliceLanes; ++lane) {
+      const auto& springs = springs_[static_cast<std::size_t>(lane)];
+      for (std::size_t s = 0; s < springs.size(); ++s) {
+        byOffset[springs[s].neighbour - first_ - lane].emplace_back(lane, s);
+      }
+    }
+    for (const auto& [offset, uses] : byOffset) {
+      if (static_cast<int>(uses.size()) >= fewestConsecutive) {
+        const int slot = newSlot({.first = first_ + offset});
+        for (const auto& [lane, spring] : uses) {
+          put(slot, lane, spring);
+        }
+      }
+    }
+  }
+
+  void addGatheredSlots() {
+    const int firstGathered = static_cast<int>(layout_.slots.size()) - layout_.slotBegin.back();
+    std::vector<int> tables;
+    for (int lane = 0; lane < sliceLanes; ++lane) {
+      std::size_t used = 0;
+      auto& slots = slotOf_[static_cast<std::size_t>(lane)];
+      for (std::size_t s = 0; s < slots.size(); ++s) {
+        if (slots[s] >= 0) {
+          continue;
+        }
+        if (used == tables.size()) {
+          tables.push_back(static_cast<int>(layout_.neighbourTables.size()));
+          static_cast<void>(newSlot({.table = tables.back()}));
+          auto& table = layout_.neighbourTables.emplace_back();
+          for (int other = 0; other < sliceLanes; ++other) {
+            table[static_cast<std::size_t>(other)] = first_ + other;
+          }
+        }
+        auto& table = layout_.neighbourTables[static_cast<std::size_t>(tables[used])];
+        table[static_cast<std::size_t>(lane)] = springs_[static_cast<std::size_t>(lane)][s].neighbour;
+        put(firstGathered + static_cast<int>(used), lane, s);
+        ++used;
+      }
+    }
+  }
+
+  /// The slot of the spring from a lane's vertex to a place.
+  [[nodiscard]] int slotTo(int lane, int place) const {
+    const auto& springs = springs_[static_cast<std::size_t>(lane)];
+    const auto found = std::find_if(springs.begin(), springs.end(),
+                                    [&](const LaneSpring& spring) { return spring.neighbour == place; });
+    return slotOf_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(found - springs.begin())];
+  }
+
+  void addCorners() {
+    std::map<std::pair<int, int>, std::vector<int>> bySlots;
+    for (int lane = 0; lane < sliceLanes && first_ + lane < layout_.vertices; ++lane) {
+      const std::size_t vertex = vertexAt(lane);
+      const auto begin = static_cast<std::size_t>(model_.vertexTriangles.begin[vertex]);
+      const auto end = static_cast<std::size_t>(model_.vertexTriangles.begin[vertex + 1]);
+      for (std::size_t t = begin; t < end; ++t) {
+        const auto [a, b] = cornerOf(vertex, model_.vertexTriangles.values[t]);
+        bySlots[{slotTo(lane, a), slotTo(lane, b)}].push_back(lane);
+      }
+    }
+    std::vector<int> tables;
+    std::array<std::size_t, sliceLanes> used{};
+    for (const auto& [slots, lanes] : bySlots) {
+      addCorner(slots, lanes, tables, used);
+    }
+  }
+
+  void addCorner(const std::pair<int, int>& slots, const std::vector<int>& lanes, std::vector<int>& tables,
+                 std::array<std::size_t, sliceLanes>& used) {
+    if (static_cast<int>(lanes.size()) >= fewestCommonCorners) {
+      SliceLayout::Corner corner{.slotA = slots.first, .slotB = slots.second};
+      for (const int lane : lanes) {
+        corner.lanes = static_cast<std::uint16_t>(corner.lanes | (1U << static_cast<unsigned>(lane)));
+      }
+      layout_.corners.push_back(corner);
+      return;
+    }
+    for (const int lane : lanes) {
+      const std::size_t row = used[static_cast<std::size_t>(lane)]++;
+      if (row == tables.size()) {
+        tables.push_back(static_cast<int>(layout_.corners.size()));
+        layout_.corners.push_back({.table = static_cast<int>(layout_.cornerTables.size())});
+        layout_.cornerTables.emplace_back();
+      }
+      auto& corner = layout_.corners[static_cast<std::size_t>(tables[row])];
+      auto& table = layout_.cornerTables[static_cast<std::size_t>(corner.table)];
+      corner.lanes = static_cast<std::uint16_t>(corner.lanes | (1U << static_cast<unsigned>(lane)));
+      table.a[static_cast<std::size_t>(lane)] = slots.first * cornerStride + lane;
+      table.b[static_cast<std::size_t>(lane)] = slots.second * cornerStride + lane;
+    }
+  }
+
+  const ClothModel& model_;
+  SliceLayout& layout_;
+  int first_;
+  std::array<std::vector<LaneSpring>, sliceLanes> springs_;
+  std::array<std::vector<int>, sliceLanes> slotOf_;
+};
+
+}  // namespace
+
+SliceLayout buildSliceLayout(const ClothModel& model) {
+  SliceLayout layout;
+  layout.vertices = model.vertexCount();
+  layout.order = stepOrder(model);
+  layout.place.resize(layout.order.size());
+  for (std::size_t k = 0; k < layout.order.size(); ++k) {
+    layout.place[static_cast<std::size_t>(layout.order[k])] = static_cast<int>(k);
+  }
+  layout.slotBegin.push_back(0);
+  layout.cornerBegin.push_back(0);
+  const int slices = (layout.vertices + sliceLanes - 1) / sliceLanes;
+  for (int slice = 0; slice < slices; ++slice) {
+    SliceBuilder builder(model, layout, slice);
+    builder.build();
+    layout.reach.push_back(std::max(slice, builder.farthest() / sliceLanes));
+    const int slots =
+        layout.slotBegin[static_cast<std::size_t>(slice) + 1] - layout.slotBegin[static_cast<std::size_t>(slice)];
+    layout.mostSlots = std::max(layout.mostSlots, slots);
+  }
+  // A slice may pass on only when all before it may: the reach must not fall.
+  for (std::size_t s = 1; s < layout.reach.size(); ++s) {
+    layout.reach[s] = std::max(layout.reach[s], layout.reach[s - 1]);
+  }
+  for (int s = 0; s < slices; ++s) {
+    layout.longestReach = std::max(layout.longestReach, layout.reach[static_cast<std::size_t>(s)] - s);
+  }
+  return layout;
+}
+
+}  // namespace drape

@@ -1,0 +1,145 @@
+#pragma once
+
+#include "sim/cloth_state.hpp"
+#include "sim/simd/slice_layout.hpp"
+#include "sim/simd/step_share.hpp"
+#include "sim/step_parameters.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace drape {
+
+/// Numbers for the lanes of a slice, aligned to a cache line so that no load straddles two.
+template <typename T>
+struct alignas(64) SliceNumbers : std::array<T, sliceLanes> {};
+
+/// Numbers of a cloth's vertices in the order of a step, one array a coordinate, with room at both ends so that a slot
+/// of consecutive neighbours can be loaded whole.
+template <typename T>
+class LaneArray {
+ public:
+  void resize(int slices) { slices_.assign(static_cast<std::size_t>(slices + 3), {}); }
+  [[nodiscard]] bool sized() const { return !slices_.empty(); }
+  /// The value of place 0.
+  [[nodiscard]] T* data() { return slices_[1].data(); }
+  [[nodiscard]] const T* data() const { return slices_[1].data(); }
+
+ private:
+  std::vector<SliceNumbers<T>> slices_;
+};
+
+/// A vector in space for each vertex. On an irregular mesh, where neighbours have to be fetched one by one, the vectors
+/// are kept a second time with their coordinates side by side, so that each is fetched by one load.
+template <typename T>
+struct LaneVectors {
+  LaneArray<T> x, y, z;
+  std::vector<T> sideBySide;  ///< x y z and a number that is never read, for each place; empty on a regular mesh
+
+  void resize(int slices, bool irregular) {
+    x.resize(slices);
+    y.resize(slices);
+    z.resize(slices);
+    sideBySide.assign(irregular ? static_cast<std::size_t>(slices) * sliceLanes * 4 : 0, T(0));
+  }
+
+  [[nodiscard]] bool sized() const { return x.sized(); }
+
+  void set(std::size_t place, T newX, T newY, T newZ) {
+    x.data()[place] = newX;
+    y.data()[place] = newY;
+    z.data()[place] = newZ;
+    if (!sideBySide.empty()) {
+      sideBySide[4 * place] = newX;
+      sideBySide[4 * place + 1] = newY;
+      sideBySide[4 * place + 2] = newZ;
+    }
+  }
+};
+
+/// What a step does beside its springs, in the precision of the step.
+template <typename T>
+struct SliceStep {
+  /// The hand at a corner of its triangle. Slice -1: there is none.
+  struct Hand {
+    int slice = -1;
+    int lane = 0;
+    T forceX = 0;
+    T forceY = 0;
+    T forceZ = 0;     ///< [N]
+    T stiffness = 0;  ///< [N/m]
+  };
+
+  T timeStep = 0;    ///< h [s]
+  T stiffness = 0;   ///< k [N/m]
+  T damping = 0;     ///< C_d [N s/m]
+  T gravity = 0;     ///< [m/s^2]
+  T drag = 0;        ///< 1/2 rho C_D [kg/m^3]
+  T lift = 0;        ///< 1/2 rho C_L [kg/m^3]
+  T windX = 0;       ///< [m/s]
+  T windY = 0;       ///< [m/s]
+  T windZ = 0;       ///< [m/s]
+  T relaxation = 1;  ///< of the sweeps [-]
+  ForceDerivative derivative = ForceDerivative::Stabilised;
+  int sweeps = 1;
+  /// Of Chebyshev's acceleration, one a sweep: the answer counts by so much, 1 - weight the sweep before the last.
+  /// Null: none.
+  const T* weights = nullptr;
+  std::array<Hand, 3> hands = {};
+};
+
+/// What the sweeps and the normals need of the springs in a slot, kept from when they were evaluated.
+template <typename T>
+struct SpringTerms {
+  SliceNumbers<T> x, y, z;  ///< the offset to the neighbour [m]
+  SliceNumbers<T> alpha;    ///< [N s/m]
+  SliceNumbers<T> beta;     ///< [N s/m^3]
+};
+
+/// A cloth laid out for vector instructions, with the memory that a step needs: at most 200 bytes a vertex in float.
+template <typename T>
+struct SlicedCloth {
+  explicit SlicedCloth(const ClothModel& model);
+
+  void setMassesAndPins(const ClothModel& model);
+
+  /// Takes positions and velocities over from a state, and gives them back.
+  void load(const ClothState& state);
+  void store(ClothState& state) const;
+
+  SliceLayout layout;
+  std::vector<SliceNumbers<T>> restLength;  ///< one a slot [m]; negative where a lane has no spring
+  LaneArray<T> mass;                        ///< [kg]; 1 in lanes beyond the last vertex
+  LaneArray<T> area;                        ///< [m^2]
+  LaneArray<T> free;                        ///< 1; 0 where pinned or beyond the last vertex
+  LaneVectors<T> position, velocity;        ///< [m], [m/s]
+  LaneVectors<T> start;                     ///< p_i, the start of the sweeps [m/s]
+  std::array<LaneVectors<T>, 2> change;     ///< dv_i of alternate sweeps [m/s]; only with several
+  std::array<LaneArray<T>, 6> inverse;      ///< W_ii^-1: xx xy xz yy yz zz [1/kg]
+
+  /// What a thread needs for itself: springs that have been evaluated and are still needed, and how far each sweep is.
+  std::vector<std::vector<SpringTerms<T>>> terms;
+  std::vector<std::vector<int>> done;
+
+  /// Makes room for a step of so many threads and sweeps.
+  void prepare(int threads, int sweeps);
+};
+
+/// One phase of a step of the one-iteration method, eqs. 7-16 with damping, gravity, air and hand, for the slices of
+/// one thread, by the widest vector instructions that the machine has. Phases 0 to `sweeps`; with one thread phase 0 is
+/// all. The result is the same for any number of threads and for all instruction sets that have fused multiply-add.
+void oneIterationPhase(SlicedCloth<float>& cloth, const SliceStep<float>& step, const StepShare& share, int phase);
+void oneIterationPhase(SlicedCloth<double>& cloth, const SliceStep<double>& step, const StepShare& share, int phase);
+
+/// Stoermer-Verlet, drift by half a step, kick, drift by the other half, in two phases for the slices of one thread.
+/// Phase 0 kicks and drifts on by `drift`, phase 1 does so where phase 0 had to wait for other threads.
+void verletPhase(SlicedCloth<float>& cloth, const SliceStep<float>& step, float drift, const StepShare& share,
+                 int phase);
+void verletPhase(SlicedCloth<double>& cloth, const SliceStep<double>& step, double drift, const StepShare& share,
+                 int phase);
+
+/// x += time v for the slices of one thread.
+template <typename T>
+void driftSlices(SlicedCloth<T>& cloth, T time, const StepShare& share);
+
+}  // namespace drape

@@ -1,0 +1,86 @@
+#include "sim/simd/sliced_run.hpp"
+
+namespace drape {
+
+void SlicedRun::oneIteration(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                             int count, const std::vector<double>& weights, ClothState& state) {
+  if (parameters.precision == Precision::Float) {
+    oneIteration(model, single_.get(model), parameters, inputs, count, weights, state);
+  } else {
+    oneIteration(model, double_.get(model), parameters, inputs, count, weights, state);
+  }
+}
+
+void SlicedRun::verlet(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+                       ClothState& state) {
+  if (parameters.precision == Precision::Float) {
+    verlet(model, single_.get(model), parameters, inputs, count, state);
+  } else {
+    verlet(model, double_.get(model), parameters, inputs, count, state);
+  }
+}
+
+template <typename T>
+void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, const StepParameters& parameters,
+                             const StepInputs& inputs, int count, const std::vector<double>& weights,
+                             ClothState& state) {
+  SliceStep<T> step = sliceStepOf<T>(parameters);
+  const std::vector<T> ownWeights(weights.begin(), weights.end());
+  step.weights = ownWeights.empty() ? nullptr : ownWeights.data();
+  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  const int phases = threads == 1 ? 1 : parameters.sweeps + 1;
+  cloth.prepare(threads, parameters.sweeps);
+  cloth.load(state);
+  team_.run(threads, [&](int member) {
+    const StepShare share = shareOf(cloth.layout, parameters.sweeps, member, threads);
+    for (int i = 0; i < count; ++i) {
+      if (inputs.grab) {
+        if (member == 0) {
+          setHand(model, *inputs.grab, cloth, step);
+        }
+        team_.meet();
+      }
+      for (int phase = 0; phase < phases; ++phase) {
+        oneIterationPhase(cloth, step, share, phase);
+        team_.meet();
+      }
+    }
+  });
+  cloth.store(state);
+  state.time += count * parameters.timeStep;
+}
+
+template <typename T>
+void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const StepParameters& parameters,
+                       const StepInputs& inputs, int count, ClothState& state) {
+  const SliceStep<T> step = sliceStepOf<T>(parameters);
+  const T half = step.timeStep / T(2);
+  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  cloth.prepare(threads, 1);
+  cloth.load(state);
+  team_.run(threads, [&](int member) {
+    const StepShare share = shareOf(cloth.layout, 1, member, threads);
+    driftSlices(cloth, half, share);
+    team_.meet();
+    for (int i = 0; i < count; ++i) {
+      // The second half of a drift and the first of the next are one, unless the hand comes in between.
+      const T next = i + 1 < count ? step.timeStep : half;
+      for (int phase = 0; phase < (threads == 1 ? 1 : 2); ++phase) {
+        verletPhase(cloth, step, inputs.grab ? T(0) : next, share, phase);
+        team_.meet();
+      }
+      if (inputs.grab) {
+        if (member == 0) {
+          pullByHand(model, parameters.timeStep, *inputs.grab, cloth);
+        }
+        team_.meet();
+        driftSlices(cloth, next, share);
+        team_.meet();
+      }
+    }
+  });
+  cloth.store(state);
+  state.time += count * parameters.timeStep;
+}
+
+}  // namespace drape

@@ -1,0 +1,30 @@
+#include "sim/simd/step_share.hpp"
+
+#include <algorithm>
+#include <thread>
+
+namespace drape {
+namespace {
+
+/// About 5 microseconds of work in the cheapest step.
+constexpr int fewestSlices = 96;
+
+}  // namespace
+
+StepShare shareOf(const SliceLayout& layout, int sweeps, int member, int members) {
+  const auto boundary = [&](int m) { return static_cast<int>(static_cast<long long>(layout.slices()) * m / members); };
+  return {.member = member,
+          .begin = boundary(member),
+          .end = boundary(member + 1),
+          .lag = layout.longestReach,
+          .sweeps = sweeps,
+          .first = member == 0,
+          .last = member + 1 == members};
+}
+
+int usefulThreads(const SliceLayout& layout, int threads) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return std::clamp(layout.slices() / fewestSlices, 1, std::min(threads, cores));
+}
+
+}  // namespace drape

@@ -1,0 +1,140 @@
+// The header below includes this file once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/simd/verlet_kernel.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own includes have to come first.
+#include "sim/simd/air-inl.hpp"
+#include "sim/simd/lanes-inl.hpp"
+#include "sim/simd/sliced_cloth.hpp"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace drape {
+namespace HWY_NAMESPACE {
+
+/// Stoermer-Verlet: drift by half a step, one evaluation of the forces there, kick, drift by the other half.
+template <typename T>
+class VerletKernel {
+  using D = LanesOf<T>;
+  using V3 = Lanes3<D>;
+
+ public:
+  VerletKernel(SlicedCloth<T>& cloth, const SliceStep<T>& step, T drift, const StepShare& share)
+      : cloth_(cloth),
+        layout_(cloth.layout),
+        step_(step),
+        share_(share),
+        drift_(drift),
+        terms_(cloth.terms[static_cast<std::size_t>(share.member)].data()),
+        air_(step.drag != T(0) || step.lift != T(0)) {}
+
+  /// A slice takes its new velocity and drifts on once all that read its place and velocity have done so.
+  void firstPhase() {
+    int settled = share_.innerBegin(1);
+    for (int slice = share_.begin; slice < share_.end; ++slice) {
+      for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(D()))) {
+        kick(slice, lane);
+      }
+      while (settled < share_.innerEnd(1) && layout_.reach[static_cast<std::size_t>(settled)] <= slice) {
+        settle(settled++);
+      }
+    }
+  }
+
+  /// The slices at the ends of the share, which other threads' kicks have read.
+  void laterPhase() {
+    for (int slice = share_.begin; slice < share_.innerBegin(1); ++slice) {
+      settle(slice);
+    }
+    for (int slice = share_.innerEnd(1); slice < share_.end; ++slice) {
+      settle(slice);
+    }
+  }
+
+ private:
+  HWY_INLINE void kick(int slice, int lane) {
+    const D d;
+    const int i = slice * sliceLanes + lane;
+    const V3 x = load3(d, cloth_.position, i);
+    const V3 v = load3(d, cloth_.velocity, i);
+    const auto mass = hn::LoadU(d, cloth_.mass.data() + i);
+    V3 force = {hn::Zero(d), hn::Neg(hn::Mul(mass, hn::Set(d, step_.gravity))), hn::Zero(d)};
+    auto* terms = terms_;
+    const int end = layout_.slotBegin[static_cast<std::size_t>(slice) + 1];
+    for (int slot = layout_.slotBegin[static_cast<std::size_t>(slice)]; slot < end; ++slot, ++terms) {
+      const auto at = static_cast<std::size_t>(slot);
+      const Neighbours<D> neighbours(layout_, layout_.slots[at], lane);
+      const V3 offset = subtract(neighbours.load(cloth_.position), x);
+      const auto elongation = elongationOf(d, offset, hn::LoadU(d, cloth_.restLength[at].data() + lane));
+      force = multiplyAdd(offset, elasticOf(d, elongation, hn::Set(d, step_.stiffness)), force);
+      if (step_.damping != T(0)) {
+        const auto damping = hn::IfThenElseZero(elongation.present, hn::Set(d, step_.damping));
+        force = multiplyAdd(subtract(neighbours.load(cloth_.velocity), v), damping, force);
+      }
+      if (air_) {
+        storeOffset(d, *terms, lane, offset);
+      }
+    }
+    if (air_) {
+      force = addAir(d, cloth_, step_, terms_, slice, lane, force);
+    }
+    auto unused = mass;
+    addHands(d, step_, slice, lane, force, unused);
+    const auto impulse = hn::Div(hn::Mul(hn::Set(d, step_.timeStep), hn::LoadU(d, cloth_.free.data() + i)), mass);
+    store3(d, multiplyAdd(force, impulse, v), cloth_.start, i);
+  }
+
+  HWY_INLINE void settle(int slice) {
+    const D d;
+    for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(d))) {
+      const int i = slice * sliceLanes + lane;
+      const V3 v = load3(d, cloth_.start, i);
+      store3(d, v, cloth_.velocity, i);
+      store3(d, multiplyAdd(v, hn::Set(d, drift_), load3(d, cloth_.position, i)), cloth_.position, i);
+    }
+  }
+
+  SlicedCloth<T>& cloth_;
+  const SliceLayout& layout_;
+  const SliceStep<T>& step_;
+  const StepShare& share_;
+  T drift_;  // time to drift on after the kick [s]
+  SpringTerms<T>* terms_;
+  bool air_;
+};
+
+void verletFloat(SlicedCloth<float>& cloth, const SliceStep<float>& step, float drift, const StepShare& share,
+                 int phase) {
+  VerletKernel<float> kernel(cloth, step, drift, share);
+  phase == 0 ? kernel.firstPhase() : kernel.laterPhase();
+}
+
+void verletDouble(SlicedCloth<double>& cloth, const SliceStep<double>& step, double drift, const StepShare& share,
+                  int phase) {
+  VerletKernel<double> kernel(cloth, step, drift, share);
+  phase == 0 ? kernel.firstPhase() : kernel.laterPhase();
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace drape
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace drape {
+
+HWY_EXPORT(verletFloat);
+HWY_EXPORT(verletDouble);
+
+void verletPhase(SlicedCloth<float>& cloth, const SliceStep<float>& step, float drift, const StepShare& share,
+                 int phase) {
+  HWY_DYNAMIC_DISPATCH(verletFloat)(cloth, step, drift, share, phase);
+}
+
+void verletPhase(SlicedCloth<double>& cloth, const SliceStep<double>& step, double drift, const StepShare& share,
+                 int phase) {
+  HWY_DYNAMIC_DISPATCH(verletDouble)(cloth, step, drift, share, phase);
+}
+
+}  // namespace drape
+#endif

@@ -1,0 +1,107 @@
+#include "sim/simd/vertex_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <span>
+
+namespace drape {
+namespace {
+
+constexpr int window = 128;
+
+int degreeOf(const ClothModel& model, int vertex) {
+  const auto v = static_cast<std::size_t>(vertex);
+  return model.springEnds.begin[v + 1] - model.springEnds.begin[v];
+}
+
+std::span<const SpringEnd> endsOf(const ClothModel& model, int vertex) {
+  const auto v = static_cast<std::size_t>(vertex);
+  const auto begin = static_cast<std::size_t>(model.springEnds.begin[v]);
+  return {model.springEnds.values.data() + begin, static_cast<std::size_t>(degreeOf(model, vertex))};
+}
+
+/// Appends the vertices that are reached from `start`, ring by ring, each vertex's neighbours by ascending degree.
+void appendBreadthFirst(const ClothModel& model, int start, std::vector<bool>& seen, std::vector<int>& order) {
+  const auto less = [&](int a, int b) {
+    return std::make_pair(degreeOf(model, a), a) < std::make_pair(degreeOf(model, b), b);
+  };
+  std::size_t next = order.size();
+  order.push_back(start);
+  seen[static_cast<std::size_t>(start)] = true;
+  while (next < order.size()) {
+    const int vertex = order[next++];
+    const auto first = static_cast<std::ptrdiff_t>(order.size());
+    for (const SpringEnd& end : endsOf(model, vertex)) {
+      if (!seen[static_cast<std::size_t>(end.neighbour)]) {
+        seen[static_cast<std::size_t>(end.neighbour)] = true;
+        order.push_back(end.neighbour);
+      }
+    }
+    std::sort(order.begin() + first, order.end(), less);
+  }
+}
+
+/// A vertex far from most others: the last one that is reached from any, twice over (George and Liu, 1979).
+int peripheralVertex(const ClothModel& model, int start, const std::vector<bool>& seen) {
+  for (int pass = 0; pass < 2; ++pass) {
+    std::vector<bool> visited = seen;
+    std::vector<int> reached;
+    appendBreadthFirst(model, start, visited, reached);
+    start = reached.back();
+  }
+  return start;
+}
+
+std::vector<int> cuthillMcKee(const ClothModel& model) {
+  std::vector<int> order;
+  order.reserve(model.restPositions.size());
+  std::vector<bool> seen(model.restPositions.size(), false);
+  for (int vertex = 0; vertex < model.vertexCount(); ++vertex) {
+    if (!seen[static_cast<std::size_t>(vertex)]) {
+      appendBreadthFirst(model, peripheralVertex(model, vertex, seen), seen, order);
+    }
+  }
+  std::reverse(order.begin(), order.end());
+  return order;
+}
+
+void sortWindowsByDegree(const ClothModel& model, std::vector<int>& order) {
+  for (std::size_t begin = 0; begin < order.size(); begin += window) {
+    const std::size_t end = std::min(order.size(), begin + window);
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                     order.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&](int a, int b) { return degreeOf(model, a) < degreeOf(model, b); });
+  }
+}
+
+}  // namespace
+
+int bandwidth(const ClothModel& model, const std::vector<int>& order) {
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  }
+  int widest = 0;
+  for (const Spring& spring : model.springs) {
+    widest = std::max(widest,
+                      std::abs(place[static_cast<std::size_t>(spring.a)] - place[static_cast<std::size_t>(spring.b)]));
+  }
+  return widest;
+}
+
+std::vector<int> stepOrder(const ClothModel& model) {
+  std::vector<int> own(model.restPositions.size());
+  std::iota(own.begin(), own.end(), 0);
+  // A sheet that is as wide as it is long has a bandwidth of about the root of its size in row order.
+  const double small = 2.0 * std::sqrt(static_cast<double>(own.size())) + 16.0;
+  if (static_cast<double>(bandwidth(model, own)) <= small) {
+    return own;
+  }
+  std::vector<int> order = cuthillMcKee(model);
+  sortWindowsByDegree(model, order);
+  return order;
+}
+
+}  // namespace drape
