@@ -1,4 +1,5 @@
 #include "session/ghost.hpp"
+#include "session/solver_warning.hpp"
 #include "ui/panels.hpp"
 #include "ui/setting_widget.hpp"
 #include "ui/solver_facts.hpp"

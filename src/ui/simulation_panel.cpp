@@ -1,3 +1,4 @@
+#include "session/solver_warning.hpp"
 #include "ui/panels.hpp"
 #include "ui/setting_widget.hpp"
 #include "ui/solver_facts.hpp"

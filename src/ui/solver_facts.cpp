@@ -1,6 +1,5 @@
 #include "ui/solver_facts.hpp"
 
-#include "session/ghost.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -10,24 +9,11 @@
 namespace drape {
 namespace {
 
-std::string warningOf(const std::string& name, const ClothModel& model, const StepParameters& parameters) {
-  const SolverInfo* solver = findSolver(name);
-  return solver == nullptr || solver->warning == nullptr ? std::string() : solver->warning(model, parameters);
-}
-
 bool solvesToATolerance(const SolverInfo& solver) {
   return std::find(solver.settings.begin(), solver.settings.end(), "tolerance") != solver.settings.end();
 }
 
 }  // namespace
-
-std::string solverWarning(const Settings& settings, const ClothModel& model) {
-  return warningOf(settings.solver.name, model, settings.step);
-}
-
-std::string ghostWarning(const Settings& settings, const ClothModel& model) {
-  return warningOf(settings.ghost.solver, model, ghostParameters(settings));
-}
 
 std::string describeStepLimit(double limit) {
   constexpr double longStep = 0.5;  // [s]
@@ -51,9 +37,11 @@ void solverRows(const PanelContext& context, const SolverInfo& solver, const Ste
   // A row that is there from the start does not push the others down with the first step.
   if (report.iterations > 0 || solvesToATolerance(solver)) {
     valueRow(context, "Iterations", formatCount(report.iterations));
-    const std::string residual = formatNumber(report.residual);
-    valueRow(context, "Residual", report.converged ? residual : residual + ", did not converge",
-             report.converged ? palette().text : palette().warning);
+    if (solvesToATolerance(solver)) {
+      const std::string residual = formatNumber(report.residual);
+      valueRow(context, "Residual", report.converged ? residual : residual + ", did not converge",
+               report.converged ? palette().text : palette().warning);
+    }
   }
 }
 

@@ -6,12 +6,6 @@
 
 namespace drape {
 
-/// What is wrong with the chosen solver on this cloth; empty when nothing is.
-[[nodiscard]] std::string solverWarning(const Settings& settings, const ClothModel& model);
-
-/// The same for the ghost's; empty when there is no ghost.
-[[nodiscard]] std::string ghostWarning(const Settings& settings, const ClothModel& model);
-
 /// A longest stable step [s] as people write it: "1/240 s", never rounded to what is too long. "none" when there is no
 /// limit.
 [[nodiscard]] std::string describeStepLimit(double limit);

@@ -166,7 +166,14 @@ TEST(Run, takesNoStepInNoTime) {
 }
 
 TEST(Run, showsNoProgressBarWhereThereIsNoTerminal) {
-  EXPECT_EQ(headless("run grid --seconds 0.1").errors, "");
+  EXPECT_EQ(headless("run grid --seconds 0.1 --set stiffness=0.5").errors, "");
+}
+
+TEST(Run, tellsWhatIsWrongWithTheSolverAndTheGhostsOnThisCloth) {
+  const Outcome outcome = headless("run grid --seconds 0.1 --set solver=verlet --set ghost.solver=one_iteration");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.errors.find("warning: verlet: The time step is above"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("warning: the ghost's one_iteration: One sweep"), std::string::npos) << outcome.errors;
 }
 
 }  // namespace

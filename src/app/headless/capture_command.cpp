@@ -3,6 +3,7 @@
 #include "app/headless/frame_name.hpp"
 #include "app/headless/picture_maker.hpp"
 #include "app/headless/progress_bar.hpp"
+#include "app/headless/solver_notes.hpp"
 #include "session/simulation.hpp"
 #include "sim/error.hpp"
 
@@ -59,6 +60,7 @@ void makeFolder(const std::string& file) {
 void capture(const CaptureArguments& arguments) {
   const FramePattern pattern(arguments.output, arguments.frames);
   Simulation simulation(arguments.scene.load());
+  printSolverWarnings(simulation.settings(), simulation.model());
   makeFolder(pattern.name(0));
   const double timeStep = simulation.settings().step.timeStep;
   const int every =

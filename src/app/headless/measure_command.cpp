@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 #include "app/headless/commands.hpp"
 #include "app/headless/progress_bar.hpp"
+#include "app/headless/solver_notes.hpp"
 #include "report/error_table.hpp"
 #include "report/measurement.hpp"
 #include "report/report_json.hpp"
@@ -119,6 +120,7 @@ void run(const MeasureArguments& arguments) {
       throw InputError("cannot write to " + arguments.json + "; check that its folder exists and can be written to");
     }
   }
+  printSolverWarnings(scene->settings, *scene->model);
   const Measurement measurement = measureWithProgress(*scene, plan);
   warn(measurement);
   std::cout << errorTable(measurement);

@@ -3,7 +3,9 @@
 #include "app/headless/position_writer.hpp"
 #include "app/headless/progress_bar.hpp"
 #include "app/headless/run_stats.hpp"
+#include "app/headless/solver_notes.hpp"
 #include "session/simulation.hpp"
+#include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
 #include "sim/stability.hpp"
 
@@ -11,6 +13,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 namespace drape {
 namespace {
@@ -57,10 +60,13 @@ void printStabilityLimit(const nlohmann::ordered_json& limit) {
 
 void printSummary(const Simulation& simulation, const nlohmann::ordered_json& json) {
   printMesh(simulation.scene());
+  std::ostringstream figures;
+  figures.precision(3);
+  figures << json["step_us"]["median"].get<double>() << " us a step (median), largest stretch "
+          << maxStretch(simulation.model(), simulation.state());
   std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
             << " springs, " << json["triangles"] << " triangles\n"
-            << json["steps"] << " steps to " << simulation.state().time << " s, " << json["step_us"]["median"]
-            << " us a step (median), largest stretch " << json["max_stretch"] << ", state "
+            << json["steps"] << " steps to " << simulation.state().time << " s, " << figures.str() << ", state "
             << json["state_hash"].get<std::string>() << '\n';
   printStabilityLimit(json["stability_limit"]);
 }
@@ -71,6 +77,7 @@ void run(RunArguments arguments) {
     throw UsageError("--positions needs --every SECONDS: the simulated time between two samples");
   }
   Simulation simulation(arguments.scene.load());
+  printSolverWarnings(simulation.settings(), simulation.model());
   const double timeStep = simulation.settings().step.timeStep;
   const std::int64_t steps = stepsFor(arguments.seconds, timeStep);
   std::optional<PositionWriter> positions;

@@ -1,6 +1,7 @@
 #include "app/viewer/status_file.hpp"
 
 #include "render/picking.hpp"
+#include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/error.hpp"
 #include "ui/solver_facts.hpp"

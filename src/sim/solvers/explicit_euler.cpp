@@ -78,7 +78,7 @@ SolverInfo solvers::explicitEuler() {
               "The simplest integrator: position and velocity both go on from the start of the step. One evaluation of "
               "the forces a step and first order; it gains energy at any step unless springs are damped, so it serves "
               "only as a reference with tiny steps (the paper takes 1/30000 s).",
-          .source = "Euler, 1768",
+          .source = "Euler (1768), Institutiones calculi integralis",
           .backwardEuler = false,
           .settings = {},
           .warning = warning,

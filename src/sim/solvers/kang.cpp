@@ -16,9 +16,7 @@ namespace {
 /// own that have only scalars to divide by.
 ///
 /// What the print leaves open, and what is done here:
-/// - Damping -C_d (v_i - v_j) is part of F, and implicit: n_i h C_d joins the denominators and h C_d the coupling h^2
-/// k,
-///   as in one_iteration.
+/// - Damping -C_d (v_i - v_j) is part of F, and implicit: n_i h C_d joins the denominators, h C_d the coupling h^2 k.
 /// - A pinned vertex has dv = 0 and hands nothing on; its neighbours keep its spring in their denominators.
 /// - Masses may differ: m_i stands where the print has one mass.
 /// - Gravity, air and hand stand in F, and so are filtered like the springs; the hand's stiffness, shared out over the
@@ -117,19 +115,18 @@ class KangSolver final : public Solver {
 }  // namespace
 
 SolverInfo solvers::kang() {
-  return {
-      .name = "kang",
-      .title = "Kang direct update (implicit)",
-      .help =
-          "Backward Euler with the spring constant as the whole force derivative, and one iteration written out as "
-          "a formula: no matrix, one division a vertex. The cheapest implicit step, and hard to make explode. "
-          "Cloth moves as if through honey, since folding meets as much resistance as stretching does: small steps "
-          "and soft springs suit it best.",
-      .source = "Kang, Choi, Cho and Lee (2001), The Visual Computer 17; first Kang, Choi, Cho and Park (2000), CGI",
-      .backwardEuler = true,
-      .settings = {},
-      .warning = nullptr,
-      .make = []() -> std::unique_ptr<Solver> { return std::make_unique<KangSolver>(); }};
+  return {.name = "kang",
+          .title = "Kang direct update",
+          .help =
+              "Backward Euler with the spring constant as the whole force derivative, and one iteration written out as "
+              "a formula: no matrix, one division a vertex. The cheapest implicit step, and hard to make explode. "
+              "Cloth moves as if through honey, since folding meets as much resistance as stretching does: small steps "
+              "and soft springs suit it best.",
+          .source = "Kang, Choi, Cho and Lee (2001), in The Visual Computer 17",
+          .backwardEuler = true,
+          .settings = {},
+          .warning = nullptr,
+          .make = []() -> std::unique_ptr<Solver> { return std::make_unique<KangSolver>(); }};
 }
 
 }  // namespace drape

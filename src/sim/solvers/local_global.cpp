@@ -129,7 +129,7 @@ class LocalGlobalSolver final : public Solver {
 SolverInfo solvers::localGlobal() {
   return {
       .name = "local_global",
-      .title = "Local/global (fast mass springs)",
+      .title = "Local/global springs",
       .help =
           "Backward Euler as a minimum, found by turns: every spring takes its direction, then a linear system with a "
           "constant matrix takes the vertices there. Costs one solve with a sparse factor an iteration; the factor "

@@ -55,7 +55,7 @@ double energyGainNumber(const ClothModel& model, const StepParameters& parameter
 std::string oneIterationWarning(const ClothModel& model, const StepParameters& parameters) {
   const double stiff = stiffnessNumber(model, parameters);
   if (blowsUpByItsDerivative(parameters.derivative) && stiff > calmIndefinite) {
-    return "With this force derivative stiff cloth blows up at such a time step. " +
+    return "With this force derivative stiff cloth can blow up at such a time step. " +
            cure(parameters, std::sqrt(stiff / calmIndefinite), "the stabilised derivative");
   }
   if (stiff <= 1.0) {
@@ -63,17 +63,13 @@ std::string oneIterationWarning(const ClothModel& model, const StepParameters& p
   }
   const double gain = energyGainNumber(model, parameters);
   if (gain > calmGain) {
-    return "The time step is too long for a mesh as fine and stiff as this: flat cloth gains energy from nothing and "
-           "can "
-           "blow up. " +
+    return "The time step is too long for so fine and stiff a mesh: flat cloth gains energy and can blow up. " +
            cure(parameters, std::pow(gain / calmGain, 0.25), "a solver that solves for all springs at once");
   }
   std::ostringstream words;
-  words
-      << (parameters.sweeps == 1 ? std::string("One sweep is") : std::to_string(parameters.sweeps) + " sweeps are")
-      << " too few for this stiffness and time step: the cloth is slack and sluggish, and loses momentum where nothing "
-         "holds it. "
-      << cure(parameters, std::sqrt(stiff), "more sweeps");
+  words << (parameters.sweeps == 1 ? std::string("One sweep is") : std::to_string(parameters.sweeps) + " sweeps are")
+        << " too few at this stiffness and time step: the cloth is slack and loses momentum. "
+        << cure(parameters, std::sqrt(stiff), "more sweeps");
   return words.str();
 }
 

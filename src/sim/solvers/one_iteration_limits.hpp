@@ -30,7 +30,7 @@ namespace drape::solvers {
 
 /// What to tell the user of the one-iteration method; empty when nothing is wrong. In this order:
 /// - With derivatives other than `stabilised` and `scalar` the cloth blows up where (h omega)^2 of a substep exceeds
-///   about 25 times the sweeps: on sheets of 9, 17 and 33 vertices a side all was calm up to 24 and nothing above 65.
+///   about 25 times the sweeps: on sheets of 9, 17 and 33 vertices a side all was calm up to 24 and nothing above 300.
 /// - It may gain energy from nothing: q above 1e4.
 /// - It is slack: (h omega)^2 above the number of sweeps. There the positions are about five times as far from the
 ///   converged motion as those of the exact linear solve; at a tenth of it they are as near. (17 and 33 vertices a

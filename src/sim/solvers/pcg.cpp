@@ -127,7 +127,7 @@ class PcgSolver final : public Solver {
 SolverInfo solvers::pcg() {
   return {
       .name = "pcg",
-      .title = "Conjugate gradients (implicit)",
+      .title = "Conjugate gradients",
       .help =
           "Backward Euler whose linear system is solved by preconditioned conjugate gradients until its residual is "
           "small. What the one-iteration method approximates: bounded at any step and stiffness that was tried, at "

@@ -179,9 +179,8 @@ SolverInfo solvers::vbd() {
           .help =
               "Backward Euler as a minimisation: vertex after vertex takes a Newton step while its neighbours stand "
               "still. Robust at large steps from three sweeps on; every sweep costs about an evaluation of forces and "
-              "derivatives, and with "
-              "few of them stiff cloth is slack and sluggish.",
-          .source = "Chen, Liu, Yang and Yuksel, 2024, Vertex Block Descent",
+              "derivatives, and with few of them stiff cloth is slack and sluggish.",
+          .source = "Chen, Liu, Yang and Yuksel (2024), Vertex block descent",
           .backwardEuler = true,
           .settings = {"iterations", "derivative", "spectral_radius"},
           .warning = warning,

@@ -70,8 +70,8 @@ TEST(OneIterationWarning, namesSubstepsThatSatisfyItAndTakeTheEnergyAway) {
   const std::string words = warningOf(33, parameters);
   EXPECT_EQ(
       words,
-      "The time step is too long for a mesh as fine and stiff as this: flat cloth gains energy from nothing and can "
-      "blow up. Use 4 substeps or a solver that solves for all springs at once.");
+      "The time step is too long for so fine and stiff a mesh: flat cloth gains energy and can blow up. Use 4 substeps "
+      "or a solver that solves for all springs at once.");
   parameters.substeps = 4;
   EXPECT_FALSE(saysThatEnergyComesFromNothing(33, parameters));
   EXPECT_LT(largestEnergy(33, parameters), 50.0) << "instead of 8e5 J";
@@ -104,8 +104,8 @@ TEST(OneIterationWarning, saysThatClothIsSlackWhereItIsFarWorseThanTheExactSolve
   const StepParameters slack = with(10.0, 1.0 / 150.0);  // (h omega)^2 = 10
   EXPECT_EQ(
       warningOf(17, slack),
-      "One sweep is too few for this stiffness and time step: the cloth is slack and sluggish, and loses momentum "
-      "where nothing holds it. Use 4 substeps or more sweeps.");
+      "One sweep is too few at this stiffness and time step: the cloth is slack and loses momentum. Use 4 substeps or "
+      "more sweeps.");
   EXPECT_GT(meanError("one_iteration", slack), 10.0 * meanError("pcg", slack));
   const StepParameters fine = with(10.0, 1.0 / 600.0);  // 0.64
   EXPECT_EQ(warningOf(17, fine), "");
@@ -119,10 +119,10 @@ TEST(OneIterationWarning, saysWhichDerivativesBlowUp) {
   for (const auto derivative : {ForceDerivative::Exact, ForceDerivative::Axial, ForceDerivative::TensionOnly}) {
     StepParameters parameters = with(1e3, 1.0 / 150.0);
     parameters.derivative = derivative;
-    EXPECT_NE(warningOf(17, parameters).find("blows up"), std::string::npos);
+    EXPECT_NE(warningOf(17, parameters).find("force derivative"), std::string::npos);
     EXPECT_GT(largestEnergy(17, parameters), 1e3);
     parameters.stiffness = 20.0;  // (h omega)^2 = 21
-    EXPECT_EQ(warningOf(17, parameters).find("blows up"), std::string::npos);
+    EXPECT_EQ(warningOf(17, parameters).find("force derivative"), std::string::npos);
     EXPECT_LT(largestEnergy(17, parameters), 10.0);
   }
   StepParameters scalar = with(1e5, 1.0 / 30.0);

@@ -1,0 +1,24 @@
+#include "session/solver_warning.hpp"
+
+#include "session/ghost.hpp"
+#include "sim/solver.hpp"
+
+namespace drape {
+namespace {
+
+std::string warningOf(const std::string& name, const ClothModel& model, const StepParameters& parameters) {
+  const SolverInfo* solver = findSolver(name);
+  return solver == nullptr || solver->warning == nullptr ? std::string() : solver->warning(model, parameters);
+}
+
+}  // namespace
+
+std::string solverWarning(const Settings& settings, const ClothModel& model) {
+  return warningOf(settings.solver.name, model, settings.step);
+}
+
+std::string ghostWarning(const Settings& settings, const ClothModel& model) {
+  return warningOf(settings.ghost.solver, model, ghostParameters(settings));
+}
+
+}  // namespace drape
