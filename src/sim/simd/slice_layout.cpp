@@ -234,6 +234,7 @@ SliceLayout buildSliceLayout(const ClothModel& model) {
   for (std::size_t k = 0; k < layout.order.size(); ++k) {
     layout.place[static_cast<std::size_t>(layout.order[k])] = static_cast<int>(k);
   }
+  layout.ownOrder = std::is_sorted(layout.order.begin(), layout.order.end());
   layout.slotBegin.push_back(0);
   layout.cornerBegin.push_back(0);
   const int slices = (layout.vertices + sliceLanes - 1) / sliceLanes;

@@ -41,6 +41,7 @@ struct SliceLayout {
 
   int vertices = 0;
   std::vector<int> order;      ///< place -> vertex of the model
+  bool ownOrder = false;       ///< the order is the model's own
   std::vector<int> place;      ///< vertex of the model -> place
   std::vector<int> slotBegin;  ///< slices + 1 entries
   std::vector<Slot> slots;

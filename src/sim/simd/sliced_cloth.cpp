@@ -1,22 +1,64 @@
 #include "sim/simd/sliced_cloth.hpp"
 
+#include "sim/simd/convert.hpp"
+
 #include <algorithm>
 
 namespace drape {
 namespace {
 
+/// A thread's share of the vertices.
+struct Places {
+  std::size_t begin;
+  std::size_t end;
+
+  Places(const SliceLayout& layout, const StepShare& share)
+      : begin(static_cast<std::size_t>(share.begin) * sliceLanes),
+        end(std::min(layout.order.size(), static_cast<std::size_t>(share.end) * sliceLanes)) {}
+};
+
 template <typename T>
-void scatter(const SliceLayout& layout, const std::vector<Vec3>& from, LaneVectors<T>& to) {
-  for (std::size_t k = 0; k < layout.order.size(); ++k) {
-    const Vec3& value = from[static_cast<std::size_t>(layout.order[k])];
-    to.set(k, static_cast<T>(value.x()), static_cast<T>(value.y()), static_cast<T>(value.z()));
+Coordinates<T> coordinatesOf(LaneVectors<T>& vectors) {
+  return {vectors.x.data(), vectors.y.data(), vectors.z.data()};
+}
+
+template <typename T>
+void scatter(const SliceLayout& layout, Places places, const std::vector<Vec3>& from, LaneVectors<T>& to) {
+  const Coordinates<T> out = coordinatesOf(to);
+  const double* const values = from.data()->data();
+  if (layout.ownOrder) {
+    splitCoordinates(values + 3 * places.begin, places.end - places.begin,
+                     {out.x + places.begin, out.y + places.begin, out.z + places.begin});
+  } else {
+    for (std::size_t k = places.begin; k < places.end; ++k) {
+      const double* const value = values + 3 * static_cast<std::size_t>(layout.order[k]);
+      out.x[k] = static_cast<T>(value[0]);
+      out.y[k] = static_cast<T>(value[1]);
+      out.z[k] = static_cast<T>(value[2]);
+    }
+  }
+  for (std::size_t k = places.begin; !to.sideBySide.empty() && k < places.end; ++k) {
+    to.sideBySide[4 * k] = out.x[k];
+    to.sideBySide[4 * k + 1] = out.y[k];
+    to.sideBySide[4 * k + 2] = out.z[k];
   }
 }
 
 template <typename T>
-Vec3 vectorAt(const LaneVectors<T>& vectors, std::size_t place) {
-  return {static_cast<double>(vectors.x.data()[place]), static_cast<double>(vectors.y.data()[place]),
-          static_cast<double>(vectors.z.data()[place])};
+void gather(const SliceLayout& layout, Places places, LaneVectors<T>& from, std::vector<Vec3>& to) {
+  const Coordinates<T> in = coordinatesOf(from);
+  double* const values = to.data()->data();
+  if (layout.ownOrder) {
+    joinCoordinates({in.x + places.begin, in.y + places.begin, in.z + places.begin}, places.end - places.begin,
+                    values + 3 * places.begin);
+    return;
+  }
+  for (std::size_t k = places.begin; k < places.end; ++k) {
+    double* const value = values + 3 * static_cast<std::size_t>(layout.order[k]);
+    value[0] = static_cast<double>(in.x[k]);
+    value[1] = static_cast<double>(in.y[k]);
+    value[2] = static_cast<double>(in.z[k]);
+  }
 }
 
 }  // namespace
@@ -49,35 +91,50 @@ SlicedCloth<T>::SlicedCloth(const ClothModel& model) : layout(buildSliceLayout(m
 
 template <typename T>
 void SlicedCloth<T>::setMassesAndPins(const ClothModel& model) {
+  pinned.clear();
   for (std::size_t k = 0; k < layout.order.size(); ++k) {
     const auto v = static_cast<std::size_t>(layout.order[k]);
     mass.data()[k] = static_cast<T>(model.vertexMass[v]);
     area.data()[k] = static_cast<T>(model.vertexArea[v]);
     free.data()[k] = model.pinned[v] ? T(0) : T(1);
-  }
-}
-
-template <typename T>
-void SlicedCloth<T>::load(const ClothState& state) {
-  scatter(layout, state.positions, position);
-  scatter(layout, state.velocities, velocity);
-  // What is pinned has no velocity, and gains none; whatever it had before it was pinned would carry it on.
-  for (std::size_t k = 0; k < layout.order.size(); ++k) {
-    if (free.data()[k] == T(0)) {
-      velocity.set(k, T(0), T(0), T(0));
+    if (model.pinned[v]) {
+      pinned.push_back(static_cast<int>(k));
     }
   }
 }
 
 template <typename T>
-void SlicedCloth<T>::store(ClothState& state) const {
-  for (std::size_t k = 0; k < layout.order.size(); ++k) {
-    const auto v = static_cast<std::size_t>(layout.order[k]);
-    if (free.data()[k] == T(0)) {
-      state.velocities[v].setZero();  // and it stays where it was, unrounded
-    } else {
-      state.positions[v] = vectorAt(position, k);
-      state.velocities[v] = vectorAt(velocity, k);
+void SlicedCloth<T>::load(const ClothState& state, const StepShare& share) {
+  const Places places(layout, share);
+  scatter(layout, places, state.positions, position);
+  scatter(layout, places, state.velocities, velocity);
+  // What is pinned has no velocity, and gains none; whatever it had before it was pinned would carry it on.
+  for (const int place : pinned) {
+    if (share.holds(place)) {
+      velocity.set(static_cast<std::size_t>(place), T(0), T(0), T(0));
+    }
+  }
+}
+
+template <typename T>
+void SlicedCloth<T>::store(ClothState& state, const StepShare& share) {
+  const Places places(layout, share);
+  // What is pinned stays where it was, unrounded.
+  std::vector<Vec3>& held = heldPlaces[static_cast<std::size_t>(share.member)];
+  held.clear();
+  for (const int place : pinned) {
+    if (share.holds(place)) {
+      held.push_back(state.positions[static_cast<std::size_t>(layout.order[static_cast<std::size_t>(place)])]);
+    }
+  }
+  gather(layout, places, position, state.positions);
+  gather(layout, places, velocity, state.velocities);
+  std::size_t next = 0;
+  for (const int place : pinned) {
+    if (share.holds(place)) {
+      const auto vertex = static_cast<std::size_t>(layout.order[static_cast<std::size_t>(place)]);
+      state.positions[vertex] = held[next++];
+      state.velocities[vertex].setZero();
     }
   }
 }
@@ -87,6 +144,7 @@ void SlicedCloth<T>::prepare(int threads, int sweeps) {
   const auto members = static_cast<std::size_t>(threads);
   terms.resize(std::max(terms.size(), members));
   done.resize(std::max(done.size(), members));
+  heldPlaces.resize(std::max(heldPlaces.size(), members));
   for (int member = 0; member < threads; ++member) {
     const StepShare share = shareOf(layout, sweeps, member, threads);
     auto& own = terms[static_cast<std::size_t>(member)];

@@ -103,15 +103,16 @@ struct SlicedCloth {
 
   void setMassesAndPins(const ClothModel& model);
 
-  /// Takes positions and velocities over from a state, and gives them back.
-  void load(const ClothState& state);
-  void store(ClothState& state) const;
+  /// Takes a thread's share of the positions and velocities over from a state, and gives them back.
+  void load(const ClothState& state, const StepShare& share);
+  void store(ClothState& state, const StepShare& share);
 
   SliceLayout layout;
   std::vector<SliceNumbers<T>> restLength;  ///< one a slot [m]; negative where a lane has no spring
   LaneArray<T> mass;                        ///< [kg]; 1 in lanes beyond the last vertex
   LaneArray<T> area;                        ///< [m^2]
   LaneArray<T> free;                        ///< 1; 0 where pinned or beyond the last vertex
+  std::vector<int> pinned;                  ///< places of what is held
   LaneVectors<T> position, velocity;        ///< [m], [m/s]
   LaneVectors<T> start;                     ///< p_i, the start of the sweeps [m/s]
   std::array<LaneVectors<T>, 2> change;     ///< dv_i of alternate sweeps [m/s]; only with several
@@ -120,6 +121,7 @@ struct SlicedCloth {
   /// What a thread needs for itself: springs that have been evaluated and are still needed, and how far each sweep is.
   std::vector<std::vector<SpringTerms<T>>> terms;
   std::vector<std::vector<int>> done;
+  std::vector<std::vector<Vec3>> heldPlaces;  // where pinned vertices are, while a state is written
 
   /// Makes room for a step of so many threads and sweeps.
   void prepare(int threads, int sweeps);

@@ -30,9 +30,10 @@ void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, con
   const int threads = usefulThreads(cloth.layout, parameters.threads);
   const int phases = threads == 1 ? 1 : parameters.sweeps + 1;
   cloth.prepare(threads, parameters.sweeps);
-  cloth.load(state);
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, parameters.sweeps, member, threads);
+    cloth.load(state, share);
+    team_.meet();
     for (int i = 0; i < count; ++i) {
       if (inputs.grab) {
         if (member == 0) {
@@ -45,8 +46,8 @@ void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, con
         team_.meet();
       }
     }
+    cloth.store(state, share);
   });
-  cloth.store(state);
   state.time += count * parameters.timeStep;
 }
 
@@ -57,9 +58,9 @@ void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const Ste
   const T half = step.timeStep / T(2);
   const int threads = usefulThreads(cloth.layout, parameters.threads);
   cloth.prepare(threads, 1);
-  cloth.load(state);
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, 1, member, threads);
+    cloth.load(state, share);
     driftSlices(cloth, half, share);
     team_.meet();
     for (int i = 0; i < count; ++i) {
@@ -78,8 +79,8 @@ void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const Ste
         team_.meet();
       }
     }
+    cloth.store(state, share);
   });
-  cloth.store(state);
   state.time += count * parameters.timeStep;
 }
 

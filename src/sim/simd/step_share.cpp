@@ -23,7 +23,8 @@ StepShare shareOf(const SliceLayout& layout, int sweeps, int member, int members
 }
 
 int usefulThreads(const SliceLayout& layout, int threads) {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  // Asking the system takes as long as a step of a small cloth.
+  static const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   return std::clamp(layout.slices() / fewestSlices, 1, std::min(threads, cores));
 }
 

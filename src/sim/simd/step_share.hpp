@@ -24,6 +24,8 @@ struct StepShare {
   [[nodiscard]] int innerBegin(int sweep) const { return first ? begin : std::min(end, begin + sweep * lag); }
   [[nodiscard]] int innerEnd(int sweep) const { return last ? end : std::max(innerBegin(sweep), end - sweep * lag); }
 
+  [[nodiscard]] bool holds(int place) const { return place >= begin * sliceLanes && place < end * sliceLanes; }
+
   /// Where a slice's springs are kept from their evaluation to the last sweep: at the ends of the share each slice has
   /// a place of its own, since it waits; in between a ring is enough.
   [[nodiscard]] int shelf(int slice) const {

@@ -30,11 +30,12 @@ class ThreadTeam {
   std::vector<std::thread> others_;
   const std::function<void(int)>* body_ = nullptr;
   int count_ = 1;
-  std::atomic<unsigned> round_ = 0;     // grows when there is work
-  std::atomic<int> busy_ = 0;           // others that are still at it
-  std::atomic<int> arrived_ = 0;        // at the meeting
-  std::atomic<unsigned> meetings_ = 0;  // grows when all have come
   bool leaving_ = false;
+  // Each on a cache line of its own: who waits on one must not slow down who writes another.
+  alignas(64) std::atomic<unsigned> round_ = 0;     // grows when there is work
+  alignas(64) std::atomic<int> busy_ = 0;           // others that are still at it
+  alignas(64) std::atomic<int> arrived_ = 0;        // at the meeting
+  alignas(64) std::atomic<unsigned> meetings_ = 0;  // grows when all have come
 };
 
 }  // namespace drape

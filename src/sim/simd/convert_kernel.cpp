@@ -1,0 +1,118 @@
+// The header below includes this file once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/simd/convert_kernel.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own includes have to come first.
+#include "sim/simd/convert.hpp"
+#include "sim/simd/slice_layout.hpp"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace drape {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, sliceLanes>;
+
+template <typename T>
+HWY_INLINE void storeAs(hn::Vec<Doubles> value, T* to) {
+  if constexpr (sizeof(T) == sizeof(float)) {
+    const hn::Rebind<float, Doubles> narrow;
+    hn::StoreU(hn::DemoteTo(narrow, value), narrow, to);
+  } else {
+    hn::StoreU(value, Doubles(), to);
+  }
+}
+
+template <typename T>
+HWY_INLINE hn::Vec<Doubles> loadFrom(const T* from) {
+  if constexpr (sizeof(T) == sizeof(float)) {
+    return hn::PromoteTo(Doubles(), hn::LoadU(hn::Rebind<float, Doubles>(), from));
+  } else {
+    return hn::LoadU(Doubles(), from);
+  }
+}
+
+template <typename T>
+void split(const double* from, std::size_t count, const Coordinates<T>& to) {
+  [[maybe_unused]] const Doubles d;
+  std::size_t i = 0;
+#if HWY_TARGET != HWY_SCALAR
+  for (const std::size_t lanes = hn::Lanes(d); i + lanes <= count; i += lanes) {
+    hn::Vec<Doubles> x;
+    hn::Vec<Doubles> y;
+    hn::Vec<Doubles> z;
+    hn::LoadInterleaved3(d, from + 3 * i, x, y, z);
+    storeAs(x, to.x + i);
+    storeAs(y, to.y + i);
+    storeAs(z, to.z + i);
+  }
+#endif
+  for (; i < count; ++i) {
+    to.x[i] = static_cast<T>(from[3 * i]);
+    to.y[i] = static_cast<T>(from[3 * i + 1]);
+    to.z[i] = static_cast<T>(from[3 * i + 2]);
+  }
+}
+
+template <typename T>
+void join(const Coordinates<T>& from, std::size_t count, double* to) {
+  [[maybe_unused]] const Doubles d;
+  std::size_t i = 0;
+#if HWY_TARGET != HWY_SCALAR
+  for (const std::size_t lanes = hn::Lanes(d); i + lanes <= count; i += lanes) {
+    hn::StoreInterleaved3(loadFrom(from.x + i), loadFrom(from.y + i), loadFrom(from.z + i), d, to + 3 * i);
+  }
+#endif
+  for (; i < count; ++i) {
+    to[3 * i] = static_cast<double>(from.x[i]);
+    to[3 * i + 1] = static_cast<double>(from.y[i]);
+    to[3 * i + 2] = static_cast<double>(from.z[i]);
+  }
+}
+
+void splitFloat(const double* from, std::size_t count, const Coordinates<float>& to) {
+  split(from, count, to);
+}
+void splitDouble(const double* from, std::size_t count, const Coordinates<double>& to) {
+  split(from, count, to);
+}
+void joinFloat(const Coordinates<float>& from, std::size_t count, double* to) {
+  join(from, count, to);
+}
+void joinDouble(const Coordinates<double>& from, std::size_t count, double* to) {
+  join(from, count, to);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace drape
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace drape {
+
+HWY_EXPORT(splitFloat);
+HWY_EXPORT(splitDouble);
+HWY_EXPORT(joinFloat);
+HWY_EXPORT(joinDouble);
+
+void splitCoordinates(const double* from, std::size_t count, const Coordinates<float>& to) {
+  HWY_DYNAMIC_DISPATCH(splitFloat)(from, count, to);
+}
+
+void splitCoordinates(const double* from, std::size_t count, const Coordinates<double>& to) {
+  HWY_DYNAMIC_DISPATCH(splitDouble)(from, count, to);
+}
+
+void joinCoordinates(const Coordinates<float>& from, std::size_t count, double* to) {
+  HWY_DYNAMIC_DISPATCH(joinFloat)(from, count, to);
+}
+
+void joinCoordinates(const Coordinates<double>& from, std::size_t count, double* to) {
+  HWY_DYNAMIC_DISPATCH(joinDouble)(from, count, to);
+}
+
+}  // namespace drape
+#endif
