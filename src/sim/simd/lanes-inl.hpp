@@ -129,19 +129,20 @@ HWY_INLINE Lanes3<D> offsetOf(D d, const SpringTerms<T>& terms, int lane) {
 }
 
 template <class D, typename T>
-HWY_INLINE Symmetric<D> loadSymmetric(D d, const std::array<LaneArray<T>, 6>& from, std::ptrdiff_t at) {
-  return {hn::LoadU(d, from[0].data() + at), hn::LoadU(d, from[1].data() + at), hn::LoadU(d, from[2].data() + at),
-          hn::LoadU(d, from[3].data() + at), hn::LoadU(d, from[4].data() + at), hn::LoadU(d, from[5].data() + at)};
+HWY_INLINE Symmetric<D> loadSymmetric(D d, const SliceMatrices<T>& from, int lane) {
+  return {hn::LoadU(d, from[0].data() + lane), hn::LoadU(d, from[1].data() + lane),
+          hn::LoadU(d, from[2].data() + lane), hn::LoadU(d, from[3].data() + lane),
+          hn::LoadU(d, from[4].data() + lane), hn::LoadU(d, from[5].data() + lane)};
 }
 
 template <class D, typename T>
-HWY_INLINE void storeSymmetric(D d, const Symmetric<D>& value, std::array<LaneArray<T>, 6>& to, std::ptrdiff_t at) {
-  hn::StoreU(value.xx, d, to[0].data() + at);
-  hn::StoreU(value.xy, d, to[1].data() + at);
-  hn::StoreU(value.xz, d, to[2].data() + at);
-  hn::StoreU(value.yy, d, to[3].data() + at);
-  hn::StoreU(value.yz, d, to[4].data() + at);
-  hn::StoreU(value.zz, d, to[5].data() + at);
+HWY_INLINE void storeSymmetric(D d, const Symmetric<D>& value, SliceMatrices<T>& to, int lane) {
+  hn::StoreU(value.xx, d, to[0].data() + lane);
+  hn::StoreU(value.xy, d, to[1].data() + lane);
+  hn::StoreU(value.xz, d, to[2].data() + lane);
+  hn::StoreU(value.yy, d, to[3].data() + lane);
+  hn::StoreU(value.yz, d, to[4].data() + lane);
+  hn::StoreU(value.zz, d, to[5].data() + lane);
 }
 
 /// Three coordinates and a number beside them for each lane.

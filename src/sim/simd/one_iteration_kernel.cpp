@@ -33,7 +33,8 @@ class OneIterationKernel {
         layout_(cloth.layout),
         step_(step),
         share_(share),
-        terms_(cloth.terms[static_cast<std::size_t>(share.member)].data()) {}
+        terms_(cloth.terms[static_cast<std::size_t>(share.member)].data()),
+        inverses_(cloth.inverses[static_cast<std::size_t>(share.member)].data()) {}
 
   /// Every sweep trails the one before it by the reach of the springs, so that what it needs is still in the cache.
   /// Near the ends of a thread's share it has to wait for the other threads.
@@ -124,7 +125,7 @@ class OneIterationKernel {
         hn::MulAdd(h, coupled.xx, diagonal), hn::Mul(h, coupled.xy), hn::Mul(h, coupled.xz),
         hn::MulAdd(h, coupled.yy, diagonal), hn::Mul(h, coupled.yz), hn::MulAdd(h, coupled.zz, diagonal)};
     const Symmetric<D> inverse = W.inverse(hn::LoadU(d, cloth_.free.data() + i));
-    storeSymmetric(d, inverse, cloth_.inverse, i);
+    storeSymmetric(d, inverse, inverses_[share_.shelf(slice)], lane);
     store3(d, inverse.times(scaled(force, h)), cloth_.start, i);
   }
 
@@ -145,7 +146,7 @@ class OneIterationKernel {
     // The start of damped Jacobi is the relaxed p.
     const T scale = sweep == 1 ? step_.timeStep * step_.relaxation : step_.timeStep;
     const V3 start = load3(d, cloth_.start, i);
-    const V3 moved = loadSymmetric(d, cloth_.inverse, i).times(scaled(sum, hn::Set(d, scale)));
+    const V3 moved = loadSymmetric(d, inverses_[share_.shelf(slice)], lane).times(scaled(sum, hn::Set(d, scale)));
     V3 dv = add(moved, start);
     if (step_.weights != nullptr) {
       dv = accelerated(sweep, i, dv);
@@ -185,6 +186,7 @@ class OneIterationKernel {
   const SliceStep<T>& step_;
   const StepShare& share_;
   SpringTerms<T>* terms_;
+  SliceMatrices<T>* inverses_;
 };
 
 template <typename T>

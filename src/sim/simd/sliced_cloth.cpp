@@ -80,9 +80,6 @@ SlicedCloth<T>::SlicedCloth(const ClothModel& model) : layout(buildSliceLayout(m
   for (LaneVectors<T>* vectors : {&position, &velocity, &start}) {
     vectors->resize(slices, layout.irregular());
   }
-  for (LaneArray<T>& array : inverse) {
-    array.resize(slices);
-  }
   for (int k = 0; k < slices * sliceLanes; ++k) {
     mass.data()[k] = T(1);
   }
@@ -143,6 +140,7 @@ template <typename T>
 void SlicedCloth<T>::prepare(int threads, int sweeps) {
   const auto members = static_cast<std::size_t>(threads);
   terms.resize(std::max(terms.size(), members));
+  inverses.resize(std::max(inverses.size(), members));
   done.resize(std::max(done.size(), members));
   heldPlaces.resize(std::max(heldPlaces.size(), members));
   for (int member = 0; member < threads; ++member) {
@@ -150,6 +148,8 @@ void SlicedCloth<T>::prepare(int threads, int sweeps) {
     auto& own = terms[static_cast<std::size_t>(member)];
     const auto needed = static_cast<std::size_t>(share.shelves()) * static_cast<std::size_t>(layout.mostSlots);
     own.resize(std::max(own.size(), needed));
+    auto& matrices = inverses[static_cast<std::size_t>(member)];
+    matrices.resize(std::max(matrices.size(), static_cast<std::size_t>(share.shelves())));
   }
   if (sweeps > 1 && !change[0].sized()) {
     change[0].resize(layout.slices(), layout.irregular());

@@ -96,6 +96,10 @@ struct SpringTerms {
   SliceNumbers<T> beta;     ///< [N s/m^3]
 };
 
+/// A symmetric matrix for each vertex of a slice: xx xy xz yy yz zz.
+template <typename T>
+using SliceMatrices = std::array<SliceNumbers<T>, 6>;
+
 /// A cloth laid out for vector instructions, with the memory that a step needs: at most 200 bytes a vertex in float.
 template <typename T>
 struct SlicedCloth {
@@ -116,10 +120,10 @@ struct SlicedCloth {
   LaneVectors<T> position, velocity;        ///< [m], [m/s]
   LaneVectors<T> start;                     ///< p_i, the start of the sweeps [m/s]
   std::array<LaneVectors<T>, 2> change;     ///< dv_i of alternate sweeps [m/s]; only with several
-  std::array<LaneArray<T>, 6> inverse;      ///< W_ii^-1: xx xy xz yy yz zz [1/kg]
 
   /// What a thread needs for itself: springs that have been evaluated and are still needed, and how far each sweep is.
   std::vector<std::vector<SpringTerms<T>>> terms;
+  std::vector<std::vector<SliceMatrices<T>>> inverses;  ///< W_ii^-1 [1/kg] of as many slices
   std::vector<std::vector<int>> done;
   std::vector<std::vector<Vec3>> heldPlaces;  // where pinned vertices are, while a state is written
 
