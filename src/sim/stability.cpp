@@ -54,6 +54,21 @@ std::string stepLimitWarning(const StepParameters& parameters, double limit) {
   return words.str();
 }
 
+std::string stiffFoldsWarning(const ClothModel& model, const StepParameters& parameters) {
+  constexpr double bearable = 0.1;  // of (h omega)^2
+  const double needed = parameters.timeStep * largestFrequency(model, parameters) / std::sqrt(bearable);
+  if (needed <= parameters.substeps) {
+    return {};
+  }
+  std::ostringstream words;
+  words << "Folding resists like stretching at this stiffness and time step: the cloth moves far too slowly. Use ";
+  if (needed <= mostSubsteps) {
+    words << std::ceil(needed) << " substeps or ";
+  }
+  words << "softer cloth.";
+  return words.str();
+}
+
 std::string slackWarning(const ClothModel& model, const StepParameters& parameters, double reach) {
   const double carried = std::sqrt(reach * parameters.iterations);
   const double needed = parameters.timeStep * largestFrequency(model, parameters) / carried;

@@ -97,8 +97,10 @@ void run(RunArguments arguments) {
       progress.show(i + 1);
     }
   }
-  if (!simulation.message().empty()) {
-    std::cerr << "warning: " << simulation.message() << '\n';
+  Snapshot end;
+  simulation.capture(end);
+  if (!end.message.empty()) {
+    std::cerr << "warning: " << end.message << '\n';
   }
   const auto figures = stats.toJson(simulation);
   stats.write(figures);

@@ -1,5 +1,6 @@
 #include "sim/solvers/filtered_step.hpp"
 #include "sim/solvers/registry.hpp"
+#include "sim/stability.hpp"
 
 namespace drape {
 
@@ -27,7 +28,7 @@ SolverInfo solvers::desbrun() {
       .source = "Desbrun, Schroeder and Barr (1999), Interactive animation of structured deformable objects",
       .backwardEuler = false,
       .settings = {},
-      .warning = nullptr,
+      .warning = stiffFoldsWarning,
       .make = []() -> std::unique_ptr<Solver> {
         return std::make_unique<FilteredStepSolver>(RotationCorrection::Positions);
       }};

@@ -1,6 +1,7 @@
 #include "sim/external_forces.hpp"
 #include "sim/kernels.hpp"
 #include "sim/solvers/registry.hpp"
+#include "sim/stability.hpp"
 #include "sim/workers.hpp"
 
 namespace drape {
@@ -125,7 +126,7 @@ SolverInfo solvers::kang() {
           .source = "Kang, Choi, Cho and Lee (2001), in The Visual Computer 17",
           .backwardEuler = true,
           .settings = {},
-          .warning = nullptr,
+          .warning = stiffFoldsWarning,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<KangSolver>(); }};
 }
 

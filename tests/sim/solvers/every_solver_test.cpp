@@ -297,6 +297,24 @@ TEST_P(EverySolver, tellsWhatItIsAndWhenItFails) {
   }
 }
 
+TEST(SolverWarnings, sayWhereOneConstantMatrixIsSluggishOrTooLittleIterated) {
+  const auto model = pinnedSheet(17);
+  StepParameters parameters;
+  parameters.stiffness = 10.0;  // (h omega)^2 = 10
+  for (const char* solver : {"kang", "desbrun", "meyer"}) {
+    EXPECT_NE(findSolver(solver)->warning(*model, parameters).find("Use 11 substeps"), std::string::npos);
+  }
+  const SolverInfo& localGlobal = *findSolver("local_global");
+  EXPECT_EQ(localGlobal.warning(*model, parameters), "");
+  parameters.stiffness = 1000.0;
+  EXPECT_NE(localGlobal.warning(*model, parameters).find("Use 4 substeps"), std::string::npos);
+}
+
+TEST(SolverWarnings, sayThatNewtonIsSlowOnFineMeshes) {
+  EXPECT_EQ(findSolver("newton")->warning(*pinnedSheet(17), {}), "");
+  EXPECT_NE(findSolver("newton")->warning(*pinnedSheet(33), {}).find("measuring"), std::string::npos);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EverySolver, ::testing::ValuesIn(methods()),
                          [](const auto& chosen) { return chosen.param.name; });
 
