@@ -86,6 +86,13 @@ TEST(Measure, saysWhenTheClothBlowsUpAndReportsWhatCameBefore) {
   EXPECT_NE(outcome.errors.find("the cloth blew up after"), std::string::npos) << outcome.errors;
 }
 
+TEST(Measure, saysWhenTheClothIsStretchedBeyondAllMeasureThoughFinite) {
+  const Outcome outcome =
+      headless("measure grid --seconds 0.1 --against newton --set solver=verlet --set stiffness=100");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.errors.find("beyond what this method can carry"), std::string::npos) << outcome.errors;
+}
+
 TEST(Measure, refusesWrongUse) {
   const auto refuses = [](const std::string& arguments, const std::string& because) {
     const Outcome outcome = headless(small + arguments);

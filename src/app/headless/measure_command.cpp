@@ -98,6 +98,14 @@ void warn(const Measurement& measurement) {
     std::cerr << "warning: the cloth blew up after " << measurement.report.checkpoints.back().time
               << " s; what is reported ends there\n";
   }
+  constexpr double implausible = 2.0;  // no cloth stretches to three times its length
+  if (!measurement.report.checkpoints.empty()) {
+    const CheckpointReport& last = measurement.report.checkpoints.back();
+    if (measurement.own.finite && last.maxStretch > implausible && last.referenceStretch <= implausible) {
+      std::cerr << "warning: at the end a spring has " << 1.0 + last.maxStretch
+                << " times its rest length: the step is beyond what this method can carry\n";
+    }
+  }
   if (!measurement.reference.doubt.empty()) {
     std::cerr << "warning: " << measurement.reference.doubt << '\n';
   }
