@@ -25,6 +25,20 @@ HWY_INLINE hn::Mask<D> lanesOfBits(D d, std::uint16_t bits, int lane) {
   return hn::LoadMaskBits(d, bytes.data());
 }
 
+/// Where the numbers of the lanes from `lane` on stand, in slots that differ from one to the other.
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> loadCorners(D, const std::uint16_t* slots, int lane) {
+  static_assert(SpringTerms<hn::TFromD<D>>::stride == 64 + 16);
+  const hn::Rebind<std::int32_t, D> indices;
+  const auto slot = hn::PromoteTo(indices, hn::LoadU(hn::Rebind<std::uint16_t, D>(), slots + lane));
+  const auto at = hn::Add(hn::Add(hn::ShiftLeft<6>(slot), hn::ShiftLeft<4>(slot)), hn::Iota(indices, lane));
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(std::int32_t)) {
+    return at;
+  } else {
+    return hn::PromoteTo(hn::RebindToSigned<D>(), at);
+  }
+}
+
 /// Offsets to the neighbours in slots that differ from lane to lane.
 template <class D, typename T>
 HWY_INLINE Lanes3<D> gatherOffsets(D d, const SpringTerms<T>* terms, hn::Vec<hn::RebindToSigned<D>> at) {
@@ -47,8 +61,8 @@ HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTe
       b = offsetOf(d, terms[corner.slotB], lane);
     } else {
       const auto& table = layout.cornerTables[static_cast<std::size_t>(corner.table)];
-      a = gatherOffsets(d, terms, loadIndices(d, table.a.data() + lane));
-      b = gatherOffsets(d, terms, loadIndices(d, table.b.data() + lane));
+      a = gatherOffsets(d, terms, loadCorners(d, table.a.data(), lane));
+      b = gatherOffsets(d, terms, loadCorners(d, table.b.data(), lane));
     }
     if (HWY_UNLIKELY(corner.lanes != allLanes)) {
       const auto present = lanesOfBits(d, corner.lanes, lane);

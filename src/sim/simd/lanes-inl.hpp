@@ -113,13 +113,18 @@ HWY_INLINE void store3(D d, const Lanes3<D>& value, LaneVectors<T>& vectors, std
   hn::StoreU(value.x, d, vectors.x.data() + at);
   hn::StoreU(value.y, d, vectors.y.data() + at);
   hn::StoreU(value.z, d, vectors.z.data() + at);
-#if HWY_TARGET != HWY_SCALAR
   if constexpr (sizeof(T) == sizeof(float)) {
     if (!vectors.sideBySide.empty()) {
-      hn::StoreInterleaved4(value.x, value.y, value.z, value.z, d, vectors.sideBySide.data() + 4 * at);
+      T* const to = vectors.sideBySide.data() + 4 * at;
+#if HWY_TARGET == HWY_SCALAR
+      hn::StoreU(value.x, d, to);
+      hn::StoreU(value.y, d, to + 1);
+      hn::StoreU(value.z, d, to + 2);
+#else
+      hn::StoreInterleaved4(value.x, value.y, value.z, value.z, d, to);
+#endif
     }
   }
-#endif
 }
 
 template <class D, typename T>

@@ -1,8 +1,10 @@
 #include "sim/simd/slice_layout.hpp"
 
+#include "sim/error.hpp"
 #include "sim/simd/vertex_order.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -195,7 +197,8 @@ class SliceBuilder {
   void addCorner(const std::pair<int, int>& slots, const std::vector<int>& lanes, std::vector<int>& tables,
                  std::array<std::size_t, sliceLanes>& used) {
     if (static_cast<int>(lanes.size()) >= fewestCommonCorners) {
-      SliceLayout::Corner corner{.slotA = slots.first, .slotB = slots.second};
+      SliceLayout::Corner corner{.slotA = static_cast<std::uint16_t>(slots.first),
+                                 .slotB = static_cast<std::uint16_t>(slots.second)};
       for (const int lane : lanes) {
         corner.lanes = static_cast<std::uint16_t>(corner.lanes | (1U << static_cast<unsigned>(lane)));
       }
@@ -212,8 +215,8 @@ class SliceBuilder {
       auto& corner = layout_.corners[static_cast<std::size_t>(tables[row])];
       auto& table = layout_.cornerTables[static_cast<std::size_t>(corner.table)];
       corner.lanes = static_cast<std::uint16_t>(corner.lanes | (1U << static_cast<unsigned>(lane)));
-      table.a[static_cast<std::size_t>(lane)] = slots.first * cornerStride + lane;
-      table.b[static_cast<std::size_t>(lane)] = slots.second * cornerStride + lane;
+      table.a[static_cast<std::size_t>(lane)] = static_cast<std::uint16_t>(slots.first);
+      table.b[static_cast<std::size_t>(lane)] = static_cast<std::uint16_t>(slots.second);
     }
   }
 
@@ -224,7 +227,28 @@ class SliceBuilder {
   std::array<std::vector<int>, sliceLanes> slotOf_;
 };
 
+template <typename T>
+std::size_t bytesOf(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+/// Gives back what the growing of the tables left over.
+void trim(SliceLayout& layout) {
+  layout.slotBegin.shrink_to_fit();
+  layout.slots.shrink_to_fit();
+  layout.neighbourTables.shrink_to_fit();
+  layout.cornerBegin.shrink_to_fit();
+  layout.corners.shrink_to_fit();
+  layout.cornerTables.shrink_to_fit();
+  layout.reach.shrink_to_fit();
+}
+
 }  // namespace
+
+std::size_t SliceLayout::bytes() const {
+  return bytesOf(order) + bytesOf(place) + bytesOf(slotBegin) + bytesOf(slots) + bytesOf(springs) +
+         bytesOf(neighbourTables) + bytesOf(cornerBegin) + bytesOf(corners) + bytesOf(cornerTables) + bytesOf(reach);
+}
 
 SliceLayout buildSliceLayout(const ClothModel& model) {
   SliceLayout layout;
@@ -253,6 +277,10 @@ SliceLayout buildSliceLayout(const ClothModel& model) {
   for (int s = 0; s < slices; ++s) {
     layout.longestReach = std::max(layout.longestReach, layout.reach[static_cast<std::size_t>(s)] - s);
   }
+  if (layout.mostSlots > std::numeric_limits<std::uint16_t>::max()) {
+    throw InputError("a vertex of the cloth has more than 65535 springs");
+  }
+  trim(layout);
   return layout;
 }
 

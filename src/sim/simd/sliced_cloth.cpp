@@ -74,6 +74,7 @@ SlicedCloth<T>::SlicedCloth(const ClothModel& model) : layout(buildSliceLayout(m
           spring < 0 ? T(-1) : static_cast<T>(model.springs[static_cast<std::size_t>(spring)].restLength);
     }
   }
+  layout.springs = std::vector<std::array<std::int32_t, sliceLanes>>();  // an empty list would keep the memory
   for (LaneArray<T>* array : {&mass, &area, &free}) {
     array->resize(slices);
   }
@@ -155,6 +156,25 @@ void SlicedCloth<T>::prepare(int threads, int sweeps) {
     change[0].resize(layout.slices(), layout.irregular());
     change[1].resize(layout.slices(), layout.irregular());
   }
+}
+
+template <typename T>
+std::size_t SlicedCloth<T>::bytes() const {
+  std::size_t sum =
+      layout.bytes() + restLength.capacity() * sizeof(SliceNumbers<T>) + pinned.capacity() * sizeof(int);
+  for (const LaneArray<T>* array : {&mass, &area, &free}) {
+    sum += array->bytes();
+  }
+  for (const LaneVectors<T>* vectors : {&position, &velocity, &start, &change[0], &change[1]}) {
+    sum += vectors->bytes();
+  }
+  for (const auto& own : terms) {
+    sum += own.capacity() * sizeof(SpringTerms<T>);
+  }
+  for (const auto& own : inverses) {
+    sum += own.capacity() * sizeof(SliceMatrices<T>);
+  }
+  return sum;
 }
 
 template <typename T>

@@ -24,6 +24,8 @@ class LaneArray {
   /// The value of place 0.
   [[nodiscard]] T* data() { return slices_[1].data(); }
   [[nodiscard]] const T* data() const { return slices_[1].data(); }
+  /// The memory that it takes [bytes].
+  [[nodiscard]] std::size_t bytes() const { return slices_.capacity() * sizeof(SliceNumbers<T>); }
 
  private:
   std::vector<SliceNumbers<T>> slices_;
@@ -44,6 +46,10 @@ struct LaneVectors {
   }
 
   [[nodiscard]] bool sized() const { return x.sized(); }
+  /// The memory that it takes [bytes].
+  [[nodiscard]] std::size_t bytes() const {
+    return x.bytes() + y.bytes() + z.bytes() + sideBySide.capacity() * sizeof(T);
+  }
 
   void set(std::size_t place, T newX, T newY, T newZ) {
     x.data()[place] = newX;
@@ -94,6 +100,9 @@ struct SpringTerms {
   SliceNumbers<T> x, y, z;  ///< the offset to the neighbour [m]
   SliceNumbers<T> alpha;    ///< [N s/m]
   SliceNumbers<T> beta;     ///< [N s/m^3]
+
+  /// From a number of one slot to the same number of the next.
+  static constexpr int stride = 5 * sliceLanes;
 };
 
 /// A symmetric matrix for each vertex of a slice: xx xy xz yy yz zz.
@@ -129,6 +138,9 @@ struct SlicedCloth {
 
   /// Makes room for a step of so many threads and sweeps.
   void prepare(int threads, int sweeps);
+
+  /// The memory that it takes [bytes].
+  [[nodiscard]] std::size_t bytes() const;
 };
 
 /// One phase of a step of the one-iteration method, eqs. 7-16 with damping, gravity, air and hand, for the slices of
