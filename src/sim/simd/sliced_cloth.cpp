@@ -160,8 +160,7 @@ void SlicedCloth<T>::prepare(int threads, int sweeps) {
 
 template <typename T>
 std::size_t SlicedCloth<T>::bytes() const {
-  std::size_t sum =
-      layout.bytes() + restLength.capacity() * sizeof(SliceNumbers<T>) + pinned.capacity() * sizeof(int);
+  std::size_t sum = layout.bytes() + restLength.capacity() * sizeof(SliceNumbers<T>) + pinned.capacity() * sizeof(int);
   for (const LaneArray<T>* array : {&mass, &area, &free}) {
     sum += array->bytes();
   }

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "sim/simd/slice_step.hpp"
+#include "sim/simd/sliced_cloth.hpp"
+#include "sim/simd/thread_team.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace drape::testing {
+
+/// The orders in which the members of a team may come to do a phase, when one processor does the work of all.
+enum class Turns { Forwards, Backwards, EveryOther };
+
+inline std::vector<int> membersBy(Turns turns, int members) {
+  std::vector<int> order;
+  for (int m = 0; m < members; ++m) {
+    order.push_back(m);
+  }
+  if (turns == Turns::Backwards) {
+    std::reverse(order.begin(), order.end());
+  }
+  if (turns == Turns::EveryOther) {
+    std::stable_partition(order.begin(), order.end(), [](int m) { return m % 2 == 1; });
+  }
+  return order;
+}
+
+/// Takes steps of the one-iteration method or of Verlet share by share and phase by phase, on the calling thread.
+template <typename T>
+class SteppingByHand {
+ public:
+  SteppingByHand(const ClothModel& model, const StepParameters& parameters, int members, Turns turns)
+      : model_(model),
+        parameters_(parameters),
+        cloth_(model),
+        step_(sliceStepOf<T>(parameters)),
+        order_(membersBy(turns, members)) {
+    cloth_.prepare(members, parameters.sweeps);
+  }
+
+  /// Of Chebyshev's acceleration, one a sweep.
+  void accelerateBy(const std::vector<T>& weights) {
+    weights_ = weights;
+    step_.weights = weights_.data();
+  }
+
+  void oneIteration(const StepInputs& inputs, int steps, ClothState& state) {
+    eachMember(1, [&](const StepShare& share) { cloth_.load(state, share); });
+    for (int i = 0; i < steps; ++i) {
+      if (inputs.grab) {
+        setHand(model_, *inputs.grab, cloth_, step_);
+      }
+      for (int phase = 0; phase <= parameters_.sweeps; ++phase) {
+        eachMember(parameters_.sweeps, [&](const StepShare& share) { oneIterationPhase(cloth_, step_, share, phase); });
+      }
+    }
+    eachMember(1, [&](const StepShare& share) { cloth_.store(state, share); });
+  }
+
+  void verlet(int steps, ClothState& state) {
+    const T half = step_.timeStep / T(2);
+    eachMember(1, [&](const StepShare& share) { cloth_.load(state, share); });
+    eachMember(1, [&](const StepShare& share) { driftSlices(cloth_, half, share); });
+    for (int i = 0; i < steps; ++i) {
+      for (int phase = 0; phase < 2; ++phase) {
+        eachMember(1, [&](const StepShare& share) {
+          verletPhase(cloth_, step_, i + 1 < steps ? step_.timeStep : half, share, phase);
+        });
+      }
+    }
+    eachMember(1, [&](const StepShare& share) { cloth_.store(state, share); });
+  }
+
+ private:
+  template <typename Visit>
+  void eachMember(int sweeps, Visit&& visit) {
+    for (const int member : order_) {
+      visit(shareOf(cloth_.layout, sweeps, member, static_cast<int>(order_.size())));
+    }
+  }
+
+  const ClothModel& model_;
+  StepParameters parameters_;
+  SlicedCloth<T> cloth_;
+  SliceStep<T> step_;
+  std::vector<int> order_;
+  std::vector<T> weights_;
+};
+
+/// Steps of the one-iteration method by a team of threads, however many cores there are.
+template <typename T>
+void oneIterationByTeam(const ClothModel& model, const StepParameters& parameters, int steps, ClothState& state) {
+  SlicedCloth<T> cloth(model);
+  const SliceStep<T> step = sliceStepOf<T>(parameters);
+  cloth.prepare(parameters.threads, parameters.sweeps);
+  ThreadTeam team;
+  team.run(parameters.threads, [&](int member) {
+    const StepShare share = shareOf(cloth.layout, parameters.sweeps, member, parameters.threads);
+    cloth.load(state, share);
+    team.meet();
+    for (int i = 0; i < steps; ++i) {
+      for (int phase = 0; phase <= parameters.sweeps; ++phase) {
+        oneIterationPhase(cloth, step, share, phase);
+        team.meet();
+      }
+    }
+    cloth.store(state, share);
+  });
+}
+
+}  // namespace drape::testing

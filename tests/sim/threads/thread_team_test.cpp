@@ -1,0 +1,128 @@
+#include "sim/simd/thread_team.hpp"
+
+#include "sim/solver.hpp"
+#include "simd/simd_meshes.hpp"
+#include "simd/sliced_stepping.hpp"
+
+#include <gtest/gtest.h>
+#include <atomic>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace drape {
+namespace {
+
+using testing::heldCloth;
+using testing::oneIterationByTeam;
+using testing::shaken;
+
+TEST(ThreadTeam, letsEveryMemberWorkOnceInEachOfManyRounds) {
+  ThreadTeam team;
+  std::vector<int> rounds(4, 0);  // not atomic: each belongs to its member, and a round ends before the next begins
+  for (int round = 0; round < 1000; ++round) {
+    team.run(4, [&](int member) { ++rounds[static_cast<std::size_t>(member)]; });
+  }
+  EXPECT_EQ(rounds, std::vector<int>(4, 1000));
+}
+
+TEST(ThreadTeam, runsItsFirstMemberOnTheCallingThread) {
+  ThreadTeam team;
+  std::thread::id first;
+  std::thread::id second;
+  team.run(2, [&](int member) { (member == 0 ? first : second) = std::this_thread::get_id(); });
+  EXPECT_EQ(first, std::this_thread::get_id());
+  EXPECT_NE(second, first);
+}
+
+TEST(ThreadTeam, letsNobodyPassAMeetingBeforeAllHaveCome) {
+  for (const int count : {1, 2, 3, 7}) {
+    ThreadTeam team;
+    std::vector<int> written(static_cast<std::size_t>(count), -1);
+    std::atomic<int> mistakes = 0;
+    team.run(count, [&](int member) {
+      for (int meeting = 0; meeting < 200; ++meeting) {
+        written[static_cast<std::size_t>(member)] = meeting;
+        team.meet();
+        for (const int other : written) {
+          mistakes += other != meeting ? 1 : 0;
+        }
+        team.meet();
+      }
+    });
+    EXPECT_EQ(mistakes, 0) << count << " members";
+  }
+}
+
+TEST(ThreadTeam, growsAndShrinksBetweenRounds) {
+  ThreadTeam team;
+  for (int again = 0; again < 5; ++again) {
+    for (const int count : {1, 4, 2, 2, 1, 6, 3}) {
+      std::atomic<int> present = 0;
+      std::atomic<int> met = 0;
+      team.run(count, [&](int member) {
+        present += 1 << member;
+        team.meet();
+        met += present == (1 << count) - 1 ? 1 : 0;
+      });
+      EXPECT_EQ(present, (1 << count) - 1);
+      EXPECT_EQ(met, count);
+    }
+  }
+}
+
+TEST(ThreadTeam, endsWhileItsMembersSleep) {
+  ThreadTeam team;
+  team.run(3, [](int) {});
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  int sum = 0;
+  team.run(3, [&](int member) { sum += member == 0 ? 1 : 0; });
+  EXPECT_EQ(sum, 1);
+}
+
+TEST(SlicedStepInThreads, hasTheSameBitsWithMoreThreadsThanCores) {
+  const auto model = heldCloth(testing::renumbered(testing::unevenSheet(17, 3), 4));
+  for (const int sweeps : {1, 3}) {
+    const auto hashWith = [&](int threads) {
+      StepParameters parameters;
+      parameters.sweeps = sweeps;
+      parameters.threads = threads;
+      parameters.drag = 0.5;
+      parameters.wind = Vec3(1.0, 0.0, 2.0);
+      ClothState state = shaken(*model, 0.002, 3);
+      oneIterationByTeam<float>(*model, parameters, 4, state);
+      return stateHash(state);
+    };
+    const auto alone = hashWith(1);
+    for (const int threads : {2, 3, 2 * static_cast<int>(std::thread::hardware_concurrency()) + 1}) {
+      EXPECT_EQ(hashWith(threads), alone) << threads << " threads, " << sweeps << " sweeps";
+    }
+  }
+}
+
+class SolverInThreads : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SolverInThreads, hasTheSameBitsWhileAHandPullsAcrossTheBoundaryOfShares) {
+  const auto model = testing::pinnedSheet(57);  // enough slices for two threads
+  StepParameters parameters;
+  parameters.precision = Precision::Float;
+  parameters.timeStep = 1.0 / 1500.0;
+  parameters.damping = 0.001;
+  StepInputs inputs;
+  inputs.grab = Grab{static_cast<int>(model->triangles.size()) / 2, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20, 2};
+  const auto hashWith = [&](int threads) {
+    parameters.threads = threads;
+    ClothState state = shaken(*model, 0.002, 3);
+    findSolver(GetParam())->make()->steps(*model, parameters, inputs, 3, state);
+    EXPECT_TRUE(isFinite(state));
+    return stateHash(state);
+  };
+  EXPECT_EQ(hashWith(2), hashWith(1));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, SolverInThreads, ::testing::Values("one_iteration", "chebyshev", "verlet", "xpbd"),
+                         [](const auto& chosen) { return std::string(chosen.param); });
+
+}  // namespace
+}  // namespace drape
