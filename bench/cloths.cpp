@@ -1,0 +1,137 @@
+#include "bench/cloths.hpp"
+
+#include "scene/grid_mesh.hpp"
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace drape::bench {
+namespace {
+
+constexpr double mass = 0.1;  // [kg]
+
+ModelPtr modelOf(const ClothMesh& mesh, const std::vector<int>& pins) {
+  return buildClothModel(mesh, mass, MassLumping::Uniform, pins);
+}
+
+/// newIndex[v] for each vertex, the same at every run.
+std::vector<int> randomNumbering(std::size_t count) {
+  std::vector<int> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  std::mt19937 random(5);
+  std::shuffle(numbers.begin(), numbers.end(), random);
+  return numbers;
+}
+
+ClothMesh renumbered(const ClothMesh& mesh, const std::vector<int>& newIndex) {
+  ClothMesh result{std::vector<Vec3>(mesh.positions.size()), mesh.triangles};
+  for (std::size_t v = 0; v < newIndex.size(); ++v) {
+    result.positions[static_cast<std::size_t>(newIndex[v])] = mesh.positions[v];
+  }
+  for (Triangle& triangle : result.triangles) {
+    for (int& corner : triangle) {
+      corner = newIndex[static_cast<std::size_t>(corner)];
+    }
+  }
+  return result;
+}
+
+std::vector<int> corners(int n, const std::vector<int>& newIndex) {
+  return {newIndex.front(), newIndex[static_cast<std::size_t>(n) - 1]};
+}
+
+/// Cuts the two triangles of a quad along its other diagonal. Both name their corners so that the first one's first
+/// and third are the ends of the diagonal, as makeGrid does.
+void turnDiagonal(Triangle& first, Triangle& second) {
+  const Triangle a = first;
+  const Triangle b = second;
+  const auto alone = [](const Triangle& triangle, const Triangle& other) {
+    return *std::find_if(triangle.begin(), triangle.end(),
+                         [&](int corner) { return std::find(other.begin(), other.end(), corner) == other.end(); });
+  };
+  const int apexA = alone(a, b);
+  const int apexB = alone(b, a);
+  // In the order of the triangle, the corners after its apex are the shared edge's ends.
+  const auto at = static_cast<std::size_t>(std::find(a.begin(), a.end(), apexA) - a.begin());
+  const int left = a[(at + 1) % 3];
+  const int right = a[(at + 2) % 3];
+  first = {apexA, left, apexB};
+  second = {apexA, apexB, right};
+}
+
+}  // namespace
+
+ClothMesh gridMesh(int n) {
+  return makeGrid({n, n, 1.0, 1.0}, GridSource::Plane::Horizontal).cloth;
+}
+
+ModelPtr grid(int n) {
+  return modelOf(gridMesh(n), {0, n - 1});
+}
+
+ModelPtr shuffledGrid(int n) {
+  const ClothMesh mesh = gridMesh(n);
+  const std::vector<int> numbering = randomNumbering(mesh.positions.size());
+  return modelOf(renumbered(mesh, numbering), corners(n, numbering));
+}
+
+ClothMesh irregularMesh(int n) {
+  ClothMesh mesh = gridMesh(n);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> shift(-1.0 / 3.0, 1.0 / 3.0);
+  for (Vec3& position : mesh.positions) {
+    position.x() += shift(random) / (n - 1);
+    position.z() += shift(random) / (n - 1);
+  }
+  for (std::size_t t = 0; t + 1 < mesh.triangles.size(); t += 2) {
+    if (shift(random) < 0.0) {
+      turnDiagonal(mesh.triangles[t], mesh.triangles[t + 1]);
+    }
+  }
+  return renumbered(mesh, randomNumbering(mesh.positions.size()));
+}
+
+ModelPtr irregularSheet(int n) {
+  const std::vector<int> numbering = randomNumbering(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
+  return modelOf(irregularMesh(n), corners(n, numbering));
+}
+
+ModelPtr tshirt() {
+  SceneDescription description;
+  description.source = MeshFileSource{"tshirt.obj", true};
+  return buildScene(description, description.settings)->model;
+}
+
+ClothState waving(const ClothModel& model) {
+  ClothState state = stateAtRest(model.restPositions);
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    const Vec3 at = model.restPositions[v];
+    const Vec3 wave(std::sin(9.0 * at.z()), std::sin(7.0 * at.x() + 5.0 * at.z()), std::cos(8.0 * at.x()));
+    state.positions[v] += 0.02 * wave;
+    if (!model.pinned[v]) {
+      state.velocities[v] = 0.5 * Vec3(wave.y(), wave.z(), wave.x());
+    }
+  }
+  return state;
+}
+
+StepParameters stillAir() {
+  StepParameters parameters;
+  parameters.stiffness = 10.0;
+  parameters.precision = Precision::Float;
+  return parameters;
+}
+
+StepParameters fullStep() {
+  StepParameters parameters = stillAir();
+  parameters.damping = 1e-3;
+  parameters.drag = 1.0;
+  parameters.lift = 0.5;
+  parameters.wind = Vec3(1.0, 0.0, 2.0);
+  return parameters;
+}
+
+}  // namespace drape::bench

@@ -1,0 +1,109 @@
+// What a cloth takes of memory, and how long it is until a mesh that has been read can move.
+#include "bench/cloths.hpp"
+#include "bench/suite.hpp"
+#include "io/mesh_import.hpp"
+#include "sim/simd/sliced_cloth.hpp"
+#include "sim/solver.hpp"
+
+#include <malloc.h>
+
+namespace drape::bench {
+namespace {
+
+constexpr int side = 317;  // 100,489 vertices
+
+/// What the program has asked the C library for and not given back [bytes].
+double heapInUse() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+/// What stays in use of what `make` asks for, for each vertex.
+template <typename Make>
+double bytesPerVertex(int vertices, Make&& make) {
+  const double before = heapInUse();
+  const auto kept = make();
+  return (heapInUse() - before) / vertices;
+}
+
+/// A solver that has taken a step, and so has all that it needs.
+double solverBytes(const ModelPtr& model, const StepParameters& parameters) {
+  ClothState state = waving(*model);
+  return bytesPerVertex(model->vertexCount(), [&] {
+    auto solver = findSolver("one_iteration")->make();
+    solver->step(*model, parameters, {}, state);
+    return solver;
+  });
+}
+
+void addMemory(Suite& suite) {
+  const Bound bound{Bound::Side::AtMost, 200.0};
+  const auto add = [&](const char* name, std::optional<Bound> limit, std::function<double()> find) {
+    suite.addFigure({"memory", name, "bytes/vertex", limit}, std::move(find));
+  };
+  add("one_iteration, float, grid 317x317", bound, [] { return solverBytes(grid(side), fullStep()); });
+  add("one_iteration, float, irregular sheet 317x317", bound,
+      [] { return solverBytes(irregularSheet(side), fullStep()); });
+  add("one_iteration, double, grid 317x317", std::nullopt, [] {
+    StepParameters parameters = fullStep();
+    parameters.precision = Precision::Double;
+    return solverBytes(grid(side), parameters);
+  });
+  add("the mesh with its springs (ClothModel), grid 317x317", std::nullopt, [] {
+    const ClothMesh mesh = gridMesh(side);
+    return bytesPerVertex(side * side, [&] { return buildClothModel(mesh, 0.1, MassLumping::Uniform, {}); });
+  });
+  add("the state in double", std::nullopt, [] {
+    const ModelPtr model = grid(side);
+    return bytesPerVertex(side * side, [&] { return waving(*model); });
+  });
+}
+
+/// One stage of the way from the parsed file to the first step, on the sheet that is regular nowhere.
+struct Stages {
+  RawMesh raw;
+  ClothMesh mesh;
+  ModelPtr model;
+};
+
+std::shared_ptr<Stages> stages() {
+  auto result = std::make_shared<Stages>();
+  result->mesh = irregularMesh(side);
+  result->raw.positions = result->mesh.positions;
+  result->raw.triangles = result->mesh.triangles;
+  result->model = buildClothModel(result->mesh, 0.1, MassLumping::Area, {});
+  return result;
+}
+
+void firstStep(const ClothModel& model) {
+  ClothState state = stateAtRest(model.restPositions);
+  findSolver("one_iteration")->make()->step(model, fullStep(), {}, state);
+}
+
+void addReadiness(Suite& suite) {
+  const auto add = [&](const char* name, std::optional<Bound> bound, void (*work)(const Stages&)) {
+    suite.add({"ready", name, "ms", bound}, [work]() -> Batch {
+      return {1.0, [work, input = stages()] { return threadSeconds([&] { work(*input); }); }};
+    });
+  };
+  add("weld and check, irregular 100,489 vertices", std::nullopt,
+      [](const Stages& input) { static_cast<void>(weldMesh(input.raw, "sheet", {})); });
+  add("springs and masses (buildClothModel)", std::nullopt,
+      [](const Stages& input) { static_cast<void>(buildClothModel(input.mesh, 0.1, MassLumping::Area, {})); });
+  add("layout for vector instructions (SlicedCloth)", std::nullopt,
+      [](const Stages& input) { const SlicedCloth<float> cloth(*input.model); });
+  add("layout and first step", std::nullopt, [](const Stages& input) { firstStep(*input.model); });
+  add("all of it, from the parsed file to the first step", Bound{Bound::Side::AtMost, 1000.0}, [](const Stages& input) {
+    const ImportedMesh mesh = weldMesh(input.raw, "sheet", {});
+    firstStep(*buildClothModel(mesh.cloth, 0.1, MassLumping::Area, {}));
+  });
+}
+
+}  // namespace
+
+void addMemoryGroup(Suite& suite) {
+  addMemory(suite);
+  addReadiness(suite);
+}
+
+}  // namespace drape::bench

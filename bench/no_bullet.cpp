@@ -1,0 +1,7 @@
+#include "bench/suite.hpp"
+
+namespace drape::bench {
+
+void addBulletGroup(Suite&) {}
+
+}  // namespace drape::bench

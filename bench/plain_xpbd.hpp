@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+
+#include <vector>
+
+namespace drape::bench {
+
+/// XPBD as one would write it down: float, arrays of structs, the springs in the order of their colours, one after the
+/// other, no intrinsics. The yardstick that other times are held against.
+class PlainXpbd {
+ public:
+  explicit PlainXpbd(const ClothModel& model);
+
+  void load(const ClothModel& model, const ClothState& state);
+
+  /// One iteration over all springs (Macklin, Mueller, Chentanez 2016, eqs. 17 and 18). @param inverseCompliance h^2 k
+  void iterate(float inverseCompliance);
+
+ private:
+  struct Vertex {
+    float x, y, z;
+    float inverseMass;
+  };
+  struct Constraint {
+    int a, b;
+    float restLength;
+    float multiplier;
+  };
+
+  std::vector<Vertex> vertices_;
+  std::vector<Constraint> constraints_;
+};
+
+}  // namespace drape::bench

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "bench/cloths.hpp"
+#include "sim/simd/sliced_cloth.hpp"
+#include "sim/simd/thread_team.hpp"
+
+namespace drape::bench {
+
+enum class Method { OneIteration, Verlet };
+
+/// Steps of a cloth that stays laid out for vector instructions: what a step costs by itself, without the conversion
+/// of the state before the first and after the last step of a run.
+template <typename T>
+class SliceRunner {
+ public:
+  SliceRunner(ModelPtr model, Method method, const StepParameters& parameters);
+
+  /// Where the cloth waves.
+  void restart();
+
+  void steps(int count);
+
+  /// Throws when the cloth is not where a cloth can be: such numbers may cost less or more.
+  void check();
+
+  [[nodiscard]] const ClothModel& model() const { return *model_; }
+
+ private:
+  void phases(int member, int count);
+
+  ModelPtr model_;
+  Method method_;
+  SlicedCloth<T> cloth_;
+  SliceStep<T> step_;
+  ClothState start_;
+  int threads_;
+  ThreadTeam team_;
+};
+
+/// The time of a batch of steps from the waving cloth on, by the thread's own clock or by the one on the wall.
+template <typename T>
+[[nodiscard]] double batchSeconds(SliceRunner<T>& runner, int count, bool wall = false);
+
+}  // namespace drape::bench

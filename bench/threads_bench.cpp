@@ -1,0 +1,34 @@
+// One thread against two. A step on few vertices is taken by one thread whatever is asked for.
+#include "bench/slice_runner.hpp"
+#include "bench/suite.hpp"
+
+#include <algorithm>
+
+namespace drape::bench {
+
+void addThreadsGroup(Suite& suite) {
+  constexpr int cores = 2;
+  // The library asks for the number of cores once. It must not do so while this thread is kept on one.
+  static_cast<void>(usefulThreads({}, cores));
+  for (const int n : {33, 65, 257, 1025}) {
+    const int batch = std::clamp(4'000'000 / (n * n * 3), 4, 200);
+    const std::string size = std::to_string(n) + "x" + std::to_string(n);
+    for (const int threads : {1, 2}) {
+      suite.add(
+          {"threads", size + ", " + std::to_string(threads), "us/step"},
+          [=]() -> Batch {
+            StepParameters parameters = fullStep();
+            parameters.threads = threads;
+            auto runner = std::make_shared<SliceRunner<float>>(grid(n), Method::OneIteration, parameters);
+            return {static_cast<double>(batch), [runner, batch] { return batchSeconds(*runner, batch, true); }};
+          },
+          cores);
+    }
+    // At the smallest only that it is not slower; a twentieth is within what a run repeats itself to.
+    const double least = n == 33 ? 0.95 : n == 65 ? 1.7 : n == 257 ? 1.8 : 1.0;
+    suite.addRatio({"threads", size + ", 1 thread / 2", "threads/" + size + ", 1", "threads/" + size + ", 2",
+                    Bound{Bound::Side::AtLeast, least}});
+  }
+}
+
+}  // namespace drape::bench
