@@ -1,5 +1,7 @@
 #include "report/error_report.hpp"
 
+#include "sim/momentum.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,6 +31,15 @@ class Mean {
   double count_ = 0.0;
 };
 
+Momentum momentumOf(const ClothModel& model, const ClothState& state) {
+  Vec3 barycentre = Vec3::Zero();
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    barycentre += model.vertexMass[v] * state.positions[v];
+  }
+  barycentre /= model.totalMass();
+  return {linearMomentum(model, state), angularMomentum(model, state, barycentre)};
+}
+
 }  // namespace
 
 ErrorReport judge(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
@@ -48,6 +59,8 @@ ErrorReport judge(const ClothModel& model, const StepParameters& parameters, con
     checkpoint.maxStretch = maxStretch(model, own.states[k]);
     checkpoint.energy = energyOf(model, parameters, own.states[k]);
     checkpoint.balance = k < own.balances.size() ? own.balances[k] : EnergyBalance{};
+    checkpoint.momentum = momentumOf(model, own.states[k]);
+    checkpoint.referenceMomentum = momentumOf(model, truth.states[k]);
     checkpoint.referenceStretch = maxStretch(model, truth.states[k]);
     checkpoint.referenceEnergy = energyOf(model, reference.settings.step, truth.states[k]);
     checkpoint.trusted = static_cast<int>(k) <= reference.trusted;

@@ -9,6 +9,12 @@
 
 namespace drape {
 
+/// What a cloth's motion carries with it.
+struct Momentum {
+  Vec3 linear = Vec3::Zero();   ///< [kg m/s]
+  Vec3 angular = Vec3::Zero();  ///< about the barycentre [kg m^2/s]
+};
+
 /// A method at one checkpoint, held against a reference (docs/measures.md).
 struct CheckpointReport {
   double time = 0.0;               ///< [s]
@@ -19,6 +25,8 @@ struct CheckpointReport {
   double maxStretch = 0.0;         ///< [-]
   Energy energy;                   ///< [J]
   EnergyBalance balance;           ///< since the start, or over the interval when restarted
+  Momentum momentum;               ///< of the method
+  Momentum referenceMomentum;      ///< of the reference
   double referenceStretch = 0.0;   ///< largest, of the reference [-]
   Energy referenceEnergy;          ///< [J]
   bool trusted = true;             ///< the reference passed its check here

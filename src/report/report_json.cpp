@@ -9,6 +9,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json vectorJson(const Vec3& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+Json momentumJson(const Momentum& momentum) {
+  return {{"linear", vectorJson(momentum.linear)}, {"angular", vectorJson(momentum.angular)}};
+}
+
 Json energyJson(const Energy& energy) {
   return {{"total", energy.total()},
           {"kinetic", energy.kinetic},
@@ -40,6 +48,8 @@ Json checkpointJson(const CheckpointReport& at, double diagonal) {
   json["max_stretch"] = at.maxStretch;
   json["energy"] = energyJson(at.energy);
   json["energy_balance"] = balanceJson(at.balance);
+  json["momentum"] = momentumJson(at.momentum);
+  json["reference_momentum"] = momentumJson(at.referenceMomentum);
   json["reference_max_stretch"] = at.referenceStretch;
   json["reference_energy"] = energyJson(at.referenceEnergy);
   json["trusted"] = at.trusted;

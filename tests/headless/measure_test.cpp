@@ -26,6 +26,8 @@ TEST(Measure, findsTheErrorOfBackwardEulersFreeFall) {
   EXPECT_NEAR(first["squared_cosine"], 1.0, 1e-9);
   EXPECT_NEAR(first["motion_kept"], 1.2 / 1.001, 1e-6);
   EXPECT_EQ(first["vertices"], 25);
+  EXPECT_LT(first["momentum"]["linear"][1].get<double>(), 0.0);
+  EXPECT_EQ(first["reference_momentum"]["angular"].size(), 3U);
   EXPECT_EQ(json["summaries"][0]["mean_error"], json["checkpoints"][2]["mean_error"]);
   EXPECT_NEAR(json["diagonal"], std::sqrt(2.0), 1e-12);
   EXPECT_EQ(json["reference"]["kind"], "solver");

@@ -47,6 +47,11 @@ TEST(ErrorReport, findsTheClosedFormErrorOfBackwardEulersFreeFall) {
     EXPECT_NEAR(at.rmsError, at.meanError, 1e-12);
     EXPECT_NEAR(at.motionKept, 1.0 + share, 1e-9);
     EXPECT_NEAR(at.energy.total() - at.balance.integrator(), 0.0, 1e-12);
+    // Velocities are exact, so the momentum is that of the fall; nothing turns.
+    const double momentum = -scene->model->totalMass() * scene->settings.step.gravity * at.time;
+    EXPECT_NEAR(at.momentum.linear.y(), momentum, 1e-12);
+    EXPECT_NEAR(at.referenceMomentum.linear.y(), momentum, 1e-12);
+    EXPECT_NEAR(at.momentum.angular.norm(), 0.0, 1e-12);
   }
   EXPECT_NEAR(report.checkpoints[0].displacement.eps, 0.04, 1e-9);
 }
