@@ -1,22 +1,25 @@
 #include "sim/simd/constraint_lanes.hpp"
 
 #include "sim/colouring.hpp"
+#include "sim/external_forces.hpp"
 #include "sim/simd/vertex_order.hpp"
 
 #include <algorithm>
 
 namespace drape {
 
-ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(model)) {
-  std::vector<int> place(order.size());
+ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(model)), place(order.size()) {
   for (std::size_t k = 0; k < order.size(); ++k) {
     place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
   }
-  vertices.assign(4 * (order.size() + 1), 0.0F);
+  for (std::vector<float>* numbers : {&vertices, &predicted, &velocities}) {
+    numbers->assign(4 * (order.size() + 1), 0.0F);
+  }
   Batch none;
   none.a.fill(static_cast<std::int32_t>(order.size()));
   none.b = none.a;
   const RaggedRows<int> colours = colourSprings(model);
+  colourBegin.push_back(0);
   for (std::size_t c = 0; c + 1 < colours.begin.size(); ++c) {
     std::vector<const Spring*> springs;
     for (int i = colours.begin[c]; i < colours.begin[c + 1]; ++i) {
@@ -34,27 +37,100 @@ ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(mode
       batches.back().b[lane] = place[static_cast<std::size_t>(springs[i]->b)];
       batches.back().restLength[lane] = static_cast<float>(springs[i]->restLength);
     }
+    colourBegin.push_back(static_cast<int>(batches.size()));
   }
 }
 
-void ConstraintLanes::load(const ClothModel& model, const std::vector<Vec3>& positions) {
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const auto v = static_cast<std::size_t>(order[k]);
+LaneRange LaneRange::partOf(int member, int members) const {
+  const auto boundary = [&](int m) {
+    return begin + static_cast<int>(static_cast<long long>(end - begin) * m / members);
+  };
+  return {boundary(member), boundary(member + 1)};
+}
+
+void loadPlaces(const ClothModel& model, const ClothState& state, ConstraintLanes& constraints, LaneRange places) {
+  for (int place = places.begin; place < places.end; ++place) {
+    const auto k = static_cast<std::size_t>(place);
+    const auto v = static_cast<std::size_t>(constraints.order[k]);
+    const bool free = !model.pinned[v];
+    float* const x = constraints.vertices.data() + 4 * k;
+    float* const velocity = constraints.velocities.data() + 4 * k;
     for (std::size_t c = 0; c < 3; ++c) {
-      vertices[4 * k + c] = static_cast<float>(positions[v][static_cast<Eigen::Index>(c)]);
+      x[c] = static_cast<float>(state.positions[v][static_cast<Eigen::Index>(c)]);
+      velocity[c] = free ? static_cast<float>(state.velocities[v][static_cast<Eigen::Index>(c)]) : 0.0F;
     }
-    vertices[4 * k + 3] = model.pinned[v] ? 0.0F : static_cast<float>(1.0 / model.vertexMass[v]);
-  }
-  for (Batch& batch : batches) {
-    batch.multiplier.fill(0.0F);
+    x[3] = free ? static_cast<float>(1.0 / model.vertexMass[v]) : 0.0F;
+    velocity[3] = x[3];
   }
 }
 
-void ConstraintLanes::store(std::vector<Vec3>& positions) const {
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const float* from = vertices.data() + 4 * k;
-    positions[static_cast<std::size_t>(order[k])] =
-        Vec3(static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2]));
+void storePlaces(const ClothModel& model, const ConstraintLanes& constraints, ClothState& state, LaneRange places) {
+  const auto vectorAt = [](const std::vector<float>& numbers, std::size_t k) {
+    const float* const from = numbers.data() + 4 * k;
+    return Vec3(static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2]));
+  };
+  for (int place = places.begin; place < places.end; ++place) {
+    const auto k = static_cast<std::size_t>(place);
+    const auto v = static_cast<std::size_t>(constraints.order[k]);
+    if (model.pinned[v]) {
+      state.velocities[v].setZero();
+    } else {
+      state.positions[v] = vectorAt(constraints.vertices, k);
+      state.velocities[v] = vectorAt(constraints.velocities, k);
+    }
+  }
+}
+
+// In the two loops below the fourth number of a vertex is treated like the others, and left as it is: so the compiler
+// makes vector instructions of them by itself.
+void predictPlaces(ConstraintLanes& constraints, float timeStep, float gravity, LaneRange places) {
+  const std::array<float, 4> step{timeStep, timeStep, timeStep, 0.0F};
+  const std::array<float, 4> fall{0.0F, -timeStep * gravity, 0.0F, 0.0F};
+  for (int place = places.begin; place < places.end; ++place) {
+    const std::size_t at = 4 * static_cast<std::size_t>(place);
+    float* const x = constraints.vertices.data() + at;
+    float* const v = constraints.velocities.data() + at;
+    float* const predicted = constraints.predicted.data() + at;
+    const float free = v[3] > 0.0F ? 1.0F : 0.0F;
+    for (std::size_t c = 0; c < 4; ++c) {
+      v[c] += free * fall[c];
+      x[c] += step[c] * v[c];
+      predicted[c] = x[c];
+    }
+  }
+}
+
+void predictPlacesInAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                        ConstraintLanes& constraints, LaneRange places) {
+  const auto h = static_cast<float>(parameters.timeStep);
+  for (int place = places.begin; place < places.end; ++place) {
+    const auto k = static_cast<std::size_t>(place);
+    const auto vertex = static_cast<std::size_t>(constraints.order[k]);
+    float* const x = constraints.vertices.data() + 4 * k;
+    float* const v = constraints.velocities.data() + 4 * k;
+    Vec3 change = Vec3::Zero();
+    if (!model.pinned[vertex]) {
+      change = (parameters.timeStep / model.vertexMass[vertex]) * gravityAndAir(model, parameters, state, vertex);
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      v[c] += static_cast<float>(change[static_cast<Eigen::Index>(c)]);
+      x[c] += h * v[c];
+      constraints.predicted[4 * k + c] = x[c];
+    }
+  }
+}
+
+void velocitiesFromPlaces(ConstraintLanes& constraints, float timeStep, LaneRange places) {
+  const float rate = 1.0F / timeStep;
+  const std::array<float, 4> rates{rate, rate, rate, 0.0F};
+  for (int place = places.begin; place < places.end; ++place) {
+    const std::size_t at = 4 * static_cast<std::size_t>(place);
+    const float* const x = constraints.vertices.data() + at;
+    const float* const predicted = constraints.predicted.data() + at;
+    float* const v = constraints.velocities.data() + at;
+    for (std::size_t c = 0; c < 4; ++c) {
+      v[c] += (x[c] - predicted[c]) * rates[c];
+    }
   }
 }
 

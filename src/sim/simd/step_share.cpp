@@ -22,10 +22,14 @@ StepShare shareOf(const SliceLayout& layout, int sweeps, int member, int members
           .last = member + 1 == members};
 }
 
-int usefulThreads(const SliceLayout& layout, int threads) {
+int usefulThreads(int parts, int fewest, int threads) {
   // Asking the system takes as long as a step of a small cloth.
   static const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return std::clamp(layout.slices() / fewestSlices, 1, std::min(threads, cores));
+  return std::clamp(parts / fewest, 1, std::min(threads, cores));
+}
+
+int usefulThreads(const SliceLayout& layout, int threads) {
+  return usefulThreads(layout.slices(), fewestSlices, threads);
 }
 
 }  // namespace drape

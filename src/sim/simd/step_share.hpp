@@ -46,7 +46,11 @@ struct StepShare {
 /// The share of one of `members` threads.
 [[nodiscard]] StepShare shareOf(const SliceLayout& layout, int sweeps, int member, int members);
 
-/// How many threads are worth having: a small cloth is done before they have found together.
+/// How many of `threads` are worth having for that many parts of work, when each should have `fewest` of them at least:
+/// a small cloth is done before threads have found together. Never more than there are cores.
+[[nodiscard]] int usefulThreads(int parts, int fewest, int threads);
+
+/// The same for the slices of a cloth.
 [[nodiscard]] int usefulThreads(const SliceLayout& layout, int threads);
 
 }  // namespace drape

@@ -15,13 +15,13 @@ namespace HWY_NAMESPACE {
 /// Springs of one colour, as many as there are lanes: eqs. 17 and 18 with numerator and denominator times h^2 k.
 template <class D>
 HWY_INLINE void projectLanes(D d, ConstraintLanes& constraints, ConstraintLanes::Batch& batch, int lane,
-                             hn::Vec<D> inverseCompliance) {
+                             hn::Vec<D> inverseCompliance, bool first) {
   const auto one = hn::Set(d, 1.0F);
   float* const vertices = constraints.vertices.data();
   const Lanes4<D> a = fetch4(d, vertices, batch.a.data() + lane);
   const Lanes4<D> b = fetch4(d, vertices, batch.b.data() + lane);
   const auto rest = hn::LoadU(d, batch.restLength.data() + lane);
-  const auto multiplier = hn::LoadU(d, batch.multiplier.data() + lane);
+  const auto multiplier = first ? hn::Zero(d) : hn::LoadU(d, batch.multiplier.data() + lane);
   const Lanes3<D> offset = {hn::Sub(b.x, a.x), hn::Sub(b.y, a.y), hn::Sub(b.z, a.z)};
   const auto length = hn::Sqrt(dot(offset, offset));
   const auto directed = hn::Gt(length, hn::Mul(rest, hn::Set(d, 1e-9F)));
@@ -38,12 +38,46 @@ HWY_INLINE void projectLanes(D d, ConstraintLanes& constraints, ConstraintLanes:
          vertices, batch.b.data() + lane);
 }
 
-void project(ConstraintLanes& constraints, float inverseCompliance) {
+/// Dashpots of one colour, as many as there are lanes.
+template <class D>
+HWY_INLINE void dampLanes(D d, ConstraintLanes& constraints, const ConstraintLanes::Batch& batch, int lane,
+                          hn::Vec<D> strength) {
+  float* const velocities = constraints.velocities.data();
+  const Lanes4<D> a = fetch4(d, velocities, batch.a.data() + lane);
+  const Lanes4<D> b = fetch4(d, velocities, batch.b.data() + lane);
+  const auto weight = hn::MulAdd(strength, hn::Add(a.w, b.w), hn::Set(d, 1.0F));
+  const auto impulse = hn::Div(strength, weight);
+  const Lanes3<D> relative = {hn::Sub(b.x, a.x), hn::Sub(b.y, a.y), hn::Sub(b.z, a.z)};
+  const auto pushA = hn::Mul(impulse, a.w);
+  const auto pushB = hn::Neg(hn::Mul(impulse, b.w));
+  store4(
+      d,
+      {hn::MulAdd(pushA, relative.x, a.x), hn::MulAdd(pushA, relative.y, a.y), hn::MulAdd(pushA, relative.z, a.z), a.w},
+      velocities, batch.a.data() + lane);
+  store4(
+      d,
+      {hn::MulAdd(pushB, relative.x, b.x), hn::MulAdd(pushB, relative.y, b.y), hn::MulAdd(pushB, relative.z, b.z), b.w},
+      velocities, batch.b.data() + lane);
+}
+
+void projectBatches(ConstraintLanes& constraints, float inverseCompliance, bool first, LaneRange range) {
   const LanesOf<float> d;
   const auto compliance = hn::Set(d, inverseCompliance);
-  for (ConstraintLanes::Batch& batch : constraints.batches) {
+  for (int i = range.begin; i < range.end; ++i) {
+    ConstraintLanes::Batch& batch = constraints.batches[static_cast<std::size_t>(i)];
     for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(d))) {
-      projectLanes(d, constraints, batch, lane, compliance);
+      projectLanes(d, constraints, batch, lane, compliance, first);
+    }
+  }
+}
+
+void dampBatches(ConstraintLanes& constraints, float strength, LaneRange range) {
+  const LanesOf<float> d;
+  const auto strengths = hn::Set(d, strength);
+  for (int i = range.begin; i < range.end; ++i) {
+    const ConstraintLanes::Batch& batch = constraints.batches[static_cast<std::size_t>(i)];
+    for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(d))) {
+      dampLanes(d, constraints, batch, lane, strengths);
     }
   }
 }
@@ -55,10 +89,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace drape {
 
-HWY_EXPORT(project);
+HWY_EXPORT(projectBatches);
+HWY_EXPORT(dampBatches);
 
-void projectSprings(ConstraintLanes& constraints, float inverseCompliance) {
-  HWY_DYNAMIC_DISPATCH(project)(constraints, inverseCompliance);
+void projectSprings(ConstraintLanes& constraints, float inverseCompliance, bool first, LaneRange batches) {
+  HWY_DYNAMIC_DISPATCH(projectBatches)(constraints, inverseCompliance, first, batches);
+}
+
+void dampSprings(ConstraintLanes& constraints, float strength, LaneRange batches) {
+  HWY_DYNAMIC_DISPATCH(dampBatches)(constraints, strength, batches);
 }
 
 }  // namespace drape

@@ -1,12 +1,11 @@
 #include "sim/colouring.hpp"
+#include "sim/hand_constraint.hpp"
 #include "sim/kernels.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/position_step.hpp"
+#include "sim/simd/constraint_run.hpp"
 #include "sim/solvers/registry.hpp"
 #include "sim/stability.hpp"
-
-#include <algorithm>
-#include <limits>
 
 namespace drape {
 namespace {
@@ -27,18 +26,38 @@ namespace {
 ///
 /// Damping follows on the velocities, colour by colour: each spring's dashpot is solved implicitly for the two ends
 /// alone, J = h C_d (v_b' - v_a'), which keeps momentum and can never reverse what it brakes. The hand is a constraint
-/// of three components, its target a point, of compliance one over the hand's stiffness and with a bounded multiplier.
+/// of three components (HandConstraint).
+///
+/// In float the same is done by vector instructions (simd/constraint_run.hpp).
 class XpbdSolver final : public Solver {
  public:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
+    return steps(model, parameters, inputs, 1, state);
+  }
+
+  StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+                   ClothState& state) override {
+    if (parameters.precision == Precision::Float) {
+      run_.xpbd(model, parameters, inputs, count, state);
+    } else {
+      for (int i = 0; i < count; ++i) {
+        stepInDouble(model, parameters, inputs, state);
+      }
+    }
+    return {.iterations = count * parameters.iterations};
+  }
+
+ private:
+  void stepInDouble(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                    ClothState& state) {
     const RaggedRows<int>& colours = colours_.get(model, colourSprings);
     const double h = parameters.timeStep;
     predictPositions(model, parameters, state, workers_, start_);
     state.positions.swap(start_);
     findInverseMasses(model);
     multiplier_.assign(model.springs.size(), 0.0);
-    handMultiplier_.setZero();
+    hand_ = {};
     for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
       forEachByColour(workers_, parameters.threads, colours,
                       [&](std::size_t s) { project(model.springs[s], h * h * parameters.stiffness, s, state); });
@@ -52,10 +71,8 @@ class XpbdSolver final : public Solver {
                       [&](std::size_t s) { damp(model.springs[s], h * parameters.damping, state); });
     }
     state.time += h;
-    return {.iterations = parameters.iterations};
   }
 
- private:
   void findInverseMasses(const ClothModel& model) {
     inverseMass_.resize(model.vertexMass.size());
     for (std::size_t i = 0; i < inverseMass_.size(); ++i) {
@@ -81,7 +98,6 @@ class XpbdSolver final : public Solver {
     state.positions[b] += inverseMass_[b] * correction;
   }
 
-  /// The hand's constraint p - target = 0, p = sum of w_i x_i. Its multiplier is h^2 times the force on p.
   void projectHand(const ClothModel& model, double h, const Grab& grab, ClothState& state) {
     const Triangle& corners = model.triangles[static_cast<std::size_t>(grab.triangle)];
     Vec3 reach = grab.target;
@@ -91,13 +107,7 @@ class XpbdSolver final : public Solver {
       reach -= grab.barycentric[c] * state.positions[v];
       weight += grab.barycentric[c] * grab.barycentric[c] * inverseMass_[v];
     }
-    const double inverseCompliance = h * h * grab.stiffness;
-    Vec3 multiplier =
-        handMultiplier_ + (inverseCompliance * reach - handMultiplier_) / (inverseCompliance * weight + 1.0);
-    const double most = h * h * grab.maxForce;
-    multiplier *= std::min(1.0, most / std::max(multiplier.norm(), std::numeric_limits<double>::min()));
-    const Vec3 change = multiplier - handMultiplier_;
-    handMultiplier_ = multiplier;
+    const Vec3 change = hand_.correct(grab, h, reach, weight);
     for (Eigen::Index c = 0; c < 3; ++c) {
       const auto v = static_cast<std::size_t>(corners[static_cast<std::size_t>(c)]);
       state.positions[v] += (grab.barycentric[c] * inverseMass_[v]) * change;
@@ -114,11 +124,12 @@ class XpbdSolver final : public Solver {
     state.velocities[b] -= inverseMass_[b] * impulse;
   }
 
+  ConstraintRun run_;
   Workers workers_;
   ModelCache<RaggedRows<int>> colours_;
   std::vector<double> inverseMass_;  // w_i [1/kg], one a vertex; 0 where pinned
   std::vector<double> multiplier_;   // lambda [N s^2], one a spring
-  Vec3 handMultiplier_ = Vec3::Zero();
+  HandConstraint hand_;
   std::vector<Vec3> start_;  // positions at the start of the step [m]
 };
 
@@ -139,7 +150,7 @@ SolverInfo solvers::xpbd() {
               "substeps cure that better than iterations.",
           .source = "Macklin, Mueller and Chentanez, 2016, XPBD",
           .backwardEuler = true,
-          .settings = {"iterations"},
+          .settings = {"iterations", "precision"},
           .warning = warning,
           .stepLimit = nullptr,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<XpbdSolver>(); }};

@@ -69,8 +69,8 @@ ClothState stepsWith(const Kind& kind, const ClothModel& model, int steps) {
   StepParameters parameters;
   parameters.timeStep = 1.0 / 600.0;
   parameters.damping = 0.002;
-  parameters.drag = kind.solver == "xpbd" ? 0.0 : 0.8;
-  parameters.lift = kind.solver == "xpbd" ? 0.0 : 0.5;
+  parameters.drag = 0.8;
+  parameters.lift = 0.5;
   parameters.wind = Vec3(1.0, 0.2, -2.0);
   parameters.sweeps = kind.sweeps;
   parameters.precision = kind.precision;

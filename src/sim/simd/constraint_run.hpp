@@ -1,0 +1,24 @@
+#pragma once
+
+#include "sim/hand_constraint.hpp"
+#include "sim/model_cache.hpp"
+#include "sim/simd/constraint_lanes.hpp"
+#include "sim/simd/thread_team.hpp"
+#include "sim/step_parameters.hpp"
+
+namespace drape {
+
+/// Runs steps of XPBD in float by vector instructions, with the threads that the parameters ask for. The state is
+/// converted once for all of them; with air, which is evaluated in double, once for each.
+class ConstraintRun {
+ public:
+  void xpbd(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+            ClothState& state);
+
+ private:
+  ThreadTeam team_;
+  ModelCache<ConstraintLanes> lanes_;
+  HandConstraint hand_;
+};
+
+}  // namespace drape

@@ -1,0 +1,158 @@
+#include "sim/simd/constraint_lanes.hpp"
+
+#include "sim/solver.hpp"
+#include "simd_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+namespace drape {
+namespace {
+
+using testing::everyKindOfMesh;
+using testing::heldCloth;
+using testing::NamedMesh;
+using testing::shaken;
+
+class EveryMeshOfConstraints : public ::testing::TestWithParam<NamedMesh> {};
+
+TEST_P(EveryMeshOfConstraints, hasEverySpringOnceAndNoVertexTwiceInAColour) {
+  const auto model = heldCloth(GetParam().mesh);
+  const ConstraintLanes lanes(*model);
+  std::map<std::pair<int, int>, double> restLengths;
+  std::size_t seen = 0;
+  for (int colour = 0; colour < lanes.colours(); ++colour) {
+    std::set<int> touched;
+    const auto c = static_cast<std::size_t>(colour);
+    for (int i = lanes.colourBegin[c]; i < lanes.colourBegin[c + 1]; ++i) {
+      const ConstraintLanes::Batch& batch = lanes.batches[static_cast<std::size_t>(i)];
+      for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
+        if (batch.a[lane] == lanes.places()) {
+          EXPECT_EQ(batch.b[lane], lanes.places());
+          EXPECT_EQ(i + 1, lanes.colourBegin[c + 1]) << "only the last batch of a colour may have lanes to spare";
+          continue;
+        }
+        EXPECT_TRUE(touched.insert(batch.a[lane]).second);
+        EXPECT_TRUE(touched.insert(batch.b[lane]).second);
+        const int a = lanes.order[static_cast<std::size_t>(batch.a[lane])];
+        const int b = lanes.order[static_cast<std::size_t>(batch.b[lane])];
+        restLengths[{a, b}] = static_cast<double>(batch.restLength[lane]);
+        ++seen;
+      }
+    }
+  }
+  EXPECT_EQ(seen, model->springs.size());
+  ASSERT_EQ(restLengths.size(), model->springs.size());
+  for (const Spring& spring : model->springs) {
+    EXPECT_FLOAT_EQ(static_cast<float>((restLengths[{spring.a, spring.b}])), static_cast<float>(spring.restLength));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ConstraintLanes, EveryMeshOfConstraints, ::testing::ValuesIn(everyKindOfMesh()),
+                         [](const auto& chosen) { return chosen.param.name; });
+
+struct Difference {
+  double place = 0.0;     // [m]
+  double velocity = 0.0;  // [m/s]
+};
+
+Difference between(const ClothState& a, const ClothState& b) {
+  Difference largest;
+  for (std::size_t v = 0; v < a.positions.size(); ++v) {
+    largest.place = std::max(largest.place, (a.positions[v] - b.positions[v]).norm());
+    largest.velocity = std::max(largest.velocity, (a.velocities[v] - b.velocities[v]).norm());
+  }
+  return largest;
+}
+
+/// How far XPBD in float ends from XPBD in double, both from the same start.
+Difference floatFromDouble(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, int steps) {
+  ClothState single = shaken(model, 0.01, 7);
+  ClothState twice = single;
+  parameters.precision = Precision::Float;
+  findSolver("xpbd")->make()->steps(model, parameters, inputs, steps, single);
+  parameters.precision = Precision::Double;
+  findSolver("xpbd")->make()->steps(model, parameters, inputs, steps, twice);
+  EXPECT_NE(stateHash(single), stateHash(twice));
+  EXPECT_DOUBLE_EQ(single.time, steps * parameters.timeStep);
+  for (std::size_t v = 0; v < model.pinned.size(); ++v) {
+    if (model.pinned[v]) {
+      EXPECT_EQ(single.positions[v], twice.positions[v]);
+      EXPECT_EQ(single.velocities[v], Vec3(Vec3::Zero()));
+    }
+  }
+  return between(single, twice);
+}
+
+StepInputs handPulling() {
+  StepInputs inputs;
+  inputs.grab = Grab{3, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.3, 0.5), 20.0, 2.0};
+  return inputs;
+}
+
+/// A place of 1 m is held to 6e-8 m in float, so each correction is off by about as much, and a velocity by 6e-8 m / h.
+TEST(XpbdInFloat, takesTheStepOfXpbdInDoubleToWithinAMicrometre) {
+  for (const NamedMesh& mesh : everyKindOfMesh()) {
+    const auto model = heldCloth(mesh.mesh);
+    if (model->triangles.size() < 4) {
+      continue;
+    }
+    for (const bool air : {false, true}) {
+      StepParameters parameters;
+      parameters.damping = 0.01;
+      parameters.drag = air ? 0.8 : 0.0;
+      parameters.lift = air ? 0.5 : 0.0;
+      parameters.wind = Vec3(1.0, 0.2, -2.0);
+      const Difference difference = floatFromDouble(*model, parameters, handPulling(), 1);
+      EXPECT_LT(difference.place, 2e-6) << mesh.name << (air ? " in air" : "");
+      EXPECT_LT(difference.velocity, 3e-4) << mesh.name << (air ? " in air" : "");
+    }
+  }
+}
+
+TEST(XpbdInFloat, staysNearXpbdInDoubleForATenthOfASecond) {
+  const auto model = heldCloth(testing::unevenSheet(12, 3));
+  StepParameters parameters;
+  parameters.damping = 0.002;
+  parameters.timeStep = 1.0 / 600.0;
+  const Difference difference = floatFromDouble(*model, parameters, {}, 60);
+  EXPECT_LT(difference.place, 1e-4);
+}
+
+TEST(XpbdInFloat, takesManyStepsAtOnceAsOneAfterTheOtherToTheLastBit) {
+  const auto model = heldCloth(testing::renumbered(testing::unevenSheet(12, 3), 4));
+  for (const double drag : {0.0, 0.7}) {
+    StepParameters parameters;
+    parameters.precision = Precision::Float;
+    parameters.damping = 0.01;
+    parameters.drag = drag;
+    ClothState together = shaken(*model, 0.01, 3);
+    ClothState apart = together;
+    const int iterations = findSolver("xpbd")->make()->steps(*model, parameters, handPulling(), 4, together).iterations;
+    EXPECT_EQ(iterations, 4 * parameters.iterations);
+    const auto solver = findSolver("xpbd")->make();
+    for (int step = 0; step < 4; ++step) {
+      solver->step(*model, parameters, handPulling(), apart);
+    }
+    EXPECT_EQ(stateHash(together), stateHash(apart)) << "drag " << drag;
+  }
+}
+
+/// A fall of h^2 g = 1e-8 m is less than a float of 1 m can tell from none.
+TEST(XpbdInFloat, fallsInStepsTooShortForItsPlacesToTell) {
+  const auto model = buildClothModel(testing::sheet(4), 0.1, MassLumping::Uniform, {});
+  StepParameters parameters;
+  parameters.precision = Precision::Float;
+  parameters.timeStep = 1.0 / 30000.0;
+  parameters.iterations = 1;
+  ClothState state = stateAtRest(model->restPositions);
+  findSolver("xpbd")->make()->steps(*model, parameters, {}, 3000, state);
+  EXPECT_NEAR(state.velocities[5].y(), -0.981, 0.01);
+  EXPECT_NEAR(state.positions[5].y(), -0.5 * 9.81 * 0.01, 0.001);
+}
+
+}  // namespace
+}  // namespace drape
