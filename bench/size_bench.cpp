@@ -23,6 +23,30 @@ void addCloth(Suite& suite, const std::string& name, int n, ModelPtr (*make)(int
   });
 }
 
+/// What a step on a large grid moves at least, however it is done: reads places, velocities, masses, areas, pins, rest
+/// lengths and the layout (70 bytes a vertex), writes p_i, places and velocities (36 bytes, and 12 read before p_i is
+/// written over).
+constexpr double bytesPerVertex = 118.0;
+
+/// The same number of bytes as a step on the largest grid, by a loop that does next to nothing else.
+Batch stream(int n) {
+  struct Arrays {
+    std::vector<float> a, b, c;
+  };
+  // Two reads, one write and the read before it: 16 bytes an element.
+  const double elements = bytesPerVertex * n * n / 16.0;
+  const auto size = static_cast<std::size_t>(elements);
+  auto arrays = std::make_shared<Arrays>(
+      Arrays{std::vector<float>(size, 1.0F), std::vector<float>(size, 2.0F), std::vector<float>(size, 3.0F)});
+  return {springsOf(n), [arrays] {
+            return threadSeconds([&] {
+              for (std::size_t i = 0; i < arrays->a.size(); ++i) {
+                arrays->a[i] = arrays->b[i] + 1.5F * arrays->c[i];
+              }
+            });
+          }};
+}
+
 std::string sized(const char* what, int n) {
   return std::string(what) + " " + std::to_string(n) + "x" + std::to_string(n);
 }
@@ -37,6 +61,9 @@ void addSizeGroup(Suite& suite) {
     addCloth(suite, sized("numbered at random", n), n, shuffledGrid);
     addCloth(suite, sized("irregular sheet", n), n, irregularSheet);
   }
+  const std::string memoryFloor = "118 bytes a vertex streamed, 1025x1025";
+  suite.add({"size", memoryFloor, "ns/(spring step)"}, [] { return stream(1025); });
+  suite.addRatio({"size", "grid 1025x1025 / memory floor", "size/grid 1025x1025", "size/" + memoryFloor});
   const auto ratio = [&](const std::string& over, const std::string& under, double bound) {
     suite.addRatio({"size", over + " / " + under, "size/" + over, "size/" + under, Bound{Bound::Side::AtMost, bound}});
   };

@@ -80,10 +80,13 @@ void addConstraints(Suite& suite) {
     const ModelPtr model = grid(sheet);
     auto lanes = std::make_shared<ConstraintLanes>(*model);
     return {batch, [=, start = waving(*model)] {
-              lanes->load(*model, start.positions);
+              loadPlaces(*model, start, *lanes, {0, lanes->places()});
               return threadSeconds([&] {
                 for (int i = 0; i < batch; ++i) {
-                  projectSprings(*lanes, inverseCompliance);
+                  for (int c = 0; c < lanes->colours(); ++c) {
+                    const auto colour = lanes->colourBegin.begin() + c;
+                    projectSprings(*lanes, inverseCompliance, i == 0, {colour[0], colour[1]});
+                  }
                 }
               });
             }};
@@ -110,7 +113,8 @@ void addSolvers(Suite& suite) {
     } else if (std::find(info.settings.begin(), info.settings.end(), "iterations") != info.settings.end()) {
       label += ", " + std::to_string(parameters.iterations) + " iterations";
     }
-    const int count = info.name == "verlet" || info.name == "chebyshev" ? batch : 4;
+    const bool fast = info.name == "verlet" || info.name == "chebyshev";
+    const int count = fast ? batch : info.name == "newton" ? 1 : 4;
     suite.add({"step", label, "us/step"},
               [name = info.name, parameters, count] { return ofSolver(name, parameters, count); });
   }
