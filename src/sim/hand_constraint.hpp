@@ -19,7 +19,7 @@ class HandConstraint {
     Vec3 next = multiplier_ + (inverseCompliance * reach - multiplier_) / (inverseCompliance * inverseMass + 1.0);
     const double most = h * h * grab.maxForce;
     next *= std::min(1.0, most / std::max(next.norm(), std::numeric_limits<double>::min()));
-    const Vec3 change = next - multiplier_;
+    Vec3 change = next - multiplier_;
     multiplier_ = next;
     return change;
   }

@@ -51,7 +51,8 @@ class SliceBuilder {
 
  private:
   [[nodiscard]] std::size_t vertexAt(int lane) const {
-    return static_cast<std::size_t>(layout_.order[static_cast<std::size_t>(first_ + lane)]);
+    const int place = first_ + lane;
+    return static_cast<std::size_t>(layout_.order[static_cast<std::size_t>(place)]);
   }
 
   void collect(int lane) {
@@ -119,8 +120,9 @@ class SliceBuilder {
   }
 
   void put(int slot, int lane, std::size_t spring) {
-    const auto at = static_cast<std::size_t>(layout_.slotBegin.back() + slot);
-    layout_.springs[at][static_cast<std::size_t>(lane)] = springs_[static_cast<std::size_t>(lane)][spring].spring;
+    const int at = layout_.slotBegin.back() + slot;
+    layout_.springs[static_cast<std::size_t>(at)][static_cast<std::size_t>(lane)] =
+        springs_[static_cast<std::size_t>(lane)][spring].spring;
     slotOf_[static_cast<std::size_t>(lane)][spring] = slot;
   }
 

@@ -135,7 +135,14 @@ class XpbdSolver final : public Solver {
 
 /// On sheets of 17 x 17 and 33 x 33 vertices the positions are within a few times the converged step's own error while
 /// (h omega)^2 is below four times the iterations.
+///
+/// Places in float make velocities inexact in short steps: a sheet of 17 x 17 that falls from rest with 100 N/m is 0.4
+/// mm off after 0.2 s with 1/6000 s and 11 mm with 1/30000 s.
 std::string warning(const ClothModel& model, const StepParameters& parameters) {
+  constexpr double shortestInFloat = 1.0 / 6001.0;  // [s]
+  if (parameters.precision == Precision::Float && parameters.timeStep / parameters.substeps < shortestInFloat) {
+    return "Substeps below 1/6000 s are too short for XPBD in float: velocities become inexact. Use double precision.";
+  }
   return slackWarning(model, parameters, 4.0);
 }
 

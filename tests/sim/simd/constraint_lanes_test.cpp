@@ -94,7 +94,7 @@ StepInputs handPulling() {
 }
 
 /// A place of 1 m is held to 6e-8 m in float, so each correction is off by about as much, and a velocity by 6e-8 m / h.
-TEST(XpbdInFloat, takesTheStepOfXpbdInDoubleToWithinAMicrometre) {
+TEST(XpbdInFloat, takesTheStepOfXpbdInDoubleToWithinTwoMicrometres) {
   for (const NamedMesh& mesh : everyKindOfMesh()) {
     const auto model = heldCloth(mesh.mesh);
     if (model->triangles.size() < 4) {
@@ -152,6 +152,28 @@ TEST(XpbdInFloat, fallsInStepsTooShortForItsPlacesToTell) {
   findSolver("xpbd")->make()->steps(*model, parameters, {}, 3000, state);
   EXPECT_NEAR(state.velocities[5].y(), -0.981, 0.01);
   EXPECT_NEAR(state.positions[5].y(), -0.5 * 9.81 * 0.01, 0.001);
+}
+
+TEST(XpbdInFloat, warnsOfStepsTooShortForFloatWhereItReallyIsOff) {
+  const SolverInfo& info = *findSolver("xpbd");
+  const auto model = testing::pinnedSheet(9);
+  const auto offAfterATenthOfASecond = [&](int stepsASecond) {
+    StepParameters parameters;
+    parameters.timeStep = 1.0 / stepsASecond;
+    parameters.precision = Precision::Float;
+    const Difference difference = floatFromDouble(*model, parameters, {}, stepsASecond / 10);
+    parameters.precision = Precision::Double;
+    EXPECT_EQ(info.warning(*model, parameters), "");
+    parameters.precision = Precision::Float;
+    const bool warned = info.warning(*model, parameters).find("Use double precision") != std::string::npos;
+    return std::pair(difference.velocity, warned);
+  };
+  const auto [calm, calmWarned] = offAfterATenthOfASecond(1500);
+  EXPECT_FALSE(calmWarned);
+  EXPECT_LT(calm, 0.01);
+  const auto [off, offWarned] = offAfterATenthOfASecond(60000);
+  EXPECT_TRUE(offWarned);
+  EXPECT_GT(off, 0.02);
 }
 
 }  // namespace

@@ -72,13 +72,17 @@ TEST(ThreadTeam, growsAndShrinksBetweenRounds) {
   }
 }
 
-TEST(ThreadTeam, endsWhileItsMembersSleep) {
-  ThreadTeam team;
-  team.run(3, [](int) {});
-  std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  int sum = 0;
-  team.run(3, [&](int member) { sum += member == 0 ? 1 : 0; });
-  EXPECT_EQ(sum, 1);
+TEST(ThreadTeam, wakesMembersThatFellAsleepForWorkAndForTheEnd) {
+  const auto longEnoughToSleep = std::chrono::milliseconds(5);
+  std::atomic<int> sum = 0;
+  {
+    ThreadTeam team;
+    team.run(3, [&](int) { ++sum; });
+    std::this_thread::sleep_for(longEnoughToSleep);
+    team.run(3, [&](int) { ++sum; });
+    std::this_thread::sleep_for(longEnoughToSleep);
+  }
+  EXPECT_EQ(sum, 6);
 }
 
 TEST(SlicedStepInThreads, hasTheSameBitsWithMoreThreadsThanCores) {
