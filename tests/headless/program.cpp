@@ -22,16 +22,27 @@ std::filesystem::path testFolder() {
   return folder;
 }
 
-Outcome headless(const std::string& arguments) {
+namespace {
+
+Outcome runProgram(const std::string& program, const std::string& arguments) {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
   const std::string base = ::testing::TempDir() + "drape_" + test->test_suite_name() + "_" + test->name();
-  const std::string command =
-      std::string(DRAPE_HEADLESS) + " " + arguments + " >" + base + ".out 2>" + base + ".err </dev/null";
+  const std::string command = program + " " + arguments + " >" + base + ".out 2>" + base + ".err </dev/null";
   const int status = std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe): the test has one thread
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, readFile(base + ".out"), readFile(base + ".err")};
   std::filesystem::remove(base + ".out");
   std::filesystem::remove(base + ".err");
   return outcome;
+}
+
+}  // namespace
+
+Outcome headless(const std::string& arguments) {
+  return runProgram(DRAPE_HEADLESS, arguments);
+}
+
+Outcome report(const std::string& arguments) {
+  return runProgram(DRAPE_REPORT, arguments);
 }
 
 }  // namespace drape::testing

@@ -15,6 +15,9 @@ struct Outcome {
 /// Runs drape-headless with arguments as a shell splits them.
 [[nodiscard]] Outcome headless(const std::string& arguments);
 
+/// Runs drape-report, as above.
+[[nodiscard]] Outcome report(const std::string& arguments);
+
 /// A fresh folder for the running test.
 [[nodiscard]] std::filesystem::path testFolder();
 

@@ -1,0 +1,41 @@
+#include "app/report/progress_line.hpp"
+
+#include <unistd.h>
+#include <algorithm>
+#include <iostream>
+#include <string>
+
+namespace drape {
+namespace {
+
+std::string duration(double seconds) {
+  const int whole = static_cast<int>(seconds + 0.5);
+  return whole < 60 ? std::to_string(whole) + " s"
+                    : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_ > 0) {
+    std::cerr << '\n';
+  }
+}
+
+void ProgressLine::show(std::string_view section, double done, double total) {
+  if (!terminal_ || !(total > 0.0)) {
+    return;
+  }
+  const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  const double pace = done > 0.0 ? spent / done : 1.0;
+  std::string line = std::string(section) + ": " + std::to_string(static_cast<int>(100.0 * done / total)) + " %, " +
+                     duration(pace * (total - done)) + " left";
+  const std::size_t length = line.size();
+  line.resize(std::max(length, shown_), ' ');
+  shown_ = length;
+  std::cerr << '\r' << line << std::flush;
+}
+
+}  // namespace drape

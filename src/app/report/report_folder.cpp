@@ -1,0 +1,78 @@
+#include "app/report/report_folder.hpp"
+
+#include "sim/error.hpp"
+
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr const char* jsonName = "report.json";
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError("cannot make the folder " + folder.string() + ": " + error.message());
+  }
+}
+
+}  // namespace
+
+ReportFolder::ReportFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
+  makeFolder(folder_);
+  // Better told before the measurements than after them.
+  const auto probe = folder_ / ".report-probe";
+  if (!std::ofstream(probe)) {
+    throw InputError("cannot write to the folder " + folder_.string());
+  }
+  std::filesystem::remove(probe);
+}
+
+nlohmann::ordered_json ReportFolder::earlier() const {
+  const auto file = folder_ / jsonName;
+  std::ifstream stream(file);
+  if (!stream) {
+    return nullptr;
+  }
+  auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
+  if (json.is_discarded()) {
+    throw InputError(file.string() + " is not JSON; remove it, or begin anew without --resume");
+  }
+  return json;
+}
+
+void ReportFolder::write(const std::filesystem::path& name, const std::string& text) const {
+  const auto file = folder_ / name;
+  makeFolder(file.parent_path());
+  auto unfinished = file;
+  unfinished += ".part";
+  std::ofstream stream(unfinished, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code error;
+  if (stream) {
+    std::filesystem::rename(unfinished, file, error);
+  }
+  if (!stream || error) {
+    throw InputError("the report could not be written to " + file.string());
+  }
+}
+
+void ReportFolder::writeJson(const Report& report) const {
+  write(jsonName, reportJson(report).dump(1) + "\n");
+}
+
+void ReportFolder::writeAll(const Report& report) const {
+  writeJson(report);
+  const MarkdownReport markdown = reportMarkdown(report);
+  for (const ReportPicture& picture : markdown.pictures) {
+    write(picture.name, picture.svg);
+  }
+  write("report.md", markdown.text);
+  write("report.html", reportHtml(report));
+}
+
+}  // namespace drape

@@ -1,0 +1,98 @@
+#include "report/axis.hpp"
+
+#include "report/number_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// More labels than this stand too close together.
+constexpr int mostLabels = 8;
+
+/// The next larger of 1, 2 and 5 times a power of ten.
+double niceStep(double rough) {
+  const double decade = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * decade >= rough * (1.0 - 1e-9)) {
+      return factor * decade;
+    }
+  }
+  return 10.0 * decade;
+}
+
+/// "10" with the exponent raised; near one the plain number reads better.
+std::string decadeLabel(int exponent) {
+  if (exponent >= -2 && exponent <= 3) {
+    return figure(std::pow(10.0, exponent), 4);
+  }
+  constexpr std::array<const char*, 10> raised{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                               "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text = exponent < 0 ? "10\u207b" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) {
+    text += raised.at(static_cast<std::size_t>(digit - '0'));
+  }
+  return text;
+}
+
+}  // namespace
+
+Axis::Axis(Scale scale, const std::vector<double>& values) : scale_(scale) {
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+  for (const double value : values) {
+    if (takes(value)) {
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+  }
+  if (scale == Scale::Linear) {
+    least <= most ? makeLinear(least, most) : makeLinear(0.0, 1.0);
+  } else {
+    least <= most ? makeLogarithmic(least, most) : makeLogarithmic(1.0, 10.0);
+  }
+}
+
+bool Axis::takes(double value) const {
+  return std::isfinite(value) && (scale_ == Scale::Linear || value > 0.0);
+}
+
+double Axis::share(double value) const {
+  return ((scale_ == Scale::Linear ? value : std::log10(value)) - begin_) / (end_ - begin_);
+}
+
+void Axis::makeLinear(double least, double most) {
+  if (most == least) {
+    const double room = least == 0.0 ? 1.0 : std::abs(least);
+    least -= 0.5 * room;
+    most += 0.5 * room;
+  }
+  const double step = niceStep((most - least) / (mostLabels - 2));
+  const double first = std::floor(least / step + 1e-9);
+  const double last = std::ceil(most / step - 1e-9);
+  begin_ = first * step;
+  end_ = last * step;
+  for (double k = first; k <= last; k += 1.0) {
+    ticks_.push_back({k * step, figure(k * step, 6)});
+  }
+}
+
+void Axis::makeLogarithmic(double least, double most) {
+  const int first = static_cast<int>(std::floor(std::log10(least) + 1e-9));
+  const int last = std::max(first + 1, static_cast<int>(std::ceil(std::log10(most) - 1e-9)));
+  begin_ = first;
+  end_ = last;
+  const int every = (last - first) / mostLabels + 1;
+  for (int exponent = first; exponent <= last; ++exponent) {
+    const double decade = std::pow(10.0, exponent);
+    const bool labelled = (exponent - first) % every == 0;
+    ticks_.push_back({decade, labelled ? decadeLabel(exponent) : std::string()});
+    for (int factor = 2; factor < 10 && exponent < last && every == 1; ++factor) {
+      ticks_.push_back({factor * decade, {}});
+    }
+  }
+}
+
+}  // namespace drape

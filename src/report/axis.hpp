@@ -1,0 +1,41 @@
+#pragma once
+
+#include "report/blocks.hpp"
+
+#include <string>
+#include <vector>
+
+namespace drape {
+
+struct Tick {
+  double value = 0.0;
+  std::string label;  ///< empty: a small tick between two others
+};
+
+/// Where the values of a plot stand along an axis.
+class Axis {
+ public:
+  /// An axis that holds these values. It reaches to the next tick on either side, on a logarithmic axis to the next
+  /// decade. Values that have no place on it do not count; without any it runs from 0 to 1, or 1 to 10.
+  Axis(Scale scale, const std::vector<double>& values);
+
+  /// Whether the value can be drawn at all.
+  [[nodiscard]] bool takes(double value) const;
+
+  /// From 0 at the axis's lower end to 1 at its upper one. The value is one that it takes.
+  [[nodiscard]] double share(double value) const;
+
+  /// In ascending order; all within the axis. At least two have labels.
+  [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
+
+ private:
+  void makeLinear(double least, double most);
+  void makeLogarithmic(double least, double most);
+
+  Scale scale_;
+  double begin_ = 0.0;  // of the value, or of its decimal logarithm
+  double end_ = 1.0;
+  std::vector<Tick> ticks_;
+};
+
+}  // namespace drape

@@ -1,0 +1,47 @@
+#include "report/number_text.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace drape {
+
+std::string figure(double value, int digits) {
+  if (!std::isfinite(value)) {
+    return "-";
+  }
+  // Plain digits up to a million, since "1.02e+03" does not read well.
+  const double magnitude = std::abs(value);
+  const bool plain = magnitude >= std::pow(10.0, digits) && magnitude < 1e6;
+  std::array<char, 40> text{};
+  if (plain) {
+    std::snprintf(text.data(), text.size(), "%.0f", value);
+  } else {
+    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  }
+  return text.data();
+}
+
+std::string figure(const nlohmann::ordered_json& row, const char* key, int digits) {
+  return figure(numberIn(row, key), digits);
+}
+
+nlohmann::ordered_json finiteOrNull(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+double numberIn(const nlohmann::ordered_json& row, const char* key) {
+  const auto found = row.find(key);
+  return found != row.end() && found->is_number() ? found->get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string gridText(int resolution) {
+  return std::to_string(resolution) + "x" + std::to_string(resolution);
+}
+
+std::string stepText(double seconds) {
+  return "1/" + figure(std::round(1.0 / seconds)) + " s";
+}
+
+}  // namespace drape

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace drape {
+
+/// A number with so many significant digits: "0.0123", "1.2e-05"; "-" for what is none.
+[[nodiscard]] std::string figure(double value, int digits = 3);
+
+/// The same for a number in JSON; "-" where there is none.
+[[nodiscard]] std::string figure(const nlohmann::ordered_json& row, const char* key, int digits = 3);
+
+/// A number for JSON: null where it is not finite.
+[[nodiscard]] nlohmann::ordered_json finiteOrNull(double value);
+
+/// The number of that name in a row; not a number where there is none.
+[[nodiscard]] double numberIn(const nlohmann::ordered_json& row, const char* key);
+
+/// "17x17".
+[[nodiscard]] std::string gridText(int resolution);
+
+/// A step in words: "1/150 s".
+[[nodiscard]] std::string stepText(double seconds);
+
+}  // namespace drape

@@ -1,0 +1,72 @@
+#include "report/report_document.hpp"
+
+#include "sim/error.hpp"
+
+namespace drape {
+namespace {
+
+/// Raised when rows change their meaning, so that a report is not continued in another sense.
+constexpr int formatVersion = 1;
+
+nlohmann::ordered_json optionsJson(const ReportOptions& options) {
+  return {{"quick", options.quick}, {"scene", options.scene}, {"threads", options.threads}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json reportJson(const Report& report) {
+  nlohmann::ordered_json json{{"format", formatVersion},
+                              {"machine", report.machine},
+                              {"settings", optionsJson(report.options)},
+                              {"complete", report.complete}};
+  for (const Section& section : sectionTable()) {
+    const auto rows = report.rows.find(section.name);
+    json[std::string(section.name)] = rows == report.rows.end() ? ReportRows() : rows->second;
+  }
+  return json;
+}
+
+SectionRows rowsToResume(const nlohmann::ordered_json& json, const Report& report) {
+  if (!json.is_object() || json.value("format", 0) != formatVersion || !json.contains("machine")) {
+    throw InputError("report.json is no report that can be gone on with; begin anew, without --resume");
+  }
+  for (const char* key : {"cpu", "commit", "build_type"}) {
+    if (json["machine"].value(key, "") != report.machine.value(key, "")) {
+      throw InputError(std::string("report.json was made with another ") + key +
+                       ", and figures of two must not be mixed; begin anew, without --resume");
+    }
+  }
+  if (json["settings"] != optionsJson(report.options)) {
+    throw InputError("report.json was made with " + json["settings"].dump() +
+                     "; go on with the same options, or begin anew without --resume");
+  }
+  SectionRows rows;
+  for (const Section& section : sectionTable()) {
+    const std::string name(section.name);
+    if (json.contains(name) && json[name].is_array()) {
+      rows[name] = json[name].get<ReportRows>();
+    }
+  }
+  return rows;
+}
+
+std::vector<std::pair<std::string, std::string>> reportHead(const Report& report) {
+  std::vector<std::pair<std::string, std::string>> head;
+  for (const auto& [key, value] : report.machine.items()) {
+    head.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  const ReportOptions& options = report.options;
+  head.emplace_back("settings", std::string(options.quick ? "quick" : "full") + ", scene " + options.scene + ", " +
+                                    std::to_string(options.threads) + (options.threads == 1 ? " thread" : " threads"));
+  if (!report.complete) {
+    head.emplace_back("complete", "no: it was ended before its time");
+  }
+  return head;
+}
+
+bool isMeasured(const Report& report, const Section& section) {
+  const auto rows = report.rows.find(section.name);
+  return rows != report.rows.end() && !rows->second.empty();
+}
+
+}  // namespace drape

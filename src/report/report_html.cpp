@@ -1,0 +1,110 @@
+#include "report/report_document.hpp"
+#include "report/svg.hpp"
+#include "report/xml_writer.hpp"
+
+namespace drape {
+namespace {
+
+constexpr std::string_view pageStyle = R"(
+:root { color-scheme: light dark; --ink: #222; --paper: #fff; --faint: #ddd; --shade: #f4f5f7; }
+@media screen and (prefers-color-scheme: dark) {
+  :root { --ink: #ddd; --paper: #16181c; --faint: #444; --shade: #202329; } }
+body { color: var(--ink); background: var(--paper); font: 15px/1.5 sans-serif; max-width: 62rem; margin: 2rem auto;
+  padding: 0 1rem; }
+table { border-collapse: collapse; margin: 0.5rem 0 1.5rem; font-size: 13px; }
+caption { text-align: left; font-weight: bold; padding-bottom: 0.3rem; }
+th, td { border-bottom: 1px solid var(--faint); padding: 0.15rem 0.6rem; text-align: right; }
+th:first-child, td:first-child { text-align: left; }
+table.head td { text-align: left; overflow-wrap: anywhere; }
+th { background: var(--shade); }
+figure { margin: 1rem 0; }
+div.wide { overflow-x: auto; }
+@media print {
+  body { max-width: none; margin: 0; font-size: 11px; }
+  h2 { break-before: page; }
+  figure, tr { break-inside: avoid; }
+  div.wide { overflow: visible; }
+}
+)";
+
+class HtmlWriter {
+ public:
+  explicit HtmlWriter(XmlWriter& html) : html_(html) {}
+
+  void operator()(const Paragraph& paragraph) { html_.text("p", paragraph.text); }
+
+  void operator()(const TextTable& table) {
+    html_.open("div", {{"class", "wide"}});
+    html_.open("table");
+    html_.text("caption", table.title);
+    row("th", table.header);
+    for (const auto& fields : table.rows) {
+      row("td", fields);
+    }
+    html_.close();
+    html_.close();
+  }
+
+  void operator()(const Plot& plot) { picture(svgOf(plot)); }
+  void operator()(const StateMap& map) { picture(svgOf(map)); }
+
+ private:
+  void row(std::string_view element, const std::vector<std::string>& fields) {
+    html_.open("tr");
+    for (const std::string& field : fields) {
+      html_.text(element, field);
+    }
+    html_.close();
+  }
+
+  void picture(const std::string& svg) {
+    html_.open("figure");
+    html_.raw(svg);
+    html_.close();
+  }
+
+  XmlWriter& html_;
+};
+
+void writeHead(XmlWriter& html, const Report& report) {
+  html.text("h1", "Speed against error");
+  html.open("table", {{"class", "head"}});
+  for (const auto& [name, value] : reportHead(report)) {
+    html.open("tr");
+    html.text("td", name);
+    html.text("td", value);
+    html.close();
+  }
+  html.close();
+}
+
+}  // namespace
+
+std::string reportHtml(const Report& report) {
+  XmlWriter html;
+  html.raw("<!DOCTYPE html>\n");
+  html.open("html", {{"lang", "en"}});
+  html.open("head");
+  html.empty("meta", {{"charset", "utf-8"}});
+  html.empty("meta", {{"name", "viewport"}, {"content", "width=device-width"}});
+  html.text("title", "Drape: speed against error");
+  html.open("style");
+  html.raw(pageStyle);
+  html.raw(svgStyle());
+  html.close();
+  html.close();
+  html.open("body");
+  writeHead(html, report);
+  HtmlWriter writer(html);
+  for (const Section& section : sectionTable()) {
+    if (isMeasured(report, section)) {
+      html.text("h2", section.title);
+      for (const Block& block : section.show(report.options, report.rows.find(section.name)->second)) {
+        std::visit(writer, block);
+      }
+    }
+  }
+  return html.take();
+}
+
+}  // namespace drape

@@ -1,0 +1,78 @@
+#include "report/report_document.hpp"
+#include "report/svg.hpp"
+
+namespace drape {
+namespace {
+
+/// What would end a field of a table, or read as an element of HTML.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|' || c == '<' || c == '*' || c == '\\') {
+      result += '\\';
+    }
+    result += c == '\n' ? ' ' : c;
+  }
+  return result;
+}
+
+std::string lineOf(const std::vector<std::string>& fields) {
+  std::string line = "|";
+  for (const std::string& field : fields) {
+    line += " " + escaped(field) + " |";
+  }
+  return line + "\n";
+}
+
+class MarkdownWriter {
+ public:
+  void operator()(const Paragraph& paragraph) { report.text += escaped(paragraph.text) + "\n\n"; }
+
+  void operator()(const TextTable& table) {
+    report.text += "**" + escaped(table.title) + "**\n\n" + lineOf(table.header) + "|";
+    for (std::size_t i = 0; i < table.header.size(); ++i) {
+      report.text += i == 0 ? "---|" : "---:|";
+    }
+    report.text += "\n";
+    for (const auto& row : table.rows) {
+      report.text += lineOf(row);
+    }
+    report.text += "\n";
+  }
+
+  void operator()(const Plot& plot) { picture(plot.name, plot.title, svgFile(svgOf(plot))); }
+
+  void operator()(const StateMap& map) { picture(map.name, map.title, svgFile(svgOf(map))); }
+
+  MarkdownReport report;
+
+ private:
+  void picture(const std::string& name, const std::string& title, std::string svg) {
+    const std::string file = "pictures/" + name + ".svg";
+    report.text += "![" + escaped(title) + "](" + file + ")\n\n";
+    report.pictures.push_back({file, std::move(svg)});
+  }
+};
+
+}  // namespace
+
+MarkdownReport reportMarkdown(const Report& report) {
+  MarkdownWriter writer;
+  std::string& text = writer.report.text;
+  text = "# Speed against error\n\n| | |\n|---|---|\n";
+  for (const auto& [name, value] : reportHead(report)) {
+    text += lineOf({name, value});
+  }
+  text += "\n";
+  for (const Section& section : sectionTable()) {
+    if (isMeasured(report, section)) {
+      text += "## " + escaped(std::string(section.title)) + "\n\n";
+      for (const Block& block : section.show(report.options, report.rows.find(section.name)->second)) {
+        std::visit(writer, block);
+      }
+    }
+  }
+  return std::move(writer.report);
+}
+
+}  // namespace drape

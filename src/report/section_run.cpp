@@ -1,0 +1,149 @@
+#include "report/section_run.hpp"
+
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace drape {
+namespace {
+
+bool isWanted(const ReportOptions& options, const Section& section) {
+  return options.only.empty() ||
+         std::find(options.only.begin(), options.only.end(), section.name) != options.only.end();
+}
+
+void requireSections(std::span<const Section> sections, const ReportOptions& options) {
+  for (const std::string& name : options.only) {
+    const auto named = [&name](const Section& section) { return section.name == name; };
+    if (std::none_of(sections.begin(), sections.end(), named)) {
+      std::string known;
+      for (const Section& section : sections) {
+        known += (known.empty() ? "" : ", ") + std::string(section.name);
+      }
+      throw UsageError("--only takes a section; '" + name + "' is none of " + known);
+    }
+  }
+}
+
+/// The rows of a section, cell by cell.
+class CellRows {
+ public:
+  CellRows(const SectionPlan& plan, const ReportRows& known) : plan_(plan), rows_(plan.cells.size()) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      std::copy_if(known.begin(), known.end(), std::back_inserter(rows_[i]),
+                   [&](const ReportRow& row) { return row.value("cell", "") == plan.cells[i].key; });
+    }
+  }
+
+  [[nodiscard]] const ReportRows& of(std::size_t cell) const { return rows_[cell]; }
+
+  [[nodiscard]] int roundsOf(std::size_t cell) const {
+    return rows_[cell].empty() ? 0 : rows_[cell].front().value("rounds", 0);
+  }
+
+  void put(std::size_t cell, ReportRows rows) {
+    const int rounds = roundsOf(cell) + 1;
+    for (ReportRow& row : rows) {
+      row["cell"] = plan_.cells[cell].key;
+      row["rounds"] = rounds;
+    }
+    rows_[cell] = std::move(rows);
+  }
+
+  [[nodiscard]] ReportRows all() const {
+    ReportRows all;
+    for (const ReportRows& rows : rows_) {
+      all.insert(all.end(), rows.begin(), rows.end());
+    }
+    return all;
+  }
+
+ private:
+  const SectionPlan& plan_;
+  std::vector<ReportRows> rows_;
+};
+
+class Runner {
+ public:
+  Runner(SectionRows& rows, const RunHooks& hooks) : rows_(rows), hooks_(hooks) {}
+
+  void plan(const Section& section, const ReportOptions& options) {
+    parts_.push_back({&section, section.plan(options)});
+    const Part& part = parts_.back();
+    const CellRows known(part.plan, rows_[std::string(section.name)]);
+    for (std::size_t i = 0; i < part.plan.cells.size(); ++i) {
+      total_ += part.plan.cells[i].weight * std::max(0, part.plan.rounds - known.roundsOf(i));
+    }
+  }
+
+  void run() {
+    for (const Part& part : parts_) {
+      ReportRows& rows = rows_[std::string(part.section->name)];
+      CellRows cells(part.plan, rows);
+      for (int round = 0; round < part.plan.rounds; ++round) {
+        for (std::size_t i = 0; i < part.plan.cells.size(); ++i) {
+          if (cells.roundsOf(i) == round) {
+            measure(part, i, cells, rows);
+          }
+        }
+      }
+    }
+  }
+
+ private:
+  struct Part {
+    const Section* section;
+    SectionPlan plan;
+  };
+
+  void measure(const Part& part, std::size_t index, CellRows& cells, ReportRows& rows) {
+    const auto mayStop = [this] {
+      if (hooks_.stopped && hooks_.stopped()) {
+        throw ReportStopped();
+      }
+    };
+    mayStop();
+    if (hooks_.progress) {
+      hooks_.progress(part.section->name, done_, total_);
+    }
+    const Cell& cell = part.plan.cells[index];
+    cells.put(index, cell.measure({rows, cells.of(index), mayStop}));
+    rows = cells.all();
+    done_ += cell.weight;
+    if (hooks_.measured) {
+      hooks_.measured(rows_);
+    }
+  }
+
+  SectionRows& rows_;
+  const RunHooks& hooks_;
+  std::vector<Part> parts_;
+  double done_ = 0.0;
+  double total_ = 0.0;
+};
+
+}  // namespace
+
+bool measureSections(const ReportOptions& options, SectionRows& rows, const RunHooks& hooks) {
+  return measureSections(sectionTable(), options, rows, hooks);
+}
+
+bool measureSections(std::span<const Section> sections, const ReportOptions& options, SectionRows& rows,
+                     const RunHooks& hooks) {
+  requireSections(sections, options);
+  Runner runner(rows, hooks);
+  for (const Section& section : sections) {
+    if (isWanted(options, section)) {
+      runner.plan(section, options);
+    }
+  }
+  try {
+    runner.run();
+  } catch (const ReportStopped&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace drape

@@ -1,0 +1,12 @@
+#include "report/sections/sections.hpp"
+
+#include <array>
+
+namespace drape {
+
+std::span<const Section> sectionTable() {
+  static const std::array table{sections::table1()};
+  return table;
+}
+
+}  // namespace drape

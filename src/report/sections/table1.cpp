@@ -1,0 +1,143 @@
+#include "report/number_text.hpp"
+#include "report/sections/section_scene.hpp"
+#include "report/sections/sections.hpp"
+#include "report/timing.hpp"
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace drape {
+namespace {
+
+/// What the paper's Table 1 prints [ms].
+struct Printed {
+  int resolution;
+  double update;
+  double selfCollision;
+};
+constexpr std::array printed{Printed{17, 0.5, 0.92}, Printed{33, 1.74, 3.54}};
+
+constexpr double milliseconds = 1e3;
+constexpr double nanoseconds = 1e9;
+constexpr int smallestFitted = 65;
+/// A 99th percentile of fewer steps would be their largest.
+constexpr std::size_t leastForPercentile = 200;
+
+ReportRows measureUpdate(int resolution, const std::string& precision, const ReportOptions& options,
+                         const CellContext& context) {
+  const auto scene =
+      gridScene("grid", resolution,
+                {"solver=one_iteration", "precision=" + precision, "threads=" + std::to_string(options.threads)});
+  const TimingBudget budget{.seconds = options.quick ? 0.2 : 2.0, .leastSteps = 3, .mostSteps = 5000};
+  const StepTiming timing = timeSteps(*scene, scene->settings, budget, context.mayStop);
+  const ClothModel& model = *scene->model;
+  const double median = medianOf(timing.stepSeconds);
+  const bool enough = timing.stepSeconds.size() >= leastForPercentile;
+  ReportRow row{{"resolution", resolution},
+                {"precision", precision},
+                {"vertices", model.vertexCount()},
+                {"springs", model.springs.size()},
+                {"triangles", model.triangles.size()},
+                {"steps", timing.stepSeconds.size()},
+                {"update_ms", finiteOrNull(milliseconds * median)},
+                {"update_ms_p99", finiteOrNull(enough ? milliseconds * quantileOf(timing.stepSeconds, 0.99) : NAN)},
+                {"ns_per_spring", finiteOrNull(nanoseconds * median / static_cast<double>(model.springs.size()))},
+                {"self_collision_ms", nullptr},
+                {"finite", timing.finite}};
+  for (const Printed& paper : printed) {
+    if (paper.resolution == resolution) {
+      row["paper_update_ms"] = paper.update;
+      row["paper_self_collision_ms"] = paper.selfCollision;
+    }
+  }
+  return {row};
+}
+
+SectionPlan plan(const ReportOptions& options) {
+  SectionPlan plan;
+  for (const int resolution : {17, 33, 65, 129, 257, 513, 1025}) {
+    if (options.quick && resolution > 257) {
+      break;
+    }
+    for (const std::string precision : {"float", "double"}) {
+      const double building = 2e-5 * resolution * resolution;
+      plan.cells.push_back(
+          {gridText(resolution) + " " + precision, (options.quick ? 0.2 : 2.0) + building,
+           [=](const CellContext& context) { return measureUpdate(resolution, precision, options, context); }});
+    }
+  }
+  return plan;
+}
+
+TextTable tableOf(const ReportRows& rows) {
+  TextTable table{"Time of a frame update (one step of one_iteration)",
+                  {"grid", "numbers", "vertices", "springs", "triangles", "median [ms]", "99 % [ms]", "paper [ms]",
+                   "ns a spring", "self-collision", "paper's [ms]"},
+                  {}};
+  for (const ReportRow& row : rows) {
+    table.rows.push_back({gridText(row.value("resolution", 0)), row.value("precision", ""), figure(row, "vertices", 7),
+                          figure(row, "springs", 7), figure(row, "triangles", 7), figure(row, "update_ms"),
+                          figure(row, "update_ms_p99"), figure(row, "paper_update_ms"), figure(row, "ns_per_spring"),
+                          "does not exist yet", figure(row, "paper_self_collision_ms")});
+  }
+  return table;
+}
+
+/// Springs and times [s] of the grids that are too large to tell of the cost of beginning a step.
+struct Growth {
+  std::vector<double> springs;
+  std::vector<double> times;
+};
+
+std::map<std::string, Growth> growthOf(const ReportRows& rows, int smallest) {
+  std::map<std::string, Growth> growth;
+  for (const ReportRow& row : rows) {
+    const double time = numberIn(row, "update_ms");
+    if (row.value("resolution", 0) >= smallest && time > 0.0) {
+      Growth& entry = growth[row.value("precision", "")];
+      entry.springs.push_back(numberIn(row, "springs"));
+      entry.times.push_back(time);
+    }
+  }
+  return growth;
+}
+
+Plot plotOf(const ReportRows& rows) {
+  Plot plot{"table1", "Time of a frame update", {"springs", Scale::Logarithmic}, {"ms", Scale::Logarithmic}, {}};
+  for (const auto& [precision, growth] : growthOf(rows, 0)) {
+    Curve curve{precision, {}};
+    for (std::size_t i = 0; i < growth.springs.size(); ++i) {
+      curve.points.push_back({growth.springs[i], growth.times[i]});
+    }
+    plot.curves.push_back(curve);
+  }
+  return plot;
+}
+
+std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
+  std::vector<Block> blocks;
+  blocks.emplace_back(Paragraph{
+      "One sweep a step of 1/150 s on the scene 'grid', with " + std::to_string(options.threads) +
+      (options.threads == 1 ? " thread" : " threads") +
+      ". The median of single steps, timed as the viewer takes them; the 99th percentile where there were at least " +
+      std::to_string(leastForPercentile) + " steps. The paper's figures are of a machine of its time."});
+  blocks.emplace_back(tableOf(rows));
+  for (const auto& [precision, growth] : growthOf(rows, smallestFitted)) {
+    if (growth.springs.size() > 1) {
+      blocks.emplace_back(Paragraph{"In " + precision + " the time grows as the number of springs to the power " +
+                                    figure(fittedExponent(growth.springs, growth.times)) + " from " +
+                                    gridText(smallestFitted) + " on (1 is proportional)."});
+    }
+  }
+  blocks.emplace_back(plotOf(rows));
+  return blocks;
+}
+
+}  // namespace
+
+Section sections::table1() {
+  return {"table1", "Frame update (the paper's Table 1)", plan, show};
+}
+
+}  // namespace drape

@@ -1,0 +1,98 @@
+#include "report/svg.hpp"
+#include "report/xml_writer.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace drape {
+namespace {
+
+constexpr double cellWidth = 62.0;
+constexpr double cellHeight = 24.0;
+constexpr double left = 170.0;
+constexpr double top = 66.0;
+constexpr double legendEntry = 130.0;
+
+const char* classOf(Tone tone) {
+  switch (tone) {
+    case Tone::Good:
+      return "good";
+    case Tone::Doubtful:
+      return "doubtful";
+    case Tone::Bad:
+      return "bad";
+    case Tone::Dull:
+      return "dull";
+    case Tone::None:
+      break;
+  }
+  return "none";
+}
+
+std::string pixel(double value) {
+  return std::to_string(static_cast<int>(value));
+}
+
+void drawText(XmlWriter& svg, const std::string& text, const char* anchor, double x, double y) {
+  svg.text("text", text, {{"text-anchor", anchor}, {"x", pixel(x)}, {"y", pixel(y)}});
+}
+
+void drawCell(XmlWriter& svg, const MapState& state, double x, double y) {
+  svg.open("g");
+  svg.text("title", state.name);
+  svg.empty("rect", {{"class", classOf(state.tone)},
+                     {"x", pixel(x)},
+                     {"y", pixel(y)},
+                     {"width", pixel(cellWidth - 2.0)},
+                     {"height", pixel(cellHeight - 2.0)}});
+  drawText(svg, state.letter, "middle", x + 0.5 * cellWidth - 1.0, y + 16.0);
+  svg.close();
+}
+
+void drawRows(XmlWriter& svg, const StateMap& map) {
+  double y = top;
+  for (const StateMap::Row& row : map.rows) {
+    drawText(svg, row.label, "end", left - 8.0, y + 16.0);
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      drawCell(svg, map.states.at(static_cast<std::size_t>(row.cells[i])), left + cellWidth * static_cast<double>(i),
+               y);
+    }
+    y += cellHeight;
+  }
+}
+
+void drawLegend(XmlWriter& svg, const StateMap& map, double y) {
+  double x = 10.0;
+  for (const MapState& state : map.states) {
+    drawCell(svg, state, x, y);
+    drawText(svg, state.name, "start", x + cellWidth + 4.0, y + 16.0);
+    x += legendEntry;
+  }
+}
+
+}  // namespace
+
+std::string svgOf(const StateMap& map) {
+  const double grid = left + cellWidth * static_cast<double>(map.columns.size()) + 10.0;
+  const double width = std::max(grid, 10.0 + legendEntry * static_cast<double>(map.states.size()));
+  const double bottom = top + cellHeight * static_cast<double>(map.rows.size());
+  const double height = bottom + 12.0 + cellHeight;
+  XmlWriter svg;
+  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
+                   {"class", "drape"},
+                   {"role", "img"},
+                   {"width", pixel(width)},
+                   {"height", pixel(height)},
+                   {"viewBox", "0 0 " + pixel(width) + " " + pixel(height)}});
+  svg.text("title", map.title);
+  svg.text("text", map.title, {{"class", "title"}, {"x", "10"}, {"y", "20"}});
+  drawText(svg, map.columnsTitle, "start", left, 40.0);
+  for (std::size_t i = 0; i < map.columns.size(); ++i) {
+    drawText(svg, map.columns[i], "middle", left + cellWidth * (static_cast<double>(i) + 0.5) - 1.0, 58.0);
+  }
+  drawRows(svg, map);
+  drawLegend(svg, map, bottom + 8.0);
+  return svg.take();
+}
+
+}  // namespace drape

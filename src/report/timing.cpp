@@ -1,0 +1,88 @@
+#include "report/timing.hpp"
+
+#include <malloc.h>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace drape {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Bytes that the program has allocated. A sanitizer's allocator tells nothing.
+double allocatedBytes() {
+  const struct mallinfo2 info = mallinfo2();
+  const std::size_t bytes = info.uordblks + info.hblkhd;
+  return bytes == 0 ? none : static_cast<double>(bytes);
+}
+
+}  // namespace
+
+double secondsOf(const std::function<void()>& call) {
+  const auto begin = std::chrono::steady_clock::now();
+  call();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double quantileOf(std::vector<double> values, double share) {
+  if (values.empty()) {
+    return none;
+  }
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(rank, 1, values.size()) - 1);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+double medianOf(std::vector<double> values) {
+  return quantileOf(std::move(values), 0.5);
+}
+
+double fittedExponent(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto count = static_cast<double>(x.size());
+  double sumX = 0.0;
+  double sumY = 0.0;
+  double sumXX = 0.0;
+  double sumXY = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double logX = std::log(x[i]);
+    const double logY = std::log(y.at(i));
+    sumX += logX;
+    sumY += logY;
+    sumXX += logX * logX;
+    sumXY += logX * logY;
+  }
+  const double spread = count * sumXX - sumX * sumX;
+  return x.size() > 1 && spread > 0.0 ? (count * sumXY - sumX * sumY) / spread : none;
+}
+
+StepTiming timeSteps(const Scene& scene, const Settings& settings, const TimingBudget& budget,
+                     const std::function<void()>& mayStop) {
+  StepTiming timing;
+  ClothState state = scene.start;
+  const double before = allocatedBytes();
+  Stepper stepper(settings.solver.name);
+  const auto step = [&] {
+    mayStop();
+    return secondsOf([&] { stepper.step(*scene.model, settings.step, {}, state); });
+  };
+  const double first = step();
+  // The state's own vectors were there before; what came is the solver's.
+  timing.memoryBytes = std::max(0.0, allocatedBytes() - before);
+  timing.memoryBytes = std::isnan(before) ? none : timing.memoryBytes;
+  for (double spent = 0.0; static_cast<int>(timing.stepSeconds.size()) < budget.mostSteps &&
+                           (spent < budget.seconds || static_cast<int>(timing.stepSeconds.size()) < budget.leastSteps);
+       spent += timing.stepSeconds.back()) {
+    if (!isFinite(state)) {
+      timing.finite = false;
+      state = scene.start;
+    }
+    timing.stepSeconds.push_back(step());
+  }
+  timing.setupSeconds = std::max(0.0, first - medianOf(timing.stepSeconds));
+  return timing;
+}
+
+}  // namespace drape

@@ -1,0 +1,78 @@
+#include "program.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace drape::testing {
+namespace {
+
+nlohmann::json jsonIn(const std::filesystem::path& folder) {
+  return nlohmann::json::parse(readFile(folder / "report.json"));
+}
+
+void expectHead(const nlohmann::json& json) {
+  for (const char* array : {"table1"}) {
+    EXPECT_TRUE(json[array].is_array()) << array;
+  }
+  ASSERT_TRUE(json["machine"].is_object());
+  for (const char* name : {"cpu", "simd", "compiler", "flags", "build_type", "commit", "date"}) {
+    EXPECT_FALSE(json["machine"][name].get<std::string>().empty()) << name;
+  }
+  EXPECT_GT(json["machine"]["cores"], 0);
+}
+
+TEST(Report, measuresTheFrameUpdateAndWritesAllItsFiles) {
+  const auto folder = testFolder() / "new" / "folder";
+  const Outcome outcome = report("--quick --only table1 --output " + folder.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const auto json = jsonIn(folder);
+  expectHead(json);
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_EQ(json["settings"]["quick"], true);
+  std::set<std::pair<int, std::string>> measured;
+  for (const auto& row : json["table1"]) {
+    measured.emplace(row["resolution"].get<int>(), row["precision"].get<std::string>());
+    EXPECT_GT(row["update_ms"], 0.0);
+    EXPECT_TRUE(row["self_collision_ms"].is_null());
+  }
+  EXPECT_EQ(measured.size(), 10U);
+  const auto& first = json["table1"][0];
+  EXPECT_EQ(first["vertices"], 289);
+  EXPECT_EQ(first["springs"], 800);
+  EXPECT_EQ(first["triangles"], 512);
+  EXPECT_EQ(first["paper_update_ms"], 0.5);
+  EXPECT_NE(readFile(folder / "report.md").find("pictures/table1.svg"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "pictures" / "table1.svg"));
+  EXPECT_NE(readFile(folder / "report.html").find("</html>"), std::string::npos);
+}
+
+TEST(Report, measuresNothingAgainWhenItGoesOn) {
+  const auto folder = testFolder();
+  const std::string arguments = "--quick --only table1 --output " + folder.string();
+  ASSERT_EQ(report(arguments).status, 0);
+  const auto before = jsonIn(folder);
+  ASSERT_EQ(report(arguments + " --resume").status, 0);
+  EXPECT_EQ(jsonIn(folder)["table1"], before["table1"]);
+  const Outcome other = report(arguments + " --threads 2 --resume");
+  EXPECT_EQ(other.status, 1);
+  EXPECT_NE(other.errors.find("same options"), std::string::npos) << other.errors;
+}
+
+TEST(Report, refusesWrongUse) {
+  const auto refuses = [](const std::string& arguments, int status, const std::string& because) {
+    const Outcome outcome = report(arguments);
+    EXPECT_EQ(outcome.status, status) << arguments;
+    EXPECT_NE(outcome.errors.find(because), std::string::npos) << outcome.errors;
+  };
+  const std::string folder = testFolder().string();
+  refuses("--quick", 2, "--output");
+  refuses("--only nothing --output " + folder, 2, "table1");
+  refuses("--threads 0 --output " + folder, 2, "--threads");
+  refuses("--scene nothing --output " + folder, 1, "nothing");
+  refuses("--scene skirt --output " + folder, 1, "grid");
+  refuses("--output /proc/nowhere", 1, "/proc/nowhere");
+}
+
+}  // namespace
+}  // namespace drape::testing

@@ -1,0 +1,96 @@
+#include "report/svg.hpp"
+
+#include "xml_check.hpp"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace drape {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Plot twoCurves() {
+  Plot plot{"name", "Error & cost <of> \"both\"", {"us", Scale::Logarithmic}, {"mm", Scale::Logarithmic}, {}};
+  plot.curves.push_back({"first & <best>", {{1.0, 0.1}, {10.0, 0.01, Mark::Hollow, "5 < 6"}, {100.0, 0.001}}});
+  plot.curves.push_back({"second", {{2.0, 1.0}, {3.0, infinite, Mark::Cross}, {4.0, none}, {5.0, 0.0}, {none, 1.0}}});
+  return plot;
+}
+
+int countOf(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(XmlCheck, findsWhatIsNotWellFormed) {
+  EXPECT_EQ(testing::XmlCheck::faultOf("<a b=\"c\"><d/>e &amp; f</a>"), "");
+  EXPECT_NE(testing::XmlCheck::faultOf("<a><b></a>"), "");
+  EXPECT_NE(testing::XmlCheck::faultOf("<a>"), "");
+  EXPECT_NE(testing::XmlCheck::faultOf("<a b=c></a>"), "");
+  EXPECT_NE(testing::XmlCheck::faultOf("<a>b & c</a>"), "");
+}
+
+TEST(SvgPlot, isWellFormedAndHoldsNothingThatIsNoNumber) {
+  const std::string svg = svgOf(twoCurves());
+  EXPECT_EQ(testing::XmlCheck::faultOf(svg), "");
+  EXPECT_EQ(testing::XmlCheck::faultOf(svgFile(svg)), "");
+  for (const char* wrong : {"nan", "inf", "NaN", "e+", "e-0"}) {
+    EXPECT_EQ(svg.find(wrong), std::string::npos) << wrong;
+  }
+}
+
+TEST(SvgPlot, drawsAMarkForEachPointThatHasAPlaceAndNamesEachCurve) {
+  const std::string svg = svgOf(twoCurves());
+  // Three and one points and two in the legend; the hollow one is a circle too.
+  EXPECT_EQ(countOf(svg, "<circle"), 6);
+  EXPECT_EQ(countOf(svg, "class=\"hollow line0\""), 1);
+  EXPECT_EQ(countOf(svg, "class=\"cross line1\""), 1);
+  EXPECT_NE(svg.find("first &amp; &lt;best&gt;"), std::string::npos);
+  EXPECT_NE(svg.find(">second<"), std::string::npos);
+}
+
+TEST(SvgPlot, drawsALineThroughThePointsOfACurve) {
+  Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
+  plot.curves.push_back({"line", {{0.0, 0.0}, {1.0, 1.0}}});
+  // The frame is 560 x 380 from (72, 36).
+  EXPECT_NE(svgOf(plot).find("d=\"M72.0 416.0L632.0 36.0\""), std::string::npos) << svgOf(plot);
+}
+
+TEST(SvgPlot, interruptsALineWhereAValueIsMissing) {
+  Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
+  plot.curves.push_back({"line", {{0.0, 0.0}, {1.0, 1.0}, {2.0, none}, {3.0, 1.0}, {4.0, 0.0}}});
+  EXPECT_EQ(countOf(svgOf(plot), "class=\"curve line0 dash0\""), 3);  // two pieces and the legend's
+}
+
+TEST(SvgPlot, drawsABandWhereThereIsOne) {
+  Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
+  plot.curves.push_back({"line", {{0.0, 0.5, Mark::Filled, "", 0.0, 1.0}, {1.0, 0.5, Mark::Filled, "", 0.2, 0.8}}});
+  EXPECT_EQ(countOf(svgOf(plot), "class=\"band fill0\""), 1);
+  plot.curves[0].points[0].low = none;
+  EXPECT_EQ(countOf(svgOf(plot), "class=\"band fill0\""), 0);
+}
+
+TEST(SvgPlot, canBeEmpty) {
+  EXPECT_EQ(testing::XmlCheck::faultOf(svgOf(Plot{"name", "title", {"x"}, {"y"}, {}})), "");
+}
+
+TEST(SvgMap, hasACellWithItsLetterForEachStateAndALegend) {
+  StateMap map{"name",
+               "title",
+               "step",
+               {"1", "2"},
+               {{"a", {0, 1}}, {"b", {1, 1}}},
+               {{"calm", "C", Tone::Good}, {"explodes", "X", Tone::Bad}}};
+  const std::string svg = svgOf(map);
+  EXPECT_EQ(testing::XmlCheck::faultOf(svg), "");
+  EXPECT_EQ(countOf(svg, ">C<"), 2);
+  EXPECT_EQ(countOf(svg, ">X<"), 4);
+  EXPECT_EQ(countOf(svg, "class=\"bad\""), 4);
+}
+
+}  // namespace
+}  // namespace drape
