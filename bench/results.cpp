@@ -24,7 +24,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 /// Three digits.
 std::string shortNumber(double value) {
   const double size = std::abs(value);
-  const int decimals = size >= 99.95 ? 0 : size >= 9.995 ? 1 : 2;
+  const int decimals = size >= 99.95 ? 0 : size >= 9.995 ? 1 : size >= 0.9995 ? 2 : 3;
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
   return text.data();
