@@ -19,7 +19,7 @@ struct alignas(64) SliceNumbers : std::array<T, sliceLanes> {};
 template <typename T>
 class LaneArray {
  public:
-  void resize(int slices) { slices_.assign(static_cast<std::size_t>(slices + 3), {}); }
+  void resize(int slices) { slices_.assign(static_cast<std::size_t>(slices) + 3, {}); }
   [[nodiscard]] bool sized() const { return !slices_.empty(); }
   /// The value of place 0.
   [[nodiscard]] T* data() { return slices_[1].data(); }
