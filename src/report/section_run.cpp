@@ -19,7 +19,8 @@ void requireSections(std::span<const Section> sections, const ReportOptions& opt
     if (std::none_of(sections.begin(), sections.end(), named)) {
       std::string known;
       for (const Section& section : sections) {
-        known += (known.empty() ? "" : ", ") + std::string(section.name);
+        known += known.empty() ? "" : ", ";
+        known += section.name;
       }
       throw UsageError("--only takes a section; '" + name + "' is none of " + known);
     }

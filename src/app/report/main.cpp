@@ -23,7 +23,8 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
   constexpr int mostThreads = 64;
   std::string sections;
   for (const Section& section : sectionTable()) {
-    sections += (sections.empty() ? "" : ", ") + std::string(section.name);
+    sections += sections.empty() ? "" : ", ";
+    sections += section.name;
   }
   app.add_flag("--quick", arguments.options.quick, "Fewer and smaller measurements: about a minute");
   app.add_option("--only", arguments.options.only, "Measure this section alone (" + sections + "); may be repeated")
