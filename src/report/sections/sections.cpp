@@ -5,7 +5,8 @@
 namespace drape {
 
 std::span<const Section> sectionTable() {
-  static const std::array table{sections::table1()};
+  static const std::array table{sections::table1(), sections::growth(), sections::workPrecision(),
+                                sections::stability()};
   return table;
 }
 

@@ -7,5 +7,6 @@
 namespace drape::sections {
 
 Section table1();
+Section growth();
 
 }  // namespace drape::sections

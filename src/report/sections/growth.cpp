@@ -1,0 +1,174 @@
+#include "report/number_text.hpp"
+#include "report/sections/section_scene.hpp"
+#include "report/sections/sections.hpp"
+#include "report/timing.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace drape {
+namespace {
+
+constexpr double microseconds = 1e6;
+constexpr double milliseconds = 1e3;
+constexpr double megabytes = 1e-6;
+/// Of the paper's explicit reference, for a method that no step makes stable [s].
+constexpr double finestStep = 1.0 / 30000.0;
+/// Nothing here grows faster than with this power of the number of vertices.
+constexpr double cautiousExponent = 1.5;
+
+/// How long a cell may take [s]; larger grids are left out when they would take longer.
+double mostSeconds(const ReportOptions& options) {
+  return options.quick ? 1.0 : 20.0;
+}
+
+/// In how many parts a method has to take its step to be stable.
+int stableSubsteps(const SolverInfo& solver, const Scene& scene) {
+  const StepParameters& parameters = scene.settings.step;
+  if (solver.stepLimit == nullptr) {
+    return 1;
+  }
+  constexpr double safely = 0.9;
+  const double limit = solver.stepLimit(*scene.model, parameters);
+  const double longest = limit > 0.0 ? safely * limit : finestStep;
+  return std::isfinite(longest) ? static_cast<int>(std::ceil(parameters.timeStep / longest * (1.0 - 1e-9))) : 1;
+}
+
+/// The row of the same method on the grid before this one; null when there is none.
+const ReportRow* smaller(const ReportRows& rows, std::string_view method) {
+  const ReportRow* found = nullptr;
+  for (const ReportRow& row : rows) {
+    found = row.value("method", "") == method ? &row : found;
+  }
+  return found;
+}
+
+/// How long it would take to set up and to take the fewest steps, as the smaller grid lets expect [s].
+double expectedSeconds(const ReportRow& before, int vertices) {
+  if (before.contains("skipped")) {
+    return HUGE_VAL;
+  }
+  const double ratio = std::pow(vertices / numberIn(before, "vertices"), cautiousExponent);
+  return ratio * numberIn(before, "seconds_at_least");
+}
+
+ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportOptions& options,
+                         const CellContext& context) {
+  constexpr int leastSteps = 3;
+  const auto scene = gridScene("grid", resolution,
+                               {"solver=" + std::string(solver.name), "threads=" + std::to_string(options.threads)});
+  const ClothModel& model = *scene->model;
+  ReportRow row{{"method", solver.name},
+                {"resolution", resolution},
+                {"vertices", model.vertexCount()},
+                {"springs", model.springs.size()}};
+  const ReportRow* before = smaller(context.section, solver.name);
+  if (before != nullptr && expectedSeconds(*before, model.vertexCount()) > mostSeconds(options)) {
+    row["skipped"] = "would take too long";
+    return {row};
+  }
+  Settings settings = scene->settings;
+  settings.step.substeps = stableSubsteps(solver, *scene);
+  const TimingBudget budget{.seconds = options.quick ? 0.05 : 0.5, .leastSteps = leastSteps, .mostSteps = 1000};
+  const StepTiming timing = timeSteps(*scene, settings, budget, context.mayStop);
+  const double median = medianOf(timing.stepSeconds);
+  row["substeps"] = settings.step.substeps;
+  row["step_us"] = finiteOrNull(microseconds * median / settings.step.substeps);
+  row["us_per_simulated_second"] = finiteOrNull(microseconds * median / settings.step.timeStep);
+  row["setup_ms"] = finiteOrNull(milliseconds * timing.setupSeconds);
+  row["memory_mb"] = finiteOrNull(megabytes * timing.memoryBytes);
+  row["finite"] = timing.finite;
+  row["seconds_at_least"] = timing.setupSeconds + (leastSteps + 1) * median;
+  return {row};
+}
+
+SectionPlan plan(const ReportOptions& options) {
+  SectionPlan plan;
+  const std::vector<int> sizes = options.quick ? std::vector{17, 33} : std::vector{17, 33, 65, 129, 257};
+  for (const int resolution : sizes) {
+    for (const SolverInfo& solver : solverTable()) {
+      plan.cells.push_back({std::string(solver.name) + " " + gridText(resolution), options.quick ? 0.15 : 2.0,
+                            [&solver, resolution, options](const CellContext& context) {
+                              return measureGrowth(solver, resolution, options, context);
+                            }});
+    }
+  }
+  return plan;
+}
+
+Plot plotOf(const ReportRows& rows, const char* key, const std::string& title, const std::string& unit) {
+  Plot plot{std::string("growth-") + key, title, {"vertices", Scale::Logarithmic}, {unit, Scale::Logarithmic}, {}};
+  std::map<std::string, std::size_t> places;
+  for (const ReportRow& row : rows) {
+    const auto [place, isNew] = places.emplace(row.value("method", ""), plot.curves.size());
+    if (isNew) {
+      plot.curves.push_back({place->first, {}});
+    }
+    plot.curves[place->second].points.push_back({numberIn(row, "vertices"), numberIn(row, key)});
+  }
+  return plot;
+}
+
+double exponentOf(const Curve& curve) {
+  std::vector<double> vertices;
+  std::vector<double> values;
+  for (const PlotPoint& point : curve.points) {
+    if (point.x > 0.0 && point.y > 0.0) {
+      vertices.push_back(point.x);
+      values.push_back(point.y);
+    }
+  }
+  return fittedExponent(vertices, values);
+}
+
+TextTable exponents(const std::vector<Plot>& plots) {
+  TextTable table{"Exponents b of value = a vertices^b, fitted", {"method", "step", "set-up", "memory"}, {}};
+  for (std::size_t i = 0; i < plots.front().curves.size(); ++i) {
+    std::vector<std::string> fields{plots.front().curves[i].label};
+    for (const Plot& plot : plots) {
+      fields.push_back(figure(exponentOf(plot.curves[i]), 2));
+    }
+    table.rows.push_back(fields);
+  }
+  return table;
+}
+
+TextTable tableOf(const ReportRows& rows) {
+  TextTable table{"Costs",
+                  {"method", "grid", "substeps", "substep [us]", "simulated second [ms]", "set-up [ms]", "memory [MB]"},
+                  {}};
+  for (const ReportRow& row : rows) {
+    table.rows.push_back({row.value("method", ""), gridText(row.value("resolution", 0)), figure(row, "substeps", 7),
+                          row.value("skipped", figure(row, "step_us")),
+                          figure(numberIn(row, "us_per_simulated_second") / milliseconds), figure(row, "setup_ms"),
+                          figure(row, "memory_mb")});
+  }
+  return table;
+}
+
+std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
+  if (rows.empty()) {
+    return {};
+  }
+  const std::vector<Plot> plots{plotOf(rows, "step_us", "Time of a substep", "us"),
+                                plotOf(rows, "setup_ms", "Set-up before the first step", "ms"),
+                                plotOf(rows, "memory_mb", "Memory of the solver", "MB")};
+  std::vector<Block> blocks;
+  blocks.emplace_back(Paragraph{
+      "Every method with its default settings on the scene 'grid' with steps of 1/150 s; the explicit ones take as "
+      "many "
+      "substeps as keep them stable. Set-up is by how much the first step takes longer than the others. Memory is what "
+      "was allocated for the solver until then. Grids that would take too long are left out."});
+  blocks.insert(blocks.end(), plots.begin(), plots.end());
+  blocks.emplace_back(exponents(plots));
+  blocks.emplace_back(tableOf(rows));
+  return blocks;
+}
+
+}  // namespace
+
+Section sections::growth() {
+  return {"growth", "Growth with size", plan, show};
+}
+
+}  // namespace drape
