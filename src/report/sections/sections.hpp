@@ -8,5 +8,6 @@ namespace drape::sections {
 
 Section table1();
 Section growth();
+Section workPrecision();
 
 }  // namespace drape::sections

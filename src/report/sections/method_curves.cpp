@@ -1,0 +1,64 @@
+#include "report/sections/method_curves.hpp"
+
+#include "sim/solver.hpp"
+
+#include <algorithm>
+
+namespace drape {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words upTo(int most) {
+  Words words;
+  for (int value = 1; value <= most; value *= 2) {
+    words.push_back(std::to_string(value));
+  }
+  return words;
+}
+
+/// All steps are of 1/150 s, so that substeps are what a shorter step is elsewhere.
+std::vector<MethodCurve> listed() {
+  const Words midpoint{"integration=theta", "theta=0.5"};
+  return {
+      {"one iteration, substeps", "one_iteration", {}, "substeps", upTo(64), {"1", "4", "16"}},
+      {"one iteration, sweeps", "one_iteration", {}, "sweeps", {"1", "3", "5", "9", "17", "33"}, {"3", "9"}},
+      {"one iteration, theta 0.5, substeps", "one_iteration", midpoint, "substeps", upTo(64), {"4", "16"}},
+      {"Chebyshev, iterations", "chebyshev", {}, "iterations", {"3", "5", "9", "17", "33"}, {"9"}},
+      {"Chebyshev 5, substeps", "chebyshev", {"iterations=5"}, "substeps", upTo(32), {"4"}},
+      {"CG, tolerance", "pcg", {}, "tolerance", {"0.3", "0.1", "1e-2", "1e-3", "1e-5"}, {"1e-2"}},
+      {"CG 1e-3, substeps", "pcg", {"tolerance=1e-3"}, "substeps", upTo(16), {"4"}},
+      {"CG 1e-3, BDF2, substeps", "pcg", {"tolerance=1e-3", "integration=bdf2"}, "substeps", upTo(16), {"4"}},
+      {"Newton, substeps", "newton", {"tolerance=1e-6"}, "substeps", upTo(16), {"1"}},
+      {"Newton, theta 0.5, substeps",
+       "newton",
+       {"tolerance=1e-6", midpoint[0], midpoint[1]},
+       "substeps",
+       upTo(16),
+       {"1"}},
+      {"Verlet, substeps", "verlet", {}, "substeps", upTo(256), {"1", "2", "4", "16"}},
+      {"explicit Euler, substeps", "explicit_euler", {}, "substeps", {"16", "64", "200", "800"}, {"200"}},
+      {"XPBD 1, substeps", "xpbd", {"iterations=1"}, "substeps", upTo(64), {"4", "16"}},
+      {"XPBD, iterations", "xpbd", {}, "iterations", {"1", "3", "10", "30", "100"}, {"10"}},
+      {"VBD 3, substeps", "vbd", {"iterations=3"}, "substeps", upTo(32), {"4"}},
+      {"VBD, iterations", "vbd", {}, "iterations", {"3", "10", "30", "100"}, {"10"}},
+      {"local/global, iterations", "local_global", {}, "iterations", {"1", "3", "10", "30"}, {"10"}},
+      {"local/global 10, substeps", "local_global", {"iterations=10"}, "substeps", upTo(16), {"4"}},
+  };
+}
+
+}  // namespace
+
+std::vector<MethodCurve> methodCurves() {
+  std::vector<MethodCurve> curves = listed();
+  for (const SolverInfo& solver : solverTable()) {
+    const auto isIts = [&](const MethodCurve& curve) { return curve.method == solver.name; };
+    if (std::none_of(curves.begin(), curves.end(), isIts)) {
+      const std::string name(solver.name);
+      curves.push_back({name + ", substeps", name, {}, "substeps", upTo(32), {"4"}});
+    }
+  }
+  return curves;
+}
+
+}  // namespace drape
