@@ -12,7 +12,7 @@ nlohmann::json jsonIn(const std::filesystem::path& folder) {
 }
 
 void expectHead(const nlohmann::json& json) {
-  for (const char* array : {"table1"}) {
+  for (const char* array : {"table1", "growth", "work_precision", "stability"}) {
     EXPECT_TRUE(json[array].is_array()) << array;
   }
   ASSERT_TRUE(json["machine"].is_object());
@@ -30,6 +30,7 @@ TEST(Report, measuresTheFrameUpdateAndWritesAllItsFiles) {
   expectHead(json);
   EXPECT_EQ(json["complete"], true);
   EXPECT_EQ(json["settings"]["quick"], true);
+  EXPECT_TRUE(json["growth"].empty());
   std::set<std::pair<int, std::string>> measured;
   for (const auto& row : json["table1"]) {
     measured.emplace(row["resolution"].get<int>(), row["precision"].get<std::string>());

@@ -9,5 +9,6 @@ namespace drape::sections {
 Section table1();
 Section growth();
 Section workPrecision();
+Section stability();
 
 }  // namespace drape::sections

@@ -1,0 +1,209 @@
+#include "sim/stability.hpp"
+#include "report/number_text.hpp"
+#include "report/sections/section_scene.hpp"
+#include "report/sections/sections.hpp"
+#include "report/sections/stability_rule.hpp"
+#include "report/trajectory.hpp"
+#include "sim/diagnostics.hpp"
+#include "sim/measures.hpp"
+#include "sim/solver.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+namespace drape {
+namespace {
+
+/// Thrown out of a run that takes longer than a cell may.
+struct TooSlow {};
+
+double mostSeconds(const ReportOptions& options) {
+  return options.quick ? 0.5 : 10.0;
+}
+
+int checkpointsOf(const ReportOptions& options) {
+  return checkpointsIn(options.quick ? 0.5 : 1.0);
+}
+
+/// The cloth of some cells, and how it moves with small steps.
+class Ground {
+ public:
+  Ground(const ReportOptions& options, int resolution, std::string stiffness)
+      : options_(options), resolution_(resolution), stiffness_(std::move(stiffness)) {}
+
+  const Scene& scene() {
+    if (scene_ == nullptr) {
+      scene_ = gridScene("grid", resolution_, {"stiffness=" + stiffness_, "precision=double", "threads=1"});
+    }
+    return *scene_;
+  }
+
+  /// Verlet at half of its stability limit: how much it moves, not exactly where.
+  const Trajectory& motion(const Watch& watch) {
+    if (motion_ == nullptr) {
+      Settings settings = changedSettings(scene(), {"solver=verlet"});
+      const double limit = 0.5 * verletStepLimit(*scene().model, settings.step);
+      settings.step.timeStep = checkpointInterval;
+      settings.step.substeps = static_cast<int>(std::ceil(checkpointInterval / limit));
+      motion_ = std::make_unique<Trajectory>(runTrajectory(scene(), settings, checkpointsOf(options_), watch));
+    }
+    return *motion_;
+  }
+
+  [[nodiscard]] int resolution() const { return resolution_; }
+
+ private:
+  ReportOptions options_;
+  int resolution_;
+  std::string stiffness_;
+  std::shared_ptr<const Scene> scene_;
+  std::unique_ptr<Trajectory> motion_;
+};
+
+/// The largest rise of the total energy above the start's at a checkpoint, in units of m g D.
+double energyGain(const Scene& scene, const StepParameters& parameters, const Trajectory& run) {
+  const ClothModel& model = *scene.model;
+  const double unit = model.totalMass() * parameters.gravity * diagonalOf(model);
+  const double start = energyOf(model, parameters, run.states.front()).total();
+  double gain = 0.0;
+  for (const ClothState& state : run.states) {
+    gain = std::max(gain, (energyOf(model, parameters, state).total() - start) / unit);
+  }
+  return gain;
+}
+
+double motionKeptOf(const ClothModel& model, const Trajectory& own, const Trajectory& reference) {
+  MotionKept kept;
+  for (std::size_t k = 1; k < std::min(own.states.size(), reference.states.size()); ++k) {
+    kept.add(model, {own.states[k - 1].positions, own.states[k].positions, reference.states[k - 1].positions,
+                     reference.states[k].positions});
+  }
+  return kept.value();
+}
+
+ReportRows measureCell(Ground& ground, const std::string& method, const std::string& timeStep,
+                       const ReportOptions& options, const CellContext& context) {
+  Watch patient;
+  patient.progress = [&context](std::string_view, std::int64_t, std::int64_t) { context.mayStop(); };
+  const Trajectory& reference = ground.motion(patient);
+  const Settings settings = changedSettings(ground.scene(), {"solver=" + method, "time_step=" + timeStep});
+  ReportRow row{{"method", method},
+                {"resolution", ground.resolution()},
+                {"stiffness", settings.step.stiffness},
+                {"step", settings.step.timeStep}};
+  const auto begin = std::chrono::steady_clock::now();
+  Watch watch;
+  watch.progress = [&](std::string_view, std::int64_t, std::int64_t) {
+    context.mayStop();
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > mostSeconds(options)) {
+      throw TooSlow();
+    }
+  };
+  try {
+    const Trajectory own = runTrajectory(ground.scene(), settings, checkpointsOf(options), watch);
+    const StabilityFigures figures{own.finite, energyGain(ground.scene(), settings.step, own),
+                                   motionKeptOf(*ground.scene().model, own, reference)};
+    row["state"] = stabilityState(figures);
+    row["energy_gain"] = finiteOrNull(figures.energyGain);
+    row["motion_kept"] = finiteOrNull(figures.motionKept);
+  } catch (const TooSlow&) {
+    row["state"] = "too slow";
+  }
+  return {row};
+}
+
+SectionPlan plan(const ReportOptions& options) {
+  using Words = std::vector<std::string>;
+  const std::vector<int> sizes = options.quick ? std::vector{17} : std::vector{17, 33, 65};
+  const Words stiffnesses = options.quick ? Words{"10", "1000"} : Words{"10", "100", "1000", "10000", "100000"};
+  const Words steps =
+      options.quick ? Words{"1/30", "1/150"} : Words{"1/30", "1/60", "1/150", "1/300", "1/600", "1/1200"};
+  SectionPlan plan;
+  for (const int resolution : sizes) {
+    for (const std::string& stiffness : stiffnesses) {
+      const auto ground = std::make_shared<Ground>(options, resolution, stiffness);
+      for (const SolverInfo& solver : solverTable()) {
+        for (const std::string& step : steps) {
+          const std::string method(solver.name);
+          plan.cells.push_back(
+              {method + " " + gridText(resolution) + " " + stiffness + " N/m " + step + " s", options.quick ? 0.1 : 1.0,
+               [=](const CellContext& context) { return measureCell(*ground, method, step, options, context); }});
+        }
+      }
+    }
+  }
+  return plan;
+}
+
+const std::vector<MapState>& states() {
+  static const std::vector<MapState> all{{"calm", "C", Tone::Good},     {"rattles", "R", Tone::Doubtful},
+                                         {"explodes", "X", Tone::Bad},  {"frozen", "F", Tone::Dull},
+                                         {"too slow", "-", Tone::None}, {"not measured", "", Tone::None}};
+  return all;
+}
+
+int indexOf(const std::string& state) {
+  const auto found =
+      std::find_if(states().begin(), states().end(), [&](const MapState& known) { return known.name == state; });
+  return static_cast<int>(std::min<std::ptrdiff_t>(found - states().begin(), std::ssize(states()) - 1));
+}
+
+/// A method's map: a row for each cloth, a column for each step, the longest first.
+StateMap mapOf(const std::string& method, const ReportRows& rows) {
+  StateMap map{"stability-" + method, method, "time step", {}, {}, states()};
+  std::set<double, std::greater<>> steps;
+  std::map<std::pair<int, double>, std::map<double, std::string>> cloths;
+  for (const ReportRow& row : rows) {
+    if (row.value("method", "") == method) {
+      steps.insert(numberIn(row, "step"));
+      cloths[{row.value("resolution", 0), numberIn(row, "stiffness")}][numberIn(row, "step")] = row.value("state", "");
+    }
+  }
+  for (const double step : steps) {
+    map.columns.push_back(stepText(step));
+  }
+  for (const auto& [cloth, own] : cloths) {
+    StateMap::Row line{gridText(cloth.first) + ", " + figure(cloth.second, 6) + " N/m", {}};
+    for (const double step : steps) {
+      const auto found = own.find(step);
+      line.cells.push_back(indexOf(found == own.end() ? "" : found->second));
+    }
+    map.rows.push_back(line);
+  }
+  return map;
+}
+
+std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
+  std::vector<Block> blocks;
+  blocks.emplace_back(Paragraph{
+      "The scene 'grid' (flat, at rest, two corners held, no damping, no air) with every method's default settings. "
+      "Nothing gives this cloth energy. Explodes: the numbers end, or the energy at a checkpoint of 1/30 s has risen "
+      "by "
+      "more than " +
+      figure(explodingGain) + " m g D above the start's, with D the diagonal of the cloth. Rattles: by more than " +
+      figure(rattlingGain) + " m g D. Frozen: it keeps less than " + figure(frozenMotion) +
+      " of the motion that Verlet has at half of its stability limit. Calm: none of these. Too slow: it was given "
+      "up."});
+  std::vector<std::string> methods;
+  for (const ReportRow& row : rows) {
+    const std::string method = row.value("method", "");
+    if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
+      methods.push_back(method);
+      blocks.emplace_back(mapOf(method, rows));
+    }
+  }
+  return blocks;
+}
+
+}  // namespace
+
+Section sections::stability() {
+  return {"stability", "Stability", plan, show};
+}
+
+}  // namespace drape

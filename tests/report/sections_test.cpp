@@ -1,0 +1,157 @@
+#include "report/sections/method_curves.hpp"
+#include "report/sections/pareto.hpp"
+#include "report/sections/stability_rule.hpp"
+#include "report/sections/work_precision_view.hpp"
+#include "sim/solver.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace drape {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+const Section& sectionOf(std::string_view name) {
+  const auto table = sectionTable();
+  return *std::find_if(table.begin(), table.end(), [name](const Section& section) { return section.name == name; });
+}
+
+/// The rows of the cell of that key in a quick report, after so many rounds.
+ReportRows measured(std::string_view section, const std::string& key, int rounds = 1) {
+  ReportOptions options;
+  options.quick = true;
+  options.scene = "grid";
+  const SectionPlan plan = sectionOf(section).plan(options);
+  const auto cell =
+      std::find_if(plan.cells.begin(), plan.cells.end(), [&key](const Cell& one) { return one.key == key; });
+  EXPECT_NE(cell, plan.cells.end()) << key;
+  ReportRows rows;
+  for (int round = 0; round < rounds && cell != plan.cells.end(); ++round) {
+    rows = cell->measure({rows, rows});
+  }
+  return rows;
+}
+
+TEST(ParetoFront, holdsWhatNothingElseBeats) {
+  const std::array entries{CostAndError{3.0, 1.0}, CostAndError{1.0, 5.0}, CostAndError{2.0, 5.0},
+                           CostAndError{1.0, 6.0}, CostAndError{4.0, 0.5}, CostAndError{5.0, 0.7},
+                           CostAndError{0.5, none}};
+  EXPECT_EQ(paretoFront(entries), (std::vector<std::size_t>{1, 0, 4}));
+  EXPECT_TRUE(paretoFront({}).empty());
+}
+
+TEST(MethodCurves, haveEverySolver) {
+  const auto curves = methodCurves();
+  for (const SolverInfo& solver : solverTable()) {
+    EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [&](const MethodCurve& c) {
+      return c.method == solver.name;
+    })) << solver.name;
+  }
+}
+
+TEST(WorkPrecision, calmFrozenAndExplodedAreToldApart) {
+  ErrorSummary summary;
+  summary.motionKept = 0.9;
+  summary.meanError = 0.01;
+  EXPECT_EQ(stateOf(true, summary, 1.4), "calm");
+  EXPECT_EQ(stateOf(false, summary, 1.4), "exploded");
+  summary.meanError = 1.5;
+  EXPECT_EQ(stateOf(true, summary, 1.4), "exploded");
+  summary.meanError = 0.5;
+  summary.motionKept = 0.49;
+  EXPECT_EQ(stateOf(true, summary, 1.4), "frozen");
+  summary.motionKept = none;
+  EXPECT_EQ(stateOf(true, summary, 1.4), "exploded");
+}
+
+TEST(WorkPrecision, findsVerletMoreExactWithMoreSubstepsAndExplodedBeyondItsLimit) {
+  const ReportRows beyond = measured("work_precision", "17x17 10 N/m, verlet substeps=1");
+  const ReportRows two = measured("work_precision", "17x17 10 N/m, verlet substeps=4");
+  const ReportRows sixteen = measured("work_precision", "17x17 10 N/m, verlet substeps=16");
+  ASSERT_EQ(two.size(), 2U);
+  EXPECT_EQ(beyond[1]["state"], "exploded");
+  EXPECT_EQ(sixteen[1]["state"], "calm");
+  EXPECT_LT(10.0 * sixteen[0]["error_mean"].get<double>(), two[0]["error_mean"]);  // second order: 16 times
+  EXPECT_TRUE(sixteen[1]["trusted"]);
+}
+
+TEST(WorkPrecision, addsASampleOfTimeInEachRoundAndKeepsTheError) {
+  const std::string key = "17x17 10 N/m, one_iteration substeps=1";
+  const ReportRows once = measured("work_precision", key, 1);
+  const ReportRows thrice = measured("work_precision", key, 3);
+  EXPECT_EQ(once[0]["samples"].size(), 1U);
+  EXPECT_EQ(thrice[0]["samples"].size(), 3U);
+  EXPECT_EQ(thrice[1]["error_mean"], once[1]["error_mean"]);
+  EXPECT_GT(once[1]["us_per_simulated_second"], 0.0);
+  EXPECT_EQ(once[0]["time"], 0.2);
+  EXPECT_EQ(once[1]["time"], 0.5);
+}
+
+TEST(WorkPrecision, drawsAndNamesItsFront) {
+  ReportRows rows;
+  for (const auto& [setting, cost, error, state] :
+       {std::tuple("substeps=1", 1.0, 0.3, "calm"), std::tuple("substeps=2", 2.0, 0.1, "calm"),
+        std::tuple("substeps=3", 0.5, 0.01, "frozen"), std::tuple("substeps=4", 3.0, 0.2, "calm")}) {
+    rows.push_back({{"scene", "grid"},
+                    {"resolution", 17},
+                    {"stiffness", 10.0},
+                    {"time", 0.2},
+                    {"method", "verlet"},
+                    {"curve", "Verlet"},
+                    {"setting", setting},
+                    {"us_per_simulated_second", cost},
+                    {"error_mean", error},
+                    {"state", state},
+                    {"trusted", true}});
+  }
+  const auto blocks = showWorkPrecision({}, rows);
+  const auto* plot = std::get_if<Plot>(&blocks.at(1));
+  ASSERT_NE(plot, nullptr);
+  EXPECT_EQ(plot->curves.back().style, CurveStyle::Front);
+  EXPECT_EQ(plot->curves.back().points.size(), 2U);
+  const auto* front = std::get_if<TextTable>(&blocks.at(3));
+  ASSERT_NE(front, nullptr);
+  ASSERT_EQ(front->rows.size(), 2U);
+  EXPECT_EQ(front->rows[1][1], "substeps=2");
+}
+
+TEST(Stability, hasFourStates) {
+  EXPECT_EQ(stabilityState({true, 0.0, 1.0}), "calm");
+  EXPECT_EQ(stabilityState({true, 0.1, 1.0}), "rattles");
+  EXPECT_EQ(stabilityState({true, 11.0, 1.0}), "explodes");
+  EXPECT_EQ(stabilityState({true, none, 1.0}), "explodes");
+  EXPECT_EQ(stabilityState({false, 0.0, 1.0}), "explodes");
+  EXPECT_EQ(stabilityState({true, 0.0, 0.4}), "frozen");
+}
+
+TEST(Stability, findsVerletCalmOrExplodedByItsLimit) {
+  EXPECT_EQ(measured("stability", "verlet 17x17 1000 N/m 1/150 s").at(0)["state"], "explodes");
+  const auto kang = measured("stability", "kang 17x17 1000 N/m 1/30 s").at(0);
+  EXPECT_EQ(kang["state"], "frozen") << kang;
+  const auto newton = measured("stability", "one_iteration 17x17 10 N/m 1/150 s").at(0);
+  EXPECT_EQ(newton["state"], "calm") << newton;
+}
+
+TEST(Growth, findsTheStepsThatVerletNeeds) {
+  const auto row = measured("growth", "verlet 17x17").at(0);
+  EXPECT_GE(row["substeps"], 5);  // 1/240 s with 10 N/m, and sqrt(10) times less with the scene's 100
+  EXPECT_LE(row["substeps"], 7);
+  EXPECT_GT(row["step_us"], 0.0);
+  EXPECT_EQ(row["finite"], true);
+}
+
+TEST(Growth, leavesOutGridsThatWouldTakeTooLong) {
+  ReportOptions options;
+  options.quick = true;
+  const SectionPlan plan = sectionOf("growth").plan(options);
+  const auto cell =
+      std::find_if(plan.cells.begin(), plan.cells.end(), [](const Cell& one) { return one.key == "newton 33x33"; });
+  const ReportRows slow{{{"method", "newton"}, {"vertices", 289}, {"seconds_at_least", 1e3}}};
+  EXPECT_TRUE(cell->measure({slow, {}}).at(0).contains("skipped"));
+}
+
+}  // namespace
+}  // namespace drape
