@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <hwy/highway.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>

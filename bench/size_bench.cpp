@@ -3,7 +3,6 @@
 #include "bench/suite.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace drape::bench {
 namespace {

@@ -6,6 +6,7 @@
 #include "sim/simd/constraint_lanes.hpp"
 #include "sim/solver.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace drape::bench {
