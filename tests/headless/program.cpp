@@ -45,4 +45,8 @@ Outcome report(const std::string& arguments) {
   return runProgram(DRAPE_REPORT, arguments);
 }
 
+Outcome interruptedReport(int seconds, const std::string& arguments) {
+  return runProgram("timeout --preserve-status -s INT " + std::to_string(seconds) + " " DRAPE_REPORT, arguments);
+}
+
 }  // namespace drape::testing

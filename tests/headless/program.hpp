@@ -18,6 +18,9 @@ struct Outcome {
 /// Runs drape-report, as above.
 [[nodiscard]] Outcome report(const std::string& arguments);
 
+/// The same, but it is sent SIGINT (Ctrl-C) after so many seconds.
+[[nodiscard]] Outcome interruptedReport(int seconds, const std::string& arguments);
+
 /// A fresh folder for the running test.
 [[nodiscard]] std::filesystem::path testFolder();
 

@@ -60,6 +60,66 @@ TEST(Report, measuresNothingAgainWhenItGoesOn) {
   EXPECT_NE(other.errors.find("same options"), std::string::npos) << other.errors;
 }
 
+TEST(Report, writesWhatItHasWhenItIsInterrupted) {
+  const auto folder = testFolder();
+  // A full measurement of the frame update takes half a minute by its plan.
+  const Outcome outcome = interruptedReport(1, "--only table1 --output " + folder.string());
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.errors.find("--resume"), std::string::npos) << outcome.errors;
+  const auto json = jsonIn(folder);
+  expectHead(json);
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_LT(json["table1"].size(), 14U);
+  EXPECT_NE(readFile(folder / "report.html").find("</html>"), std::string::npos);
+}
+
+/// The mean error after that time in a report's work_precision.
+double errorOf(const nlohmann::json& json, const std::string& method, const std::string& setting, double time) {
+  for (const auto& row : json["work_precision"]) {
+    if (row["method"] == method && row["setting"] == setting && row["time"] == time) {
+      return row["error_mean"].get<double>();
+    }
+  }
+  ADD_FAILURE() << "no row for " << method << " " << setting;
+  return 0.0;
+}
+
+void expectRows(const nlohmann::json& rows, std::initializer_list<const char*> keys) {
+  EXPECT_FALSE(rows.empty());
+  for (const auto& row : rows) {
+    for (const char* key : keys) {
+      EXPECT_TRUE(row.contains(key)) << key << " in " << row;
+    }
+  }
+}
+
+TEST(Report, holdsToItsSchemaAndToWhatIsKnownOfTheMethods) {
+  const auto folder = testFolder();
+  const Outcome outcome = report("--quick --output " + folder.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const auto json = jsonIn(folder);
+  expectHead(json);
+  expectRows(json["work_precision"],
+             {"scene", "resolution", "stiffness", "time", "method", "setting", "us_per_simulated_second", "error_mean",
+              "error_rms", "eps", "S", "state", "trusted"});
+  expectRows(json["stability"], {"method", "resolution", "stiffness", "step", "state"});
+  expectRows(json["growth"], {"method", "resolution", "vertices"});
+  for (const auto& row : json["work_precision"]) {
+    EXPECT_EQ(row["rounds"], 3);
+    EXPECT_EQ(row["samples"].size(), 3U);
+  }
+  const auto error = [&json](const char* method, const char* setting) { return errorOf(json, method, setting, 0.2); };
+  // Verlet is of second order: a quarter of the step, a sixteenth of the error.
+  EXPECT_NEAR(error("verlet", "substeps=4") / error("verlet", "substeps=16"), 20.0, 8.0);
+  // Backward Euler is of first order, and more sweeps bring one iteration nearer to it.
+  EXPECT_NEAR(error("one_iteration", "substeps=4") / error("one_iteration", "substeps=16"), 4.0, 1.5);
+  EXPECT_LT(error("one_iteration", "sweeps=9"), error("one_iteration", "sweeps=3"));
+  // Exact solves of the same step end in the same place, whoever makes them.
+  const double newton = error("newton", "substeps=1 tolerance=1e-6");
+  EXPECT_NEAR(error("vbd", "iterations=10") / newton, 1.0, 0.05);
+  EXPECT_NEAR(error("local_global", "iterations=10") / newton, 1.0, 0.05);
+}
+
 TEST(Report, refusesWrongUse) {
   const auto refuses = [](const std::string& arguments, int status, const std::string& because) {
     const Outcome outcome = report(arguments);
