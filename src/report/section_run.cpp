@@ -13,16 +13,20 @@ bool isWanted(const ReportOptions& options, const Section& section) {
          std::find(options.only.begin(), options.only.end(), section.name) != options.only.end();
 }
 
+[[noreturn]] void refuse(const std::string& name, std::span<const Section> sections) {
+  std::string known;
+  for (const Section& section : sections) {
+    known += known.empty() ? "" : ", ";
+    known += section.name;
+  }
+  throw UsageError("--only takes a section; '" + name + "' is none of " + known);
+}
+
 void requireSections(std::span<const Section> sections, const ReportOptions& options) {
   for (const std::string& name : options.only) {
     const auto named = [&name](const Section& section) { return section.name == name; };
     if (std::none_of(sections.begin(), sections.end(), named)) {
-      std::string known;
-      for (const Section& section : sections) {
-        known += known.empty() ? "" : ", ";
-        known += section.name;
-      }
-      throw UsageError("--only takes a section; '" + name + "' is none of " + known);
+      refuse(name, sections);
     }
   }
 }

@@ -11,7 +11,7 @@ constexpr double cellWidth = 62.0;
 constexpr double cellHeight = 24.0;
 constexpr double left = 170.0;
 constexpr double top = 66.0;
-constexpr double legendEntry = 130.0;
+constexpr double legendEntry = 160.0;
 
 const char* classOf(Tone tone) {
   switch (tone) {

@@ -197,10 +197,28 @@ class PlotDrawing {
       svg_.empty("path", {{"class", "cross line" + number}, {"d", path}});
       return;
     }
-    svg_.empty("circle", {{"class", (kind == Mark::Filled ? "fill" : "hollow line") + number},
-                          {"cx", pixel(place.x)},
-                          {"cy", pixel(place.y)},
-                          {"r", pixel(kind == Mark::Filled ? radius - 0.6 : radius)}});
+    const std::string style = (kind == Mark::Filled ? "fill" : "hollow line") + number;
+    const double size = kind == Mark::Filled ? radius - 0.6 : radius;
+    // Where colours come round again, marks have another shape, as lines have other dashes.
+    switch (index / colours % dashes) {
+      case 0:
+        svg_.empty("circle", {{"class", style}, {"cx", pixel(place.x)}, {"cy", pixel(place.y)}, {"r", pixel(size)}});
+        break;
+      case 1:
+        polygon(style, {{place.x - size, place.y - size},
+                        {place.x + size, place.y - size},
+                        {place.x + size, place.y + size},
+                        {place.x - size, place.y + size}});
+        break;
+      default:
+        polygon(style, {{place.x, place.y - 1.3 * size},
+                        {place.x + 1.3 * size, place.y + size},
+                        {place.x - 1.3 * size, place.y + size}});
+    }
+  }
+
+  void polygon(const std::string& style, const std::vector<Place>& corners) {
+    svg_.empty("path", {{"class", style}, {"d", pathText(corners) + "Z"}});
   }
 
   void drawLegend() {

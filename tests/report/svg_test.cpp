@@ -74,6 +74,17 @@ TEST(SvgPlot, drawsABandWhereThereIsOne) {
   EXPECT_EQ(countOf(svgOf(plot), "class=\"band fill0\""), 0);
 }
 
+TEST(SvgPlot, givesMarksAnotherShapeWhereColoursComeRoundAgain) {
+  Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
+  for (int i = 0; i < 17; ++i) {
+    plot.curves.push_back({std::to_string(i), {{1.0 * i, 1.0}}});
+  }
+  const std::string svg = svgOf(plot);
+  EXPECT_EQ(countOf(svg, "<circle class=\"fill0\""), 2);  // the point and the legend's
+  EXPECT_EQ(countOf(svg, "<path class=\"fill0\""), 4);    // a square and a triangle, each twice
+  EXPECT_EQ(testing::XmlCheck::faultOf(svg), "");
+}
+
 TEST(SvgPlot, canBeEmpty) {
   EXPECT_EQ(testing::XmlCheck::faultOf(svgOf(Plot{"name", "title", {"x"}, {"y"}, {}})), "");
 }
