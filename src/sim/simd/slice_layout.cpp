@@ -15,6 +15,9 @@ namespace {
 /// A slot of consecutive neighbours that fewer lanes use costs more than its springs would as gathers.
 constexpr int fewestConsecutive = 10;
 constexpr int fewestCommonCorners = 3;
+/// What a gathered slot costs in consecutive ones, and by how much a mixed slice must be cheaper: both measured.
+constexpr double gatheredCost = 1.6;
+constexpr double worthMixing = 0.8;
 
 struct LaneSpring {
   int neighbour = 0;  // place
@@ -126,22 +129,47 @@ class SliceBuilder {
     slotOf_[static_cast<std::size_t>(lane)][spring] = slot;
   }
 
+  /// The springs of a slice by how far their far ends are from their near ones: (lane, index) of each.
+  using ByOffset = std::map<int, std::vector<std::pair<int, std::size_t>>>;
+
   void addConsecutiveSlots() {
-    std::map<int, std::vector<std::pair<int, std::size_t>>> byOffset;
+    ByOffset byOffset;
     for (int lane = 0; lane < sliceLanes; ++lane) {
       const auto& springs = springs_[static_cast<std::size_t>(lane)];
       for (std::size_t s = 0; s < springs.size(); ++s) {
         byOffset[springs[s].neighbour - first_ - lane].emplace_back(lane, s);
       }
     }
+    std::erase_if(byOffset,
+                  [](const auto& entry) { return static_cast<int>(entry.second.size()) < fewestConsecutive; });
+    if (!paysOff(byOffset)) {
+      return;
+    }
     for (const auto& [offset, uses] : byOffset) {
-      if (static_cast<int>(uses.size()) >= fewestConsecutive) {
-        const int slot = newSlot({.first = first_ + offset});
-        for (const auto& [lane, spring] : uses) {
-          put(slot, lane, spring);
-        }
+      const int slot = newSlot({.first = first_ + offset});
+      for (const auto& [lane, spring] : uses) {
+        put(slot, lane, spring);
       }
     }
+  }
+
+  /// Whether consecutive slots make the slice cheaper. What they leave over must be gathered all the same, by the lane
+  /// that has most of it, and the neighbours' fan is torn apart between the two, which the normals pay for.
+  [[nodiscard]] bool paysOff(const ByOffset& consecutive) const {
+    std::array<std::size_t, sliceLanes> left{};
+    std::size_t most = 0;
+    for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
+      left[lane] = springs_[lane].size();
+      most = std::max(most, left[lane]);
+    }
+    for (const auto& [offset, uses] : consecutive) {
+      for (const auto& [lane, spring] : uses) {
+        --left[static_cast<std::size_t>(lane)];
+      }
+    }
+    const std::size_t gathered = *std::max_element(left.begin(), left.end());
+    const double mixed = static_cast<double>(consecutive.size()) + gatheredCost * static_cast<double>(gathered);
+    return mixed < worthMixing * gatheredCost * static_cast<double>(most);
   }
 
   void addGatheredSlots() {
