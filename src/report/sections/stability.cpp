@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace drape {
@@ -33,8 +35,8 @@ int checkpointsOf(const ReportOptions& options) {
 /// The cloth of some cells, and how it moves with small steps.
 class Ground {
  public:
-  Ground(const ReportOptions& options, int resolution, std::string stiffness)
-      : options_(options), resolution_(resolution), stiffness_(std::move(stiffness)) {}
+  Ground(ReportOptions options, int resolution, std::string stiffness)
+      : options_(std::move(options)), resolution_(resolution), stiffness_(std::move(stiffness)) {}
 
   const Scene& scene() {
     if (scene_ == nullptr) {
@@ -117,6 +119,16 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
   return {row};
 }
 
+/// The words with gaps between them.
+std::string keyOf(std::initializer_list<std::string_view> words) {
+  std::string key;
+  for (const std::string_view word : words) {
+    key += key.empty() ? "" : " ";
+    key += word;
+  }
+  return key;
+}
+
 SectionPlan plan(const ReportOptions& options) {
   using Words = std::vector<std::string>;
   const std::vector<int> sizes = options.quick ? std::vector{17} : std::vector{17, 33, 65};
@@ -131,7 +143,7 @@ SectionPlan plan(const ReportOptions& options) {
         for (const std::string& step : steps) {
           const std::string method(solver.name);
           plan.cells.push_back(
-              {method + " " + gridText(resolution) + " " + stiffness + " N/m " + step + " s", options.quick ? 0.1 : 1.0,
+              {keyOf({method, gridText(resolution), stiffness, "N/m", step, "s"}), options.quick ? 0.1 : 1.0,
                [=](const CellContext& context) { return measureCell(*ground, method, step, options, context); }});
         }
       }

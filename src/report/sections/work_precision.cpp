@@ -9,19 +9,20 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 
 namespace drape {
 namespace {
 
 constexpr std::array judgedTimes{0.2, 0.5};  // [s]
 constexpr int checkpoints = 15;              // up to the last of these
-constexpr double stepsASecond = 150.0;
+constexpr std::array stepsTo{30, 75};        // of 1/150 s, up to each of them
 
 /// What all methods are held against on one cloth; made when the first of them needs it.
 class Ground {
  public:
-  Ground(const ReportOptions& options, int resolution, std::string stiffness)
-      : options_(options), resolution_(resolution), stiffness_(std::move(stiffness)) {}
+  Ground(ReportOptions options, int resolution, std::string stiffness)
+      : options_(std::move(options)), resolution_(resolution), stiffness_(std::move(stiffness)) {}
 
   const Scene& scene() {
     if (scene_ == nullptr) {
@@ -31,16 +32,22 @@ class Ground {
     return *scene_;
   }
 
-  const Reference& reference(const std::function<void()>& mayStop) {
-    if (reference_ == nullptr) {
+  /// Null when small steps come to no end here.
+  const Reference* reference(const std::function<void()>& mayStop) {
+    if (!tried_) {
       ConvergenceTolerance tolerance;
       tolerance.absolute = options_.quick ? 1e-5 : 1e-6;
       tolerance.mostWork = options_.quick ? 1e8 : 5e8;
       const auto watch = [&mayStop](std::string_view, std::int64_t, std::int64_t) { mayStop(); };
-      reference_ = std::make_unique<Reference>(
-          convergedReference(scene(), convergedSettings(scene().settings), checkpoints, tolerance, watch));
+      try {
+        reference_ = std::make_unique<Reference>(
+            convergedReference(scene(), convergedSettings(scene().settings), checkpoints, tolerance, watch));
+      } catch (const InputError&) {
+        reference_ = nullptr;
+      }
+      tried_ = true;
     }
-    return *reference_;
+    return reference_.get();
   }
 
   [[nodiscard]] int resolution() const { return resolution_; }
@@ -52,6 +59,7 @@ class Ground {
   std::string stiffness_;
   std::shared_ptr<const Scene> scene_;
   std::unique_ptr<Reference> reference_;
+  bool tried_ = false;
 };
 
 /// A method with its setting.
@@ -91,7 +99,7 @@ std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settin
     double seconds = 0.0;
     int step = 0;
     for (std::size_t k = 0; k < judgedTimes.size(); ++k) {
-      for (; step < static_cast<int>(judgedTimes[k] * stepsASecond + 0.5); ++step) {
+      for (; step < stepsTo[k]; ++step) {
         mayStop();
         seconds += secondsOf([&] { stepper.step(*scene.model, settings.step, {}, state); });
       }
@@ -105,38 +113,64 @@ std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settin
   return spent;
 }
 
-/// Errors at the judged times, without times.
+/// The row of a setting at a time, before anything is known of it.
+ReportRow emptyRow(Ground& ground, const Entry& entry, const Settings& settings, double time) {
+  return {{"scene", ground.scene().description.name},
+          {"resolution", ground.resolution()},
+          {"stiffness", settings.step.stiffness},
+          {"time", time},
+          {"method", entry.curve.method},
+          {"curve", entry.curve.label},
+          {"setting", entry.setting()},
+          {"us_per_simulated_second", nullptr},
+          {"samples", ReportRow::array()},
+          {"error_mean", nullptr},
+          {"error_rms", nullptr},
+          {"eps", nullptr},
+          {"S", nullptr},
+          {"motion_kept", nullptr},
+          {"state", "no reference"},
+          {"reference_difference", nullptr},
+          {"trusted", false}};
+}
+
+/// Writes the errors at the row's time into it.
+void judgeRow(const Scene& scene, const Trajectory& own, const Reference& reference, const ErrorReport& report,
+              ReportRow& row) {
+  const std::array time{row["time"].get<double>()};
+  const int checkpoint = checkpointsIn(time[0]);
+  const auto summaries = summarise(*scene.model, own, reference, report, time);
+  const bool reached = own.checkpoints() >= checkpoint && !summaries.empty();
+  const ErrorSummary summary = reached ? summaries.front() : ErrorSummary{};
+  if (reached) {
+    row["error_mean"] = finiteOrNull(summary.meanError);
+    row["error_rms"] = finiteOrNull(summary.rmsError);
+    row["eps"] = finiteOrNull(summary.meanEps);
+    row["S"] = finiteOrNull(summary.meanSquaredCosine);
+    row["motion_kept"] = finiteOrNull(summary.motionKept);
+  }
+  row["state"] = stateOf(reached, summary, report.diagonal);
+  if (checkpoint < static_cast<int>(reference.differences.size())) {
+    row["reference_difference"] = finiteOrNull(reference.differences[static_cast<std::size_t>(checkpoint)]);
+  }
+  row["trusted"] = reference.trusted >= checkpoint;
+}
+
+/// Errors at the judged times, without what they cost.
 ReportRows judgedRows(Ground& ground, const Entry& entry, const Settings& settings,
                       const std::function<void()>& mayStop) {
-  const Scene& scene = ground.scene();
-  const Reference& reference = ground.reference(mayStop);
-  Watch watch;
-  watch.progress = [&mayStop](std::string_view, std::int64_t, std::int64_t) { mayStop(); };
-  const Trajectory own = runTrajectory(scene, settings, checkpoints, watch);
-  const ErrorReport report = judge(*scene.model, settings.step, own, reference);
   ReportRows rows;
   for (const double time : judgedTimes) {
-    const auto checkpoint = static_cast<std::size_t>(checkpointsIn(time));
-    ReportRow row{{"scene", scene.description.name},      {"resolution", ground.resolution()},
-                  {"stiffness", settings.step.stiffness}, {"time", time},
-                  {"method", entry.curve.method},         {"curve", entry.curve.label},
-                  {"setting", entry.setting()},           {"us_per_simulated_second", nullptr},
-                  {"samples", ReportRow::array()}};
-    const std::array one{time};
-    const auto summaries = summarise(*scene.model, own, reference, report, one);
-    const bool reached = own.checkpoints() >= static_cast<int>(checkpoint) && !summaries.empty();
-    const ErrorSummary summary = reached ? summaries.front() : ErrorSummary{};
-    const auto number = [&](double value) { return reached ? finiteOrNull(value) : nlohmann::ordered_json(nullptr); };
-    row["error_mean"] = number(summary.meanError);
-    row["error_rms"] = number(summary.rmsError);
-    row["eps"] = number(summary.meanEps);
-    row["S"] = number(summary.meanSquaredCosine);
-    row["motion_kept"] = number(summary.motionKept);
-    row["state"] = stateOf(reached, summary, report.diagonal);
-    row["reference_difference"] =
-        checkpoint < reference.differences.size() ? finiteOrNull(reference.differences[checkpoint]) : nullptr;
-    row["trusted"] = reference.trusted >= static_cast<int>(checkpoint);
-    rows.push_back(row);
+    rows.push_back(emptyRow(ground, entry, settings, time));
+  }
+  if (const Reference* reference = ground.reference(mayStop)) {
+    Watch watch;
+    watch.progress = [&mayStop](std::string_view, std::int64_t, std::int64_t) { mayStop(); };
+    const Trajectory own = runTrajectory(ground.scene(), settings, checkpoints, watch);
+    const ErrorReport report = judge(*ground.scene().model, settings.step, own, *reference);
+    for (ReportRow& row : rows) {
+      judgeRow(ground.scene(), own, *reference, report, row);
+    }
   }
   return rows;
 }
