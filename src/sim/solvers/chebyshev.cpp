@@ -1,4 +1,5 @@
 #include "sim/simd/sliced_run.hpp"
+#include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/registry.hpp"
 #include "sim/stability.hpp"
 
@@ -46,13 +47,8 @@ std::vector<double> weightsOfSweeps(const StepParameters& parameters) {
 /// one, which nears -1 where mu does and doubles the answer: stiff cloth would rattle, as it does with an even number
 /// of plain sweeps. So for an even n the start counts as the first iteration, then comes one plain sweep, then n - 2
 /// weighted ones: mu^2 T_(n-2). Both vanish at mu = 0, so that nothing is left of the error as the step goes to zero.
-class ChebyshevSolver final : public Solver {
+class ChebyshevSolver final : public BatchSolver {
  public:
-  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                  ClothState& state) override {
-    return steps(model, parameters, inputs, 1, state);
-  }
-
   /// The sweeps are those of the one-iteration method with weights. A plain sweep is one whose weight is 1.
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {

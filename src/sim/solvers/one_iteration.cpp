@@ -1,4 +1,5 @@
 #include "sim/simd/sliced_run.hpp"
+#include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/one_iteration_limits.hpp"
 #include "sim/solvers/registry.hpp"
 
@@ -15,13 +16,8 @@ namespace {
 /// to the next's taken by w only) moves mu to 1 - w (1 - mu), which makes even counts harmless.
 ///
 /// The equations stand in simd/one_iteration_kernel.cpp.
-class OneIterationSolver final : public Solver {
+class OneIterationSolver final : public BatchSolver {
  public:
-  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                  ClothState& state) override {
-    return steps(model, parameters, inputs, 1, state);
-  }
-
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
     run_.oneIteration(model, parameters, inputs, count, {}, state);

@@ -1,4 +1,5 @@
 #include "sim/simd/sliced_run.hpp"
+#include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/registry.hpp"
 #include "sim/stability.hpp"
 
@@ -15,13 +16,8 @@ namespace {
 ///
 /// The hand's spring can be far stiffer than the cloth, so it alone is implicit: see pullByHand. The loops stand in
 /// simd/verlet_kernel.cpp.
-class VerletSolver final : public Solver {
+class VerletSolver final : public BatchSolver {
  public:
-  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                  ClothState& state) override {
-    return steps(model, parameters, inputs, 1, state);
-  }
-
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
     run_.verlet(model, parameters, inputs, count, state);

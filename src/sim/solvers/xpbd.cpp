@@ -4,6 +4,7 @@
 #include "sim/model_cache.hpp"
 #include "sim/position_step.hpp"
 #include "sim/simd/constraint_run.hpp"
+#include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/registry.hpp"
 #include "sim/stability.hpp"
 
@@ -29,13 +30,8 @@ namespace {
 /// of three components (HandConstraint).
 ///
 /// In float the same is done by vector instructions (simd/constraint_run.hpp).
-class XpbdSolver final : public Solver {
+class XpbdSolver final : public BatchSolver {
  public:
-  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                  ClothState& state) override {
-    return steps(model, parameters, inputs, 1, state);
-  }
-
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
     if (parameters.precision == Precision::Float) {
