@@ -95,6 +95,20 @@ struct Symmetric {
             hn::Mul(scale, hn::NegMulAdd(xy, xy, hn::Mul(xx, yy)))};
   }
 
+  HWY_INLINE hn::Vec<D> determinant() const {
+    const auto cxx = hn::NegMulAdd(yz, yz, hn::Mul(yy, zz));
+    const auto cxy = hn::NegMulAdd(xy, zz, hn::Mul(xz, yz));
+    const auto cxz = hn::NegMulAdd(xz, yy, hn::Mul(xy, yz));
+    return hn::MulAdd(xz, cxz, hn::MulAdd(xy, cxy, hn::Mul(xx, cxx)));
+  }
+
+  /// Frobenius.
+  HWY_INLINE hn::Vec<D> squaredNorm() const {
+    const auto diagonal = hn::MulAdd(zz, zz, hn::MulAdd(yy, yy, hn::Mul(xx, xx)));
+    const auto beside = hn::MulAdd(yz, yz, hn::MulAdd(xz, xz, hn::Mul(xy, xy)));
+    return hn::Add(diagonal, hn::Add(beside, beside));
+  }
+
   HWY_INLINE Lanes3<D> times(const Lanes3<D>& v) const {
     return {hn::MulAdd(xz, v.z, hn::MulAdd(xy, v.y, hn::Mul(xx, v.x))),
             hn::MulAdd(yz, v.z, hn::MulAdd(yy, v.y, hn::Mul(xy, v.x))),

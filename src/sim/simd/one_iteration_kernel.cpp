@@ -3,7 +3,7 @@
 #define HWY_TARGET_INCLUDE "sim/simd/one_iteration_kernel.cpp"
 #include <hwy/foreach_target.h>
 // Highway's own includes have to come first.
-#include "sim/simd/air-inl.hpp"
+#include "sim/simd/assembly-inl.hpp"
 #include "sim/simd/lanes-inl.hpp"
 #include "sim/simd/sliced_cloth.hpp"
 #include "sim/simd/step_share.hpp"
@@ -86,47 +86,14 @@ class OneIterationKernel {
     }
   }
 
+  /// p_i = h W_ii^-1 f~_i. A pinned vertex has no velocity to gain: its inverse is zero.
   HWY_INLINE void assembleLanes(int slice, int lane) {
     const D d;
     const int i = slice * sliceLanes + lane;
-    const V3 x = load3(d, cloth_.position, i);
-    const V3 v = load3(d, cloth_.velocity, i);
-    const V mass = hn::LoadU(d, cloth_.mass.data() + i);
-    V3 force = {hn::Zero(d), hn::Neg(hn::Mul(mass, hn::Set(d, step_.gravity))), hn::Zero(d)};
-    Symmetric<D> coupled = Symmetric<D>::zero(d);
-    const SpringConstants<D> constants(d, step_);
-    SpringTerms<T>* HWY_RESTRICT terms = termsOf(slice);
-    const int end = layout_.slotBegin[static_cast<std::size_t>(slice) + 1];
-    for (int slot = layout_.slotBegin[static_cast<std::size_t>(slice)]; slot < end; ++slot, ++terms) {
-      const auto at = static_cast<std::size_t>(slot);
-      const Neighbours<D> neighbours(layout_, layout_.slots[at], lane);
-      const V3 offset = subtract(neighbours.load(cloth_.position), x);
-      const V3 relative = subtract(neighbours.load(cloth_.velocity), v);
-      const auto spring = springLanes(d, constants, offset, hn::LoadU(d, cloth_.restLength[at].data() + lane));
-      force = multiplyAdd(offset, hn::MulAdd(spring.beta, dot(offset, relative), spring.elastic), force);
-      force = multiplyAdd(relative, spring.alpha, force);
-      coupled.add(spring.alpha, spring.beta, offset);
-      storeTerms(d, *terms, lane, offset, spring);
-    }
-    if (step_.drag != T(0) || step_.lift != T(0)) {
-      force = addAir(d, cloth_, step_, termsOf(slice), slice, lane, force);
-    }
-    startLanes(slice, lane, mass, force, coupled);
-  }
-
-  /// p_i = h W_ii^-1 f~_i. A pinned vertex has no velocity to gain: its inverse is zero.
-  HWY_INLINE void startLanes(int slice, int lane, V mass, V3 force, const Symmetric<D>& coupled) {
-    const D d;
-    const int i = slice * sliceLanes + lane;
-    const V h = hn::Set(d, step_.timeStep);
-    V diagonal = mass;
-    addHands(d, step_, slice, lane, force, diagonal);
-    const Symmetric<D> W = {
-        hn::MulAdd(h, coupled.xx, diagonal), hn::Mul(h, coupled.xy), hn::Mul(h, coupled.xz),
-        hn::MulAdd(h, coupled.yy, diagonal), hn::Mul(h, coupled.yz), hn::MulAdd(h, coupled.zz, diagonal)};
-    const Symmetric<D> inverse = W.inverse(hn::LoadU(d, cloth_.free.data() + i));
+    const Assembled<D> row = assembleRow(d, cloth_, step_, termsOf(slice), slice, lane);
+    const Symmetric<D> inverse = row.matrix.inverse(hn::LoadU(d, cloth_.free.data() + i));
     storeSymmetric(d, inverse, inverses_[share_.shelf(slice)], lane);
-    store3(d, inverse.times(scaled(force, h)), cloth_.start, i);
+    store3(d, inverse.times(scaled(row.force, hn::Set(d, step_.timeStep))), cloth_.start, i);
   }
 
   HWY_INLINE void relaxLanes(int sweep, int slice, int lane) {

@@ -60,6 +60,7 @@ std::vector<Kind> kinds() {
     }
     all.push_back({"chebyshev", 3, precision});
     all.push_back({"verlet", 1, precision});
+    all.push_back({"pcg", 1, precision});
     all.push_back({"xpbd", 1, precision});
   }
   return all;

@@ -197,7 +197,7 @@ TEST(SlicedStep, hasTheSameBitsInAsManySharesWhereSweepsMeetInTheMiddleOfOne) {
 
 TEST(SlicedStep, takesManyStepsAtOnceAsOneAfterTheOther) {
   const auto model = heldCloth(testing::renumbered(testing::unevenSheet(12, 3), 4));
-  for (const char* name : {"one_iteration", "verlet", "chebyshev"}) {
+  for (const char* name : {"one_iteration", "verlet", "chebyshev", "pcg"}) {
     for (const Precision precision : {Precision::Float, Precision::Double}) {
       StepParameters parameters = everything();
       parameters.precision = precision;

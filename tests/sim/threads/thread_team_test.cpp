@@ -128,7 +128,8 @@ TEST_P(SolverInThreads, hasTheSameBitsWhileAHandPullsAcrossTheBoundaryOfShares) 
   EXPECT_EQ(hashWith(2), hashWith(1));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, SolverInThreads, ::testing::Values("one_iteration", "chebyshev", "verlet", "xpbd"),
+INSTANTIATE_TEST_SUITE_P(Each, SolverInThreads,
+                         ::testing::Values("one_iteration", "chebyshev", "verlet", "pcg", "xpbd"),
                          [](const auto& chosen) { return std::string(chosen.param); });
 
 }  // namespace

@@ -1,0 +1,65 @@
+// Included once for each instruction set, so the usual guard does not serve.
+#if defined(DRAPE_SIM_SIMD_ASSEMBLY_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef DRAPE_SIM_SIMD_ASSEMBLY_INL_HPP
+#undef DRAPE_SIM_SIMD_ASSEMBLY_INL_HPP
+#else
+#define DRAPE_SIM_SIMD_ASSEMBLY_INL_HPP
+#endif
+
+#include "sim/simd/air-inl.hpp"
+#include "sim/simd/lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace drape {
+namespace HWY_NAMESPACE {
+
+/// What a vertex of each lane contributes to the backward-Euler system.
+template <class D>
+struct Assembled {
+  Lanes3<D> force;      // f~_i (eqs. 8, 14, 18-20), the hand's pull included [N]
+  Symmetric<D> matrix;  // W'_ii = M_i + h sum_j (alpha I + beta o o^T) (eqs. 10, 13) [kg]
+  hn::Vec<D> diagonal;  // M_i and h^2 times the stiffness of the hand [kg]
+};
+
+/// Evaluates the springs, the air and the hand for some lanes of a slice. The springs' terms are left in `terms`, one a
+/// slot of the slice.
+template <class D, typename T>
+HWY_INLINE Assembled<D> assembleRow(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step,
+                                    SpringTerms<T>* HWY_RESTRICT terms, int slice, int lane) {
+  const SliceLayout& layout = cloth.layout;
+  const int i = slice * sliceLanes + lane;
+  const Lanes3<D> x = load3(d, cloth.position, i);
+  const Lanes3<D> v = load3(d, cloth.velocity, i);
+  hn::Vec<D> diagonal = hn::LoadU(d, cloth.mass.data() + i);
+  Lanes3<D> force = {hn::Zero(d), hn::Neg(hn::Mul(diagonal, hn::Set(d, step.gravity))), hn::Zero(d)};
+  Symmetric<D> coupled = Symmetric<D>::zero(d);
+  const SpringConstants<D> constants(d, step);
+  const int begin = layout.slotBegin[static_cast<std::size_t>(slice)];
+  const int end = layout.slotBegin[static_cast<std::size_t>(slice) + 1];
+  for (int slot = begin; slot < end; ++slot) {
+    const auto at = static_cast<std::size_t>(slot);
+    const Neighbours<D> neighbours(layout, layout.slots[at], lane);
+    const Lanes3<D> offset = subtract(neighbours.load(cloth.position), x);
+    const Lanes3<D> relative = subtract(neighbours.load(cloth.velocity), v);
+    const auto spring = springLanes(d, constants, offset, hn::LoadU(d, cloth.restLength[at].data() + lane));
+    force = multiplyAdd(offset, hn::MulAdd(spring.beta, dot(offset, relative), spring.elastic), force);
+    force = multiplyAdd(relative, spring.alpha, force);
+    coupled.add(spring.alpha, spring.beta, offset);
+    storeTerms(d, terms[slot - begin], lane, offset, spring);
+  }
+  if (step.drag != T(0) || step.lift != T(0)) {
+    force = addAir(d, cloth, step, terms, slice, lane, force);
+  }
+  addHands(d, step, slice, lane, force, diagonal);
+  const hn::Vec<D> h = hn::Set(d, step.timeStep);
+  return {force,
+          {hn::MulAdd(h, coupled.xx, diagonal), hn::Mul(h, coupled.xy), hn::Mul(h, coupled.xz),
+           hn::MulAdd(h, coupled.yy, diagonal), hn::Mul(h, coupled.yz), hn::MulAdd(h, coupled.zz, diagonal)},
+          diagonal};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace drape
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,110 @@
+#include "sim/simd/conjugate_gradients_run.hpp"
+
+#include "sim/simd/slice_step.hpp"
+
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// One member's part of some steps. All go through it together, meet wherever one needs what another did, and draw the
+/// same conclusions from the same sums.
+template <typename T>
+class ConjugateMember {
+ public:
+  ConjugateMember(SlicedCloth<T>& cloth, ConjugateGradients<T>& system, const SliceStep<T>& step,
+                  const StepShare& share, ThreadTeam& team)
+      : cloth_(cloth), system_(system), step_(step), share_(share), team_(team) {}
+
+  /// It starts from zero: the last step's dv would be a better guess and yet lets the cloth explode, since what a
+  /// stopped iteration leaves over would be carried from step to step.
+  StepReport step(const StepParameters& parameters) {
+    phase(ConjugatePhase::Start);
+    StepReport report;
+    const double first = std::sqrt(system_.squaredResidual());
+    if (first > 0.0) {
+      report = solve(parameters, first);
+    }
+    phase(ConjugatePhase::Advance);
+    return report;
+  }
+
+ private:
+  StepReport solve(const StepParameters& parameters, double first) {
+    StepReport report;
+    report.residual = 1.0;
+    double descent = system_.descent();
+    while (report.iterations < parameters.maxIterations) {
+      phase(ConjugatePhase::Multiply);
+      const double curvature = system_.curvature();
+      if (!(curvature > 0.0)) {
+        break;  // the matrix is indefinite: along this direction there is no minimum to go to
+      }
+      phase(ConjugatePhase::Descend, descent / curvature);
+      ++report.iterations;
+      report.residual = std::sqrt(system_.squaredResidual()) / first;
+      if (report.residual <= parameters.tolerance) {
+        break;
+      }
+      const double next = system_.descent();
+      phase(ConjugatePhase::Turn, next / descent);
+      descent = next;
+    }
+    report.converged = report.residual <= parameters.tolerance;
+    return report;
+  }
+
+  void phase(ConjugatePhase phase, double factor = 0.0) {
+    conjugatePhase(cloth_, system_, step_, share_, phase, static_cast<T>(factor));
+    team_.meet();
+  }
+
+  SlicedCloth<T>& cloth_;
+  ConjugateGradients<T>& system_;
+  const SliceStep<T>& step_;
+  const StepShare& share_;
+  ThreadTeam& team_;
+};
+
+}  // namespace
+
+StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParameters& parameters,
+                                        const StepInputs& inputs, int count, ClothState& state) {
+  return parameters.precision == Precision::Float ? steps(model, parameters, inputs, count, single_, state)
+                                                  : steps(model, parameters, inputs, count, double_, state);
+}
+
+template <typename T>
+StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParameters& parameters,
+                                        const StepInputs& inputs, int count, Memory<T>& memory, ClothState& state) {
+  SlicedCloth<T>& cloth = memory.cloths.get(model);
+  ConjugateGradients<T>& system =
+      memory.systems.get(model, [&](const ClothModel&) { return ConjugateGradients<T>(cloth.layout); });
+  SliceStep<T> step = sliceStepOf<T>(parameters);
+  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  cloth.prepare(threads, 0);
+  StepReport report;
+  team_.run(threads, [&](int member) {
+    const StepShare share = blockShareOf(cloth.layout, member, threads);
+    ConjugateMember<T> part(cloth, system, step, share, team_);
+    cloth.load(state, share);
+    team_.meet();
+    for (int i = 0; i < count; ++i) {
+      if (inputs.grab) {
+        if (member == 0) {
+          setHand(model, *inputs.grab, cloth, step);
+        }
+        team_.meet();
+      }
+      const StepReport one = part.step(parameters);
+      if (member == 0) {
+        report.add(one);
+      }
+    }
+    cloth.store(state, share);
+  });
+  state.time += count * parameters.timeStep;
+  return report;
+}
+
+}  // namespace drape
