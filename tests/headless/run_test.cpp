@@ -131,8 +131,9 @@ TEST(Run, refusesWrongUsageWithStatusTwo) {
         "run grid --seconds 1 --threads 0", "run grid --seconds 1 --threads 1000", "run grid --seconds 1 --nonsense",
         "run grid --seconds 1 --set stiffness=-1", "run grid --seconds 1 --set stiffness",
         "run grid --seconds 1 --set nonsense=1", "run grid --seconds 1 --set sweeps=2",
-        "run grid --seconds 1 --positions /dev/null", "run grid --seconds 1e5 --set time_step=1e-5",
-        "walk grid --seconds 1"}) {
+        "run grid --seconds 1 --positions /dev/null", "run grid --seconds 1 --check-intersections 0",
+        "run grid --seconds 1 --check-intersections -3", "run grid --seconds 1 --check-intersections 1.5",
+        "run grid --seconds 1e5 --set time_step=1e-5", "walk grid --seconds 1"}) {
     const Outcome outcome = headless(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments << '\n' << outcome.errors;
     EXPECT_NE(outcome.errors.find("drape-headless: "), std::string::npos) << arguments;
@@ -159,6 +160,42 @@ TEST(Run, tellsWhatWasFoundInAMeshFile) {
   EXPECT_EQ(centimetres.errors.find("--set unit=cm"), std::string::npos) << centimetres.errors;
   EXPECT_NE(centimetres.output.find("triangles:   2"), std::string::npos) << centimetres.output;
   EXPECT_NE(centimetres.output.find("1 x 2 x 0 m"), std::string::npos) << centimetres.output;
+}
+
+TEST(Run, countsIntersectingTrianglesOnlyWhenAsked) {
+  EXPECT_FALSE(statsOf("grid --seconds 0.1").contains("intersecting_pairs_max"));
+  const auto stats = statsOf("grid --set time_step=0.01 --seconds 0.12 --check-intersections 5");
+  EXPECT_EQ(stats["intersection_checks"], 4) << "steps 0, 5, 10 and 12";
+  EXPECT_EQ(stats["intersecting_pairs_max"], 0);
+  EXPECT_EQ(stats["intersecting_pairs_final"], 0);
+  EXPECT_TRUE(stats["intersecting_pairs_worst_step"].is_null());
+  EXPECT_GT(stats["intersection_check_us"]["median"], 0.0);
+}
+
+TEST(Run, findsTheStepAtWhichMostTrianglesIntersect) {
+  // A triangle that is held at its top, and one that falls through the space below it.
+  auto folder = testFolder();
+  folder += "_scene";  // statsOf empties the other one
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "falling.obj")
+      << "v 0 0.5 0\nv 1 0.5 0\nv 0.5 0.5 1\nv 0.4 1.0 0.2\nv 0.6 1.0 0.2\nv 0.5 0.7 0.2\n"
+         "f 1 2 3\nf 4 5 6\n";
+  const auto scene = folder / "falling.toml";
+  std::ofstream(scene) << "[cloth]\nmesh = \"falling.obj\"\n[pins]\nvertices = [0, 1, 2]\n"
+                          "[settings]\ntime_step = 0.01\nsolver = \"newton\"\n";
+  const std::string command = scene.string() + " --check-intersections 1 --seconds ";
+  const auto before = statsOf(command + "0.15");
+  EXPECT_EQ(before["intersecting_pairs_max"], 0);
+  // The lower tip is 0.2 m above the held triangle and falls h^2 g n (n + 1) / 2 in n steps: past it in the 20th.
+  const auto within = statsOf(command + "0.25");
+  EXPECT_EQ(within["intersecting_pairs_max"], 1);
+  EXPECT_EQ(within["intersecting_pairs_final"], 1);
+  EXPECT_EQ(within["intersecting_pairs_worst_step"], 20);
+  // Its upper edge is 0.5 m above: through in the 32nd.
+  const auto after = statsOf(command + "0.4");
+  EXPECT_EQ(after["intersecting_pairs_max"], 1);
+  EXPECT_EQ(after["intersecting_pairs_final"], 0);
+  EXPECT_NE(headless("run " + command + "0.4").output.find("at most 1 (step 20), 0 at the end"), std::string::npos);
 }
 
 TEST(Run, takesNoStepInNoTime) {

@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 #include "app/headless/commands.hpp"
+#include "app/headless/intersection_watch.hpp"
 #include "app/headless/position_writer.hpp"
 #include "app/headless/progress_bar.hpp"
 #include "app/headless/run_stats.hpp"
@@ -25,6 +26,7 @@ struct RunArguments {
   std::string stats;
   std::string positions;
   double every = 0.0;
+  std::int64_t checkIntersections = 0;
 };
 
 /// Longer runs would take days, and their number of steps would not be meant.
@@ -85,6 +87,11 @@ void run(RunArguments arguments) {
     positions.emplace(arguments.positions, arguments.every, timeStep);
     positions->sample(simulation.state());
   }
+  std::optional<IntersectionWatch> intersections;
+  if (arguments.checkIntersections > 0) {
+    intersections.emplace(arguments.checkIntersections);
+    intersections->observe(simulation);
+  }
   RunStats stats(arguments.stats, steps);
   {
     ProgressBar progress("simulating", steps);
@@ -94,6 +101,9 @@ void run(RunArguments arguments) {
       if (positions) {
         positions->sample(simulation.state());
       }
+      if (intersections) {
+        intersections->observe(simulation);
+      }
       progress.show(i + 1);
     }
   }
@@ -102,12 +112,19 @@ void run(RunArguments arguments) {
   if (!end.message.empty()) {
     std::cerr << "warning: " << end.message << '\n';
   }
-  const auto figures = stats.toJson(simulation);
+  auto figures = stats.toJson(simulation);
+  if (intersections) {
+    intersections->finish(simulation);
+    intersections->addTo(figures);
+  }
   stats.write(figures);
   if (positions) {
     positions->close();
   }
   printSummary(simulation, figures);
+  if (intersections) {
+    std::cout << intersections->summary() << '\n';
+  }
 }
 
 }  // namespace
@@ -124,6 +141,11 @@ void addRunCommand(CLI::App& app) {
   command->add_option("--positions", arguments->positions, "Write positions to this file (CSV)")->type_name("FILE");
   command->add_option("--every", arguments->every, "Simulated time between two samples of positions [s]")
       ->check(numberFrom(1e-6, mostSeconds));
+  command
+      ->add_option("--check-intersections", arguments->checkIntersections,
+                   "Count intersecting triangles at every N-th step and the last, exactly")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, static_cast<std::int64_t>(mostSteps)));
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <vector>
+
+namespace drape {
+
+using Box = Eigen::AlignedBox3d;
+
+/// A tree over boxes, for finding those that overlap. Boxes are closed and compared without rounding, so no pair that
+/// touches is missed.
+class BoxTree {
+ public:
+  explicit BoxTree(std::vector<Box> boxes);
+
+  /// Calls visit(i, j) once for each pair of boxes i < j that overlap, in an order that depends on the boxes alone.
+  void forEachPair(const std::function<void(int, int)>& visit) const;
+
+  /// Calls visit(i, j) for each box i of this tree and j of the other that overlap.
+  void forEachPair(const BoxTree& other, const std::function<void(int, int)>& visit) const;
+
+ private:
+  /// Holds entries begin .. end - 1 of order_, and unless it is a leaf two nodes that hold half of them each.
+  struct Node {
+    Box box;
+    int begin = 0;
+    int end = 0;
+    int left = -1;
+    int right = -1;
+    [[nodiscard]] bool leaf() const { return left < 0; }
+  };
+
+  int build(int begin, int end);
+  void pairsOf(const Node& a, const BoxTree& other, const Node& b, const std::function<void(int, int)>& visit) const;
+  void pairsWithin(const Node& node, const std::function<void(int, int)>& visit) const;
+
+  std::vector<Box> boxes_;
+  std::vector<int> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace drape
