@@ -1,6 +1,7 @@
 #include "io/garments/garments.hpp"
 
 #include "io/mesh_import.hpp"
+#include "judge/intersections.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -14,6 +15,10 @@ namespace {
 
 ImportedMesh welded(const RawMesh& raw) {
   return weldMesh(raw, "garment", {});
+}
+
+Surface surfaceOf(const ImportedMesh& mesh) {
+  return {mesh.cloth.positions, mesh.cloth.triangles};
 }
 
 /// The longest of all edges over the shortest.
@@ -113,6 +118,45 @@ TEST(Garments, standOnClosedStandsThatReachTheGround) {
     EXPECT_DOUBLE_EQ(lowest, 0.0);
     EXPECT_GT(volume, 1e-3) << "faces look outwards";
   }
+}
+
+void expectOneClosedSurface(const ImportedMesh& mesh) {
+  EXPECT_EQ(mesh.summary.components, 1);
+  EXPECT_EQ(mesh.summary.boundaryLoops, 0);
+  EXPECT_EQ(mesh.summary.nonManifoldEdges, 0);
+  EXPECT_EQ(mesh.summary.misorientedEdges, 0);
+  EXPECT_EQ(mesh.summary.vertices - mesh.summary.springs + mesh.summary.triangles, 2) << "Euler's formula: no holes";
+  EXPECT_EQ(intersectingPairs(surfaceOf(mesh)).size(), 0U);
+}
+
+TEST(Garments, lieAroundFiguresThatAreClosedSurfacesAndTouchThemNowhere) {
+  const ImportedMesh mannequin = welded(makeMannequin());
+  expectOneClosedSurface(mannequin);
+  EXPECT_NEAR(mannequin.summary.size[1], 1.74, 0.01);
+  const ImportedMesh skater = welded(makeSkater());
+  expectOneClosedSurface(skater);
+  EXPECT_NEAR(skater.summary.size[1], 1.67, 0.02);
+  const ImportedMesh tshirt = welded(makeTshirt());
+  EXPECT_EQ(intersectingPairs(surfaceOf(tshirt), surfaceOf(mannequin)).size(), 0U);
+  const ImportedMesh cape = welded(makeCape());
+  EXPECT_EQ(intersectingPairs(surfaceOf(cape), surfaceOf(skater)).size(), 0U);
+}
+
+TEST(Garments, includeACapeWithOneBorder) {
+  const ImportedMesh cape = welded(makeCape());
+  EXPECT_TRUE(cape.summary.warnings.empty());
+  EXPECT_EQ(cape.summary.components, 1);
+  EXPECT_EQ(cape.summary.boundaryLoops, 1);
+  EXPECT_EQ(cape.summary.nonManifoldEdges, 0);
+  EXPECT_LT(edgeRatio(cape.cloth), 6.0);
+  EXPECT_EQ(intersectingPairs(surfaceOf(cape)).size(), 0U);
+}
+
+TEST(Garments, lieOnATableThatIsOneClosedSurfaceAndLevel) {
+  const ImportedMesh table = welded(makeTable());
+  expectOneClosedSurface(table);
+  EXPECT_NEAR(table.summary.size[0], 2.0 * garment::tableRadius, 1e-9);
+  EXPECT_NEAR(table.summary.size[1], garment::tableHeight, 1e-9);
 }
 
 }  // namespace

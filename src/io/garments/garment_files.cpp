@@ -25,10 +25,12 @@ GarmentFile solidFile(const std::string& name, const RawMesh& raw) {
 }  // namespace
 
 std::vector<GarmentFile> garmentFiles() {
-  return {clothFile("skirt.obj", makeSkirt()),        clothFile("poncho.obj", makePoncho()),
-          clothFile("tshirt.obj", makeTshirt()),      solidFile("stand.obj", makeSkirtStand()),
-          solidFile("hanger.obj", makeHangerStand()), solidFile("pole.obj", makeFlagPole()),
-          solidFile("rail.obj", makeCurtainRail())};
+  return {clothFile("skirt.obj", makeSkirt()),      clothFile("poncho.obj", makePoncho()),
+          clothFile("tshirt.obj", makeTshirt()),    clothFile("cape.obj", makeCape()),
+          solidFile("stand.obj", makeSkirtStand()), solidFile("hanger.obj", makeHangerStand()),
+          solidFile("pole.obj", makeFlagPole()),    solidFile("rail.obj", makeCurtainRail()),
+          solidFile("table.obj", makeTable()),      solidFile("mannequin.obj", makeMannequin()),
+          solidFile("skater.obj", makeSkater())};
 }
 
 }  // namespace drape

@@ -23,6 +23,9 @@ inline constexpr double flagTop = 2.4;      ///< of the flag's upper corner
 inline constexpr double railHeight = 2.27;  ///< of the curtain rail's axis
 inline constexpr double railLength = 1.9;
 
+inline constexpr double tableHeight = 0.74;
+inline constexpr double tableRadius = 0.45;
+
 /// Height of the T-shirt's shoulder line over x = 0 .. shoulderHalfWidth (and mirrored): level near the neck, then
 /// falling off [m].
 [[nodiscard]] double shoulderLine(double x);
@@ -54,6 +57,19 @@ inline constexpr double railLength = 1.9;
 
 /// A rail between two posts, for a curtain that hangs at z = 0.
 [[nodiscard]] RawMesh makeCurtainRail();
+
+/// A figure on a stand that fits into the T-shirt: head, trunk, arms and the upper part of the legs, in one smooth
+/// closed surface.
+[[nodiscard]] RawMesh makeMannequin();
+
+/// A figure that glides along, in one smooth closed surface. It looks towards +z and stands over the ground at y = 0.
+[[nodiscard]] RawMesh makeSkater();
+
+/// A cape that lies around the skater's shoulders, open in front. Its upper border is level, at y = 1.462.
+[[nodiscard]] RawMesh makeCape();
+
+/// A round table with one leg.
+[[nodiscard]] RawMesh makeTable();
 
 /// A mesh file that is to be written.
 struct GarmentFile {

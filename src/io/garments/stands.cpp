@@ -81,6 +81,31 @@ RawMesh makeFlagPole() {
   return pole;
 }
 
+RawMesh makeTable() {
+  constexpr double edge = 0.014;  // half of the top's thickness [m]
+  std::vector<SilhouettePoint> silhouette{{0.0, 0.0}, {0.13, 0.0}};
+  const auto add = [&silhouette](const std::vector<SilhouettePoint>& part) {
+    silhouette.insert(silhouette.end(), part.begin(), part.end());
+  };
+  add(rounding({0.26 - 0.006, 0.0}, {0.26, 0.006}, true));
+  add(rounding({0.26, 0.014}, {0.26 - 0.008, 0.022}, false));
+  silhouette.push_back({0.14, 0.030});
+  add(rounding({0.09, 0.036}, {0.032, 0.120}, true));
+  silhouette.push_back({0.030, 0.37});
+  add(rounding({0.032, 0.640}, {0.090, tableHeight - 2.0 * edge - 0.006}, false));
+  silhouette.push_back({0.25, tableHeight - 2.0 * edge - 0.003});
+  add(rounding({tableRadius - edge, tableHeight - 2.0 * edge}, {tableRadius, tableHeight - edge}, true));
+  add(rounding({tableRadius, tableHeight - edge}, {tableRadius - edge, tableHeight}, false));
+  silhouette.push_back({0.34, tableHeight});
+  silhouette.push_back({0.24, tableHeight});
+  silhouette.push_back({0.14, tableHeight});
+  silhouette.push_back({0.06, tableHeight});
+  silhouette.push_back({0.0, tableHeight});
+  RawMesh table;
+  addTurned(silhouette, roundSegments, table);
+  return table;
+}
+
 RawMesh makeCurtainRail() {
   RawMesh rail;
   const double end = 0.5 * railLength;
