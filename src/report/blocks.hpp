@@ -19,6 +19,7 @@ struct TextTable {
   std::string title;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
+  bool folded = false;  ///< long, and not what one reads first: HTML opens it on demand, Markdown leaves it out
 };
 
 enum class Scale { Linear, Logarithmic };
@@ -44,8 +45,9 @@ struct PlotPoint {
 };
 
 enum class CurveStyle {
-  Line,  ///< with marks, in a colour of its own
-  Front  ///< broad and pale beneath the others, without marks
+  Line,   ///< with marks, in a colour of its own
+  Front,  ///< broad and pale beneath the others, without marks
+  Level   ///< a dashed line from edge to edge at the height of its first point that has one
 };
 
 struct Curve {

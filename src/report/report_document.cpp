@@ -6,7 +6,7 @@ namespace drape {
 namespace {
 
 /// Raised when rows change their meaning, so that a report is not continued in another sense.
-constexpr int formatVersion = 1;
+constexpr int formatVersion = 2;
 
 nlohmann::ordered_json optionsJson(const ReportOptions& options) {
   return {{"quick", options.quick}, {"scene", options.scene}, {"threads", options.threads}};
@@ -20,10 +20,32 @@ nlohmann::ordered_json reportJson(const Report& report) {
                               {"settings", optionsJson(report.options)},
                               {"complete", report.complete}};
   for (const Section& section : sectionTable()) {
-    const auto rows = report.rows.find(section.name);
-    json[std::string(section.name)] = rows == report.rows.end() ? ReportRows() : rows->second;
+    json[std::string(section.name)] = rowsOf(report, section);
+  }
+  if (!report.comparison.is_null()) {
+    json["comparison"] = report.comparison;
   }
   return json;
+}
+
+void requireComparable(const nlohmann::ordered_json& json, const Report& report) {
+  const bool isReport = json.is_object() && json.contains("format") && json.contains("settings") &&
+                        json.contains("machine") && json["machine"].is_object();
+  if (!isReport) {
+    throw InputError("the file to compare with is no report.json of drape-report");
+  }
+  if (json["format"] != formatVersion) {
+    throw InputError("the report to compare with has format " + json["format"].dump() + ", this program writes " +
+                     std::to_string(formatVersion) + ": their figures do not mean the same; make it anew");
+  }
+  if (json["settings"] != optionsJson(report.options)) {
+    throw InputError("the report to compare with was made with " + json["settings"].dump() + ", this one with " +
+                     optionsJson(report.options).dump() + "; give the same options");
+  }
+  if (json["machine"].value("build_type", "") != report.machine.value("build_type", "")) {
+    throw InputError("the report to compare with is of a " + json["machine"].value("build_type", "") +
+                     " build, this one of a " + report.machine.value("build_type", "") + " build");
+  }
 }
 
 SectionRows rowsToResume(const nlohmann::ordered_json& json, const Report& report) {
@@ -43,7 +65,7 @@ SectionRows rowsToResume(const nlohmann::ordered_json& json, const Report& repor
   SectionRows rows;
   for (const Section& section : sectionTable()) {
     const std::string name(section.name);
-    if (json.contains(name) && json[name].is_array()) {
+    if (section.plan != nullptr && json.contains(name) && json[name].is_array()) {
       rows[name] = json[name].get<ReportRows>();
     }
   }
@@ -56,7 +78,8 @@ std::vector<std::pair<std::string, std::string>> reportHead(const Report& report
     head.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
   }
   const ReportOptions& options = report.options;
-  head.emplace_back("settings", std::string(options.quick ? "quick" : "full") + ", scene " + options.scene + ", " +
+  head.emplace_back("settings", std::string(options.quick ? "quick" : "full") + ", scenes " +
+                                    (options.scene.empty() ? "all" : options.scene) + ", " +
                                     std::to_string(options.threads) + (options.threads == 1 ? " thread" : " threads"));
   if (!report.complete) {
     head.emplace_back("complete", "no: it was ended before its time");
@@ -64,9 +87,12 @@ std::vector<std::pair<std::string, std::string>> reportHead(const Report& report
   return head;
 }
 
-bool isMeasured(const Report& report, const Section& section) {
+ReportRows rowsOf(const Report& report, const Section& section) {
+  if (section.derive != nullptr) {
+    return section.derive(report.rows);
+  }
   const auto rows = report.rows.find(section.name);
-  return rows != report.rows.end() && !rows->second.empty();
+  return rows == report.rows.end() ? ReportRows() : rows->second;
 }
 
 }  // namespace drape

@@ -14,15 +14,20 @@ struct Report {
   ReportOptions options;
   bool complete = false;  ///< no cell that was asked for is missing
   SectionRows rows;
+  nlohmann::ordered_json comparison;  ///< compareReports, or null
 };
 
 /// Everything as one JSON object: machine, settings, complete, and an array for each section, empty where it was not
-/// measured.
+/// measured. assets/report.schema.json tells what is in it.
 [[nodiscard]] nlohmann::ordered_json reportJson(const Report& report);
 
 /// The rows of an earlier report that was made with the same options on the same build and machine, to go on with.
 /// Throws InputError when it is another one, or none at all.
 [[nodiscard]] SectionRows rowsToResume(const nlohmann::ordered_json& json, const Report& report);
+
+/// Throws InputError when `json` is no report, or was made by another version or build type or with other options than
+/// `report`: then their figures say nothing about each other.
+void requireComparable(const nlohmann::ordered_json& json, const Report& report);
 
 /// A picture that goes with the Markdown text, and its name below the report's folder.
 struct ReportPicture {
@@ -43,7 +48,7 @@ struct MarkdownReport {
 /// The head of a report, as name and value.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> reportHead(const Report& report);
 
-/// Whether there is something to show of a section.
-[[nodiscard]] bool isMeasured(const Report& report, const Section& section);
+/// What there is of a section: measured, or derived from the others.
+[[nodiscard]] ReportRows rowsOf(const Report& report, const Section& section);
 
 }  // namespace drape

@@ -1,3 +1,4 @@
+#include "report/comparison.hpp"
 #include "report/report_document.hpp"
 #include "report/svg.hpp"
 #include "report/xml_writer.hpp"
@@ -17,6 +18,7 @@ th, td { border-bottom: 1px solid var(--faint); padding: 0.15rem 0.6rem; text-al
 th:first-child, td:first-child { text-align: left; }
 table.head td { text-align: left; overflow-wrap: anywhere; }
 th { background: var(--shade); }
+summary { cursor: pointer; }
 figure { margin: 1rem 0; }
 div.wide { overflow-x: auto; }
 @media print {
@@ -34,6 +36,10 @@ class HtmlWriter {
   void operator()(const Paragraph& paragraph) { html_.text("p", paragraph.text); }
 
   void operator()(const TextTable& table) {
+    if (table.folded) {
+      html_.open("details");
+      html_.text("summary", table.title);
+    }
     html_.open("div", {{"class", "wide"}});
     html_.open("table");
     html_.text("caption", table.title);
@@ -43,6 +49,9 @@ class HtmlWriter {
     }
     html_.close();
     html_.close();
+    if (table.folded) {
+      html_.close();
+    }
   }
 
   void operator()(const Plot& plot) { picture(svgOf(plot)); }
@@ -96,10 +105,16 @@ std::string reportHtml(const Report& report) {
   html.open("body");
   writeHead(html, report);
   HtmlWriter writer(html);
+  if (!report.comparison.is_null()) {
+    html.text("h2", comparisonTitle);
+    for (const Block& block : showComparison(report.comparison)) {
+      std::visit(writer, block);
+    }
+  }
   for (const Section& section : sectionTable()) {
-    if (isMeasured(report, section)) {
+    if (const ReportRows rows = rowsOf(report, section); !rows.empty()) {
       html.text("h2", section.title);
-      for (const Block& block : section.show(report.options, report.rows.find(section.name)->second)) {
+      for (const Block& block : section.show(report.options, rows)) {
         std::visit(writer, block);
       }
     }

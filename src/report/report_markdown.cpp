@@ -1,3 +1,4 @@
+#include "report/comparison.hpp"
 #include "report/report_document.hpp"
 #include "report/svg.hpp"
 
@@ -29,6 +30,9 @@ class MarkdownWriter {
   void operator()(const Paragraph& paragraph) { report.text += escaped(paragraph.text) + "\n\n"; }
 
   void operator()(const TextTable& table) {
+    if (table.folded) {
+      return;
+    }
     report.text += "**" + escaped(table.title) + "**\n\n" + lineOf(table.header) + "|";
     for (std::size_t i = 0; i < table.header.size(); ++i) {
       report.text += i == 0 ? "---|" : "---:|";
@@ -64,10 +68,16 @@ MarkdownReport reportMarkdown(const Report& report) {
     text += lineOf({name, value});
   }
   text += "\n";
+  if (!report.comparison.is_null()) {
+    text += "## " + std::string(comparisonTitle) + "\n\n";
+    for (const Block& block : showComparison(report.comparison)) {
+      std::visit(writer, block);
+    }
+  }
   for (const Section& section : sectionTable()) {
-    if (isMeasured(report, section)) {
+    if (const ReportRows rows = rowsOf(report, section); !rows.empty()) {
       text += "## " + escaped(std::string(section.title)) + "\n\n";
-      for (const Block& block : section.show(report.options, report.rows.find(section.name)->second)) {
+      for (const Block& block : section.show(report.options, rows)) {
         std::visit(writer, block);
       }
     }

@@ -3,6 +3,7 @@
 #include "report/blocks.hpp"
 
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -14,7 +15,7 @@ namespace drape {
 /// How a report is made.
 struct ReportOptions {
   bool quick = false;             ///< fewer and smaller cells
-  std::string scene;              ///< of the sections that can take any; empty: grid
+  std::string scene;              ///< that methods are compared on; empty: all of the report's own
   int threads = 1;                ///< that a step may use, in the sections that do not ask for one thread
   std::vector<std::string> only;  ///< sections to measure; empty: all
 };
@@ -22,6 +23,9 @@ struct ReportOptions {
 /// A row of a section's array in report.json.
 using ReportRow = nlohmann::ordered_json;
 using ReportRows = std::vector<ReportRow>;
+
+/// The rows of each section, by its name.
+using SectionRows = std::map<std::string, ReportRows, std::less<>>;
 
 /// Thrown out of a measurement when the user wants it to end; what the cell has so far is dropped.
 struct ReportStopped {};
@@ -49,11 +53,13 @@ struct SectionPlan {
 
 /// How a section presents itself.
 struct Section {
-  std::string_view name;   ///< of its array in report.json, and for --only
-  std::string_view title;  ///< as a heading
-  SectionPlan (*plan)(const ReportOptions&) = nullptr;
+  std::string_view name;                                ///< of its array in report.json, and for --only
+  std::string_view title;                               ///< as a heading
+  SectionPlan (*plan)(const ReportOptions&) = nullptr;  ///< null when it measures nothing itself
   /// What to show of the rows, which may be incomplete or none.
   std::vector<Block> (*show)(const ReportOptions&, const ReportRows&) = nullptr;
+  /// Its rows as they follow from those of the other sections; null when it measures them.
+  ReportRows (*derive)(const SectionRows&) = nullptr;
 };
 
 /// Every section, in the order of the report.

@@ -9,13 +9,16 @@ namespace drape {
 namespace {
 
 bool isWanted(const ReportOptions& options, const Section& section) {
-  return options.only.empty() ||
-         std::find(options.only.begin(), options.only.end(), section.name) != options.only.end();
+  const bool named = std::find(options.only.begin(), options.only.end(), section.name) != options.only.end();
+  return section.plan != nullptr && (options.only.empty() || named);
 }
 
 [[noreturn]] void refuse(const std::string& name, std::span<const Section> sections) {
   std::string known;
   for (const Section& section : sections) {
+    if (section.plan == nullptr) {
+      continue;
+    }
     known += known.empty() ? "" : ", ";
     known += section.name;
   }
@@ -24,7 +27,7 @@ bool isWanted(const ReportOptions& options, const Section& section) {
 
 void requireSections(std::span<const Section> sections, const ReportOptions& options) {
   for (const std::string& name : options.only) {
-    const auto named = [&name](const Section& section) { return section.name == name; };
+    const auto named = [&name](const Section& section) { return section.plan != nullptr && section.name == name; };
     if (std::none_of(sections.begin(), sections.end(), named)) {
       refuse(name, sections);
     }

@@ -3,13 +3,9 @@
 #include "report/section.hpp"
 
 #include <functional>
-#include <map>
 #include <string>
 
 namespace drape {
-
-/// The rows of each section, by its name.
-using SectionRows = std::map<std::string, ReportRows, std::less<>>;
 
 /// What stands around a run of the report. All may be empty.
 struct RunHooks {

@@ -19,7 +19,7 @@ constexpr double legendWidth = 250.0;
 constexpr double lineHeight = 17.0;
 constexpr double below = 54.0;
 constexpr int colours = 8;
-constexpr int dashes = 3;
+constexpr int dashes = 4;
 
 /// Tenths of a pixel are fine enough, and make short files.
 std::string pixel(double value) {
@@ -127,14 +127,28 @@ class PlotDrawing {
   }
 
   static std::string styleOf(const Curve& curve, std::size_t index) {
-    if (curve.style == CurveStyle::Front) {
-      return "front";
+    if (curve.style != CurveStyle::Line) {
+      return curve.style == CurveStyle::Front ? "front" : "level";
     }
     const std::string dash = std::to_string(index / colours % dashes);
     return "curve line" + std::to_string(index % colours) + " dash" + dash;
   }
 
+  void drawLevel(const Curve& curve) {
+    for (const PlotPoint& point : curve.points) {
+      if (y_.takes(point.y)) {
+        const double y = yOf(point.y);
+        line("level", {left, y}, {left + width, y});
+        return;
+      }
+    }
+  }
+
   void drawCurve(const Curve& curve, std::size_t index) {
+    if (curve.style == CurveStyle::Level) {
+      drawLevel(curve);
+      return;
+    }
     drawBand(curve, index);
     std::vector<Place> places;
     for (const PlotPoint& point : curve.points) {
@@ -210,10 +224,16 @@ class PlotDrawing {
                         {place.x + size, place.y + size},
                         {place.x - size, place.y + size}});
         break;
-      default:
+      case 2:
         polygon(style, {{place.x, place.y - 1.3 * size},
                         {place.x + 1.3 * size, place.y + size},
                         {place.x - 1.3 * size, place.y + size}});
+        break;
+      default:
+        polygon(style, {{place.x, place.y - 1.4 * size},
+                        {place.x + 1.4 * size, place.y},
+                        {place.x, place.y + 1.4 * size},
+                        {place.x - 1.4 * size, place.y}});
     }
   }
 

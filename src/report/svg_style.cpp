@@ -18,6 +18,7 @@ svg.drape .small { stroke: var(--ink); stroke-width: 0.7; }
 svg.drape .frame { stroke: var(--ink); fill: none; }
 svg.drape .curve { fill: none; stroke-width: 1.6; }
 svg.drape .front { fill: none; stroke: var(--ink); stroke-opacity: 0.18; stroke-width: 9; stroke-linejoin: round; stroke-linecap: round; }
+svg.drape .level { fill: none; stroke: var(--ink); stroke-width: 1.2; stroke-dasharray: 8 5; }
 svg.drape .band { fill-opacity: 0.2; stroke: none; }
 svg.drape .hollow { fill: var(--paper); stroke-width: 1.6; }
 svg.drape .cross { fill: none; stroke-width: 1.8; }
@@ -30,6 +31,7 @@ svg.drape .line5 { stroke: var(--c5); } svg.drape .fill5 { fill: var(--c5); }
 svg.drape .line6 { stroke: var(--c6); } svg.drape .fill6 { fill: var(--c6); }
 svg.drape .line7 { stroke: var(--c7); } svg.drape .fill7 { fill: var(--c7); }
 svg.drape .dash1 { stroke-dasharray: 7 3; } svg.drape .dash2 { stroke-dasharray: 2 3; }
+svg.drape .dash3 { stroke-dasharray: 9 3 2 3; }
 svg.drape .good { fill: var(--good); } svg.drape .doubtful { fill: var(--doubtful); } svg.drape .bad { fill: var(--bad); }
 svg.drape .dull { fill: var(--dull); } svg.drape .none { fill: var(--none); }
 )";

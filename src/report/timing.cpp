@@ -1,21 +1,29 @@
 #include "report/timing.hpp"
 
-#include <malloc.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace drape {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Bytes that the program has allocated. A sanitizer's allocator tells nothing.
+/// Bytes that the program has allocated in all of its threads, as the C library counts them: Eigen does not allocate by
+/// `new`, so that counting there would miss most. A sanitizer's allocator and other C libraries tell nothing.
 double allocatedBytes() {
+#ifdef __GLIBC__
   const struct mallinfo2 info = mallinfo2();
   const std::size_t bytes = info.uordblks + info.hblkhd;
   return bytes == 0 ? none : static_cast<double>(bytes);
+#else
+  return none;
+#endif
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "report/trajectory.hpp"
 
 #include "settings/settings_table.hpp"
+#include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
 #include "sim/residuals.hpp"
 #include "sim/stepper.hpp"
@@ -23,6 +24,9 @@ class Runner {
         stepper_(settings.solver.name),
         stepsTotal_(static_cast<std::int64_t>(checkpoints) * stepsPerCheckpoint(settings.step.timeStep)) {
     trajectory_.stepsPerCheckpoint = stepsPerCheckpoint(settings.step.timeStep);
+    if (watch.energyPeak) {
+      trajectory_.largestEnergy = energyOf(model_, parameters_, scene.start).total();
+    }
     record(scene.start);
   }
 
@@ -54,6 +58,11 @@ class Runner {
     trajectory_.largestResidual = std::max(trajectory_.largestResidual, report.residual);
     if (watch_.energy) {
       balance_.add(model_, parameters_, {}, before_, state);
+    }
+    if (watch_.energyPeak) {
+      const double energy = energyOf(model_, parameters_, state).total();
+      // Written so that what is not a number stays.
+      trajectory_.largestEnergy = energy <= trajectory_.largestEnergy ? trajectory_.largestEnergy : energy;
     }
     if (watch_.stepResiduals) {
       trajectory_.largestStepResidual =

@@ -25,6 +25,7 @@ struct Trajectory {
   bool finite = true;                ///< false: it blew up, and ends at the last checkpoint that is finite
   std::int64_t unsolvedSteps = 0;    ///< whose solve gave up before its tolerance
   double largestResidual = 0.0;      ///< that a step reported, of its last solve [-]
+  double largestEnergy = 0.0;        ///< total energy after any step, or of the start [J]; only when asked for
   double largestStepResidual = 0.0;  ///< nonlinearResidual of a step [-]; only when asked for
 
   [[nodiscard]] int checkpoints() const { return static_cast<int>(states.size()) - 1; }
@@ -33,6 +34,7 @@ struct Trajectory {
 /// What to watch while running.
 struct Watch {
   bool energy = false;         ///< fill Trajectory::balances
+  bool energyPeak = false;     ///< fill Trajectory::largestEnergy
   bool stepResiduals = false;  ///< fill Trajectory::largestStepResidual: what backward Euler without parts leaves
   std::string_view label = "simulating";
   Progress progress = {};  ///< may be empty

@@ -13,7 +13,6 @@ Report small() {
   Report report;
   report.machine = {{"cpu", "one & <two>"}, {"cores", 2}, {"commit", "abc"}, {"build_type", "Release"}};
   report.options.quick = true;
-  report.options.scene = "grid";
   report.complete = true;
   for (const int resolution : {65, 129}) {
     report.rows["table1"].push_back({{"cell", std::to_string(resolution) + " float"},
@@ -90,10 +89,12 @@ TEST(Table1, fitsHowTheTimeGrows) {
 
 TEST(Sections, haveCellsWithKeysOfTheirOwnThatDoNotChange) {
   for (const Section& section : sectionTable()) {
+    if (section.plan == nullptr) {
+      continue;
+    }
     for (const bool quick : {true, false}) {
       ReportOptions options;
       options.quick = quick;
-      options.scene = "grid";
       const SectionPlan plan = section.plan(options);
       const SectionPlan again = section.plan(options);
       std::set<std::string> keys;

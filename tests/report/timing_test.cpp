@@ -38,6 +38,18 @@ TEST(TimeSteps, takesAsManyStepsAsItsBudgetAllows) {
       9U);
 }
 
+TEST(TimeSteps, countsTheMemoryOfASolverWithADenseMatrix) {
+  // The inverse of the whole matrix: a number for each pair of vertices.
+  const auto scene = testing::smallGrid({"solver=desbrun", "grid.resolution=21"});
+  const StepTiming timing =
+      timeSteps(*scene, scene->settings, {.seconds = 0.0, .leastSteps = 1, .mostSteps = 1}, [] {});
+  const double pairs = 441.0 * 441.0;
+  if (!std::isnan(timing.memoryBytes)) {
+    EXPECT_GT(timing.memoryBytes, 8.0 * pairs);
+    EXPECT_LT(timing.memoryBytes, 32.0 * pairs);
+  }
+}
+
 TEST(TimeSteps, goesOnAfterTheClothBlewUpAndSaysSo) {
   const auto scene = testing::smallGrid({"solver=verlet", "stiffness=1e7"});
   const StepTiming timing =

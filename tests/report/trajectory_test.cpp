@@ -5,6 +5,7 @@
 #include "small_grid.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 namespace drape {
 namespace {
@@ -60,6 +61,19 @@ TEST(Trajectory, keepsTheEnergysAccountFromTheStart) {
     EXPECT_NEAR(trajectory.balances[k].change(), change, 1e-14);
   }
   EXPECT_LT(trajectory.balances[4].damping(), 0.0);
+}
+
+TEST(Trajectory, keepsTheLargestEnergyOfAnyStep) {
+  const auto scene = testing::smallGrid();
+  const Trajectory trajectory = runTrajectory(*scene, scene->settings, 3, {.energyPeak = true});
+  Stepper stepper(scene->settings.solver.name);
+  ClothState state = scene->start;
+  double largest = energyOf(*scene->model, scene->settings.step, state).total();
+  for (int i = 0; i < 15; ++i) {
+    stepper.step(*scene->model, scene->settings.step, {}, state);
+    largest = std::max(largest, energyOf(*scene->model, scene->settings.step, state).total());
+  }
+  EXPECT_EQ(trajectory.largestEnergy, largest);
 }
 
 TEST(Trajectory, tellsEachStepOfItsProgress) {

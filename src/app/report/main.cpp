@@ -3,7 +3,10 @@
 #include "app/report/report_folder.hpp"
 #include "app/report/stop_signal.hpp"
 #include "build_info.hpp"
+#include "report/comparison.hpp"
 #include "report/machine.hpp"
+#include "report/plain_text.hpp"
+#include "report/sections/set_ups.hpp"
 #include "sim/error.hpp"
 
 #include <chrono>
@@ -14,8 +17,9 @@ namespace drape {
 namespace {
 
 struct ReportArguments {
-  ReportOptions options{.quick = false, .scene = "grid", .threads = 1, .only = {}};
+  ReportOptions options{.quick = false, .scene = {}, .threads = 1, .only = {}};
   std::string output;
+  std::string compare;
   bool resume = false;
 };
 
@@ -23,19 +27,25 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
   constexpr int mostThreads = 64;
   std::string sections;
   for (const Section& section : sectionTable()) {
-    sections += sections.empty() ? "" : ", ";
-    sections += section.name;
+    if (section.plan != nullptr) {
+      sections += sections.empty() ? "" : ", ";
+      sections += section.name;
+    }
   }
   app.add_flag("--quick", arguments.options.quick, "Fewer and smaller measurements: about a minute");
   app.add_option("--only", arguments.options.only, "Measure this section alone (" + sections + "); may be repeated")
       ->type_name("SECTION")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--scene", arguments.options.scene, "The scene with a grid that methods are compared on (grid)")
+  app.add_option("--scene", arguments.options.scene,
+                 "Compare methods on this scene alone: hang, flag, crush, twist or any scene with a grid")
       ->type_name("NAME");
   app.add_option("--threads", arguments.options.threads, "Threads a step may use where methods are not compared (1)")
       ->check(CLI::Range(1, mostThreads));
   app.add_flag("--resume", arguments.resume, "Go on with the report.json that is in the folder");
+  app.add_option("--compare", arguments.compare,
+                 "Tell what moved beyond noise since this earlier report.json; exit status 3 when something did")
+      ->type_name("OLD.json");
   app.add_option("--output", arguments.output, "The folder to write report.html, report.md and report.json to")
       ->type_name("DIR")
       ->required();
@@ -73,14 +83,37 @@ Report prepare(const ReportArguments& arguments, const ReportFolder& folder) {
   return report;
 }
 
-void run(const ReportArguments& arguments, StopSignal& stop) {
-  const SceneDescription scene = openScene(arguments.options.scene);  // wrong names are told before anything is done
-  if (!std::holds_alternative<GridSource>(scene.source)) {
-    throw InputError("the report refines its cloth, so it needs a scene with a grid; " + arguments.options.scene +
-                     " has a mesh file");
+/// Paragraphs and tables for a terminal.
+void print(const std::vector<Block>& blocks) {
+  for (const Block& block : blocks) {
+    if (const auto* paragraph = std::get_if<Paragraph>(&block)) {
+      std::cout << paragraph->text << '\n';
+    } else if (const auto* table = std::get_if<TextTable>(&block)) {
+      std::cout << plainText(*table);
+    }
   }
+}
+
+/// Holds the report against the earlier one; true when something moved.
+bool compare(const nlohmann::ordered_json& older, Report& report) {
+  if (older.is_null()) {
+    return false;
+  }
+  report.comparison = compareReports(older, report);
+  print(showComparison(report.comparison));
+  return !report.comparison["moved"].empty();
+}
+
+/// Returns whether something moved since the report to compare with.
+bool run(const ReportArguments& arguments, StopSignal& stop) {
+  (void)comparedSetUps(arguments.options.scene);  // wrong names are told before anything is done
   const ReportFolder folder(arguments.output);
   Report report = prepare(arguments, folder);
+  nlohmann::ordered_json older;
+  if (!arguments.compare.empty()) {
+    older = readReport(arguments.compare);  // now: it may be the file that is about to be written
+    requireComparable(older, report);
+  }
   Keeper keeper(folder, report);
   {
     ProgressLine progress;
@@ -92,11 +125,13 @@ void run(const ReportArguments& arguments, StopSignal& stop) {
     hooks.measured = [&keeper](const SectionRows&) { keeper.keep(); };
     report.complete = measureSections(report.options, report.rows, hooks);
   }
+  const bool moved = compare(older, report);
   folder.writeAll(report);
   std::cout << "written to " << arguments.output << "/report.html, report.md and report.json\n";
   if (!report.complete) {
     throw InputError("stopped before the end; --resume goes on from here");
   }
+  return moved;
 }
 
 }  // namespace
@@ -107,5 +142,8 @@ int main(int argc, char** argv) {
   drape::ReportArguments arguments;
   CLI::App app("Measures what the methods cost and how wrong they are, and writes a report", "drape-report");
   drape::addTo(app, arguments);
-  return drape::runProgram(app, argc, argv, [&] { drape::run(arguments, stop); });
+  constexpr int somethingMoved = 3;
+  bool moved = false;
+  const int status = drape::runProgram(app, argc, argv, [&] { moved = drape::run(arguments, stop); });
+  return status == 0 && moved ? somethingMoved : status;
 }

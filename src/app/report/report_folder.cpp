@@ -31,17 +31,21 @@ ReportFolder::ReportFolder(std::filesystem::path folder) : folder_(std::move(fol
   std::filesystem::remove(probe);
 }
 
-nlohmann::ordered_json ReportFolder::earlier() const {
-  const auto file = folder_ / jsonName;
+nlohmann::ordered_json readReport(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  if (!stream) {
-    return nullptr;
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw InputError("cannot read " + file.string());
   }
   auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
   if (json.is_discarded()) {
-    throw InputError(file.string() + " is not JSON; remove it, or begin anew without --resume");
+    throw InputError(file.string() + " is not JSON");
   }
   return json;
+}
+
+nlohmann::ordered_json ReportFolder::earlier() const {
+  const auto file = folder_ / jsonName;
+  return std::filesystem::exists(file) ? readReport(file) : nlohmann::ordered_json();
 }
 
 void ReportFolder::write(const std::filesystem::path& name, const std::string& text) const {

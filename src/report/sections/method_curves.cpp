@@ -20,15 +20,24 @@ Words upTo(int most) {
 /// All steps are of 1/150 s, so that substeps are what a shorter step is elsewhere.
 std::vector<MethodCurve> listed() {
   const Words midpoint{"integration=theta", "theta=0.5"};
+  const Words thetas{"1", "0.75", "0.6", "0.55", "0.5"};
   return {
       {"one iteration, substeps", "one_iteration", {}, "substeps", upTo(64), {"1", "4", "16"}},
       {"one iteration, sweeps", "one_iteration", {}, "sweeps", {"1", "3", "5", "9", "17", "33"}, {"3", "9"}},
+      {"one iteration, float, substeps", "one_iteration", {"precision=float"}, "substeps", upTo(64), {"16"}},
       {"one iteration, theta 0.5, substeps", "one_iteration", midpoint, "substeps", upTo(64), {"4", "16"}},
+      {"one iteration, 4 substeps, theta",
+       "one_iteration",
+       {"substeps=4", "integration=theta"},
+       "theta",
+       thetas,
+       {"0.5", "0.75"}},
       {"Chebyshev, iterations", "chebyshev", {}, "iterations", {"3", "5", "9", "17", "33"}, {"9"}},
       {"Chebyshev 5, substeps", "chebyshev", {"iterations=5"}, "substeps", upTo(32), {"4"}},
       {"CG, tolerance", "pcg", {}, "tolerance", {"0.3", "0.1", "1e-2", "1e-3", "1e-5"}, {"1e-2"}},
       {"CG 1e-3, substeps", "pcg", {"tolerance=1e-3"}, "substeps", upTo(16), {"4"}},
       {"CG 1e-3, BDF2, substeps", "pcg", {"tolerance=1e-3", "integration=bdf2"}, "substeps", upTo(16), {"4"}},
+      {"CG 1e-3, theta", "pcg", {"tolerance=1e-3", "integration=theta"}, "theta", thetas, {"0.5"}},
       {"Newton, substeps", "newton", {"tolerance=1e-6"}, "substeps", upTo(16), {"1"}},
       {"Newton, theta 0.5, substeps",
        "newton",
@@ -36,9 +45,11 @@ std::vector<MethodCurve> listed() {
        "substeps",
        upTo(16),
        {"1"}},
-      {"Verlet, substeps", "verlet", {}, "substeps", upTo(256), {"1", "2", "4", "16"}},
+      {"Verlet, substeps", "verlet", {}, "substeps", upTo(1024), {"1", "2", "4", "16"}},
+      {"Verlet, float, substeps", "verlet", {"precision=float"}, "substeps", upTo(1024), {"16"}},
       {"explicit Euler, substeps", "explicit_euler", {}, "substeps", {"16", "64", "200", "800"}, {"200"}},
       {"XPBD 1, substeps", "xpbd", {"iterations=1"}, "substeps", upTo(64), {"4", "16"}},
+      {"XPBD 1, float, substeps", "xpbd", {"iterations=1", "precision=float"}, "substeps", upTo(64), {"16"}},
       {"XPBD, iterations", "xpbd", {}, "iterations", {"1", "3", "10", "30", "100"}, {"10"}},
       {"VBD 3, substeps", "vbd", {"iterations=3"}, "substeps", upTo(32), {"4"}},
       {"VBD, iterations", "vbd", {}, "iterations", {"3", "10", "30", "100"}, {"10"}},

@@ -7,12 +7,19 @@
 
 namespace drape {
 
-std::shared_ptr<const Scene> gridScene(const std::string& name, int resolution,
-                                       const std::vector<std::string>& settings) {
-  SceneDescription description = openScene(name.empty() ? "grid" : name);
+SceneDescription requireGrid(const std::string& name) {
+  SceneDescription description = openScene(name);
   if (!std::holds_alternative<GridSource>(description.source)) {
     throw InputError("the report refines its cloth, so it needs a scene with a grid; " + name + " has a mesh file");
   }
+  return description;
+}
+
+std::shared_ptr<const Scene> gridScene(const std::string& name, int resolution,
+                                       const std::vector<std::string>& settings,
+                                       const std::optional<PinSelection>& pins) {
+  SceneDescription description = requireGrid(name);
+  description.pins = pins.value_or(description.pins);
   description.settings.grid.resolution = resolution;
   for (const std::string& expression : settings) {
     assignSettingExpression(description.settings, expression);

@@ -5,8 +5,9 @@
 namespace drape {
 
 std::span<const Section> sectionTable() {
-  static const std::array table{sections::table1(), sections::growth(), sections::workPrecision(),
-                                sections::stability()};
+  static const std::array table{sections::table1(),      sections::table2(),    sections::workPrecision(),
+                                sections::whatFollows(), sections::stability(), sections::growth(),
+                                sections::threads()};
   return table;
 }
 

@@ -7,8 +7,11 @@
 namespace drape::sections {
 
 Section table1();
+Section table2();
 Section growth();
 Section workPrecision();
 Section stability();
+Section whatFollows();
+Section threads();
 
 }  // namespace drape::sections

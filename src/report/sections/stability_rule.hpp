@@ -7,7 +7,7 @@ namespace drape {
 /// What a run under gravity from rest, without damping and air, comes to. Nothing gives it energy.
 struct StabilityFigures {
   bool finite = true;
-  double energyGain = 0.0;  ///< largest rise of the total energy above the start's, in units of m g D [-]
+  double energyGain = 0.0;  ///< largest rise of the total energy above the start's after any step, in m g D [-]
   double motionKept = 1.0;  ///< of the motion of a run with small steps [-]
 };
 

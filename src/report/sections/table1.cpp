@@ -1,4 +1,5 @@
 #include "report/number_text.hpp"
+#include "report/sections/samples.hpp"
 #include "report/sections/section_scene.hpp"
 #include "report/sections/sections.hpp"
 #include "report/timing.hpp"
@@ -29,7 +30,7 @@ ReportRows measureUpdate(int resolution, const std::string& precision, const Rep
   const auto scene =
       gridScene("grid", resolution,
                 {"solver=one_iteration", "precision=" + precision, "threads=" + std::to_string(options.threads)});
-  const TimingBudget budget{.seconds = options.quick ? 0.2 : 2.0, .leastSteps = 3, .mostSteps = 5000};
+  const TimingBudget budget{.seconds = options.quick ? 0.1 : 1.0, .leastSteps = 3, .mostSteps = 5000};
   const StepTiming timing = timeSteps(*scene, scene->settings, budget, context.mayStop);
   const ClothModel& model = *scene->model;
   const double median = medianOf(timing.stepSeconds);
@@ -51,11 +52,13 @@ ReportRows measureUpdate(int resolution, const std::string& precision, const Rep
       row["paper_self_collision_ms"] = paper.selfCollision;
     }
   }
+  addSample(context.own, 0, "update_ms", row);
   return {row};
 }
 
 SectionPlan plan(const ReportOptions& options) {
   SectionPlan plan;
+  plan.rounds = options.quick ? 2 : 3;
   for (const int resolution : {17, 33, 65, 129, 257, 513, 1025}) {
     if (options.quick && resolution > 257) {
       break;
@@ -63,7 +66,7 @@ SectionPlan plan(const ReportOptions& options) {
     for (const std::string precision : {"float", "double"}) {
       const double building = 2e-5 * resolution * resolution;
       plan.cells.push_back(
-          {gridText(resolution) + " " + precision, (options.quick ? 0.2 : 2.0) + building,
+          {gridText(resolution) + " " + precision, (options.quick ? 0.1 : 1.0) + building,
            [=](const CellContext& context) { return measureUpdate(resolution, precision, options, context); }});
     }
   }

@@ -1,66 +1,37 @@
 #include "report/error_report.hpp"
 #include "report/number_text.hpp"
 #include "report/sections/method_curves.hpp"
+#include "report/sections/patience.hpp"
 #include "report/sections/section_scene.hpp"
 #include "report/sections/sections.hpp"
+#include "report/sections/work_ground.hpp"
 #include "report/sections/work_precision_view.hpp"
 #include "report/timing.hpp"
-#include "sim/error.hpp"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace drape {
 namespace {
 
-constexpr std::array judgedTimes{0.2, 0.5};  // [s]
-constexpr int checkpoints = 15;              // up to the last of these
-constexpr std::array stepsTo{30, 75};        // of 1/150 s, up to each of them
+constexpr double microseconds = 1e6;
 
-/// What all methods are held against on one cloth; made when the first of them needs it.
-class Ground {
- public:
-  Ground(ReportOptions options, int resolution, std::string stiffness)
-      : options_(std::move(options)), resolution_(resolution), stiffness_(std::move(stiffness)) {}
-
-  const Scene& scene() {
-    if (scene_ == nullptr) {
-      scene_ = gridScene(options_.scene, resolution_,
-                         {"time_step=1/150", "stiffness=" + stiffness_, "precision=double", "threads=1"});
-    }
-    return *scene_;
-  }
-
-  /// Null when small steps come to no end here.
-  const Reference* reference(const std::function<void()>& mayStop) {
-    if (!tried_) {
-      ConvergenceTolerance tolerance;
-      tolerance.absolute = options_.quick ? 1e-5 : 1e-6;
-      tolerance.mostWork = options_.quick ? 1e8 : 5e8;
-      const auto watch = [&mayStop](std::string_view, std::int64_t, std::int64_t) { mayStop(); };
-      try {
-        reference_ = std::make_unique<Reference>(
-            convergedReference(scene(), convergedSettings(scene().settings), checkpoints, tolerance, watch));
-      } catch (const InputError&) {
-        reference_ = nullptr;
-      }
-      tried_ = true;
-    }
-    return reference_.get();
-  }
-
-  [[nodiscard]] int resolution() const { return resolution_; }
-  [[nodiscard]] const std::string& stiffness() const { return stiffness_; }
-
- private:
-  ReportOptions options_;
-  int resolution_;
-  std::string stiffness_;
-  std::shared_ptr<const Scene> scene_;
-  std::unique_ptr<Reference> reference_;
-  bool tried_ = false;
+/// What a section's cells of one report may take.
+struct Limits {
+  double mostSeconds;  ///< of a run up to the last judged time; a setting that takes longer is given up [s]
+  double
+      repeatedSeconds;  ///< a run that takes longer is not repeated: what disturbs the clock does not matter then [s]
+  double timedSeconds;  ///< shorter runs are repeated so long in each round [s]
 };
+
+Limits limitsOf(bool quick) {
+  // What a quick report finds is tested, and must not hang on how busy the machine is.
+  return quick ? Limits{30.0, 0.05, 2e-3} : Limits{1.0, 0.2, 5e-3};
+}
 
 /// A method with its setting.
 struct Entry {
@@ -88,7 +59,6 @@ struct Entry {
 /// clock needs to be exact. The solver has been set up before.
 std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settings& settings, double leastSeconds,
                                                 const std::function<void()>& mayStop) {
-  constexpr double microseconds = 1e6;
   Stepper stepper(settings.solver.name);
   ClothState state = scene.start;
   stepper.step(*scene.model, settings.step, {}, state);
@@ -99,7 +69,7 @@ std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settin
     double seconds = 0.0;
     int step = 0;
     for (std::size_t k = 0; k < judgedTimes.size(); ++k) {
-      for (; step < stepsTo[k]; ++step) {
+      for (; step < stepsToJudged[k]; ++step) {
         mayStop();
         seconds += secondsOf([&] { stepper.step(*scene.model, settings.step, {}, state); });
       }
@@ -114,10 +84,10 @@ std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settin
 }
 
 /// The row of a setting at a time, before anything is known of it.
-ReportRow emptyRow(Ground& ground, const Entry& entry, const Settings& settings, double time) {
-  return {{"scene", ground.scene().description.name},
+ReportRow emptyRow(WorkGround& ground, const Entry& entry, double time) {
+  return {{"scene", ground.name()},
           {"resolution", ground.resolution()},
-          {"stiffness", settings.step.stiffness},
+          {"stiffness", ground.scene().settings.step.stiffness},
           {"time", time},
           {"method", entry.curve.method},
           {"curve", entry.curve.label},
@@ -126,69 +96,161 @@ ReportRow emptyRow(Ground& ground, const Entry& entry, const Settings& settings,
           {"samples", ReportRow::array()},
           {"error_mean", nullptr},
           {"error_rms", nullptr},
+          {"error_of_diagonal", nullptr},
+          {"error_low", nullptr},
+          {"error_high", nullptr},
+          {"seeds", 0},
           {"eps", nullptr},
           {"S", nullptr},
           {"motion_kept", nullptr},
           {"state", "no reference"},
           {"reference_difference", nullptr},
+          {"noise_floor", nullptr},
           {"trusted", false}};
 }
 
-/// Writes the errors at the row's time into it.
-void judgeRow(const Scene& scene, const Trajectory& own, const Reference& reference, const ErrorReport& report,
-              ReportRow& row) {
-  const std::array time{row["time"].get<double>()};
-  const int checkpoint = checkpointsIn(time[0]);
-  const auto summaries = summarise(*scene.model, own, reference, report, time);
-  const bool reached = own.checkpoints() >= checkpoint && !summaries.empty();
-  const ErrorSummary summary = reached ? summaries.front() : ErrorSummary{};
-  if (reached) {
-    row["error_mean"] = finiteOrNull(summary.meanError);
-    row["error_rms"] = finiteOrNull(summary.rmsError);
-    row["eps"] = finiteOrNull(summary.meanEps);
-    row["S"] = finiteOrNull(summary.meanSquaredCosine);
-    row["motion_kept"] = finiteOrNull(summary.motionKept);
+/// What a run came to at a judged time; nothing when it did not come there.
+std::optional<ErrorSummary> summaryAt(const Scene& scene, const Trajectory& own, const Reference& reference,
+                                      const ErrorReport& report, double time) {
+  const auto summaries = summarise(*scene.model, own, reference, report, std::array{time});
+  return own.checkpoints() >= checkpointsIn(time) && !summaries.empty() ? std::optional(summaries.front())
+                                                                        : std::nullopt;
+}
+
+/// A run of a setting, from the start as it is (seed 0) or a jittered one, held against the reference.
+struct JudgedRun {
+  Trajectory own;
+  ErrorReport report;
+};
+
+JudgedRun judgedRun(WorkGround& ground, const Settings& settings, const Reference& reference, int seed,
+                    const Patience& patience) {
+  const Scene& scene = seed == 0 ? ground.scene() : ground.jitteredScene(seed);
+  JudgedRun run{runTrajectory(scene, settings, judgedCheckpoints, patience.watch()), {}};
+  run.report = judge(*scene.model, settings.step, run.own, reference);
+  return run;
+}
+
+/// Writes the errors of the run from the start as it is.
+void writeErrors(const Scene& scene, const JudgedRun& run, const Reference& reference, ReportRow& row) {
+  const double time = row["time"];
+  const int checkpoint = checkpointsIn(time);
+  const auto summary = summaryAt(scene, run.own, reference, run.report, time);
+  row["state"] = stateOf(summary.has_value(), summary.value_or(ErrorSummary{}), run.report.diagonal);
+  if (summary) {
+    row["error_mean"] = finiteOrNull(summary->meanError);
+    row["error_rms"] = finiteOrNull(summary->rmsError);
+    row["error_of_diagonal"] = finiteOrNull(summary->meanError / run.report.diagonal);
+    row["eps"] = finiteOrNull(summary->meanEps);
+    row["S"] = finiteOrNull(summary->meanSquaredCosine);
+    row["motion_kept"] = finiteOrNull(summary->motionKept);
   }
-  row["state"] = stateOf(reached, summary, report.diagonal);
   if (checkpoint < static_cast<int>(reference.differences.size())) {
     row["reference_difference"] = finiteOrNull(reference.differences[static_cast<std::size_t>(checkpoint)]);
   }
   row["trusted"] = reference.trusted >= checkpoint;
 }
 
+/// Runs from jittered starts too, and writes how far the errors of all lie apart. What `error_mean` says stays that of
+/// the start as it is, which another run of the report finds again to the last bit.
+void writeSpread(WorkGround& ground, const Settings& settings, const Reference& reference, const Patience& patience,
+                 ReportRows& rows) {
+  std::vector<std::vector<double>> errors(rows.size());
+  for (int seed = 1; seed <= seedCount; ++seed) {
+    const JudgedRun run = judgedRun(ground, settings, reference, seed, patience);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const auto summary = summaryAt(ground.jitteredScene(seed), run.own, reference, run.report, rows[k]["time"]);
+      if (summary && std::isfinite(summary->meanError)) {
+        errors[k].push_back(summary->meanError);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (errors[k].size() == static_cast<std::size_t>(seedCount)) {
+      rows[k]["error_low"] = *std::min_element(errors[k].begin(), errors[k].end());
+      rows[k]["error_high"] = *std::max_element(errors[k].begin(), errors[k].end());
+      rows[k]["seeds"] = errors[k].size();
+    }
+  }
+}
+
+bool isChaotic(const ReportRows& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const ReportRow& row) {
+    return row["noise_floor"].is_null() || numberIn(row, "noise_floor") > chaoticFloor;
+  });
+}
+
 /// Errors at the judged times, without what they cost.
-ReportRows judgedRows(Ground& ground, const Entry& entry, const Settings& settings,
+ReportRows judgedRows(WorkGround& ground, const Entry& entry, const Settings& settings, const Limits& limits,
                       const std::function<void()>& mayStop) {
   ReportRows rows;
   for (const double time : judgedTimes) {
-    rows.push_back(emptyRow(ground, entry, settings, time));
+    rows.push_back(emptyRow(ground, entry, time));
   }
-  if (const Reference* reference = ground.reference(mayStop)) {
-    Watch watch;
-    watch.progress = [&mayStop](std::string_view, std::int64_t, std::int64_t) { mayStop(); };
-    const Trajectory own = runTrajectory(ground.scene(), settings, checkpoints, watch);
-    const ErrorReport report = judge(*ground.scene().model, settings.step, own, *reference);
+  const Reference* reference = ground.reference(mayStop);
+  if (reference == nullptr) {
+    return rows;
+  }
+  for (ReportRow& row : rows) {
+    row["noise_floor"] = finiteOrNull(ground.noiseFloor(checkpointsIn(row["time"]), mayStop));
+  }
+  try {
+    const Patience patience(mayStop, limits.mostSeconds);
+    const JudgedRun run = judgedRun(ground, settings, *reference, 0, patience);
+    const double spent = patience.spent();
     for (ReportRow& row : rows) {
-      judgeRow(ground.scene(), own, *reference, report, row);
+      writeErrors(ground.scene(), run, *reference, row);
+    }
+    if (isChaotic(rows) && spent < limits.repeatedSeconds) {
+      writeSpread(ground, settings, *reference, Patience(mayStop, limits.mostSeconds), rows);
+    }
+  } catch (const TooSlow&) {
+    for (ReportRow& row : rows) {
+      row["state"] = "too slow";
     }
   }
   return rows;
 }
 
-/// Whether a run took so long that what disturbs the clock does not matter, and repeats would only cost time.
-bool isLong(const ReportRows& rows) {
-  constexpr double longRun = 1e6;  // [us]
-  const ReportRow& last = rows.back();
-  return numberIn(last, "us_per_simulated_second") * numberIn(last, "time") > longRun;
+/// How long a run with the entry's setting will take as the one before on its curve lets expect [s]: in proportion to
+/// what is counted (substeps, sweeps, iterations), else as long. 0 for the first of a curve.
+double expectedSeconds(WorkGround& ground, const Entry& entry, const ReportRows& section) {
+  double seconds = 0.0;
+  for (const ReportRow& row : section) {
+    const bool before = row.value("scene", "") == ground.name() && row.value("resolution", 0) == ground.resolution() &&
+                        numberIn(row, "stiffness") == ground.scene().settings.step.stiffness &&
+                        row.value("curve", "") == entry.curve.label;
+    if (before) {
+      const bool slow = row.value("state", "") == "too slow";
+      seconds = slow ? HUGE_VAL : numberIn(row, "us_per_simulated_second") * judgedTimes.back() / microseconds;
+    }
+  }
+  const auto& values = entry.curve.values;
+  const auto place = std::find(values.begin(), values.end(), entry.value);
+  const bool counted =
+      entry.curve.varied == "substeps" || entry.curve.varied == "sweeps" || entry.curve.varied == "iterations";
+  const bool first = place == values.begin() || place == values.end();
+  const double growth = counted && !first ? std::stod(*place) / std::stod(*(place - 1)) : 1.0;
+  return growth * seconds;
 }
 
-ReportRows measureEntry(Ground& ground, const Entry& entry, bool quick, const CellContext& context) {
+ReportRows measureEntry(WorkGround& ground, const Entry& entry, bool quick, const CellContext& context) {
+  const Limits limits = limitsOf(quick);
   const Settings settings = changedSettings(ground.scene(), entry.assignments());
-  ReportRows rows = context.own.empty() ? judgedRows(ground, entry, settings, context.mayStop) : context.own;
-  if (isLong(rows)) {
+  ReportRows rows = context.own;
+  if (rows.empty() && expectedSeconds(ground, entry, context.section) > limits.mostSeconds) {
+    for (const double time : judgedTimes) {
+      rows.push_back(emptyRow(ground, entry, time));
+      rows.back()["state"] = "too slow";
+    }
+  } else if (rows.empty()) {
+    rows = judgedRows(ground, entry, settings, limits, context.mayStop);
+  }
+  const double last = numberIn(rows.back(), "us_per_simulated_second") * judgedTimes.back() / microseconds;
+  if (rows.back()["state"] == "too slow" || last > limits.repeatedSeconds) {
     return rows;
   }
-  const auto times = timedRun(ground.scene(), settings, quick ? 2e-3 : 2e-2, context.mayStop);
+  const auto times = timedRun(ground.scene(), settings, limits.timedSeconds, context.mayStop);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     rows[k]["samples"].push_back(times.at(k));
     rows[k]["us_per_simulated_second"] = medianOf(rows[k]["samples"].get<std::vector<double>>());
@@ -196,25 +258,61 @@ ReportRows measureEntry(Ground& ground, const Entry& entry, bool quick, const Ce
   return rows;
 }
 
+/// A cloth of the plan.
+struct GroundPlan {
+  int resolution;
+  std::string stiffness;
+  bool fastMethods = false;  ///< those alone that run by vector instructions
+};
+
+/// The cloths of a set-up. A quick report has few, and only the first with all methods.
+std::vector<GroundPlan> groundsOf(std::size_t setUp, bool quick) {
+  constexpr std::size_t twist = 3;
+  if (quick) {
+    return setUp == 0       ? std::vector<GroundPlan>{{17, "10"}, {17, "1e5", true}}
+           : setUp == twist ? std::vector<GroundPlan>{{17, "10", true}}
+                            : std::vector<GroundPlan>{};
+  }
+  std::vector<GroundPlan> grounds;
+  for (const int resolution : {17, 33, 65}) {
+    for (const char* stiffness : {"10", "1000", "1e5"}) {
+      grounds.push_back({resolution, stiffness});
+    }
+  }
+  return grounds;
+}
+
+/// Whether its solver has vector instructions: it has numbers of two precisions then.
+bool isFast(const MethodCurve& curve) {
+  const SolverInfo* solver = findSolver(curve.method);
+  const auto isPrecision = [](std::string_view setting) { return setting == "precision"; };
+  return solver != nullptr && std::any_of(solver->settings.begin(), solver->settings.end(), isPrecision);
+}
+
+void addCells(const std::shared_ptr<WorkGround>& ground, bool quick, bool fastMethods, std::vector<Cell>& cells) {
+  const std::string cloth = ground->name() + " " + gridText(ground->resolution()) + " " + ground->stiffness() + " N/m";
+  // About what a run takes: springs times steps.
+  const double weight = quick ? 0.03 : 0.05 + 2e-5 * ground->resolution() * ground->resolution();
+  for (const MethodCurve& curve : methodCurves()) {
+    if (fastMethods && !isFast(curve)) {
+      continue;
+    }
+    for (const std::string& value : quick ? curve.quick : curve.values) {
+      const Entry entry{curve, value};
+      cells.push_back({cloth + ", " + curve.method + " " + entry.setting(), weight,
+                       [=](const CellContext& context) { return measureEntry(*ground, entry, quick, context); }});
+    }
+  }
+}
+
 SectionPlan plan(const ReportOptions& options) {
   SectionPlan plan;
-  plan.rounds = options.quick ? 3 : 5;
-  const std::vector<int> sizes = options.quick ? std::vector{17} : std::vector{17, 33};
-  const std::vector<std::string> stiffnesses =
-      options.quick ? std::vector<std::string>{"10"} : std::vector<std::string>{"10", "1000"};
-  for (const int resolution : sizes) {
-    for (const std::string& stiffness : stiffnesses) {
-      const auto ground = std::make_shared<Ground>(options, resolution, stiffness);
-      for (const MethodCurve& curve : methodCurves()) {
-        for (const std::string& value : options.quick ? curve.quick : curve.values) {
-          const Entry entry{curve, value};
-          plan.cells.push_back(
-              {gridText(resolution) + " " + stiffness + " N/m, " + curve.method + " " + entry.setting(),
-               options.quick ? 0.1 : 0.3, [=, quick = options.quick](const CellContext& context) {
-                 return measureEntry(*ground, entry, quick, context);
-               }});
-        }
-      }
+  plan.rounds = 3;
+  const std::vector<SetUp> setUps = comparedSetUps(options.scene);
+  for (std::size_t i = 0; i < setUps.size(); ++i) {
+    for (const GroundPlan& ground : groundsOf(i, options.quick)) {
+      addCells(std::make_shared<WorkGround>(setUps[i], ground.resolution, ground.stiffness, options.quick),
+               options.quick, ground.fastMethods, plan.cells);
     }
   }
   return plan;

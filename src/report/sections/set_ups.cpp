@@ -1,0 +1,113 @@
+#include "report/sections/set_ups.hpp"
+
+#include "report/sections/section_scene.hpp"
+#include "scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <utility>
+
+namespace drape {
+namespace {
+
+/// A bend out of the plane, of a fiftieth of the length in the middle and uneven, so that a cloth that has to give way
+/// knows to which side; without it the first rounding errors would decide. `along` runs between the held edges,
+/// `across` along them.
+double bend(double along, double across, double length) {
+  return 0.02 * length * std::cos(std::numbers::pi * along / length) * (1.0 + 0.3 * across / length);
+}
+
+/// A sheet between two edges that stand too near to each other.
+Vec3 crushed(const Vec3& rest, double length) {
+  return {0.95 * rest.x(), rest.y() + bend(rest.x(), rest.z(), length), rest.z()};
+}
+
+/// A sheet that stood in the plane z = 0, its upper edge turned by an eighth against the lower one, about the axis
+/// between their middles.
+Vec3 twisted(const Vec3& standing, double length) {
+  const Eigen::AngleAxisd turn(0.25 * std::numbers::pi * (standing.y() / length + 0.5), -Vec3::UnitY());
+  return turn * Vec3(standing.x(), standing.y(), bend(standing.y(), standing.x(), length));
+}
+
+std::vector<SetUp> ownSetUps() {
+  SetUp hang{"hang", "a flat sheet that falls from two held corners (the scene grid)", "grid"};
+  SetUp flag{"flag", "a flag in the wind, with damping, drag and lift (the scene flag)", "flag"};
+  SetUp crush{"crush", "a horizontal sheet, slightly bent, whose two held edges stand at 0.95 of its width", "grid"};
+  crush.edges = {"left", "right"};
+  crush.place = crushed;
+  SetUp twist{"twist",
+              "an upright sheet, slightly bent, held at its upper and lower edge, these turned against each other by "
+              "45 degrees",
+              "grid"};
+  twist.edges = {"top", "bottom"};
+  twist.place = [](const Vec3& rest, double length) {
+    // The sheet of the scene lies; here it stands, its back edge up.
+    return twisted({rest.x(), -rest.z(), 0.0}, length);
+  };
+  return {hang, flag, crush, twist};
+}
+
+Vec3 barycentreOf(const std::vector<Vec3>& positions) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& position : positions) {
+    sum += position;
+  }
+  return sum / static_cast<double>(positions.size());
+}
+
+}  // namespace
+
+std::shared_ptr<const Scene> buildSetUp(const SetUp& setUp, int resolution, const std::vector<std::string>& settings) {
+  std::vector<std::string> all = setUp.settings;
+  all.insert(all.end(), settings.begin(), settings.end());
+  PinSelection pins;
+  pins.corners = setUp.corners;
+  pins.edges = setUp.edges;
+  const bool ownPins = !pins.corners.empty() || !pins.edges.empty();
+  const auto scene = ownPins ? gridScene(setUp.scene, resolution, all, pins) : gridScene(setUp.scene, resolution, all);
+  if (setUp.place == nullptr) {
+    return scene;
+  }
+  const Settings::Grid& grid = scene->settings.grid;
+  const double length = std::max(grid.width, grid.height);
+  const Vec3 middle = barycentreOf(scene->model->restPositions);
+  ClothState start = scene->start;
+  std::transform(scene->model->restPositions.begin(), scene->model->restPositions.end(), start.positions.begin(),
+                 [&](const Vec3& rest) -> Vec3 { return middle + setUp.place(rest - middle, length); });
+  return startedFrom(*scene, std::move(start));
+}
+
+std::shared_ptr<const Scene> startedFrom(const Scene& scene, ClothState start) {
+  auto changed = std::make_shared<Scene>(scene);
+  changed->start = std::move(start);
+  return changed;
+}
+
+std::shared_ptr<const Scene> jittered(const Scene& scene, double most, unsigned seed) {
+  // The engine's numbers are the same everywhere, which those of the library's distributions are not.
+  std::mt19937 random(seed);
+  const auto offset = [&] { return most * (2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0); };
+  ClothState start = scene.start;
+  for (std::size_t v = 0; v < start.positions.size(); ++v) {
+    const Vec3 move(offset(), offset(), offset());
+    start.positions[v] += scene.model->pinned[v] ? Vec3::Zero() : move;
+  }
+  return startedFrom(scene, std::move(start));
+}
+
+std::vector<SetUp> comparedSetUps(const std::string& name) {
+  std::vector<SetUp> own = ownSetUps();
+  if (name.empty()) {
+    return own;
+  }
+  const auto found = std::find_if(own.begin(), own.end(), [&](const SetUp& setUp) { return setUp.name == name; });
+  if (found != own.end()) {
+    return {*found};
+  }
+  requireGrid(name);
+  return {SetUp{name, "the scene " + name, name}};
+}
+
+}  // namespace drape

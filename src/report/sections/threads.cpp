@@ -1,0 +1,125 @@
+#include "report/number_text.hpp"
+#include "report/sections/samples.hpp"
+#include "report/sections/section_scene.hpp"
+#include "report/sections/sections.hpp"
+#include "report/timing.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <thread>
+
+namespace drape {
+namespace {
+
+constexpr double microseconds = 1e6;
+
+/// 1, 2, 4 ... up to the processors of the machine, and these; at least 1 and 2.
+std::vector<int> threadCounts() {
+  const int cores = std::max(2, static_cast<int>(std::thread::hardware_concurrency()));
+  std::vector<int> counts;
+  for (int count = 1; count < cores; count *= 2) {
+    counts.push_back(count);
+  }
+  counts.push_back(cores);
+  return counts;
+}
+
+ReportRows measureThreads(const std::string& method, int resolution, int threads, bool quick,
+                          const CellContext& context) {
+  const auto scene =
+      gridScene("grid", resolution, {"solver=" + method, "precision=float", "threads=" + std::to_string(threads)});
+  Settings settings = scene->settings;
+  const TimingBudget budget{.seconds = quick ? 0.03 : 0.2, .leastSteps = 3, .mostSteps = 2000};
+  const StepTiming timing = timeSteps(*scene, settings, budget, context.mayStop);
+  ReportRow row{{"method", method},
+                {"resolution", resolution},
+                {"vertices", scene->model->vertexCount()},
+                {"threads", threads},
+                {"step_us", finiteOrNull(microseconds * medianOf(timing.stepSeconds))},
+                {"finite", timing.finite}};
+  addSample(context.own, 0, "step_us", row);
+  return {row};
+}
+
+SectionPlan plan(const ReportOptions& options) {
+  SectionPlan plan;
+  plan.rounds = options.quick ? 2 : 3;
+  const std::vector<int> sizes = options.quick ? std::vector{33, 129} : std::vector{17, 33, 65, 129, 257, 513};
+  for (const char* method : {"one_iteration", "xpbd"}) {
+    for (const int resolution : sizes) {
+      for (const int threads : threadCounts()) {
+        plan.cells.push_back({std::string(method) + " " + gridText(resolution) + " " + std::to_string(threads),
+                              (options.quick ? 0.04 : 0.25) + 4e-6 * resolution * resolution,
+                              [=, quick = options.quick](const CellContext& context) {
+                                return measureThreads(method, resolution, threads, quick, context);
+                              }});
+      }
+    }
+  }
+  return plan;
+}
+
+/// The time with one thread of the row's method and size; not a number when there is none.
+double aloneTime(const ReportRows& rows, const ReportRow& like) {
+  for (const ReportRow& row : rows) {
+    if (row["method"] == like["method"] && row["resolution"] == like["resolution"] && row.value("threads", 0) == 1) {
+      return numberIn(row, "step_us");
+    }
+  }
+  return numberIn({}, "");
+}
+
+/// Curves of one method: over the size a curve for each number of threads, or over the threads one for each size.
+Plot plotOf(const ReportRows& rows, const std::string& method, bool overSize) {
+  Plot plot{"threads-" + method + (overSize ? "-time" : "-speedup"),
+            method + (overSize ? ": time of a step" : ": how many times as fast as with one thread"),
+            {overSize ? "vertices" : "threads", overSize ? Scale::Logarithmic : Scale::Linear},
+            {overSize ? "us" : "speed-up", overSize ? Scale::Logarithmic : Scale::Linear},
+            {}};
+  std::map<int, std::size_t> places;
+  for (const ReportRow& row : rows) {
+    if (row.value("method", "") != method) {
+      continue;
+    }
+    const int key = row.value(overSize ? "threads" : "resolution", 0);
+    const auto [place, isNew] = places.emplace(key, plot.curves.size());
+    if (isNew) {
+      plot.curves.push_back({overSize ? std::to_string(key) + (key == 1 ? " thread" : " threads") : gridText(key), {}});
+    }
+    const double time = numberIn(row, "step_us");
+    plot.curves[place->second].points.push_back(overSize
+                                                    ? PlotPoint{numberIn(row, "vertices"), time}
+                                                    : PlotPoint{numberIn(row, "threads"), aloneTime(rows, row) / time});
+  }
+  return plot;
+}
+
+std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
+  std::vector<Block> blocks;
+  blocks.emplace_back(Paragraph{
+      "Time of a step of 1/150 s on the scene 'grid' in float, by the wall clock, against the number of threads. The "
+      "result is the same to the last bit whatever their number. Threads that wait for each other can only be timed on "
+      "an idle machine."});
+  std::set<std::string> methods;
+  TextTable table{"Times", {"method", "grid", "threads", "step [us]", "speed-up"}, {}};
+  for (const ReportRow& row : rows) {
+    methods.insert(row.value("method", ""));
+    table.rows.push_back({row.value("method", ""), gridText(row.value("resolution", 0)), figure(row, "threads"),
+                          figure(row, "step_us"), figure(aloneTime(rows, row) / numberIn(row, "step_us"))});
+  }
+  for (const std::string& method : methods) {
+    blocks.emplace_back(plotOf(rows, method, true));
+    blocks.emplace_back(plotOf(rows, method, false));
+  }
+  blocks.emplace_back(table);
+  return blocks;
+}
+
+}  // namespace
+
+Section sections::threads() {
+  return {"threads", "Threads and size", plan, show};
+}
+
+}  // namespace drape

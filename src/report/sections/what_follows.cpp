@@ -1,0 +1,199 @@
+#include "report/number_text.hpp"
+#include "report/sections/sections.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+namespace drape {
+namespace {
+
+/// Shares of the cloth's diagonal that an error may have [-].
+constexpr std::array shares{1e-2, 1e-3, 1e-4};
+/// A frame of the screen [s], and what is to be spent on it [us].
+constexpr double frame = 1.0 / 60.0;
+constexpr double budget = 1000.0;
+/// What that is for a simulated second [us].
+constexpr double budgetOfSecond = budget / frame;
+
+/// A cloth at a time.
+using Setup = std::tuple<std::string, int, double, double>;
+
+Setup setupOf(const ReportRow& row) {
+  return {row.value("scene", ""), row.value("resolution", 0), numberIn(row, "stiffness"), numberIn(row, "time")};
+}
+
+ReportRow rowFor(const ReportRow& like, const char* question) {
+  ReportRow row;
+  for (const char* key : {"scene", "resolution", "stiffness", "time"}) {
+    row[key] = like[key];
+  }
+  row["question"] = question;
+  return row;
+}
+
+void answer(ReportRow& row, const ReportRow* by) {
+  for (const char* key : {"method", "setting", "us_per_simulated_second", "error_mean", "error_of_diagonal"}) {
+    row[key] = by == nullptr ? ReportRow(nullptr) : (*by)[key];
+  }
+}
+
+bool isJudged(const ReportRow& row) {
+  return row.value("state", "") == "calm" && row["us_per_simulated_second"].is_number() &&
+         row["error_of_diagonal"].is_number();
+}
+
+/// Of a cloth's rows the cheapest one with at most that error; null when there is none.
+const ReportRow* cheapest(const ReportRows& rows, double share) {
+  const ReportRow* best = nullptr;
+  for (const ReportRow& row : rows) {
+    const bool fits = isJudged(row) && numberIn(row, "error_of_diagonal") < share;
+    if (fits &&
+        (best == nullptr || numberIn(row, "us_per_simulated_second") < numberIn(*best, "us_per_simulated_second"))) {
+      best = &row;
+    }
+  }
+  return best;
+}
+
+/// Of a cloth's rows of a method the one with the least error within the budget; null when there is none.
+const ReportRow* bestWithin(const ReportRows& rows, const std::string& method) {
+  const ReportRow* best = nullptr;
+  for (const ReportRow& row : rows) {
+    const bool fits = isJudged(row) && row.value("method", "") == method &&
+                      numberIn(row, "us_per_simulated_second") <= budgetOfSecond;
+    if (fits && (best == nullptr || numberIn(row, "error_of_diagonal") < numberIn(*best, "error_of_diagonal"))) {
+      best = &row;
+    }
+  }
+  return best;
+}
+
+std::vector<std::string> methodsIn(const ReportRows& rows) {
+  std::vector<std::string> methods;
+  for (const ReportRow& row : rows) {
+    const std::string method = row.value("method", "");
+    if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
+      methods.push_back(method);
+    }
+  }
+  return methods;
+}
+
+ReportRows derive(const SectionRows& all) {
+  const auto found = all.find("work_precision");
+  std::map<Setup, ReportRows> setups;
+  for (const ReportRow& row : found == all.end() ? ReportRows() : found->second) {
+    setups[setupOf(row)].push_back(row);
+  }
+  ReportRows answers;
+  for (const auto& [setup, rows] : setups) {
+    for (const double share : shares) {
+      ReportRow row = rowFor(rows.front(), "cheapest");
+      row["share"] = share;
+      answer(row, cheapest(rows, share));
+      answers.push_back(row);
+    }
+    for (const std::string& method : methodsIn(rows)) {
+      ReportRow row = rowFor(rows.front(), "budget");
+      answer(row, bestWithin(rows, method));
+      row["method"] = method;
+      answers.push_back(row);
+    }
+  }
+  return answers;
+}
+
+std::string clothOf(const ReportRow& row) {
+  return row.value("scene", "") + ", " + gridText(row.value("resolution", 0)) + ", " + figure(row, "stiffness", 6) +
+         " N/m, " + figure(row, "time") + " s";
+}
+
+std::string cheapestText(const ReportRow& row) {
+  if (row["setting"].is_null()) {
+    return "none";
+  }
+  return row.value("method", "") + " " + row.value("setting", "") + " (" + figure(row, "us_per_simulated_second") +
+         " us)";
+}
+
+TextTable cheapestTable(const ReportRows& rows) {
+  TextTable table{"Cheapest setting, with its time for a simulated second",
+                  {"cloth", "error under 1 %", "under 0.1 %", "under 0.01 %"},
+                  {}};
+  for (const ReportRow& row : rows) {
+    if (row.value("question", "") == "cheapest") {
+      if (numberIn(row, "share") == shares.front()) {
+        table.rows.push_back({clothOf(row)});
+      }
+      table.rows.back().push_back(cheapestText(row));
+    }
+  }
+  return table;
+}
+
+/// A cloth a row, a method a column.
+TextTable budgetTable(const ReportRows& rows) {
+  ReportRows asked;
+  for (const ReportRow& row : rows) {
+    if (row.value("question", "") == "budget") {
+      asked.push_back(row);
+    }
+  }
+  const std::vector<std::string> methods = methodsIn(asked);
+  TextTable table{"Least error for 1 ms a frame [% of the diagonal]", {"cloth"}, {}};
+  table.header.insert(table.header.end(), methods.begin(), methods.end());
+  std::map<Setup, std::map<std::string, std::string>> errors;
+  std::map<Setup, std::string> names;
+  for (const ReportRow& row : asked) {
+    constexpr double percent = 100.0;
+    errors[setupOf(row)][row.value("method", "")] = figure(percent * numberIn(row, "error_of_diagonal"), 2);
+    names[setupOf(row)] = clothOf(row);
+  }
+  for (auto& [setup, own] : errors) {
+    table.rows.push_back({names[setup]});
+    for (const std::string& method : methods) {
+      table.rows.back().push_back(own[method]);
+    }
+  }
+  return table;
+}
+
+/// How often each method is the cheapest at one of the shares.
+std::string winnersText(const ReportRows& rows) {
+  std::map<std::string, int> wins;
+  int asked = 0;
+  for (const ReportRow& row : rows) {
+    if (row.value("question", "") == "cheapest") {
+      ++asked;
+      wins[row["method"].is_null() ? "nobody" : row.value("method", "")] += 1;
+    }
+  }
+  std::string text = "Of these " + std::to_string(asked) + " places";
+  for (const auto& [method, count] : wins) {
+    text += (method == wins.begin()->first ? " " : ", ") + std::to_string(count) + " go to " + method;
+  }
+  return text + ".";
+}
+
+std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
+  std::vector<Block> blocks;
+  blocks.emplace_back(Paragraph{
+      "Computed from the section before, over the settings that were calm there. Errors are mean distances from the "
+      "converged motion at the time named, as a share of the cloth's diagonal. A frame is 1/60 s, so a millisecond a "
+      "frame is " +
+      figure(budgetOfSecond) + " us for a simulated second."});
+  blocks.emplace_back(cheapestTable(rows));
+  blocks.emplace_back(Paragraph{winnersText(rows)});
+  blocks.emplace_back(budgetTable(rows));
+  return blocks;
+}
+
+}  // namespace
+
+Section sections::whatFollows() {
+  return {"what_follows", "What follows", nullptr, show, derive};
+}
+
+}  // namespace drape

@@ -1,0 +1,95 @@
+#include "report/sections/work_ground.hpp"
+
+#include "sim/error.hpp"
+#include "sim/measures.hpp"
+
+#include <limits>
+
+namespace drape {
+namespace {
+
+/// The longest run that the search for the reference may begin, in springs times steps: a second or some of them.
+double mostWork(int resolution, bool quick) {
+  constexpr int small = 17;
+  constexpr int large = 33;
+  if (quick) {
+    return 1e8;
+  }
+  return resolution <= small ? 2e8 : resolution <= large ? 1e9 : 2.5e9;
+}
+
+Watch watchOf(const std::function<void()>& mayStop) {
+  Watch watch;
+  watch.progress = [&mayStop](std::string_view, std::int64_t, std::int64_t) { mayStop(); };
+  return watch;
+}
+
+}  // namespace
+
+const Scene& WorkGround::scene() {
+  if (scene_ == nullptr) {
+    scene_ = buildSetUp(setUp_, resolution_,
+                        {"time_step=1/150", "substeps=1", "stiffness=" + stiffness_, "precision=double", "threads=1"});
+  }
+  return *scene_;
+}
+
+const Scene& WorkGround::jitteredScene(int seed) {
+  auto& scene = jittered_.at(static_cast<std::size_t>(seed) - 1);
+  if (scene == nullptr) {
+    scene = jittered(this->scene(), jitterLength, static_cast<unsigned>(seed));
+  }
+  return *scene;
+}
+
+const Reference* WorkGround::reference(const std::function<void()>& mayStop) {
+  if (!tried_) {
+    findReference(mayStop);
+    tried_ = true;
+  }
+  return reference_ ? &*reference_ : nullptr;
+}
+
+double WorkGround::noiseFloor(int checkpoint, const std::function<void()>& mayStop) {
+  if (reference(mayStop) == nullptr) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  if (floor_.empty()) {
+    findFloor(mayStop);
+  }
+  const auto k = static_cast<std::size_t>(checkpoint);
+  return k < floor_.size() ? floor_[k] : std::numeric_limits<double>::infinity();
+}
+
+void WorkGround::findReference(const std::function<void()>& mayStop) {
+  ConvergenceTolerance tolerance;
+  tolerance.absolute = quick_ ? 1e-5 : 1e-6;
+  tolerance.mostWork = mostWork(resolution_, quick_);
+  try {
+    reference_ = convergedReference(scene(), convergedSettings(scene().settings), judgedCheckpoints, tolerance,
+                                    watchOf(mayStop).progress);
+  } catch (const InputError&) {
+    reference_.reset();
+  }
+}
+
+void WorkGround::findFloor(const std::function<void()>& mayStop) {
+  // How far jitter carries is a matter of the motion and not of the last digit, so that the halving's first step will
+  // do.
+  Settings settings = reference_->settings;
+  for (std::size_t i = 0; i < reference_->halvings.size(); ++i) {
+    settings.step.timeStep *= 2.0;
+  }
+  const Watch watch = watchOf(mayStop);
+  const Trajectory still = runTrajectory(scene(), settings, judgedCheckpoints, watch);
+  floor_.assign(still.states.size(), 0.0);
+  for (int seed = 1; seed <= seedCount; ++seed) {
+    const Trajectory moved = runTrajectory(jitteredScene(seed), settings, judgedCheckpoints, watch);
+    floor_.resize(std::min(floor_.size(), moved.states.size()));
+    for (std::size_t k = 0; k < floor_.size(); ++k) {
+      floor_[k] += meanDistance(still.states[k].positions, moved.states[k].positions) / seedCount;
+    }
+  }
+}
+
+}  // namespace drape
