@@ -26,6 +26,9 @@ div.wide { overflow-x: auto; }
   h2 { break-before: page; }
   figure, tr { break-inside: avoid; }
   div.wide { overflow: visible; }
+  table { font-size: 8px; }
+  th, td { padding: 0.1rem 0.25rem; }
+  svg.drape { max-height: 11cm; }
 }
 )";
 

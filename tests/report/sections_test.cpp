@@ -1,8 +1,10 @@
 #include "report/sections/method_curves.hpp"
 #include "report/sections/pareto.hpp"
+#include "report/sections/section_scene.hpp"
 #include "report/sections/stability_rule.hpp"
 #include "report/sections/work_precision_view.hpp"
 #include "sim/solver.hpp"
+#include "small_grid.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -59,6 +61,19 @@ TEST(MethodCurves, haveEverySolver) {
     EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [&](const MethodCurve& c) {
       return c.method == solver.name;
     })) << solver.name;
+  }
+}
+
+TEST(MethodCurves, haveSettingsThatCanBeSet) {
+  const auto scene = testing::smallGrid();
+  for (const MethodCurve& curve : methodCurves()) {
+    std::vector<std::string> values = curve.values;
+    values.insert(values.end(), curve.quick.begin(), curve.quick.end());
+    for (const std::string& value : values) {
+      std::vector<std::string> all{"solver=" + curve.method, curve.varied + "=" + value};
+      all.insert(all.end(), curve.fixed.begin(), curve.fixed.end());
+      EXPECT_NO_THROW((void)changedSettings(*scene, all)) << curve.label << " " << value;
+    }
   }
 }
 

@@ -1,7 +1,5 @@
 #include "report/sections/method_curves.hpp"
 
-#include "sim/solver.hpp"
-
 #include <algorithm>
 
 namespace drape {
@@ -20,6 +18,9 @@ Words upTo(int most) {
 /// All steps are of 1/150 s, so that substeps are what a shorter step is elsewhere.
 std::vector<MethodCurve> listed() {
   const Words midpoint{"integration=theta", "theta=0.5"};
+  // Stiff and fine cloth wants as many as there can be.
+  Words many = upTo(512);
+  many.emplace_back("1000");
   const Words thetas{"1", "0.75", "0.6", "0.55", "0.5"};
   return {
       {"one iteration, substeps", "one_iteration", {}, "substeps", upTo(64), {"1", "4", "16"}},
@@ -45,8 +46,8 @@ std::vector<MethodCurve> listed() {
        "substeps",
        upTo(16),
        {"1"}},
-      {"Verlet, substeps", "verlet", {}, "substeps", upTo(1024), {"1", "2", "4", "16"}},
-      {"Verlet, float, substeps", "verlet", {"precision=float"}, "substeps", upTo(1024), {"16"}},
+      {"Verlet, substeps", "verlet", {}, "substeps", many, {"1", "2", "4", "16"}},
+      {"Verlet, float, substeps", "verlet", {"precision=float"}, "substeps", many, {"16"}},
       {"explicit Euler, substeps", "explicit_euler", {}, "substeps", {"16", "64", "200", "800"}, {"200"}},
       {"XPBD 1, substeps", "xpbd", {"iterations=1"}, "substeps", upTo(64), {"4", "16"}},
       {"XPBD 1, float, substeps", "xpbd", {"iterations=1", "precision=float"}, "substeps", upTo(64), {"16"}},
@@ -59,6 +60,10 @@ std::vector<MethodCurve> listed() {
 }
 
 }  // namespace
+
+bool hasVectorLoops(const SolverInfo& solver) {
+  return std::find(solver.settings.begin(), solver.settings.end(), "precision") != solver.settings.end();
+}
 
 std::vector<MethodCurve> methodCurves() {
   std::vector<MethodCurve> curves = listed();

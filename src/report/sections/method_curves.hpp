@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/solver.hpp"
+
 #include <string>
 #include <vector>
 
@@ -17,5 +19,8 @@ struct MethodCurve {
 
 /// Every solver is in it: one that is not listed by hand has its substeps varied.
 [[nodiscard]] std::vector<MethodCurve> methodCurves();
+
+/// Whether it has loops of vector instructions: numbers of two precisions are offered then.
+[[nodiscard]] bool hasVectorLoops(const SolverInfo& solver);
 
 }  // namespace drape

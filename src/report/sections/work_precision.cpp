@@ -282,19 +282,13 @@ std::vector<GroundPlan> groundsOf(std::size_t setUp, bool quick) {
   return grounds;
 }
 
-/// Whether its solver has vector instructions: it has numbers of two precisions then.
-bool isFast(const MethodCurve& curve) {
-  const SolverInfo* solver = findSolver(curve.method);
-  const auto isPrecision = [](std::string_view setting) { return setting == "precision"; };
-  return solver != nullptr && std::any_of(solver->settings.begin(), solver->settings.end(), isPrecision);
-}
-
 void addCells(const std::shared_ptr<WorkGround>& ground, bool quick, bool fastMethods, std::vector<Cell>& cells) {
   const std::string cloth = ground->name() + " " + gridText(ground->resolution()) + " " + ground->stiffness() + " N/m";
   // About what a run takes: springs times steps.
   const double weight = quick ? 0.03 : 0.05 + 2e-5 * ground->resolution() * ground->resolution();
   for (const MethodCurve& curve : methodCurves()) {
-    if (fastMethods && !isFast(curve)) {
+    if (const SolverInfo* solver = findSolver(curve.method);
+        fastMethods && (solver == nullptr || !hasVectorLoops(*solver))) {
       continue;
     }
     for (const std::string& value : quick ? curve.quick : curve.values) {

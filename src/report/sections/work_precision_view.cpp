@@ -1,6 +1,7 @@
 #include "report/sections/work_precision_view.hpp"
 
 #include "report/number_text.hpp"
+#include "report/sections/method_curves.hpp"
 #include "report/sections/pareto.hpp"
 #include "report/sections/set_ups.hpp"
 
@@ -126,6 +127,17 @@ TextTable tableOf(const std::string& title, const ReportRows& rows) {
   return table;
 }
 
+/// The solvers that have vector instructions, by name.
+std::string fastMethods() {
+  std::string names;
+  for (const SolverInfo& solver : solverTable()) {
+    if (hasVectorLoops(solver)) {
+      names += (names.empty() ? "" : ", ") + std::string(solver.name);
+    }
+  }
+  return names;
+}
+
 std::string referenceText(const ReportRows& rows) {
   const ReportRow& row = rows.front();
   if (row.value("state", "") == "no reference") {
@@ -157,20 +169,22 @@ std::string stateOf(bool finite, const ErrorSummary& summary, double diagonal) {
 std::vector<Block> showWorkPrecision(const ReportOptions& options, const ReportRows& rows) {
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      "Mean distance from the converged motion against the time that one thread needs for a simulated second, "
-      "steps of 1/150 s, in double where the curve's name does not say float, the set-up of the solver apart (it is in "
-      "the section on growth). Times are medians of repeats that alternate between the methods. A hollow mark is "
-      "frozen: it kept less than half of the reference's motion. A cross at the upper edge exploded: it was not "
-      "finite, "
-      "moved more than twice as much as the reference, or went further from it than the cloth is long. One iteration, "
-      "Chebyshev, Verlet and XPBD in float run by vector instructions; the others, XPBD in double among them, by plain "
-      "loops over the same springs."});
+      "Mean distance from the converged motion against the time that one thread needs for a simulated second, steps of "
+      "1/150 s, in double where the curve's name does not say float, the set-up of the solver apart (it is in the "
+      "section on growth). Times are medians of repeats that alternate between the methods. A hollow mark is frozen: "
+      "it "
+      "kept less than half of the reference's motion. A cross at the upper edge exploded: it was not finite, moved "
+      "more "
+      "than twice as much as the reference, or went further from it than the cloth is long. By vector instructions "
+      "run " +
+      fastMethods() + "; XPBD by them in float alone; the others by plain loops over the same springs."});
   blocks.emplace_back(Paragraph{
       "Where jitter of the start by up to 0.001 mm grows a hundredfold, the motion is chaotic: each setting is then "
-      "run from five jittered starts too, and a band reaches from the least error of these to the largest. The dashed "
-      "line is how far jitter alone carries the converged motion; errors below it mean nothing. Settings that would "
-      "take "
-      "too long are left out, and the curve ends."});
+      "run "
+      "from five jittered starts too, and a band reaches from the least error of these to the largest. The dashed line "
+      "is how far jitter alone carries the converged motion; errors below it mean nothing. Settings that would take "
+      "too "
+      "long are left out, and the curve ends."});
   std::string scenes = "The scenes:";
   for (const SetUp& setUp : comparedSetUps(options.scene)) {
     scenes += (scenes.ends_with(':') ? " '" : "; '") + setUp.name + "' is " + setUp.help;
