@@ -135,9 +135,12 @@ std::vector<double> massesOf(const ClothModel& model, double totalMass, MassLump
 }
 
 /// The fastest local motion that the rest shape allows: a vertex whose neighbours move against it feels the stiffness
-/// 2 sum_j k d d^T, so omega_i^2 = 2 lambda_max(sum_j k d d^T) / m_i.
+/// 2 sum_j k_ij d d^T, so omega_i^2 = 2 lambda_max(sum_j k_ij d d^T) / m_i.
 void findRates(ClothModel& model) {
   model.unitFrequency = 0.0;
+  model.stiffestSpring =
+      std::accumulate(model.springs.begin(), model.springs.end(), model.springs.empty() ? 1.0 : 0.0,
+                      [](double most, const Spring& spring) { return std::max(most, spring.relativeStiffness); });
   model.unitDampingRate = 0.0;
   for (std::size_t i = 0; i < model.restPositions.size(); ++i) {
     if (model.pinned[i]) {
@@ -147,15 +150,24 @@ void findRates(ClothModel& model) {
     const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
     const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
     for (std::size_t e = begin; e < end; ++e) {
-      const auto j = static_cast<std::size_t>(model.springEnds.values[e].neighbour);
-      const Vec3 offset = model.restPositions[j] - model.restPositions[i];
-      stiffness += offset * offset.transpose() / std::max(offset.squaredNorm(), std::numeric_limits<double>::min());
+      const SpringEnd& springEnd = model.springEnds.values[e];
+      const Vec3 offset = model.restPositions[static_cast<std::size_t>(springEnd.neighbour)] - model.restPositions[i];
+      const double relative = model.springs[static_cast<std::size_t>(springEnd.spring)].relativeStiffness;
+      stiffness +=
+          offset * offset.transpose() * (relative / std::max(offset.squaredNorm(), std::numeric_limits<double>::min()));
     }
     const double largest =
         Eigen::SelfAdjointEigenSolver<Mat3>().computeDirect(stiffness, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
     const double mass = model.vertexMass[i];
     model.unitFrequency = std::max(model.unitFrequency, std::sqrt(2.0 * largest / mass));
     model.unitDampingRate = std::max(model.unitDampingRate, 2.0 * static_cast<double>(end - begin) / mass);
+  }
+}
+
+void requireSize(std::size_t given, std::size_t needed, const std::string& what, const std::string& ofWhat) {
+  if (given != needed) {
+    throw InputError("the list of " + what + " has " + std::to_string(given) + " entries for a cloth of " +
+                     std::to_string(needed) + " " + ofWhat);
   }
 }
 
@@ -167,6 +179,10 @@ double ClothModel::restArea() const {
 
 double ClothModel::totalMass() const {
   return std::accumulate(vertexMass.begin(), vertexMass.end(), 0.0);
+}
+
+bool ClothModel::evenlyStiff() const {
+  return std::all_of(springs.begin(), springs.end(), [](const Spring& s) { return s.relativeStiffness == 1.0; });
 }
 
 double restAreaOf(const ClothMesh& mesh) {
@@ -206,11 +222,36 @@ std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double total
   return changed;
 }
 
-std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned) {
-  if (pinned.size() != model.restPositions.size()) {
-    throw InputError("the list of pins has " + std::to_string(pinned.size()) + " entries for a cloth of " +
-                     std::to_string(model.restPositions.size()) + " vertices");
+std::shared_ptr<const ClothModel> withVertexMasses(const ClothModel& model, std::vector<double> masses) {
+  requireSize(masses.size(), model.restPositions.size(), "masses", "vertices");
+  for (std::size_t v = 0; v < masses.size(); ++v) {
+    if (!(masses[v] > 0.0) || !std::isfinite(masses[v])) {
+      throw InputError("vertex " + std::to_string(v) + " would have a mass of " + std::to_string(masses[v]) +
+                       " kg; it must be positive and finite");
+    }
   }
+  auto changed = std::make_shared<ClothModel>(model);
+  changed->vertexMass = std::move(masses);
+  findRates(*changed);
+  return changed;
+}
+
+std::shared_ptr<const ClothModel> withSpringStiffness(const ClothModel& model, const std::vector<double>& relative) {
+  requireSize(relative.size(), model.springs.size(), "stiffnesses", "springs");
+  auto changed = std::make_shared<ClothModel>(model);
+  for (std::size_t s = 0; s < relative.size(); ++s) {
+    if (!(relative[s] >= 0.0) || !std::isfinite(relative[s])) {
+      throw InputError("spring " + std::to_string(s) + " would have " + std::to_string(relative[s]) +
+                       " times the cloth's stiffness; it must be finite and not negative");
+    }
+    changed->springs[s].relativeStiffness = relative[s];
+  }
+  findRates(*changed);
+  return changed;
+}
+
+std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned) {
+  requireSize(pinned.size(), model.restPositions.size(), "pins", "vertices");
   auto changed = std::make_shared<ClothModel>(model);
   changed->pinned = std::move(pinned);
   findRates(*changed);

@@ -9,9 +9,10 @@ namespace drape {
 
 /// A spring between two vertices. One for each edge of the mesh.
 struct Spring {
-  int a = 0;                ///< vertex index, a < b
-  int b = 0;                ///< vertex index
-  double restLength = 0.0;  ///< [m]
+  int a = 0;                       ///< vertex index, a < b
+  int b = 0;                       ///< vertex index
+  double restLength = 0.0;         ///< [m]
+  double relativeStiffness = 1.0;  ///< times the setting's stiffness is this spring's [-]
 };
 
 /// A spring as one of its ends sees it.
@@ -52,8 +53,11 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
   std::vector<bool> pinned;          ///< true where a vertex is held where it is
   double unitFrequency = 0.0;        ///< largest local angular frequency for springs of 1 N/m [1/s], see stability.hpp
   double unitDampingRate = 0.0;      ///< largest 2 n_i / m_i, for a damping of 1 N s/m [1/s]
+  double stiffestSpring = 1.0;       ///< largest relativeStiffness [-]; 1 without springs
 
   [[nodiscard]] int vertexCount() const { return static_cast<int>(restPositions.size()); }
+  /// True when all springs are equally stiff.
+  [[nodiscard]] bool evenlyStiff() const;
   [[nodiscard]] double restArea() const;   ///< [m^2]
   [[nodiscard]] double totalMass() const;  ///< [kg]
 };
@@ -70,6 +74,14 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
 /// The same cloth with another mass [kg]. Throws InputError when it is not positive.
 [[nodiscard]] std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double totalMass,
                                                          MassLumping lumping);
+
+/// The same cloth with these masses [kg], one a vertex. Throws InputError when one is not positive and finite.
+[[nodiscard]] std::shared_ptr<const ClothModel> withVertexMasses(const ClothModel& model, std::vector<double> masses);
+
+/// The same cloth with springs of different stiffness: `relative` has one factor a spring, times which the setting's
+/// stiffness is the spring's [-]. Throws InputError when one is negative or not finite.
+[[nodiscard]] std::shared_ptr<const ClothModel> withSpringStiffness(const ClothModel& model,
+                                                                    const std::vector<double>& relative);
 
 /// The same cloth with other pins. `pinned` has one entry a vertex.
 [[nodiscard]] std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned);

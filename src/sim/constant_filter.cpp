@@ -10,7 +10,7 @@ constexpr Eigen::Index blockSize = 128;
 
 }  // namespace
 
-void ConstantFilter::prepare(const ClothModel& model, double weight, const HandOnDiagonal* hand) {
+void ConstantFilter::prepare(const ClothModel& model, const ScalarWeight& weight, const HandOnDiagonal* hand) {
   const bool changed = system_.prepare(model, weight);
   if (!dense()) {
     inverse_.resize(0, 0);

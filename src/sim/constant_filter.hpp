@@ -18,8 +18,8 @@ struct HandOnDiagonal {
 /// The constant filter of Desbrun, Schroeder and Barr (1999): backward Euler for springs of which only the scalar part
 /// k of the derivative is kept has the same matrix at every step, and its inverse, worked out beforehand, takes from
 /// the forces what the step could not carry. In print, for equal masses, Ff = W F with W = (I - h^2/m H)^-1; for masses
-/// that differ, Ff = M A^-1 F with A = M - h^2 H = M + w L, which is the same where they do not. Without pins the
-/// forces' sum stays what it was.
+/// that differ, Ff = M A^-1 F with A = M - h^2 H = M + sum_s w_s L_s, which is the same where they do not. Without pins
+/// the forces' sum stays what it was.
 ///
 /// The inverse is kept as the dense matrix that was published up to `largestDense` vertices (8 n^2 bytes), as a sparse
 /// Cholesky factor above.
@@ -31,9 +31,8 @@ class ConstantFilter {
   explicit ConstantFilter(std::size_t largest = largestDense) : largest_(largest) {}
 
   /// Makes the filter that of the given model and weight.
-  /// @param weight w = h^2 k + h C_d [kg]
   /// @param hand what is added to the diagonal of A, or nullptr
-  void prepare(const ClothModel& model, double weight, const HandOnDiagonal* hand);
+  void prepare(const ClothModel& model, const ScalarWeight& weight, const HandOnDiagonal* hand);
 
   /// Replaces impulses h F [N s], one a vertex, by the velocity changes A^-1 h F = h M^-1 Ff [m/s]; zero where pinned.
   void apply(int threads, Workers& workers, std::vector<Vec3>& impulses);

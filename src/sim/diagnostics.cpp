@@ -16,7 +16,7 @@ Energy energyOf(const ClothModel& model, const StepParameters& parameters, const
         (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
             .norm();
     const double elongation = length - spring.restLength;
-    energy.elastic += 0.5 * parameters.stiffness * elongation * elongation;
+    energy.elastic += 0.5 * parameters.stiffness * spring.relativeStiffness * elongation * elongation;
   }
   return energy;
 }

@@ -13,9 +13,9 @@ Vec3 springForcesOn(const ClothModel& model, const StepParameters& parameters, c
   for (std::size_t e = begin; e < end; ++e) {
     const SpringEnd& springEnd = model.springEnds.values[e];
     const auto neighbour = static_cast<std::size_t>(springEnd.neighbour);
-    const double restLength = model.springs[static_cast<std::size_t>(springEnd.spring)].restLength;
-    force +=
-        kernels::springForce(state.positions[neighbour] - state.positions[vertex], restLength, parameters.stiffness);
+    const Spring& spring = model.springs[static_cast<std::size_t>(springEnd.spring)];
+    force += kernels::springForce(state.positions[neighbour] - state.positions[vertex], spring.restLength,
+                                  parameters.stiffness * spring.relativeStiffness);
     force += kernels::dampingForce(state.velocities[vertex], state.velocities[neighbour], parameters.damping);
   }
   return force;

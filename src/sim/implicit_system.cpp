@@ -26,9 +26,10 @@ void ImplicitSystem::evaluateSpring(const ClothModel& model, const StepParameter
   const auto a = static_cast<std::size_t>(ends.a);
   const auto b = static_cast<std::size_t>(ends.b);
   const Vec3 offset = state.positions[b] - state.positions[a];
-  const Mat3 block = kernels::springDerivative(offset, ends.restLength, parameters.stiffness, parameters.derivative);
+  const double stiffness = parameters.stiffness * ends.relativeStiffness;
+  const Mat3 block = kernels::springDerivative(offset, ends.restLength, stiffness, parameters.derivative);
   springBlocks_[spring] = block;
-  springForces_[spring] = kernels::springForce(offset, ends.restLength, parameters.stiffness) +
+  springForces_[spring] = kernels::springForce(offset, ends.restLength, stiffness) +
                           kernels::dampingForce(state.velocities[a], state.velocities[b], parameters.damping) +
                           parameters.timeStep * (block * (state.velocities[b] - state.velocities[a]));
 }

@@ -79,7 +79,7 @@ IncrementalPotential::Value IncrementalPotential::evaluate(const std::vector<Vec
 void IncrementalPotential::evaluateSpring(std::size_t spring, const std::vector<Vec3>& velocities) {
   const Spring& ends = model_->springs[spring];
   const double h = parameters_->timeStep;
-  const double k = parameters_->stiffness;
+  const double k = parameters_->stiffness * ends.relativeStiffness;
   const Vec3& va = velocities[static_cast<std::size_t>(ends.a)];
   const Vec3& vb = velocities[static_cast<std::size_t>(ends.b)];
   const Vec3 change = h * (vb - va);
@@ -176,9 +176,9 @@ void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& he
   springBlocks_.resize(offsets_.size());
   diagonal_.resize(gradient_.size());
   workers_->forEach(parameters_->threads, offsets_.size(), [&](std::size_t s) {
-    springBlocks_[s] =
-        -h * h * kernels::springDerivative(offsets_[s], model.springs[s].restLength, parameters_->stiffness, variant) -
-        damped;
+    const Spring& spring = model.springs[s];
+    const double stiffness = parameters_->stiffness * spring.relativeStiffness;
+    springBlocks_[s] = -h * h * kernels::springDerivative(offsets_[s], spring.restLength, stiffness, variant) - damped;
   });
   workers_->forEach(parameters_->threads, diagonal_.size(), [&](std::size_t i) {
     diagonal_[i] = model.vertexMass[i] * Mat3::Identity();

@@ -5,20 +5,24 @@
 namespace drape {
 namespace {
 
-/// The lower half of M + w L for the free vertices.
+/// The lower half of M + sum_s w_s L_s for the free vertices.
 Eigen::SparseMatrix<double> assemble(const ClothModel& model, const std::vector<std::size_t>& vertices,
-                                     const std::vector<int>& rows, double weight) {
+                                     const std::vector<int>& rows, const ScalarWeight& weight) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(vertices.size() + model.springs.size());
   for (const std::size_t v : vertices) {
-    const int degree = model.springEnds.begin[v + 1] - model.springEnds.begin[v];
-    entries.emplace_back(rows[v], rows[v], model.vertexMass[v] + weight * degree);
+    double diagonal = model.vertexMass[v];
+    for (int e = model.springEnds.begin[v]; e < model.springEnds.begin[v + 1]; ++e) {
+      const SpringEnd& end = model.springEnds.values[static_cast<std::size_t>(e)];
+      diagonal += weight.of(model.springs[static_cast<std::size_t>(end.spring)]);
+    }
+    entries.emplace_back(rows[v], rows[v], diagonal);
   }
   for (const Spring& spring : model.springs) {
     const int a = rows[static_cast<std::size_t>(spring.a)];
     const int b = rows[static_cast<std::size_t>(spring.b)];
     if (a >= 0 && b >= 0) {
-      entries.emplace_back(b, a, -weight);  // rows ascend with the vertices, and a < b
+      entries.emplace_back(b, a, -weight.of(spring));  // rows ascend with the vertices, and a < b
     }
   }
   const auto size = static_cast<Eigen::Index>(vertices.size());
@@ -39,12 +43,11 @@ ScalarSystem::Pattern ScalarSystem::patternOf(const ClothModel& model) {
     }
   }
   pattern.factor = std::make_unique<Factor>();
-  pattern.factor->analyzePattern(assemble(model, pattern.vertices, pattern.rows, 1.0));
-  pattern.weight = std::numeric_limits<double>::quiet_NaN();
+  pattern.factor->analyzePattern(assemble(model, pattern.vertices, pattern.rows, {1.0, 1.0, 0.0}));
   return pattern;
 }
 
-bool ScalarSystem::prepare(const ClothModel& model, double weight) {
+bool ScalarSystem::prepare(const ClothModel& model, const ScalarWeight& weight) {
   Pattern& pattern = patterns_.get(model, patternOf);
   pattern_ = &pattern;
   if (pattern.weight == weight) {

@@ -6,14 +6,27 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace drape {
 
-/// The constant matrix A = M + w L of one row a vertex, and its Cholesky factor: M the masses, L the Laplacian of the
-/// springs (L_ii = n_i, L_ij = -1 between neighbours) and w a weight [kg], as h^2 k + h C_d. It is the matrix of
-/// backward Euler for springs without rest length; x, y and z are solved for one by one. Pinned vertices have neither
-/// row nor column; they stay on their neighbours' diagonals.
+/// What a spring couples its ends with in a constant matrix, w = h^2 k + h C_d [kg].
+struct ScalarWeight {
+  double timeStep = 0.0;   ///< h [s]
+  double stiffness = 0.0;  ///< k of a spring of relative stiffness 1 [N/m]
+  double damping = 0.0;    ///< C_d [N s/m]
+
+  [[nodiscard]] double of(const Spring& spring) const {
+    return timeStep * (timeStep * (stiffness * spring.relativeStiffness) + damping);
+  }
+  [[nodiscard]] bool operator==(const ScalarWeight&) const = default;
+};
+
+/// The constant matrix A = M + sum_s w_s L_s of one row a vertex, and its Cholesky factor: M the masses, L_s the
+/// Laplacian of one spring (1 on its ends' diagonals, -1 between them) and w_s its weight. It is the matrix of backward
+/// Euler for springs without rest length; x, y and z are solved for one by one. Pinned vertices have neither row nor
+/// column; they stay on their neighbours' diagonals.
 ///
 /// Factored again only when the weight or the model changes, ordered again only when the model does.
 class ScalarSystem {
@@ -21,7 +34,7 @@ class ScalarSystem {
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;  ///< x, y, z; one row a free vertex
 
   /// Makes the factor that of the given model and weight. True when it had to be computed.
-  bool prepare(const ClothModel& model, double weight);
+  bool prepare(const ClothModel& model, const ScalarWeight& weight);
 
   /// The vertices that are not pinned, ascending: vertex of each row.
   [[nodiscard]] const std::vector<std::size_t>& vertices() const { return pattern_->vertices; }
@@ -39,7 +52,7 @@ class ScalarSystem {
     std::vector<int> rows;
     std::unique_ptr<Factor> factor;
     bool factored = false;
-    double weight = 0.0;  // of the factor [kg]
+    std::optional<ScalarWeight> weight;  // of the factor
   };
 
   static Pattern patternOf(const ClothModel& model);

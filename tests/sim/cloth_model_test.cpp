@@ -69,6 +69,33 @@ TEST(ClothModel, changesMassAndPinsWithoutTouchingTheOriginal) {
   EXPECT_TRUE(model->pinned[0]);
 }
 
+TEST(ClothModel, takesOtherMassesAndStiffnessesWithTheFrequenciesThatFollow) {
+  const auto model = testing::pinnedSheet(4);
+  const auto heavy = withVertexMasses(*model, std::vector<double>(16, 4.0 * model->vertexMass[0]));
+  EXPECT_NEAR(heavy->unitFrequency, 0.5 * model->unitFrequency, 1e-12 * model->unitFrequency);
+  std::vector<double> relative(model->springs.size(), 1.0);
+  EXPECT_TRUE(withSpringStiffness(*model, relative)->evenlyStiff());
+  relative[7] = 9.0;
+  const auto uneven = withSpringStiffness(*model, relative);
+  EXPECT_FALSE(uneven->evenlyStiff());
+  EXPECT_EQ(uneven->springs[7].relativeStiffness, 9.0);
+  EXPECT_EQ(uneven->stiffestSpring, 9.0);
+  EXPECT_GT(uneven->unitFrequency, 1.5 * model->unitFrequency);
+  EXPECT_EQ(model->springs[7].relativeStiffness, 1.0);
+}
+
+TEST(ClothModel, refusesMassesAndStiffnessesThatCannotBe) {
+  const auto model = testing::pinnedSheet(4);
+  std::vector<double> masses = model->vertexMass;
+  EXPECT_THROW(static_cast<void>(withVertexMasses(*model, {1.0})), InputError);
+  masses[3] = 0.0;
+  EXPECT_THROW(static_cast<void>(withVertexMasses(*model, masses)), InputError);
+  std::vector<double> relative(model->springs.size(), 1.0);
+  EXPECT_THROW(static_cast<void>(withSpringStiffness(*model, {1.0})), InputError);
+  relative[3] = -1.0;
+  EXPECT_THROW(static_cast<void>(withSpringStiffness(*model, relative)), InputError);
+}
+
 TEST(ClothModel, refusesWhatCannotBeACloth) {
   const auto mesh = testing::sheet(3);
   EXPECT_THROW(static_cast<void>(buildClothModel({}, 0.1, MassLumping::Area, {})), InputError);

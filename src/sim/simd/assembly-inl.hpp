@@ -34,6 +34,7 @@ HWY_INLINE Assembled<D> assembleRow(D d, const SlicedCloth<T>& cloth, const Slic
   Lanes3<D> force = {hn::Zero(d), hn::Neg(hn::Mul(diagonal, hn::Set(d, step.gravity))), hn::Zero(d)};
   Symmetric<D> coupled = Symmetric<D>::zero(d);
   const SpringConstants<D> constants(d, step);
+  const auto* const uneven = cloth.relativeStiffness.empty() ? nullptr : cloth.relativeStiffness.data();
   const int begin = layout.slotBegin[static_cast<std::size_t>(slice)];
   const int end = layout.slotBegin[static_cast<std::size_t>(slice) + 1];
   for (int slot = begin; slot < end; ++slot) {
@@ -41,7 +42,10 @@ HWY_INLINE Assembled<D> assembleRow(D d, const SlicedCloth<T>& cloth, const Slic
     const Neighbours<D> neighbours(layout, layout.slots[at], lane);
     const Lanes3<D> offset = subtract(neighbours.load(cloth.position), x);
     const Lanes3<D> relative = subtract(neighbours.load(cloth.velocity), v);
-    const auto spring = springLanes(d, constants, offset, hn::LoadU(d, cloth.restLength[at].data() + lane));
+    const auto rest = hn::LoadU(d, cloth.restLength[at].data() + lane);
+    const auto spring = HWY_UNLIKELY(uneven != nullptr)
+                            ? springLanes(d, constants.times(hn::LoadU(d, uneven[at].data() + lane)), offset, rest)
+                            : springLanes(d, constants, offset, rest);
     force = multiplyAdd(offset, hn::MulAdd(spring.beta, dot(offset, relative), spring.elastic), force);
     force = multiplyAdd(relative, spring.alpha, force);
     coupled.add(spring.alpha, spring.beta, offset);

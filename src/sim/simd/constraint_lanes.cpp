@@ -20,6 +20,7 @@ ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(mode
   none.b = none.a;
   const RaggedRows<int> colours = colourSprings(model);
   colourBegin.push_back(0);
+  const bool even = model.evenlyStiff();
   for (std::size_t c = 0; c + 1 < colours.begin.size(); ++c) {
     std::vector<const Spring*> springs;
     for (int i = colours.begin[c]; i < colours.begin[c + 1]; ++i) {
@@ -32,10 +33,14 @@ ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(mode
       const std::size_t lane = i % sliceLanes;
       if (lane == 0) {
         batches.push_back(none);
+        relativeStiffness.resize(even ? 0 : batches.size());
       }
       batches.back().a[lane] = place[static_cast<std::size_t>(springs[i]->a)];
       batches.back().b[lane] = place[static_cast<std::size_t>(springs[i]->b)];
       batches.back().restLength[lane] = static_cast<float>(springs[i]->restLength);
+      if (!even) {
+        relativeStiffness.back()[lane] = static_cast<float>(springs[i]->relativeStiffness);
+      }
     }
     colourBegin.push_back(static_cast<int>(batches.size()));
   }

@@ -31,7 +31,9 @@ struct ConstraintLanes {
   std::vector<float> predicted;   ///< where gravity and air alone would have led them in this step
   std::vector<float> velocities;  ///< x y z [m/s] and inverse mass [1/kg], likewise
   std::vector<Batch> batches;     ///< of one colour after the other
-  std::vector<int> colourBegin;   ///< colours + 1 entries: batches
+  /// One a batch: how stiff its springs are [-]; empty when all are equally stiff.
+  std::vector<std::array<float, sliceLanes>> relativeStiffness;
+  std::vector<int> colourBegin;  ///< colours + 1 entries: batches
 
   [[nodiscard]] int colours() const { return static_cast<int>(colourBegin.size()) - 1; }
   [[nodiscard]] int places() const { return static_cast<int>(order.size()); }
@@ -64,7 +66,8 @@ void predictPlacesInAir(const ClothModel& model, const StepParameters& parameter
 void velocitiesFromPlaces(ConstraintLanes& constraints, float timeStep, LaneRange places);
 
 /// One iteration of XPBD over springs of one colour (Macklin, Mueller, Chentanez 2016, eqs. 17 and 18).
-/// @param inverseCompliance h^2 k [kg]  @param first the multipliers start from zero
+/// @param inverseCompliance h^2 k [kg] of a spring of relative stiffness 1  @param first the multipliers start from
+/// zero
 void projectSprings(ConstraintLanes& constraints, float inverseCompliance, bool first, LaneRange batches);
 
 /// The dashpots of springs of one colour, each implicit for its two ends alone. @param strength h C_d [kg]

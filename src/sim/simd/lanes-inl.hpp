@@ -341,6 +341,14 @@ struct SpringConstants {
         timedStiffness(hn::Set(d, step.timeStep * step.stiffness)),
         damping(hn::Set(d, step.damping)),
         derivative(step.derivative) {}
+
+  /// Those of springs that are so many times as stiff, lane by lane.
+  [[nodiscard]] HWY_INLINE SpringConstants times(hn::Vec<D> relative) const {
+    SpringConstants own = *this;
+    own.stiffness = hn::Mul(stiffness, relative);
+    own.timedStiffness = hn::Mul(timedStiffness, relative);
+    return own;
+  }
 };
 
 /// a and b of the derivative k (a I + b d d^T) in the variants of the paper's rivals, from l0/L and 1 - l0/L.

@@ -74,6 +74,16 @@ SlicedCloth<T>::SlicedCloth(const ClothModel& model) : layout(buildSliceLayout(m
           spring < 0 ? T(-1) : static_cast<T>(model.springs[static_cast<std::size_t>(spring)].restLength);
     }
   }
+  if (!model.evenlyStiff()) {
+    relativeStiffness.resize(layout.slots.size());
+    for (std::size_t slot = 0; slot < restLength.size(); ++slot) {
+      std::transform(
+          layout.springs[slot].begin(), layout.springs[slot].end(), relativeStiffness[slot].begin(), [&](int spring) {
+            return spring < 0 ? T(1)
+                              : static_cast<T>(model.springs[static_cast<std::size_t>(spring)].relativeStiffness);
+          });
+    }
+  }
   layout.springs = std::vector<std::array<std::int32_t, sliceLanes>>();  // an empty list would keep the memory
   for (LaneArray<T>* array : {&mass, &area, &free}) {
     array->resize(slices);
@@ -160,7 +170,8 @@ void SlicedCloth<T>::prepare(int threads, int sweeps) {
 
 template <typename T>
 std::size_t SlicedCloth<T>::bytes() const {
-  std::size_t sum = layout.bytes() + restLength.capacity() * sizeof(SliceNumbers<T>) + pinned.capacity() * sizeof(int);
+  std::size_t sum = layout.bytes() + pinned.capacity() * sizeof(int) +
+                    (restLength.capacity() + relativeStiffness.capacity()) * sizeof(SliceNumbers<T>);
   for (const LaneArray<T>* array : {&mass, &area, &free}) {
     sum += array->bytes();
   }

@@ -122,13 +122,15 @@ struct SlicedCloth {
 
   SliceLayout layout;
   std::vector<SliceNumbers<T>> restLength;  ///< one a slot [m]; negative where a lane has no spring
-  LaneArray<T> mass;                        ///< [kg]; 1 in lanes beyond the last vertex
-  LaneArray<T> area;                        ///< [m^2]
-  LaneArray<T> free;                        ///< 1; 0 where pinned or beyond the last vertex
-  std::vector<int> pinned;                  ///< places of what is held
-  LaneVectors<T> position, velocity;        ///< [m], [m/s]
-  LaneVectors<T> start;                     ///< p_i, the start of the sweeps [m/s]
-  std::array<LaneVectors<T>, 2> change;     ///< dv_i of alternate sweeps [m/s]; only with several
+  /// One a slot [-]; empty when all springs are equally stiff.
+  std::vector<SliceNumbers<T>> relativeStiffness;
+  LaneArray<T> mass;                     ///< [kg]; 1 in lanes beyond the last vertex
+  LaneArray<T> area;                     ///< [m^2]
+  LaneArray<T> free;                     ///< 1; 0 where pinned or beyond the last vertex
+  std::vector<int> pinned;               ///< places of what is held
+  LaneVectors<T> position, velocity;     ///< [m], [m/s]
+  LaneVectors<T> start;                  ///< p_i, the start of the sweeps [m/s]
+  std::array<LaneVectors<T>, 2> change;  ///< dv_i of alternate sweeps [m/s]; only with several
 
   /// What a thread needs for itself: springs that have been evaluated and are still needed, and how far each sweep is.
   std::vector<std::vector<SpringTerms<T>>> terms;

@@ -22,6 +22,7 @@ std::uint64_t topologyOf(const ClothModel& model) {
     fingerprint.add((static_cast<std::uint64_t>(static_cast<std::uint32_t>(spring.a)) << 32U) |
                     static_cast<std::uint32_t>(spring.b));
     fingerprint.add(std::bit_cast<std::uint64_t>(spring.restLength));
+    fingerprint.add(std::bit_cast<std::uint64_t>(spring.relativeStiffness));
   }
   for (const Triangle& triangle : model.triangles) {
     for (const int vertex : triangle) {

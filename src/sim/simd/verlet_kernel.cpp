@@ -61,13 +61,18 @@ class VerletKernel {
     const auto mass = hn::LoadU(d, cloth_.mass.data() + i);
     V3 force = {hn::Zero(d), hn::Neg(hn::Mul(mass, hn::Set(d, step_.gravity))), hn::Zero(d)};
     auto* terms = terms_;
+    const auto* const uneven = cloth_.relativeStiffness.empty() ? nullptr : cloth_.relativeStiffness.data();
     const int end = layout_.slotBegin[static_cast<std::size_t>(slice) + 1];
     for (int slot = layout_.slotBegin[static_cast<std::size_t>(slice)]; slot < end; ++slot, ++terms) {
       const auto at = static_cast<std::size_t>(slot);
       const Neighbours<D> neighbours(layout_, layout_.slots[at], lane);
       const V3 offset = subtract(neighbours.load(cloth_.position), x);
       const auto elongation = elongationOf(d, offset, hn::LoadU(d, cloth_.restLength[at].data() + lane));
-      force = multiplyAdd(offset, elasticOf(d, elongation, hn::Set(d, step_.stiffness)), force);
+      auto stiffness = hn::Set(d, step_.stiffness);
+      if (HWY_UNLIKELY(uneven != nullptr)) {
+        stiffness = hn::Mul(stiffness, hn::LoadU(d, uneven[at].data() + lane));
+      }
+      force = multiplyAdd(offset, elasticOf(d, elongation, stiffness), force);
       if (step_.damping != T(0)) {
         const auto damping = hn::IfThenElseZero(elongation.present, hn::Set(d, step_.damping));
         force = multiplyAdd(subtract(neighbours.load(cloth_.velocity), v), damping, force);

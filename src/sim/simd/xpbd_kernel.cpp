@@ -62,10 +62,15 @@ HWY_INLINE void dampLanes(D d, ConstraintLanes& constraints, const ConstraintLan
 
 void projectBatches(ConstraintLanes& constraints, float inverseCompliance, bool first, LaneRange range) {
   const LanesOf<float> d;
-  const auto compliance = hn::Set(d, inverseCompliance);
+  const auto evenly = hn::Set(d, inverseCompliance);
+  const auto* const uneven = constraints.relativeStiffness.data();
   for (int i = range.begin; i < range.end; ++i) {
     ConstraintLanes::Batch& batch = constraints.batches[static_cast<std::size_t>(i)];
     for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(d))) {
+      auto compliance = evenly;
+      if (HWY_UNLIKELY(uneven != nullptr)) {
+        compliance = hn::Mul(evenly, hn::LoadU(d, uneven[i].data() + lane));
+      }
       projectLanes(d, constraints, batch, lane, compliance, first);
     }
   }

@@ -39,11 +39,13 @@ class ExplicitEulerSolver final : public Solver {
 };
 
 /// A spring that is not compressed is at most k / C_d as stiff in any direction as it is damped, hence so is the whole
-/// cloth: c / w^2 >= C_d / k in every mode. The second bound is that of a mode too strongly damped to swing.
+/// cloth: c / w^2 >= C_d / k in every mode, with k that of the stiffest spring. The second bound is that of a mode too
+/// strongly damped to swing.
 double stepLimit(const ClothModel& model, const StepParameters& parameters) {
   constexpr double unlimited = std::numeric_limits<double>::infinity();
-  const double swinging =
-      largestFrequency(model, parameters) > 0.0 ? parameters.damping / parameters.stiffness : unlimited;
+  const double swinging = largestFrequency(model, parameters) > 0.0
+                              ? parameters.damping / (parameters.stiffness * model.stiffestSpring)
+                              : unlimited;
   const double rate = model.unitDampingRate * parameters.damping;
   const double damped = rate > 0.0 ? 2.0 / rate : unlimited;
   return std::min(swinging, damped);

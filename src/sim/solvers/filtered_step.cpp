@@ -23,7 +23,7 @@ StepReport FilteredStepSolver::step(const ClothModel& model, const StepParameter
   if (inputs.grab) {
     addHand(model, h, *inputs.grab, state);
   }
-  filter_.prepare(model, h * (h * parameters.stiffness + parameters.damping), held_ ? &hand_ : nullptr);
+  filter_.prepare(model, {h, parameters.stiffness, parameters.damping}, held_ ? &hand_ : nullptr);
   filter_.apply(parameters.threads, workers_, filtered_);
   findCorrection(model, state);
   move(model, parameters, state);
@@ -36,8 +36,10 @@ Vec3 FilteredStepSolver::internalImpulse(const ClothModel& model, const StepPara
   const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
   const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
   for (std::size_t e = begin; e < end; ++e) {
-    const auto neighbour = static_cast<std::size_t>(model.springEnds.values[e].neighbour);
-    difference += state.velocities[neighbour] - state.velocities[vertex];
+    const SpringEnd& springEnd = model.springEnds.values[e];
+    const auto neighbour = static_cast<std::size_t>(springEnd.neighbour);
+    difference += model.springs[static_cast<std::size_t>(springEnd.spring)].relativeStiffness *
+                  (state.velocities[neighbour] - state.velocities[vertex]);
   }
   const double h = parameters.timeStep;
   return h * (springForcesOn(model, parameters, state, vertex) + h * parameters.stiffness * difference);

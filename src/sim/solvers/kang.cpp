@@ -43,9 +43,10 @@ class KangSolver final : public Solver {
 
  private:
   /// h^2 k + h C_d, what a spring couples its ends with [kg].
-  static double couplingOf(const StepParameters& parameters) {
+  static double couplingOf(const ClothModel& model, const StepParameters& parameters, const SpringEnd& end) {
     const double h = parameters.timeStep;
-    return h * (h * parameters.stiffness + parameters.damping);
+    const double relative = model.springs[static_cast<std::size_t>(end.spring)].relativeStiffness;
+    return h * (h * (parameters.stiffness * relative) + parameters.damping);
   }
 
   /// The spring's share of F~ on its first end: force, damping and h k (v_b - v_a).
@@ -54,14 +55,16 @@ class KangSolver final : public Solver {
     const Spring& spring = model.springs[s];
     const auto a = static_cast<std::size_t>(spring.a);
     const auto b = static_cast<std::size_t>(spring.b);
-    const double viscosity = parameters.damping + parameters.timeStep * parameters.stiffness;
-    pull_[s] = kernels::springForce(state.positions[b] - state.positions[a], spring.restLength, parameters.stiffness) +
+    const double stiffness = parameters.stiffness * spring.relativeStiffness;
+    const double viscosity = parameters.damping + parameters.timeStep * stiffness;
+    pull_[s] = kernels::springForce(state.positions[b] - state.positions[a], spring.restLength, stiffness) +
                viscosity * (state.velocities[b] - state.velocities[a]);
   }
 
   /// p_i = h F~_i / (m_i + h^2 k n_i + h C_d n_i).
   void start(const ClothModel& model, const StepParameters& parameters, const ClothState& state, std::size_t i) {
     Vec3 force = gravityAndAir(model, parameters, state, i);
+    double denominator = model.vertexMass[i];
     const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
     const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
     for (std::size_t e = begin; e < end; ++e) {
@@ -73,9 +76,10 @@ class KangSolver final : public Solver {
       } else {
         force -= pull;
       }
+      denominator += couplingOf(model, parameters, spring);
     }
-    denominator_[i] = model.vertexMass[i] + static_cast<double>(end - begin) * couplingOf(parameters);
-    p_[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : Vec3((parameters.timeStep / denominator_[i]) * force);
+    denominator_[i] = denominator;
+    p_[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : Vec3((parameters.timeStep / denominator) * force);
   }
 
   void addHand(const ClothModel& model, double h, const HandPull& pull) {
@@ -101,9 +105,10 @@ class KangSolver final : public Solver {
     const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
     const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
     for (std::size_t e = begin; e < end; ++e) {
-      sum += p_[static_cast<std::size_t>(model.springEnds.values[e].neighbour)];
+      const SpringEnd& spring = model.springEnds.values[e];
+      sum += couplingOf(model, parameters, spring) * p_[static_cast<std::size_t>(spring.neighbour)];
     }
-    state.velocities[i] += p_[i] + (couplingOf(parameters) / denominator_[i]) * sum;
+    state.velocities[i] += p_[i] + sum / denominator_[i];
     state.positions[i] += parameters.timeStep * state.velocities[i];
   }
 

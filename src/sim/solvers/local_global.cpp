@@ -33,7 +33,7 @@ class LocalGlobalSolver final : public Solver {
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
     const double h = parameters.timeStep;
-    const bool changed = system_.prepare(model, h * (h * parameters.stiffness + parameters.damping));
+    const bool changed = system_.prepare(model, {h, parameters.stiffness, parameters.damping});
     const std::size_t count = state.positions.size();
     stretch_.resize(model.springs.size());
     inertia_.resize(count);
@@ -62,7 +62,7 @@ class LocalGlobalSolver final : public Solver {
     const Vec3 before = state.positions[b] - state.positions[a];
     const Vec3 now = before + move_[b] - move_[a];
     const double length = now.norm();
-    const double weight = parameters.timeStep * parameters.timeStep * parameters.stiffness;
+    const double weight = parameters.timeStep * parameters.timeStep * parameters.stiffness * spring.relativeStiffness;
     // A spring without direction exerts no force: its d is what it is.
     const bool directed = length > kernels::shortestLength * spring.restLength;
     stretch_[s] = weight * (before - (directed ? Vec3((spring.restLength / length) * now) : now));

@@ -94,15 +94,18 @@ class VbdSolver final : public Solver {
     Vec3 force = Vec3::Zero();  // of the springs [N]
     Vec3 drag = Vec3::Zero();   // sum of (dx_j - dx_i) [m]
     Mat3 stiffness = Mat3::Zero();
+    double largest = 0.0;  // of its eigenvalues, at most [N/m]
     const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
     const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
     for (std::size_t e = begin; e < end; ++e) {
       const SpringEnd& springEnd = model.springEnds.values[e];
       const auto j = static_cast<std::size_t>(springEnd.neighbour);
-      const double restLength = model.springs[static_cast<std::size_t>(springEnd.spring)].restLength;
+      const Spring& spring = model.springs[static_cast<std::size_t>(springEnd.spring)];
+      const double own = parameters.stiffness * spring.relativeStiffness;
       const Vec3 offset = state.positions[j] - position;
-      force += kernels::springForce(offset, restLength, parameters.stiffness);
-      stiffness += kernels::springDerivative(offset, restLength, parameters.stiffness, parameters.derivative);
+      force += kernels::springForce(offset, spring.restLength, own);
+      stiffness += kernels::springDerivative(offset, spring.restLength, own, parameters.derivative);
+      largest += own;
       drag += (state.positions[j] - start_[j]) - way;
     }
     if (inputs.grab) {
@@ -111,8 +114,8 @@ class VbdSolver final : public Solver {
     const double isotropic = model.vertexMass[i] + static_cast<double>(end - begin) * h * parameters.damping;
     const Vec3 residual =
         model.vertexMass[i] * (inertial_[i] - position) + h * h * force + h * parameters.damping * drag;
-    state.positions[i] += solve(h * h * stiffness + isotropic * Mat3::Identity(), residual,
-                                isotropic + h * h * parameters.stiffness * static_cast<double>(end - begin));
+    state.positions[i] +=
+        solve(h * h * stiffness + isotropic * Mat3::Identity(), residual, isotropic + h * h * largest);
   }
 
   /// H^-1 r. Where the derivative that was chosen makes H indefinite, Newton's step could lead uphill; the step with

@@ -55,8 +55,10 @@ class XpbdSolver final : public BatchSolver {
     multiplier_.assign(model.springs.size(), 0.0);
     hand_ = {};
     for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
-      forEachByColour(workers_, parameters.threads, colours,
-                      [&](std::size_t s) { project(model.springs[s], h * h * parameters.stiffness, s, state); });
+      forEachByColour(workers_, parameters.threads, colours, [&](std::size_t s) {
+        const double stiffness = parameters.stiffness * model.springs[s].relativeStiffness;
+        project(model.springs[s], h * h * stiffness, s, state);
+      });
       if (inputs.grab) {
         projectHand(model, h, *inputs.grab, state);
       }

@@ -169,10 +169,10 @@ TEST(ConstantFilter, givesTheSameWithTheDenseInverseAsWithTheSparseFactor) {
   std::vector<Vec3> sparse = dense;
   HandOnDiagonal held{{5, 0, 40}, Vec3(0.01, 0.02, 0.03)};
   ConstantFilter one;
-  one.prepare(*model, 0.02, &held);
+  one.prepare(*model, {1.0, 0.02, 0.0}, &held);
   one.apply(1, workers, dense);
   ConstantFilter other(10);
-  other.prepare(*model, 0.02, &held);
+  other.prepare(*model, {1.0, 0.02, 0.0}, &held);
   other.apply(1, workers, sparse);
   const Rows difference = rowsOf(dense) - rowsOf(sparse);
   EXPECT_LT(difference.norm(), 1e-11 * rowsOf(sparse).norm());
@@ -195,7 +195,7 @@ TEST(ConstantFilter, followsANewWeightNewPinsAndAnotherModel) {
   for (const auto& [cloth, weight] : std::vector<std::pair<std::shared_ptr<const ClothModel>, double>>{
            {model, 0.01}, {model, 0.05}, {other, 0.05}, {heavier, 0.05}, {model, 0.01}}) {
     std::vector<Vec3> changes = impulses;
-    filter.prepare(*cloth, weight, nullptr);
+    filter.prepare(*cloth, {1.0, weight, 0.0}, nullptr);
     filter.apply(1, workers, changes);
     const Rows expected = solveFree(*cloth, massMatrix(*cloth) + weight * laplacian(*cloth), rowsOf(impulses));
     EXPECT_LT((rowsOf(changes) - expected).norm(), 1e-11 * expected.norm());

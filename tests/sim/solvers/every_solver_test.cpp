@@ -243,24 +243,30 @@ TEST_P(EverySolver, followsAnotherModelThatComesAlong) {
   }
 }
 
+/// Fall of a sheet with 10 N/m from two pins.
+constexpr double fallSeconds = 0.2;
+constexpr double fallStiffness = 10.0;
+
+std::vector<Vec3> exactFall(const ClothModel& model) {
+  return testing::rungeKutta(model, fallStiffness, fallSeconds, 400);
+}
+
 /// Mean distance from the exact motion [m], after the error of first order was taken out by halving the step.
-double extrapolatedError(const Method& method, Integration integration, int coarseSteps) {
-  constexpr double seconds = 0.2;
-  const auto model = pinnedSheet(17);
+double extrapolatedError(const Method& method, Integration integration, int coarseSteps, const ClothModel& model,
+                         const std::vector<Vec3>& exact) {
   StepParameters parameters;
-  parameters.stiffness = 10.0;
+  parameters.stiffness = fallStiffness;
   parameters.tolerance = 1e-9;
   parameters.integration = integration;
   const auto after = [&](int steps) {
-    parameters.timeStep = seconds / steps;
+    parameters.timeStep = fallSeconds / steps;
     Stepper stepper(method.name);
-    ClothState state = stateAtRest(model->restPositions);
+    ClothState state = stateAtRest(model.restPositions);
     for (int step = 0; step < steps; ++step) {
-      stepper.step(*model, parameters, {}, state);
+      stepper.step(model, parameters, {}, state);
     }
     return state.positions;
   };
-  static const std::vector<Vec3> exact = testing::rungeKutta(*model, parameters.stiffness, seconds, 400);
   const std::vector<Vec3> coarse = after(coarseSteps);
   const std::vector<Vec3> fine = after(2 * coarseSteps);
   double sum = 0.0;
@@ -270,16 +276,50 @@ double extrapolatedError(const Method& method, Integration integration, int coar
   return sum / static_cast<double>(exact.size());
 }
 
+double sheetError(const Method& method, Integration integration, int coarseSteps) {
+  static const auto model = pinnedSheet(17);
+  static const std::vector<Vec3> exact = exactFall(*model);
+  return extrapolatedError(method, integration, coarseSteps, *model, exact);
+}
+
 TEST_P(EverySolver, convergesToTheMotionOfASheetThatRungeKuttaFinds) {
-  EXPECT_LT(extrapolatedError(GetParam(), Integration::BackwardEuler, GetParam().coarseSteps), 1e-4) << "[m]";
+  EXPECT_LT(sheetError(GetParam(), Integration::BackwardEuler, GetParam().coarseSteps), 1e-4) << "[m]";
+}
+
+TEST_P(EverySolver, convergesToTheMotionOfASheetWithSoftAndStiffSprings) {
+  const auto even = pinnedSheet(9);
+  std::vector<double> relative(even->springs.size());
+  for (std::size_t s = 0; s < relative.size(); ++s) {
+    relative[s] = s % 3 == 0 ? 3.7 : 0.6;
+  }
+  const auto model = withSpringStiffness(*even, relative);
+  const std::vector<Vec3> exact = exactFall(*model);
+  EXPECT_LT(extrapolatedError(GetParam(), Integration::BackwardEuler, GetParam().coarseSteps, *model, exact), 1e-4)
+      << "[m]";
+}
+
+TEST_P(EverySolver, takesStiffnessFromTheSpringsAsItTakesItFromTheSetting) {
+  const auto even = pinnedSheet(9);
+  const auto stiffer = withSpringStiffness(*even, std::vector<double>(even->springs.size(), 4.0));
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    StepParameters parameters = calm();
+    parameters.damping = 0.002;
+    parameters.precision = precision;
+    ClothState own = shaken(*even, 0.01, 3);
+    ClothState other = own;
+    run(*stiffer, parameters, 5, own);
+    parameters.stiffness *= 4.0;
+    run(*even, parameters, 5, other);
+    EXPECT_EQ(stateHash(own), stateHash(other)) << "four is a power of two, so not a bit may differ";
+  }
 }
 
 TEST_P(EverySolver, convergesToTheSameMotionByMidpointAndBdf2) {
   if (!findSolver(GetParam().name)->backwardEuler) {
     GTEST_SKIP() << "has an integration of its own";
   }
-  EXPECT_LT(extrapolatedError(GetParam(), Integration::Theta, GetParam().coarseSteps / 2), 1e-4) << "[m]";
-  EXPECT_LT(extrapolatedError(GetParam(), Integration::Bdf2, GetParam().coarseSteps / 2), 1e-4) << "[m]";
+  EXPECT_LT(sheetError(GetParam(), Integration::Theta, GetParam().coarseSteps / 2), 1e-4) << "[m]";
+  EXPECT_LT(sheetError(GetParam(), Integration::Bdf2, GetParam().coarseSteps / 2), 1e-4) << "[m]";
 }
 
 TEST_P(EverySolver, tellsWhatItIsAndWhenItFails) {

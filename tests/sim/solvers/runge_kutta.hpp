@@ -13,7 +13,7 @@ inline std::vector<Vec3> accelerations(const ClothModel& model, double stiffness
     const auto a = static_cast<std::size_t>(spring.a);
     const auto b = static_cast<std::size_t>(spring.b);
     const Vec3 offset = positions[b] - positions[a];
-    const Vec3 pull = stiffness * (1.0 - spring.restLength / offset.norm()) * offset;
+    const Vec3 pull = stiffness * spring.relativeStiffness * (1.0 - spring.restLength / offset.norm()) * offset;
     result[a] += pull / model.vertexMass[a];
     result[b] -= pull / model.vertexMass[b];
   }
