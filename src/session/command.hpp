@@ -32,13 +32,17 @@ struct MoveGrabCommand {
 struct ReleaseGrabCommand {};
 /// Pins the vertex nearest to the grabbed point where it is now; lets it go when it was pinned.
 struct TogglePinCommand {};
+/// Moves everything that is pinned at once; the cloth follows by its springs.
+struct MovePinsCommand {
+  Vec3 by = Vec3::Zero();  ///< [m]
+};
 struct LoadSceneCommand {
   std::shared_ptr<const Scene> scene;
 };
 
 /// Everything that anybody can ask of a running simulation.
 using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, GrabCommand,
-                             MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, LoadSceneCommand>;
+                             MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, MovePinsCommand, LoadSceneCommand>;
 
 /// A command and how many steps had been taken when it took effect: enough to run a session again.
 struct LoggedCommand {

@@ -22,6 +22,9 @@ class Ghost {
   /// Goes back to `start`.
   void reset(const ClothState& start);
 
+  /// Moves what is pinned by `by` [m].
+  void movePins(const ClothModel& model, const Vec3& by) { drape::movePins(model.pinned, by, state_); }
+
   /// Advances by one time step, in as many parts as `settings.ghost` says. False when the state stopped being finite.
   [[nodiscard]] bool step(const ClothModel& model, const Settings& settings, const StepInputs& inputs);
 

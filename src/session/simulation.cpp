@@ -2,6 +2,7 @@
 
 #include "scene/mass.hpp"
 #include "sim/error.hpp"
+#include "sim/unfolding.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -130,8 +131,9 @@ void Simulation::on(const SingleStepCommand&) {
 
 void Simulation::on(const ResetCommand&) {
   state_ = scene_->start;
+  const bool unfolded = makeUnfoldable(*model_, state_);
   if (ghost_) {
-    ghost_->reset(scene_->start);
+    ghost_->reset(state_);
   }
   if (balance_) {
     balance_.emplace();
@@ -140,7 +142,10 @@ void Simulation::on(const ResetCommand&) {
   blewUp_ = false;
   stepIndex_ = 0;
   grab_.reset();
-  message_.clear();
+  message_ = unfolded
+                 ? "The cloth starts folded into less than its rest shape fills; a millionth of that was added, so "
+                   "that it can unfold."
+                 : "";
 }
 
 void Simulation::on(const GrabCommand& command) {
@@ -170,6 +175,19 @@ void Simulation::on(const TogglePinCommand&) {
   std::vector<bool> pinned = model_->pinned;
   pinned[static_cast<std::size_t>(nearestCornerOfGrab())].flip();
   model_ = withPins(*model_, std::move(pinned));
+}
+
+void Simulation::on(const MovePinsCommand& command) {
+  if (!command.by.allFinite()) {
+    throw InputError("pins can only be moved to places that are finite numbers");
+  }
+  if (std::find(model_->pinned.begin(), model_->pinned.end(), true) == model_->pinned.end()) {
+    throw InputError("nothing is pinned that could be moved");
+  }
+  movePins(model_->pinned, command.by, state_);
+  if (ghost_) {
+    ghost_->movePins(*model_, command.by);
+  }
 }
 
 void Simulation::on(const LoadSceneCommand& command) {

@@ -63,6 +63,7 @@ class Simulation {
   void on(const MoveGrabCommand& command);
   void on(const ReleaseGrabCommand& command);
   void on(const TogglePinCommand& command);
+  void on(const MovePinsCommand& command);
   void on(const LoadSceneCommand& command);
 
   void useSolvers();

@@ -40,6 +40,14 @@ bool isFinite(const ClothState& state) {
   return allFinite(state.positions) && allFinite(state.velocities);
 }
 
+void movePins(const std::vector<bool>& pinned, const Vec3& by, ClothState& state) {
+  for (std::size_t v = 0; v < pinned.size(); ++v) {
+    if (pinned[v]) {
+      state.positions[v] += by;
+    }
+  }
+}
+
 std::uint64_t stateHash(const ClothState& state) {
   return hashVectors(hashVectors(fnvOffset, state.positions), state.velocities);
 }

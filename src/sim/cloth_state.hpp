@@ -26,6 +26,9 @@ struct ClothState {
 /// A state at rest in the given positions at time 0.
 [[nodiscard]] ClothState stateAtRest(std::vector<Vec3> positions);
 
+/// Moves what is pinned (one entry a vertex) by `by` [m], and nothing else.
+void movePins(const std::vector<bool>& pinned, const Vec3& by, ClothState& state);
+
 /// True when every position and velocity is a finite number.
 [[nodiscard]] bool isFinite(const ClothState& state);
 

@@ -1,5 +1,6 @@
 #include "session/simulation.hpp"
 #include "sim/cloth_state.hpp"
+#include "sim/unfolding.hpp"
 #include "test_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -204,6 +205,38 @@ TEST(Simulation, goesTheSameWayWithAndWithoutTheEnergyBalance) {
     measured.step();
   }
   EXPECT_EQ(stateHash(plain.state()), stateHash(measured.state()));
+}
+
+TEST(Simulation, movesPinsAndTheGhostsPinsAndNothingElse) {
+  Simulation simulation(smallGrid());
+  simulation.apply(SetSettingCommand{"ghost.solver", std::string("verlet")});
+  const ClothState before = simulation.state();
+  simulation.apply(MovePinsCommand{Vec3(0.0, 0.0, 0.5)});
+  const auto& pinned = simulation.model().pinned;
+  for (std::size_t v = 0; v < pinned.size(); ++v) {
+    const Vec3 expected = before.positions[v] + (pinned[v] ? Vec3(0.0, 0.0, 0.5) : Vec3(0.0, 0.0, 0.0));
+    EXPECT_EQ(simulation.state().positions[v], expected);
+    EXPECT_EQ(simulation.ghost()->state().positions[v], expected);
+  }
+  simulation.step();
+  EXPECT_EQ(simulation.message(), "");
+}
+
+TEST(Simulation, saysWhenThereAreNoPinsToMove) {
+  Simulation simulation(smallGrid(9, {"pins=none"}));
+  simulation.apply(MovePinsCommand{Vec3(0.0, 0.0, 0.5)});
+  EXPECT_NE(simulation.message().find("nothing is pinned"), std::string::npos);
+}
+
+TEST(Simulation, unfoldsAStartInOnePointAndSaysSo) {
+  auto scene = std::make_shared<Scene>(*smallGrid(9, {"gravity=0", "damping=0.05", "pins=none"}));
+  scene->start = stateAtRest(std::vector<Vec3>(scene->start.positions.size(), Vec3(0.0, 1.0, 0.0)));
+  Simulation simulation(scene);
+  EXPECT_NE(simulation.message().find("can unfold"), std::string::npos);
+  for (int step = 0; step < 150; ++step) {
+    simulation.step();
+  }
+  EXPECT_GE(dimensionsOf(simulation.state().positions, 0.05), 2) << "edges are of 0.125 m";
 }
 
 TEST(Simulation, replaysItsLogToTheSameBits) {
