@@ -27,6 +27,7 @@ TEST(List, givesEverySettingWithKeyUnitRangeDefaultAndHelp) {
 TEST(List, givesScenesAndSolvers) {
   EXPECT_GE(listOf("scenes").size(), 4U);
   EXPECT_EQ(listOf("solvers")[0]["name"], "one_iteration");
+  EXPECT_EQ(listOf("hardcases").size(), 22U);
 }
 
 TEST(List, isReadableWithoutJson) {
@@ -37,6 +38,7 @@ TEST(List, isReadableWithoutJson) {
 TEST(List, refusesWhatItDoesNotKnow) {
   EXPECT_EQ(headless("list colours").status, 2);
   EXPECT_EQ(headless("list").status, 2);
+  EXPECT_EQ(headless("list scenes --markdown").status, 2);
 }
 
 }  // namespace

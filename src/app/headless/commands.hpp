@@ -8,6 +8,7 @@ namespace drape {
 void addRunCommand(CLI::App& app);
 void addCaptureCommand(CLI::App& app);
 void addMeasureCommand(CLI::App& app);
+void addHardCasesCommand(CLI::App& app);
 void addListCommand(CLI::App& app);
 
 }  // namespace drape

@@ -1,9 +1,14 @@
 #include "app/headless/commands.hpp"
+#include "report/hardcases/hard_case_rows.hpp"
 #include "scene/scene.hpp"
 #include "settings/settings_table.hpp"
+#include "sim/error.hpp"
 #include "sim/solver.hpp"
 
+#include <algorithm>
+#include <array>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -54,6 +59,14 @@ Json scenesAsJson() {
   return list;
 }
 
+Json hardCasesAsJson() {
+  Json list = Json::array();
+  for (const HardCase& one : hardCaseTable()) {
+    list.push_back({{"number", one.number}, {"name", one.name}, {"title", one.statement}, {"help", one.rule}});
+  }
+  return list;
+}
+
 Json solversAsJson() {
   Json list = Json::array();
   for (const SolverInfo& info : solverTable()) {
@@ -99,30 +112,50 @@ struct ListArguments {
   bool markdown = false;
 };
 
+/// What can be listed, by the word that is typed.
+struct Listing {
+  std::string_view what;
+  Json (*json)();
+  void (*markdown)();  ///< null: there is none
+};
+
+constexpr std::array listings{Listing{"scenes", scenesAsJson, nullptr},
+                              Listing{"settings", settingsAsJson, printSettingsMarkdown},
+                              Listing{"solvers", solversAsJson, nullptr},
+                              Listing{"hardcases", hardCasesAsJson, [] { std::cout << hardCaseListMarkdown(); }}};
+
 void list(const ListArguments& arguments) {
+  const Listing& listing =
+      *std::find_if(listings.begin(), listings.end(), [&](const Listing& one) { return one.what == arguments.what; });
   if (arguments.json) {
-    std::cout << (arguments.what == "settings" ? settingsAsJson()
-                  : arguments.what == "scenes" ? scenesAsJson()
-                                               : solversAsJson())
-                     .dump(2)
-              << '\n';
-  } else if (arguments.what == "settings") {
-    arguments.markdown ? printSettingsMarkdown() : printSettings();
+    std::cout << listing.json().dump(2) << '\n';
+  } else if (arguments.markdown) {
+    if (listing.markdown == nullptr) {
+      throw UsageError("list " + arguments.what + " has no --markdown");
+    }
+    listing.markdown();
+  } else if (listing.what == "settings") {
+    printSettings();
   } else {
-    printNamed(arguments.what == "scenes" ? scenesAsJson() : solversAsJson());
+    printNamed(listing.json());
   }
+}
+
+std::vector<std::string> listable() {
+  std::vector<std::string> words;
+  std::transform(listings.begin(), listings.end(), std::back_inserter(words),
+                 [](const Listing& one) { return std::string(one.what); });
+  return words;
 }
 
 }  // namespace
 
 void addListCommand(CLI::App& app) {
   auto arguments = std::make_shared<ListArguments>();
-  CLI::App* command = app.add_subcommand("list", "Lists scenes, settings or solvers");
-  command->add_option("what", arguments->what, "What to list")
-      ->required()
-      ->check(CLI::IsMember({"scenes", "settings", "solvers"}));
+  CLI::App* command = app.add_subcommand("list", "Lists scenes, settings, solvers or hard cases");
+  command->add_option("what", arguments->what, "What to list")->required()->check(CLI::IsMember(listable()));
   auto* json = command->add_flag("--json", arguments->json, "As JSON");
-  command->add_flag("--markdown", arguments->markdown, "Settings as a Markdown table")->excludes(json);
+  command->add_flag("--markdown", arguments->markdown, "Settings or hard cases as a Markdown table")->excludes(json);
   command->callback([arguments] { list(*arguments); });
 }
 

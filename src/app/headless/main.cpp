@@ -8,6 +8,7 @@ int main(int argc, char** argv) {
   drape::addRunCommand(app);
   drape::addCaptureCommand(app);
   drape::addMeasureCommand(app);
+  drape::addHardCasesCommand(app);
   drape::addListCommand(app);
   return drape::runProgram(app, argc, argv, [] {});
 }

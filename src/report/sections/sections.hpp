@@ -13,5 +13,6 @@ Section workPrecision();
 Section stability();
 Section whatFollows();
 Section threads();
+Section hardCases();
 
 }  // namespace drape::sections

@@ -1,0 +1,133 @@
+#include "app/command_line.hpp"
+#include "app/headless/commands.hpp"
+#include "report/hardcases/hard_case_rows.hpp"
+#include "sim/error.hpp"
+#include "sim/solver.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+namespace drape {
+namespace {
+
+struct HardCasesArguments {
+  std::vector<std::string> solvers;
+  std::vector<std::string> cases;
+  std::vector<std::string> settings;
+  bool shortForm = false;
+  bool markdown = false;
+  double mostSeconds = 60.0;
+  std::string json;
+};
+
+std::vector<std::string> solversOf(const HardCasesArguments& arguments) {
+  std::vector<std::string> solvers;
+  for (const std::string& name : arguments.solvers) {
+    if (name != "all") {
+      solvers.push_back(name);
+      continue;
+    }
+    for (const SolverInfo& solver : solverTable()) {
+      solvers.emplace_back(solver.name);
+    }
+  }
+  return solvers.empty() ? std::vector<std::string>{std::string(solverTable().front().name)} : solvers;
+}
+
+std::vector<const HardCase*> casesOf(const HardCasesArguments& arguments) {
+  std::vector<const HardCase*> cases;
+  for (const std::string& name : arguments.cases) {
+    cases.push_back(&requireHardCase(name));
+  }
+  for (const HardCase& one : hardCaseTable()) {
+    if (arguments.cases.empty()) {
+      cases.push_back(&one);
+    }
+  }
+  return cases;
+}
+
+/// Runs the cases with one solver; how many did not pass.
+int runSolver(const HardCasesArguments& arguments, const std::vector<const HardCase*>& cases, const std::string& solver,
+              ReportRows& rows) {
+  CaseOptions options;
+  options.solver = solver;
+  options.shortForm = arguments.shortForm;
+  options.settings = arguments.settings;
+  options.mostSeconds = arguments.mostSeconds;
+  int failed = 0;
+  if (!arguments.markdown) {
+    std::cout << solver << '\n';
+  }
+  for (const HardCase* one : cases) {
+    const CaseResult result = runHardCase(*one, options);
+    failed += result.outcome == CaseOutcome::Passed ? 0 : 1;
+    rows.push_back(hardCaseRow(*one, options, result));
+    if (!arguments.markdown) {
+      std::cout << hardCaseLine(*one, result) << std::flush;
+    }
+  }
+  return failed;
+}
+
+void run(const HardCasesArguments& arguments) {
+  const auto cases = casesOf(arguments);
+  std::ofstream file;
+  if (!arguments.json.empty()) {
+    file.open(arguments.json);
+    if (!file) {
+      throw InputError("cannot write to " + arguments.json + "; check that its folder exists and can be written to");
+    }
+  }
+  ReportRows rows;
+  std::string failures;
+  for (const std::string& solver : solversOf(arguments)) {
+    const int failed = runSolver(arguments, cases, solver, rows);
+    if (failed > 0) {
+      failures += (failures.empty() ? "" : ", ") + solver + " " + std::to_string(failed);
+    }
+  }
+  if (arguments.markdown) {
+    std::cout << hardCaseMarkdown(rows);
+  }
+  if (!arguments.json.empty()) {
+    file << ReportRow{{"hard_cases", rows}}.dump(2) << '\n';
+    file.close();
+    if (!file) {
+      throw InputError("the results could not be written to " + arguments.json);
+    }
+  }
+  if (!failures.empty()) {
+    throw InputError("hard cases that were not passed, of " + std::to_string(cases.size()) + ": " + failures);
+  }
+}
+
+}  // namespace
+
+void addHardCasesCommand(CLI::App& app) {
+  constexpr double longest = 1e5;
+  auto arguments = std::make_shared<HardCasesArguments>();
+  CLI::App* command = app.add_subcommand("hardcases", "Runs cases that are hard for cloth solvers, with pass or fail");
+  command->add_option("--solver", arguments->solvers, "A solver's name or 'all'; may be repeated")
+      ->type_name("SOLVER")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--case", arguments->cases, "A case's number or name; may be repeated; default: every case")
+      ->type_name("N|NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--set", arguments->settings, "Set a setting over the cases' own; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--short", arguments->shortForm, "Smaller cloths and shorter times");
+  command->add_flag("--markdown", arguments->markdown, "Print one table of all solvers (Markdown)");
+  command->add_option("--most-seconds", arguments->mostSeconds, "Give a case up that takes longer by the clock [s]")
+      ->check(numberFrom(0.01, longest));
+  command->add_option("--json", arguments->json, "Write everything to this file (JSON)")->type_name("FILE");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace drape

@@ -1,0 +1,112 @@
+#include "report/hardcases/case_trial.hpp"
+
+#include "report/number_text.hpp"
+#include "scene/grid_mesh.hpp"
+#include "scene/mass.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace drape {
+
+std::string CaseFigure::text() const {
+  const std::string found = std::isfinite(value) ? figure(value) + (unit.empty() ? "" : " " + unit) : "no number";
+  return name + " " + found + (std::isinf(limit) ? "" : " (at most " + figure(limit) + ")");
+}
+
+CaseTrial::CaseTrial(const CaseOptions& options) : options_(options) {
+  static_cast<void>(settings({}));  // wrong names are told before the work
+}
+
+Settings CaseTrial::settings(const std::vector<std::string>& changes) const {
+  Settings settings;
+  settings.solver.name = options_.solver;
+  settings.material.massGivenAs = "mass";
+  settings.material.lumping = "uniform";
+  for (const auto* list : {&changes, &options_.settings}) {
+    for (const std::string& expression : *list) {
+      assignSettingExpression(settings, expression);
+    }
+  }
+  requireConsistent(settings);
+  if (findSolver(settings.solver.name) == nullptr) {
+    throw UsageError("there is no solver '" + settings.solver.name + "'; 'drape-headless list solvers' shows them");
+  }
+  return settings;
+}
+
+void CaseTrial::expect(const std::string& name, const std::string& unit, double value, double limit) {
+  const auto known =
+      std::find_if(figures_.begin(), figures_.end(), [&](const CaseFigure& one) { return one.name == name; });
+  if (known == figures_.end()) {
+    figures_.push_back({name, unit, value, limit});
+  } else if (!(value <= known->value)) {
+    known->value = value;
+  }
+}
+
+void CaseTrial::show(const std::string& name, const std::string& unit, double value) {
+  expect(name, unit, value, std::numeric_limits<double>::infinity());
+}
+
+void CaseTrial::say(const std::string& words) {
+  words_ += (words_.empty() ? "" : " ") + words;
+}
+
+double CaseTrial::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void CaseTrial::tick() const {
+  options_.mayStop();
+  if (seconds() > options_.mostSeconds) {
+    throw CaseTooSlow();
+  }
+}
+
+CaseCloth sheetCloth(const Settings& settings, int resolution, Held held, double side, bool upright) {
+  const GridLayout layout = layoutOf({resolution, side, side});
+  CaseCloth cloth{makeGrid(layout, upright ? GridSource::Plane::Vertical : GridSource::Plane::Horizontal).cloth,
+                  {},
+                  settings,
+                  {},
+                  {},
+                  {},
+                  {}};
+  if (held == Held::OneCorner || held == Held::TwoCorners) {
+    cloth.pins.push_back(layout.index(0, 0));
+  }
+  if (held == Held::TwoCorners) {
+    cloth.pins.push_back(layout.index(0, layout.columns - 1));
+  }
+  for (int column = 0; held == Held::TopEdge && column < layout.columns; ++column) {
+    cloth.pins.push_back(layout.index(0, column));
+  }
+  return cloth;
+}
+
+std::shared_ptr<const ClothModel> modelOf(const CaseCloth& cloth) {
+  auto model = buildClothModel(cloth.mesh, totalMassOf(cloth.settings, restAreaOf(cloth.mesh)),
+                               lumpingOf(cloth.settings), cloth.pins);
+  if (!cloth.masses.empty()) {
+    model = withVertexMasses(*model, cloth.masses);
+  }
+  return cloth.stiffness.empty() ? model : withSpringStiffness(*model, cloth.stiffness);
+}
+
+int stableSubsteps(const ClothModel& model, const Settings& settings) {
+  constexpr double share = 0.5;
+  constexpr double finest = 1.0 / 30000.0;  // the paper's, for a method that no step makes stable [s]
+  const SolverInfo* solver = findSolver(settings.solver.name);
+  if (solver == nullptr || solver->stepLimit == nullptr) {
+    return settings.step.substeps;
+  }
+  const double limit = solver->stepLimit(model, settings.step);
+  const double longest = limit > 0.0 ? share * limit : finest;
+  return std::max(settings.step.substeps, static_cast<int>(std::ceil(settings.step.timeStep / longest)));
+}
+
+}  // namespace drape

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "report/hardcases/hard_case.hpp"
+
+/// The cases' runs. Each is defined in a file with its like, and has its place in the table of cases.cpp.
+namespace drape::hardcases {
+
+// starts.cpp
+void randomStart(CaseTrial& trial);
+void flattened(CaseTrial& trial);
+void onePoint(CaseTrial& trial);
+void crushed(CaseTrial& trial);
+
+// materials.cpp
+void unevenSprings(CaseTrial& trial);
+void unevenMasses(CaseTrial& trial);
+void fineAndStiff(CaseTrial& trial);
+void heavyGravity(CaseTrial& trial);
+void scales(CaseTrial& trial);
+
+// free_motion.cpp
+void freeFall(CaseTrial& trial);
+void spinning(CaseTrial& trial);
+
+// rest.cpp
+void oneCorner(CaseTrial& trial);
+void largeAtRest(CaseTrial& trial);
+
+// time.cpp
+void randomFrames(CaseTrial& trial);
+void changedWhileRunning(CaseTrial& trial);
+void longSteps(CaseTrial& trial);
+
+// outside.cpp
+void pinsTeleport(CaseTrial& trial);
+void storm(CaseTrial& trial);
+void thrown(CaseTrial& trial);
+
+// input.cpp
+void degenerateTriangles(CaseTrial& trial);
+void looseMesh(CaseTrial& trial);
+void nothingThere(CaseTrial& trial);
+
+}  // namespace drape::hardcases

@@ -1,0 +1,69 @@
+#include "report/hardcases/cases.hpp"
+#include "report/hardcases/watched_cloth.hpp"
+#include "sim/momentum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+/// Cases of cloth that nothing holds.
+namespace drape::hardcases {
+namespace {
+
+Vec3 middleOf(const std::vector<Vec3>& positions) {
+  return std::accumulate(positions.begin(), positions.end(), Vec3(Vec3::Zero())) /
+         static_cast<double>(positions.size());
+}
+
+/// Where the cloth's mass is at home [m].
+Vec3 barycentreOf(const ClothModel& model, const ClothState& state) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    sum += model.vertexMass[v] * state.positions[v];
+  }
+  return sum / model.totalMass();
+}
+
+}  // namespace
+
+void freeFall(CaseTrial& trial) {
+  constexpr double most = 1e-6;  // [m]
+  const CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000", "damping=0.1", "precision=double"}),
+                                     trial.pick(33, 17), Held::Nowhere);
+  WatchedCloth watched(trial, cloth);
+  watched.run(trial.pick(2.0, 1.0));
+  const std::vector<Vec3>& rest = watched.model().restPositions;
+  const Vec3 fall = middleOf(watched.state().positions) - middleOf(rest);
+  double largest = 0.0;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    largest = std::max(largest, (watched.state().positions[v] - rest[v] - fall).norm());
+  }
+  trial.expect("shape changed by", "m", largest, most);
+  trial.show("fallen", "m", fall.norm());
+}
+
+void spinning(CaseTrial& trial) {
+  constexpr double most = 1e-6;
+  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000", "gravity=0", "precision=double"}), trial.pick(33, 17),
+                               Held::Nowhere);
+  const Vec3 spin(2.0, 6.0, 3.0);   // [1/s]
+  const Vec3 drift(0.3, 0.4, 0.0);  // [m/s]
+  for (const Vec3& position : cloth.mesh.positions) {
+    cloth.velocities.push_back(spin.cross(position) + drift);
+  }
+  WatchedCloth watched(trial, cloth);
+  const auto spinNow = [&] {
+    return angularMomentum(watched.model(), watched.state(), barycentreOf(watched.model(), watched.state()));
+  };
+  const Vec3 linear = linearMomentum(watched.model(), watched.state());
+  const Vec3 angular = spinNow();
+  const int parts = trial.pick(100, 20);
+  for (int i = 0; i < parts; ++i) {
+    watched.run(0.1);
+    const Vec3 linearNow = linearMomentum(watched.model(), watched.state());
+    trial.expect("linear momentum lost", "of itself", (linearNow - linear).norm() / linear.norm(), most);
+    trial.expect("angular momentum lost", "of itself", (spinNow() - angular).norm() / angular.norm(), most);
+  }
+}
+
+}  // namespace drape::hardcases

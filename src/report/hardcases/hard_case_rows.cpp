@@ -1,0 +1,109 @@
+#include "report/hardcases/hard_case_rows.hpp"
+
+#include "report/number_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace drape {
+namespace {
+
+/// What fails, as short as it can be said: "energy gained 35 %".
+std::string faultOf(const ReportRow& row) {
+  if (row.value("outcome", "") != "failed") {
+    return row.value("outcome", "");
+  }
+  for (const auto& one : row["figures"]) {
+    if (!one.value("passes", true)) {
+      const std::string unit = one.value("unit", "");
+      const std::string value = one["value"].is_number() ? figure(one["value"].get<double>(), 2) : "no number";
+      return one.value("name", "") + " " + value + (unit.empty() ? "" : " " + unit);
+    }
+  }
+  const std::string words = row.value("words", "");
+  return words.substr(0, words.find('.'));
+}
+
+}  // namespace
+
+ReportRow hardCaseRow(const HardCase& hardCase, const CaseOptions& options, const CaseResult& result) {
+  ReportRow row{{"case", hardCase.number},
+                {"name", hardCase.name},
+                {"method", options.solver},
+                {"form", options.shortForm ? "short" : "full"},
+                {"outcome", wordFor(result.outcome)},
+                {"passed", result.outcome == CaseOutcome::Passed}};
+  row["figures"] = ReportRow::array();
+  for (const CaseFigure& one : result.figures) {
+    ReportRow found{{"name", one.name}, {"unit", one.unit}, {"value", finiteOrNull(one.value)}};
+    if (std::isfinite(one.limit)) {
+      found["limit"] = one.limit;
+    }
+    found["passes"] = one.passes();
+    row["figures"].push_back(found);
+  }
+  row["words"] = result.words;
+  row["seconds"] = result.seconds;
+  return row;
+}
+
+std::string figuresInWords(const CaseResult& result) {
+  std::string text;
+  for (const CaseFigure& one : result.figures) {
+    if (one.name != "farthest" || !one.passes()) {
+      text += (text.empty() ? "" : ", ") + one.text();
+    }
+  }
+  return text;
+}
+
+std::string hardCaseLine(const HardCase& hardCase, const CaseResult& result) {
+  std::array<char, 80> start{};
+  std::snprintf(start.data(), start.size(), "%2d  %-22s%-9s%8.2f s  ", hardCase.number,
+                std::string(hardCase.name).c_str(), std::string(wordFor(result.outcome)).c_str(), result.seconds);
+  const std::string figures = figuresInWords(result);
+  const bool ended = result.outcome == CaseOutcome::GivenUp || result.words.starts_with("The numbers ended");
+  return start.data() + (ended ? result.words : figures) + "\n";
+}
+
+std::string hardCaseMarkdown(const ReportRows& rows) {
+  std::vector<std::string> methods;
+  std::map<int, std::map<std::string, std::string>> cells;
+  for (const ReportRow& row : rows) {
+    const std::string method = row.value("method", "");
+    if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
+      methods.push_back(method);
+    }
+    cells[row.value("case", 0)][method] = faultOf(row);
+  }
+  std::string text = "| case |";
+  std::string line = "|---|";
+  for (const std::string& method : methods) {
+    text += " " + method + " |";
+    line += "---|";
+  }
+  text += "\n" + line + "\n";
+  for (const auto& [number, own] : cells) {
+    text += "| " + std::to_string(number) + " " + std::string(requireHardCase(std::to_string(number)).name) + " |";
+    for (const std::string& method : methods) {
+      const auto found = own.find(method);
+      text += " " + (found == own.end() ? "" : found->second) + " |";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string hardCaseListMarkdown() {
+  std::string text = "| | case | what is asked | what is measured |\n|---|---|---|---|\n";
+  for (const HardCase& one : hardCaseTable()) {
+    text += "| " + std::to_string(one.number) + " | `" + std::string(one.name) + "` | " + std::string(one.statement) +
+            " | " + std::string(one.rule) + " |\n";
+  }
+  return text;
+}
+
+}  // namespace drape

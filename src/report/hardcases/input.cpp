@@ -1,0 +1,104 @@
+#include "io/mesh_import.hpp"
+#include "report/hardcases/cases.hpp"
+#include "report/hardcases/watched_cloth.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// Cases of what should not be in a mesh or asked for. Whatever it is, it is told in words, and what is left moves.
+namespace drape::hardcases {
+namespace {
+
+/// A level sheet without texture coordinates, with vertices of its own for each triangle: every corner comes several
+/// times.
+RawMesh sheetOfLooseTriangles(const CaseTrial& trial, int resolution) {
+  const ClothMesh sheet = sheetCloth(trial.settings({}), resolution, Held::Nowhere).mesh;
+  RawMesh raw;
+  for (const Triangle& triangle : sheet.triangles) {
+    const auto first = static_cast<int>(raw.positions.size());
+    for (const int v : triangle) {
+      raw.positions.push_back(sheet.positions[static_cast<std::size_t>(v)]);
+    }
+    raw.triangles.push_back({first, first + 1, first + 2});
+  }
+  return raw;
+}
+
+void addTriangle(RawMesh& raw, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto first = static_cast<int>(raw.positions.size());
+  raw.positions.insert(raw.positions.end(), {a, b, c});
+  raw.triangles.push_back({first, first + 1, first + 2});
+}
+
+/// Imports the mesh, looks whether its summary tells of all these, and lets it fall from its first vertex.
+void importAndRun(CaseTrial& trial, const RawMesh& raw, const std::vector<std::string>& toTell, double seconds) {
+  const ImportedMesh mesh = weldMesh(raw, "case.obj", {});
+  std::string told;
+  for (const std::string& warning : mesh.summary.warnings) {
+    told += (told.empty() ? "" : " ") + warning;
+  }
+  const auto untold = std::count_if(toTell.begin(), toTell.end(),
+                                    [&](const std::string& words) { return told.find(words) == std::string::npos; });
+  trial.expect("faults not told", "", static_cast<double>(untold), 0.0);
+  trial.say(told);
+  WatchedCloth watched(trial, {mesh.cloth, {0}, trial.settings({"stiffness=1000"}), {}, {}, {}, {}});
+  watched.run(seconds);
+}
+
+}  // namespace
+
+void degenerateTriangles(CaseTrial& trial) {
+  RawMesh raw = sheetOfLooseTriangles(trial, trial.pick(17, 9));
+  const Vec3 corner = raw.positions.back();
+  addTriangle(raw, corner, corner + Vec3(1.0, 0.0, 0.0), corner + Vec3(0.5, 0.0, 1e-5));  // a sliver
+  addTriangle(raw, corner, corner + Vec3(0.0, 0.0, 0.3), corner + Vec3(0.0, 0.0, 0.6));   // on a line
+  addTriangle(raw, corner, corner, corner + Vec3(0.2, 0.0, 0.0));                         // two corners at one place
+  importAndRun(trial, raw, {"no area"}, trial.pick(2.0, 0.5));
+}
+
+void looseMesh(CaseTrial& trial) {
+  RawMesh raw = sheetOfLooseTriangles(trial, trial.pick(17, 9));
+  const Vec3 a = raw.positions[0];
+  const Vec3 b = raw.positions[1];
+  raw.positions.emplace_back(3.0, 0.0, 0.0);  // used by no face
+  addTriangle(raw, a, b, 0.5 * (a + b) + Vec3(0.0, 0.1, 0.0));
+  addTriangle(raw, a, b, 0.5 * (a + b) - Vec3(0.0, 0.1, 0.0));
+  addTriangle(raw, Vec3(2.0, 0.0, 0.0), Vec3(2.1, 0.0, 0.0), Vec3(2.0, 0.0, 0.1));  // a piece by itself
+  importAndRun(trial, raw, {"to no face", "more than two faces", "separate pieces"}, trial.pick(2.0, 0.5));
+}
+
+void nothingThere(CaseTrial& trial) {
+  int untold = 0;
+  const auto seconds = trial.pick(1.0, 0.3);
+  const int resolution = trial.pick(17, 9);
+
+  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=0"}), resolution, Held::TwoCorners);
+  WatchedCloth dust(trial, cloth);
+  dust.run(seconds);
+  const double fall = 0.5 * cloth.settings.step.gravity * seconds * seconds;
+  const auto middle = static_cast<std::size_t>(resolution * resolution / 2);
+  const double fallen = cloth.mesh.positions[middle].y() - dust.state().positions[middle].y();
+  trial.expect("fall without stiffness off by", "%", 100.0 * std::abs(fallen / fall - 1.0), 5.0);
+
+  WatchedCloth weightless(trial, sheetCloth(trial.settings({"stiffness=1000"}), resolution, Held::TwoCorners));
+  weightless.apply(SetSettingCommand{"mass", 0.0});
+  untold += weightless.simulation().message().empty() ? 1 : 0;
+  trial.say("Mass 0: " + weightless.simulation().message());
+  weightless.run(seconds);
+  try {
+    static_cast<void>(buildClothModel(cloth.mesh, 0.0, MassLumping::Uniform, {}));
+    ++untold;
+  } catch (const InputError& error) {
+    trial.say(error.what());
+  }
+
+  CaseCloth doubled = sheetCloth(trial.settings({"stiffness=1000"}), resolution, Held::TwoCorners);
+  doubled.mesh.positions.push_back(doubled.mesh.positions.back());
+  const auto last = static_cast<int>(doubled.mesh.positions.size()) - 1;
+  doubled.mesh.triangles.push_back({last - 1, last, 0});
+  WatchedCloth(trial, doubled).run(seconds);
+  trial.expect("requests refused without a word", "", untold, 0.0);
+}
+
+}  // namespace drape::hardcases

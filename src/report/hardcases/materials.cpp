@@ -1,0 +1,111 @@
+#include "report/hardcases/cases.hpp"
+#include "report/hardcases/watched_cloth.hpp"
+#include "report/number_text.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/diagnostics.hpp"
+#include "sim/measures.hpp"
+#include "sim/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// Cases of what the cloth is made of.
+namespace drape::hardcases {
+namespace {
+
+/// The largest elongation on the way, at each 1/150 s.
+double strainOnTheWay(WatchedCloth& watched, double seconds) {
+  double largest = 0.0;
+  const auto steps = std::lround(seconds / watched.simulation().settings().step.timeStep);
+  for (long i = 0; i < steps; ++i) {
+    watched.step();
+    largest = std::max(largest, maxStretch(watched.model(), watched.state()));
+  }
+  return largest;
+}
+
+/// The same for Verlet at half of its limit, in double.
+double convergedStrain(const CaseTrial& trial, const CaseCloth& cloth, double seconds) {
+  Settings settings = cloth.settings;
+  settings.solver.name = "verlet";
+  settings.step.precision = Precision::Double;
+  const auto model = modelOf(cloth);
+  settings.step.substeps = stableSubsteps(*model, settings);
+  Stepper stepper(settings.solver.name);
+  ClothState state = stateAtRest(cloth.mesh.positions);
+  double largest = 0.0;
+  const auto steps = std::lround(seconds / settings.step.timeStep);
+  for (long i = 0; i < steps; ++i) {
+    trial.tick();
+    stepper.step(*model, settings.step, {}, state);
+    largest = std::max(largest, maxStretch(*model, state));
+  }
+  return largest;
+}
+
+}  // namespace
+
+void unevenSprings(CaseTrial& trial) {
+  constexpr double stiffer = 1e5;
+  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=10"}), trial.pick(33, 9), Held::TwoCorners);
+  CaseNumbers random(5);
+  cloth.stiffness.resize(modelOf(cloth)->springs.size());
+  std::generate(cloth.stiffness.begin(), cloth.stiffness.end(), [&] { return random.next() < 0.5 ? stiffer : 1.0; });
+  WatchedCloth watched(trial, cloth);
+  watched.run(trial.pick(1.0, 0.2));
+  trial.show("largest strain", "", maxStretch(watched.model(), watched.state()));
+}
+
+void unevenMasses(CaseTrial& trial) {
+  constexpr double heavier = 1e5;
+  constexpr double most = 2.0;
+  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1e5"}), trial.pick(33, 9), Held::TwoCorners);
+  CaseNumbers random(6);
+  const auto even = modelOf(cloth);
+  cloth.masses = even->vertexMass;
+  for (double& mass : cloth.masses) {
+    mass *= random.next() < 0.1 ? heavier : 1.0;
+  }
+  const double seconds = trial.pick(1.0, 0.3);
+  const double converged = convergedStrain(trial, cloth, seconds);
+  WatchedCloth watched(trial, cloth);
+  trial.expect("strain", "times the converged solve's", strainOnTheWay(watched, seconds) / converged, most);
+}
+
+void fineAndStiff(CaseTrial& trial) {
+  const std::vector<int> sizes = trial.pick<std::vector<int>>({129, 257}, {129});
+  for (const int size : sizes) {
+    WatchedCloth watched(trial, sheetCloth(trial.settings({"stiffness=1e5"}), size, Held::TwoCorners));
+    const double strain = strainOnTheWay(watched, trial.pick(0.5, 0.02));
+    trial.show("largest strain at " + gridText(size), "", strain);
+  }
+}
+
+void heavyGravity(CaseTrial& trial) {
+  WatchedCloth watched(
+      trial, sheetCloth(trial.settings({"stiffness=1000", "gravity=981"}), trial.pick(33, 17), Held::TwoCorners));
+  trial.show("largest strain", "", strainOnTheWay(watched, trial.pick(1.0, 0.5)));
+}
+
+void scales(CaseTrial& trial) {
+  constexpr double most = 1.0;  // [% of the diagonal]
+  const double seconds = trial.pick(0.5, 0.3);
+  std::vector<Vec3> first;
+  for (const double size : {1.0, 1e-3, 1e3}) {
+    // The same motion has lengths times s and times times sqrt(s), with the same mass: k / s.
+    const double slower = std::sqrt(size);
+    Settings settings = trial.settings({"precision=double"});
+    settings.step.timeStep = slower / 600.0;
+    settings.step.stiffness = 100.0 / size;
+    WatchedCloth watched(trial, sheetCloth(settings, trial.pick(17, 9), Held::TwoCorners, size));
+    watched.run(seconds * slower);
+    std::vector<Vec3> positions = watched.state().positions;
+    std::for_each(positions.begin(), positions.end(), [&](Vec3& position) { position /= size; });
+    first = first.empty() ? positions : first;
+    const double diagonal = std::sqrt(2.0);
+    trial.expect("difference between scales", "% of the diagonal", 100.0 * meanDistance(first, positions) / diagonal,
+                 most);
+  }
+}
+
+}  // namespace drape::hardcases

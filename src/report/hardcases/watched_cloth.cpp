@@ -1,0 +1,127 @@
+#include "report/hardcases/watched_cloth.hpp"
+
+#include "sim/diagnostics.hpp"
+#include "sim/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace drape {
+namespace {
+
+constexpr double farAway = 1e5;     // [m]
+constexpr double mostGained = 1.0;  // [% of the scale]
+constexpr double percent = 100.0;
+
+std::shared_ptr<const Scene> sceneOf(const CaseCloth& cloth) {
+  auto scene = std::make_shared<Scene>();
+  scene->description.name = "hard case";
+  scene->settings = cloth.settings;
+  scene->model = modelOf(cloth);
+  scene->settings.step.substeps = stableSubsteps(*scene->model, cloth.settings);
+  scene->start = stateAtRest(cloth.start.empty() ? cloth.mesh.positions : cloth.start);
+  if (!cloth.velocities.empty()) {
+    scene->start.velocities = cloth.velocities;
+  }
+  return scene;
+}
+
+}  // namespace
+
+WatchedCloth::WatchedCloth(CaseTrial& trial, const CaseCloth& cloth, EnergyRule rule)
+    : trial_(trial), rule_(rule), simulation_(sceneOf(cloth)) {
+  countAnew();
+}
+
+void WatchedCloth::step(const std::function<double()>& work) {
+  trial_.tick();
+  simulation_.step();
+  allowed_ += work ? work() : 0.0;
+  watch();
+}
+
+void WatchedCloth::run(double seconds) {
+  const auto steps = std::lround(seconds / simulation_.settings().step.timeStep);
+  for (long i = 0; i < steps; ++i) {
+    step();
+  }
+}
+
+void WatchedCloth::apply(const Command& command) {
+  simulation_.apply(command);
+  if (std::holds_alternative<SetSettingCommand>(command) || std::holds_alternative<MovePinsCommand>(command)) {
+    keepStable();
+    countAnew();
+  }
+}
+
+void WatchedCloth::keepStable() {
+  const int needed = stableSubsteps(model(), simulation_.settings());
+  if (needed > simulation_.settings().step.substeps) {
+    simulation_.apply(SetSettingCommand{"substeps", needed});
+  }
+}
+
+double WatchedCloth::energy() const {
+  if (rule_ != EnergyRule::WindFrame) {
+    return energyOf(model(), simulation_.settings().step, state()).total();
+  }
+  ClothState against = state();
+  for (Vec3& velocity : against.velocities) {
+    velocity -= simulation_.settings().step.wind;
+  }
+  return energyOf(model(), simulation_.settings().step, against).total();
+}
+
+void WatchedCloth::countAnew() {
+  const StepParameters& parameters = simulation_.settings().step;
+  const Energy now = energyOf(model(), parameters, state());
+  startEnergy_ = energy();
+  allowed_ = 0.0;
+  scale_ = model().totalMass() * parameters.gravity * diagonalOf(model()) + startEnergy_ - now.potential;
+}
+
+void WatchedCloth::watch() {
+  if (simulation_.blewUp()) {
+    throw CaseEnded{"The numbers ended after " + std::to_string(state().time) + " s."};
+  }
+  const auto& positions = state().positions;
+  const double farthest = std::accumulate(positions.begin(), positions.end(), 0.0, [](double most, const Vec3& x) {
+    return std::max(most, x.lpNorm<Eigen::Infinity>());
+  });
+  trial_.expect("farthest", "m", farthest, farAway);
+  if (rule_ != EnergyRule::NotCounted) {
+    const double gained = percent * (energy() - startEnergy_ - allowed_) / scale_;
+    trial_.expect("energy gained", "%", gained < 0.0 ? 0.0 : gained, mostGained);
+  }
+  if (farthest > farAway) {
+    throw CaseEnded{"It flew away after " + std::to_string(state().time) + " s."};
+  }
+}
+
+double largestStrain(const ClothModel& model, const ClothState& state) {
+  double largest = 0.0;
+  for (const Spring& spring : model.springs) {
+    if (spring.restLength > 0.0) {
+      const double length =
+          (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
+              .norm();
+      largest = std::max(largest, std::abs(length / spring.restLength - 1.0));
+    }
+  }
+  return largest;
+}
+
+double largestSpeed(const ClothState& state) {
+  return std::accumulate(state.velocities.begin(), state.velocities.end(), 0.0,
+                         [](double most, const Vec3& v) { return std::max(most, v.norm()); });
+}
+
+double meanEdge(const ClothModel& model) {
+  const double sum = std::accumulate(model.springs.begin(), model.springs.end(), 0.0,
+                                     [](double all, const Spring& spring) { return all + spring.restLength; });
+  return sum / static_cast<double>(model.springs.size());
+}
+
+}  // namespace drape

@@ -1,0 +1,148 @@
+#include "report/hardcases/hard_case_rows.hpp"
+#include "report/sections/sections.hpp"
+#include "sim/solver.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace drape {
+namespace {
+
+/// How long a method may take over a case [s].
+double mostSeconds(const ReportOptions& options) {
+  return options.quick ? 2.0 : 60.0;
+}
+
+ReportRows measureCase(const HardCase& one, const std::string& method, const ReportOptions& options,
+                       const CellContext& context) {
+  CaseOptions asked;
+  asked.solver = method;
+  asked.shortForm = options.quick;
+  asked.settings = {"threads=" + std::to_string(options.threads)};
+  asked.mostSeconds = mostSeconds(options);
+  asked.mayStop = context.mayStop;
+  return {hardCaseRow(one, asked, runHardCase(one, asked))};
+}
+
+/// A quick report takes what users meet: the paper's method, and the one that chooses by itself.
+std::vector<std::string> methodsFor(const ReportOptions& options) {
+  std::vector<std::string> methods;
+  for (const SolverInfo& solver : solverTable()) {
+    if (!options.quick || solver.name == "one_iteration" || solver.name == "auto") {
+      methods.emplace_back(solver.name);
+    }
+  }
+  return methods;
+}
+
+SectionPlan plan(const ReportOptions& options) {
+  SectionPlan plan;
+  for (const HardCase& one : hardCaseTable()) {
+    for (const std::string& method : methodsFor(options)) {
+      plan.cells.push_back(
+          {method + " " + std::to_string(one.number) + " " + std::string(one.name), options.quick ? 0.3 : 20.0,
+           [&one, method, options](const CellContext& context) { return measureCase(one, method, options, context); }});
+    }
+  }
+  return plan;
+}
+
+const std::vector<MapState>& states() {
+  static const std::vector<MapState> all{{"passed", "P", Tone::Good},
+                                         {"failed", "F", Tone::Bad},
+                                         {"given up", "-", Tone::None},
+                                         {"not measured", "", Tone::None}};
+  return all;
+}
+
+int indexOf(const std::string& outcome) {
+  const auto found =
+      std::find_if(states().begin(), states().end(), [&](const MapState& known) { return known.name == outcome; });
+  return static_cast<int>(std::min<std::ptrdiff_t>(found - states().begin(), std::ssize(states()) - 1));
+}
+
+using RowOf = std::map<std::pair<int, std::string>, const ReportRow*>;
+
+std::vector<std::string> methodsIn(const ReportRows& rows) {
+  std::vector<std::string> methods;
+  for (const SolverInfo& solver : solverTable()) {
+    const auto isIts = [&](const ReportRow& row) { return row.value("method", "") == solver.name; };
+    if (std::any_of(rows.begin(), rows.end(), isIts)) {
+      methods.emplace_back(solver.name);
+    }
+  }
+  return methods;
+}
+
+StateMap mapOf(const RowOf& rows, const std::vector<std::string>& methods) {
+  StateMap map{"hard-cases", "Which case each method passes", "case", {}, {}, states()};
+  for (const HardCase& one : hardCaseTable()) {
+    map.columns.push_back(std::to_string(one.number));
+  }
+  for (const std::string& method : methods) {
+    StateMap::Row line{method, {}};
+    for (const HardCase& one : hardCaseTable()) {
+      const auto found = rows.find({one.number, method});
+      line.cells.push_back(indexOf(found == rows.end() ? "" : found->second->value("outcome", "")));
+    }
+    map.rows.push_back(line);
+  }
+  return map;
+}
+
+/// What went wrong in each case that a method did not pass.
+TextTable faultsOf(const RowOf& rows, const std::vector<std::string>& methods) {
+  TextTable table{"What went wrong", {"method", "case", "outcome", "figures"}, {}};
+  for (const std::string& method : methods) {
+    for (const HardCase& one : hardCaseTable()) {
+      const auto found = rows.find({one.number, method});
+      if (found != rows.end() && !found->second->value("passed", false)) {
+        table.rows.push_back({method, std::to_string(one.number) + " " + std::string(one.name),
+                              found->second->value("outcome", ""), found->second->value("words", "")});
+      }
+    }
+  }
+  return table;
+}
+
+TextTable casesAsTable() {
+  TextTable table{"The cases", {"case", "what is asked", "what is measured"}, {}};
+  for (const HardCase& one : hardCaseTable()) {
+    table.rows.push_back(
+        {std::to_string(one.number) + " " + std::string(one.name), std::string(one.statement), std::string(one.rule)});
+  }
+  return table;
+}
+
+std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
+  if (rows.empty()) {
+    return {};
+  }
+  RowOf cells;
+  for (const ReportRow& row : rows) {
+    cells[{row.value("case", 0), row.value("method", "")}] = &row;
+  }
+  const auto methods = methodsIn(rows);
+  std::vector<Block> blocks;
+  blocks.emplace_back(Paragraph{
+      std::string("Cases that are hard for cloth solvers (docs/hardcases.md), in their ") +
+      (options.quick ? "short" : "full") +
+      " form. Every method has its default settings; the explicit ones take as many substeps as keep them at half of "
+      "their stability limit. In every case the numbers stay finite, no vertex goes farther than 1e5 m, and the energy "
+      "rises by no more than 1 % of the scene's scale beyond what was done from outside. Given up: it took too long."});
+  blocks.emplace_back(mapOf(cells, methods));
+  blocks.emplace_back(casesAsTable());
+  blocks.emplace_back(faultsOf(cells, methods));
+  return blocks;
+}
+
+}  // namespace
+
+Section sections::hardCases() {
+  return {"hard_cases", "Hard cases", plan, show};
+}
+
+}  // namespace drape

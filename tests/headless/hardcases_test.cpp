@@ -1,0 +1,51 @@
+#include "program.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace drape::testing {
+namespace {
+
+const std::string quick = "hardcases --short --case heavy_gravity ";
+
+TEST(HardCasesCommand, tellsPassOrFailWithTheFiguresForEachSolver) {
+  const auto file = testFolder() / "cases.json";
+  const Outcome outcome = headless(quick + "--case 7 --solver verlet --solver newton --json " + file.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("heavy_gravity"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("energy gained"), std::string::npos) << outcome.output;
+  const auto rows = nlohmann::json::parse(readFile(file))["hard_cases"];
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0]["name"], "heavy_gravity");
+  EXPECT_EQ(rows[1]["case"], 7);
+  EXPECT_EQ(rows[3]["method"], "newton");
+  EXPECT_EQ(rows[0]["passed"], true);
+  for (const auto& figure : rows[0]["figures"]) {
+    EXPECT_EQ(figure["passes"], true) << figure;
+  }
+}
+
+TEST(HardCasesCommand, failsWithStatusOneAndSaysWhichSolverFailed) {
+  const Outcome outcome = headless(quick + "--solver one_iteration --set derivative=axial");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.output.find("failed"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.errors.find("one_iteration 1"), std::string::npos) << outcome.errors;
+}
+
+TEST(HardCasesCommand, printsATableOfSolvers) {
+  const Outcome outcome = headless(quick + "--solver verlet --markdown");
+  EXPECT_EQ(outcome.output, "| case | verlet |\n|---|---|\n| 21 heavy_gravity | passed |\n");
+}
+
+TEST(HardCasesCommand, refusesWrongUse) {
+  EXPECT_EQ(headless("hardcases --case 23").status, 2);
+  EXPECT_EQ(headless(quick + "--solver magic").status, 2);
+  EXPECT_EQ(headless(quick + "--set magic=1").status, 2);
+  EXPECT_EQ(headless(quick + "--most-seconds 0").status, 2);
+  const Outcome outcome = headless(quick + "--json /nowhere/file.json");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.errors.find("/nowhere/file.json"), std::string::npos) << outcome.errors;
+}
+
+}  // namespace
+}  // namespace drape::testing
