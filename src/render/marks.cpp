@@ -12,6 +12,9 @@ constexpr float pinSize = 8.0F;    // in units of a mark; of a single pin
 constexpr float manySize = 4.5F;   // where there are so many that they would hide the cloth
 constexpr float heldSize = 12.0F;  // in units of a mark
 constexpr float handSize = 16.0F;  // in units of a mark
+const Eigen::Vector4f contactColour(0.86F, 0.16F, 0.36F, 1.0F);
+constexpr double contactLength = 0.03;  // of a drawn normal [m]
+constexpr float contactSize = 4.0F;     // in units of a mark
 constexpr float threadWidth = 2.5F;
 
 float sizeOfPins(std::size_t count) {
@@ -22,11 +25,46 @@ float sizeOfPins(std::size_t count) {
 
 }  // namespace
 
-Marks::Marks() : dots_("dot.vert", "dot.frag"), thread_("thread.vert", "thread.frag") {
+Marks::Marks()
+    : dots_("dot.vert", "dot.frag"), thread_("thread.vert", "thread.frag"), lines_("contact.vert", "contact.frag") {
   glBindVertexArray(pinArray_.name());
   glBindBuffer(GL_ARRAY_BUFFER, pinBuffer_.name());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(contactArray_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, contactBuffer_.name());
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(0);
+}
+
+void Marks::setContacts(const Snapshot& snapshot) {
+  contacts_.clear();
+  for (const ContactPoint& contact : snapshot.contactPoints) {
+    contacts_.emplace_back(contact.point.cast<float>());
+    contacts_.emplace_back((contact.point + contactLength * contact.normal).cast<float>());
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, contactBuffer_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(contacts_.size() * sizeof(Eigen::Vector3f)), contacts_.data(),
+               GL_STREAM_DRAW);
+}
+
+void Marks::drawContacts(float scale) const {
+  if (contacts_.empty()) {
+    return;
+  }
+  glBindVertexArray(contactArray_.name());
+  lines_.use();
+  lines_.set("colour", contactColour);
+  glBindBuffer(GL_ARRAY_BUFFER, contactBuffer_.name());
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(contacts_.size()));
+  // Every second point is a foot.
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 2 * sizeof(Eigen::Vector3f), nullptr);
+  dots_.use();
+  dots_.set("fill", contactColour);
+  dots_.set("size", contactSize * scale);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(contacts_.size() / 2));
   glBindVertexArray(0);
 }
 

@@ -10,16 +10,19 @@
 namespace drape {
 
 /// Draws what is not there in the scene but helps the hand: pins as dots and the grab as a thread from the held point
-/// to the hand. All are as large on the screen from near as from afar.
+/// to the hand, contacts as dots with their normals. All but these are as large on the screen from near as from afar.
 class Marks {
  public:
   Marks();
 
   /// Takes over where the pins are.
   void setPins(const Snapshot& snapshot);
+  /// Takes over where the cloth touches something: each place becomes a dot and a line along its normal.
+  void setContacts(const Snapshot& snapshot);
 
   /// `scale` is the size of a mark's unit [pixels].
   void drawPins(float scale) const;
+  void drawContacts(float scale) const;
   void drawGrab(const GrabStatus& grab, float scale) const;
 
  private:
@@ -31,6 +34,10 @@ class Marks {
   GlBuffer pinBuffer_;
   GlVertexArray nothing_;
   std::vector<Eigen::Vector3f> pins_;
+  ShaderProgram lines_;
+  GlVertexArray contactArray_;
+  GlBuffer contactBuffer_;
+  std::vector<Eigen::Vector3f> contacts_;  // two a place: its foot and the end of its normal
 };
 
 }  // namespace drape

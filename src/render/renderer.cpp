@@ -1,5 +1,6 @@
 #include "render/renderer.hpp"
 
+#include "render/body_drawing.hpp"
 #include "render/creases.hpp"
 #include "render/frame_uniforms.hpp"
 #include "render/framebuffer.hpp"
@@ -12,7 +13,6 @@
 #include "render/texture_units.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace drape {
@@ -44,6 +44,7 @@ struct Renderer::Parts {
                                             int height) const;
   void drawBackground() const;
   void drawStand() const;
+  void drawBodies() const;
   void drawCloth(const Settings::View& view) const;
   void drawGhost(const Settings::View& view) const;
   void drawGround() const;
@@ -55,11 +56,13 @@ struct Renderer::Parts {
   ShaderProgram clothProgram{"surface.vert", "cloth.frag"};
   ShaderProgram wireframeProgram{"surface.vert", "cloth.frag", "wireframe.geom", "#define WIREFRAME\n"};
   ShaderProgram standProgram{"surface.vert", "stand.frag"};
+  ShaderProgram bodyProgram{"surface.vert", "stand.frag", {}, "#define BODY\n"};
   ShaderProgram groundProgram{"ground.vert", "ground.frag"};
   GlVertexArray nothing;
   SmoothMesh cloth;
   SmoothMesh ghost;
   SmoothMesh stand;
+  BodyDrawing bodies;
   Marks marks;
   ShadowMap shadowMap;
   GroundShadow groundShadow;
@@ -90,6 +93,8 @@ void Renderer::Parts::take(const Snapshot& snapshot) {
     cloth.setPositions(snapshot.positions);
     takeGhost(snapshot);
     marks.setPins(snapshot);
+    marks.setContacts(snapshot);
+    bodies.take(snapshot);
     shadowsAreCurrent = false;
   }
 }
@@ -126,6 +131,7 @@ void Renderer::Parts::takeScene(const Scene& newScene) {
   stand.setTopology({creased.triangles, creased.triangles, {}, {}});
   stand.setPositions(creased.positions);
   box.extend(stand.bounds());
+  bodies.takeScene(newScene);
 
   groundCentre = {box.center().x(), newScene.groundHeight, box.center().z()};
   groundFade = std::max(smallestFade, fadeInSizes * 0.5 * box.diagonal().norm());
@@ -150,8 +156,12 @@ FrameUniforms Renderer::Parts::frameUniforms(const Snapshot& snapshot, const Cam
 
 void Renderer::Parts::updateShadows(const FrameUniforms& uniforms) {
   frameBlock.upload(uniforms);
-  const std::array<const SmoothMesh*, 3> meshes{&cloth, &stand, &ghost};
-  shadowMap.draw(std::span(meshes).first(hasGhost && ghostStandsBeside ? 3 : 2));
+  std::vector<const SmoothMesh*> meshes{&cloth, &stand};
+  bodies.addMeshes(meshes);
+  if (hasGhost && ghostStandsBeside) {
+    meshes.push_back(&ghost);
+  }
+  shadowMap.draw(meshes);
   shadowMap.bind(shadowUnit, shadowDepthUnit);
   groundShadow.draw();
   shadowsAreCurrent = true;
@@ -171,6 +181,12 @@ void Renderer::Parts::drawStand() const {
   standProgram.use();
   standProgram.set("shadowMap", static_cast<int>(shadowUnit));
   stand.draw();
+}
+
+void Renderer::Parts::drawBodies() const {
+  bodyProgram.use();
+  bodyProgram.set("shadowMap", static_cast<int>(shadowUnit));
+  bodies.draw();
 }
 
 void Renderer::Parts::drawCloth(const Settings::View& view) const {
@@ -227,6 +243,7 @@ void Renderer::Parts::drawMarks(const Snapshot& snapshot, int height) const {
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDepthMask(GL_FALSE);
   marks.drawPins(markScale(height));
+  marks.drawContacts(markScale(height));
   if (snapshot.grab) {
     // The hand is shown through the cloth: it must never be lost.
     glDisable(GL_DEPTH_TEST);
@@ -256,6 +273,7 @@ void Renderer::draw(const Snapshot& snapshot, const Camera& camera, int width, i
   if (view.shadows && !parts.shadowsAreCurrent) {
     Eigen::AlignedBox3d box = parts.cloth.bounds();
     box.extend(parts.stand.bounds());
+    box.extend(parts.bodies.bounds());
     if (parts.hasGhost && parts.ghostStandsBeside) {
       box.extend(parts.ghost.bounds());
     }
@@ -272,6 +290,7 @@ void Renderer::draw(const Snapshot& snapshot, const Camera& camera, int width, i
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
   parts.drawStand();
+  parts.drawBodies();
   parts.drawCloth(view);
   if (view.ground && camera.pose().position.y() > parts.groundCentre.y()) {
     parts.drawGround();

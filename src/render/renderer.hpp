@@ -8,8 +8,8 @@
 
 namespace drape {
 
-/// Draws snapshots: cloth (smooth, two-sided, checkered or plain), its ghost in green, stand, ground, soft light with
-/// shadows, the hand and the pins. Needs a current GlContext from construction to destruction.
+/// Draws snapshots: cloth (smooth, two-sided, checkered or plain), its ghost in green, stand, bodies, ground, soft
+/// light with shadows, the hand, the pins and contacts. Needs a current GlContext from construction to destruction.
 class Renderer {
  public:
   Renderer();

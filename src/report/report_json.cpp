@@ -29,6 +29,7 @@ Json balanceJson(const EnergyBalance& balance) {
           {"damping", balance.damping()},
           {"air", balance.air()},
           {"hand", balance.hand()},
+          {"contact", balance.contact()},
           {"integrator", balance.integrator()}};
 }
 

@@ -1,6 +1,7 @@
 #include "report/trajectory.hpp"
 
 #include "settings/settings_table.hpp"
+#include "sim/contact/body_world.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
 #include "sim/residuals.hpp"
@@ -22,6 +23,7 @@ class Runner {
         parameters_(settings.step),
         watch_(watch),
         stepper_(settings.solver.name),
+        bodies_(scene.bodies, scene.start.time),
         stepsTotal_(static_cast<std::int64_t>(checkpoints) * stepsPerCheckpoint(settings.step.timeStep)) {
     trajectory_.stepsPerCheckpoint = stepsPerCheckpoint(settings.step.timeStep);
     if (watch.energyPeak) {
@@ -32,6 +34,7 @@ class Runner {
 
   /// Takes `state` to the next checkpoint and records it there. False when it blew up on the way.
   bool advance(ClothState& state) {
+    bodies_.reset(state.time);
     for (int i = 0; i < trajectory_.stepsPerCheckpoint; ++i) {
       step(state);
     }
@@ -53,11 +56,14 @@ class Runner {
     if (compare) {
       before_ = state;
     }
-    const StepReport report = stepper_.step(model_, parameters_, {}, state);
+    bodies_.advance(state.time, parameters_.timeStep);
+    StepInputs inputs;
+    inputs.bodies = &bodies_.steps();
+    const StepReport report = stepper_.step(model_, parameters_, inputs, state);
     trajectory_.unsolvedSteps += report.converged ? 0 : 1;
     trajectory_.largestResidual = std::max(trajectory_.largestResidual, report.residual);
     if (watch_.energy) {
-      balance_.add(model_, parameters_, {}, before_, state);
+      balance_.add(model_, parameters_, inputs, before_, state, stepper_.contact().unresolved());
     }
     if (watch_.energyPeak) {
       const double energy = energyOf(model_, parameters_, state).total();
@@ -85,6 +91,7 @@ class Runner {
   StepParameters parameters_;
   const Watch& watch_;
   Stepper stepper_;
+  BodyWorld bodies_;
   std::int64_t stepsDone_ = 0;
   std::int64_t stepsTotal_;
   EnergyBalance balance_;

@@ -4,6 +4,7 @@
 #include "settings/settings.hpp"
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
+#include "sim/contact/body.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -57,6 +58,15 @@ struct PinSelection {
   int every = 1;                     ///< along edges only every n-th vertex, and the last
 };
 
+/// A body as it is written down: all but its mesh, which is still in files.
+struct BodyDescription {
+  Body body;                           ///< without the shape when that is a mesh
+  std::vector<MeshFileSource> meshes;  ///< of a mesh: one, or one for each frame; empty for other shapes
+  double scale = 1.0;                  ///< of the meshes [-]
+  double frameTime = 1.0 / 30.0;       ///< from one frame to the next [s]
+  bool frameLoop = false;              ///< after the last frame comes the first one
+};
+
 /// A scene as it is written down (docs/scenes.md), before anything is built.
 struct SceneDescription {
   std::string name;   ///< "flag", or the file's name
@@ -68,9 +78,11 @@ struct SceneDescription {
   PinSelection pins;
   std::optional<CameraPose> camera;     ///< absent: chosen so that the cloth fills the view
   std::optional<MeshFileSource> stand;  ///< a thing that stands there and is drawn
-  double groundHeight = 0.0;            ///< [m]
-  bool groundBelowCloth = false;        ///< put the ground under the cloth instead
-  Settings settings;                    ///< the defaults with the scene's own values
+  std::vector<BodyDescription> bodies;
+  double groundHeight = 0.0;      ///< [m]
+  std::optional<Body> ground;     ///< what the ground is like to touch; absent: the cloth falls through it
+  bool groundBelowCloth = false;  ///< put the ground under the cloth instead
+  Settings settings;              ///< the defaults with the scene's own values
 };
 
 /// A thing that is drawn and does not take part.
@@ -88,6 +100,7 @@ struct Scene {
   RenderMesh renderMesh;
   MeshSummary summary;
   std::optional<Decor> stand;
+  std::shared_ptr<const std::vector<Body>> bodies = std::make_shared<std::vector<Body>>();  ///< never null
   CameraPose camera;
   double groundHeight = 0.0;  ///< [m]
 };

@@ -55,6 +55,48 @@ std::optional<Decor> readStand(const std::optional<MeshFileSource>& source) {
   return Decor{std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles)};
 }
 
+/// One mesh from several files, which must all have the same triangles.
+std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& description) {
+  auto shape = std::make_shared<MeshShape>();
+  for (const MeshFileSource& source : description.meshes) {
+    ImportedMesh mesh = readMesh(source, ImportOptions{});
+    for (Vec3& position : mesh.cloth.positions) {
+      position *= description.scale;
+    }
+    if (shape->triangles.empty()) {
+      shape->triangles = mesh.cloth.triangles;
+    } else if (shape->triangles != mesh.cloth.triangles ||
+               shape->frames.front().size() != mesh.cloth.positions.size()) {
+      throw InputError(source.path + " does not have the same triangles as " + description.meshes.front().path +
+                       "; the frames of a body are one mesh with other positions");
+    }
+    shape->frames.push_back(std::move(mesh.cloth.positions));
+  }
+  shape->positions = shape->frames.front();
+  if (shape->frames.size() == 1) {
+    shape->frames.clear();
+  }
+  shape->frameTime = description.frameTime;
+  shape->loop = description.frameLoop;
+  return shape;
+}
+
+std::shared_ptr<const std::vector<Body>> buildBodies(const SceneDescription& description, double groundHeight) {
+  auto bodies = std::make_shared<std::vector<Body>>();
+  for (const BodyDescription& each : description.bodies) {
+    bodies->push_back(each.body);
+    if (!each.meshes.empty()) {
+      bodies->back().shape = readMeshShape(each);
+    }
+  }
+  if (description.ground) {
+    bodies->push_back(*description.ground);
+    bodies->back().shape = PlaneShape{};
+    bodies->back().motion.keyframes = {{0.0, Vec3(0.0, groundHeight, 0.0), Vec3::Zero()}};
+  }
+  return bodies;
+}
+
 /// Where the mesh comes from, and the layout when it is a grid.
 struct Source {
   ImportedMesh mesh;
@@ -107,6 +149,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   const Eigen::AlignedBox3d box = boundsOf(scene->start.positions);
   scene->groundHeight =
       description.groundBelowCloth ? box.min().y() - 0.25 * (box.max().y() - box.min().y()) : description.groundHeight;
+  scene->bodies = buildBodies(description, scene->groundHeight);
   constexpr double usualAspect = 16.0 / 9.0;
   constexpr double cautious = 1.15;  // cloth sags and swings beyond the box it starts in
   const Vec3 middle = 0.5 * (box.min() + box.max());

@@ -1,23 +1,17 @@
 #include "scene/scene_file.hpp"
 
+#include "scene/body_reader.hpp"
 #include "scene/toml_reader.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drape {
 namespace {
 
 constexpr double farAway = 1e4;  // [m] beyond this a coordinate in a scene is a slip
-
-MeshFileSource meshSource(const std::string& name, const std::filesystem::path& folder) {
-  constexpr std::string_view builtin = "builtin:";
-  if (name.starts_with(builtin)) {
-    return {name.substr(builtin.size()), true};
-  }
-  return {(folder / name).string(), false};
-}
 
 void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, SceneDescription& scene) {
   cloth.allowOnly({"mesh", "grid", "position", "pleats"});
@@ -56,6 +50,22 @@ PinSelection readPins(const TomlReader& reader) {
   pins.edges = reader.texts("edges");
   pins.every = reader.integer("every", 1, 1000).value_or(1);
   return pins;
+}
+
+void readGround(const TomlReader& ground, SceneDescription& scene) {
+  std::vector<std::string_view> keys{"height", "solid"};
+  keys.insert(keys.end(), surfaceKeys.begin(), surfaceKeys.end());
+  ground.allowOnly(keys);
+  scene.groundHeight = ground.number("height", -farAway, farAway).value_or(0.0);
+  Body body;
+  body.name = "ground";
+  body.drawn = false;  // it is drawn as the ground
+  readSurface(ground, body);
+  if (ground.flag("solid").value_or(false)) {
+    scene.ground = std::move(body);
+  } else if (std::any_of(surfaceKeys.begin(), surfaceKeys.end(), [&](auto key) { return ground.has(key); })) {
+    ground.fail("friction and thickness of the ground need solid = true");
+  }
 }
 
 CameraPose readCamera(const TomlReader& reader) {
@@ -109,7 +119,7 @@ void readSettings(const TomlReader& reader, Settings& settings) {
 SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
                             const std::filesystem::path& folder) {
   const TomlReader reader(text, file);
-  reader.allowOnly({"title", "help", "cloth", "pins", "camera", "stand", "ground", "settings"});
+  reader.allowOnly({"title", "help", "cloth", "pins", "camera", "stand", "ground", "bodies", "settings"});
   SceneDescription scene;
   scene.name = name;
   scene.title = reader.text("title").value_or(name);
@@ -130,9 +140,9 @@ SceneDescription parseScene(std::string_view text, const std::string& name, cons
     scene.stand = meshSource(stand->text("mesh").value_or(""), folder);
   }
   if (const auto ground = reader.table("ground")) {
-    ground->allowOnly({"height"});
-    scene.groundHeight = ground->number("height", -farAway, farAway).value_or(0.0);
+    readGround(*ground, scene);
   }
+  scene.bodies = readBodies(reader, folder);
   if (const auto settings = reader.table("settings")) {
     readSettings(*settings, scene.settings);
   }

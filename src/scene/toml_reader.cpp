@@ -62,6 +62,17 @@ std::optional<std::string> TomlReader::text(std::string_view key) const {
   fail(*node, nameOf(key) + " must be a text in quotes");
 }
 
+std::optional<bool> TomlReader::flag(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  if (node == nullptr) {
+    return std::nullopt;
+  }
+  if (const auto* value = node->as_boolean()) {
+    return value->get();
+  }
+  fail(*node, nameOf(key) + " must be true or false");
+}
+
 std::optional<double> TomlReader::number(std::string_view key, double min, double max) const {
   const toml::node* node = table_->get(key);
   if (node == nullptr) {

@@ -24,6 +24,7 @@ class TomlReader {
 
   [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
   [[nodiscard]] std::optional<std::string> text(std::string_view key) const;
+  [[nodiscard]] std::optional<bool> flag(std::string_view key) const;
   [[nodiscard]] std::optional<double> number(std::string_view key, double min, double max) const;
   [[nodiscard]] std::optional<int> integer(std::string_view key, int min, int max) const;
   [[nodiscard]] std::optional<Vec3> vector(std::string_view key) const;

@@ -36,13 +36,24 @@ struct TogglePinCommand {};
 struct MovePinsCommand {
   Vec3 by = Vec3::Zero();  ///< [m]
 };
+/// Lets a body take part, or takes it away.
+struct SwitchBodyCommand {
+  int body = 0;  ///< index into the scene's bodies
+  bool on = true;
+};
+/// Shifts a body from where its own motion puts it. It goes there at a bounded speed while the simulation runs.
+struct MoveBodyCommand {
+  int body = 0;               ///< index into the scene's bodies
+  Vec3 shift = Vec3::Zero();  ///< [m]
+};
 struct LoadSceneCommand {
   std::shared_ptr<const Scene> scene;
 };
 
 /// Everything that anybody can ask of a running simulation.
 using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, GrabCommand,
-                             MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, MovePinsCommand, LoadSceneCommand>;
+                             MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, MovePinsCommand, SwitchBodyCommand,
+                             MoveBodyCommand, LoadSceneCommand>;
 
 /// A command and how many steps had been taken when it took effect: enough to run a session again.
 struct LoggedCommand {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace drape {
@@ -35,6 +36,8 @@ void Simulation::step() {
   lastFinite_ = state_;
   const auto before = std::chrono::steady_clock::now();
   inputs_.grab = grabInForce();
+  bodies_.advance(state_.time, settings_.step.timeStep);
+  inputs_.bodies = &bodies_.steps();
   stepReport_ = stepper_->step(*model_, settings_.step, inputs_, state_);
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   ++version_;
@@ -47,11 +50,24 @@ void Simulation::step() {
     return;
   }
   if (balance_) {
-    balance_->add(*model_, settings_.step, inputs_, lastFinite_, state_);
+    balance_->add(*model_, settings_.step, inputs_, lastFinite_, state_, stepper_->contact().unresolved());
   }
   stepGhost();
+  tellOfOverlap();
   ++stepIndex_;
   ++stepsTaken_;
+}
+
+/// Once, when it begins: what was inside a body from the start is pushed out slowly.
+void Simulation::tellOfOverlap() {
+  const ContactReport& contact = stepReport_.contact;
+  if (stepIndex_ == 0 && contact.overlaps > 0) {
+    std::ostringstream depth;
+    depth.precision(2);
+    depth << contact.deepestOverlap * 1e3;
+    message_ = "The cloth starts inside a body (" + std::to_string(contact.overlaps) + " triangles, up to " +
+               depth.str() + " mm deep) and is pushed out slowly.";
+  }
 }
 
 void Simulation::stepGhost() {
@@ -95,11 +111,32 @@ void Simulation::capture(Snapshot& snapshot) const {
   } else {
     ghost_->capture(state_, snapshot.ghost ? *snapshot.ghost : snapshot.ghost.emplace());
   }
+  captureBodies(snapshot);
   snapshot.grab.reset();
   if (grab_) {
     const int corner = nearestCornerOfGrab();
     snapshot.grab = GrabStatus{grab_->triangle, grab_->barycentric, grab_->target, grabbedPoint(),
                                model_->pinned[static_cast<std::size_t>(corner)]};
+  }
+}
+
+void Simulation::captureBodies(Snapshot& snapshot) const {
+  snapshot.bodies.resize(bodies_.bodies().size());
+  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
+    BodyStatus& status = snapshot.bodies[i];
+    status.pose = bodies_.pose(i);
+    status.shift = bodies_.shift(i);
+    status.on = bodies_.isOn(i);
+    status.vertices.clear();
+    if (bodies_.movesInItself(i)) {
+      const auto vertices = bodies_.vertices(i);
+      status.vertices.assign(vertices.begin(), vertices.end());
+    }
+  }
+  snapshot.contactPoints.clear();
+  if (settings_.view.contacts) {
+    const auto points = stepper_->contact().points();
+    snapshot.contactPoints.assign(points.begin(), points.end());
   }
 }
 
@@ -132,6 +169,7 @@ void Simulation::on(const SingleStepCommand&) {
 void Simulation::on(const ResetCommand&) {
   state_ = scene_->start;
   const bool unfolded = makeUnfoldable(*model_, state_);
+  bodies_.reset(state_.time);
   if (ghost_) {
     ghost_->reset(state_);
   }
@@ -190,6 +228,24 @@ void Simulation::on(const MovePinsCommand& command) {
   }
 }
 
+void Simulation::on(const SwitchBodyCommand& command) {
+  bodies_.switchOn(requireBody(command.body), command.on);
+}
+
+void Simulation::on(const MoveBodyCommand& command) {
+  const std::size_t body = requireBody(command.body);
+  if (command.shift.allFinite()) {
+    bodies_.shiftTowards(body, command.shift);
+  }
+}
+
+std::size_t Simulation::requireBody(int body) const {
+  if (body < 0 || body >= static_cast<int>(bodies_.bodies().size())) {
+    throw InputError("there is no body " + std::to_string(body) + " in this scene");
+  }
+  return static_cast<std::size_t>(body);
+}
+
 void Simulation::on(const LoadSceneCommand& command) {
   if (!command.scene) {
     throw InputError("there is no scene to load");
@@ -198,6 +254,7 @@ void Simulation::on(const LoadSceneCommand& command) {
   model_ = scene_->model;
   settings_ = scene_->settings;
   ghost_.reset();
+  bodies_ = BodyWorld(scene_->bodies, scene_->start.time);
   on(ResetCommand{});
   useSolvers();
   useBalance();

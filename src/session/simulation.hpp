@@ -3,6 +3,7 @@
 #include "session/command.hpp"
 #include "session/ghost.hpp"
 #include "session/snapshot.hpp"
+#include "sim/contact/body_world.hpp"
 #include "sim/stepper.hpp"
 
 #include <cstdint>
@@ -37,6 +38,7 @@ class Simulation {
   [[nodiscard]] const Scene& scene() const { return *scene_; }
   [[nodiscard]] const ClothModel& model() const { return *model_; }
   [[nodiscard]] const ClothState& state() const { return state_; }
+  [[nodiscard]] const BodyWorld& bodies() const { return bodies_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] std::int64_t stepIndex() const { return stepIndex_; }
   [[nodiscard]] bool paused() const { return paused_; }
@@ -46,6 +48,8 @@ class Simulation {
   [[nodiscard]] bool blewUp() const { return blewUp_; }
   /// What the last step cost, without the ghost's [s].
   [[nodiscard]] double lastStepSeconds() const { return stepSeconds_; }
+  /// How the last step went.
+  [[nodiscard]] const StepReport& lastStepReport() const { return stepReport_; }
   [[nodiscard]] const std::string& message() const { return message_; }
 
   /// The commands since the scene was loaded, in order, each with the number of steps taken before it.
@@ -64,6 +68,8 @@ class Simulation {
   void on(const ReleaseGrabCommand& command);
   void on(const TogglePinCommand& command);
   void on(const MovePinsCommand& command);
+  void on(const SwitchBodyCommand& command);
+  void on(const MoveBodyCommand& command);
   void on(const LoadSceneCommand& command);
 
   void useSolvers();
@@ -77,6 +83,9 @@ class Simulation {
     Vec3 target = Vec3::Zero();  ///< [m]
   };
   [[nodiscard]] std::optional<Grab> grabInForce() const;
+  [[nodiscard]] std::size_t requireBody(int body) const;
+  void captureBodies(Snapshot& snapshot) const;
+  void tellOfOverlap();
   [[nodiscard]] Vec3 grabbedPoint() const;
   [[nodiscard]] int nearestCornerOfGrab() const;
 
@@ -91,6 +100,7 @@ class Simulation {
   std::optional<EnergyBalance> balance_;
   std::optional<Held> grab_;
   StepInputs inputs_;
+  BodyWorld bodies_;
   std::int64_t stepIndex_ = 0;   // since the last reset
   std::int64_t stepsTaken_ = 0;  // since the scene was loaded
   std::int64_t version_ = 0;

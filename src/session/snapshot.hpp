@@ -30,6 +30,14 @@ struct GhostStatus {
   StepReport stepReport;        ///< how its last step went
 };
 
+/// A body of the scene, as it is.
+struct BodyStatus {
+  Pose pose;
+  Vec3 shift = Vec3::Zero();  ///< by hand, from where its own motion puts it [m]
+  bool on = true;
+  std::vector<Vec3> vertices;  ///< of a mesh that moves in itself, in its own frame [m]; else empty
+};
+
 /// A picture of the running simulation at a step boundary. All that the renderer and the panels ever see of it.
 struct Snapshot {
   std::shared_ptr<const Scene> scene;
@@ -48,7 +56,9 @@ struct Snapshot {
   double realTimeFactor = 0.0;  ///< simulated time over wall-clock time, lately [-]; 0 while paused or not timed
   std::optional<GrabStatus> grab;
   std::optional<GhostStatus> ghost;
-  std::string message;  ///< for the status line, when something went wrong; else empty
+  std::vector<BodyStatus> bodies;           ///< one for each of the scene's
+  std::vector<ContactPoint> contactPoints;  ///< of the last step; only with view.contacts
+  std::string message;                      ///< for the status line, when something went wrong; else empty
 };
 
 }  // namespace drape

@@ -66,6 +66,7 @@ struct Settings {
     std::string surface = "checker";  ///< "checker" or "plain"
     bool ground = true;
     bool shadows = true;
+    bool contacts = false;
     double fontScale = 0.0;  ///< 0: from the monitor's scale
   } view;
 };
@@ -82,6 +83,6 @@ enum class SettingEffect {
 enum class SettingScope { Everywhere, Grid, MeshFile };
 
 /// The panel that a setting is shown in.
-enum class SettingGroup { Simulation, Ghost, Material, Air, Scene, View, Performance };
+enum class SettingGroup { Simulation, Ghost, Material, Air, Contact, Scene, View, Performance };
 
 }  // namespace drape

@@ -56,12 +56,17 @@ double handWork(const ClothModel& model, const Grab& grab, const ClothState& bef
 }  // namespace
 
 void EnergyBalance::add(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                        const ClothState& before, const ClothState& after) {
-  change_ += energyOf(model, parameters, after).total() - energyOf(model, parameters, before).total();
-  damping_ += dampingWork(model, parameters.damping, before, after);
-  air_ += airWork(model, parameters, before, after);
+                        const ClothState& before, const ClothState& after, const ClothState* unresolved) {
+  const double end = energyOf(model, parameters, after).total();
+  change_ += end - energyOf(model, parameters, before).total();
+  if (unresolved != nullptr) {
+    contact_ += end - energyOf(model, parameters, *unresolved).total();
+  }
+  const ClothState& left = unresolved != nullptr ? *unresolved : after;  // by the method
+  damping_ += dampingWork(model, parameters.damping, before, left);
+  air_ += airWork(model, parameters, before, left);
   if (inputs.grab) {
-    hand_ += handWork(model, *inputs.grab, before, after);
+    hand_ += handWork(model, *inputs.grab, before, left);
   }
 }
 

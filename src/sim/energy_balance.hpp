@@ -7,18 +7,19 @@
 
 namespace drape {
 
-/// Where the energy of a cloth went: what damping, air and the hand did to it over the steps that were added, and what
-/// is left to explain, which is the method's own doing. Work of a force f over a step from x0 to x1 is taken by the
-/// trapezoidal rule, (x1 - x0) . (f(0) + f(1)) / 2, whatever rule the method uses, so that two methods are held to the
-/// same account. A pinned vertex does not move and no work is done on it.
+/// Where the energy of a cloth went: what damping, air, the hand and contact did to it over the steps that were added,
+/// and what is left to explain, which is the method's own doing. Work of a force f over a step from x0 to x1 is taken
+/// by the trapezoidal rule, (x1 - x0) . (f(0) + f(1)) / 2, whatever rule the method uses, so that two methods are held
+/// to the same account. A pinned vertex does not move and no work is done on it.
 ///
 /// The rule's own error falls with h^2, as does the integrator's part of a converged second-order method. Settings that
 /// change between two steps (stiffness, gravity) are no error of the method: each step is judged under its own.
 class EnergyBalance {
  public:
   /// Adds one step. `parameters` and `inputs` are those under which it was taken from `before` to `after`.
+  /// @param unresolved the state that the method left before contact corrected it, or nullptr when nothing did
   void add(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-           const ClothState& before, const ClothState& after);
+           const ClothState& before, const ClothState& after, const ClothState* unresolved = nullptr);
 
   /// Change of kinetic + elastic + potential energy [J].
   [[nodiscard]] double change() const { return change_; }
@@ -28,14 +29,17 @@ class EnergyBalance {
   [[nodiscard]] double air() const { return air_; }
   /// Work of the hand [J].
   [[nodiscard]] double hand() const { return hand_; }
+  /// What contact gave or took [J]: bodies that move, friction, impacts, pushing out of an overlap.
+  [[nodiscard]] double contact() const { return contact_; }
   /// Change less these works [J]: positive where the method made energy from nothing, negative where it lost some.
-  [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - hand_; }
+  [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - hand_ - contact_; }
 
  private:
   double change_ = 0.0;
   double damping_ = 0.0;
   double air_ = 0.0;
   double hand_ = 0.0;
+  double contact_ = 0.0;
 };
 
 }  // namespace drape

@@ -2,6 +2,7 @@
 
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
+#include "sim/contact/contact_report.hpp"
 #include "sim/step_parameters.hpp"
 
 #include <memory>
@@ -14,9 +15,10 @@ namespace drape {
 
 /// How a step went, for methods that iterate until something is reached.
 struct StepReport {
-  int iterations = 0;     ///< taken, over all substeps [-]; 0 for methods that do not count any
-  double residual = 0.0;  ///< relative residual of the last solve [-]; 0 where it is not computed
-  bool converged = true;  ///< false when a solve gave up before its tolerance
+  int iterations = 0;          ///< taken, over all substeps [-]; 0 for methods that do not count any
+  double residual = 0.0;       ///< relative residual of the last solve [-]; 0 where it is not computed
+  bool converged = true;       ///< false when a solve gave up before its tolerance
+  ContactReport contact = {};  ///< what the cloth met; it is looked at once a step
 
   /// Takes in how the next step went.
   void add(const StepReport& next) {

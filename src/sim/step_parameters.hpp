@@ -1,8 +1,10 @@
 #pragma once
 
+#include "sim/contact/contact_parameters.hpp"
 #include "sim/vector.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace drape {
 
@@ -30,6 +32,8 @@ enum class Precision { Float, Double };
 /// backward- Euler oscillator stays stable while g <= 4/3; two sweeps reach that at w = 0.847.
 inline constexpr double evenSweepsRelaxation = 0.8;
 
+struct BodyStep;
+
 /// What a step needs to know besides the cloth itself. Any of it may change between two steps.
 struct StepParameters {
   double timeStep = 1.0 / 150.0;  ///< h [s]
@@ -54,6 +58,8 @@ struct StepParameters {
   bool keepMomentum = false;                                 ///< free cloth is given back the momentum it lost
   Precision precision = Precision::Double;                   ///< of the methods that have both
   int threads = 1;  ///< threads a step may use [-]; the result does not depend on it
+
+  ContactParameters contact;
 };
 
 /// A hand that holds the cloth: a spring from a point on a triangle to a target, whose force is bounded.
@@ -68,6 +74,7 @@ struct Grab {
 /// What acts on the cloth from outside during one step.
 struct StepInputs {
   std::optional<Grab> grab;
+  const std::vector<BodyStep>* bodies = nullptr;  ///< that are there, over this step (contact/body.hpp); null: none
 };
 
 }  // namespace drape

@@ -31,6 +31,7 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
   StepParameters part = parameters;
   part.timeStep = parameters.timeStep / parameters.substeps;
   StepReport total;
+  contact_.begin(parameters, inputs, state);
   if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum) {
     state.history.timeStep = 0.0;
     total = solver_->steps(model, part, inputs, parameters.substeps, state);
@@ -39,6 +40,7 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
       total.add(substep(model, part, inputs, state));
     }
   }
+  total.contact = contact_.resolve(model, parameters, inputs, state);
   state.time = end;  // not the sum of the parts, which rounds
   return total;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/contact/contact_stage.hpp"
 #include "sim/momentum.hpp"
 #include "sim/solver.hpp"
 
@@ -15,7 +16,7 @@ namespace drape {
 /// - BDF2:   S(2/3 h) from (x*, v*) = 4/3 (x_n, v_n) - 1/3 (x_{n-1}, v_{n-1}). The first step, and the first after the
 ///   step length changed, is one of backward Euler.
 ///
-/// With `keepMomentum`, the MomentumKeeper stands around every substep.
+/// With `keepMomentum`, the MomentumKeeper stands around every substep, and contact around the whole step.
 class Stepper {
  public:
   /// Throws InputError when there is no solver of that name.
@@ -26,6 +27,9 @@ class Stepper {
   /// Advances `state` by `parameters.timeStep`.
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state);
+
+  /// What contact did in the last step.
+  [[nodiscard]] const ContactStage& contact() const { return contact_; }
 
  private:
   StepReport substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -43,6 +47,7 @@ class Stepper {
   std::unique_ptr<Solver> solver_;
   ClothState before_;
   MomentumKeeper momentum_;
+  ContactStage contact_;
 };
 
 }  // namespace drape

@@ -19,12 +19,46 @@ std::optional<Hit> hitAt(const Camera& camera, const Vec2& point, int width, int
   return pick(camera.rayThrough(point.x(), point.y(), width, height), snapshot.positions, snapshot.model->triangles);
 }
 
+/// A body under the mouse.
+struct BodyHit {
+  int body = 0;
+  Hit hit;
+};
+
+/// The first body that a ray meets, planes left out: they have no end.
+std::optional<BodyHit> bodyHitBy(const Ray& ray, const Snapshot& snapshot) {
+  std::optional<BodyHit> nearest;
+  for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
+    const BodyStatus& status = snapshot.bodies[i];
+    const Body& body = (*snapshot.scene->bodies)[i];
+    if (!status.on || !body.drawn || !snapshot.settings.step.contact.bodies ||
+        std::holds_alternative<PlaneShape>(body.shape)) {
+      continue;
+    }
+    BodySurface surface = surfaceOf(body.shape);
+    if (!status.vertices.empty()) {
+      surface.positions = status.vertices;
+    }
+    const Ray local{status.pose.toLocal(ray.origin), status.pose.rotation.conjugate() * ray.direction};
+    std::optional<Hit> hit = pick(local, surface.positions, surface.triangles);
+    if (hit && (!nearest || hit->distance < nearest->hit.distance)) {
+      hit->point = status.pose.toWorld(hit->point);
+      nearest = BodyHit{static_cast<int>(i), *hit};
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 void InteractionController::handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output) {
   const auto* held = std::get_if<Grabbing>(&gesture_);
   if (held != nullptr && held->scene != snapshot.scene) {
     gesture_ = Idle{};  // another scene is running, and nobody holds its cloth
+  }
+  const auto* moving = std::get_if<MovingBody>(&gesture_);
+  if (moving != nullptr && moving->scene != snapshot.scene) {
+    gesture_ = Idle{};
   }
   std::visit([&](const auto& each) { on(each, snapshot, output); }, event);
 }
@@ -82,8 +116,16 @@ bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const
   return true;
 }
 
+/// Takes what is nearest under the mouse: the cloth or a body.
 bool InteractionController::grab(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
-  const auto hit = hitAt(camera_, inView(event.position), width(), height(), snapshot);
+  const Vec2 point = inView(event.position);
+  const auto hit = hitAt(camera_, point, width(), height(), snapshot);
+  const auto body = bodyHitBy(camera_.rayThrough(point.x(), point.y(), width(), height()), snapshot);
+  if (body && (!hit || body->hit.distance < hit->distance)) {
+    const Vec3 shift = snapshot.bodies[static_cast<std::size_t>(body->body)].shift;
+    gesture_ = MovingBody{body->body, body->hit.point, shift, snapshot.scene};
+    return true;
+  }
   if (!hit) {
     return false;
   }
@@ -116,6 +158,10 @@ void InteractionController::on(const MoveEvent& event, const Snapshot& /*snapsho
     const Vec2 point = inView(event.position);
     output.commands.emplace_back(
         MoveGrabCommand{camera_.pointAtDepthOf(held->point, point.x(), point.y(), width(), height())});
+  } else if (const auto* moving = std::get_if<MovingBody>(&gesture_)) {
+    const Vec2 point = inView(event.position);
+    const Vec3 target = camera_.pointAtDepthOf(moving->point, point.x(), point.y(), width(), height());
+    output.commands.emplace_back(MoveBodyCommand{moving->body, moving->shift + target - moving->point});
   }
 }
 
@@ -124,7 +170,7 @@ void InteractionController::on(const ScrollEvent& event, const Snapshot& /*snaps
 }
 
 void InteractionController::escape(UiOutput& output) {
-  if (holdsCloth()) {
+  if (holdsCloth() || holdsBody()) {
     letGo(output);
   } else {
     output.requests.emplace_back(UiAction::Quit);

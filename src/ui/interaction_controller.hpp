@@ -57,6 +57,8 @@ class InteractionController {
   void frameCloth(const Snapshot& snapshot);
   void lookFrom(Camera::Side side) { camera_.lookFrom(side); }
 
+  /// True while a gesture drags a body.
+  [[nodiscard]] bool holdsBody() const { return std::holds_alternative<MovingBody>(gesture_); }
   [[nodiscard]] bool holdsCloth() const { return std::holds_alternative<Grabbing>(gesture_); }
 
  private:
@@ -66,6 +68,13 @@ class InteractionController {
   struct Grabbing {
     Vec3 point = Vec3::Zero();           ///< where it was taken [m]; tells how deep the hand moves
     std::shared_ptr<const Scene> scene;  ///< that was running
+  };
+
+  struct MovingBody {
+    int body = 0;
+    Vec3 point = Vec3::Zero();  ///< where it was taken [m]
+    Vec3 shift = Vec3::Zero();  ///< of the body when it was taken [m]
+    std::shared_ptr<const Scene> scene;
   };
 
   void on(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
@@ -86,7 +95,7 @@ class InteractionController {
 
   Camera camera_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};
-  std::variant<Idle, Orbiting, Panning, Grabbing> gesture_;
+  std::variant<Idle, Orbiting, Panning, Grabbing, MovingBody> gesture_;
   MouseButton gestureButton_ = MouseButton::Left;
   Vec2 mouse_ = Vec2::Zero();
   std::optional<PressEvent> lastLeftPress_;

@@ -15,9 +15,10 @@ struct HelpRow {
   const char* what;
 };
 
-constexpr std::array<HelpRow, 7> mouseHelp{{
+constexpr std::array<HelpRow, 8> mouseHelp{{
     {"Drag the cloth", "pull it"},
     {"Ctrl + drag", "pull it, and never turn the view"},
+    {"Drag a body", "move it"},
     {"Drag beside it", "turn the view"},
     {"Middle or Shift + drag", "move the view"},
     {"Wheel", "nearer and farther"},

@@ -9,6 +9,7 @@ void simulationPanel(PanelContext& context);
 void ghostPanel(PanelContext& context);
 void materialPanel(PanelContext& context);
 void airPanel(PanelContext& context);
+void contactPanel(PanelContext& context);
 void scenePanel(PanelContext& context);
 void viewPanel(PanelContext& context);
 void performancePanel(PanelContext& context);

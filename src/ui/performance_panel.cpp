@@ -36,6 +36,7 @@ void balancePlot(const PanelContext& context) {
   const std::array curves{PlotCurve{"Damping", colours[0], balanceOf<&EnergyBalance::damping>},
                           PlotCurve{"Air", colours[2], balanceOf<&EnergyBalance::air>},
                           PlotCurve{"Hand", colours[1], balanceOf<&EnergyBalance::hand>},
+                          PlotCurve{"Contact", colours[3], balanceOf<&EnergyBalance::contact>},
                           PlotCurve{"Method", colours[4], balanceOf<&EnergyBalance::integrator>}};
   timePlot(context, "Given or taken so far", "J", context.memory.measures.samples(), curves);
 }
@@ -95,6 +96,9 @@ void performancePanel(PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
   valueRow(context, "Frame", formatDuration(context.stats.frameSeconds));
   valueRow(context, "Step", formatDuration(snapshot.stepSeconds));
+  if (snapshot.stepReport.contact.bodySeconds > 0.0) {
+    valueRow(context, "Bodies, of it", formatDuration(snapshot.stepReport.contact.bodySeconds));
+  }
   if (snapshot.ghost) {
     valueRow(context, "Step of the ghost", formatDuration(snapshot.ghost->stepSeconds));
   }

@@ -15,11 +15,11 @@ namespace {
 constexpr float columnWidth = 372.0F;  // at scale 1
 constexpr float statusHeight = 30.0F;  // at scale 1
 constexpr float columnShare = 0.55F;   // of a small window, at most
-constexpr std::size_t sectionCount = 7;
+constexpr std::size_t sectionCount = 8;
 
 using Panel = void (*)(PanelContext&);
-constexpr std::array<Panel, sectionCount> sections{simulationPanel, ghostPanel, materialPanel,   airPanel,
-                                                   scenePanel,      viewPanel,  performancePanel};
+constexpr std::array<Panel, sectionCount> sections{simulationPanel, ghostPanel, materialPanel, airPanel,
+                                                   contactPanel,    scenePanel, viewPanel,     performancePanel};
 
 constexpr ImGuiWindowFlags columnFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |

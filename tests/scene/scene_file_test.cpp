@@ -111,5 +111,82 @@ TEST(SceneFile, refusesWrongTypesAndMissingParts) {
   }
 }
 
+const char* const sheetText = "[cloth]\ngrid = \"horizontal\"\n";
+
+TEST(SceneBodies, areReadWithShapeMotionFrictionAndThickness) {
+  const std::string text = std::string(sheetText) + R"(
+[[bodies]]
+name = "ball"
+shape = "sphere"
+radius = 0.25
+position = [1, 2, 3]
+spin = [0, 180, 0]
+static_friction = 0.7
+kinetic_friction = 0.6
+thickness = 0.003
+
+[[bodies]]
+shape = "capsule"
+radius = 0.05
+length = 0.8
+keyframes = [{ time = 0, position = [0, 1, 0] }, { time = 2, rotation = [0, 90, 0] }]
+loop = true
+
+[[bodies]]
+shape = "box"
+size = [1, 2, 3]
+
+[ground]
+height = -0.5
+solid = true
+static_friction = 0.3
+)";
+  const SceneDescription description = parseScene(text, "test", "test.toml", {});
+  ASSERT_EQ(description.bodies.size(), 3U);
+  const Body& ball = description.bodies[0].body;
+  EXPECT_EQ(ball.name, "ball");
+  EXPECT_EQ(std::get<SphereShape>(ball.shape).radius, 0.25);
+  EXPECT_EQ(ball.motion.keyframes.at(0).position, Vec3(1, 2, 3));
+  EXPECT_NEAR(ball.motion.spin.y(), M_PI, 1e-12);
+  EXPECT_EQ(ball.staticFriction, 0.7);
+  EXPECT_EQ(ball.kineticFriction, 0.6);
+  EXPECT_EQ(ball.thickness, 0.003);
+  const Body& rod = description.bodies[1].body;
+  EXPECT_EQ(std::get<CapsuleShape>(rod.shape).halfLength, 0.4);
+  ASSERT_EQ(rod.motion.keyframes.size(), 2U);
+  EXPECT_EQ(rod.motion.keyframes[1].position, Vec3(0, 1, 0));  // what a keyframe does not say stays
+  EXPECT_NEAR(rod.motion.keyframes[1].rotation.y(), 0.5 * M_PI, 1e-12);
+  EXPECT_TRUE(rod.motion.loop);
+  EXPECT_EQ(std::get<BoxShape>(description.bodies[2].body.shape).half, Vec3(0.5, 1.0, 1.5));
+
+  const auto scene = buildScene(description, description.settings);
+  ASSERT_EQ(scene->bodies->size(), 4U);
+  EXPECT_EQ(scene->bodies->back().name, "ground");
+  EXPECT_EQ(scene->bodies->back().motion.keyframes.at(0).position.y(), -0.5);
+  EXPECT_EQ(scene->bodies->back().staticFriction, 0.3);
+  EXPECT_LE(scene->bodies->back().kineticFriction, 0.3);
+}
+
+TEST(SceneBodies, areRefusedWithFileAndLineWhenTheyMakeNoSense) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"[[bodies]]\nradius = 1", "bodies.shape must be one of plane, sphere, capsule, box, mesh"},
+      {"[[bodies]]\nshape = \"cone\"", "not \"cone\""},
+      {"[[bodies]]\nshape = \"sphere\"\nradius = 0", "bodies.radius must be a number from"},
+      {"[[bodies]]\nshape = \"sphere\"\nsize = [1, 1, 1]", "there is no 'bodies.size'"},
+      {"[[bodies]]\nshape = \"box\"\nsize = [1, 0, 1]", "bodies.size must be three lengths"},
+      {"[[bodies]]\nshape = \"mesh\"", "needs mesh = "},
+      {"[[bodies]]\nshape = \"mesh\"\nmesh = \"a.obj\"\nframes = { last = 3 }", "names them by number"},
+      {"[[bodies]]\nshape = \"sphere\"\nloop = true", "at least two keyframes"},
+      {"[[bodies]]\nshape = \"sphere\"\nkeyframes = [{ time = 1 }, { time = 1 }]", "times must ascend"},
+      {"[[bodies]]\nshape = \"sphere\"\nstatic_friction = 0.2\nkinetic_friction = 0.3", "must not be larger"},
+      {"[[bodies]]\nname = \"a\"\nshape = \"sphere\"\n[[bodies]]\nname = \"a\"\nshape = \"sphere\"", "two bodies"},
+      {"[ground]\nthickness = 0.1", "need solid = true"}};
+  for (const auto& [body, message] : cases) {
+    const std::string refused = refusal(sheetText + body);
+    EXPECT_NE(refused.find(message), std::string::npos) << body << "\n" << refused;
+    EXPECT_NE(refused.find("toml:"), std::string::npos) << refused;
+  }
+}
+
 }  // namespace
 }  // namespace drape

@@ -97,7 +97,7 @@ void run(RunArguments arguments) {
     ProgressBar progress("simulating", steps);
     for (std::int64_t i = 0; i < steps && !simulation.blewUp(); ++i) {
       simulation.step();
-      stats.add(simulation.lastStepSeconds());
+      stats.add(simulation);
       if (positions) {
         positions->sample(simulation.state());
       }

@@ -21,6 +21,13 @@ double quantile(const std::vector<float>& sorted, double share) {
   return static_cast<double>(sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1]);
 }
 
+/// Median and 99th percentile in microseconds.
+nlohmann::ordered_json quantiles(std::vector<float> seconds) {
+  constexpr double microseconds = 1e6;
+  std::sort(seconds.begin(), seconds.end());
+  return {{"median", quantile(seconds, 0.5) * microseconds}, {"p99", quantile(seconds, 0.99) * microseconds}};
+}
+
 /// The longest stable substep [s], or null where the solver has no such limit on this cloth.
 nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& settings) {
   const SolverInfo* solver = findSolver(settings.solver.name);
@@ -43,10 +50,24 @@ RunStats::RunStats(const std::string& file, std::int64_t steps) : name_(file) {
   seconds_.reserve(static_cast<std::size_t>(std::min<std::int64_t>(steps, 1 << 20)));
 }
 
+void RunStats::add(const Simulation& simulation) {
+  const ContactReport& contact = simulation.lastStepReport().contact;
+  seconds_.push_back(static_cast<float>(simulation.lastStepSeconds()));
+  bodySeconds_.push_back(static_cast<float>(contact.bodySeconds));
+  selfSeconds_.push_back(static_cast<float>(contact.selfSeconds));
+  mostOverlaps_ = std::max(mostOverlaps_, contact.overlaps);
+  deepestOverlap_ = std::max(deepestOverlap_, contact.deepestOverlap);
+  mostSqueezed_ = std::max(mostSqueezed_, contact.squeezed);
+}
+
+nlohmann::ordered_json RunStats::contactJson(const ContactReport& last) const {
+  return {{"bodies_us", quantiles(bodySeconds_)}, {"self_us", quantiles(selfSeconds_)},
+          {"body_contacts", last.bodyContacts},   {"self_contacts", last.selfContacts},
+          {"overlaps_max", mostOverlaps_},        {"deepest_overlap", deepestOverlap_},
+          {"squeezed_max", mostSqueezed_}};
+}
+
 nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
-  constexpr double microseconds = 1e6;
-  std::vector<float> sorted = seconds_;
-  std::sort(sorted.begin(), sorted.end());
   const ClothModel& model = simulation.model();
   const Energy energy = energyOf(model, simulation.settings().step, simulation.state());
   nlohmann::ordered_json json;
@@ -58,7 +79,8 @@ nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
   json["mass"] = model.totalMass();
   json["steps"] = simulation.stepIndex();
   json["time"] = simulation.state().time;
-  json["step_us"] = {{"median", quantile(sorted, 0.5) * microseconds}, {"p99", quantile(sorted, 0.99) * microseconds}};
+  json["step_us"] = quantiles(seconds_);
+  json["contact"] = contactJson(simulation.lastStepReport().contact);
   json["energy"] = energy.total();
   json["energy_kinetic"] = energy.kinetic;
   json["energy_elastic"] = energy.elastic;

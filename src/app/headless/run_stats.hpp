@@ -16,8 +16,8 @@ class RunStats {
   /// @param file to write to, or "" for none. Throws InputError when it cannot be written: before the run, not after.
   RunStats(const std::string& file, std::int64_t steps);
 
-  /// Adds a step's wall-clock time [s].
-  void add(double seconds) { seconds_.push_back(static_cast<float>(seconds)); }
+  /// Adds what the last step cost by the clock, and what it met.
+  void add(const Simulation& simulation);
 
   /// docs/headless.md says what each entry means.
   [[nodiscard]] nlohmann::ordered_json toJson(const Simulation& simulation) const;
@@ -26,9 +26,16 @@ class RunStats {
   void write(const nlohmann::ordered_json& figures);
 
  private:
+  [[nodiscard]] nlohmann::ordered_json contactJson(const ContactReport& last) const;
+
   std::string name_;
   std::ofstream file_;
   std::vector<float> seconds_;
+  std::vector<float> bodySeconds_;
+  std::vector<float> selfSeconds_;
+  int mostOverlaps_ = 0;
+  double deepestOverlap_ = 0.0;  // [m]
+  int mostSqueezed_ = 0;
 };
 
 }  // namespace drape

@@ -1,0 +1,191 @@
+#include "scene/body_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+namespace drape {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double farAway = 1e4;    // [m] beyond this a coordinate in a scene is a slip
+constexpr double smallest = 1e-4;  // [m] of a body
+constexpr double longTime = 1e6;   // [s]
+
+/// What belongs to a shape, besides what every body has.
+struct ShapeKeys {
+  std::string_view shape;
+  std::vector<std::string_view> keys;
+};
+
+const std::vector<ShapeKeys>& shapes() {
+  static const std::vector<ShapeKeys> list{{"plane", {"size"}},
+                                           {"sphere", {"radius"}},
+                                           {"capsule", {"radius", "length"}},
+                                           {"box", {"size"}},
+                                           {"mesh", {"mesh", "scale", "frames"}}};
+  return list;
+}
+
+/// Allows only what that kind of body has.
+void checkKeys(const TomlReader& table, const std::string& shape) {
+  std::vector<std::string_view> keys{"name", "shape", "position", "rotation", "spin", "keyframes", "loop", "drawn"};
+  keys.insert(keys.end(), surfaceKeys.begin(), surfaceKeys.end());
+  std::string known;
+  for (const ShapeKeys& each : shapes()) {
+    known += (known.empty() ? "" : ", ") + std::string(each.shape);
+    if (each.shape == shape) {
+      keys.insert(keys.end(), each.keys.begin(), each.keys.end());
+      table.allowOnly(keys);
+      return;
+    }
+  }
+  table.fail("bodies.shape must be one of " + known + (shape.empty() ? "" : ", not \"" + shape + "\""));
+}
+
+double length(const TomlReader& table, std::string_view key, double usual) {
+  return table.number(key, smallest, farAway).value_or(usual);
+}
+
+BodyShape readShape(const TomlReader& table, const std::string& shape) {
+  if (shape == "plane") {
+    return PlaneShape{0.5 * length(table, "size", 2.0 * PlaneShape{}.halfSize)};
+  }
+  if (shape == "sphere") {
+    return SphereShape{length(table, "radius", SphereShape{}.radius)};
+  }
+  if (shape == "capsule") {
+    return CapsuleShape{length(table, "radius", CapsuleShape{}.radius),
+                        0.5 * length(table, "length", 2.0 * CapsuleShape{}.halfLength)};
+  }
+  const Vec3 size = table.vector("size").value_or(Vec3::Ones());
+  if (!(size.minCoeff() >= smallest && size.maxCoeff() <= farAway)) {
+    table.fail("bodies.size must be three lengths from 0.0001 to 10000");
+  }
+  return BoxShape{0.5 * size};
+}
+
+void readMesh(const TomlReader& table, const std::filesystem::path& folder, BodyDescription& body) {
+  const auto mesh = table.text("mesh");
+  if (!mesh) {
+    table.fail("a body of shape \"mesh\" needs mesh = \"file.obj\"");
+  }
+  body.scale = table.number("scale", 1e-6, 1e6).value_or(1.0);
+  const auto frames = table.table("frames");
+  if (!frames) {
+    body.meshes.push_back(meshSource(*mesh, folder));
+    return;
+  }
+  frames->allowOnly({"first", "last", "rate", "loop"});
+  const std::size_t digits = mesh->find('#');
+  const std::size_t end = mesh->find_first_not_of('#', digits);
+  if (digits == std::string::npos) {
+    frames->fail("the mesh of a body with frames names them by number: mesh = \"walk_####.obj\"");
+  }
+  const int first = frames->integer("first", 0, 1'000'000).value_or(1);
+  const auto last = frames->integer("last", first + 1, first + 10'000);
+  if (!last) {
+    frames->fail("bodies.frames needs last, the number of the last file");
+  }
+  const std::size_t width = (end == std::string::npos ? mesh->size() : end) - digits;
+  for (int frame = first; frame <= *last; ++frame) {
+    std::string number = std::to_string(frame);
+    number.insert(0, width > number.size() ? width - number.size() : 0, '0');
+    body.meshes.push_back(meshSource(std::string(*mesh).replace(digits, width, number), folder));
+  }
+  body.frameTime = 1.0 / frames->number("rate", 0.001, 1e4).value_or(30.0);
+  body.frameLoop = frames->flag("loop").value_or(false);
+}
+
+Keyframe readKeyframe(const TomlReader& table, const Keyframe& usual) {
+  table.allowOnly({"time", "position", "rotation"});
+  Keyframe key = usual;
+  const auto time = table.number("time", -longTime, longTime);
+  if (!time) {
+    table.fail("a keyframe needs a time");
+  }
+  key.time = *time;
+  key.position = table.vector("position").value_or(usual.position);
+  if (const auto rotation = table.vector("rotation")) {
+    key.rotation = degree * *rotation;
+  }
+  return key;
+}
+
+BodyMotion readMotion(const TomlReader& table) {
+  BodyMotion motion;
+  const Keyframe start{0.0, table.vector("position").value_or(Vec3::Zero()),
+                       degree * table.vector("rotation").value_or(Vec3::Zero())};
+  motion.spin = degree * table.vector("spin").value_or(Vec3::Zero());
+  for (const TomlReader& key : table.tables("keyframes")) {
+    const Keyframe next = readKeyframe(key, motion.keyframes.empty() ? start : motion.keyframes.back());
+    if (!motion.keyframes.empty() && !(next.time > motion.keyframes.back().time)) {
+      key.fail("the keyframes' times must ascend");
+    }
+    motion.keyframes.push_back(next);
+  }
+  if (motion.keyframes.empty()) {
+    motion.keyframes.push_back(start);
+  }
+  motion.loop = table.flag("loop").value_or(false);
+  if (motion.loop && motion.keyframes.size() < 2) {
+    table.fail("bodies.loop needs at least two keyframes");
+  }
+  return motion;
+}
+
+BodyDescription readBody(const TomlReader& table, const std::filesystem::path& folder, std::size_t number) {
+  const std::string shape = table.text("shape").value_or("");
+  checkKeys(table, shape);
+  BodyDescription description;
+  Body& body = description.body;
+  body.name = table.text("name").value_or("body " + std::to_string(number));
+  if (shape == "mesh") {
+    readMesh(table, folder, description);
+  } else {
+    body.shape = readShape(table, shape);
+  }
+  body.motion = readMotion(table);
+  body.drawn = table.flag("drawn").value_or(true);
+  readSurface(table, body);
+  return description;
+}
+
+}  // namespace
+
+MeshFileSource meshSource(const std::string& name, const std::filesystem::path& folder) {
+  constexpr std::string_view builtin = "builtin:";
+  if (name.starts_with(builtin)) {
+    return {name.substr(builtin.size()), true};
+  }
+  return {(folder / name).string(), false};
+}
+
+void readSurface(const TomlReader& table, Body& body) {
+  constexpr double mostFriction = 10.0;
+  body.staticFriction = table.number("static_friction", 0.0, mostFriction).value_or(body.staticFriction);
+  body.kineticFriction =
+      table.number("kinetic_friction", 0.0, mostFriction).value_or(std::min(body.kineticFriction, body.staticFriction));
+  if (body.kineticFriction > body.staticFriction) {
+    table.fail("kinetic_friction must not be larger than static_friction");
+  }
+  body.thickness = table.number("thickness", 1e-4, 1.0).value_or(body.thickness);
+}
+
+std::vector<BodyDescription> readBodies(const TomlReader& scene, const std::filesystem::path& folder) {
+  std::vector<BodyDescription> bodies;
+  for (const TomlReader& table : scene.tables("bodies")) {
+    BodyDescription next = readBody(table, folder, bodies.size() + 1);
+    const bool taken = std::any_of(bodies.begin(), bodies.end(),
+                                   [&](const BodyDescription& other) { return other.body.name == next.body.name; });
+    if (taken) {
+      table.fail("there are two bodies with the name \"" + next.body.name + "\"");
+    }
+    bodies.push_back(std::move(next));
+  }
+  return bodies;
+}
+
+}  // namespace drape

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "scene/scene.hpp"
+#include "scene/toml_reader.hpp"
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drape {
+
+/// Reads the tables [[bodies]] of a scene (docs/scenes.md). Throws InputError with file and line.
+/// @param folder that the names of mesh files are relative to
+[[nodiscard]] std::vector<BodyDescription> readBodies(const TomlReader& scene, const std::filesystem::path& folder);
+
+/// The friction and thickness that a table gives to a body.
+void readSurface(const TomlReader& table, Body& body);
+
+/// The keys that readSurface reads.
+inline constexpr std::array<std::string_view, 3> surfaceKeys{"static_friction", "kinetic_friction", "thickness"};
+
+/// "builtin:table.obj", or a file relative to the folder.
+[[nodiscard]] MeshFileSource meshSource(const std::string& name, const std::filesystem::path& folder);
+
+}  // namespace drape

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "sim/cloth_state.hpp"
+#include "sim/contact/barrier_filter.hpp"
+#include "sim/contact/body_search.hpp"
+#include "sim/contact/contact_report.hpp"
+#include "sim/contact/touch_solver.hpp"
+#include "sim/model_cache.hpp"
+#include "sim/step_parameters.hpp"
+#include "sim/workers.hpp"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace drape {
+
+/// Keeps a cloth out of bodies (docs/contact.md).
+///
+/// A step is judged in the frame of each body, in which its start is where the body carries it. There every triangle of
+/// the cloth has a plane between itself and each part of the body that it could reach. Impulses with friction move the
+/// cloth to where it should be; then no vertex is let across the planes of its triangles, so that whatever the impulses
+/// did, nothing intersects. Where the cloth went far the planes no longer lie well, and the search is done again from
+/// where it is now.
+class BodyContact {
+ public:
+  /// Corrects positions and velocities of `state`, which a solver has moved there from `start`.
+  /// @param points where there was contact; added to
+  void resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<BodyStep>& bodies,
+               const std::vector<Vec3>& start, ClothState& state, ContactReport& report,
+               std::vector<ContactPoint>& points);
+
+ private:
+  struct Cloth {
+    const ClothModel& model;
+    const StepParameters& parameters;
+    const std::vector<Vec3>& start;   // [m]
+    const std::vector<Vec3>& target;  // [m]
+  };
+  struct NearBody {
+    const BodyStep* step = nullptr;
+    const SearchableMesh* mesh = nullptr;
+    ContactReach reach;
+    std::vector<Vec3> base;    // in the body's frame [m]
+    std::vector<Vec3> target;  // in the body's frame [m]
+  };
+
+  void chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& bodies);
+  void place(const Cloth& cloth, const std::vector<Vec3>* safe);
+  void search(const Cloth& cloth);
+  bool pass(const Cloth& cloth, const std::vector<Vec3>* safe, ContactReport& report, std::vector<Vec3>& positions);
+  void correctPositions(const Cloth& cloth, std::vector<Vec3>& positions);
+  void correctVelocities(const Cloth& cloth, ClothState& state);
+  const SearchableMesh* meshOf(const BodyStep& step);
+
+  ModelCache<std::vector<OwnedFeatures>> owned_;
+  ModelCache<std::vector<double>> inverseMass_;
+  std::map<const Body*, std::unique_ptr<SearchableMesh>> meshes_;  // looked up, never gone through
+  std::vector<NearBody> near_;
+  std::size_t nearCount_ = 0;
+  std::vector<double> room_;
+  Findings found_;
+  std::vector<TouchGoal> goals_;
+  std::vector<Touch> active_;
+  TouchSolver solver_;
+  BarrierFilter filter_;
+  Workers workers_;
+  std::vector<Vec3> safe_;
+};
+
+}  // namespace drape

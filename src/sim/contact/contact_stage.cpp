@@ -1,0 +1,50 @@
+#include "sim/contact/contact_stage.hpp"
+
+#include "sim/contact/body.hpp"
+#include "sim/contact/body_contact.hpp"
+
+#include <chrono>
+
+namespace drape {
+
+ContactStage::ContactStage() = default;
+ContactStage::ContactStage(ContactStage&&) noexcept = default;
+ContactStage& ContactStage::operator=(ContactStage&&) noexcept = default;
+ContactStage::~ContactStage() = default;
+
+void ContactStage::begin(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state) {
+  const ContactParameters& contact = parameters.contact;
+  active_ =
+      contact.self != SelfCollision::Off || (contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty());
+  changed_ = false;
+  points_.clear();
+  if (active_) {
+    start_ = state.positions;
+  }
+}
+
+ContactReport ContactStage::resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                    ClothState& state) {
+  ContactReport report;
+  if (!active_) {
+    return report;
+  }
+  unresolved_.positions = state.positions;
+  unresolved_.velocities = state.velocities;
+  // The cloth against itself comes first, bodies last: no cloth may be pushed into a body.
+  if (parameters.contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty()) {
+    const auto before = std::chrono::steady_clock::now();
+    if (!bodies_) {
+      bodies_ = std::make_unique<BodyContact>();
+    }
+    bodies_->resolve(model, parameters, *inputs.bodies, start_, state, report, points_);
+    report.bodySeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+  }
+  changed_ = report.selfContacts > 0 || report.bodyContacts > 0;
+  if (changed_) {
+    state.history.timeStep = 0.0;  // an integration that looks back must not carry on the motion that was stopped
+  }
+  return report;
+}
+
+}  // namespace drape
