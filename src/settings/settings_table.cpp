@@ -65,6 +65,13 @@ constexpr std::array precisions{
     Word{Precision::Float, "float", {"Float", "Seven digits: fast, and as accurate as the eye can tell."}},
     Word{Precision::Double, "double", {"Double", "Sixteen digits: for comparisons and very small steps."}}};
 
+constexpr std::array selfCollisions{
+    Word{SelfCollision::Off, "off", {"Off", "The cloth passes through itself; costs nothing."}},
+    Word{SelfCollision::Hash,
+         "hash",
+         {"Hashed vertices",
+          "The paper's: vertex to vertex, about as dear as the step; sharp folds and slack meshes leak."}}};
+
 /// A choice between the values of an enumeration, each with its word.
 template <const auto& words, auto ref>
 ChoiceField choiceOf() {
@@ -100,6 +107,10 @@ bool solvesBackwardEuler(const Settings& settings) {
     return solver != nullptr && solver->backwardEuler;
   };
   return solves(settings.solver.name) || solves(settings.ghost.solver);
+}
+
+bool collidesWithItself(const Settings& settings) {
+  return settings.step.contact.self != SelfCollision::Off;
 }
 
 bool showsGhost(const Settings& settings) {
@@ -206,6 +217,23 @@ const std::array table{
         ChoiceField{[](const Settings& s) { return s.material.lumping; }, [](Settings& s, const std::string& word) { s.material.lumping = word; },
             +[] { return std::vector<std::string>{"area", "uniform"}; }},
         "How the mass is spread over the vertices: by the area around each, or the same for all as in the paper."},
+
+    SettingInfo{"self_collision", "Self-collision", "-", Contact, SettingEffect::Step,
+        choiceOf<selfCollisions, [](Settings& s) -> SelfCollision& { return s.step.contact.self; }>(),
+        "How the cloth is kept from passing through itself."},
+    SettingInfo{"self_thickness", "Self-collision thickness", "m", Contact, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.contact.selfThickness; }, 0.0, 1.0, false},
+        "How far vertices of different layers are kept apart; 0 takes three quarters of the mean edge. With much less than "
+        "that, vertices slip through between others.",
+        {}, {}, SettingScope::Everywhere, collidesWithItself},
+    SettingInfo{"self_friction", "Self-collision friction", "-", Contact, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.contact.kineticFriction; }, 0.0, 2.0, false},
+        "Friction of cloth that slides on cloth.",
+        {}, {}, SettingScope::Everywhere, collidesWithItself},
+    SettingInfo{"self_static_friction", "Self-collision static friction", "-", Contact, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.contact.staticFriction; }, 0.0, 2.0, false},
+        "Friction that holds layers of cloth together until they slide.",
+        {}, {}, SettingScope::Everywhere, collidesWithItself},
 
     SettingInfo{"drag", "Drag", "-", Air, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.drag; }, 0.0, 10.0, false},

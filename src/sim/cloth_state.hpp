@@ -3,10 +3,13 @@
 #include "sim/vector.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace drape {
+
+struct SelfContactMemory;
 
 /// The state before the last step, for integrations that look back further than one step.
 struct StepHistory {
@@ -21,6 +24,7 @@ struct ClothState {
   std::vector<Vec3> velocities;  ///< [m/s], one a vertex
   double time = 0.0;             ///< simulated time since the start [s]
   StepHistory history = {};      ///< kept only by integrations that use it
+  std::shared_ptr<const SelfContactMemory> selfContact = {};  ///< kept only by self-collision
 };
 
 /// A state at rest in the given positions at time 0.

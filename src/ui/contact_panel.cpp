@@ -38,10 +38,16 @@ void reportRows(PanelContext& context) {
 
 void contactPanel(PanelContext& context) {
   const bool bodies = !context.snapshot.scene->bodies->empty();
-  if (!beginSection(context, "Contact", bodies)) {
+  const bool self = context.settings.step.contact.self != SelfCollision::Off;
+  if (!beginSection(context, "Contact", bodies || self)) {
     return;
   }
   settingsOfGroup(context, SettingGroup::Contact);
+  if (self) {
+    const ContactReport& contact = context.snapshot.stepReport.contact;
+    valueRow(context, "Contacts with itself", formatCount(contact.selfContacts));
+    valueRow(context, "Cost of these", formatDuration(contact.selfSeconds));
+  }
   if (!bodies) {
     mutedText("There are no bodies in this scene.");
   } else {

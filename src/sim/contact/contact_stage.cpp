@@ -2,6 +2,7 @@
 
 #include "sim/contact/body.hpp"
 #include "sim/contact/body_contact.hpp"
+#include "sim/contact/self_contact.hpp"
 
 #include <chrono>
 
@@ -32,6 +33,14 @@ ContactReport ContactStage::resolve(const ClothModel& model, const StepParameter
   unresolved_.positions = state.positions;
   unresolved_.velocities = state.velocities;
   // The cloth against itself comes first, bodies last: no cloth may be pushed into a body.
+  if (parameters.contact.self == SelfCollision::Hash) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (!self_) {
+      self_ = std::make_unique<SelfContact>();
+    }
+    report.selfContacts = self_->resolve(model, parameters, start_, state, points_);
+    report.selfSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
   if (parameters.contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty()) {
     const auto before = std::chrono::steady_clock::now();
     if (!bodies_) {

@@ -12,6 +12,7 @@
 namespace drape {
 
 class BodyContact;
+class SelfContact;
 
 /// Contact around a step of any solver (docs/contact.md). The solver moves the cloth as if nothing were in its way;
 /// then positions and velocities are corrected, so that the next step begins outside of everything and with no velocity
@@ -49,6 +50,7 @@ class ContactStage {
   std::unique_ptr<BodyContact> bodies_;  // made when bodies are met
   ClothState unresolved_;
   std::vector<ContactPoint> points_;
+  std::unique_ptr<SelfContact> self_;  // made when it is asked for
 };
 
 }  // namespace drape
