@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
     drape::bench::addThreadsGroup(suite);
     drape::bench::addMemoryGroup(suite);
     drape::bench::addViewerGroup(suite);
+    drape::bench::addSelfCollisionGroup(suite);
     drape::bench::addBulletGroup(suite);
     const drape::bench::Results results = suite.run(filter, repetitions, seconds);
     std::cout << results.markdown();

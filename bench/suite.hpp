@@ -78,5 +78,6 @@ void addMemoryGroup(Suite& suite);
 void addInstructionsGroup(Suite& suite);
 void addBulletGroup(Suite& suite);
 void addViewerGroup(Suite& suite);
+void addSelfCollisionGroup(Suite& suite);
 
 }  // namespace drape::bench

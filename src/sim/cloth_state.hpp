@@ -20,10 +20,10 @@ struct StepHistory {
 
 /// What changes while a cloth moves. Plain data: a copy is a checkpoint.
 struct ClothState {
-  std::vector<Vec3> positions;   ///< [m], one a vertex
-  std::vector<Vec3> velocities;  ///< [m/s], one a vertex
-  double time = 0.0;             ///< simulated time since the start [s]
-  StepHistory history = {};      ///< kept only by integrations that use it
+  std::vector<Vec3> positions;                                ///< [m], one a vertex
+  std::vector<Vec3> velocities;                               ///< [m/s], one a vertex
+  double time = 0.0;                                          ///< simulated time since the start [s]
+  StepHistory history = {};                                   ///< kept only by integrations that use it
   std::shared_ptr<const SelfContactMemory> selfContact = {};  ///< kept only by self-collision
 };
 

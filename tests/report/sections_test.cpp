@@ -180,5 +180,18 @@ TEST(Growth, leavesOutGridsThatWouldTakeTooLong) {
   EXPECT_TRUE(cell->measure({slow, {}}).at(0).contains("skipped"));
 }
 
+TEST(Collision, tellsWhatSelfCollisionCostsAndLetsThrough) {
+  const ReportRows off = measured("collision", "fold 17x17 off");
+  const ReportRows hash = measured("collision", "fold 17x17 hash");
+  ASSERT_EQ(off.size(), 1U);
+  ASSERT_EQ(hash.size(), 1U);
+  EXPECT_EQ(off[0]["contact_us_per_step"], 0.0);
+  EXPECT_GT(hash[0]["contact_us_per_step"], 0.0);
+  EXPECT_GT(hash[0]["us_per_step"], hash[0]["contact_us_per_step"]);
+  EXPECT_GT(off[0]["intersecting_pairs_max"], 50);
+  EXPECT_LT(hash[0]["intersecting_pairs_max"], 10);
+  EXPECT_GT(hash[0]["contacts_max"], 20);
+}
+
 }  // namespace
 }  // namespace drape

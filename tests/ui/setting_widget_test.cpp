@@ -50,6 +50,7 @@ TEST_F(SettingWidget, EverySettingOfTheTableAppliesSomewhere) {
     settings.solver.name = solver.name;
     assignSetting(settings, requireSetting("integration"), std::string(integration));
     settings.ghost.solver = solver.name;
+    settings.step.contact.self = SelfCollision::Hash;
     Settings byMass = settings;
     byMass.material.massGivenAs = "mass";
     return settingApplies(info, settings, simulation_.scene()) || settingApplies(info, settings, meshScene) ||

@@ -7,7 +7,7 @@ namespace drape {
 std::span<const Section> sectionTable() {
   static const std::array table{sections::table1(),      sections::table2(),    sections::workPrecision(),
                                 sections::whatFollows(), sections::stability(), sections::hardCases(),
-                                sections::growth(),      sections::threads()};
+                                sections::growth(),      sections::threads(),   sections::collision()};
   return table;
 }
 

@@ -14,5 +14,6 @@ Section stability();
 Section whatFollows();
 Section threads();
 Section hardCases();
+Section collision();
 
 }  // namespace drape::sections

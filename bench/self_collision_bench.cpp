@@ -1,0 +1,62 @@
+// What self-collision adds to a step: over the two seconds in which a sheet that is held along its middle folds onto
+// itself, searches for near pairs and the growing of charts included.
+#include "bench/cloths.hpp"
+#include "bench/suite.hpp"
+#include "sim/stepper.hpp"
+
+#include <string>
+
+namespace drape::bench {
+namespace {
+
+constexpr int steps = 300;
+
+ModelPtr foldingSheet(int n) {
+  std::vector<int> pins;
+  for (int column = 0; column < n; ++column) {
+    pins.push_back(n / 2 * n + column);
+  }
+  return buildClothModel(gridMesh(n), 0.1, MassLumping::Uniform, pins);
+}
+
+StepParameters folding(SelfCollision self) {
+  StepParameters parameters = stillAir();
+  parameters.stiffness = 200.0;
+  parameters.damping = 0.002;
+  parameters.drag = 0.5;
+  parameters.precision = Precision::Float;
+  parameters.contact.self = self;
+  return parameters;
+}
+
+/// A whole fold; the time is that of its steps, or of self-collision alone.
+Batch fold(int n, SelfCollision self) {
+  const ModelPtr model = foldingSheet(n);
+  return {static_cast<double>(steps), [model, self] {
+            Stepper stepper("one_iteration");
+            ClothState state = stateAtRest(model->restPositions);
+            const StepParameters parameters = folding(self);
+            double collision = 0.0;
+            const double all = threadSeconds([&] {
+              for (int i = 0; i < steps; ++i) {
+                collision += stepper.step(*model, parameters, {}, state).contact.selfSeconds;
+              }
+            });
+            return self == SelfCollision::Off ? all : collision;
+          }};
+}
+
+}  // namespace
+
+void addSelfCollisionGroup(Suite& suite) {
+  for (const int n : {17, 33, 65}) {
+    const std::string grid = std::to_string(n) + "x" + std::to_string(n);
+    suite.add({"self-collision", grid + ", the step", "us/step"}, [n] { return fold(n, SelfCollision::Off); });
+    suite.add({"self-collision", grid + ", self-collision", "us/step"}, [n] { return fold(n, SelfCollision::Hash); });
+    const auto bound = n <= 33 ? std::optional(Bound{Bound::Side::AtMost, 2.0}) : std::nullopt;
+    suite.addRatio({"self-collision", grid + ", self-collision / step", "self-collision/" + grid + ", self-collision",
+                    "self-collision/" + grid + ", the step", bound});
+  }
+}
+
+}  // namespace drape::bench
