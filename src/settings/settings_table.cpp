@@ -165,6 +165,13 @@ const std::array table{
     SettingInfo{"max_iterations", "Most iterations", "-", Simulation, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.step.maxIterations; }, 1, 100000},
         "A solve that has not reached its tolerance by then goes on with what it has, and says so."},
+    SettingInfo{"auto.work", "Work allowed", "M/s", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.work; }, 0.01, 1e6, true},
+        "Evaluations of a spring, in millions for a second of simulated time, that auto may spend. A core does about a "
+        "thousand million in a second of the clock."},
+    SettingInfo{"auto.tolerance", "Error allowed", "m", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.step.errorTolerance; }, 1e-12, 1.0, true},
+        "Mean position error that auto lets 0.2 s of motion build up, as far as the work allowed goes."},
     SettingInfo{"keep_momentum", "Keep momentum", "-", Simulation, SettingEffect::Step,
         FlagField{[](Settings& s) -> bool& { return s.step.keepMomentum; }},
         "Gives the linear and angular momentum back that a step took from cloth that nothing holds. Pieces with pinned "

@@ -1,11 +1,10 @@
 #include "sim/cloth_model.hpp"
 
 #include "sim/error.hpp"
+#include "sim/stability.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -134,8 +133,7 @@ std::vector<double> massesOf(const ClothModel& model, double totalMass, MassLump
   return masses;
 }
 
-/// The fastest local motion that the rest shape allows: a vertex whose neighbours move against it feels the stiffness
-/// 2 sum_j k_ij d d^T, so omega_i^2 = 2 lambda_max(sum_j k_ij d d^T) / m_i.
+/// The fastest local motion that the rest shape and damping allow, at the vertices that can move.
 void findRates(ClothModel& model) {
   model.unitFrequency = 0.0;
   model.stiffestSpring =
@@ -146,21 +144,9 @@ void findRates(ClothModel& model) {
     if (model.pinned[i]) {
       continue;
     }
-    Mat3 stiffness = Mat3::Zero();
-    const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
-    const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
-    for (std::size_t e = begin; e < end; ++e) {
-      const SpringEnd& springEnd = model.springEnds.values[e];
-      const Vec3 offset = model.restPositions[static_cast<std::size_t>(springEnd.neighbour)] - model.restPositions[i];
-      const double relative = model.springs[static_cast<std::size_t>(springEnd.spring)].relativeStiffness;
-      stiffness +=
-          offset * offset.transpose() * (relative / std::max(offset.squaredNorm(), std::numeric_limits<double>::min()));
-    }
-    const double largest =
-        Eigen::SelfAdjointEigenSolver<Mat3>().computeDirect(stiffness, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
-    const double mass = model.vertexMass[i];
-    model.unitFrequency = std::max(model.unitFrequency, std::sqrt(2.0 * largest / mass));
-    model.unitDampingRate = std::max(model.unitDampingRate, 2.0 * static_cast<double>(end - begin) / mass);
+    const int springs = model.springEnds.begin[i + 1] - model.springEnds.begin[i];
+    model.unitFrequency = std::max(model.unitFrequency, std::sqrt(unitFrequencySquared(model, i)));
+    model.unitDampingRate = std::max(model.unitDampingRate, 2.0 * springs / model.vertexMass[i]);
   }
 }
 

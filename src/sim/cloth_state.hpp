@@ -18,6 +18,16 @@ struct StepHistory {
   double timeStep = 0.0;         ///< of the step from there to here [s]; 0: there is no history
 };
 
+/// What a method that chooses for itself has learnt on the way. Part of the state, so that a copy goes on the same way.
+struct StepMemory {
+  double passes = 0.0;  ///< evaluations of all springs that a step should have for its tolerance [-]; 0: not known yet
+  double error = -1.0;  ///< estimated mean position error after 0.2 s of such steps [m]; negative: not known yet
+  int steps = 0;        ///< taken since there is something to remember [-]
+  int caution = 0;      ///< how often the energy guard lately had a step taken again [-]
+  int calm = 0;         ///< steps since then [-]
+  double gained = 0.0;  ///< energy that came from nowhere and has not gone again [J]
+};
+
 /// What changes while a cloth moves. Plain data: a copy is a checkpoint.
 struct ClothState {
   std::vector<Vec3> positions;                                ///< [m], one a vertex
@@ -25,6 +35,7 @@ struct ClothState {
   double time = 0.0;                                          ///< simulated time since the start [s]
   StepHistory history = {};                                   ///< kept only by integrations that use it
   std::shared_ptr<const SelfContactMemory> selfContact = {};  ///< kept only by self-collision
+  StepMemory memory = {};                                     ///< kept only by methods that choose for themselves
 };
 
 /// A state at rest in the given positions at time 0.

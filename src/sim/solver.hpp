@@ -3,9 +3,11 @@
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
 #include "sim/contact/contact_report.hpp"
+#include "sim/step_choice.hpp"
 #include "sim/step_parameters.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,18 +15,24 @@
 
 namespace drape {
 
-/// How a step went, for methods that iterate until something is reached.
+/// How a step went, for methods that iterate until something is reached or choose for themselves.
 struct StepReport {
-  int iterations = 0;          ///< taken, over all substeps [-]; 0 for methods that do not count any
-  double residual = 0.0;       ///< relative residual of the last solve [-]; 0 where it is not computed
-  bool converged = true;       ///< false when a solve gave up before its tolerance
-  ContactReport contact = {};  ///< what the cloth met; it is looked at once a step
+  int iterations = 0;                     ///< taken, over all substeps [-]; 0 for methods that do not count any
+  double residual = 0.0;                  ///< relative residual of the last solve [-]; 0 where it is not computed
+  bool converged = true;                  ///< false when a solve gave up before its tolerance
+  ContactReport contact = {};             ///< what the cloth met; it is looked at once a step
+  std::optional<StepChoice> choice = {};  ///< of methods that choose for themselves
 
   /// Takes in how the next step went.
   void add(const StepReport& next) {
     iterations += next.iterations;
     residual = next.residual;
     converged = converged && next.converged;
+    if (choice && next.choice) {
+      choice->add(*next.choice);
+    } else if (next.choice) {
+      choice = next.choice;
+    }
   }
 };
 

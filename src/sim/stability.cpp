@@ -1,5 +1,7 @@
 #include "sim/stability.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -13,6 +15,23 @@ namespace {
 constexpr double mostSubsteps = 1000.0;
 
 }  // namespace
+
+double unitFrequencySquared(const ClothModel& model, std::size_t vertex) {
+  Mat3 stiffness = Mat3::Zero();
+  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
+  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
+  for (std::size_t e = begin; e < end; ++e) {
+    const SpringEnd& springEnd = model.springEnds.values[e];
+    const Vec3 offset =
+        model.restPositions[static_cast<std::size_t>(springEnd.neighbour)] - model.restPositions[vertex];
+    const double relative = model.springs[static_cast<std::size_t>(springEnd.spring)].relativeStiffness;
+    stiffness +=
+        offset * offset.transpose() * (relative / std::max(offset.squaredNorm(), std::numeric_limits<double>::min()));
+  }
+  const double largest =
+      Eigen::SelfAdjointEigenSolver<Mat3>().computeDirect(stiffness, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+  return 2.0 * largest / model.vertexMass[vertex];
+}
 
 double largestFrequency(const ClothModel& model, const StepParameters& parameters) {
   return model.unitFrequency * std::sqrt(parameters.stiffness);

@@ -3,9 +3,13 @@
 #include "sim/cloth_model.hpp"
 #include "sim/step_parameters.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace drape {
+
+/// omega_i^2 / k of one vertex in the rest shape: 2 lambda_max(sum_j d d^T) / m_i [1/kg], as if it were not pinned.
+[[nodiscard]] double unitFrequencySquared(const ClothModel& model, std::size_t vertex);
 
 /// The largest local angular frequency omega of a cloth [1/s]: omega_i^2 = 2 lambda_max(sum_j k d d^T) / m_i at the
 /// vertex where that is largest, in the rest shape. An upper estimate of the mesh's highest frequency.

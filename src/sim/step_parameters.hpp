@@ -55,9 +55,11 @@ struct StepParameters {
   double spectralRadius = 0.8;                               ///< of the Jacobi iteration, for its acceleration [-]
   double tolerance = 1e-6;                                   ///< relative residual at which a solve ends [-]
   int maxIterations = 1000;                                  ///< at which a solve gives up [-]
-  bool keepMomentum = false;                                 ///< free cloth is given back the momentum it lost
-  Precision precision = Precision::Double;                   ///< of the methods that have both
-  int threads = 1;  ///< threads a step may use [-]; the result does not depend on it
+  double work = 500.0;           ///< that `auto` may do, 1e6 evaluations of a spring a simulated second [1e6/s]
+  double errorTolerance = 1e-4;  ///< of `auto`: mean position error that 0.2 s of motion may build up [m]
+  bool keepMomentum = false;     ///< free cloth is given back the momentum it lost
+  Precision precision = Precision::Double;  ///< of the methods that have both
+  int threads = 1;                          ///< threads a step may use [-]; the result does not depend on it
 
   ContactParameters contact;
 };

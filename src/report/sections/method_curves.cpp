@@ -33,6 +33,7 @@ std::vector<MethodCurve> listed() {
        "theta",
        thetas,
        {"0.5", "0.75"}},
+      {"auto, work", "auto", {"auto.tolerance=1e-12"}, "auto.work", {"3", "10", "30", "100", "300", "1000"}, {"30"}},
       {"Chebyshev, iterations", "chebyshev", {}, "iterations", {"3", "5", "9", "17", "33"}, {"9"}},
       {"Chebyshev 5, substeps", "chebyshev", {"iterations=5"}, "substeps", upTo(32), {"4"}},
       {"CG, tolerance", "pcg", {}, "tolerance", {"0.3", "0.1", "1e-2", "1e-3", "1e-5"}, {"1e-2"}},

@@ -327,6 +327,24 @@ HWY_INLINE hn::Vec<D> elasticOf(D d, const Elongation<D>& e, hn::Vec<D> stiffnes
   return hn::IfThenElseZero(e.directed, hn::Mul(stiffness, hn::Sub(one, e.ratio)));
 }
 
+/// Half the energy of a spring, 1/4 k (L - l0)^2: what either end has of it. @param elastic of elasticOf
+template <class D>
+HWY_INLINE hn::Vec<D> halfEnergyOf(D d, const Elongation<D>& e, const Lanes3<D>& offset, hn::Vec<D> rest,
+                                   hn::Vec<D> stiffness, hn::Vec<D> elastic) {
+  const auto slack = hn::Sub(hn::Set(d, hn::TFromD<D>(1)), e.ratio);
+  const auto stretched = hn::Mul(hn::Mul(elastic, slack), dot(offset, offset));
+  const auto collapsed = hn::IfThenElseZero(e.present, hn::Mul(stiffness, hn::Mul(rest, rest)));
+  return hn::Mul(hn::Set(d, hn::TFromD<D>(0.25)), hn::IfThenElse(e.directed, stretched, collapsed));
+}
+
+/// The accelerations of the groups that some places belong to.
+template <class D, typename T>
+HWY_INLINE Lanes3<D> pushOf(D d, const LaneVectors<T>& pushes, const std::int32_t* groups) {
+  const auto indices = loadIndices(d, groups);
+  return {hn::GatherIndex(d, pushes.x.data(), indices), hn::GatherIndex(d, pushes.y.data(), indices),
+          hn::GatherIndex(d, pushes.z.data(), indices)};
+}
+
 /// What all springs of a step have in common, loaded once.
 template <class D>
 struct SpringConstants {

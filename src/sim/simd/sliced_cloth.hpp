@@ -5,6 +5,7 @@
 #include "sim/simd/step_share.hpp"
 #include "sim/step_parameters.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -92,6 +93,16 @@ struct SliceStep {
   /// Null: none.
   const T* weights = nullptr;
   std::array<Hand, 3> hands = {};
+
+  /// Of Verlet: the share of its stiffness that each spring keeps, one number a slot and lane. Null: all of it.
+  const SliceNumbers<T>* shares = nullptr;
+  /// Of Verlet: the group that each place belongs to, and the acceleration [m/s^2] of each group that comes on top of
+  /// what the springs give. Null: none.
+  const std::int32_t* groups = nullptr;
+  const LaneVectors<T>* pushes = nullptr;
+  /// Of Verlet: takes each place's energy in the middle of the step, 1/2 m v.v' + m g y + half of its springs' [J].
+  /// Null: nobody asks.
+  T* energy = nullptr;
 };
 
 /// What the sweeps and the normals need of the springs in a slot, kept from when they were evaluated.
@@ -157,6 +168,19 @@ void verletPhase(SlicedCloth<float>& cloth, const SliceStep<float>& step, float 
                  int phase);
 void verletPhase(SlicedCloth<double>& cloth, const SliceStep<double>& step, double drift, const StepShare& share,
                  int phase);
+
+/// The springs of a coarse level of a cloth, which resist stretching only (sim/adaptive/coarse_motion.hpp).
+template <typename T>
+struct TensionStep {
+  const SliceNumbers<T>* stiffness = nullptr;  ///< of each spring, one number a slot and lane [N/m]
+  const std::int32_t* groups = nullptr;        ///< as in SliceStep, of the level above; null: there is none
+  const LaneVectors<T>* pushes = nullptr;
+  T* energy = nullptr;  ///< takes half the energy of each place's springs [J]; null: nobody asks
+};
+
+/// The accelerations that tension gives the places of a coarse level, and what the levels above add, into `start`.
+void accelerateByTension(SlicedCloth<float>& level, const TensionStep<float>& step);
+void accelerateByTension(SlicedCloth<double>& level, const TensionStep<double>& step);
 
 /// x += time v for the slices of one thread.
 template <typename T>

@@ -59,7 +59,9 @@ class VerletKernel {
     const V3 x = load3(d, cloth_.position, i);
     const V3 v = load3(d, cloth_.velocity, i);
     const auto mass = hn::LoadU(d, cloth_.mass.data() + i);
-    V3 force = {hn::Zero(d), hn::Neg(hn::Mul(mass, hn::Set(d, step_.gravity))), hn::Zero(d)};
+    const auto weight = hn::Mul(mass, hn::Set(d, step_.gravity));
+    V3 force = {hn::Zero(d), hn::Neg(weight), hn::Zero(d)};
+    auto energy = hn::Mul(weight, x.y);
     auto* terms = terms_;
     const auto* const uneven = cloth_.relativeStiffness.empty() ? nullptr : cloth_.relativeStiffness.data();
     const int end = layout_.slotBegin[static_cast<std::size_t>(slice) + 1];
@@ -67,12 +69,20 @@ class VerletKernel {
       const auto at = static_cast<std::size_t>(slot);
       const Neighbours<D> neighbours(layout_, layout_.slots[at], lane);
       const V3 offset = subtract(neighbours.load(cloth_.position), x);
-      const auto elongation = elongationOf(d, offset, hn::LoadU(d, cloth_.restLength[at].data() + lane));
+      const auto rest = hn::LoadU(d, cloth_.restLength[at].data() + lane);
+      const auto elongation = elongationOf(d, offset, rest);
       auto stiffness = hn::Set(d, step_.stiffness);
       if (HWY_UNLIKELY(uneven != nullptr)) {
         stiffness = hn::Mul(stiffness, hn::LoadU(d, uneven[at].data() + lane));
       }
-      force = multiplyAdd(offset, elasticOf(d, elongation, stiffness), force);
+      if (step_.shares != nullptr) {
+        stiffness = hn::Mul(stiffness, hn::LoadU(d, step_.shares[at].data() + lane));
+      }
+      const auto elastic = elasticOf(d, elongation, stiffness);
+      force = multiplyAdd(offset, elastic, force);
+      if (HWY_UNLIKELY(step_.energy != nullptr)) {
+        energy = hn::Add(energy, halfEnergyOf(d, elongation, offset, rest, stiffness, elastic));
+      }
       if (step_.damping != T(0)) {
         const auto damping = hn::IfThenElseZero(elongation.present, hn::Set(d, step_.damping));
         force = multiplyAdd(subtract(neighbours.load(cloth_.velocity), v), damping, force);
@@ -86,8 +96,15 @@ class VerletKernel {
     }
     auto unused = mass;
     addHands(d, step_, slice, lane, force, unused);
-    const auto impulse = hn::Div(hn::Mul(hn::Set(d, step_.timeStep), hn::LoadU(d, cloth_.free.data() + i)), mass);
-    store3(d, multiplyAdd(force, impulse, v), cloth_.start, i);
+    const auto time = hn::Mul(hn::Set(d, step_.timeStep), hn::LoadU(d, cloth_.free.data() + i));
+    V3 after = multiplyAdd(force, hn::Div(time, mass), v);
+    if (step_.groups != nullptr) {
+      after = multiplyAdd(pushOf(d, *step_.pushes, step_.groups + i), time, after);
+    }
+    if (HWY_UNLIKELY(step_.energy != nullptr)) {
+      hn::StoreU(hn::MulAdd(hn::Mul(hn::Set(d, T(0.5)), mass), dot(v, after), energy), d, step_.energy + i);
+    }
+    store3(d, after, cloth_.start, i);
   }
 
   HWY_INLINE void settle(int slice) {

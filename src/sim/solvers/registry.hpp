@@ -20,9 +20,10 @@ SolverInfo kang();
 SolverInfo desbrun();
 SolverInfo meyer();
 SolverInfo localGlobal();
+SolverInfo adaptive();
 
 /// In the order in which they are shown; the first is the default.
-inline constexpr std::array all{oneIteration, chebyshev, pcg,  newton,  verlet, explicitEuler,
-                                xpbd,         vbd,       kang, desbrun, meyer,  localGlobal};
+inline constexpr std::array all{oneIteration, adaptive, chebyshev, pcg,     newton, verlet,     explicitEuler,
+                                xpbd,         vbd,      kang,      desbrun, meyer,  localGlobal};
 
 }  // namespace drape::solvers

@@ -1,0 +1,164 @@
+#include "sim/adaptive/adaptive_run.hpp"
+
+#include "sim/adaptive/slot_stiffness.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+
+namespace drape {
+namespace {
+
+/// A kick and the drift after it, as parts of the substep.
+struct Stage {
+  double kick;
+  double drift;
+};
+
+constexpr std::array verletStages{Stage{1.0, 0.5}};
+constexpr double verletStart = 0.5;
+
+/// Position extended Forest-Ruth like, eq. 20 of the paper with its values of xi, lambda and chi.
+constexpr double xi = 0.1786178958448091;
+constexpr double lambda = -0.2123418310626054;
+constexpr double chi = -0.06626458266981849;
+constexpr std::array pefrlStages{Stage{0.5 - lambda, chi}, Stage{lambda, 1.0 - 2.0 * (chi + xi)}, Stage{lambda, chi},
+                                 Stage{0.5 - lambda, xi}};
+
+std::span<const Stage> stagesOf(ExplicitScheme scheme) {
+  return scheme == ExplicitScheme::Pefrl ? std::span<const Stage>(pefrlStages) : std::span<const Stage>(verletStages);
+}
+
+/// Of what the springs are held to, for the levels above them: they move the same vertices.
+constexpr double partOfLevels = 0.78;
+
+double startOf(ExplicitScheme scheme) {
+  return scheme == ExplicitScheme::Pefrl ? xi : verletStart;
+}
+
+}  // namespace
+
+template <typename T>
+StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                               const StepInputs& inputs, const StepPlan& plan, const ClothState& state) {
+  cloth_ = &cloths_.get(model);
+  step_ = sliceStepOf<T>(parameters);
+  step_.damping = static_cast<T>(plan.damping);
+  hold(model, rates, parameters, plan);
+  const auto places = static_cast<std::size_t>(cloth_->layout.slices()) * sliceLanes;
+  firstEnergy_.resize(places);
+  lastEnergy_.resize(places);
+  firstCoarse_ = 0.0;
+  lastCoarse_ = 0.0;
+  const int threads = usefulThreads(cloth_->layout, parameters.threads);
+  cloth_->prepare(threads, 1);
+  team_.run(threads, [&](int member) {
+    const StepShare share = shareOf(cloth_->layout, 1, member, threads);
+    cloth_->load(state, share);
+    move(model, inputs, plan, parameters.timeStep / plan.substeps, share);
+  });
+  return {sumOf(firstEnergy_) + firstCoarse_, sumOf(lastEnergy_) + lastCoarse_};
+}
+
+template <typename T>
+void AdaptiveRun<T>::hold(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                          const StepPlan& plan) {
+  const double h = parameters.timeStep / plan.substeps;
+  const Holding wanted{plan.carried, h, parameters.stiffness, plan.levels};
+  Holding& holding = holdings_.get(model, [](const ClothModel&) { return Holding{}; });
+  if (!(holding == wanted)) {
+    double smallest = 1.0;
+    if (plan.carried > 0.0) {
+      const double most = plan.carried * plan.carried / (h * h * parameters.stiffness);
+      smallest = fillSlots(
+          *cloth_, rates.unit, [&](double rate) { return std::min(1.0, most / rate); }, shares_);
+    }
+    levelsAtWork_ = 0;
+    if (plan.levels) {
+      motion_ = coarse_
+                    .get(model,
+                         [&](const ClothModel& own) {
+                           return std::make_unique<CoarseMotion<T>>(buildCoarseLevels(own), own, *cloth_);
+                         })
+                    .get();
+      levelsAtWork_ = motion_->setStiffness(parameters.stiffness, (1.0 - smallest) * parameters.stiffness,
+                                            partOfLevels * plan.carried, h);
+    }
+    holding = wanted;
+  }
+  if (plan.carried > 0.0) {
+    step_.shares = shares_.data();
+  }
+  if (levelsAtWork_ > 0) {
+    step_.groups = motion_->groups();
+    step_.pushes = &motion_->pushes();
+  }
+}
+
+/// All members of the team go through this together. The second part of a drift and the first of the next are one,
+/// unless the hand comes in between.
+template <typename T>
+void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
+                          const StepShare& share) {
+  const auto stages = stagesOf(plan.scheme);
+  const double start = startOf(plan.scheme);
+  driftSlices(*cloth_, static_cast<T>(start * substep), share);
+  team_.meet();
+  for (int i = 0; i < plan.substeps; ++i) {
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+      const bool firstKick = i == 0 && s == 0;
+      const bool lastKick = i + 1 == plan.substeps && s + 1 == stages.size();
+      const bool between = s + 1 == stages.size() && !lastKick;
+      const double drift = (stages[s].drift + (between ? start : 0.0)) * substep;
+      T* const energy = firstKick ? firstEnergy_.data() : lastKick ? lastEnergy_.data() : nullptr;
+      kick(plan, stages[s].kick * substep, inputs.grab ? 0.0 : drift, energy, firstKick ? &firstCoarse_ : &lastCoarse_,
+           share);
+      if (inputs.grab) {
+        if (share.member == 0) {
+          pullByHand(model, stages[s].kick * substep, *inputs.grab, *cloth_);
+        }
+        team_.meet();
+        driftSlices(*cloth_, static_cast<T>(drift), share);
+        team_.meet();
+      }
+    }
+  }
+}
+
+template <typename T>
+void AdaptiveRun<T>::kick(const StepPlan& plan, double time, double drift, T* energy, double* coarseEnergy,
+                          const StepShare& share) {
+  if (levelsAtWork_ > 0 && plan.levels) {
+    if (share.member == 0) {
+      motion_->accelerate(*cloth_, energy != nullptr);
+      if (energy != nullptr) {
+        *coarseEnergy = motion_->energy();
+      }
+    }
+    team_.meet();
+  }
+  SliceStep<T> step = step_;
+  step.timeStep = static_cast<T>(time);
+  step.energy = energy;
+  const int phases = share.first && share.last ? 1 : 2;
+  for (int phase = 0; phase < phases; ++phase) {
+    verletPhase(*cloth_, step, static_cast<T>(drift), share, phase);
+    team_.meet();
+  }
+}
+
+template <typename T>
+double AdaptiveRun<T>::sumOf(const std::vector<T>& energy) const {
+  return std::accumulate(energy.begin(), energy.end(), 0.0);
+}
+
+template <typename T>
+void AdaptiveRun<T>::store(ClothState& state) {
+  cloth_->store(state, shareOf(cloth_->layout, 1, 0, 1));
+}
+
+template class AdaptiveRun<float>;
+template class AdaptiveRun<double>;
+
+}  // namespace drape

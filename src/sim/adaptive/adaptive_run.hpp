@@ -1,0 +1,69 @@
+#pragma once
+
+#include "sim/adaptive/coarse_motion.hpp"
+#include "sim/adaptive/step_plan.hpp"
+#include "sim/model_cache.hpp"
+#include "sim/simd/slice_step.hpp"
+#include "sim/simd/sliced_cloth_cache.hpp"
+#include "sim/simd/thread_team.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace drape {
+
+/// The energy of a step's own motion in the middle of its first and its last substep: that of the springs as they are
+/// held and of the coarse levels, with what moves and what is lifted. Both are had by the way, from forces that are
+/// evaluated in any case. A scheme that is stable keeps it but for what damping, air and hand do.
+struct StepEnergy {
+  double first = 0.0;  ///< [J]
+  double last = 0.0;   ///< [J]
+};
+
+/// Takes a step of a cloth as a plan says, by vector instructions and in the precision of T.
+template <typename T>
+class AdaptiveRun {
+ public:
+  /// Takes a step from `state`, which stays as it is. Call `store` to have the result.
+  StepEnergy run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                 const StepInputs& inputs, const StepPlan& plan, const ClothState& state);
+
+  /// Gives positions and velocities at the end of the step that was run last. `state` is the one that it began from.
+  void store(ClothState& state);
+
+  /// How many coarse levels took part.
+  [[nodiscard]] int levels() const { return levelsAtWork_; }
+
+ private:
+  /// What the springs of a model keep under a plan; worked out again only when that changes.
+  struct Holding {
+    double carried = -1.0;
+    double substep = 0.0;
+    double stiffness = 0.0;
+    bool levels = false;
+
+    bool operator==(const Holding&) const = default;
+  };
+
+  void hold(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan);
+  void move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
+            const StepShare& share);
+  void kick(const StepPlan& plan, double time, double drift, T* energy, double* coarseEnergy, const StepShare& share);
+  [[nodiscard]] double sumOf(const std::vector<T>& energy) const;
+
+  ThreadTeam team_;
+  SlicedClothCache<T> cloths_;
+  SlicedCloth<T>* cloth_ = nullptr;
+  ModelCache<std::unique_ptr<CoarseMotion<T>>> coarse_;
+  CoarseMotion<T>* motion_ = nullptr;
+  ModelCache<Holding> holdings_;
+  std::vector<SliceNumbers<T>> shares_;
+  int levelsAtWork_ = 0;
+  SliceStep<T> step_;
+  std::vector<T> firstEnergy_;
+  std::vector<T> lastEnergy_;
+  double firstCoarse_ = 0.0;  // [J]
+  double lastCoarse_ = 0.0;   // [J]
+};
+
+}  // namespace drape

@@ -1,0 +1,92 @@
+#include "sim/adaptive/step_plan.hpp"
+
+#include "sim/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// Of Verlet's estimated limit, which a sheet's true one exceeds by 9 % and more: where nothing rattles, and the most
+/// that a short budget is stretched to.
+constexpr double comfortable = 0.9;
+constexpr double atMost = 1.02;
+/// h omega that held springs are held to. Crumpled cloth is up to 1.22 times as fast as its rest shape.
+constexpr double heldTo = 1.8;
+/// A substep of the fourth order takes four passes and is stable to about h omega = 2.5.
+constexpr double passesOfFourthOrder = 2.0;
+/// Held springs that keep at least so much do without coarse levels.
+constexpr double enoughStiffness = 0.5;
+/// The most of damping's own limit that held springs take, as 2 h c with its rate c.
+constexpr double dampingHeldTo = 1.0;
+constexpr double fewestPasses = 4.0;
+/// Passes of a first step, about which nothing is known yet: on the safe side.
+constexpr double firstPasses = 64.0;
+constexpr double firstOfLimit = 2.0;
+
+bool dependsOnPositionsAlone(const StepParameters& parameters, const StepInputs& inputs) {
+  return parameters.damping == 0.0 && parameters.drag == 0.0 && parameters.lift == 0.0 && !inputs.grab;
+}
+
+StepPlan heldPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, int substeps) {
+  StepPlan plan{.substeps = substeps, .damping = parameters.damping};
+  const double h = parameters.timeStep / substeps;
+  const double damped = 2.0 * h * model.unitDampingRate * parameters.damping;
+  if (damped > dampingHeldTo) {
+    plan.damping *= dampingHeldTo / damped;
+  }
+  plan.carried = std::sqrt(heldTo * heldTo - std::min(damped, dampingHeldTo));
+  plan.levels = medianShare(rates, parameters, plan) < enoughStiffness;
+  return plan;
+}
+
+}  // namespace
+
+LocalRates localRatesOf(const ClothModel& model) {
+  LocalRates rates;
+  std::vector<double> free;
+  for (std::size_t i = 0; i < model.restPositions.size(); ++i) {
+    rates.unit.push_back(model.pinned[i] ? 0.0 : unitFrequencySquared(model, i));
+    if (!model.pinned[i]) {
+      free.push_back(rates.unit.back());
+    }
+  }
+  if (!free.empty()) {
+    const auto middle = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 2);
+    std::nth_element(free.begin(), middle, free.end());
+    rates.median = *middle;
+  }
+  return rates;
+}
+
+double passesInBudget(const ClothModel& model, const StepParameters& parameters) {
+  const auto springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
+  return std::max(fewestPasses, parameters.work * 1e6 * parameters.timeStep / springs);
+}
+
+StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                  const StepInputs& inputs, const StepMemory& memory) {
+  constexpr double mostPasses = 1e6;
+  const double budget = std::min(mostPasses, passesInBudget(model, parameters));
+  const double needed = parameters.timeStep / verletStepLimit(model, parameters);
+  const double wanted = memory.passes > 0.0 ? memory.passes : firstPasses + firstOfLimit * needed;
+  const double passes = std::clamp(std::max(needed / comfortable, wanted), fewestPasses, budget);
+  const double hardness = parameters.timeStep * largestFrequency(model, parameters);
+  if (passes >= passesOfFourthOrder * hardness && dependsOnPositionsAlone(parameters, inputs)) {
+    return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(passes / 4.0)};
+  }
+  const int substeps = static_cast<int>(passes);
+  if (substeps >= needed / atMost) {
+    return {.substeps = substeps, .damping = parameters.damping};
+  }
+  return heldPlan(model, rates, parameters, substeps);
+}
+
+double medianShare(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {
+  const double h = parameters.timeStep / plan.substeps;
+  const double speed = h * h * parameters.stiffness * rates.median;
+  return plan.carried > 0.0 && speed > 0.0 ? std::min(1.0, plan.carried * plan.carried / speed) : 1.0;
+}
+
+}  // namespace drape

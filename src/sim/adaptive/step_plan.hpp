@@ -1,0 +1,52 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+#include "sim/step_parameters.hpp"
+
+#include <vector>
+
+namespace drape {
+
+/// How fast each vertex can move, and the one in the middle.
+struct LocalRates {
+  std::vector<double> unit;  ///< omega_i^2 / k [1/kg], one a vertex
+  double median = 0.0;       ///< [1/kg]
+};
+
+[[nodiscard]] LocalRates localRatesOf(const ClothModel& model);
+
+/// The explicit schemes. Either is symplectic and reversible where forces depend on positions alone.
+enum class ExplicitScheme {
+  Verlet,  ///< second order, one pass over the springs
+  Pefrl    ///< fourth order, four passes (Omelyan, Mryglod and Folk, 2002, Comput. Phys. Commun. 146, 188)
+};
+
+/// How a step is to be taken.
+struct StepPlan {
+  ExplicitScheme scheme = ExplicitScheme::Verlet;
+  int substeps = 1;
+  double carried = 0.0;  ///< what h omega the springs are held to, h being the substep [-]; 0: to nothing
+  double damping = 0.0;  ///< of every spring [N s/m], no more than the substep carries
+  bool levels = false;   ///< coarse levels give back what the springs do not carry
+
+  [[nodiscard]] int passes() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }
+};
+
+/// The evaluations of all springs that the budget allows for a step, no fewer than four.
+[[nodiscard]] double passesInBudget(const ClothModel& model, const StepParameters& parameters);
+
+/// The cheapest plan that is expected to hold `errorTolerance`, as far as the budget goes. With B passes and the
+/// frame's hardness H = timeStep omega (docs/auto.md derives the bounds):
+/// - B >= 2 H: the fourth order, where nothing but positions matters (no damping, air or hand);
+/// - B >= H / 2.04: Verlet;
+/// - less: Verlet on springs that are held to what the substep carries, and below 0.7 of their stiffness with coarse
+///   levels.
+/// Depends on its arguments alone.
+[[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                                const StepInputs& inputs, const StepMemory& memory);
+
+/// The share of their stiffness that the springs of the median vertex keep under a plan [-].
+[[nodiscard]] double medianShare(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan);
+
+}  // namespace drape

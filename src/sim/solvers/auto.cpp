@@ -1,0 +1,330 @@
+#include "sim/adaptive/adaptive_run.hpp"
+#include "sim/diagnostics.hpp"
+#include "sim/model_cache.hpp"
+#include "sim/momentum.hpp"
+#include "sim/solvers/registry.hpp"
+#include "sim/stability.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace drape {
+namespace {
+
+/// How often the energy guard has a step taken again, each time with twice the substeps, before XPBD takes it.
+constexpr int mostRetakes = 3;
+/// No step begins with more than so many of them: the last resort is tried last.
+constexpr int mostCaution = 2;
+/// Error estimates come at the steps 0, 1, 2, 4, 8, 16 and then at every 32nd.
+constexpr int estimateEvery = 32;
+/// What the estimated error stands for: the position error after so long [s].
+constexpr double errorTime = 0.2;
+
+bool estimateIsDue(int steps) {
+  return steps < estimateEvery ? std::has_single_bit(static_cast<unsigned>(steps)) || steps == 0
+                               : steps % estimateEvery == 0;
+}
+
+/// What growth of energy is held against [J]: the motion that there is, and what falling through a tenth of the cloth's
+/// own size sets free.
+double energyScale(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                   const StepEnergy& energy) {
+  constexpr double ofFall = 0.1;
+  double lifted = 0.0;
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < state.positions.size(); ++i) {
+    lifted += model.vertexMass[i] * state.positions[i].y();
+    box.extend(model.restPositions[i]);
+  }
+  const double motion = std::max(0.0, energy.first - parameters.gravity * lifted);
+  return motion + ofFall * model.totalMass() * parameters.gravity * box.diagonal().norm();
+}
+
+/// A bound of what wind does to a cloth in a step [J]: the air's force on all of its area, as fast as the wind.
+double mostWorkOfWind(const ClothModel& model, const StepParameters& parameters) {
+  const double speed = parameters.wind.norm();
+  const double pressure = 0.5 * parameters.airDensity * (parameters.drag + parameters.lift) * speed * speed;
+  return pressure * model.restArea() * speed * parameters.timeStep;
+}
+
+/// A method that chooses for itself. In each step:
+/// 1. `planStep` chooses scheme, substeps and what the springs keep, from the cloth, the budget and what was learnt;
+/// 2. the step is taken (AdaptiveRun);
+/// 3. the energy guard looks at the energy of the first and the last substep. Where it grew and nothing did work, the
+///    step is taken again with twice the substeps, up to three times, and then by XPBD, which cannot explode;
+/// 4. now and then the step is taken a second time with twice the substeps. What differs is the error of the first,
+///    and says how many substeps the tolerance asks for; they change by at most a factor of two at a time downwards.
+/// Nothing here looks at a clock, and what was learnt is in the state: the same arguments give the same step.
+template <typename T>
+class AdaptiveStep {
+ public:
+  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                  ClothState& state) {
+    const LocalRates& rates = rates_.get(model, localRatesOf);
+    StepPlan plan = planStep(model, rates, parameters, inputs, state.memory);
+    for (int i = 0; i < state.memory.caution; ++i) {
+      plan = saferThan(plan);
+    }
+    StepChoice choice{.order = plan.scheme == ExplicitScheme::Pefrl ? 4 : 2,
+                      .substeps = plan.substeps,
+                      .hardness = parameters.timeStep * largestFrequency(model, parameters),
+                      .stiffness = medianShare(rates, parameters, plan)};
+    choice.passes = 0;
+    const bool estimating = estimateIsDue(state.memory.steps);
+    if (estimating) {
+      takeFiner(model, rates, parameters, inputs, plan, state, choice);
+    }
+    take(model, rates, parameters, inputs, plan, state, choice);
+    if (estimating && choice.retaken == 0) {
+      learn(model, parameters, plan, state);
+    }
+    remember(choice, state.memory);
+    state.memory.steps += 1;
+    if (state.memory.steps == 2 * estimateEvery) {
+      state.memory.steps = estimateEvery;
+    }
+    choice.error = state.memory.error;
+    state.time += parameters.timeStep;
+    return {.choice = choice};
+  }
+
+ private:
+  void take(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+            const StepInputs& inputs, StepPlan plan, ClothState& state, StepChoice& choice) {
+    for (int retake = 0; retake <= mostRetakes; ++retake) {
+      const StepEnergy energy = run_.run(model, rates, parameters, inputs, plan, state);
+      choice.passes += plan.passes();
+      choice.levels = run_.levels();
+      if (!grew(model, parameters, inputs, state, energy, retake > 0)) {
+        run_.store(state);
+        return;
+      }
+      ++choice.retaken;
+      plan = saferThan(plan);
+      choice.order = 2;
+      choice.substeps = plan.substeps;
+      choice.stiffness = medianShare(rates, parameters, plan);
+    }
+    takeLastResort(model, parameters, inputs, state, choice);
+  }
+
+  /// What had to be taken again will have to be again: the steps that follow begin with what held. That wears off.
+  static void remember(const StepChoice& choice, StepMemory& memory) {
+    constexpr int untilCalm = 16;
+    if (choice.retaken > 0) {
+      memory.caution = std::min(memory.caution + choice.retaken, mostCaution);
+      memory.calm = 0;
+    } else if (memory.caution > 0 && ++memory.calm == untilCalm) {
+      --memory.caution;
+      memory.calm = 0;
+    }
+  }
+
+  /// Springs that are held, are held to less, since crumpled cloth is faster than its rest shape; all others, and the
+  /// second time these too, get twice the substeps.
+  static StepPlan saferThan(StepPlan plan) {
+    constexpr double less = 0.8;
+    constexpr double asPlanned = 1.7;
+    if (plan.carried < asPlanned) {
+      plan.substeps = 2 * plan.passes();
+    }
+    plan.scheme = ExplicitScheme::Verlet;
+    plan.carried *= less;
+    return plan;
+  }
+
+  /// True when the energy is no number, or grew and neither wind nor hand can have done it: by more than a hundredth
+  /// over all steps, so that what comes and goes does not count, and for a step that is taken again also within it.
+  [[nodiscard]] bool grew(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                          ClothState& state, const StepEnergy& energy, bool again) {
+    constexpr double inAll = 0.01;
+    constexpr double inOneStep = 0.002;
+    const double growth = energy.last - energy.first;
+    if (!std::isfinite(growth)) {
+      return true;
+    }
+    double& gained = state.memory.gained;
+    if (growth <= 0.0) {
+      gained = std::max(0.0, gained + growth);
+      return false;
+    }
+    const double unexplained = growth - mostWorkOfWind(model, parameters) - workOfHand(model, inputs, state);
+    const double scale = energyScale(model, parameters, state, energy);
+    if (unexplained > (again ? inOneStep * scale : inAll * scale - gained)) {
+      return true;
+    }
+    gained = again ? 0.0 : std::max(0.0, gained + unexplained);
+    return false;
+  }
+
+  /// The most that the hand has done in the step that was run last [J].
+  [[nodiscard]] double workOfHand(const ClothModel& model, const StepInputs& inputs, const ClothState& state) {
+    if (!inputs.grab) {
+      return 0.0;
+    }
+    after_ = state;
+    run_.store(after_);
+    Vec3 motion = Vec3::Zero();
+    const Triangle& corners = model.triangles[static_cast<std::size_t>(inputs.grab->triangle)];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto v = static_cast<std::size_t>(corners[c]);
+      motion += inputs.grab->barycentric[static_cast<Eigen::Index>(c)] * (after_.positions[v] - state.positions[v]);
+    }
+    return inputs.grab->maxForce * motion.norm();
+  }
+
+  /// By XPBD, which cannot explode; what energy it makes, by a cloth that its few iterations leave stretched, is taken
+  /// out of the motion. The energy is that of the springs with all their stiffness.
+  void takeLastResort(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state,
+                      StepChoice& choice) {
+    constexpr int substeps = 8;
+    if (!lastResort_) {
+      lastResort_ = findSolver("xpbd")->make();
+    }
+    const double time = state.time;
+    const double allowed = energyOf(model, parameters, state).total() + mostWorkOfWind(model, parameters) +
+                           (inputs.grab ? inputs.grab->maxForce * parameters.timeStep : 0.0);
+    parameters.precision = Precision::Double;
+    parameters.timeStep /= substeps;
+    choice.passes += substeps * parameters.iterations;
+    choice.substeps = substeps;
+    choice.order = 1;
+    choice.stiffness = 1.0;
+    choice.levels = 0;
+    choice.lastResort = true;
+    state.memory.gained = 0.0;
+    lastResort_->steps(model, parameters, inputs, substeps, state);
+    state.time = time;
+    slowTo(allowed, model, parameters, state);
+  }
+
+  /// Slows what moves against the cloth's mean motion down until the energy is no more than `allowed` [J], or all of it
+  /// is elastic or lifted. Cloth that is pinned moves against its pins.
+  static void slowTo(double allowed, const ClothModel& model, const StepParameters& parameters, ClothState& state) {
+    const Energy energy = energyOf(model, parameters, state);
+    if (energy.total() <= allowed) {
+      return;
+    }
+    const bool held = std::find(model.pinned.begin(), model.pinned.end(), true) != model.pinned.end();
+    const Vec3 mean = held ? Vec3(Vec3::Zero()) : Vec3(linearMomentum(model, state) / model.totalMass());
+    const double carried = 0.5 * model.totalMass() * mean.squaredNorm();
+    const double moving = energy.kinetic - carried;
+    const double left = std::max(0.0, moving - (energy.total() - allowed));
+    const double factor = moving > 0.0 ? std::sqrt(left / moving) : 0.0;
+    for (Vec3& velocity : state.velocities) {
+      velocity = mean + factor * (velocity - mean);
+    }
+  }
+
+  void takeFiner(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                 const StepInputs& inputs, StepPlan plan, const ClothState& state, StepChoice& choice) {
+    plan.substeps *= 2;
+    run_.run(model, rates, parameters, inputs, plan, state);
+    choice.passes += plan.passes();
+    finer_ = state;
+    run_.store(finer_);
+  }
+
+  /// The error of as many such steps as fit into the error's time, as if all went the same way; then how many passes
+  /// would bring it to the tolerance. Errors of neighbours are averaged first: fast small vibrations, whose phase no
+  /// step of this length gets right, and rounding do not carry anything away.
+  void learn(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan, ClothState& state) {
+    constexpr int rings = 3;
+    std::vector<Vec3>& difference = finer_.positions;
+    for (std::size_t i = 0; i < difference.size(); ++i) {
+      difference[i] -= state.positions[i];
+    }
+    for (int ring = 0; ring < rings; ++ring) {
+      averageOverRings(model, difference);
+    }
+    double sum = 0.0;
+    for (const Vec3& each : difference) {
+      sum += each.norm();
+    }
+    const double order = plan.scheme == ExplicitScheme::Pefrl ? 4.0 : 2.0;
+    const double whole = 1.0 / (1.0 - std::exp2(-order));
+    const double error = whole * errorTime / parameters.timeStep * sum / static_cast<double>(state.positions.size());
+    if (!std::isfinite(error)) {
+      return;
+    }
+    const double passes = plan.passes() * std::pow(error / parameters.errorTolerance, 1.0 / order);
+    state.memory.error = error;
+    state.memory.passes = std::max({1.0, 0.5 * plan.passes(), passes});
+  }
+
+  /// Each value becomes the mean of itself and its neighbours'.
+  void averageOverRings(const ClothModel& model, std::vector<Vec3>& values) {
+    averaged_.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      Vec3 sum = values[i];
+      for (int e = model.springEnds.begin[i]; e < model.springEnds.begin[i + 1]; ++e) {
+        sum += values[static_cast<std::size_t>(model.springEnds.values[static_cast<std::size_t>(e)].neighbour)];
+      }
+      averaged_[i] = sum / (1.0 + model.springEnds.begin[i + 1] - model.springEnds.begin[i]);
+    }
+    values.swap(averaged_);
+  }
+
+  AdaptiveRun<T> run_;
+  ModelCache<LocalRates> rates_;
+  std::unique_ptr<Solver> lastResort_;
+  ClothState finer_;
+  ClothState after_;
+  std::vector<Vec3> averaged_;
+};
+
+class AutoSolver final : public Solver {
+ public:
+  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                  ClothState& state) override {
+    return parameters.precision == Precision::Float ? single_.step(model, parameters, inputs, state)
+                                                    : double_.step(model, parameters, inputs, state);
+  }
+
+ private:
+  AdaptiveStep<float> single_;
+  AdaptiveStep<double> double_;
+};
+
+/// What the springs keep when the whole budget is spent, and the budget with which they would keep all.
+std::string warning(const ClothModel& model, const StepParameters& parameters) {
+  constexpr double noticeable = 0.8;
+  StepParameters part = parameters;
+  part.timeStep = parameters.timeStep / parameters.substeps;
+  const double frequency = largestFrequency(model, part);
+  const double substeps = std::floor(passesInBudget(model, part));
+  const double carried = substeps * 2.0 / std::max(frequency * part.timeStep, 1e-30);
+  if (carried * carried >= noticeable) {
+    return {};
+  }
+  const double needed = 0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6;
+  std::ostringstream words;
+  words << std::setprecision(2);
+  words << "The work allowed is too little for cloth so stiff and fine: stretching is carried by coarse groups, and "
+        << "springs keep " << 100.0 * carried * carried << " % of their stiffness. ";
+  words << "All of it needs auto.work = " << std::fixed << std::setprecision(0) << std::ceil(needed) << ".";
+  return words.str();
+}
+
+}  // namespace
+
+SolverInfo solvers::adaptive() {
+  return {.name = "auto",
+          .title = "Auto",
+          .help =
+              "Chooses for itself: explicit steps of second or fourth order, as many substeps as the cloth and the "
+              "tolerance need. Where the work allowed does not suffice, springs keep what a substep carries and coarse "
+              "groups of vertices carry the tension; an energy guard takes a step again that would explode. It is "
+              "softer than asked for, and says so, where cloth is too stiff and fine for the work allowed.",
+          .source = "Drape (docs/auto.md), on Stoermer-Verlet and Omelyan, Mryglod and Folk, 2002",
+          .backwardEuler = false,
+          .settings = {"precision", "auto.work", "auto.tolerance"},
+          .warning = warning,
+          .stepLimit = nullptr,
+          .make = []() -> std::unique_ptr<Solver> { return std::make_unique<AutoSolver>(); }};
+}
+
+}  // namespace drape

@@ -1,0 +1,113 @@
+#include "sim/adaptive/coarse_levels.hpp"
+
+#include "sim/adaptive/coarse_motion.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <numeric>
+
+namespace drape {
+namespace {
+
+using testing::irregularSheet;
+using testing::pinnedSheet;
+
+TEST(CoarseLevels, gatherEveryVertexKeepTheMassAndShrinkToAFewGroups) {
+  const auto model = irregularSheet(33, {0, 32});
+  const auto levels = buildCoarseLevels(*model);
+  ASSERT_GE(levels.size(), 3U);
+  EXPECT_LT(levels.back().cloth->vertexCount(), 12);
+  const ClothModel* below = model.get();
+  for (const CoarseLevel& level : levels) {
+    ASSERT_EQ(level.groupOf.size(), below->restPositions.size());
+    std::vector<int> members(level.cloth->restPositions.size(), 0);
+    for (const int group : level.groupOf) {
+      ++members.at(static_cast<std::size_t>(group));
+    }
+    EXPECT_GT(*std::min_element(members.begin(), members.end()), 0);
+    EXPECT_NEAR(level.cloth->totalMass(), model->totalMass(), 1e-12);
+    EXPECT_LT(level.cloth->vertexCount(), below->vertexCount());
+    below = level.cloth.get();
+  }
+}
+
+TEST(CoarseLevels, keepPinnedVerticesInGroupsOfTheirOwnThatOthersHangFrom) {
+  const auto model = pinnedSheet(17);
+  for (const CoarseLevel& level : buildCoarseLevels(*model)) {
+    const ClothModel& groups = *level.cloth;
+    ASSERT_EQ(std::count(groups.pinned.begin(), groups.pinned.end(), true), 2);
+    for (std::size_t g = 0; g < groups.pinned.size(); ++g) {
+      if (groups.pinned[g]) {
+        EXPECT_GT(groups.springEnds.begin[g + 1], groups.springEnds.begin[g]);
+      }
+    }
+  }
+  const CoarseLevel first = buildCoarseLevels(*model).front();
+  EXPECT_EQ(first.cloth->restPositions[static_cast<std::size_t>(first.groupOf[0])], model->restPositions[0]);
+}
+
+TEST(CoarseLevels, areNoneForATriangleAndEndWithPiecesThatNothingTies) {
+  ClothMesh mesh;
+  for (int piece = 0; piece < 8; ++piece) {
+    const double x = 2.0 * piece;
+    const int first = 3 * piece;
+    mesh.positions.insert(mesh.positions.end(), {Vec3(x, 0, 0), Vec3(x + 1, 0, 0), Vec3(x, 0, 1)});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  EXPECT_TRUE(buildCoarseLevels(*buildClothModel(mesh, 1.0, MassLumping::Area, {})).empty());
+}
+
+/// The accelerations that the levels give a cloth, one a vertex.
+std::vector<Vec3> pushesOf(const ClothModel& model, const std::vector<Vec3>& positions) {
+  SlicedCloth<double> cloth(model);
+  cloth.prepare(1, 1);
+  ClothState state = stateAtRest(positions);
+  cloth.load(state, shareOf(cloth.layout, 1, 0, 1));
+  CoarseMotion<double> motion(buildCoarseLevels(model), model, cloth);
+  EXPECT_GT(motion.setStiffness(1000.0, 900.0, 1.4, 1e-3), 1);
+  motion.accelerate(cloth, false);
+  std::vector<Vec3> pushes;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const int group = motion.groups()[cloth.layout.place[v]];
+    const auto& from = motion.pushes();
+    pushes.emplace_back(from.x.data()[group], from.y.data()[group], from.z.data()[group]);
+  }
+  return pushes;
+}
+
+TEST(CoarseMotion, keepsTheMomentumOfStretchedFreeCloth) {
+  const auto model = irregularSheet(17, {});
+  std::vector<Vec3> positions = testing::shaken(*model, 0.02, 4).positions;
+  for (Vec3& position : positions) {
+    position = Vec3(1.2 * position.x(), position.y() + 0.2 * position.x() * position.x(), 1.1 * position.z());
+  }
+  const std::vector<Vec3> pushes = pushesOf(*model, positions);
+  Vec3 force = Vec3::Zero();
+  Vec3 torque = Vec3::Zero();
+  double size = 0.0;
+  for (std::size_t v = 0; v < pushes.size(); ++v) {
+    force += model->vertexMass[v] * pushes[v];
+    torque += positions[v].cross(model->vertexMass[v] * pushes[v]);
+    size += model->vertexMass[v] * pushes[v].norm();
+  }
+  EXPECT_GT(size, 0.1);
+  EXPECT_LT(force.norm(), 1e-12 * size);
+  EXPECT_LT(torque.norm(), 1e-12 * size);
+}
+
+TEST(CoarseMotion, doesNothingToClothThatIsCompressedOrAtRest) {
+  const auto model = pinnedSheet(17);
+  for (const double scale : {1.0, 0.7}) {
+    std::vector<Vec3> positions = model->restPositions;
+    for (Vec3& position : positions) {
+      position *= scale;
+    }
+    for (const Vec3& push : pushesOf(*model, positions)) {
+      EXPECT_LT(push.norm(), 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace drape

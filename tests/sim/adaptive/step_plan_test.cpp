@@ -1,0 +1,100 @@
+#include "sim/adaptive/step_plan.hpp"
+
+#include "sim/stability.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// A sheet under a budget of so many passes a step.
+class StepPlanning : public ::testing::Test {
+ protected:
+  StepPlan plan(double passes) {
+    parameters.work = 1.0001 * passes * static_cast<double>(model->springs.size()) / parameters.timeStep * 1e-6;
+    return planStep(*model, localRatesOf(*model), parameters, inputs, StepMemory{.passes = passes});
+  }
+
+  std::shared_ptr<const ClothModel> model = testing::pinnedSheet(17);
+  StepParameters parameters;
+  StepInputs inputs;
+};
+
+TEST_F(StepPlanning, takesTheFourthOrderWhereTheBudgetGoesFarBeyondTheLimit) {
+  parameters.stiffness = 10.0;  // H = 3.2
+  const StepPlan chosen = plan(12.0);
+  EXPECT_EQ(chosen.scheme, ExplicitScheme::Pefrl);
+  EXPECT_EQ(chosen.passes(), 12);
+}
+
+TEST_F(StepPlanning, takesVerletWhereDampingAirOrAHandActOnVelocities) {
+  parameters.stiffness = 10.0;
+  parameters.damping = 1e-5;
+  EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
+  parameters.damping = 0.0;
+  parameters.drag = 1.0;
+  EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
+  parameters.drag = 0.0;
+  inputs.grab.emplace();
+  EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
+}
+
+TEST_F(StepPlanning, leavesSpringsAsTheyAreWhileASubstepIsBelowTheLimit) {
+  parameters.stiffness = 1000.0;  // H = 32
+  const StepPlan chosen = plan(17.0);
+  EXPECT_EQ(chosen.substeps, 17);
+  EXPECT_EQ(chosen.carried, 0.0);
+  EXPECT_FALSE(chosen.levels);
+}
+
+TEST_F(StepPlanning, holdsSpringsToWhatASubstepCarriesAndHelpsThemByLevelsWhereItIsLittle) {
+  parameters.stiffness = 1000.0;
+  const StepPlan close = plan(13.0);
+  EXPECT_GT(close.carried, 0.0);
+  EXPECT_FALSE(close.levels);
+  const StepPlan far = plan(6.0);
+  EXPECT_TRUE(far.levels);
+  const double share = medianShare(localRatesOf(*model), parameters, far);
+  EXPECT_NEAR(share, std::pow(1.8 * 6.0 / (parameters.timeStep * largestFrequency(*model, parameters)), 2.0), 1e-9);
+}
+
+TEST_F(StepPlanning, neverExceedsTheBudgetNorGoesBelowFourPasses) {
+  parameters.stiffness = 1e5;
+  EXPECT_EQ(plan(30.0).passes(), 30);
+  EXPECT_EQ(plan(0.5).passes(), 4);
+}
+
+TEST_F(StepPlanning, spendsNoMoreThanWasLearntToBeNeeded) {
+  parameters.stiffness = 1000.0;
+  parameters.work = 1e6;
+  const LocalRates rates = localRatesOf(*model);
+  const StepPlan frugal = planStep(*model, rates, parameters, inputs, StepMemory{.passes = 1.0});
+  const double hardness = parameters.timeStep * largestFrequency(*model, parameters);
+  EXPECT_NEAR(frugal.passes(), hardness / 1.8, 1.0);
+  EXPECT_EQ(planStep(*model, rates, parameters, inputs, StepMemory{.passes = 50.0}).passes(), 50);
+}
+
+TEST_F(StepPlanning, holdsDampingToWhatASubstepCarries) {
+  parameters.stiffness = 1e5;
+  parameters.damping = 10.0;
+  const StepPlan chosen = plan(10.0);
+  EXPECT_LT(chosen.damping, parameters.damping);
+  EXPECT_NEAR(2.0 * parameters.timeStep / 10.0 * model->unitDampingRate * chosen.damping, 1.0, 1e-9);
+}
+
+TEST_F(StepPlanning, letsAFewFastVerticesOfAnIrregularMeshSlowNobodyElse) {
+  ClothMesh mesh = testing::sheet(17);
+  mesh.positions[8 * 17 + 8] = mesh.positions[8 * 17 + 9] + Vec3(-1e-3, 0.0, 0.0);  // slivers around one vertex
+  model = buildClothModel(mesh, 0.1, MassLumping::Area, {0, 16});
+  parameters.stiffness = 1000.0;
+  const LocalRates rates = localRatesOf(*model);
+  const StepPlan chosen = plan(20.0);
+  EXPECT_GT(parameters.timeStep * largestFrequency(*model, parameters), 2.04 * 20.0);
+  EXPECT_EQ(medianShare(rates, parameters, chosen), 1.0);
+  EXPECT_FALSE(chosen.levels);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,203 @@
+#include "sim/diagnostics.hpp"
+#include "sim/momentum.hpp"
+#include "sim/solver.hpp"
+#include "sim/stability.hpp"
+#include "sim/stepper.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+using testing::pinnedSheet;
+
+constexpr double frame = 1.0 / 150.0;
+
+/// A budget of so many passes over the springs in a step of 1/150 s, all of which is to be spent.
+StepParameters withPasses(const ClothModel& model, double stiffness, double passes) {
+  StepParameters parameters;
+  parameters.timeStep = frame;
+  parameters.stiffness = stiffness;
+  parameters.work = 1.0001e-6 * passes * static_cast<double>(model.springs.size()) / frame;
+  parameters.errorTolerance = 1e-12;
+  return parameters;
+}
+
+/// Where a sheet that falls from two corners is after 0.2 s.
+ClothState fallen(const char* solver, const ClothModel& model, const StepParameters& parameters,
+                  StepReport* last = nullptr) {
+  Stepper stepper(solver);
+  ClothState state = stateAtRest(model.restPositions);
+  for (int step = 0; step < 30; ++step) {
+    const StepReport report = stepper.step(model, parameters, {}, state);
+    if (last != nullptr) {
+      *last = report;
+    }
+  }
+  return state;
+}
+
+double meanDistanceOf(const ClothState& a, const ClothState& b) {
+  double sum = 0.0;
+  for (std::size_t v = 0; v < a.positions.size(); ++v) {
+    sum += (a.positions[v] - b.positions[v]).norm();
+  }
+  return sum / static_cast<double>(a.positions.size());
+}
+
+/// The converged motion by Verlet in double, well below its limit.
+ClothState converged(const ClothModel& model, double stiffness) {
+  StepParameters parameters;
+  parameters.timeStep = frame;
+  parameters.stiffness = stiffness;
+  parameters.substeps = static_cast<int>(std::ceil(frame / (0.5 * verletStepLimit(model, parameters)))) + 20;
+  return fallen("verlet", model, parameters);
+}
+
+TEST(Auto, isAsAccurateAsAskedForInFloatWithThirtyPasses) {
+  struct Case {
+    double stiffness;  // [N/m]
+    double passes;
+    double mostError;  // after 0.2 s [m]
+    int order;
+    bool levels;
+  };
+  const auto model = pinnedSheet(33);
+  for (const Case each : {Case{10.0, 8.0, 1e-5, 2, false}, Case{10.0, 30.0, 3e-6, 4, false},
+                          Case{1e3, 31.0, 1e-5, 2, false}, Case{1e5, 30.0, 3e-3, 2, true}}) {
+    StepParameters parameters = withPasses(*model, each.stiffness, each.passes);
+    parameters.precision = Precision::Float;
+    StepReport report;
+    const ClothState state = fallen("auto", *model, parameters, &report);
+    EXPECT_LT(meanDistanceOf(state, converged(*model, each.stiffness)), each.mostError)
+        << each.stiffness << " " << each.passes;
+    ASSERT_TRUE(report.choice);
+    EXPECT_EQ(report.choice->order, each.order);
+    EXPECT_EQ(report.choice->levels > 0, each.levels);
+    EXPECT_LE(report.choice->passes, each.passes);
+  }
+}
+
+TEST(Auto, carriesTensionByCoarseLevelsWhereTheBudgetIsATwentiethOfWhatTheSpringsNeed) {
+  const auto model = pinnedSheet(33);  // H omega = 622, so the springs need 311 passes
+  StepReport report;
+  const ClothState exact = converged(*model, 1e5);
+  const double error = meanDistanceOf(fallen("auto", *model, withPasses(*model, 1e5, 17.0), &report), exact);
+  EXPECT_LT(error, 0.008) << "[m]";
+  ASSERT_TRUE(report.choice);
+  EXPECT_GE(report.choice->levels, 2);
+  EXPECT_EQ(report.choice->passes, 17);
+  StepParameters xpbd = withPasses(*model, 1e5, 0.0);
+  xpbd.substeps = 17;
+  xpbd.iterations = 1;
+  EXPECT_LT(1.5 * error, meanDistanceOf(fallen("xpbd", *model, xpbd), exact));
+}
+
+TEST(Auto, estimatesTheSizeOfItsError) {
+  struct Case {
+    double stiffness;
+    double passes;
+  };
+  const auto model = pinnedSheet(17);
+  for (const Case each : {Case{10.0, 4.0}, Case{10.0, 8.0}, Case{1e3, 9.0}, Case{1e3, 17.0}, Case{1e5, 17.0}}) {
+    StepReport report;
+    const ClothState state = fallen("auto", *model, withPasses(*model, each.stiffness, each.passes), &report);
+    const double error = meanDistanceOf(state, converged(*model, each.stiffness));
+    ASSERT_TRUE(report.choice);
+    EXPECT_GT(report.choice->error, 0.1 * error) << each.stiffness << " " << each.passes;
+    EXPECT_LT(report.choice->error, 20.0 * error) << each.stiffness << " " << each.passes;
+  }
+}
+
+TEST(Auto, spendsLessOnALooserTolerance) {
+  const auto model = pinnedSheet(17);
+  StepParameters parameters = withPasses(*model, 10.0, 1000.0);
+  parameters.damping = 1e-4;
+  int before = 0;
+  for (const double tolerance : {1e-2, 1e-6, 1e-8}) {
+    parameters.errorTolerance = tolerance;
+    StepReport report;
+    fallen("auto", *model, parameters, &report);
+    ASSERT_TRUE(report.choice);
+    EXPECT_GT(report.choice->substeps, before);
+    before = report.choice->substeps;
+  }
+}
+
+TEST(Auto, goesOnFromACopyOfTheStateToTheSameBits) {
+  const auto model = pinnedSheet(17);
+  StepParameters parameters = withPasses(*model, 1000.0, 100.0);
+  parameters.errorTolerance = 1e-6;
+  Stepper one("auto");
+  ClothState state = stateAtRest(model->restPositions);
+  for (int step = 0; step < 40; ++step) {
+    one.step(*model, parameters, {}, state);
+  }
+  ClothState copy = state;
+  Stepper other("auto");
+  for (int step = 0; step < 40; ++step) {
+    one.step(*model, parameters, {}, state);
+    other.step(*model, parameters, {}, copy);
+  }
+  EXPECT_EQ(stateHash(state), stateHash(copy));
+}
+
+TEST(Auto, gainsNoEnergyInHardStarts) {
+  for (const int n : {9, 17}) {
+    const auto model = pinnedSheet(n);
+    for (const double stiffness : {10.0, 1e3, 1e5}) {
+      for (const double passes : {30.0, 300.0}) {
+        StepParameters parameters = withPasses(*model, stiffness, passes);
+        parameters.gravity = 0.0;
+        parameters.precision = Precision::Float;
+        ClothState state = stateAtRest(model->restPositions);
+        testing::RandomVectors random(5);
+        for (std::size_t v = 0; v < state.positions.size(); ++v) {
+          state.positions[v] = model->pinned[v] ? model->restPositions[v] : random.next(0.5);
+        }
+        const double start = energyOf(*model, parameters, state).total();
+        Stepper stepper("auto");
+        double most = 0.0;
+        for (int step = 0; step < 60; ++step) {
+          stepper.step(*model, parameters, {}, state);
+          most = std::max(most, energyOf(*model, parameters, state).total());
+        }
+        EXPECT_LT(most, 1.25 * start) << n << " " << stiffness << " " << passes;
+      }
+    }
+  }
+}
+
+TEST(Auto, keepsTheMomentumOfFreeClothThatIsHeldToLessThanItsStiffness) {
+  const auto model = testing::irregularSheet(17, {});
+  StepParameters parameters = withPasses(*model, 1e5, 10.0);
+  parameters.gravity = 0.0;
+  ClothState state = testing::shaken(*model, 0.0002, 5);
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    state.velocities[v] += Vec3(1.0, 0.5, 0.2) + Vec3(0.3, 1.0, 0.0).cross(state.positions[v]);
+  }
+  const Vec3 linear = linearMomentum(*model, state);
+  const Vec3 angular = angularMomentum(*model, state, Vec3::Zero());
+  Stepper stepper("auto");
+  for (int step = 0; step < 150; ++step) {
+    const StepReport report = stepper.step(*model, parameters, {}, state);
+    ASSERT_TRUE(report.choice);
+    EXPECT_GE(report.choice->levels, 1);
+  }
+  EXPECT_LT((linearMomentum(*model, state) - linear).norm(), 1e-10 * linear.norm());
+  EXPECT_LT((angularMomentum(*model, state, Vec3::Zero()) - angular).norm(), 1e-10 * angular.norm());
+}
+
+TEST(Auto, saysWhenTheWorkAllowedIsTooLittleForTheStiffness) {
+  const auto model = pinnedSheet(33);
+  const auto warning = findSolver("auto")->warning;
+  EXPECT_EQ(warning(*model, withPasses(*model, 1e3, 31.0)), "");
+  EXPECT_NE(warning(*model, withPasses(*model, 1e5, 31.0)).find("keep 0.99 %"), std::string::npos)
+      << warning(*model, withPasses(*model, 1e5, 31.0));
+}
+
+}  // namespace
+}  // namespace drape
