@@ -115,4 +115,21 @@ std::vector<TrianglePair> intersectingPairs(const Surface& first, const Surface&
   return pairs;
 }
 
+std::vector<int> trianglesReaching(const Surface& surface, const std::array<Eigen::Vector3d, 3>& plane) {
+  requireSound(surface);
+  std::vector<bool> inFront;
+  inFront.reserve(surface.positions.size());
+  for (const Eigen::Vector3d& position : surface.positions) {
+    inFront.push_back(orientation(plane[0], plane[1], plane[2], position) > 0);
+  }
+  std::vector<int> reaching;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Corners& corners = surface.triangles[t];
+    if (!std::all_of(corners.begin(), corners.end(), [&](int v) { return inFront[static_cast<std::size_t>(v)]; })) {
+      reaching.push_back(static_cast<int>(t));
+    }
+  }
+  return reaching;
+}
+
 }  // namespace drape

@@ -32,4 +32,8 @@ struct TrianglePair {
 /// The pairs of a triangle of one surface and a triangle of another that have a point in common, sorted.
 [[nodiscard]] std::vector<TrianglePair> intersectingPairs(const Surface& first, const Surface& second);
 
+/// The triangles that are not wholly in front of the plane through three points (from where these turn
+/// counter-clockwise): those with a corner in it or behind it, ascending.
+[[nodiscard]] std::vector<int> trianglesReaching(const Surface& surface, const std::array<Eigen::Vector3d, 3>& plane);
+
 }  // namespace drape

@@ -198,6 +198,26 @@ TEST(Run, findsTheStepAtWhichMostTrianglesIntersect) {
   EXPECT_NE(headless("run " + command + "0.4").output.find("at most 1 (step 20), 0 at the end"), std::string::npos);
 }
 
+TEST(Run, countsIntersectionsWithBodiesApartFromThoseWithItself) {
+  auto folder = testFolder();
+  folder += "_scene";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "ball.toml") << "[cloth]\ngrid = \"horizontal\"\nposition = [0, 0.25, 0]\n"
+                                         "[[bodies]]\nshape = \"sphere\"\nradius = 0.1\nposition = [0, 0.12, 0]\n"
+                                         "[ground]\nheight = 0\nsolid = true\n"
+                                         "[settings]\ngrid.resolution = 9\ngrid.width = 0.5\ngrid.height = 0.5\n"
+                                         "time_step = 0.01\n";
+  const std::string command = (folder / "ball.toml").string() + " --check-intersections 1 --seconds 0.6";
+  const auto kept = statsOf(command);
+  EXPECT_EQ(kept["intersecting_pairs_bodies"]["max"], 0);
+  EXPECT_TRUE(kept["intersecting_pairs_bodies"]["worst_step"].is_null());
+  const auto through = statsOf(command + " --set bodies=false");
+  EXPECT_GT(through["intersecting_pairs_bodies"]["max"], 10) << "in the ball";
+  EXPECT_EQ(through["intersecting_pairs_bodies"]["final"], through["triangles"]) << "all below the ground, once each";
+  EXPECT_EQ(through["intersecting_pairs_self"]["max"], 0);
+  EXPECT_EQ(through["intersecting_pairs_max"], through["intersecting_pairs_bodies"]["max"]);
+}
+
 TEST(Run, takesNoStepInNoTime) {
   EXPECT_EQ(statsOf("grid --seconds 0")["steps"], 0);
 }

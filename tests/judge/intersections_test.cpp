@@ -186,6 +186,15 @@ TEST(Intersections, betweenTwoSurfacesAreThoseOfEachTriangleWithEachOther) {
   EXPECT_EQ(intersectingPairs(cloth.surface(), body.surface()), expected);
 }
 
+TEST(Intersections, withAPlaneAreTheTrianglesThatTouchItOrAreBehindIt) {
+  const Mesh mesh{{{0, 0, 0}, {1, 1, 0}, {0, 1, 1}, {1, 2, 1}, {0, -1, 0}, {1, -1, 0}, {1, -3, 1}, {0, 1e-300, 0}},
+                  {{0, 1, 2}, {1, 2, 3}, {1, 2, 4}, {4, 5, 6}, {7, 1, 2}}};
+  const std::array<Vec3, 3> ground = {Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0)};
+  EXPECT_EQ(trianglesReaching(mesh.surface(), ground), (std::vector<int>{0, 2, 3}));
+  const std::array<Vec3, 3> ceiling = {ground[0], ground[2], ground[1]};
+  EXPECT_EQ(trianglesReaching(mesh.surface(), ceiling), (std::vector<int>{0, 1, 2, 4}));
+}
+
 TEST(Intersections, ofNothingAreNone) {
   const Mesh nothing;
   EXPECT_TRUE(intersectingPairs(nothing.surface()).empty());

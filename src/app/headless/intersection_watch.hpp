@@ -10,7 +10,7 @@
 namespace drape {
 
 /// Counts the intersecting triangle pairs of a running cloth now and then, by exact arithmetic
-/// (judge/intersections.hpp).
+/// (judge/intersections.hpp): with itself, and with the bodies that are on as they are drawn.
 class IntersectionWatch {
  public:
   /// @param every steps between two counts, at least 1
@@ -29,13 +29,22 @@ class IntersectionWatch {
   [[nodiscard]] std::string summary() const;
 
  private:
+  /// Counts of one kind over a run.
+  struct Tally {
+    std::size_t most = 0;
+    std::size_t last = 0;
+    std::int64_t worstStep = 0;  ///< the first with most
+    void add(std::int64_t step, std::size_t count);
+    [[nodiscard]] nlohmann::ordered_json toJson() const;
+  };
+
   void count(const Simulation& simulation);
 
   std::int64_t every_;
   std::int64_t lastStep_ = -1;
-  std::int64_t worstStep_ = 0;  ///< the first at which there were most
-  std::size_t most_ = 0;
-  std::size_t last_ = 0;
+  Tally all_;
+  Tally self_;
+  Tally bodies_;
   std::vector<double> seconds_;  ///< of each count
 };
 
