@@ -2,7 +2,7 @@
 
 #include "report/trajectory.hpp"
 
-#include <chrono>
+#include <ctime>
 #include <functional>
 #include <utility>
 
@@ -11,7 +11,15 @@ namespace drape {
 /// Thrown out of a run that takes longer than it may.
 struct TooSlow {};
 
-/// How long a run may take, from now on.
+/// The time that the calling thread has had a processor for [s]: other programs' turns do not count.
+inline double threadSeconds() {
+  constexpr double nano = 1e-9;
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + nano * static_cast<double>(time.tv_nsec);
+}
+
+/// How long a run in this thread may take, from now on, by the thread's own clock.
 class Patience {
  public:
   Patience(std::function<void()> mayStop, double mostSeconds)
@@ -26,9 +34,7 @@ class Patience {
   }
 
   /// Since it was made [s].
-  [[nodiscard]] double spent() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
+  [[nodiscard]] double spent() const { return threadSeconds() - begin_; }
 
   /// For a run that is to ask it. It must outlive the run.
   [[nodiscard]] Watch watch() const {
@@ -40,7 +46,7 @@ class Patience {
  private:
   std::function<void()> mayStop_;
   double mostSeconds_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double begin_ = threadSeconds();
 };
 
 }  // namespace drape

@@ -22,7 +22,7 @@ namespace drape {
 namespace {
 
 double mostSeconds(const ReportOptions& options) {
-  return options.quick ? 0.5 : 2.0;
+  return options.quick ? 5.0 : 1.0;
 }
 
 int checkpointsOf(const ReportOptions& options) {

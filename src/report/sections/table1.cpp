@@ -81,7 +81,7 @@ SectionPlan plan(const ReportOptions& options) {
       break;
     }
     for (const std::string precision : {"float", "double"}) {
-      const double building = 2e-5 * resolution * resolution;
+      const double building = 3e-6 * resolution * resolution;
       plan.cells.push_back(
           {gridText(resolution) + " " + precision, (options.quick ? 0.1 : 1.0) + building,
            [=](const CellContext& context) { return measureUpdate(resolution, precision, options, context); }});
