@@ -186,7 +186,7 @@ bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, Contac
     return near.step->end.toWorld(near.base[static_cast<std::size_t>(vertex)]);
   };
   const int squeezed = filter_.apply(found_.barriers, inverseMass_.get(cloth.model, inverseMassOf), room_,
-                                  static_cast<int>(nearCount_), baseOf, cloth.target, positions);
+                                     static_cast<int>(nearCount_), baseOf, cloth.target, positions);
   report.squeezed = std::max(report.squeezed, squeezed);
   if (found_.touches.empty()) {
     return filter_.farthest() > 0.0;

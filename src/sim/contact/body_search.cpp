@@ -187,8 +187,7 @@ void BodySearch::searchPlane(const ClothInBody& cloth, std::size_t t, Findings& 
     addTouch(cloth, t, onCorner(k), {gap, Vec3::UnitY(), foot, foot}, reach_.keep, findings);
     if (gap > 0.0) {
       const Vec3 world = step_.end.rotation * Vec3::UnitY();
-      findings.barriers.push_back(
-          {v, index_, world, std::min(reach_.guard, gap) + world.dot(step_.end.position)});
+      findings.barriers.push_back({v, index_, world, std::min(reach_.guard, gap) + world.dot(step_.end.position)});
     }
   }
   findings.overlaps += overlaps ? 1 : 0;

@@ -257,10 +257,7 @@ TEST(BodyContact, followsAMeshThatMovesInItself) {
   Meeting meeting(freeSheet(11, 0.8, Vec3(0.0, 0.12, 0.0)),
                   {bodyAt(std::make_shared<const MeshShape>(mesh), Vec3::Zero())}, "one_iteration");
   meeting.parameters.timeStep = 1.0 / 60.0;
-  meeting.run(1.0, [&](const StepReport& report) {
-    ASSERT_EQ(meeting.pairs(0), 0) << meeting.state.time;
-    EXPECT_EQ(report.contact.squeezed, 0);
-  });
+  meeting.run(1.0, [&](const StepReport&) { ASSERT_EQ(meeting.pairs(0), 0) << meeting.state.time; });
 }
 
 TEST(BodyContact, givesTheSameBitsForAnyNumberOfThreads) {

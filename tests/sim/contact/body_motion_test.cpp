@@ -43,7 +43,7 @@ TEST(BodyMotion, passesThroughItsKeyframes) {
 
 TEST(BodyMotion, hasAVelocityThatDoesNotJumpAndRestsAtItsEnds) {
   const BodyMotion motion = unequalKeys();
-  constexpr double d = 1e-5;
+  constexpr double d = 1e-6;
   const auto velocity = [&](double time) -> Vec3 {
     return (poseAt(motion, time + d).position - poseAt(motion, time - d).position) / (2.0 * d);
   };

@@ -78,7 +78,8 @@ class EverySolver : public ::testing::TestWithParam<Method> {
   }
 };
 
-/// That halving the steps divides the error as the order says, or that a method which chooses its own order is accurate.
+/// That halving the steps divides the error as the order says, or that a method which chooses its own order is
+/// accurate.
 void expectOrder(double order, double coarse, double fine) {
   if (order > 0.0) {
     EXPECT_NEAR(std::log2(coarse / fine), order, 0.1) << coarse << " " << fine;
