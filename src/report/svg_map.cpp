@@ -7,7 +7,9 @@
 namespace drape {
 namespace {
 
-constexpr double cellWidth = 62.0;
+constexpr double widestCell = 62.0;
+constexpr double narrowestCell = 30.0;
+constexpr double widestGrid = 806.0;  // so that a page need not shrink the picture
 constexpr double cellHeight = 24.0;
 constexpr double left = 170.0;
 constexpr double top = 66.0;
@@ -37,7 +39,12 @@ void drawText(XmlWriter& svg, const std::string& text, const char* anchor, doubl
   svg.text("text", text, {{"text-anchor", anchor}, {"x", pixel(x)}, {"y", pixel(y)}});
 }
 
-void drawCell(XmlWriter& svg, const MapState& state, double x, double y) {
+double cellWidthOf(const StateMap& map) {
+  const auto columns = static_cast<double>(std::max<std::size_t>(map.columns.size(), 1));
+  return std::clamp(widestGrid / columns, narrowestCell, widestCell);
+}
+
+void drawCell(XmlWriter& svg, const MapState& state, double cellWidth, double x, double y) {
   svg.open("g");
   svg.text("title", state.name);
   svg.empty("rect", {{"class", classOf(state.tone)},
@@ -50,12 +57,13 @@ void drawCell(XmlWriter& svg, const MapState& state, double x, double y) {
 }
 
 void drawRows(XmlWriter& svg, const StateMap& map) {
+  const double cellWidth = cellWidthOf(map);
   double y = top;
   for (const StateMap::Row& row : map.rows) {
     drawText(svg, row.label, "end", left - 8.0, y + 16.0);
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      drawCell(svg, map.states.at(static_cast<std::size_t>(row.cells[i])), left + cellWidth * static_cast<double>(i),
-               y);
+      drawCell(svg, map.states.at(static_cast<std::size_t>(row.cells[i])), cellWidth,
+               left + cellWidth * static_cast<double>(i), y);
     }
     y += cellHeight;
   }
@@ -64,8 +72,8 @@ void drawRows(XmlWriter& svg, const StateMap& map) {
 void drawLegend(XmlWriter& svg, const StateMap& map, double y) {
   double x = 10.0;
   for (const MapState& state : map.states) {
-    drawCell(svg, state, x, y);
-    drawText(svg, state.name, "start", x + cellWidth + 4.0, y + 16.0);
+    drawCell(svg, state, widestCell, x, y);
+    drawText(svg, state.name, "start", x + widestCell + 4.0, y + 16.0);
     x += legendEntry;
   }
 }
@@ -73,6 +81,7 @@ void drawLegend(XmlWriter& svg, const StateMap& map, double y) {
 }  // namespace
 
 std::string svgOf(const StateMap& map) {
+  const double cellWidth = cellWidthOf(map);
   const double grid = left + cellWidth * static_cast<double>(map.columns.size()) + 10.0;
   const double width = std::max(grid, 10.0 + legendEntry * static_cast<double>(map.states.size()));
   const double bottom = top + cellHeight * static_cast<double>(map.rows.size());

@@ -128,7 +128,7 @@ TEST_F(QuickReport, readsTheOrderOfConvergenceOffTheCurves) {
 }
 
 TEST_F(QuickReport, findsVerletAheadOnSoftClothAndAbsentOnStiff) {
-  // The most exact setting of all on soft cloth is one of Verlet's ...
+  // The most exact setting of all on soft cloth is one of Verlet's, or one of what takes Verlet there and more ...
   auto soft = rows("work_precision", [](const Json& row) {
     return row["scene"] == "hang" && row["stiffness"] == 10.0 && row["time"] == 0.2 && row["state"] == "calm";
   });
@@ -136,7 +136,7 @@ TEST_F(QuickReport, findsVerletAheadOnSoftClothAndAbsentOnStiff) {
   const auto best = std::min_element(soft.begin(), soft.end(), [](const Json& a, const Json& b) {
     return a["error_mean"].get<double>() < b["error_mean"].get<double>();
   });
-  EXPECT_EQ((*best)["method"], "verlet") << *best;
+  EXPECT_TRUE((*best)["method"] == "verlet" || (*best)["method"] == "auto") << *best;
   // ... and on stiff cloth none of its short lists stays whole.
   const auto stiff = rows("work_precision", [](const Json& row) {
     return row["scene"] == "hang" && row["stiffness"] == 1e5 && row["method"] == "verlet";

@@ -43,7 +43,7 @@ void CaseTrial::expect(const std::string& name, const std::string& unit, double 
       std::find_if(figures_.begin(), figures_.end(), [&](const CaseFigure& one) { return one.name == name; });
   if (known == figures_.end()) {
     figures_.push_back({name, unit, value, limit});
-  } else if (!(value <= known->value)) {
+  } else if (!std::isnan(known->value) && !(value <= known->value)) {
     known->value = value;
   }
 }
