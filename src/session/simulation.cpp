@@ -11,12 +11,6 @@
 #include <utility>
 
 namespace drape {
-namespace {
-
-/// No cloth stretches to three times its length. Where springs do, the step is beyond what it can carry.
-constexpr double implausibleStretch = 2.0;
-
-}  // namespace
 
 Simulation::Simulation(std::shared_ptr<const Scene> scene) {
   on(LoadSceneCommand{std::move(scene)});

@@ -13,6 +13,9 @@
 
 namespace drape {
 
+/// No cloth stretches to three times its length. Where springs do, the step is beyond what the solver can carry.
+inline constexpr double implausibleStretch = 2.0;
+
 /// The hand, as it is.
 struct GrabStatus {
   int triangle = 0;

@@ -1,5 +1,8 @@
 #include "session/solver_warning.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/solver.hpp"
 #include "ui/panels.hpp"
+#include "ui/setting_widget.hpp"
 #include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
@@ -14,7 +17,15 @@ namespace {
 struct Message {
   std::string text;
   ImVec4 colour;
+  bool outOfDepth = false;  ///< the solver is: another would do better
 };
+
+/// The solver that finds out for itself what a cloth needs.
+constexpr std::string_view choosingSolver = "auto";
+
+bool canChangeToAuto(const Settings& settings) {
+  return settings.solver.name != choosingSolver && findSolver(choosingSolver) != nullptr;
+}
 
 /// The most urgent thing there is to say.
 Message messageOf(const PanelContext& context) {
@@ -27,13 +38,13 @@ Message messageOf(const PanelContext& context) {
     return {stats.error, palette().error};
   }
   if (!snapshot.message.empty()) {
-    return {snapshot.message, palette().warning};
+    return {snapshot.message, palette().warning, snapshot.maxStretch > implausibleStretch};
   }
   if (!stats.notice.empty()) {
     return {stats.notice, palette().text};
   }
   if (std::string warning = solverWarning(context.settings, *snapshot.model); !warning.empty()) {
-    return {std::move(warning), palette().warning};
+    return {std::move(warning), palette().warning, true};
   }
   if (std::string warning = ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
     return {"Ghost: " + warning, palette().warning};
@@ -41,6 +52,9 @@ Message messageOf(const PanelContext& context) {
   if (!snapshot.paused && snapshot.realTimeFactor > 0.0 &&
       snapshot.realTimeFactor < 0.9 * snapshot.settings.playback.speed) {
     return {"The machine does not keep up, so the clock runs slower", palette().warning};
+  }
+  if (const auto& choice = snapshot.stepReport.choice) {
+    return {inWords(*choice, snapshot.stepSeconds, snapshot.settings.step.timeStep), palette().muted};
   }
   return {"F1 or ? for help", palette().muted};
 }
@@ -56,13 +70,33 @@ std::vector<std::string> factsOf(const PanelContext& context) {
   return facts;
 }
 
-void drawMessage(const PanelContext& context, float room) {
+/// At the right end of the line: one click to the solver that chooses for itself. How wide it is [pixels].
+float drawWayOut(PanelContext& context) {
+  constexpr const char* word = "Use auto";
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = ImGui::CalcTextSize(word).x + 2.0F * style.FramePadding.x;
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - style.WindowPadding.x);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
+  if (ImGui::SmallButton(word)) {
+    changeSetting(context, requireSetting("solver"), std::string(choosingSolver));
+    changeSetting(context, requireSetting("substeps"), SettingValue(1));  // auto takes as many as it wants
+  }
+  ImGui::PopStyleColor();
+  context.buttons["button.auto"] = lastItemRect();
+  explainItem(context, "button.auto", "Changes the solver to auto, which takes the steps that this cloth needs.");
+  return width + style.ItemSpacing.x;
+}
+
+void drawMessage(PanelContext& context, float room) {
   const Message message = messageOf(context);
+  const bool wayOut = message.outOfDepth && canChangeToAuto(context.settings);
+  const float right = wayOut ? drawWayOut(context) : 0.0F;
+  room -= right;
   const auto fits = static_cast<std::size_t>(std::max(8.0F, room / (ImGui::GetFontSize() * 0.52F)));
   const std::string firstLine = message.text.substr(0, message.text.find('\n'));
   const std::string shown = shortened(firstLine, fits);
   const float width = ImGui::CalcTextSize(shown.c_str()).x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - right - ImGui::GetStyle().WindowPadding.x);
   ImGui::PushStyleColor(ImGuiCol_Text, message.colour);
   ImGui::TextUnformatted(shown.c_str());
   ImGui::PopStyleColor();

@@ -1,6 +1,7 @@
 #include "ui/user_interface.hpp"
 
 #include "panel_fixture.hpp"
+#include "sim/solver.hpp"
 
 #include <imgui.h>
 
@@ -22,6 +23,24 @@ TEST_F(UserInterfaceTest, StepAndResetAreCommands) {
   const UiOutput reset = click(button("button.reset"));
   ASSERT_EQ(reset.commands.size(), 1U);
   EXPECT_TRUE(std::holds_alternative<ResetCommand>(reset.commands.front()));
+}
+
+TEST_F(UserInterfaceTest, ASolverOutOfItsDepthHasOneClickToAuto) {
+  simulation_.apply(SetSettingCommand{"stiffness", 10.0});
+  simulation_.apply(SetSettingCommand{"time_step", 1e-3});
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("button.auto")) << "nothing is wrong";
+  simulation_.apply(SetSettingCommand{"stiffness", 1e5});
+  settle();
+  ASSERT_EQ(panels_.buttons().contains("button.auto"), findSolver("auto") != nullptr);
+  if (findSolver("auto") != nullptr) {
+    const UiOutput output = click(button("button.auto"));
+    EXPECT_EQ(std::get<std::string>(lastValue(output, "solver")), "auto");
+    EXPECT_EQ(std::get<int>(lastValue(output, "substeps")), 1) << "it chooses its own";
+    apply(output);
+    settle();
+    EXPECT_FALSE(panels_.buttons().contains("button.auto"));
+  }
 }
 
 TEST_F(UserInterfaceTest, ViewButtonsAreRequests) {
