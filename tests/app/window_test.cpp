@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Pulling, ::testing::Values("grid", "skirt"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 TEST(Window, ControlAndLeftPullsARunningCloth) {
-  ViewerDriver viewer({"grid", "--set", "speed=0.05"});
+  ViewerDriver viewer({"grid", "--set", "speed=0.01"});
   viewer.holdKey("Control_L");
   for (int attempt = 0; attempt < 20 && !isHeld(viewer.state()); ++attempt) {
     viewer.release();
