@@ -82,24 +82,25 @@ struct Symmetric {
 
   /// The inverse times `factor`, by cofactors.
   HWY_INLINE Symmetric inverse(hn::Vec<D> factor) const {
-    const auto cxx = hn::NegMulAdd(yz, yz, hn::Mul(yy, zz));
-    const auto cxy = hn::NegMulAdd(xy, zz, hn::Mul(xz, yz));
-    const auto cxz = hn::NegMulAdd(xz, yy, hn::Mul(xy, yz));
-    const auto determinant = hn::MulAdd(xz, cxz, hn::MulAdd(xy, cxy, hn::Mul(xx, cxx)));
-    const auto scale = hn::Div(factor, determinant);
-    return {hn::Mul(scale, cxx),
-            hn::Mul(scale, cxy),
-            hn::Mul(scale, cxz),
+    const Lanes3<D> c = cofactors();
+    const auto scale = hn::Div(factor, determinant(c));
+    return {hn::Mul(scale, c.x),
+            hn::Mul(scale, c.y),
+            hn::Mul(scale, c.z),
             hn::Mul(scale, hn::NegMulAdd(xz, xz, hn::Mul(xx, zz))),
             hn::Mul(scale, hn::NegMulAdd(xx, yz, hn::Mul(xy, xz))),
             hn::Mul(scale, hn::NegMulAdd(xy, xy, hn::Mul(xx, yy)))};
   }
 
-  HWY_INLINE hn::Vec<D> determinant() const {
-    const auto cxx = hn::NegMulAdd(yz, yz, hn::Mul(yy, zz));
-    const auto cxy = hn::NegMulAdd(xy, zz, hn::Mul(xz, yz));
-    const auto cxz = hn::NegMulAdd(xz, yy, hn::Mul(xy, yz));
-    return hn::MulAdd(xz, cxz, hn::MulAdd(xy, cxy, hn::Mul(xx, cxx)));
+  /// Of the first row.
+  HWY_INLINE Lanes3<D> cofactors() const {
+    return {hn::NegMulAdd(yz, yz, hn::Mul(yy, zz)), hn::NegMulAdd(xy, zz, hn::Mul(xz, yz)),
+            hn::NegMulAdd(xz, yy, hn::Mul(xy, yz))};
+  }
+
+  HWY_INLINE hn::Vec<D> determinant() const { return determinant(cofactors()); }
+  HWY_INLINE hn::Vec<D> determinant(const Lanes3<D>& c) const {
+    return hn::MulAdd(xz, c.z, hn::MulAdd(xy, c.y, hn::Mul(xx, c.x)));
   }
 
   /// Frobenius.
