@@ -1,5 +1,6 @@
 #include "sim/contact/self_charts.hpp"
 
+#include "contact/place_lanes.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -14,18 +15,8 @@
 namespace drape {
 namespace {
 
+using testing::lanesOf;
 using testing::sheet;
-
-PlaceLanes lanesOf(const std::vector<Vec3>& positions) {
-  PlaceLanes places;
-  places.resize(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    places.x[v] = static_cast<float>(positions[v].x());
-    places.y[v] = static_cast<float>(positions[v].y());
-    places.z[v] = static_cast<float>(positions[v].z());
-  }
-  return places;
-}
 
 /// A cloth in some shape with its charts.
 struct Charted {

@@ -1,5 +1,6 @@
 #include "sim/contact/self_response.hpp"
 
+#include "contact/place_lanes.hpp"
 #include "sim/momentum.hpp"
 #include "test_meshes.hpp"
 
@@ -12,6 +13,8 @@
 
 namespace drape {
 namespace {
+
+using testing::lanesOf;
 
 constexpr double h = 0.01;
 
@@ -27,17 +30,6 @@ std::shared_ptr<const ClothModel> loosePoints(std::size_t count, const std::vect
     model->vertexMass[i] = 0.1 * static_cast<double>(i + 1);
   }
   return model;
-}
-
-PlaceLanes lanesOf(const std::vector<Vec3>& positions) {
-  PlaceLanes places;
-  places.resize(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    places.x[v] = static_cast<float>(positions[v].x());
-    places.y[v] = static_cast<float>(positions[v].y());
-    places.z[v] = static_cast<float>(positions[v].z());
-  }
-  return places;
 }
 
 /// Points that fly on for a step, x1 = x0 + h v, and then meet.

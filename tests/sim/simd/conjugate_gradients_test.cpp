@@ -12,27 +12,19 @@
 namespace drape {
 namespace {
 
+using testing::everything;
 using testing::heldCloth;
 using testing::largestDifference;
 using testing::membersBy;
 using testing::shaken;
 using testing::Turns;
 
-StepParameters windy() {
-  StepParameters parameters;
-  parameters.damping = 0.002;
-  parameters.drag = 0.8;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.2, -2.0);
-  return parameters;
-}
-
 /// Some iterations of a step, share by share and phase by phase, on the calling thread.
 template <typename T>
 std::uint64_t hashOfIterations(const ClothModel& model, int members, Turns turns) {
   SlicedCloth<T> cloth(model);
   ConjugateGradients<T> system(cloth.layout);
-  const SliceStep<T> step = sliceStepOf<T>(windy());
+  const SliceStep<T> step = sliceStepOf<T>(everything());
   cloth.prepare(members, 0);
   const auto each = [&](auto&& visit) {
     for (const int member : membersBy(turns, members)) {
@@ -91,7 +83,7 @@ TEST(ConjugateGradients, giveEveryBlockToOneShare) {
 TEST(ConjugateGradients, inFloatComeAsNearToTheSolutionAsInDoubleUpToRounding) {
   for (const double stiffness : {10.0, 1e3, 1e5}) {
     const auto model = heldCloth(testing::unevenSheet(21, 3));
-    StepParameters parameters = windy();
+    StepParameters parameters = everything();
     parameters.stiffness = stiffness;
     parameters.tolerance = 1e-6;
     const ClothState start = shaken(*model, 0.002, 7);

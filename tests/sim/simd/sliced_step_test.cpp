@@ -11,22 +11,13 @@ namespace drape {
 namespace {
 
 using testing::everyKindOfMesh;
+using testing::everything;
 using testing::heldCloth;
 using testing::largestDifference;
 using testing::NamedMesh;
 using testing::shaken;
 using testing::SteppingByHand;
 using testing::Turns;
-
-/// Everything that a step can have, at once.
-StepParameters everything() {
-  StepParameters parameters;
-  parameters.damping = 0.002;
-  parameters.drag = 0.8;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.2, -2.0);
-  return parameters;
-}
 
 /// A hand on a triangle whose corners stand in more than one slice, where there is one.
 StepInputs handAcrossSlices(const ClothModel& model) {

@@ -9,6 +9,16 @@
 
 namespace drape::testing {
 
+/// Everything that a step can have, at once.
+inline StepParameters everything() {
+  StepParameters parameters;
+  parameters.damping = 0.002;
+  parameters.drag = 0.8;
+  parameters.lift = 0.5;
+  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  return parameters;
+}
+
 /// The orders in which the members of a team may come to do a phase, when one processor does the work of all.
 enum class Turns { Forwards, Backwards, EveryOther };
 
