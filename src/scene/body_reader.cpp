@@ -10,7 +10,6 @@ namespace drape {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double farAway = 1e4;    // [m] beyond this a coordinate in a scene is a slip
 constexpr double smallest = 1e-4;  // [m] of a body
 constexpr double longTime = 1e6;   // [s]
 

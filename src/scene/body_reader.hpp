@@ -11,6 +11,9 @@
 
 namespace drape {
 
+/// Beyond this a coordinate in a scene is a slip [m].
+inline constexpr double farAway = 1e4;
+
 /// Reads the tables [[bodies]] of a scene (docs/scenes.md). Throws InputError with file and line.
 /// @param folder that the names of mesh files are relative to
 [[nodiscard]] std::vector<BodyDescription> readBodies(const TomlReader& scene, const std::filesystem::path& folder);

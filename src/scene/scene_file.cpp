@@ -11,8 +11,6 @@
 namespace drape {
 namespace {
 
-constexpr double farAway = 1e4;  // [m] beyond this a coordinate in a scene is a slip
-
 void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, SceneDescription& scene) {
   cloth.allowOnly({"mesh", "grid", "position", "pleats"});
   const auto mesh = cloth.text("mesh");
