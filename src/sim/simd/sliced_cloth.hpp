@@ -94,6 +94,8 @@ struct SliceStep {
   const T* weights = nullptr;
   std::array<Hand, 3> hands = {};
 
+  /// Of Verlet: the drift after the kick is by the velocity from before it, which makes the step explicit Euler's.
+  bool driftsByOldVelocity = false;
   /// Of Verlet: the share of its stiffness that each spring keeps, one number a slot and lane. Null: all of it.
   const SliceNumbers<T>* shares = nullptr;
   /// Of Verlet: the group that each place belongs to, and the acceleration [m/s^2] of each group that comes on top of

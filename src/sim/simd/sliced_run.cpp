@@ -20,6 +20,34 @@ void SlicedRun::verlet(const ClothModel& model, const StepParameters& parameters
   }
 }
 
+void SlicedRun::explicitEuler(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                              int count, ClothState& state) {
+  SlicedCloth<double>& cloth = double_.get(model);
+  SliceStep<double> step = sliceStepOf<double>(parameters);
+  step.driftsByOldVelocity = true;
+  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  cloth.prepare(threads, 1);
+  team_.run(threads, [&](int member) {
+    const StepShare share = shareOf(cloth.layout, 1, member, threads);
+    cloth.load(state, share);
+    team_.meet();
+    for (int i = 0; i < count; ++i) {
+      for (int phase = 0; phase < (threads == 1 ? 1 : 2); ++phase) {
+        verletPhase(cloth, step, step.timeStep, share, phase);
+        team_.meet();
+      }
+      if (inputs.grab) {
+        if (member == 0) {
+          pullByHand(model, parameters.timeStep, *inputs.grab, cloth);
+        }
+        team_.meet();
+      }
+    }
+    cloth.store(state, share);
+  });
+  state.time += count * parameters.timeStep;
+}
+
 template <typename T>
 void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, const StepParameters& parameters,
                              const StepInputs& inputs, int count, const std::vector<double>& weights,

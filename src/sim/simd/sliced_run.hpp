@@ -21,6 +21,11 @@ class SlicedRun {
   void verlet(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
               ClothState& state);
 
+  /// Steps of explicit Euler, in double whatever the parameters ask for: it is for steps so short that in float most of
+  /// each would be lost to rounding.
+  void explicitEuler(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+                     ClothState& state);
+
  private:
   template <typename T>
   void oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, const StepParameters& parameters,

@@ -112,8 +112,9 @@ class VerletKernel {
     for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(d))) {
       const int i = slice * sliceLanes + lane;
       const V3 v = load3(d, cloth_.start, i);
+      const V3 drifting = step_.driftsByOldVelocity ? load3(d, cloth_.velocity, i) : v;
       store3(d, v, cloth_.velocity, i);
-      store3(d, multiplyAdd(v, hn::Set(d, drift_), load3(d, cloth_.position, i)), cloth_.position, i);
+      store3(d, multiplyAdd(drifting, hn::Set(d, drift_), load3(d, cloth_.position, i)), cloth_.position, i);
     }
   }
 

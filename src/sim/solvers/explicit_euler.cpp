@@ -1,4 +1,5 @@
-#include "sim/forces.hpp"
+#include "sim/simd/sliced_run.hpp"
+#include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/registry.hpp"
 #include "sim/stability.hpp"
 
@@ -15,27 +16,18 @@ namespace {
 /// It turns x'' = -w^2 x by the matrix [1, h; -h w^2, 1], whose eigenvalues 1 +- i h w are of size sqrt(1 + h^2 w^2) >
 /// 1: an undamped oscillator grows by that factor a step, and no step is stable. With x'' = -c x' - w^2 x it is stable
 /// up to h = c / w^2 where it still swings (c < 2 w).
-class ExplicitEulerSolver final : public Solver {
+///
+/// As with Verlet the hand's spring alone is implicit: see pullByHand. The loops stand in simd/verlet_kernel.cpp.
+class ExplicitEulerSolver final : public BatchSolver {
  public:
-  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                  ClothState& state) override {
-    const double h = parameters.timeStep;
-    evaluateForces(model, parameters, inputs, state, workers_, force_);
-    for (std::size_t i = 0; i < force_.size(); ++i) {
-      if (model.pinned[i]) {
-        state.velocities[i].setZero();
-      } else {
-        state.positions[i] += h * state.velocities[i];
-        state.velocities[i] += (h / model.vertexMass[i]) * force_[i];
-      }
-    }
-    state.time += h;
+  StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+                   ClothState& state) override {
+    run_.explicitEuler(model, parameters, inputs, count, state);
     return {};
   }
 
  private:
-  Workers workers_;
-  std::vector<Vec3> force_;  // [N], one a vertex
+  SlicedRun run_;
 };
 
 /// A spring that is not compressed is at most k / C_d as stiff in any direction as it is damped, hence so is the whole
