@@ -9,6 +9,8 @@
 namespace drape {
 namespace {
 
+constexpr double betweenLines = 15.0;  // in a file [s]
+
 std::string duration(double seconds) {
   const auto whole = std::lround(seconds);
   return whole < 60 ? std::to_string(whole) + " s"
@@ -26,13 +28,20 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(std::string_view section, double done, double total) {
-  if (!terminal_ || !(total > 0.0)) {
+  if (!(total > 0.0)) {
     return;
   }
-  const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  const double pace = done > 0.0 ? spent / done : 1.0;
+  if (!terminal_ && spent() - told_ < betweenLines) {
+    return;
+  }
+  const double pace = done > 0.0 ? spent() / done : 1.0;
   std::string line = std::string(section) + ": " + std::to_string(static_cast<int>(100.0 * done / total)) + " %, " +
                      duration(pace * (total - done)) + " left";
+  if (!terminal_) {
+    told_ = spent();
+    std::cerr << line << std::endl;
+    return;
+  }
   const std::size_t length = line.size();
   line.resize(std::max(length, shown_), ' ');
   shown_ = length;
