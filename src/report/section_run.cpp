@@ -3,6 +3,7 @@
 #include "sim/error.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace drape {
@@ -77,7 +78,7 @@ class Runner {
   Runner(SectionRows& rows, const RunHooks& hooks) : rows_(rows), hooks_(hooks) {}
 
   void plan(const Section& section, const ReportOptions& options) {
-    parts_.push_back({&section, section.plan(options)});
+    parts_.push_back({&section, section.plan(options), {}});
     const Part& part = parts_.back();
     const CellRows known(part.plan, rows_[std::string(section.name)]);
     for (std::size_t i = 0; i < part.plan.cells.size(); ++i) {
@@ -86,15 +87,14 @@ class Runner {
   }
 
   void run() {
-    for (const Part& part : parts_) {
-      ReportRows& rows = rows_[std::string(part.section->name)];
-      CellRows cells(part.plan, rows);
-      for (int round = 0; round < part.plan.rounds; ++round) {
-        for (std::size_t i = 0; i < part.plan.cells.size(); ++i) {
-          if (cells.roundsOf(i) == round) {
-            measure(part, i, cells, rows);
-          }
-        }
+    int rounds = 0;
+    for (Part& part : parts_) {
+      part.cells.emplace(part.plan, rows_[std::string(part.section->name)]);
+      rounds = std::max(rounds, part.plan.rounds);
+    }
+    for (int round = 0; round < rounds; ++round) {
+      for (Part& part : parts_) {
+        measureRound(part, round);
       }
     }
   }
@@ -103,9 +103,22 @@ class Runner {
   struct Part {
     const Section* section;
     SectionPlan plan;
+    std::optional<CellRows> cells;  // while it runs
   };
 
-  void measure(const Part& part, std::size_t index, CellRows& cells, ReportRows& rows) {
+  void measureRound(Part& part, int round) {
+    for (std::size_t i = 0; round < part.plan.rounds && i < part.plan.cells.size(); ++i) {
+      if (part.cells->roundsOf(i) != round) {
+        continue;
+      }
+      if (round > 0 && hooks_.outOfTime && hooks_.outOfTime()) {
+        return;
+      }
+      measure(part, i);
+    }
+  }
+
+  void measure(Part& part, std::size_t index) {
     const auto mayStop = [this] {
       if (hooks_.stopped && hooks_.stopped()) {
         throw ReportStopped();
@@ -116,8 +129,9 @@ class Runner {
       hooks_.progress(part.section->name, done_, total_);
     }
     const Cell& cell = part.plan.cells[index];
-    cells.put(index, cell.measure({rows, cells.of(index), mayStop}));
-    rows = cells.all();
+    ReportRows& rows = rows_[std::string(part.section->name)];
+    part.cells->put(index, cell.measure({rows, part.cells->of(index), mayStop}));
+    rows = part.cells->all();
     done_ += cell.weight;
     if (hooks_.measured) {
       hooks_.measured(rows_);

@@ -9,9 +9,9 @@ namespace drape {
 namespace {
 
 /// A section of three cells and two rounds, each of which counts how often it was measured.
-Section countingSection() {
+Section countingSection(const char* name) {
   Section section;
-  section.name = "counting";
+  section.name = name;
   section.plan = [](const ReportOptions&) {
     SectionPlan plan;
     plan.rounds = 2;
@@ -27,7 +27,7 @@ Section countingSection() {
   return section;
 }
 
-const std::array sections{countingSection()};
+const std::array sections{countingSection("counting")};
 
 std::string cellsOf(const ReportRows& rows) {
   std::string text;
@@ -47,6 +47,32 @@ TEST(MeasureSections, measuresAllCellsOnceBeforeAnyTwice) {
   EXPECT_EQ(rows["counting"][0]["rounds"], 2);
 }
 
+TEST(MeasureSections, measuresAllSectionsOnceBeforeAnyCellTwice) {
+  const std::array two{countingSection("one"), countingSection("other")};
+  SectionRows rows;
+  std::vector<std::string> seen;
+  RunHooks hooks;
+  hooks.measured = [&](const SectionRows& all) {
+    seen.push_back(cellsOf(all.at("one")) + " " + (all.contains("other") ? cellsOf(all.at("other")) : ""));
+  };
+  EXPECT_TRUE(measureSections(two, {}, rows, hooks));
+  ASSERT_EQ(seen.size(), 12U);
+  EXPECT_EQ(seen[5], "a1b1c1 a1b1c1");
+  EXPECT_EQ(seen[6], "a2b1c1 a1b1c1");
+}
+
+TEST(MeasureSections, isWholeWithoutRepeatsWhenThereIsNoTimeForThem) {
+  SectionRows rows;
+  RunHooks hooks;
+  hooks.outOfTime = [] { return true; };
+  EXPECT_TRUE(measureSections(sections, {}, rows, hooks));
+  EXPECT_EQ(cellsOf(rows["counting"]), "a1b1c1");
+
+  hooks.outOfTime = [&] { return cellsOf(rows["counting"]) == "a2b1c1"; };
+  EXPECT_TRUE(measureSections(sections, {}, rows, hooks));
+  EXPECT_EQ(cellsOf(rows["counting"]), "a2b1c1");
+}
+
 TEST(MeasureSections, keepsWhatItHasWhenStoppedAndGoesOnFromThere) {
   SectionRows rows;
   int asked = 0;
@@ -64,7 +90,7 @@ TEST(MeasureSections, keepsWhatItHasWhenStoppedAndGoesOnFromThere) {
 }
 
 TEST(MeasureSections, dropsWhatACellHadWhenItWasStoppedInside) {
-  Section section = countingSection();
+  Section section = countingSection("counting");
   section.plan = [](const ReportOptions&) {
     SectionPlan plan;
     plan.cells.push_back({"a", 1.0, [](const CellContext& context) {

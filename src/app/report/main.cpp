@@ -16,6 +16,11 @@
 namespace drape {
 namespace {
 
+/// When this much time is over nothing is measured a second time: a report is to end within 20 minutes, a quick one
+/// within 90 s [s].
+constexpr double secondsForRepeats = 17.0 * 60.0;
+constexpr double secondsForRepeatsOfQuick = 60.0;
+
 struct ReportArguments {
   ReportOptions options{.quick = false, .scene = {}, .threads = 1, .only = {}};
   std::string output;
@@ -121,6 +126,9 @@ bool run(const ReportArguments& arguments, StopSignal& stop) {
     hooks.stopped = [&stop] { return stop.came(); };
     hooks.progress = [&progress](std::string_view section, double done, double total) {
       progress.show(section, done, total);
+    };
+    hooks.outOfTime = [&progress, quick = report.options.quick] {
+      return progress.spent() > (quick ? secondsForRepeatsOfQuick : secondsForRepeats);
     };
     hooks.measured = [&keeper](const SectionRows&) { keeper.keep(); };
     report.complete = measureSections(report.options, report.rows, hooks);
