@@ -56,6 +56,7 @@ struct PinSelection {
   std::vector<std::string> corners;  ///< of a grid: "top_left", "top_right", "bottom_left", "bottom_right"
   std::vector<std::string> edges;    ///< of a grid: "top", "bottom", "left", "right"
   int every = 1;                     ///< along edges only every n-th vertex, and the last
+  std::string body;                  ///< that carries them along; empty: they stay where they are
 };
 
 /// A body as it is written down: all but its mesh, which is still in files.
@@ -74,6 +75,7 @@ struct SceneDescription {
   std::string help;
   std::variant<GridSource, MeshFileSource> source;
   Vec3 position = Vec3::Zero();  ///< added to the mesh [m]
+  Vec3 rotation = Vec3::Zero();  ///< of the mesh before that, about its own origin: axis times angle [rad]
   std::optional<Pleats> pleats;
   PinSelection pins;
   std::optional<CameraPose> camera;     ///< absent: chosen so that the cloth fills the view

@@ -81,7 +81,7 @@ std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& descriptio
   return shape;
 }
 
-std::shared_ptr<const std::vector<Body>> buildBodies(const SceneDescription& description, double groundHeight) {
+std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& description, double groundHeight) {
   auto bodies = std::make_shared<std::vector<Body>>();
   for (const BodyDescription& each : description.bodies) {
     bodies->push_back(each.body);
@@ -95,6 +95,34 @@ std::shared_ptr<const std::vector<Body>> buildBodies(const SceneDescription& des
     bodies->back().motion.keyframes = {{0.0, Vec3(0.0, groundHeight, 0.0), Vec3::Zero()}};
   }
   return bodies;
+}
+
+/// The vertex nearest to a place of a mesh that moves in itself, as it begins; -1 for other shapes.
+int anchorNear(const BodyShape& shape, const Vec3& place) {
+  const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&shape);
+  if (mesh == nullptr || (*mesh)->frames.empty()) {
+    return -1;
+  }
+  const std::vector<Vec3>& positions = (*mesh)->positions;
+  const auto nearest = std::min_element(positions.begin(), positions.end(), [&](const Vec3& left, const Vec3& right) {
+    return (left - place).squaredNorm() < (right - place).squaredNorm();
+  });
+  return static_cast<int>(nearest - positions.begin());
+}
+
+/// Gives the pins to the body that is to carry them.
+void carryPins(const SceneDescription& description, const std::vector<int>& pins, const ClothState& start,
+               std::vector<Body>& bodies) {
+  for (Body& body : bodies) {
+    if (body.name != description.pins.body) {
+      continue;
+    }
+    const Pose pose = poseAt(body.motion, start.time);
+    for (const int vertex : pins) {
+      const Vec3 place = pose.toLocal(start.positions[static_cast<std::size_t>(vertex)]);
+      body.pins.push_back({vertex, anchorNear(body.shape, place)});
+    }
+  }
 }
 
 /// Where the mesh comes from, and the layout when it is a grid.
@@ -115,14 +143,22 @@ Source makeSource(const SceneDescription& description, const Settings& settings)
   return source;
 }
 
+/// From the mesh's own coordinates to where the scene wants it.
+void placeCloth(const SceneDescription& description, std::vector<Vec3>& positions) {
+  BodyMotion still;
+  still.keyframes = {{0.0, description.position, description.rotation}};
+  const Pose pose = poseAt(still, 0.0);
+  for (Vec3& position : positions) {
+    position = pose.toWorld(position);
+  }
+}
+
 std::vector<Vec3> startPositions(const SceneDescription& description, const Source& source) {
   std::vector<Vec3> positions = source.mesh.cloth.positions;
   if (description.pleats && source.grid) {
     applyPleats(*description.pleats, source.grid->width, positions);
   }
-  for (Vec3& position : positions) {
-    position += description.position;
-  }
+  placeCloth(description, positions);
   return positions;
 }
 
@@ -135,9 +171,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
 
   Source source = makeSource(description, settings);
   scene->start = stateAtRest(startPositions(description, source));
-  for (Vec3& position : source.mesh.cloth.positions) {
-    position += description.position;
-  }
+  placeCloth(description, source.mesh.cloth.positions);
   const std::vector<int> pins = selectPins(pinsInForce(description, settings), source.mesh.cloth.positions,
                                            source.grid ? &*source.grid : nullptr);
   scene->model = buildClothModel(source.mesh.cloth, totalMassOf(settings, restAreaOf(source.mesh.cloth)),
@@ -149,7 +183,9 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   const Eigen::AlignedBox3d box = boundsOf(scene->start.positions);
   scene->groundHeight =
       description.groundBelowCloth ? box.min().y() - 0.25 * (box.max().y() - box.min().y()) : description.groundHeight;
-  scene->bodies = buildBodies(description, scene->groundHeight);
+  const auto bodies = buildBodies(description, scene->groundHeight);
+  carryPins(description, pins, scene->start, *bodies);
+  scene->bodies = bodies;
   constexpr double usualAspect = 16.0 / 9.0;
   constexpr double cautious = 1.15;  // cloth sags and swings beyond the box it starts in
   const Vec3 middle = 0.5 * (box.min() + box.max());

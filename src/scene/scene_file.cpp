@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drape {
 namespace {
 
+constexpr double degree = std::numbers::pi / 180.0;
+
 void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, SceneDescription& scene) {
-  cloth.allowOnly({"mesh", "grid", "position", "pleats"});
+  cloth.allowOnly({"mesh", "grid", "position", "rotation", "pleats"});
   const auto mesh = cloth.text("mesh");
   const auto plane = cloth.text("grid");
   if (mesh.has_value() == plane.has_value()) {
@@ -26,6 +29,7 @@ void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, Sce
     cloth.fail("cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
   }
   scene.position = cloth.vector("position").value_or(Vec3::Zero());
+  scene.rotation = degree * cloth.vector("rotation").value_or(Vec3::Zero());
   if (const auto pleats = cloth.table("pleats")) {
     pleats->allowOnly({"count", "gather"});
     scene.pleats = Pleats{pleats->integer("count", 1, 1000).value_or(Pleats{}.count),
@@ -34,7 +38,7 @@ void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, Sce
 }
 
 PinSelection readPins(const TomlReader& reader) {
-  reader.allowOnly({"vertices", "nearest", "boxes", "top", "corners", "edges", "every"});
+  reader.allowOnly({"vertices", "nearest", "boxes", "top", "corners", "edges", "every", "body"});
   PinSelection pins;
   pins.vertices = reader.integers("vertices");
   pins.nearest = reader.vectors("nearest");
@@ -47,6 +51,7 @@ PinSelection readPins(const TomlReader& reader) {
   pins.corners = reader.texts("corners");
   pins.edges = reader.texts("edges");
   pins.every = reader.integer("every", 1, 1000).value_or(1);
+  pins.body = reader.text("body").value_or("");
   return pins;
 }
 
@@ -90,6 +95,16 @@ SettingValue valueOf(const toml::node& node) {
     return real->get();
   }
   return node.value_or(std::string("a list"));
+}
+
+/// The pins' body must be one of the scene's.
+void requireCarrier(const TomlReader& scene, const SceneDescription& description) {
+  const std::string& name = description.pins.body;
+  const auto& bodies = description.bodies;
+  if (!name.empty() &&
+      std::none_of(bodies.begin(), bodies.end(), [&](const BodyDescription& each) { return each.body.name == name; })) {
+    scene.table("pins")->fail("pins.body: there is no body with the name \"" + name + "\"");
+  }
 }
 
 void readSettings(const TomlReader& reader, Settings& settings) {
@@ -141,6 +156,7 @@ SceneDescription parseScene(std::string_view text, const std::string& name, cons
     readGround(*ground, scene);
   }
   scene.bodies = readBodies(reader, folder);
+  requireCarrier(reader, scene);
   if (const auto settings = reader.table("settings")) {
     readSettings(*settings, scene.settings);
   }

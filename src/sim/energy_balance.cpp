@@ -1,6 +1,8 @@
 #include "sim/energy_balance.hpp"
 
+#include "sim/contact/body.hpp"
 #include "sim/external_forces.hpp"
+#include "sim/forces.hpp"
 #include "sim/kernels.hpp"
 
 namespace drape {
@@ -42,6 +44,33 @@ double airWork(const ClothModel& model, const StepParameters& parameters, const 
   return work;
 }
 
+/// What holds a pinned vertex against all that acts on it [N].
+Vec3 holdingForce(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                  std::size_t vertex) {
+  return -springForcesOn(model, parameters, state, vertex) - gravityAndAir(model, parameters, state, vertex);
+}
+
+/// Of bodies on the pins that they carry.
+double carryingWork(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                    const ClothState& before, const ClothState& after) {
+  if (inputs.bodies == nullptr) {
+    return 0.0;
+  }
+  StepParameters part = parameters;
+  part.timeStep = parameters.timeStep / parameters.substeps;
+  double work = 0.0;
+  for (const BodyStep& body : *inputs.bodies) {
+    for (const CarriedPin& pin : body.body->pins) {
+      const auto v = static_cast<std::size_t>(pin.vertex);
+      if (model.pinned[v]) {
+        const Vec3 motion = after.positions[v] - before.positions[v];
+        work += 0.5 * motion.dot(holdingForce(model, part, before, v) + holdingForce(model, part, after, v));
+      }
+    }
+  }
+  return work;
+}
+
 double handWork(const ClothModel& model, const Grab& grab, const ClothState& before, const ClothState& after) {
   const HandPull first = handPull(model, grab, before);
   const HandPull last = handPull(model, grab, after);
@@ -65,6 +94,7 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
   const ClothState& left = unresolved != nullptr ? *unresolved : after;  // by the method
   damping_ += dampingWork(model, parameters.damping, before, left);
   air_ += airWork(model, parameters, before, left);
+  contact_ += carryingWork(model, parameters, inputs, before, left);
   if (inputs.grab) {
     hand_ += handWork(model, *inputs.grab, before, left);
   }

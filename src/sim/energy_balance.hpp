@@ -10,7 +10,7 @@ namespace drape {
 /// Where the energy of a cloth went: what damping, air, the hand and contact did to it over the steps that were added,
 /// and what is left to explain, which is the method's own doing. Work of a force f over a step from x0 to x1 is taken
 /// by the trapezoidal rule, (x1 - x0) . (f(0) + f(1)) / 2, whatever rule the method uses, so that two methods are held
-/// to the same account. A pinned vertex does not move and no work is done on it.
+/// to the same account. No work is done on a pinned vertex, unless a body carries it along: that is the body's.
 ///
 /// The rule's own error falls with h^2, as does the integrator's part of a converged second-order method. Settings that
 /// change between two steps (stiffness, gravity) are no error of the method: each step is judged under its own.
@@ -29,7 +29,7 @@ class EnergyBalance {
   [[nodiscard]] double air() const { return air_; }
   /// Work of the hand [J].
   [[nodiscard]] double hand() const { return hand_; }
-  /// What contact gave or took [J]: bodies that move, friction, impacts, pushing out of an overlap.
+  /// What contact gave or took [J]: bodies that move or carry pins, friction, impacts, pushing out of an overlap.
   [[nodiscard]] double contact() const { return contact_; }
   /// Change less these works [J]: positive where the method made energy from nothing, negative where it lost some.
   [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - hand_ - contact_; }

@@ -1,5 +1,6 @@
 #include "sim/stepper.hpp"
 
+#include "sim/contact/body.hpp"
 #include "sim/error.hpp"
 
 #include <algorithm>
@@ -32,17 +33,40 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
   part.timeStep = parameters.timeStep / parameters.substeps;
   StepReport total;
   contact_.begin(parameters, inputs, state);
-  if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum) {
+  planPins(model, inputs, state);
+  if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum && pinWays_.empty()) {
     state.history.timeStep = 0.0;
     total = solver_->steps(model, part, inputs, parameters.substeps, state);
   } else {
     for (int i = 0; i < parameters.substeps; ++i) {
+      movePins((i + 1.0) / parameters.substeps, state);
       total.add(substep(model, part, inputs, state));
     }
   }
   total.contact = contact_.resolve(model, parameters, inputs, state);
   state.time = end;  // not the sum of the parts, which rounds
   return total;
+}
+
+void Stepper::planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state) {
+  pinWays_.clear();
+  if (inputs.bodies == nullptr) {
+    return;
+  }
+  for (const BodyStep& body : *inputs.bodies) {
+    for (const CarriedPin& pin : body.body->pins) {
+      const auto v = static_cast<std::size_t>(pin.vertex);
+      if (model.pinned[v]) {
+        pinWays_.push_back({v, state.positions[v], carriedBy(body, pin, state.positions[v])});
+      }
+    }
+  }
+}
+
+void Stepper::movePins(double share, ClothState& state) const {
+  for (const PinWay& way : pinWays_) {
+    state.positions[way.vertex] = way.from + share * (way.to - way.from);
+  }
 }
 
 StepReport Stepper::substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,

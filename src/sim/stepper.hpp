@@ -5,6 +5,7 @@
 #include "sim/solver.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace drape {
 
@@ -16,7 +17,9 @@ namespace drape {
 /// - BDF2:   S(2/3 h) from (x*, v*) = 4/3 (x_n, v_n) - 1/3 (x_{n-1}, v_{n-1}). The first step, and the first after the
 ///   step length changed, is one of backward Euler.
 ///
-/// With `keepMomentum`, the MomentumKeeper stands around every substep, and contact around the whole step.
+/// With `keepMomentum`, the MomentumKeeper stands around every substep, and contact around the whole step. Pins that a
+/// body carries are taken along before every substep, evenly over the step; to the solver they are at rest, as all
+/// pins.
 class Stepper {
  public:
   /// Throws InputError when there is no solver of that name.
@@ -32,6 +35,17 @@ class Stepper {
   [[nodiscard]] const ContactStage& contact() const { return contact_; }
 
  private:
+  /// Of a pin that a body carries, over the step [m].
+  struct PinWay {
+    std::size_t vertex = 0;
+    Vec3 from = Vec3::Zero();
+    Vec3 to = Vec3::Zero();
+  };
+
+  void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
+  /// Puts carried pins where they are after that share of the step.
+  void movePins(double share, ClothState& state) const;
+
   StepReport substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                      ClothState& state);
   StepReport integrate(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -48,6 +62,7 @@ class Stepper {
   ClothState before_;
   MomentumKeeper momentum_;
   ContactStage contact_;
+  std::vector<PinWay> pinWays_;
 };
 
 }  // namespace drape

@@ -118,6 +118,86 @@ TEST(Scenes, openAUsersFileWithAMeshBesideIt) {
   EXPECT_EQ(buildScene(description, description.settings)->settings.step.stiffness, 42.0);
 }
 
+TEST(Scenes, turnTheClothAboutItsOwnOriginBeforeTheyPlaceIt) {
+  SceneDescription description = openScene("grid");
+  description.rotation = Vec3(0.0, 0.0, 0.5 * M_PI);
+  description.position = Vec3(3.0, 2.0, 1.0);
+  description.settings.grid.resolution = 2;
+  const auto scene = buildScene(description, description.settings);
+  // x becomes y: the sheet, which lay flat, stands in the plane x = 3, and its top left corner is below.
+  EXPECT_NEAR((scene->start.positions[0] - Vec3(3.0, 1.5, 0.5)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((scene->start.positions[1] - Vec3(3.0, 2.5, 0.5)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(scene->start.positions[1], scene->model->restPositions[1]);
+}
+
+/// A quad like the one above, tilted a little more in each file.
+void writeFrames(const Folder& folder, int count) {
+  for (int k = 0; k < count; ++k) {
+    const std::string height = std::to_string(0.1 * k);
+    folder.write("tilt_00" + std::to_string(k + 1) + ".obj",
+                 "v 0 0 0\nv 1 0 0\nv 1 " + height + " 1\nv 0 " + height + " 1\nf 1 4 3 2\n");
+  }
+}
+
+constexpr const char* tiltingScene = R"([cloth]
+grid = "horizontal"
+position = [0.5, 1.0, 0.5]
+[pins]
+edges = ["top"]
+body = "tilt"
+[settings]
+grid.resolution = 5
+[[bodies]]
+name = "tilt"
+shape = "mesh"
+mesh = "tilt_###.obj"
+scale = 2
+frames = { first = 1, last = 3, rate = 10, loop = true }
+)";
+
+TEST(Scenes, readABodyThatMovesInItselfFromOneFileAFrame) {
+  const Folder folder;
+  writeFrames(folder, 3);
+  const SceneDescription description = openScene(folder.write("tilting.toml", tiltingScene));
+  const auto scene = buildScene(description, description.settings);
+  const auto& mesh = *std::get<std::shared_ptr<const MeshShape>>(scene->bodies->at(0).shape);
+  ASSERT_EQ(mesh.frames.size(), 3U);
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+  EXPECT_TRUE(mesh.loop);
+  EXPECT_DOUBLE_EQ(mesh.frameTime, 0.1);
+  EXPECT_EQ(mesh.positions, mesh.frames[0]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    double highest = 0.0;
+    for (const Vec3& position : mesh.frames[k]) {
+      highest = std::max(highest, position.y());
+    }
+    EXPECT_NEAR(highest, 0.2 * static_cast<double>(k), 1e-6);
+  }
+  // Pins go with the vertex of it that is nearest: none of them is left without one.
+  ASSERT_EQ(scene->bodies->at(0).pins.size(), 5U);
+  for (const CarriedPin& pin : scene->bodies->at(0).pins) {
+    EXPECT_GE(pin.anchor, 0);
+  }
+}
+
+TEST(Scenes, sayWhichFrameOfABodyIsMissingOrDoesNotFit) {
+  const auto failure = [](const Folder& folder) -> std::string {
+    const SceneDescription description = openScene(folder.write("tilting.toml", tiltingScene));
+    try {
+      static_cast<void>(buildScene(description, description.settings));
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  const Folder folder;
+  writeFrames(folder, 2);
+  EXPECT_NE(failure(folder).find("tilt_003.obj"), std::string::npos) << failure(folder);
+  folder.write("tilt_003.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nf 1 3 2\n");
+  EXPECT_NE(failure(folder).find("tilt_003.obj does not have the same triangles as"), std::string::npos)
+      << failure(folder);
+}
+
 TEST(Scenes, sayWhatIsWrongWithAFileThatCannotBeOpened) {
   const Folder folder;
   EXPECT_NE(refusal("no_such_scene").find("built-in scenes are"), std::string::npos);

@@ -28,6 +28,7 @@ help = "What it shows"
 [cloth]
 grid = "vertical"
 position = [1, 2.5, -3]
+rotation = [0, 0, 90]
 pleats = { count = 4, gather = 0.5 }
 [pins]
 vertices = [1, 2]
@@ -56,6 +57,7 @@ unit = "cm"
   EXPECT_EQ(scene.title, "A test");
   EXPECT_EQ(std::get<GridSource>(scene.source).plane, GridSource::Plane::Vertical);
   EXPECT_EQ(scene.position, Vec3(1, 2.5, -3));
+  EXPECT_NEAR(scene.rotation.z(), 0.5 * M_PI, 1e-15);
   EXPECT_EQ(scene.pleats->count, 4);
   EXPECT_EQ(scene.pins.vertices, (std::vector<int>{1, 2}));
   EXPECT_EQ(scene.pins.boxes.front().max, Vec3(1, 1, 1));
@@ -186,6 +188,13 @@ TEST(SceneBodies, areRefusedWithFileAndLineWhenTheyMakeNoSense) {
     EXPECT_NE(refused.find(message), std::string::npos) << body << "\n" << refused;
     EXPECT_NE(refused.find("toml:"), std::string::npos) << refused;
   }
+}
+
+TEST(SceneFile, takesAsCarrierOfThePinsOnlyABodyThatThereIs) {
+  const std::string scene = "[cloth]\ngrid = \"vertical\"\n[pins]\ncorners = [\"top_left\"]\nbody = \"hero\"\n";
+  const std::string hero = "[[bodies]]\nname = \"hero\"\nshape = \"sphere\"\n";
+  EXPECT_EQ(parse(scene + hero).pins.body, "hero");
+  EXPECT_NE(refusal(scene).find("no body with the name \"hero\""), std::string::npos) << refusal(scene);
 }
 
 }  // namespace

@@ -81,4 +81,13 @@ BodySurface surfaceOf(const BodyShape& shape) {
   return std::visit([](const auto& each) { return surface(each); }, shape);
 }
 
+Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& place) {
+  Vec3 local = body.start.toLocal(place);
+  if (pin.anchor >= 0) {
+    const auto anchor = static_cast<std::size_t>(pin.anchor);
+    local += body.endVertices[anchor] - body.startVertices[anchor];
+  }
+  return body.end.toWorld(local);
+}
+
 }  // namespace drape

@@ -42,6 +42,12 @@ struct MeshShape {
 
 using BodyShape = std::variant<PlaneShape, SphereShape, CapsuleShape, BoxShape, std::shared_ptr<const MeshShape>>;
 
+/// A vertex of the cloth that goes along with a body while it is pinned.
+struct CarriedPin {
+  int vertex = 0;
+  int anchor = -1;  ///< of a mesh that moves in itself the vertex whose motion it shares; -1: none
+};
+
 /// A solid thing that the cloth meets. It pushes the cloth and does not feel it.
 struct Body {
   std::string name;
@@ -51,6 +57,7 @@ struct Body {
   double kineticFriction = 0.4;  ///< of cloth on it, sliding [-]
   double thickness = 0.002;      ///< the cloth is kept that far away, and half of its own thickness [m]
   bool drawn = true;
+  std::vector<CarriedPin> pins;  ///< what it carries along
 };
 
 /// Where a body is when a step begins and when it ends. Cloth that rests on it goes along.
@@ -70,5 +77,8 @@ struct BodySurface {
 };
 
 [[nodiscard]] BodySurface surfaceOf(const BodyShape& shape);
+
+/// Where a body takes something that it carries: what is at `place` [m] when the step begins is there when it ends.
+[[nodiscard]] Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& place);
 
 }  // namespace drape
