@@ -208,7 +208,7 @@ Reference convergedReference(const Scene& scene, const Settings& settings, int c
   if (ending != Ending::Passed) {
     reference.doubt = doubtAbout(reference, ending);
   }
-  if (reference.trusted < 1) {
+  if (reference.trusted < 1 && !tolerance.takeAnyway) {
     throw InputError(reference.doubt + " Allow a larger --reference-tolerance, or another solver with --reference-set");
   }
   return reference;

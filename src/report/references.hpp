@@ -48,6 +48,8 @@ struct ConvergenceTolerance {
   double share = 1e-3;                 ///< [-]
   const Trajectory* judged = nullptr;  ///< runs freely; null: `absolute` alone counts
   int mostHalvings = 12;
+  /// Take what there is where not even the first checkpoint passes: the differences tell what it is worth.
+  bool takeAnyway = false;
   double mostWork = 5e8;  ///< springs times steps of a run [-], about half a minute; a longer one is not begun
 };
 
@@ -65,7 +67,7 @@ struct ConvergenceTolerance {
 /// Runs with the settings' solver at a step below half of its stability limit (and not above the settings' own), then
 /// halves the step until the tolerance is met at every checkpoint. Gives up where halving no longer helps, which is the
 /// end of what can be known of a chaotic motion, and says from where on. Throws InputError when not even the first
-/// checkpoint converges.
+/// checkpoint converges and that is not allowed.
 [[nodiscard]] Reference convergedReference(const Scene& scene, const Settings& settings, int checkpoints,
                                            const ConvergenceTolerance& tolerance, const Progress& progress = {});
 

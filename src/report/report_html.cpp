@@ -23,7 +23,7 @@ figure { margin: 1rem 0; }
 div.wide { overflow-x: auto; }
 @media print {
   body { max-width: none; margin: 0; font-size: 11px; }
-  h2 { break-before: page; }
+  h2:not(:first-of-type) { break-before: page; }
   figure, tr { break-inside: avoid; }
   div.wide { overflow: visible; }
   table { font-size: 8px; }

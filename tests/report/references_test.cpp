@@ -39,6 +39,19 @@ TEST(ConvergedReference, halvesUntilTheDifferenceIsBelowTheToleranceAndIsThatNea
   EXPECT_LT(distance, 1.1 * last.difference);
 }
 
+TEST(ConvergedReference, takesWhatThereIsOnlyWhenItIsToldTo) {
+  const auto scene = testing::smallGrid({"stiffness=10"});
+  ConvergenceTolerance tolerance;
+  tolerance.absolute = 1e-12;
+  tolerance.mostHalvings = 1;
+  EXPECT_THROW(firstOrder(*scene, tolerance), InputError);
+  tolerance.takeAnyway = true;
+  const Reference reference = firstOrder(*scene, tolerance);
+  EXPECT_EQ(reference.trusted, 0);
+  EXPECT_EQ(reference.trajectory.checkpoints(), checkpoints);
+  EXPECT_GT(reference.differences.back(), tolerance.absolute);
+}
+
 TEST(ConvergedReference, saysWhereItEndsWhenItIsNotConverged) {
   const auto scene = testing::smallGrid({"stiffness=10"});
   ConvergenceTolerance exact;

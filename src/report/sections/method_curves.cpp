@@ -24,6 +24,7 @@ std::vector<MethodCurve> listed() {
   // Stiff and fine cloth wants as many as there can be.
   Words many = upTo(512);
   many.emplace_back("1000");
+  const Words works{"3", "6", "10", "20", "30", "60", "100", "300", "1000"};
   const Words thetas{"1", "0.75", "0.6", "0.55", "0.5"};
   return {
       {"one iteration, substeps", "one_iteration", {}, "substeps", upTo(64), {"1", "4", "16"}},
@@ -36,7 +37,8 @@ std::vector<MethodCurve> listed() {
        "theta",
        thetas,
        {"0.5", "0.75"}},
-      {"auto, work", "auto", {"auto.tolerance=1e-12"}, "auto.work", {"3", "10", "30", "100", "300", "1000"}, {"30"}},
+      {"auto, work", "auto", {"auto.tolerance=1e-12"}, "auto.work", works, {"30"}},
+      {"auto, float, work", "auto", {"auto.tolerance=1e-12", "precision=float"}, "auto.work", works, {"30"}},
       {"Chebyshev, iterations", "chebyshev", {}, "iterations", {"3", "5", "9", "17", "33"}, {"9"}},
       {"Chebyshev 5, substeps", "chebyshev", {"iterations=5"}, "substeps", upTo(32), {"4"}},
       {"CG, tolerance", "pcg", {}, "tolerance", {"0.3", "0.1", "1e-2", "1e-3", "1e-5"}, {"1e-2"}},

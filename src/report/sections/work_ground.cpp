@@ -64,6 +64,7 @@ double WorkGround::noiseFloor(int checkpoint, const std::function<void()>& maySt
 void WorkGround::findReference(const std::function<void()>& mayStop) {
   ConvergenceTolerance tolerance;
   tolerance.absolute = quick_ ? 1e-5 : 1e-6;
+  tolerance.takeAnyway = true;  // each row tells what its reference is worth
   tolerance.mostWork = mostWork(resolution_, quick_);
   try {
     reference_ = convergedReference(scene(), convergedSettings(scene().settings), judgedCheckpoints, tolerance,

@@ -133,11 +133,25 @@ JudgedRun judgedRun(WorkGround& ground, const Settings& settings, const Referenc
   return run;
 }
 
+/// Writes what is known of the reference at the row's time. Returns whether that is enough to judge anything by.
+bool writeReference(const Reference& reference, double diagonal, ReportRow& row) {
+  constexpr double useful = 0.01;  // of the diagonal
+  const int checkpoint = checkpointsIn(row["time"]);
+  row["trusted"] = reference.trusted >= checkpoint;
+  if (checkpoint >= static_cast<int>(reference.differences.size())) {
+    return false;
+  }
+  const double difference = reference.differences[static_cast<std::size_t>(checkpoint)];
+  row["reference_difference"] = finiteOrNull(difference);
+  return difference <= useful * diagonal;
+}
+
 /// Writes the errors of the run from the start as it is.
 void writeErrors(const Scene& scene, const JudgedRun& run, const Reference& reference, ReportRow& row) {
-  const double time = row["time"];
-  const int checkpoint = checkpointsIn(time);
-  const auto summary = summaryAt(scene, run.own, reference, run.report, time);
+  if (!writeReference(reference, run.report.diagonal, row)) {
+    return;
+  }
+  const auto summary = summaryAt(scene, run.own, reference, run.report, row["time"]);
   row["state"] = stateOf(summary.has_value(), summary.value_or(ErrorSummary{}), run.report.diagonal);
   if (summary) {
     row["error_mean"] = finiteOrNull(summary->meanError);
@@ -147,10 +161,6 @@ void writeErrors(const Scene& scene, const JudgedRun& run, const Reference& refe
     row["S"] = finiteOrNull(summary->meanSquaredCosine);
     row["motion_kept"] = finiteOrNull(summary->motionKept);
   }
-  if (checkpoint < static_cast<int>(reference.differences.size())) {
-    row["reference_difference"] = finiteOrNull(reference.differences[static_cast<std::size_t>(checkpoint)]);
-  }
-  row["trusted"] = reference.trusted >= checkpoint;
 }
 
 /// Runs from jittered starts too, and writes how far the errors of all lie apart. What `error_mean` says stays that of

@@ -81,11 +81,12 @@ PlotPoint pointOf(const ReportRow& row) {
   return point;
 }
 
-/// A line where jitter of the start alone would put a method.
+/// A line where jitter of the start alone would put a method, or what the reference leaves open where that is more.
 void addFloor(const ReportRows& rows, Plot& plot) {
   Curve floor{"noise floor", {}, CurveStyle::Level};
   for (const ReportRow& row : rows) {
-    floor.points.push_back({numberIn(row, "us_per_simulated_second"), millimetres * numberIn(row, "noise_floor")});
+    const double height = std::fmax(numberIn(row, "noise_floor"), numberIn(row, "reference_difference"));
+    floor.points.push_back({numberIn(row, "us_per_simulated_second"), millimetres * height});
   }
   plot.curves.push_back(floor);
 }
@@ -138,10 +139,18 @@ std::string fastMethods() {
   return names;
 }
 
+bool isJudged(const ReportRows& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const ReportRow& row) { return !row["error_mean"].is_null(); });
+}
+
+/// @param rows of one cloth at one time, at least one
 std::string referenceText(const ReportRows& rows) {
-  const ReportRow& row = rows.front();
-  if (row.value("state", "") == "no reference") {
-    return "Small steps came to no common end on this cloth, so nothing can be judged.";
+  const auto told = std::find_if(rows.begin(), rows.end(),
+                                 [](const ReportRow& one) { return !one["reference_difference"].is_null(); });
+  const ReportRow& row = told == rows.end() ? rows.front() : *told;
+  if (!isJudged(rows)) {
+    return "Small steps came to no common end on this cloth: the last halving still moved it by " +
+           figure(millimetres * numberIn(row, "reference_difference")) + " mm, so nothing can be judged.";
   }
   std::string text = "The last halving of the reference's step moved it by " +
                      figure(millimetres * numberIn(row, "reference_difference")) + " mm here";
@@ -191,6 +200,10 @@ std::vector<Block> showWorkPrecision(const ReportOptions& options, const ReportR
   }
   blocks.emplace_back(Paragraph{scenes + "."});
   for (const auto& [setup, own] : bySetup(rows)) {
+    if (!isJudged(own)) {
+      blocks.emplace_back(Paragraph{titleOf(setup) + ": " + referenceText(own)});
+      continue;
+    }
     blocks.emplace_back(plotOf(setup, own));
     blocks.emplace_back(Paragraph{referenceText(own)});
     blocks.emplace_back(tableOf("Pareto front: " + titleOf(setup), frontOf(own)));
