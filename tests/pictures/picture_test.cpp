@@ -1,5 +1,6 @@
-// Every built-in scene, half a second after its start, against a picture that somebody has looked at. A change that is
-// meant is accepted with scripts/update-pictures; look at the new pictures before you commit them.
+// Every built-in scene, half a second after its start or when there is something to see, against a picture that
+// somebody has looked at. A change that is meant is accepted with scripts/update-pictures; look at the new pictures
+// before you commit them.
 
 #include "render/camera.hpp"
 #include "render/image.hpp"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -19,11 +21,11 @@
 namespace drape {
 namespace {
 
-constexpr int width = 480;             // [pixels]
-constexpr int height = 360;            // [pixels]
-constexpr double simulatedTime = 0.5;  // [s]
-constexpr int stepOfColour = 1;        // a processor without fused multiply-add rounds a colour to its neighbour
-constexpr int pixelsForgiven = 20;     // ... and now and then decides an outline's sample the other way
+constexpr int width = 480;          // [pixels]
+constexpr int height = 360;         // [pixels]
+constexpr double usually = 0.5;     // after its start a scene is looked at [s]
+constexpr int stepOfColour = 1;     // a processor without fused multiply-add rounds a colour to its neighbour
+constexpr int pixelsForgiven = 20;  // ... and now and then decides an outline's sample the other way
 
 /// What a picture shows.
 struct PictureCase {
@@ -31,7 +33,15 @@ struct PictureCase {
   std::string scene;                  ///< a built-in scene
   std::vector<std::string> settings;  ///< "key=value"
   double yaw = 0.0;                   ///< how far the camera goes around from where the scene puts it [rad]
+  double time = usually;              ///< after the start [s]
 };
+
+/// When to look at a built-in scene [s].
+double timeOf(const std::string& scene) {
+  static const std::map<std::string, double> others{{"cape", 1.5}};
+  const auto found = others.find(scene);
+  return found == others.end() ? usually : found->second;
+}
 
 void PrintTo(const PictureCase& picture, std::ostream* stream) {
   *stream << picture.name;
@@ -40,9 +50,11 @@ void PrintTo(const PictureCase& picture, std::ostream* stream) {
 std::vector<PictureCase> pictureCases() {
   std::vector<PictureCase> cases;
   for (const SceneInfo& scene : sceneList()) {
-    cases.push_back({scene.name, scene.name, {}, 0.0});
+    cases.push_back({scene.name, scene.name, {}, 0.0, timeOf(scene.name)});
   }
   cases.push_back({"grid_wireframe", "grid", {"view.wireframe=on"}, 0.0});
+  cases.push_back({"sphere_65", "sphere", {"grid.resolution=65"}});
+  cases.push_back({"sphere_129", "sphere", {"grid.resolution=129"}});
   cases.push_back({"flag_plain_from_behind", "flag", {"view.surface=plain", "view.ground=off"}, 2.6});
   return cases;
 }
@@ -54,7 +66,7 @@ Snapshot simulate(const PictureCase& picture) {
     assignSettingExpression(settings, expression);
   }
   Simulation simulation(buildScene(description, settings));
-  const auto steps = std::lround(simulatedTime / settings.step.timeStep);
+  const auto steps = std::lround(picture.time / settings.step.timeStep);
   for (long step = 0; step < steps; ++step) {
     simulation.step();
   }
