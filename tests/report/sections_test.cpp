@@ -191,6 +191,51 @@ TEST(Collision, tellsWhatSelfCollisionCostsAndLetsThrough) {
   EXPECT_GT(off[0]["intersecting_pairs_max"], 50);
   EXPECT_LT(hash[0]["intersecting_pairs_max"], 10);
   EXPECT_GT(hash[0]["contacts_max"], 20);
+  EXPECT_EQ(hash[0]["mode"], "hash");
+  EXPECT_EQ(off[0]["mode"], "off");
+}
+
+TEST(Collision, runsAScenesBodiesAndLooksForPairsWithThem) {
+  const ReportRow sphere = measured("collision", "sphere 17x17").at(0);
+  EXPECT_EQ(sphere["mode"], "bodies");
+  EXPECT_EQ(sphere["bodies"], 2) << "the sphere and the ground";
+  EXPECT_GT(sphere["contacts_max"], 10);
+  EXPECT_GT(sphere["bodies_us_per_1000_triangles"], 0.0);
+  EXPECT_EQ(sphere["intersecting_pairs_bodies_max"], 0);
+}
+
+/// The words under the tables.
+std::string wordsOf(const ReportRows& rows) {
+  std::string words;
+  for (const Block& block : sectionOf("collision").show({}, rows)) {
+    if (const auto* paragraph = std::get_if<Paragraph>(&block)) {
+      words += paragraph->text + "\n";
+    }
+  }
+  return words;
+}
+
+TEST(Collision, saysInWordsWhatWentThroughAndWhatIsTooDear) {
+  const auto row = [](const char* scene, const char* mode, int self, int bodies, double cost) {
+    return ReportRow{{"scene", scene},
+                     {"resolution", 17},
+                     {"mode", mode},
+                     {"us_per_step", 100.0},
+                     {"contact_us_per_step", 50.0},
+                     {"bodies_us_per_1000_triangles", cost},
+                     {"intersecting_pairs_self_max", self},
+                     {"intersecting_pairs_bodies_max", bodies}};
+  };
+  const std::string good =
+      wordsOf({row("fold", "off", 9, 0, 0.0), row("fold", "hash", 0, 0, 0.0), row("sphere", "bodies", 7, 0, 299.0)});
+  EXPECT_NE(good.find("No triangle of the cloth ever intersected one of a body"), std::string::npos) << good;
+  EXPECT_NE(good.find("all scenes keep it"), std::string::npos) << good;
+  EXPECT_NE(good.find("it let nothing through"), std::string::npos) << good;
+  const std::string bad = wordsOf({row("fold", "off", 900, 0, 0.0), row("fold", "hash", 27, 0, 0.0),
+                                   row("sphere", "bodies", 0, 3, 301.0), row("box", "bodies+hash", 0, 5, 20.0)});
+  EXPECT_NE(bad.find("box (17x17) 5, sphere (17x17) 3"), std::string::npos) << bad;
+  EXPECT_NE(bad.find("above it are sphere (17x17) 301"), std::string::npos) << bad;
+  EXPECT_NE(bad.find("fold (17x17) 27 of 900"), std::string::npos) << bad;
 }
 
 }  // namespace

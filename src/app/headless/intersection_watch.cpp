@@ -1,50 +1,13 @@
 #include "app/headless/intersection_watch.hpp"
 
 #include "judge/intersections.hpp"
+#include "report/body_intersections.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <sstream>
 
 namespace drape {
-namespace {
-
-/// A body's surface as it is now, in the world.
-BodySurface placed(const BodyWorld& world, std::size_t body) {
-  BodySurface surface = surfaceOf(world.bodies()[body].shape);
-  const auto vertices = world.vertices(body);
-  if (!vertices.empty()) {
-    surface.positions.assign(vertices.begin(), vertices.end());
-  }
-  for (Vec3& position : surface.positions) {
-    position = world.pose(body).toWorld(position);
-  }
-  return surface;
-}
-
-/// Pairs of a cloth's and the bodies' triangles. A plane is all that lies under it, not the square that is drawn.
-std::size_t pairsWithBodies(const Surface& cloth, const BodyWorld& world) {
-  std::size_t pairs = 0;
-  BodySurface solids;
-  for (std::size_t body = 0; body < world.bodies().size(); ++body) {
-    if (!world.isOn(body)) {
-      continue;
-    }
-    const BodySurface surface = placed(world, body);
-    if (std::holds_alternative<PlaneShape>(world.bodies()[body].shape)) {
-      pairs += trianglesReaching(cloth, {surface.positions[0], surface.positions[1], surface.positions[2]}).size();
-      continue;
-    }
-    const auto first = static_cast<int>(solids.positions.size());
-    solids.positions.insert(solids.positions.end(), surface.positions.begin(), surface.positions.end());
-    for (const Triangle& t : surface.triangles) {
-      solids.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    }
-  }
-  return pairs + intersectingPairs(cloth, Surface{solids.positions, solids.triangles}).size();
-}
-
-}  // namespace
 
 void IntersectionWatch::Tally::add(std::int64_t step, std::size_t count) {
   last = count;
@@ -74,9 +37,10 @@ void IntersectionWatch::finish(const Simulation& simulation) {
 
 void IntersectionWatch::count(const Simulation& simulation) {
   const auto start = std::chrono::steady_clock::now();
-  const Surface cloth{simulation.state().positions, simulation.model().triangles};
-  const std::size_t self = intersectingPairs(cloth).size();
-  const std::size_t bodies = pairsWithBodies(cloth, simulation.bodies());
+  const std::vector<Vec3>& positions = simulation.state().positions;
+  const std::vector<Triangle>& triangles = simulation.model().triangles;
+  const std::size_t self = intersectingPairs({positions, triangles}).size();
+  const std::size_t bodies = pairsWithBodies(positions, triangles, simulation.bodies());
   seconds_.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   lastStep_ = simulation.stepIndex();
   all_.add(lastStep_, self + bodies);

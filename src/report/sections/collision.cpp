@@ -1,107 +1,127 @@
 #include "report/number_text.hpp"
 #include "report/sections/collision_run.hpp"
-#include "report/sections/section_scene.hpp"
+#include "report/sections/collision_view.hpp"
 #include "report/sections/sections.hpp"
+#include "settings/settings_table.hpp"
 
-#include <array>
-#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace drape {
 namespace {
 
 constexpr double microseconds = 1e6;
+/// In a scene without its own interval: steps between two counts of the triangles that intersect.
+constexpr int usualInterval = 5;
 
-/// A scene whose cloth is a grid, and how long it is looked at [s].
-struct Folding {
+/// A scene and how it is looked at.
+struct Meeting {
   const char* scene;
-  double seconds;
+  double seconds;                     ///< of the scene's time
+  std::vector<int> resolutions = {};  ///< of its grid; empty: the scene's own
+  bool withAndWithout = false;        ///< without self-collision, too
+  int lookEvery = usualInterval;
 };
-constexpr std::array scenes{Folding{"fold", 3.0}};
-constexpr std::array modes{"off", "hash"};
-/// Steps between two counts of the triangles that intersect.
-constexpr int lookEvery = 5;
 
-ReportRows measureCollision(const Folding& folding, const std::string& mode, int resolution,
-                            const ReportOptions& options, const CellContext& context) {
-  const auto scene =
-      gridScene(folding.scene, resolution, {"self_collision=" + mode, "threads=" + std::to_string(options.threads)});
-  const CollisionRun run = runCollision(*scene, folding.seconds, lookEvery, context.mayStop);
-  return {{{"scene", folding.scene},
-           {"resolution", resolution},
-           {"vertices", scene->model->vertexCount()},
-           {"triangles", scene->model->triangles.size()},
-           {"mode", mode},
-           {"steps", run.steps},
-           {"us_per_step", finiteOrNull(microseconds * run.stepSeconds)},
-           {"contact_us_per_step", finiteOrNull(microseconds * run.contactSeconds)},
-           {"contact_us_p99", finiteOrNull(microseconds * run.longestContact)},
-           {"contacts_max", run.contacts},
-           {"intersecting_pairs_max", run.intersectingPairs},
-           {"intersecting_share", finiteOrNull(run.intersectingShare)},
-           {"finite", run.finite}}};
+const std::vector<Meeting>& meetings(bool quick) {
+  static const std::vector<Meeting> few{{"fold", 3.0, {17, 33}, true}, {"sphere", 0.6, {17}}};
+  static const std::vector<Meeting> all{{"fold", 3.0, {17, 33, 65}, true},
+                                        {"edge_drop", 2.0, {}, true},
+                                        {"sphere", 2.0, {33}},
+                                        {"sphere", 1.5, {65}},
+                                        {"sphere", 0.8, {129}},
+                                        {"turning_sphere", 5.0, {}, false, 10},
+                                        {"flag_on_pole", 4.0, {}, false, 10}};
+  return quick ? few : all;
+}
+
+/// Which kinds of contact a scene has under its settings.
+std::string modeOf(const Scene& scene) {
+  const ContactParameters& contact = scene.settings.step.contact;
+  std::string mode = contact.self == SelfCollision::Hash ? "hash" : "";
+  if (contact.bodies && !scene.bodies->empty()) {
+    mode = mode.empty() ? "bodies" : "bodies+" + mode;
+  }
+  return mode.empty() ? "off" : mode;
+}
+
+ReportRow rowOf(const Meeting& meeting, const Scene& scene, const CollisionRun& run) {
+  const double thousands = static_cast<double>(scene.model->triangles.size()) / 1000.0;
+  const bool grid = std::holds_alternative<GridSource>(scene.description.source);
+  return {{"scene", meeting.scene},
+          {"resolution", grid ? ReportRow(scene.settings.grid.resolution) : ReportRow(nullptr)},
+          {"vertices", scene.model->vertexCount()},
+          {"triangles", scene.model->triangles.size()},
+          {"bodies", scene.bodies->size()},
+          {"method", scene.settings.solver.name},
+          {"mode", modeOf(scene)},
+          {"seconds", meeting.seconds},
+          {"steps", run.steps},
+          {"us_per_step", finiteOrNull(microseconds * run.stepSeconds)},
+          {"contact_us_per_step", finiteOrNull(microseconds * (run.bodySeconds + run.selfSeconds))},
+          {"contact_us_p99", finiteOrNull(microseconds * run.longestContact)},
+          {"bodies_us_per_step", finiteOrNull(microseconds * run.bodySeconds)},
+          {"bodies_us_per_1000_triangles", finiteOrNull(microseconds * run.bodySeconds / thousands)},
+          {"contacts_max", run.contacts},
+          {"squeezed_max", run.squeezed},
+          {"intersecting_pairs_max", run.pairsWithSelf + run.pairsWithBodies},
+          {"intersecting_pairs_self_max", run.pairsWithSelf},
+          {"intersecting_pairs_bodies_max", run.pairsWithBodies},
+          {"intersecting_share", finiteOrNull(run.shareWithSelf)},
+          {"finite", run.finite}};
+}
+
+ReportRows measure(const Meeting& meeting, const std::vector<std::string>& settings, const CellContext& context) {
+  SceneDescription description = openScene(meeting.scene);
+  for (const std::string& expression : settings) {
+    assignSettingExpression(description.settings, expression);
+  }
+  const auto scene = buildScene(description, description.settings);
+  return {rowOf(meeting, *scene, runCollision(*scene, meeting.seconds, meeting.lookEvery, context.mayStop))};
+}
+
+/// Adds the cells of one scene at one resolution; 0 is the scene's own.
+void addCells(const Meeting& meeting, int resolution, const ReportOptions& options, std::vector<Cell>& cells) {
+  std::string key = meeting.scene;
+  std::vector<std::string> settings{"threads=" + std::to_string(options.threads)};
+  if (resolution > 0) {
+    key += " " + gridText(resolution);
+    settings.push_back("grid.resolution=" + std::to_string(resolution));
+  }
+  const double weight = 1e-3 * (resolution > 0 ? resolution * resolution : 1500) * meeting.seconds;
+  const auto add = [&](const std::string& suffix) {
+    cells.push_back({key + suffix, weight,
+                     [&meeting, settings](const CellContext& context) { return measure(meeting, settings, context); }});
+  };
+  if (!meeting.withAndWithout) {
+    add("");
+    return;
+  }
+  for (const std::string mode : {"off", "hash"}) {
+    settings.push_back("self_collision=" + mode);
+    add(" " + mode);
+    settings.pop_back();
+  }
 }
 
 SectionPlan plan(const ReportOptions& options) {
   SectionPlan plan;
-  const std::vector<int> sizes = options.quick ? std::vector{17, 33} : std::vector{17, 33, 65};
-  for (const Folding& folding : scenes) {
-    for (const int resolution : sizes) {
-      for (const std::string mode : modes) {
-        plan.cells.push_back({std::string(folding.scene) + " " + gridText(resolution) + " " + mode,
-                              2e-4 * resolution * resolution,
-                              [&folding, mode, resolution, options](const CellContext& context) {
-                                return measureCollision(folding, mode, resolution, options, context);
-                              }});
-      }
+  for (const Meeting& meeting : meetings(options.quick)) {
+    if (meeting.resolutions.empty()) {
+      addCells(meeting, 0, options, plan.cells);
+    }
+    for (const int resolution : meeting.resolutions) {
+      addCells(meeting, resolution, options, plan.cells);
     }
   }
   return plan;
 }
 
-/// How much longer contact takes than the rest of the step [-].
-double ratioOf(const ReportRow& row) {
-  const double contact = numberIn(row, "contact_us_per_step");
-  return contact / (numberIn(row, "us_per_step") - contact);
-}
-
-TextTable tableOf(const ReportRows& rows) {
-  TextTable table{"Self-collision",
-                  {"scene", "grid", "triangles", "mode", "step [us]", "of that contact [us]", "99 % [us]",
-                   "contact / rest", "contacts", "intersecting pairs", "looks with any"},
-                  {}};
-  for (const ReportRow& row : rows) {
-    table.rows.push_back({row.value("scene", ""), gridText(row.value("resolution", 0)), figure(row, "triangles", 7),
-                          row.value("mode", ""), figure(row, "us_per_step"), figure(row, "contact_us_per_step"),
-                          figure(row, "contact_us_p99"), figure(ratioOf(row), 2), figure(row, "contacts_max", 5),
-                          figure(row, "intersecting_pairs_max", 5), figure(row, "intersecting_share", 2)});
-  }
-  return table;
-}
-
-std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
-  if (rows.empty()) {
-    return {};
-  }
-  return {
-      Paragraph{"The paper's scheme (mode hash) against none. Times are means over all steps of a run of some "
-                "seconds, first contact included, since a search for near pairs comes only now and then; the 99th "
-                "percentile tells what a step with a search takes. Intersecting pairs are the most triangle pairs of "
-                "the cloth that an exact judge found at any " +
-                std::to_string(lookEvery) + "th step, contacts the most in a step."},
-      tableOf(rows),
-      Paragraph{"The scheme compares vertices with vertices. Edges that cross between their ends, and a vertex over "
-                "the middle of a triangle, are seen only through the vertices near them: with a thickness of three "
-                "quarters of the mean edge a resting layer cannot pass, but a sharp fold has its triangles nearer to "
-                "each other than its vertices are, where ends of one edge never count. What moves farther than the "
-                "thickness and the margin of the search between two looks passes unseen, and once two layers have "
-                "crossed, the scheme holds them where they are. The column of intersecting pairs is what it let "
-                "through here."}};
-}
-
 }  // namespace
 
 Section sections::collision() {
-  return {"collision", "Collision", plan, show};
+  return {"collision", "Collision", plan, showCollision};
 }
 
 }  // namespace drape

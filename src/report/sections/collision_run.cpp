@@ -1,6 +1,7 @@
 #include "report/sections/collision_run.hpp"
 
 #include "judge/intersections.hpp"
+#include "report/body_intersections.hpp"
 #include "report/timing.hpp"
 #include "sim/stepper.hpp"
 
@@ -16,6 +17,51 @@ double meanOf(const std::vector<double>& values) {
          static_cast<double>(std::max<std::size_t>(1, values.size()));
 }
 
+/// What each step of a run took [s].
+struct StepCosts {
+  std::vector<double> steps;
+  std::vector<double> bodies;
+  std::vector<double> selfs;
+  std::vector<double> contacts;
+
+  void add(double step, const ContactReport& contact) {
+    steps.push_back(step);
+    bodies.push_back(contact.bodySeconds);
+    selfs.push_back(contact.selfSeconds);
+    contacts.push_back(contact.bodySeconds + contact.selfSeconds);
+  }
+
+  void addTo(CollisionRun& run) const {
+    run.steps = static_cast<int>(steps.size());
+    run.stepSeconds = meanOf(steps);
+    run.bodySeconds = meanOf(bodies);
+    run.selfSeconds = meanOf(selfs);
+    run.longestContact = quantileOf(contacts, 0.99);
+  }
+};
+
+/// Looks now and then for triangles that intersect.
+class Lookout {
+ public:
+  Lookout(const ClothModel& model, const BodyWorld& world) : triangles_(model.triangles), world_(world) {}
+
+  void look(const std::vector<Vec3>& positions, CollisionRun& run) {
+    const auto self = static_cast<int>(intersectingPairs({positions, triangles_}).size());
+    const auto bodies = static_cast<int>(pairsWithBodies(positions, triangles_, world_));
+    run.pairsWithSelf = std::max(run.pairsWithSelf, self);
+    run.pairsWithBodies = std::max(run.pairsWithBodies, bodies);
+    ++looks_;
+    found_ += self > 0 ? 1 : 0;
+    run.shareWithSelf = static_cast<double>(found_) / looks_;
+  }
+
+ private:
+  const std::vector<Triangle>& triangles_;
+  const BodyWorld& world_;
+  int looks_ = 0;
+  int found_ = 0;
+};
+
 }  // namespace
 
 CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery, const std::function<void()>& mayStop) {
@@ -23,32 +69,27 @@ CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery, con
   const StepParameters& parameters = scene.settings.step;
   Stepper stepper(scene.settings.solver.name);
   ClothState state = scene.start;
-  std::vector<double> steps;
-  std::vector<double> contacts;
-  std::vector<double> selfs;
-  int looks = 0;
-  int found = 0;
+  BodyWorld world(scene.bodies, state.time);
+  StepInputs inputs;
+  StepCosts costs;
+  Lookout lookout(*scene.model, world);
   while (state.time < seconds && run.finite) {
     mayStop();
     ContactReport contact;
-    steps.push_back(secondsOf([&] { contact = stepper.step(*scene.model, parameters, {}, state).contact; }));
-    contacts.push_back(contact.bodySeconds + contact.selfSeconds);
-    selfs.push_back(contact.selfSeconds);
+    const double taken = secondsOf([&] {
+      world.advance(state.time, parameters.timeStep);
+      inputs.bodies = &world.steps();
+      contact = stepper.step(*scene.model, parameters, inputs, state).contact;
+    });
+    costs.add(taken, contact);
     run.contacts = std::max(run.contacts, contact.bodyContacts + contact.selfContacts);
+    run.squeezed = std::max(run.squeezed, contact.squeezed);
     run.finite = isFinite(state);
-    if (lookEvery > 0 && run.finite && static_cast<int>(steps.size()) % lookEvery == 0) {
-      const auto pairs = static_cast<int>(intersectingPairs({state.positions, scene.model->triangles}).size());
-      run.intersectingPairs = std::max(run.intersectingPairs, pairs);
-      ++looks;
-      found += pairs > 0 ? 1 : 0;
+    if (lookEvery > 0 && run.finite && static_cast<int>(costs.steps.size()) % lookEvery == 0) {
+      lookout.look(state.positions, run);
     }
   }
-  run.steps = static_cast<int>(steps.size());
-  run.stepSeconds = meanOf(steps);
-  run.contactSeconds = meanOf(contacts);
-  run.selfSeconds = meanOf(selfs);
-  run.longestContact = quantileOf(contacts, 0.99);
-  run.intersectingShare = static_cast<double>(found) / std::max(1, looks);
+  costs.addTo(run);
   return run;
 }
 
