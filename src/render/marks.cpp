@@ -14,7 +14,7 @@ constexpr float heldSize = 12.0F;  // in units of a mark
 constexpr float handSize = 16.0F;  // in units of a mark
 const Eigen::Vector4f contactColour(0.86F, 0.16F, 0.36F, 1.0F);
 constexpr double contactLength = 0.03;  // of a drawn normal [m]
-constexpr float contactSize = 4.0F;     // in units of a mark
+constexpr float contactSize = 6.5F;     // in units of a mark; its rim takes two of them
 constexpr float threadWidth = 2.5F;
 
 float sizeOfPins(std::size_t count) {
