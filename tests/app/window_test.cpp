@@ -16,6 +16,14 @@ Vector operator-(const Vector& a, const Vector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+Vector operator+(const Vector& a, const Vector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+Vector operator*(double factor, const Vector& a) {
+  return {factor * a[0], factor * a[1], factor * a[2]};
+}
+
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -128,6 +136,129 @@ TEST(Window, PPinsWhatIsHeldAndLetsItGoAgain) {
   takeCloth(viewer, place);
   viewer.key("p");
   viewer.waitUntil("one pin less", [&](const Json& s) { return s["pins"] == pins; });
+}
+
+/// A scene file in a folder of its own.
+class SceneFile {
+ public:
+  explicit SceneFile(const char* text) { std::ofstream(path()) << text; }
+  [[nodiscard]] std::string path() const { return (folder_.path() / "scene.toml").string(); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+/// A sheet hangs to the right of a ball.
+constexpr const char* ballBesideSheet = R"([cloth]
+grid = "vertical"
+position = [0.35, 1.0, 0]
+[pins]
+corners = ["top_left", "top_right"]
+[camera]
+position = [0, 1.0, 4.0]
+focal_point = [0, 1.0, 0]
+[settings]
+grid.resolution = 9
+grid.width = 0.6
+grid.height = 0.6
+solver = "xpbd"
+[[bodies]]
+name = "ball"
+shape = "sphere"
+radius = 0.12
+position = [-0.4, 0.9, 0.05]
+)";
+
+TEST(Window, AMouseDragMovesABodyWhichSweepsTheClothAlong) {
+  const SceneFile scene(ballBesideSheet);
+  ViewerDriver viewer({scene.path(), "--set", "view.shadows=off"});
+  const Json before = viewer.waitUntil("time to pass", [](const Json& s) { return s["step"] > 5; });
+  const Json& ball = before["bodies"][0];
+  ASSERT_EQ(ball["name"], "ball");
+  EXPECT_EQ(before["contacts"]["bodies"], 0);
+  const Place middle{ball["x"], ball["y"]};
+  constexpr double dx = 90.0;
+  viewer.move(middle);
+  viewer.press();
+  viewer.move({std::round(middle.x) + dx, std::round(middle.y)});
+  // The mouse has it where the ray through its middle enters it.
+  const auto centre = ball["position"].get<Vector>();
+  const Vector towardsEye = normalized(before["camera"]["position"].get<Vector>() - centre);
+  const Vector expected = expectedMove(before, centre + 0.12 * towardsEye, dx, 0.0);
+  ASSERT_GT(norm(expected), 0.2);
+  const Json moved = viewer.waitUntil("the ball to arrive", [&](const Json& s) {
+    return norm(s["bodies"][0]["shift"].get<Vector>() - expected) < 0.02 * norm(expected);
+  });
+  EXPECT_EQ(moved["camera"], before["camera"]) << "the view stays";
+  EXPECT_TRUE(moved["grab"].is_null()) << "the cloth is not held";
+  viewer.move({std::round(middle.x) + 2.0 * dx, std::round(middle.y)});
+  viewer.waitUntil("the cloth to be touched", [](const Json& s) { return s["contacts"]["bodies"] > 0; });
+  viewer.release();
+  const Json released = viewer.frames();
+  viewer.move(middle);
+  EXPECT_LT(norm(viewer.frames()["bodies"][0]["shift"].get<Vector>() - released["bodies"][0]["shift"].get<Vector>()),
+            0.02)
+      << "nobody holds it any more";
+  viewer.key("r");
+  viewer.waitUntil("the ball to be back",
+                   [](const Json& s) { return norm(s["bodies"][0]["shift"].get<Vector>()) == 0.0; });
+}
+
+/// A sheet lies on a table, seen from above.
+constexpr const char* sheetOnTable = R"([cloth]
+grid = "horizontal"
+position = [-0.2, 0.506, 0]
+[camera]
+position = [0, 2.5, 0.01]
+focal_point = [0, 0.5, 0]
+[settings]
+grid.resolution = 9
+grid.width = 0.4
+grid.height = 0.4
+solver = "xpbd"
+substeps = 4
+stiffness = 100
+damping = 0.02
+[[bodies]]
+name = "table"
+shape = "box"
+size = [2.0, 0.1, 1.0]
+position = [0, 0.45, 0]
+static_friction = 0.3
+kinetic_friction = 0.2
+)";
+
+TEST(Window, ClothPulledOverABodySlidesOnIt) {
+  const SceneFile scene(sheetOnTable);
+  ViewerDriver viewer({scene.path(), "--set", "view.shadows=off"});
+  viewer.waitUntil("the sheet to lie", [](const Json& s) { return s["contacts"]["bodies"] >= 81; });
+  const Place place = viewer.onCloth();
+  const auto taken = takeCloth(viewer, place)["grab"]["point"].get<Vector>();
+  for (int i = 1; i <= 6; ++i) {
+    viewer.move({place.x + 20.0 * i, place.y});
+  }
+  const Json pulled = viewer.waitUntil("the cloth to follow", [&](const Json& s) {
+    return isHeld(s) && s["grab"]["distance"] < 0.02 && s["grab"]["point"].get<Vector>()[0] > taken[0] + 0.2;
+  });
+  EXPECT_GT(pulled["contacts"]["bodies"], 0) << "it still lies on the table";
+  EXPECT_LT(pulled["max_stretch"], 0.2) << "it slides as a whole";
+  viewer.release();
+  const Json rest = viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  for (const Json& point : rest["cloth_points"]) {
+    EXPECT_GT(point["point"].get<Vector>()[1], 0.5) << "on the table";
+  }
+}
+
+TEST(Window, TheContactPanelSwitchesABodyOff) {
+  const SceneFile scene(sheetOnTable);
+  ViewerDriver viewer({scene.path(), "--set", "view.shadows=off", "--set", "view.contacts=on"});
+  const Json before = viewer.waitUntil("the sheet to lie", [](const Json& s) { return s["contacts"]["bodies"] >= 81; });
+  EXPECT_GE(before["contacts"]["drawn"], 81) << "they are to be drawn";
+  viewer.click(viewer.find("body.table"));
+  viewer.waitUntil("the sheet to fall",
+                   [](const Json& s) { return !s["bodies"][0]["on"] && s["contacts"]["bodies"] == 0; });
+  viewer.click(viewer.find("body.table"));
+  viewer.waitUntil("the table", [](const Json& s) { return s["bodies"][0]["on"].get<bool>(); });
 }
 
 TEST(Window, AStiffnessDragReachesTheRunningSimulation) {

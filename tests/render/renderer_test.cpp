@@ -281,6 +281,32 @@ TEST_F(RendererTest, ThingsThatStandThereAreDrawn) {
   EXPECT_GT(distanceOf(pixelAt(picture(withStand), x, y), pixelAt(without, x, y)), 15);
 }
 
+TEST_F(RendererTest, ContactsAreDrawnWithTheirNormals) {
+  const Snapshot snapshot = wavySheet(0.0);
+  const Image without = picture(snapshot);
+  Snapshot touching = snapshot;
+  touching.settings.view.contacts = true;
+  touching.contactPoints = {{Vec3(0.2, 0.9, 0.01), Vec3::UnitX()}, {Vec3(-0.2, 0.7, 0.01), Vec3::UnitY()}};
+  ++touching.version;
+  const Image with = picture(touching);
+  const Camera camera = cameraInFront();
+  for (const ContactPoint& contact : touching.contactPoints) {
+    const Vec2 foot = camera.project(contact.point, width, height);
+    const auto pixelOf = [&](const Image& image, const Vec2& place) {
+      return pixelAt(image, static_cast<int>(place.x()), static_cast<int>(place.y()));
+    };
+    EXPECT_GT(distanceOf(pixelOf(with, foot), pixelOf(without, foot)), 10);
+    // The line that leads away from it is red.
+    const Pixel line = pixelOf(with, camera.project(contact.point + 0.02 * contact.normal, width, height));
+    EXPECT_GT(line[0], line[1] + 60);
+  }
+  EXPECT_GT(compareImages(without, with, 8).pixels, 20);
+  EXPECT_LT(compareImages(without, with, 8).pixels, 400);
+  Snapshot after = snapshot;
+  after.version = touching.version + 1;
+  EXPECT_EQ(without.rgb, picture(after).rgb) << "they leave no trace";
+}
+
 TEST_F(RendererTest, UnknownShadersAreReported) {
   EXPECT_THROW(ShaderProgram("surface.vert", "no_such.frag"), std::logic_error);
   EXPECT_THROW(ShaderProgram("surface.vert", "cloth.frag", {}, "#error broken\n"), std::logic_error);

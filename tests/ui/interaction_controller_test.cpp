@@ -198,5 +198,69 @@ TEST_F(Interaction, ANarrowPictureShowsTheSceneFromFartherAway) {
   EXPECT_GT(distance(), 1.5 * wide);
 }
 
+/// The grid, and a ball beside it that is seen beside the cloth; looked at from above.
+class BodyInteraction : public Interaction {
+ protected:
+  BodyInteraction() {
+    SceneDescription description = openScene("grid");
+    Body ball;
+    ball.name = "ball";
+    ball.shape = SphereShape{0.1};
+    ball.motion.keyframes = {{0.0, Vec3(0.8, 1.3, 0.0), Vec3::Zero()}};
+    description.bodies = {BodyDescription{ball, {}}};
+    description.ground = Body{};
+    simulation_.apply(LoadSceneCommand{buildScene(description, description.settings)});
+    simulation_.capture(snapshot_);
+    controller_.lookFrom(Camera::Side::Top);
+    onBall_ = inWindow(Vec3(0.8, 1.3, 0.0));
+  }
+
+  Vec2 onBall_ = Vec2::Zero();
+};
+
+TEST_F(BodyInteraction, DraggingABodyMovesItAtTheDepthWhereItWasTaken) {
+  const CameraPose before = controller_.camera().pose();
+  EXPECT_TRUE(send(PressEvent{.position = onBall_}).commands.empty()) << "it moves with the mouse";
+  EXPECT_TRUE(controller_.holdsBody());
+  const UiOutput moved = send(MoveEvent{onBall_ + Vec2(40.0, 25.0)});
+  ASSERT_EQ(moved.commands.size(), 1U);
+  const auto& command = std::get<MoveBodyCommand>(moved.commands.front());
+  EXPECT_EQ(command.body, 0);
+  // Taken where the ray through its middle enters it; that point is under the mouse then.
+  const Vec3 middle(0.8, 1.3, 0.0);
+  const Vec3 taken = middle + 0.1 * (before.position - middle).normalized();
+  EXPECT_NEAR((inWindow(taken + command.shift) - (onBall_ + Vec2(40.0, 25.0))).norm(), 0.0, 0.5);
+  EXPECT_NEAR(command.shift.y(), 0.0, 1e-3) << "across the view";
+  EXPECT_FALSE(cameraMoved(before));
+  EXPECT_TRUE(send(ReleaseEvent{MouseButton::Left}).commands.empty());
+  EXPECT_TRUE(send(MoveEvent{onBall_}).commands.empty());
+  EXPECT_FALSE(controller_.holdsBody());
+}
+
+TEST_F(BodyInteraction, ABodyThatWasMovedIsTakenWhereItIs) {
+  simulation_.apply(MoveBodyCommand{0, Vec3(0.0, 0.0, 0.3)});
+  for (int i = 0; i < 40; ++i) {
+    simulation_.step();
+  }
+  simulation_.capture(snapshot_);
+  EXPECT_TRUE(send(PressEvent{.position = onBall_, .control = true}).commands.empty());
+  EXPECT_FALSE(controller_.holdsBody()) << "it is no longer there";
+  const Vec2 there = inWindow(Vec3(0.8, 1.3, 0.3));
+  send(PressEvent{.position = there, .time = 9.0});
+  ASSERT_TRUE(controller_.holdsBody());
+  const UiOutput still = send(MoveEvent{there});
+  EXPECT_NEAR((std::get<MoveBodyCommand>(still.commands.at(0)).shift - Vec3(0.0, 0.0, 0.3)).norm(), 0.0, 1e-9);
+}
+
+TEST_F(BodyInteraction, OnlyWhatIsThereAndHasAnEndIsTaken) {
+  send(PressEvent{.position = beside_});
+  EXPECT_FALSE(controller_.holdsBody()) << "the ground stays";
+  send(ReleaseEvent{MouseButton::Left});
+  simulation_.apply(SwitchBodyCommand{0, false});
+  simulation_.capture(snapshot_);
+  send(PressEvent{.position = onBall_, .time = 5.0});
+  EXPECT_FALSE(controller_.holdsBody());
+}
+
 }  // namespace
 }  // namespace drape

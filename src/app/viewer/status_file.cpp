@@ -3,6 +3,7 @@
 #include "render/picking.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
+#include "sim/bounds.hpp"
 #include "sim/error.hpp"
 #include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
@@ -68,6 +69,24 @@ Json toJson(const std::optional<GhostStatus>& ghost) {
   return {{"distance", ghost->meanDistance}, {"step_seconds", ghost->stepSeconds}};
 }
 
+Json contactsOf(const Snapshot& snapshot) {
+  const ContactReport& contact = snapshot.stepReport.contact;
+  return {{"bodies", contact.bodyContacts},
+          {"itself", contact.selfContacts},
+          {"overlaps", contact.overlaps},
+          {"drawn", snapshot.contactPoints.size()}};
+}
+
+/// The middle of what is drawn of a body [m].
+Vec3 middleOf(const Body& body, const BodyStatus& status) {
+  const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&body.shape);
+  if (mesh == nullptr) {
+    return status.pose.position;  // every other shape is symmetric
+  }
+  const std::vector<Vec3>& positions = status.vertices.empty() ? (*mesh)->positions : status.vertices;
+  return status.pose.toWorld(boundsOf(positions).center());
+}
+
 /// Looks for places in the picture with and without cloth, within a budget of triangles.
 class PlaceFinder {
  public:
@@ -90,6 +109,22 @@ class PlaceFinder {
       }
     }
     return points;
+  }
+
+  [[nodiscard]] Json bodies() const {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < status_.snapshot.bodies.size(); ++i) {
+      const BodyStatus& status = status_.snapshot.bodies[i];
+      const Body& body = (*status_.snapshot.scene->bodies)[i];
+      const Vec2 place = projected(middleOf(body, status));
+      list.push_back({{"name", body.name},
+                      {"on", status.on},
+                      {"position", toJson(status.pose.position)},
+                      {"shift", toJson(status.shift)},
+                      {"x", place.x()},
+                      {"y", place.y()}});
+    }
+    return list;
   }
 
   [[nodiscard]] Json freePoint() {
@@ -159,6 +194,7 @@ Json describeSimulation(const Snapshot& snapshot) {
           {"max_stretch", snapshot.maxStretch},
           {"grab", toJson(snapshot.grab)},
           {"ghost", toJson(snapshot.ghost)},
+          {"contacts", contactsOf(snapshot)},
           {"warning", solverWarning(snapshot.settings, *snapshot.model)}};
 }
 
@@ -179,6 +215,7 @@ Json describeAll(const ViewerStatus& status) {
   PlaceFinder places(status);
   json["free_point"] = places.freePoint();
   json["cloth_points"] = places.clothPoints();
+  json["bodies"] = places.bodies();
   json["loading"] = status.stats.loading;
   json["message"] = messageOf(status);
   return json;

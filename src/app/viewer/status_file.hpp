@@ -42,6 +42,8 @@ class StatusFile {
       "  energy, max_stretch      [J], [-]\n"
       "  grab                     null, or triangle, target [m], point [m], distance [m], pinned\n"
       "  ghost                    null, or distance [m] (mean) and step_seconds [s]\n"
+      "  bodies                   name, on, position [m], shift [m] by hand, x and y of its middle in the window\n"
+      "  contacts                 with bodies and itself, and drawn (view.contacts), in the last step\n"
       "  warning                  what is wrong with the solver on this cloth, or empty\n"
       "  camera                   position [m], focal_point [m], view_angle [degrees]\n"
       "  window, view             sizes and the picture's place, in window coordinates\n"

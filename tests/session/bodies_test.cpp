@@ -1,0 +1,210 @@
+// Bodies in a running simulation: what the hand and the panels do with them.
+
+#include "scene/scene_file.hpp"
+#include "session/simulation.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace drape {
+namespace {
+
+std::shared_ptr<const Scene> sceneOf(const std::string& text) {
+  const SceneDescription description = parseScene(text, "bodies", "bodies.toml", "/");
+  return buildScene(description, description.settings);
+}
+
+constexpr const char* settings = R"(
+[settings]
+grid.resolution = 9
+grid.width = 0.4
+grid.height = 0.4
+time_step = 0.01
+stiffness = 80
+damping = 0.02
+solver = "xpbd"
+substeps = 4
+)";
+
+constexpr const char* ball = R"(
+[[bodies]]
+name = "ball"
+shape = "sphere"
+radius = 0.1
+)";
+
+/// A free sheet on a table, and a ball beside it.
+std::shared_ptr<const Scene> sheetOnTable() {
+  return sceneOf(std::string(R"(
+[cloth]
+grid = "horizontal"
+position = [0, 0.505, 0]
+[[bodies]]
+name = "table"
+shape = "box"
+size = [1.6, 0.1, 1.0]
+position = [0, 0.45, 0]
+static_friction = 0.3
+kinetic_friction = 0.2
+)") + ball + "position = [-0.5, 0.605, 0]\n" +
+                 settings);
+}
+
+/// A sheet that hangs between its upper corners, and a ball behind it.
+std::shared_ptr<const Scene> hangingSheet() {
+  return sceneOf(std::string(R"(
+[cloth]
+grid = "vertical"
+position = [0, 1, 0]
+[pins]
+corners = ["top_left", "top_right"]
+)") + ball + "position = [0, 1, -0.3]\n" +
+                 settings);
+}
+
+/// A sheet whose middle is inside the top of a ball.
+std::shared_ptr<const Scene> sheetInBall() {
+  return sceneOf(std::string("[cloth]\ngrid = \"horizontal\"\nposition = [0, 0.08, 0]\n") + ball + settings);
+}
+
+void advance(Simulation& simulation, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    simulation.step();
+  }
+}
+
+Vec3 meanPosition(const Simulation& simulation) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& position : simulation.state().positions) {
+    sum += position;
+  }
+  return sum / static_cast<double>(simulation.state().positions.size());
+}
+
+double lowest(const Simulation& simulation) {
+  double y = std::numeric_limits<double>::infinity();
+  for (const Vec3& position : simulation.state().positions) {
+    y = std::min(y, position.y());
+  }
+  return y;
+}
+
+TEST(Bodies, aBallThatIsMovedByHandSweepsTheClothAlong) {
+  Simulation simulation(hangingSheet());
+  advance(simulation, 5);
+  simulation.apply(MoveBodyCommand{0, Vec3(0.0, 0.0, 0.45)});
+  advance(simulation, 30);
+  EXPECT_EQ(simulation.bodies().shift(0), Vec3(0.0, 0.0, 0.45));
+  EXPECT_GT(simulation.lastStepReport().contact.bodyContacts, 0);
+  EXPECT_GT(meanPosition(simulation).z(), 0.1);
+  EXPECT_FALSE(simulation.blewUp());
+}
+
+TEST(Bodies, clothThatIsPulledOverATableSlidesAndKeepsItsShape) {
+  Simulation simulation(sheetOnTable());
+  advance(simulation, 5);
+  // A triangle at the edge on the right; it is pulled slowly to the right, along the table.
+  const Triangle corner = simulation.model().triangles.back();
+  const Vec3 taken = simulation.state().positions[static_cast<std::size_t>(corner[0])];
+  const int triangle = static_cast<int>(simulation.model().triangles.size()) - 1;
+  simulation.apply(GrabCommand{triangle, Vec3(1.0, 0.0, 0.0), taken});
+  for (int i = 1; i <= 60; ++i) {
+    simulation.apply(MoveGrabCommand{taken + Vec3(0.005 * i, 0.0, 0.0)});
+    simulation.step();
+    ASSERT_GT(simulation.lastStepReport().contact.bodyContacts, 0) << i;
+    ASSERT_GT(lowest(simulation), 0.5) << i;
+  }
+  EXPECT_GT(meanPosition(simulation).x(), 0.2) << "all of it follows";
+  EXPECT_LT(maxStretch(simulation.model(), simulation.state()), 0.1);
+}
+
+TEST(Bodies, whatIsSwitchedOffLetsTheClothThrough) {
+  Simulation simulation(sheetOnTable());
+  advance(simulation, 20);
+  EXPECT_GT(lowest(simulation), 0.5);
+  simulation.apply(SwitchBodyCommand{0, false});
+  advance(simulation, 40);
+  EXPECT_LT(lowest(simulation), 0.0);
+}
+
+TEST(Bodies, aStartInsideABodyIsReportedOnceAndUndone) {
+  Simulation simulation(sheetInBall());
+  EXPECT_EQ(simulation.message(), "");
+  simulation.step();
+  EXPECT_NE(simulation.message().find("starts inside a body"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().find("pushed out slowly"), std::string::npos) << simulation.message();
+  const ContactReport first = simulation.lastStepReport().contact;
+  EXPECT_GE(first.overlaps, 8) << "those around the middle vertex at least";
+  EXPECT_NEAR(first.deepestOverlap, 0.02, 1e-3);
+  simulation.apply(SetSettingCommand{"gravity", 9.0});
+  advance(simulation, 12);
+  EXPECT_EQ(simulation.message(), "") << "it was told once";
+  EXPECT_EQ(simulation.lastStepReport().contact.overlaps, 0);
+  for (const Vec3& position : simulation.state().positions) {
+    EXPECT_GT(position.norm(), 0.1);
+  }
+}
+
+TEST(Bodies, areNotThereForCommandsThatNameNone) {
+  Simulation simulation(sheetOnTable());
+  for (const int body : {-1, 2}) {
+    simulation.apply(MoveBodyCommand{body, Vec3::Zero()});
+    EXPECT_NE(simulation.message().find("there is no body"), std::string::npos);
+    simulation.apply(SetSettingCommand{"gravity", 9.0});
+    simulation.apply(SwitchBodyCommand{body, false});
+    EXPECT_NE(simulation.message().find("there is no body"), std::string::npos);
+  }
+}
+
+TEST(Bodies, aLogWithBodiesIsReplayedToTheSameBits) {
+  const auto scene = sheetOnTable();
+  Simulation original(scene);
+  advance(original, 4);
+  original.apply(MoveBodyCommand{1, Vec3(0.4, 0.0, 0.03)});
+  advance(original, 7);
+  original.apply(MoveBodyCommand{1, Vec3(0.6, 0.02, 0.0)});
+  advance(original, 9);
+  original.apply(SwitchBodyCommand{1, false});
+  advance(original, 3);
+  original.apply(SwitchBodyCommand{1, true});
+  original.apply(SetSettingCommand{"bodies", false});
+  advance(original, 2);
+  original.apply(SetSettingCommand{"bodies", true});
+  advance(original, 8);
+  original.apply(ResetCommand{});
+  original.apply(MoveBodyCommand{1, Vec3(0.3, 0.0, 0.0)});
+  advance(original, 12);
+  original.apply(PauseCommand{true});
+
+  Simulation again(scene);
+  again.replay(original.log());
+  EXPECT_EQ(stateHash(again.state()), stateHash(original.state()));
+  EXPECT_EQ(again.stepsTaken(), original.stepsTaken());
+  EXPECT_EQ(again.bodies().pose(1).position, original.bodies().pose(1).position);
+  // ... and without one of these commands it goes another way.
+  std::vector<LoggedCommand> shorter = original.log();
+  shorter.erase(shorter.end() - 2);
+  Simulation other(scene);
+  other.replay(shorter);
+  EXPECT_NE(stateHash(other.state()), stateHash(original.state()));
+}
+
+TEST(Bodies, contactsAreInASnapshotOnlyWhenTheyAreToBeDrawn) {
+  Simulation simulation(sheetOnTable());
+  advance(simulation, 10);
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  EXPECT_TRUE(snapshot.contactPoints.empty());
+  simulation.apply(SetSettingCommand{"view.contacts", true});
+  simulation.capture(snapshot);
+  ASSERT_GE(snapshot.contactPoints.size(), 81U) << "every vertex lies on the table";
+  for (const ContactPoint& contact : snapshot.contactPoints) {
+    EXPECT_NEAR(contact.normal.y(), 1.0, 1e-3);
+    EXPECT_NEAR(contact.point.y(), 0.5, 0.006);
+  }
+}
+
+}  // namespace
+}  // namespace drape
