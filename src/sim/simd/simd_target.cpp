@@ -1,5 +1,7 @@
 #include "sim/simd/simd_target.hpp"
 
+#include "sim/simd/targets.hpp"
+
 #include <hwy/highway.h>
 #include <hwy/targets.h>
 

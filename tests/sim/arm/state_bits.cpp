@@ -1,0 +1,58 @@
+// Prints a hash of where each method brings two cloths, one a line: what has to come out the same on every processor
+// with fused multiply-add. scripts/check-arm holds Arm against the machine that it runs on.
+#include "simd/simd_meshes.hpp"
+#include "sim/solver.hpp"
+#include "test_meshes.hpp"
+
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace drape {
+namespace {
+
+struct Method {
+  std::string solver;
+  Precision precision;
+  int sweeps;
+};
+
+std::string hashAfter(const ClothModel& model, const Method& method) {
+  constexpr int steps = 20;
+  StepParameters parameters;
+  parameters.timeStep = 1.0 / 600.0;
+  parameters.damping = 0.002;
+  parameters.drag = 0.8;
+  parameters.lift = 0.5;
+  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  parameters.sweeps = method.sweeps;
+  parameters.precision = method.precision;
+  ClothState state = testing::shaken(model, 0.003, 3);
+  findSolver(method.solver)->make()->steps(model, parameters, {}, steps, state);
+  return toHex(stateHash(state));
+}
+
+void printHashes(const std::string& cloth, const ClothModel& model) {
+  std::vector<Method> methods;
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    methods.push_back({"one_iteration", precision, 1});
+    methods.push_back({"one_iteration", precision, 3});
+    for (const char* solver : {"chebyshev", "pcg", "verlet", "explicit_euler", "xpbd", "auto"}) {
+      methods.push_back({solver, precision, 1});
+    }
+  }
+  for (const Method& method : methods) {
+    std::cout << cloth << ' ' << method.solver << ' ' << (method.precision == Precision::Float ? "float" : "double")
+              << ' ' << method.sweeps << ": " << hashAfter(model, method) << '\n';
+  }
+}
+
+}  // namespace
+}  // namespace drape
+
+int main() {
+  drape::printHashes("grid", *drape::testing::heldCloth(drape::testing::sheet(15)));
+  drape::printHashes("irregular",
+                     *drape::testing::heldCloth(drape::testing::renumbered(drape::testing::unevenSheet(13, 3), 4)));
+}
