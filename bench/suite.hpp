@@ -79,5 +79,6 @@ void addInstructionsGroup(Suite& suite);
 void addBulletGroup(Suite& suite);
 void addViewerGroup(Suite& suite);
 void addSelfCollisionGroup(Suite& suite);
+void addBodyContactGroup(Suite& suite);
 
 }  // namespace drape::bench

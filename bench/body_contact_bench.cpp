@@ -1,0 +1,107 @@
+// What contact with bodies costs: cloth that falls onto each kind of body, from before it touches until it rests.
+#include "bench/cloths.hpp"
+#include "bench/suite.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_file.hpp"
+#include "sim/contact/body_world.hpp"
+#include "sim/stepper.hpp"
+
+#include <string>
+
+namespace drape::bench {
+namespace {
+
+constexpr int steps = 450;        // 1.5 s
+constexpr double target = 300.0;  // [us] a step and thousand triangles of the cloth
+
+/// What a scene file would say of the cloth and of the body.
+struct Fall {
+  std::string name;
+  std::string cloth;
+  std::string body;
+};
+
+constexpr const char* settings = R"(
+[settings]
+grid.width = 1.3
+grid.height = 1.3
+grid.resolution = 41
+solver = "xpbd"
+substeps = 4
+time_step = "1/300"
+stiffness = 300
+damping = 0.003
+density = 0.2
+drag = 0.6
+lift = 0.3
+)";
+
+std::vector<Fall> falls() {
+  const auto sheet = [](const std::string& height) {
+    return "[cloth]\ngrid = \"horizontal\"\nposition = [0, " + height + ", 0]\n";
+  };
+  return {
+      {"sphere", sheet("0.33"), "shape = \"sphere\"\nradius = 0.3\n"},
+      {"box", sheet("0.33"), "shape = \"box\"\nsize = [0.6, 0.6, 0.6]\n"},
+      {"mesh, sphere", sheet("0.33"), ""},
+      {"mesh, table", sheet("0.76"), "shape = \"mesh\"\nmesh = \"builtin:table.obj\"\n"},
+      {"mesh, mannequin", "[cloth]\nmesh = \"builtin:tshirt.obj\"\n",
+       "shape = \"mesh\"\nmesh = \"builtin:mannequin.obj\"\n"},
+  };
+}
+
+std::shared_ptr<const Scene> sceneOf(const Fall& fall) {
+  std::string text = fall.cloth + settings;
+  if (!fall.body.empty()) {
+    text += "[[bodies]]\nname = \"body\"\n" + fall.body;
+  }
+  const SceneDescription description = parseScene(text, fall.name, fall.name, ".");
+  return buildScene(description, description.settings);
+}
+
+/// The scene's bodies, or a sphere as a mesh, the one that is drawn.
+std::shared_ptr<const std::vector<Body>> bodiesOf(const Scene& scene) {
+  if (!scene.bodies->empty()) {
+    return scene.bodies;
+  }
+  const BodySurface surface = surfaceOf(SphereShape{0.3});
+  Body body;
+  body.shape = std::make_shared<const MeshShape>(MeshShape{surface.positions, surface.triangles, {}, 1.0, false});
+  body.motion.keyframes = {{0.0, Vec3::Zero(), Vec3::Zero()}};
+  return std::make_shared<const std::vector<Body>>(1, body);
+}
+
+/// A whole fall; the time is that of its steps without contact, or of contact alone for every thousand triangles.
+Batch fallOn(const Fall& fall, bool contact) {
+  const auto scene = sceneOf(fall);
+  const auto bodies = bodiesOf(*scene);
+  const double thousands = static_cast<double>(scene->model->triangles.size()) / 1000.0;
+  return {steps * (contact ? thousands : 1.0), [scene, bodies, contact] {
+            Stepper stepper(scene->settings.solver.name);
+            ClothState state = scene->start;
+            BodyWorld world(bodies, state.time);
+            const StepParameters& parameters = scene->settings.step;
+            double inContact = 0.0;
+            const double all = threadSeconds([&] {
+              for (int i = 0; i < steps; ++i) {
+                world.advance(state.time, parameters.timeStep);
+                StepInputs inputs;
+                inputs.bodies = &world.steps();
+                inContact += stepper.step(*scene->model, parameters, inputs, state).contact.bodySeconds;
+              }
+            });
+            return contact ? inContact : all - inContact;
+          }};
+}
+
+}  // namespace
+
+void addBodyContactGroup(Suite& suite) {
+  for (const Fall& fall : falls()) {
+    suite.add({"body-contact", fall.name + ", the step", "us/step"}, [fall] { return fallOn(fall, false); });
+    suite.add({"body-contact", fall.name + ", contact", "us/step/1000 triangles", Bound{Bound::Side::AtMost, target}},
+              [fall] { return fallOn(fall, true); });
+  }
+}
+
+}  // namespace drape::bench
