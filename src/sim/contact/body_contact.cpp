@@ -65,7 +65,7 @@ bool couldMeet(const BodyStep& step, const SearchableMesh* mesh, const Eigen::Al
 
 }  // namespace
 
-const SearchableMesh* BodyContact::meshOf(const BodyStep& step) {
+SearchableMesh* BodyContact::meshOf(const BodyStep& step) {
   const auto* shape = std::get_if<std::shared_ptr<const MeshShape>>(&step.body->shape);
   const bool box = std::holds_alternative<BoxShape>(step.body->shape);
   if (shape == nullptr && !box) {
@@ -80,8 +80,8 @@ const SearchableMesh* BodyContact::meshOf(const BodyStep& step) {
       mesh = std::make_unique<SearchableMesh>(**shape);
     }
   }
-  if (mesh->shape.frames.size() > 1) {
-    mesh->tree.refit(step.startVertices, step.endVertices, mesh->shape.triangles);
+  if (mesh->movesInItself()) {
+    mesh->follow(step.startVertices, step.endVertices);
   }
   return mesh.get();
 }
@@ -92,7 +92,7 @@ void BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& 
   nearCount_ = 0;
   for (const BodyStep& step : bodies) {
     const double keep = step.body->thickness + 0.5 * cloth.parameters.contact.thickness;
-    const SearchableMesh* mesh = meshOf(step);
+    SearchableMesh* mesh = meshOf(step);
     if (!couldMeet(step, mesh, box, 2.0 * keep)) {
       continue;
     }
@@ -104,6 +104,12 @@ void BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& 
     near.mesh = mesh;
     near.reach = {keep, innerShare * keep, guardShare * keep, overlapSpeed * cloth.parameters.timeStep};
   }
+}
+
+MeshInStep BodyContact::NearBody::meshInStep(bool settled) const {
+  const std::span<const Vec3> own = mesh->shape.positions;
+  const bool moves = mesh->movesInItself();
+  return {*mesh, moves ? step->startVertices : own, moves ? step->endVertices : own, settled};
 }
 
 /// Brings the cloth into the frame of every body that is near, and says how far each vertex may go.
@@ -128,37 +134,125 @@ void BodyContact::place(const Cloth& cloth, const std::vector<Vec3>* safe) {
   for (double& room : room_) {
     room = apart * room + 2.0 * keep;
   }
+  moves_.clear();
+  for (std::size_t b = 0; b < nearCount_ && safe == nullptr; ++b) {
+    if (near_[b].mesh != nullptr && near_[b].mesh->movesInItself()) {
+      makeRoomForMoves(cloth, near_[b]);
+    }
+  }
+  for (std::size_t v = 0; v < moves_.size(); ++v) {
+    room_[v] += moves_[v];
+  }
 }
 
-void BodyContact::search(const Cloth& cloth) {
-  const std::vector<OwnedFeatures>& owned =
-      owned_.get(cloth.model, [](const ClothModel& m) { return ownedFeatures(m.triangles, m.vertexCount()); });
+/// What a mesh that moves in itself takes along goes as far as the mesh does there.
+void BodyContact::makeRoomForMoves(const Cloth& cloth, const NearBody& near) {
+  moves_.resize(room_.size(), 0.0);
+  const ClothClusters& clusters = clustersOf(cloth);
+  for (std::size_t c = 0; c < clusters.count(); ++c) {
+    Eigen::AlignedBox3d box;
+    for (const int vertex : clusters.vertices(c)) {
+      const auto v = static_cast<std::size_t>(vertex);
+      box.extend((near.base[v].array() - room_[v]).matrix());
+      box.extend((near.base[v].array() + room_[v]).matrix());
+    }
+    double most = 0.0;
+    near.mesh->tree.forEachLeafIn(box, [&](std::size_t leaf) { most = std::max(most, near.mesh->moveOf(leaf)); });
+    for (const int vertex : clusters.vertices(c)) {
+      const auto v = static_cast<std::size_t>(vertex);
+      moves_[v] = std::max(moves_[v], most);
+    }
+  }
+}
+
+/// Looks for touches, and on planes, spheres and capsules for barriers as well.
+/// @param settled the bases are at the end of the step
+void BodyContact::search(const Cloth& cloth, bool settled) {
+  const std::vector<OwnedFeatures>& owned = ownedOf(cloth);
   found_.touches.clear();
   found_.barriers.clear();
   found_.overlaps = 0;
   found_.deepestOverlap = 0.0;
   for (std::size_t b = 0; b < nearCount_; ++b) {
-    const NearBody& near = near_[b];
-    const BodySearch body(*near.step, static_cast<int>(b), near.mesh, near.reach);
+    NearBody& near = near_[b];
     const ClothInBody inBody{near.base, near.target, room_, cloth.model.triangles, owned};
-    std::mutex mutex;
-    std::vector<std::pair<int, Findings>> parts;
-    const auto count = static_cast<int>(cloth.model.triangles.size());
-    if (cloth.parameters.threads <= 1) {
-      body.search(inBody, 0, static_cast<std::size_t>(count), found_);
-      continue;
+    if (near.mesh == nullptr) {
+      searchRound(cloth, inBody, BodySearch(*near.step, static_cast<int>(b), near.reach));
+    } else {
+      near.meshSearch.findTouches(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
+                                  inBody, clustersOf(cloth), workers_, cloth.parameters.threads, found_);
     }
-    workers_.forRange(cloth.parameters.threads, count, [&](int begin, int end) {
-      Findings part;
-      body.search(inBody, static_cast<std::size_t>(begin), static_cast<std::size_t>(end), part);
-      const std::lock_guard lock(mutex);
-      parts.emplace_back(begin, std::move(part));
+  }
+}
+
+/// Looks for barriers of meshes between where the cloth is safe and where touches let it go. That is less far than it
+/// was about to go, and what it cannot reach any more need not be looked at.
+/// @return true when the cloth pierces a mesh in places that the search for touches did not know of
+bool BodyContact::searchPlanes(const Cloth& cloth, bool settled, const std::vector<Vec3>& positions) {
+  const auto last = near_.begin() + static_cast<std::ptrdiff_t>(nearCount_);
+  if (std::none_of(near_.begin(), last, [](const NearBody& near) { return near.mesh != nullptr; })) {
+    return false;
+  }
+  narrowRoom(cloth, positions);
+  const std::vector<OwnedFeatures>& owned = ownedOf(cloth);
+  bool news = false;
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    NearBody& near = near_[b];
+    if (near.mesh != nullptr) {
+      const ClothInBody inBody{near.base, near.placed, room_, cloth.model.triangles, owned};
+      news = near.meshSearch.findPlanes(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
+                                        inBody, clustersOf(cloth), workers_, cloth.parameters.threads, found_) ||
+             news;
+    }
+  }
+  return news;
+}
+
+const std::vector<OwnedFeatures>& BodyContact::ownedOf(const Cloth& cloth) {
+  return owned_.get(cloth.model, [](const ClothModel& m) { return ownedFeatures(m.triangles, m.vertexCount()); });
+}
+
+const ClothClusters& BodyContact::clustersOf(const Cloth& cloth) {
+  return clusters_.get(cloth.model, [](const ClothModel& m) { return ClothClusters(m); });
+}
+
+/// Leaves to each vertex the room that it needs to get to `positions`, and some to be put across planes.
+void BodyContact::narrowRoom(const Cloth& cloth, const std::vector<Vec3>& positions) {
+  double keep = 0.0;
+  needed_.assign(positions.size(), 0.0);
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    NearBody& near = near_[b];
+    keep = std::max(keep, near.reach.keep);
+    near.placed.resize(positions.size());
+    workers_.forEach(cloth.parameters.threads, positions.size(), [&](std::size_t v) {
+      near.placed[v] = near.step->end.toLocal(positions[v]);
+      needed_[v] = std::max(needed_[v], (near.placed[v] - near.base[v]).norm());
     });
-    // In the triangles' order, whoever was first: the result must not depend on the threads.
-    std::sort(parts.begin(), parts.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-    for (const auto& [begin, part] : parts) {
-      found_.append(part);
-    }
+  }
+  const double apart = nearCount_ > 1 ? 2.0 : 1.0;
+  for (std::size_t v = 0; v < needed_.size(); ++v) {
+    room_[v] = std::min(room_[v], apart * needed_[v] + keep + (moves_.empty() ? 0.0 : moves_[v]));
+  }
+}
+
+void BodyContact::searchRound(const Cloth& cloth, const ClothInBody& inBody, const BodySearch& body) {
+  const auto count = static_cast<int>(cloth.model.triangles.size());
+  if (cloth.parameters.threads <= 1) {
+    body.search(inBody, 0, static_cast<std::size_t>(count), found_);
+    return;
+  }
+  std::mutex mutex;
+  std::vector<std::pair<int, Findings>> parts;
+  workers_.forRange(cloth.parameters.threads, count, [&](int begin, int end) {
+    Findings part;
+    body.search(inBody, static_cast<std::size_t>(begin), static_cast<std::size_t>(end), part);
+    const std::lock_guard lock(mutex);
+    parts.emplace_back(begin, std::move(part));
+  });
+  // In the triangles' order, whoever was first: the result must not depend on the threads.
+  std::sort(parts.begin(), parts.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  for (const auto& [begin, part] : parts) {
+    found_.append(part);
   }
 }
 
@@ -173,20 +267,31 @@ void BodyContact::correctPositions(const Cloth& cloth, std::vector<Vec3>& positi
 /// One search and one correction. True when the touches moved so far that they should be looked at again.
 bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, ContactReport& report,
                        std::vector<Vec3>& positions) {
-  place(cloth, safe);
-  search(cloth);
-  if (safe == nullptr) {
+  const bool settled = safe != nullptr;
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    near_[b].meshSearch.begin();
+  }
+  bool news = true;
+  for (int i = 0; i < 2 && news; ++i) {
+    place(cloth, safe);
+    search(cloth, settled);
+    positions = cloth.target;
+    correctPositions(cloth, positions);
+    news = searchPlanes(cloth, settled, positions);
+  }
+  if (!settled) {
     report.overlaps = found_.overlaps;
     report.deepestOverlap = found_.deepestOverlap;
   }
-  positions = cloth.target;
-  correctPositions(cloth, positions);
-  const auto baseOf = [&](int body, int vertex) -> Vec3 {
+  const auto shelterOf = [&](int body, int vertex) {
     const NearBody& near = near_[static_cast<std::size_t>(body)];
-    return near.step->end.toWorld(near.base[static_cast<std::size_t>(vertex)]);
+    const Vec3& base = near.base[static_cast<std::size_t>(vertex)];
+    const bool carried = !settled && near.mesh != nullptr && near.mesh->movesInItself();
+    const Vec3 move = carried ? near.meshSearch.moveAt(near.meshInStep(false), vertex) : Vec3(Vec3::Zero());
+    return BarrierFilter::Shelter{near.step->end.toWorld(base), near.step->end.toWorld(base + move)};
   };
   const int squeezed = filter_.apply(found_.barriers, inverseMass_.get(cloth.model, inverseMassOf), room_,
-                                     static_cast<int>(nearCount_), baseOf, cloth.target, positions);
+                                     static_cast<int>(nearCount_), shelterOf, cloth.target, positions);
   report.squeezed = std::max(report.squeezed, squeezed);
   if (found_.touches.empty()) {
     return filter_.farthest() > 0.0;

@@ -4,6 +4,7 @@
 #include "sim/contact/barrier_filter.hpp"
 #include "sim/contact/body_search.hpp"
 #include "sim/contact/contact_report.hpp"
+#include "sim/contact/mesh_search.hpp"
 #include "sim/contact/touch_solver.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/step_parameters.hpp"
@@ -39,26 +40,39 @@ class BodyContact {
   };
   struct NearBody {
     const BodyStep* step = nullptr;
-    const SearchableMesh* mesh = nullptr;
+    SearchableMesh* mesh = nullptr;  // of a box or a mesh
     ContactReach reach;
     std::vector<Vec3> base;    // in the body's frame [m]
     std::vector<Vec3> target;  // in the body's frame [m]
+    std::vector<Vec3> placed;  // where touches let it go, in the body's frame [m]
+    MeshSearch meshSearch;
+
+    [[nodiscard]] MeshInStep meshInStep(bool settled) const;
   };
 
   void chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& bodies);
   void place(const Cloth& cloth, const std::vector<Vec3>* safe);
-  void search(const Cloth& cloth);
+  void makeRoomForMoves(const Cloth& cloth, const NearBody& near);
+  void search(const Cloth& cloth, bool settled);
+  bool searchPlanes(const Cloth& cloth, bool settled, const std::vector<Vec3>& positions);
+  void narrowRoom(const Cloth& cloth, const std::vector<Vec3>& positions);
+  const std::vector<OwnedFeatures>& ownedOf(const Cloth& cloth);
+  const ClothClusters& clustersOf(const Cloth& cloth);
+  void searchRound(const Cloth& cloth, const ClothInBody& inBody, const BodySearch& body);
   bool pass(const Cloth& cloth, const std::vector<Vec3>* safe, ContactReport& report, std::vector<Vec3>& positions);
   void correctPositions(const Cloth& cloth, std::vector<Vec3>& positions);
   void correctVelocities(const Cloth& cloth, ClothState& state);
-  const SearchableMesh* meshOf(const BodyStep& step);
+  SearchableMesh* meshOf(const BodyStep& step);
 
   ModelCache<std::vector<OwnedFeatures>> owned_;
+  ModelCache<ClothClusters> clusters_;
   ModelCache<std::vector<double>> inverseMass_;
   std::map<const Body*, std::unique_ptr<SearchableMesh>> meshes_;  // looked up, never gone through
   std::vector<NearBody> near_;
   std::size_t nearCount_ = 0;
   std::vector<double> room_;
+  std::vector<double> needed_;
+  std::vector<double> moves_;  // of meshes that move in themselves, near each vertex [m]
   Findings found_;
   std::vector<TouchGoal> goals_;
   std::vector<Touch> active_;

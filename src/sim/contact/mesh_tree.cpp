@@ -4,13 +4,9 @@
 #include <numeric>
 
 namespace drape {
-namespace {
 
-constexpr std::size_t leafSize = 4;
-
-}  // namespace
-
-MeshTree::MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles) : order_(triangles.size()) {
+MeshTree::MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t most)
+    : order_(triangles.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   std::vector<Vec3> middles;
   middles.reserve(triangles.size());
@@ -19,16 +15,18 @@ MeshTree::MeshTree(std::span<const Vec3> positions, std::span<const Triangle> tr
                           positions[static_cast<std::size_t>(t[2])]) /
                          3.0);
   }
-  build(middles, 0, order_.size());
+  build(middles, 0, order_.size(), most);
   refit(positions, positions, triangles);
 }
 
-void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end) {
+void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end, std::size_t most) {
   const std::size_t self = nodes_.size();
   nodes_.emplace_back();
-  if (end - begin <= leafSize) {
+  if (end - begin <= most) {
     nodes_[self].begin = begin;
     nodes_[self].end = end;
+    nodes_[self].leaf = leaves_.size();
+    leaves_.push_back(self);
   } else {
     Eigen::AlignedBox3d box;
     for (std::size_t i = begin; i < end; ++i) {
@@ -44,8 +42,8 @@ void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t 
       return x != y ? x < y : a < b;
     });
     const std::size_t middle = begin + (end - begin) / 2;
-    build(middles, begin, middle);
-    build(middles, middle, end);
+    build(middles, begin, middle, most);
+    build(middles, middle, end, most);
   }
   nodes_[self].next = nodes_.size();
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "sim/contact/closest_points.hpp"
 #include "sim/vector.hpp"
 
 #include <span>
@@ -8,31 +7,64 @@
 
 namespace drape {
 
-/// A tree of boxes over the triangles of a mesh, so that those near a place are found without looking at all.
+/// A tree of boxes over the triangles of a mesh, so that those near a place are found without looking at all. Its
+/// leaves are patches of a few triangles that lie next to each other.
 class MeshTree {
  public:
   /// Splits at the median of the longest side, so that the same mesh gives the same tree.
-  MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles);
+  /// @param most triangles in a leaf
+  MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t most);
 
   /// Fits the boxes around the triangles at both positions (of a mesh that moves in itself).
   void refit(std::span<const Vec3> before, std::span<const Vec3> after, std::span<const Triangle> triangles);
 
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
 
-  /// Calls visit(triangle) for every triangle whose box meets `box`, always in the same order.
+  [[nodiscard]] std::size_t leafCount() const { return leaves_.size(); }
+  [[nodiscard]] const Eigen::AlignedBox3d& leafBox(std::size_t leaf) const { return nodes_[leaves_[leaf]].box; }
+  /// The triangles of a leaf.
+  [[nodiscard]] std::span<const int> leaf(std::size_t leaf) const {
+    const Node& node = nodes_[leaves_[leaf]];
+    return {order_.data() + node.begin, node.end - node.begin};
+  }
+
+  /// Calls visit(leaf) for every leaf whose box meets `box`, in ascending order.
   template <typename Visit>
-  void forEachIn(const Eigen::AlignedBox3d& box, Visit&& visit) const {
+  void forEachLeafIn(const Eigen::AlignedBox3d& box, Visit&& visit) const {
     for (std::size_t at = 0; at < nodes_.size();) {
       const Node& node = nodes_[at];
       if (!node.box.intersects(box)) {
         at = node.next;
         continue;
       }
-      for (std::size_t i = node.begin; i < node.end; ++i) {
-        visit(order_[i]);
+      if (node.end > node.begin) {
+        visit(node.leaf);
       }
       ++at;
     }
+  }
+
+  /// Calls visit(leaf) for every leaf whose box is nearer to a point than the root of `squaredRadius` [m^2], which the
+  /// visits may lower.
+  template <typename Visit>
+  void forEachLeafWithin(const Vec3& point, const double& squaredRadius, Visit&& visit) const {
+    for (std::size_t at = 0; at < nodes_.size();) {
+      const Node& node = nodes_[at];
+      if (!(squaredDistance(node.box, point) < squaredRadius)) {
+        at = node.next;
+        continue;
+      }
+      if (node.end > node.begin) {
+        visit(node.leaf);
+      }
+      ++at;
+    }
+  }
+
+  /// From a point to a box, 0 inside [m^2].
+  [[nodiscard]] static double squaredDistance(const Eigen::AlignedBox3d& box, const Vec3& point) {
+    const Eigen::Array3d outside = (box.min() - point).array().max((point - box.max()).array()).max(0.0);
+    return outside.square().sum();
   }
 
  private:
@@ -41,11 +73,13 @@ class MeshTree {
     std::size_t next = 0;   // where to go on when the box is not met; a node's children follow it
     std::size_t begin = 0;  // of a leaf's triangles in order_
     std::size_t end = 0;
+    std::size_t leaf = 0;
   };
 
-  void build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end);
+  void build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end, std::size_t most);
 
   std::vector<Node> nodes_;
+  std::vector<std::size_t> leaves_;  // their nodes
   std::vector<int> order_;
 };
 

@@ -257,16 +257,74 @@ TEST(BodyContact, followsAMeshThatMovesInItself) {
   Meeting meeting(freeSheet(11, 0.8, Vec3(0.0, 0.12, 0.0)),
                   {bodyAt(std::make_shared<const MeshShape>(mesh), Vec3::Zero())}, "one_iteration");
   meeting.parameters.timeStep = 1.0 / 60.0;
-  meeting.run(1.0, [&](const StepReport&) { ASSERT_EQ(meeting.pairs(0), 0) << meeting.state.time; });
+  meeting.run(1.0, [&](const StepReport& report) {
+    ASSERT_EQ(meeting.pairs(0), 0) << meeting.state.time;
+    EXPECT_EQ(report.contact.squeezed, 0) << meeting.state.time;
+  });
+}
+
+/// A ball that swells and shrinks by half, or sways, in a tenth of a second.
+std::shared_ptr<const MeshShape> livelyBall(bool swells) {
+  const BodySurface ball = surfaceOf(SphereShape{0.2});
+  MeshShape mesh{ball.positions, ball.triangles, {}, 1.0 / 60.0, true};
+  for (int k = 0; k < 12; ++k) {
+    const double wave = std::sin(2.0 * std::numbers::pi * k / 12.0);
+    std::vector<Vec3> frame = ball.positions;
+    for (Vec3& position : frame) {
+      position = swells ? Vec3((1.0 + 0.25 * wave) * position) : Vec3(position + Vec3(0.06 * wave, 0.0, 0.0));
+    }
+    mesh.frames.push_back(frame);
+  }
+  return std::make_shared<const MeshShape>(std::move(mesh));
+}
+
+TEST(BodyContact, isNotPassedByAMeshThatMovesInItselfFast) {
+  for (const bool swells : {true, false}) {
+    Meeting meeting(freeSheet(15, 0.7, Vec3(0.0, 0.23, 0.0)), {bodyAt(livelyBall(swells), Vec3::Zero())}, "xpbd");
+    meeting.parameters.timeStep = 1.0 / 60.0;
+    meeting.parameters.stiffness = 50.0;
+    meeting.run(0.6, [&](const StepReport& report) {
+      ASSERT_EQ(meeting.pairs(0), 0) << (swells ? "swelling at " : "swaying at ") << meeting.state.time;
+      EXPECT_EQ(report.contact.squeezed, 0) << (swells ? "swelling at " : "swaying at ") << meeting.state.time;
+      EXPECT_EQ(report.contact.overlaps, 0);
+    });
+  }
+}
+
+/// A bowl with a rim: hollow above, and a corner all around.
+std::shared_ptr<const MeshShape> bowl() {
+  ClothMesh sheet = testing::sheet(25);
+  for (Vec3& position : sheet.positions) {
+    position -= Vec3(0.5, 0.0, 0.5);
+    const double far = position.norm();
+    position.y() = far < 0.3 ? 2.0 * far * far - 0.18 : 0.5 * (0.3 - far);
+  }
+  return std::make_shared<const MeshShape>(MeshShape{sheet.positions, sheet.triangles, {}, 1.0, false});
+}
+
+TEST(BodyContact, keepsAFastSheetOutOfWhatIsHollow) {
+  Meeting meeting(freeSheet(19, 0.7, Vec3(0.02, 0.4, 0.01)), {bodyAt(bowl(), Vec3::Zero())}, "xpbd");
+  meeting.parameters.timeStep = 1.0 / 60.0;
+  meeting.parameters.stiffness = 50.0;
+  for (Vec3& velocity : meeting.state.velocities) {
+    velocity = Vec3(1.0, -8.0, 0.0);
+  }
+  int contacts = 0;
+  meeting.run(0.7, [&](const StepReport& report) {
+    ASSERT_EQ(meeting.pairs(0), 0) << meeting.state.time;
+    EXPECT_EQ(report.contact.squeezed, 0);
+    contacts = std::max(contacts, report.contact.bodyContacts);
+  });
+  EXPECT_GT(contacts, 150);
 }
 
 TEST(BodyContact, givesTheSameBitsForAnyNumberOfThreads) {
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 5}) {
-    Meeting meeting(
-        freeSheet(34, 1.0, Vec3(0.0, 0.31, 0.0)),
-        {bodyAt(SphereShape{0.3}, Vec3::Zero()), bodyAt(BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3(0.3, 0.0, 0.3))},
-        "one_iteration");
+    Meeting meeting(freeSheet(34, 1.0, Vec3(0.0, 0.31, 0.0)),
+                    {bodyAt(SphereShape{0.3}, Vec3::Zero()), bodyAt(BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3(0.3, 0.0, 0.3)),
+                     bodyAt(livelyBall(true), Vec3(-0.3, 0.0, -0.3))},
+                    "one_iteration");
     meeting.parameters.threads = threads;
     meeting.run(0.4);
     hashes.push_back(stateHash(meeting.state));

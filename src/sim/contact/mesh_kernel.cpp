@@ -1,0 +1,129 @@
+// The header below includes this file once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/contact/mesh_kernel.cpp"
+#include <hwy/foreach_target.h>
+// Highway's own includes have to come first.
+#include "sim/contact/mesh_lanes.hpp"
+
+#include <hwy/highway.h>
+#include <algorithm>
+#include <array>
+
+HWY_BEFORE_NAMESPACE();
+namespace drape {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, mostDoubles>;
+using DoubleLanes = hn::Vec<Doubles>;
+
+/// The lanes of a mask as bits.
+HWY_INLINE std::uint32_t bitsOf(hn::Mask<Doubles> mask) {
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(Doubles(), mask, bytes.data());
+  return bytes[0];
+}
+
+std::size_t meeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::int32_t* met) {
+  const Doubles d;
+  const std::size_t lanes = hn::Lanes(d);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < boxes.size(); i += lanes) {
+    auto meets = hn::FirstN(d, boxes.size() - i);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<Eigen::Index>(axis);
+      meets = hn::And(meets, hn::Le(hn::LoadU(d, boxes.low(axis) + i), hn::Set(d, box.max()[at])));
+      meets = hn::And(meets, hn::Ge(hn::LoadU(d, boxes.high(axis) + i), hn::Set(d, box.min()[at])));
+    }
+    for (std::uint32_t bits = bitsOf(meets); bits != 0; bits &= bits - 1) {
+      met[count++] = static_cast<std::int32_t>(i) + static_cast<std::int32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+    }
+  }
+  return count;
+}
+
+void distances(const BoxList& boxes, const Vec3& point, double* squared) {
+  const Doubles d;
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t i = 0; i < boxes.size(); i += lanes) {
+    auto sum = hn::Zero(d);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = hn::Set(d, point[static_cast<Eigen::Index>(axis)]);
+      const auto below = hn::Sub(hn::LoadU(d, boxes.low(axis) + i), at);
+      const auto above = hn::Sub(at, hn::LoadU(d, boxes.high(axis) + i));
+      const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
+      sum = hn::Add(sum, hn::Mul(outside, outside));
+    }
+    hn::StoreU(sum, d, squared + i);
+  }
+}
+
+Extent extents(const PatchLanes& lanes, const std::size_t* begin, const std::int32_t* patches, std::size_t count,
+               const Vec3& direction, Extent* result) {
+  const Doubles d;
+  const std::size_t step = hn::Lanes(d);
+  const auto x = hn::Set(d, direction.x());
+  const auto y = hn::Set(d, direction.y());
+  const auto z = hn::Set(d, direction.z());
+  Extent all;
+  for (std::size_t k = 0; k < count; ++k) {
+    auto low = hn::Set(d, Extent().low);
+    auto high = hn::Set(d, Extent().high);
+    for (std::size_t i = begin[patches[k]]; i < begin[patches[k] + 1]; i += step) {
+      const auto inPlane =
+          hn::Add(hn::Mul(x, hn::LoadU(d, lanes.x.data() + i)), hn::Mul(y, hn::LoadU(d, lanes.y.data() + i)));
+      const auto along = hn::Add(inPlane, hn::Mul(z, hn::LoadU(d, lanes.z.data() + i)));
+      low = hn::Min(low, along);
+      high = hn::Max(high, along);
+    }
+    result[k] = {hn::GetLane(hn::MinOfLanes(d, low)), hn::GetLane(hn::MaxOfLanes(d, high))};
+    all = {std::min(all.low, result[k].low), std::max(all.high, result[k].high)};
+  }
+  return all;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace drape
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace drape {
+
+HWY_EXPORT(meeting);
+HWY_EXPORT(distances);
+HWY_EXPORT(extents);
+
+void BoxList::add(const Eigen::AlignedBox3d& box) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (auto* bounds : {&low_[axis], &high_[axis]}) {
+      if (bounds->size() < size_ + 1 + mostDoubles) {
+        bounds->resize(2 * size_ + 1 + mostDoubles);
+      }
+    }
+    low_[axis][size_] = box.min()[static_cast<Eigen::Index>(axis)];
+    high_[axis][size_] = box.max()[static_cast<Eigen::Index>(axis)];
+  }
+  ++size_;
+}
+
+void boxesMeeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::vector<std::int32_t>& met) {
+  met.resize(boxes.size());
+  met.resize(HWY_DYNAMIC_DISPATCH(meeting)(boxes, box, met.data()));
+}
+
+std::size_t squaredDistances(const BoxList& boxes, const Vec3& point, std::vector<double>& squared) {
+  squared.resize(boxes.size() + mostDoubles);
+  HWY_DYNAMIC_DISPATCH(distances)(boxes, point, squared.data());
+  squared.resize(boxes.size());
+  return static_cast<std::size_t>(std::min_element(squared.begin(), squared.end()) - squared.begin());
+}
+
+Extent extentsAlong(const PatchLanes& lanes, const std::vector<std::size_t>& begin,
+                    const std::vector<std::int32_t>& patches, const Vec3& direction, std::vector<Extent>& result) {
+  result.resize(patches.size());
+  return HWY_DYNAMIC_DISPATCH(extents)(lanes, begin.data(), patches.data(), patches.size(), direction, result.data());
+}
+
+}  // namespace drape
+#endif

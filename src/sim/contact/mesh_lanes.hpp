@@ -1,0 +1,57 @@
+#pragma once
+
+#include "sim/vector.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace drape {
+
+/// Numbers in the widest vector that is used here, and so the room that arrays have beyond their end.
+inline constexpr std::size_t mostDoubles = 8;
+
+/// How far something reaches along a direction [m]; empty (low above high) until something is put in.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+/// Axis-aligned boxes, one array a coordinate [m].
+class BoxList {
+ public:
+  void clear() { size_ = 0; }
+  void add(const Eigen::AlignedBox3d& box);
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const double* low(std::size_t axis) const { return low_[axis].data(); }
+  [[nodiscard]] const double* high(std::size_t axis) const { return high_[axis].data(); }
+
+ private:
+  std::size_t size_ = 0;
+  std::array<std::vector<double>, 3> low_, high_;  // longer by a vector, which holds anything
+};
+
+/// The vertices of the patches of a mesh, patch after patch, one array a coordinate [m]. Each patch fills whole
+/// vectors: its last vertex is repeated.
+struct PatchLanes {
+  std::vector<double> x, y, z;
+};
+
+// What follows runs by the widest vector instructions that the machine has, and gives the same bits with any.
+
+/// The indices of the boxes that meet `box`, ascending.
+void boxesMeeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::vector<std::int32_t>& met);
+
+/// The squared distances from a point to all boxes, 0 inside [m^2].
+/// @return the index of the first of the nearest; 0 when there are none
+std::size_t squaredDistances(const BoxList& boxes, const Vec3& point, std::vector<double>& squared);
+
+/// Writes the extents of some patches along a direction, and returns that of all together.
+/// @param begin of each patch in `lanes`, and of what would come after the last one
+Extent extentsAlong(const PatchLanes& lanes, const std::vector<std::size_t>& begin,
+                    const std::vector<std::int32_t>& patches, const Vec3& direction, std::vector<Extent>& extents);
+
+}  // namespace drape

@@ -1,0 +1,152 @@
+#include "sim/contact/searchable_mesh.hpp"
+
+#include "sim/contact/body_side.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr double sharpAngle = 0.02;  // edges of a body that stick out by less count as flat [rad, sine]
+
+std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
+  struct Side {
+    int a, b;
+    std::size_t triangle, side;
+  };
+  std::vector<std::array<bool, 3>> sharp(mesh.triangles.size(), {true, true, true});
+  if (mesh.frames.size() > 1) {
+    return sharp;  // what is flat now may stick out later
+  }
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = mesh.triangles[t][k];
+      const int b = mesh.triangles[t][(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), t, k});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return std::tie(x.a, x.b, x.triangle) < std::tie(y.a, y.b, y.triangle);
+  });
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const bool pair = sides[i].a == sides[i + 1].a && sides[i].b == sides[i + 1].b;
+    const bool more = i + 2 < sides.size() && sides[i + 2].a == sides[i].a && sides[i + 2].b == sides[i].b;
+    if (!pair || more) {
+      continue;
+    }
+    const Triangle& other = mesh.triangles[sides[i + 1].triangle];
+    const Corners first = cornersOf(mesh.positions, mesh.triangles[sides[i].triangle]);
+    const Vec3 apex =
+        vectorAt(mesh.positions, other[(sides[i + 1].side + 2) % 3]) - vectorAt(mesh.positions, sides[i].a);
+    const double rise = faceNormal(first).dot(apex);
+    const bool flat = rise > -sharpAngle * apex.norm();
+    sharp[sides[i].triangle][sides[i].side] = !flat;
+    sharp[sides[i + 1].triangle][sides[i + 1].side] = !flat;
+  }
+  return sharp;
+}
+
+void fill(PatchLanes& lanes, std::span<const int> vertices, std::span<const Vec3> positions) {
+  lanes.x.resize(vertices.size());
+  lanes.y.resize(vertices.size());
+  lanes.z.resize(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3& position = vectorAt(positions, vertices[i]);
+    lanes.x[i] = position.x();
+    lanes.y[i] = position.y();
+    lanes.z[i] = position.z();
+  }
+}
+
+}  // namespace
+
+Vec3 faceNormal(const Corners& corners) {
+  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double length = normal.norm();
+  return length > 0.0 ? Vec3(normal / length) : Vec3(Vec3::UnitY());
+}
+
+SearchableMesh::SearchableMesh(MeshShape mesh)
+    : shape(std::move(mesh)),
+      tree(shape.positions, shape.triangles, trianglesOfPatch),
+      owned(ownedFeatures(shape.triangles, static_cast<int>(shape.positions.size()))),
+      sharp(sharpSides(shape)) {
+  gatherPatches();
+  fill(start_, patchVertices_, shape.positions);
+}
+
+void SearchableMesh::gatherPatches() {
+  for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
+    const std::size_t begin = patchVertices_.size();
+    patchBegin_.push_back(begin);
+    patchTriangles_.push_back(patchCorners_.size());
+    for (const int t : tree.leaf(leaf)) {
+      std::array<std::uint8_t, 3>& corners = patchCorners_.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int v = shape.triangles[static_cast<std::size_t>(t)][k];
+        const auto first = patchVertices_.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto known = std::find(first, patchVertices_.end(), v);
+        corners[k] = static_cast<std::uint8_t>(known - first);
+        if (known == patchVertices_.end()) {
+          patchVertices_.push_back(v);
+        }
+      }
+    }
+    while ((patchVertices_.size() - begin) % mostDoubles != 0) {
+      patchVertices_.push_back(patchVertices_.back());
+    }
+  }
+  patchBegin_.push_back(patchVertices_.size());
+  patchTriangles_.push_back(patchCorners_.size());
+}
+
+std::uint32_t SearchableMesh::trianglesBetween(const Vec3& direction, double low, double high, std::size_t leaf,
+                                               bool atEnd) const {
+  const PatchLanes& at = lanes(atEnd);
+  std::array<double, 3 * trianglesOfPatch> heights{};
+  const std::size_t begin = patchBegin_[leaf];
+  for (std::size_t i = begin; i < std::min(patchBegin_[leaf + 1], begin + heights.size()); ++i) {
+    heights[i - begin] = direction[0] * at.x[i] + direction[1] * at.y[i] + direction[2] * at.z[i];
+  }
+  std::uint32_t between = 0;
+  for (std::size_t t = patchTriangles_[leaf]; t < patchTriangles_[leaf + 1]; ++t) {
+    const auto& [a, b, c] = patchCorners_[t];
+    const bool reaches =
+        std::max({heights[a], heights[b], heights[c]}) > low && std::min({heights[a], heights[b], heights[c]}) < high;
+    between |= (reaches ? 1U : 0U) << (t - patchTriangles_[leaf]);
+  }
+  return between;
+}
+
+void SearchableMesh::follow(std::span<const Vec3> before, std::span<const Vec3> after) {
+  tree.refit(before, after, shape.triangles);
+  fill(start_, patchVertices_, before);
+  fill(end_, patchVertices_, after);
+  moves_.assign(tree.leafCount(), 0.0);
+  for (std::size_t leaf = 0; leaf < moves_.size(); ++leaf) {
+    for (std::size_t i = patchBegin_[leaf]; i < patchBegin_[leaf + 1]; ++i) {
+      const int v = patchVertices_[i];
+      moves_[leaf] = std::max(moves_[leaf], (vectorAt(after, v) - vectorAt(before, v)).norm());
+    }
+  }
+}
+
+int SearchableMesh::farthestAlong(const Vec3& direction, std::size_t leaf, bool atEnd) const {
+  const PatchLanes& at = lanes(atEnd);
+  double most = -std::numeric_limits<double>::infinity();
+  std::size_t farthest = patchBegin_[leaf];
+  for (std::size_t i = patchBegin_[leaf]; i < patchBegin_[leaf + 1]; ++i) {
+    const double along = direction.x() * at.x[i] + direction.y() * at.y[i] + direction.z() * at.z[i];
+    if (along > most) {
+      most = along;
+      farthest = i;
+    }
+  }
+  return patchVertices_[farthest];
+}
+
+}  // namespace drape
