@@ -197,7 +197,7 @@ TEST(Collision, tellsWhatSelfCollisionCostsAndLetsThrough) {
 
 TEST(Collision, runsAScenesBodiesAndLooksForPairsWithThem) {
   const ReportRow sphere = measured("collision", "sphere 17x17").at(0);
-  EXPECT_EQ(sphere["mode"], "bodies");
+  EXPECT_EQ(sphere["mode"], "bodies+hash");
   EXPECT_EQ(sphere["bodies"], 2) << "the sphere and the ground";
   EXPECT_GT(sphere["contacts_max"], 10);
   EXPECT_GT(sphere["bodies_us_per_1000_triangles"], 0.0);

@@ -32,7 +32,10 @@ const std::vector<Meeting>& meetings(bool quick) {
                                         {"sphere", 1.5, {65}},
                                         {"sphere", 0.8, {129}},
                                         {"turning_sphere", 5.0, {}, false, 10},
-                                        {"flag_on_pole", 4.0, {}, false, 10}};
+                                        {"flag_on_pole", 4.0, {}, false, 10},
+                                        {"tablecloth", 2.0},
+                                        {"mannequin", 2.0},
+                                        {"cape", 6.24, {}, false, 10}};
   return quick ? few : all;
 }
 
