@@ -1,7 +1,7 @@
 // Prints a hash of where each method brings two cloths, one a line: what has to come out the same on every processor
 // with fused multiply-add. scripts/check-arm holds Arm against the machine that it runs on.
-#include "simd/simd_meshes.hpp"
 #include "sim/solver.hpp"
+#include "simd/simd_meshes.hpp"
 #include "test_meshes.hpp"
 
 #include <iostream>
