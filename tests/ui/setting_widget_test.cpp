@@ -83,6 +83,14 @@ TEST_F(SettingWidget, WidgetsStayInsideTheColumn) {
   }
 }
 
+TEST_F(SettingWidget, NoTitleIsCutShort) {
+  // A label has two fifths of its row, the widget the rest; and there is a little space between them.
+  const double room = widget("drag").width * 2.0 / 3.0 - 4.0;
+  for (const SettingInfo& info : settingsTable()) {
+    EXPECT_LT(ImGui::CalcTextSize(std::string(info.title).c_str()).x, room) << info.key;
+  }
+}
+
 TEST_F(SettingWidget, DraggingASliderSetsTheValueUnderTheMouse) {
   const UiOutput output = drag(widget("drag"), 0.1, 0.5);
   EXPECT_NEAR(std::get<double>(lastValue(output, "drag")), 5.0, 0.05);
