@@ -28,6 +28,8 @@ const std::vector<Meeting>& meetings(bool quick) {
   static const std::vector<Meeting> few{{"fold", 3.0, {17, 33}, true}, {"sphere", 0.6, {17}}};
   static const std::vector<Meeting> all{{"fold", 3.0, {17, 33, 65}, true},
                                         {"edge_drop", 2.0, {}, true},
+                                        {"falling_sheet", 1.5, {}, false, 10},
+                                        {"falling_sheet_in_air", 2.5, {}, false, 10},
                                         {"sphere", 2.0, {33}},
                                         {"sphere", 1.5, {65}},
                                         {"sphere", 0.8, {129}},

@@ -14,6 +14,7 @@ struct CollisionRun {
   double selfSeconds = 0.0;     ///< mean of what self-collision took of it [s]
   double longestContact = 0.0;  ///< the 99th percentile of both together [s]
   int contacts = 0;             ///< most in a step
+  int overlapping = 0;          ///< most triangles that were inside a body when a step began
   int squeezed = 0;             ///< most vertices in a step that found no place between bodies
   int pairsWithSelf = 0;        ///< most triangle pairs of the cloth that intersected when it was looked
   int pairsWithBodies = 0;      ///< most pairs of a cloth's and a body's triangle
