@@ -80,5 +80,6 @@ void addBulletGroup(Suite& suite);
 void addViewerGroup(Suite& suite);
 void addSelfCollisionGroup(Suite& suite);
 void addBodyContactGroup(Suite& suite);
+void addAutoGroup(Suite& suite);
 
 }  // namespace drape::bench

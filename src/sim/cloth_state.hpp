@@ -25,7 +25,10 @@ struct StepMemory {
   int steps = 0;        ///< taken since there is something to remember [-]
   int caution = 0;      ///< how often the energy guard lately had a step taken again [-]
   int calm = 0;         ///< steps since then [-]
-  double gained = 0.0;  ///< energy that came from nowhere and has not gone again [J]
+  double gained = 0.0;  ///< energy that the last substeps' scheme made from nothing and that has not gone again [J]
+  double risen = 0.0;   ///< the same at the ends of the steps [J]
+  double energy = 0.0;  ///< that the last step ended with [J]
+  std::uint64_t mark = 0;  ///< of the state and the settings that this is the energy of; 0: not known
 };
 
 /// What changes while a cloth moves. Plain data: a copy is a checkpoint.

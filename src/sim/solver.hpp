@@ -63,6 +63,7 @@ struct SolverInfo {
   std::string_view help;                   ///< what it is in one sentence, then what it costs and when it fails
   std::string_view source;                 ///< who published it
   bool backwardEuler = false;              ///< solves a backward-Euler step, so other integrations can stand on it
+  bool choosesSubsteps = false;            ///< takes a time step in as many parts as it likes: `substeps` is not for it
   std::vector<std::string_view> settings;  ///< keys of the settings that it reads and that not every solver reads
   /// What is wrong with it on this cloth under these parameters, in words; empty when nothing is. May be null.
   std::string (*warning)(const ClothModel&, const StepParameters&) = nullptr;
@@ -72,7 +73,7 @@ struct SolverInfo {
   std::unique_ptr<Solver> (*make)() = nullptr;
 };
 
-/// Every solver there is; the first is the default.
+/// Every solver there is; the first is the paper's.
 [[nodiscard]] std::span<const SolverInfo> solverTable();
 
 /// The solver of that name, or nullptr.

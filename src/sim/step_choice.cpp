@@ -70,6 +70,14 @@ void StepChoice::add(const StepChoice& next) {
   lastResort = lastResort || before.lastResort;
 }
 
+std::vector<std::pair<std::string_view, double>> figuresOf(const StepChoice& choice) {
+  return {{"order", choice.order},         {"substeps", choice.substeps},
+          {"passes", choice.passes},       {"hardness", choice.hardness},
+          {"stiffness", choice.stiffness}, {"levels", choice.levels},
+          {"retaken", choice.retaken},     {"last_resort", choice.lastResort ? 1.0 : 0.0},
+          {"error", choice.error},         {"gained", choice.gained}};
+}
+
 std::string inWords(const StepChoice& choice, double seconds, double available) {
   constexpr double allOfIt = 0.995;
   std::string words = hardnessInWords(choice.hardness) + schemeInWords(choice);

@@ -30,16 +30,17 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
                          ClothState& state) {
   const double end = state.time + parameters.timeStep;
   StepParameters part = parameters;
-  part.timeStep = parameters.timeStep / parameters.substeps;
   StepReport total;
   contact_.begin(parameters, inputs, state);
   planPins(model, inputs, state);
+  const int substeps = info_->choosesSubsteps && pinWays_.empty() ? 1 : parameters.substeps;
+  part.timeStep = parameters.timeStep / substeps;
   if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum && pinWays_.empty()) {
     state.history.timeStep = 0.0;
-    total = solver_->steps(model, part, inputs, parameters.substeps, state);
+    total = solver_->steps(model, part, inputs, substeps, state);
   } else {
-    for (int i = 0; i < parameters.substeps; ++i) {
-      movePins((i + 1.0) / parameters.substeps, state);
+    for (int i = 0; i < substeps; ++i) {
+      movePins((i + 1.0) / substeps, state);
       total.add(substep(model, part, inputs, state));
     }
   }

@@ -9,8 +9,9 @@
 
 namespace drape {
 
-/// Advances a cloth by one time step: substeps, the integration and the solver that the parameters ask for. What a
-/// solver does with its step is its own; what stands around it is here, so that it need not be written for each.
+/// Advances a cloth by one time step: substeps (unless the solver chooses its own), the integration and the solver that
+/// the parameters ask for. What a solver does with its step is its own; what stands around it is here, so that it need
+/// not be written for each.
 ///
 /// With S(h) a solver's backward-Euler step from (x, v):
 /// - theta:  (x', v') = (x, v) + (S(theta h) - (x, v)) / theta. For theta = 1/2 this is the implicit midpoint rule.

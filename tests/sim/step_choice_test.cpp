@@ -23,6 +23,23 @@ TEST(StepChoice, namesTheFourthOrderAndTheLastResort) {
             "soft cloth: 4 substeps of XPBD, taken again 4 times");
 }
 
+TEST(StepChoice, isToldInFiguresByName) {
+  const auto figures = figuresOf({.substeps = 12, .lastResort = true, .gained = 0.25});
+  const auto value = [&](std::string_view wanted) {
+    for (const auto& [name, figure] : figures) {
+      if (name == wanted) {
+        return figure;
+      }
+    }
+    ADD_FAILURE() << "there is no " << wanted;
+    return 0.0;
+  };
+  EXPECT_EQ(value("substeps"), 12.0);
+  EXPECT_EQ(value("last_resort"), 1.0);
+  EXPECT_EQ(value("gained"), 0.25);
+  EXPECT_EQ(value("stiffness"), 1.0);
+}
+
 TEST(StepChoice, ofSeveralStepsAddsTheirSubstepsAndKeepsTheWorstStiffness) {
   StepChoice choice{.substeps = 3, .passes = 12, .hardness = 1.0, .stiffness = 0.5, .retaken = 1};
   choice.add({.substeps = 5, .passes = 5, .hardness = 2.0, .stiffness = 1.0, .error = 0.1});

@@ -41,24 +41,33 @@ double startOf(ExplicitScheme scheme) {
 
 template <typename T>
 StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                               const StepInputs& inputs, const StepPlan& plan, const ClothState& state) {
+                               const StepInputs& inputs, const StepPlan& plan, const ClothState& state,
+                               bool measureStart) {
   cloth_ = &cloths_.get(model);
   step_ = sliceStepOf<T>(parameters);
   step_.damping = static_cast<T>(plan.damping);
   hold(model, rates, parameters, plan);
   const auto places = static_cast<std::size_t>(cloth_->layout.slices()) * sliceLanes;
-  firstEnergy_.resize(places);
-  lastEnergy_.resize(places);
-  firstCoarse_ = 0.0;
-  lastCoarse_ = 0.0;
+  for (std::vector<T>* energy : {&firstEnergy_, &lastEnergy_, &startEnergy_, &endEnergy_}) {
+    energy->resize(places);
+  }
+  firstCoarse_ = lastCoarse_ = startCoarse_ = endCoarse_ = 0.0;
   const int threads = usefulThreads(cloth_->layout, parameters.threads);
   cloth_->prepare(threads, 1);
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth_->layout, 1, member, threads);
     cloth_->load(state, share);
+    if (measureStart) {
+      team_.meet();
+      measure(plan, startEnergy_, startCoarse_, share);
+    }
     move(model, inputs, plan, parameters.timeStep / plan.substeps, share);
+    measure(plan, endEnergy_, endCoarse_, share);
   });
-  return {sumOf(firstEnergy_) + firstCoarse_, sumOf(lastEnergy_) + lastCoarse_};
+  return {.first = sumOf(firstEnergy_) + firstCoarse_,
+          .last = sumOf(lastEnergy_) + lastCoarse_,
+          .start = measureStart ? sumOf(startEnergy_) + startCoarse_ : 0.0,
+          .end = sumOf(endEnergy_) + endCoarse_};
 }
 
 template <typename T>
@@ -111,9 +120,10 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
       const bool lastKick = i + 1 == plan.substeps && s + 1 == stages.size();
       const bool between = s + 1 == stages.size() && !lastKick;
       const double drift = (stages[s].drift + (between ? start : 0.0)) * substep;
-      T* const energy = firstKick ? firstEnergy_.data() : lastKick ? lastEnergy_.data() : nullptr;
-      kick(plan, stages[s].kick * substep, inputs.grab ? 0.0 : drift, energy, firstKick ? &firstCoarse_ : &lastCoarse_,
-           share);
+      SliceStep<T> step = step_;
+      step.timeStep = static_cast<T>(stages[s].kick * substep);
+      step.energy = firstKick ? firstEnergy_.data() : lastKick ? lastEnergy_.data() : nullptr;
+      kick(step, plan, static_cast<T>(inputs.grab ? 0.0 : drift), firstKick ? &firstCoarse_ : &lastCoarse_, share);
       if (inputs.grab) {
         if (share.member == 0) {
           pullByHand(model, stages[s].kick * substep, *inputs.grab, *cloth_);
@@ -127,25 +137,33 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
 }
 
 template <typename T>
-void AdaptiveRun<T>::kick(const StepPlan& plan, double time, double drift, T* energy, double* coarseEnergy,
+void AdaptiveRun<T>::kick(const SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy,
                           const StepShare& share) {
   if (levelsAtWork_ > 0 && plan.levels) {
     if (share.member == 0) {
-      motion_->accelerate(*cloth_, energy != nullptr);
-      if (energy != nullptr) {
+      motion_->accelerate(*cloth_, step.energy != nullptr);
+      if (step.energy != nullptr) {
         *coarseEnergy = motion_->energy();
       }
     }
     team_.meet();
   }
-  SliceStep<T> step = step_;
-  step.timeStep = static_cast<T>(time);
-  step.energy = energy;
   const int phases = share.first && share.last ? 1 : 2;
   for (int phase = 0; phase < phases; ++phase) {
-    verletPhase(*cloth_, step, static_cast<T>(drift), share, phase);
+    verletPhase(*cloth_, step, drift, share, phase);
     team_.meet();
   }
+}
+
+/// A kick that lasts no time changes nothing and tells the energy of the cloth as it stands.
+template <typename T>
+void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy,
+                             const StepShare& share) {
+  SliceStep<T> still = step_;
+  still.timeStep = T(0);
+  still.damping = still.drag = still.lift = T(0);
+  still.energy = energy.data();
+  kick(still, plan, T(0), &coarseEnergy, share);
 }
 
 template <typename T>

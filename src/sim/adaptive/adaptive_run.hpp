@@ -12,21 +12,25 @@
 
 namespace drape {
 
-/// The energy of a step's own motion in the middle of its first and its last substep: that of the springs as they are
-/// held and of the coarse levels, with what moves and what is lifted. Both are had by the way, from forces that are
-/// evaluated in any case. A scheme that is stable keeps it but for what damping, air and hand do.
+/// The energy of a step: that of the springs as they are held and of the coarse levels, with what moves and what is
+/// lifted. In the middle of the first and the last substep it is had by the way, from forces that are evaluated in any
+/// case, as 1/2 m v.v' + V(x), which a scheme that is stable keeps but for what damping, air and hand do. At the step's
+/// ends it is the one that everybody else sees; there it comes and goes by up to (h omega)^2 / 4 of what vibrates.
 struct StepEnergy {
-  double first = 0.0;  ///< [J]
-  double last = 0.0;   ///< [J]
+  double first = 0.0;  ///< in the middle of the first substep [J]
+  double last = 0.0;   ///< in the middle of the last substep [J]
+  double start = 0.0;  ///< where the step begins, when it was asked for [J]
+  double end = 0.0;    ///< where it ends [J]
 };
 
 /// Takes a step of a cloth as a plan says, by vector instructions and in the precision of T.
 template <typename T>
 class AdaptiveRun {
  public:
-  /// Takes a step from `state`, which stays as it is. Call `store` to have the result.
+  /// Takes a step from `state`, which stays as it is. Call `store` to have the result. The energy at the end costs a
+  /// pass over the springs, that at the start another.
   StepEnergy run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                 const StepInputs& inputs, const StepPlan& plan, const ClothState& state);
+                 const StepInputs& inputs, const StepPlan& plan, const ClothState& state, bool measureStart);
 
   /// Gives positions and velocities at the end of the step that was run last. `state` is the one that it began from.
   void store(ClothState& state);
@@ -48,7 +52,8 @@ class AdaptiveRun {
   void hold(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan);
   void move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
             const StepShare& share);
-  void kick(const StepPlan& plan, double time, double drift, T* energy, double* coarseEnergy, const StepShare& share);
+  void kick(const SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy, const StepShare& share);
+  void measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy, const StepShare& share);
   [[nodiscard]] double sumOf(const std::vector<T>& energy) const;
 
   ThreadTeam team_;
@@ -62,8 +67,12 @@ class AdaptiveRun {
   SliceStep<T> step_;
   std::vector<T> firstEnergy_;
   std::vector<T> lastEnergy_;
+  std::vector<T> startEnergy_;
+  std::vector<T> endEnergy_;
   double firstCoarse_ = 0.0;  // [J]
   double lastCoarse_ = 0.0;   // [J]
+  double startCoarse_ = 0.0;  // [J]
+  double endCoarse_ = 0.0;    // [J]
 };
 
 }  // namespace drape

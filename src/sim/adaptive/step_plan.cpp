@@ -1,5 +1,6 @@
 #include "sim/adaptive/step_plan.hpp"
 
+#include "sim/measures.hpp"
 #include "sim/stability.hpp"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace {
 /// that a short budget is stretched to.
 constexpr double comfortable = 0.9;
 constexpr double atMost = 1.02;
+/// How far the budget is exceeded where all springs then keep their stiffness: held ones would be worse by far.
+constexpr double stretched = 1.4;
 /// h omega that held springs are held to. Crumpled cloth is up to 1.22 times as fast as its rest shape.
 constexpr double heldTo = 1.8;
 /// A substep of the fourth order takes four passes and is stable to about h omega = 2.5.
@@ -24,12 +27,15 @@ constexpr double fewestPasses = 4.0;
 /// Passes of a first step, about which nothing is known yet: on the safe side.
 constexpr double firstPasses = 64.0;
 constexpr double firstOfLimit = 2.0;
+/// No tolerance asks for more passes than so many times what is stable: a chaotic motion would ask without end.
+constexpr double mostOfLimit = 8.0;
 
 bool dependsOnPositionsAlone(const StepParameters& parameters, const StepInputs& inputs) {
   return parameters.damping == 0.0 && parameters.drag == 0.0 && parameters.lift == 0.0 && !inputs.grab;
 }
 
-StepPlan heldPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, int substeps) {
+/// Springs that are held to what so many substeps carry.
+StepPlan heldPlan(const ClothModel& model, const StepParameters& parameters, int substeps) {
   StepPlan plan{.substeps = substeps, .damping = parameters.damping};
   const double h = parameters.timeStep / substeps;
   const double damped = 2.0 * h * model.unitDampingRate * parameters.damping;
@@ -37,7 +43,6 @@ StepPlan heldPlan(const ClothModel& model, const LocalRates& rates, const StepPa
     plan.damping *= dampingHeldTo / damped;
   }
   plan.carried = std::sqrt(heldTo * heldTo - std::min(damped, dampingHeldTo));
-  plan.levels = medianShare(rates, parameters, plan) < enoughStiffness;
   return plan;
 }
 
@@ -57,6 +62,7 @@ LocalRates localRatesOf(const ClothModel& model) {
     std::nth_element(free.begin(), middle, free.end());
     rates.median = *middle;
   }
+  rates.diagonal = diagonalOf(model);
   return rates;
 }
 
@@ -71,16 +77,44 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   const double budget = std::min(mostPasses, passesInBudget(model, parameters));
   const double needed = parameters.timeStep / verletStepLimit(model, parameters);
   const double wanted = memory.passes > 0.0 ? memory.passes : firstPasses + firstOfLimit * needed;
-  const double passes = std::clamp(std::max(needed / comfortable, wanted), fewestPasses, budget);
+  const double stable = std::max(fewestPasses, needed / comfortable);
+  const double passes = std::min(budget, std::clamp(wanted, stable, mostOfLimit * std::max(stable, firstPasses / 8.0)));
   const double hardness = parameters.timeStep * largestFrequency(model, parameters);
   if (passes >= passesOfFourthOrder * hardness && dependsOnPositionsAlone(parameters, inputs)) {
     return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(passes / 4.0)};
   }
-  const int substeps = static_cast<int>(passes);
-  if (substeps >= needed / atMost) {
+  const double fewest = std::ceil(needed / atMost);
+  const int substeps = static_cast<int>(fewest > passes && fewest <= stretched * passes ? fewest : passes);
+  if (substeps >= fewest) {
     return {.substeps = substeps, .damping = parameters.damping};
   }
-  return heldPlan(model, rates, parameters, substeps);
+  const StepPlan held = heldPlan(model, parameters, substeps);
+  if (medianShare(rates, parameters, held) >= enoughStiffness) {
+    return held;
+  }
+  StepPlan withLevels = heldPlan(model, parameters, static_cast<int>(std::max(fewestPasses, passes / costWithLevels)));
+  withLevels.levels = true;
+  return withLevels;
+}
+
+bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                   const ClothState& state) {
+  constexpr double measured = 0.02;
+  constexpr double inMotion = 0.002;  // of what falling sets free, in a second [1/s]
+  constexpr double leastFall = 1.0;   // [m^2/s^2]
+  constexpr double atRest = 1e-7;     // [W/kg]
+  const double substeps =
+      std::min(passesInBudget(model, parameters), parameters.timeStep * largestFrequency(model, parameters) / heldTo);
+  const double h = parameters.timeStep / std::max(1.0, substeps);
+  const double omegaSquared = std::min(parameters.stiffness * rates.median, heldTo * heldTo / (h * h));
+  double farthest = 0.0;
+  for (const Vec3& position : state.positions) {
+    farthest = std::max(farthest, position.lpNorm<Eigen::Infinity>());
+  }
+  const double rounding = 0x1p-24 * farthest;
+  const double heating = 0.5 * measured * omegaSquared * rounding * rounding / h;  // [W/kg]
+  const bool comesToRest = (parameters.damping > 0.0 || parameters.drag > 0.0) && parameters.wind.isZero(0.0);
+  return heating > (comesToRest ? atRest : inMotion * std::max(leastFall, parameters.gravity * rates.diagonal));
 }
 
 double medianShare(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {

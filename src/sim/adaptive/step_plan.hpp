@@ -12,6 +12,7 @@ namespace drape {
 struct LocalRates {
   std::vector<double> unit;  ///< omega_i^2 / k [1/kg], one a vertex
   double median = 0.0;       ///< [1/kg]
+  double diagonal = 0.0;     ///< of the rest shape [m]
 };
 
 [[nodiscard]] LocalRates localRatesOf(const ClothModel& model);
@@ -22,6 +23,9 @@ enum class ExplicitScheme {
   Pefrl    ///< fourth order, four passes (Omelyan, Mryglod and Folk, 2002, Comput. Phys. Commun. 146, 188)
 };
 
+/// What an evaluation of all springs costs when coarse levels take part, in evaluations without (bench/auto_bench.cpp).
+inline constexpr int costWithLevels = 2;
+
 /// How a step is to be taken.
 struct StepPlan {
   ExplicitScheme scheme = ExplicitScheme::Verlet;
@@ -30,7 +34,10 @@ struct StepPlan {
   double damping = 0.0;  ///< of every spring [N s/m], no more than the substep carries
   bool levels = false;   ///< coarse levels give back what the springs do not carry
 
+  /// Evaluations of all springs.
   [[nodiscard]] int passes() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }
+  /// What they cost, in evaluations without coarse levels.
+  [[nodiscard]] int cost() const { return levels ? costWithLevels * passes() : passes(); }
 };
 
 /// The evaluations of all springs that the budget allows for a step, no fewer than four.
@@ -39,12 +46,19 @@ struct StepPlan {
 /// The cheapest plan that is expected to hold `errorTolerance`, as far as the budget goes. With B passes and the
 /// frame's hardness H = timeStep omega (docs/auto.md derives the bounds):
 /// - B >= 2 H: the fourth order, where nothing but positions matters (no damping, air or hand);
-/// - B >= H / 2.04: Verlet;
-/// - less: Verlet on springs that are held to what the substep carries, and below 0.7 of their stiffness with coarse
-///   levels.
+/// - B >= H / 2.04: Verlet; also where that takes up to 1.4 times the budget;
+/// - less: Verlet on springs that are held to what the substep carries;
+/// - where that is less than half of their stiffness: half as many substeps, since coarse levels take as long again.
 /// Depends on its arguments alone.
 [[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                 const StepInputs& inputs, const StepMemory& memory);
+
+/// True when rounding to float would warm the cloth up noticeably. A substep h rounds each place by up to
+/// d = 2^-24 |x|, which is worth about c m omega^2 d^2 / 2 on stiff springs; c = 0.02 was measured (docs/auto.md).
+/// Noticeable is a five-hundredth of the energy that falling by its own size gives the cloth, in a second; for cloth
+/// that damping or still air bring to rest it is what keeps vertices moving by some tenths of a millimetre a second.
+[[nodiscard]] bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                                 const ClothState& state);
 
 /// The share of their stiffness that the springs of the median vertex keep under a plan [-].
 [[nodiscard]] double medianShare(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan);

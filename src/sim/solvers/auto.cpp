@@ -1,7 +1,9 @@
 #include "sim/adaptive/adaptive_run.hpp"
+#include "sim/adaptive/energy_guard.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/momentum.hpp"
+#include "sim/pieces.hpp"
 #include "sim/solvers/registry.hpp"
 #include "sim/stability.hpp"
 
@@ -18,36 +20,14 @@ namespace {
 constexpr int mostRetakes = 3;
 /// No step begins with more than so many of them: the last resort is tried last.
 constexpr int mostCaution = 2;
-/// Error estimates come at the steps 0, 1, 2, 4, 8, 16 and then at every 32nd.
-constexpr int estimateEvery = 32;
+/// Error estimates come at the steps 0, 1, 2, 4, 8, 16, 32 and then at every 64th.
+constexpr int estimateEvery = 64;
 /// What the estimated error stands for: the position error after so long [s].
 constexpr double errorTime = 0.2;
 
 bool estimateIsDue(int steps) {
   return steps < estimateEvery ? std::has_single_bit(static_cast<unsigned>(steps)) || steps == 0
                                : steps % estimateEvery == 0;
-}
-
-/// What growth of energy is held against [J]: the motion that there is, and what falling through a tenth of the cloth's
-/// own size sets free.
-double energyScale(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
-                   const StepEnergy& energy) {
-  constexpr double ofFall = 0.1;
-  double lifted = 0.0;
-  Eigen::AlignedBox3d box;
-  for (std::size_t i = 0; i < state.positions.size(); ++i) {
-    lifted += model.vertexMass[i] * state.positions[i].y();
-    box.extend(model.restPositions[i]);
-  }
-  const double motion = std::max(0.0, energy.first - parameters.gravity * lifted);
-  return motion + ofFall * model.totalMass() * parameters.gravity * box.diagonal().norm();
-}
-
-/// A bound of what wind does to a cloth in a step [J]: the air's force on all of its area, as fast as the wind.
-double mostWorkOfWind(const ClothModel& model, const StepParameters& parameters) {
-  const double speed = parameters.wind.norm();
-  const double pressure = 0.5 * parameters.airDensity * (parameters.drag + parameters.lift) * speed * speed;
-  return pressure * model.restArea() * speed * parameters.timeStep;
 }
 
 /// A method that chooses for itself. In each step:
@@ -61,9 +41,8 @@ double mostWorkOfWind(const ClothModel& model, const StepParameters& parameters)
 template <typename T>
 class AdaptiveStep {
  public:
-  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                  ClothState& state) {
-    const LocalRates& rates = rates_.get(model, localRatesOf);
+  StepReport step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                  const StepInputs& inputs, ClothState& state) {
     StepPlan plan = planStep(model, rates, parameters, inputs, state.memory);
     for (int i = 0; i < state.memory.caution; ++i) {
       plan = saferThan(plan);
@@ -87,6 +66,7 @@ class AdaptiveStep {
       state.memory.steps = estimateEvery;
     }
     choice.error = state.memory.error;
+    choice.gained = state.memory.risen;
     state.time += parameters.timeStep;
     return {.choice = choice};
   }
@@ -94,12 +74,17 @@ class AdaptiveStep {
  private:
   void take(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
             const StepInputs& inputs, StepPlan plan, ClothState& state, StepChoice& choice) {
+    guard_.begin(model, rates, parameters, state);
     for (int retake = 0; retake <= mostRetakes; ++retake) {
-      const StepEnergy energy = run_.run(model, rates, parameters, inputs, plan, state);
-      choice.passes += plan.passes();
+      const bool startIsKnown = guard_.knowsStart(plan, state.memory);
+      StepEnergy energy = run_.run(model, rates, parameters, inputs, plan, state, !startIsKnown);
+      energy.start = startIsKnown ? state.memory.energy : energy.start;
+      const double work = mostWorkOfWind(model, parameters) + workOfHand(model, inputs, state);
+      choice.passes += plan.cost();
       choice.levels = run_.levels();
-      if (!grew(model, parameters, inputs, state, energy, retake > 0)) {
+      if (!guard_.grew(energy, work, retake > 0, state.memory)) {
         run_.store(state);
+        guard_.book(model, parameters, plan, energy, work, state);
         return;
       }
       ++choice.retaken;
@@ -134,30 +119,6 @@ class AdaptiveStep {
     plan.scheme = ExplicitScheme::Verlet;
     plan.carried *= less;
     return plan;
-  }
-
-  /// True when the energy is no number, or grew and neither wind nor hand can have done it: by more than a hundredth
-  /// over all steps, so that what comes and goes does not count, and for a step that is taken again also within it.
-  [[nodiscard]] bool grew(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                          ClothState& state, const StepEnergy& energy, bool again) {
-    constexpr double inAll = 0.01;
-    constexpr double inOneStep = 0.002;
-    const double growth = energy.last - energy.first;
-    if (!std::isfinite(growth)) {
-      return true;
-    }
-    double& gained = state.memory.gained;
-    if (growth <= 0.0) {
-      gained = std::max(0.0, gained + growth);
-      return false;
-    }
-    const double unexplained = growth - mostWorkOfWind(model, parameters) - workOfHand(model, inputs, state);
-    const double scale = energyScale(model, parameters, state, energy);
-    if (unexplained > (again ? inOneStep * scale : inAll * scale - gained)) {
-      return true;
-    }
-    gained = again ? 0.0 : std::max(0.0, gained + unexplained);
-    return false;
   }
 
   /// The most that the hand has done in the step that was run last [J].
@@ -196,34 +157,20 @@ class AdaptiveStep {
     choice.levels = 0;
     choice.lastResort = true;
     state.memory.gained = 0.0;
-    lastResort_->steps(model, parameters, inputs, substeps, state);
+    for (int i = 0; i < substeps; ++i) {
+      momentum_.before(model, parameters, inputs, state);
+      lastResort_->step(model, parameters, inputs, state);
+      momentum_.after(model, parameters.timeStep, parameters.timeStep, state);
+    }
     state.time = time;
-    slowTo(allowed, model, parameters, state);
-  }
-
-  /// Slows what moves against the cloth's mean motion down until the energy is no more than `allowed` [J], or all of it
-  /// is elastic or lifted. Cloth that is pinned moves against its pins.
-  static void slowTo(double allowed, const ClothModel& model, const StepParameters& parameters, ClothState& state) {
-    const Energy energy = energyOf(model, parameters, state);
-    if (energy.total() <= allowed) {
-      return;
-    }
-    const bool held = std::find(model.pinned.begin(), model.pinned.end(), true) != model.pinned.end();
-    const Vec3 mean = held ? Vec3(Vec3::Zero()) : Vec3(linearMomentum(model, state) / model.totalMass());
-    const double carried = 0.5 * model.totalMass() * mean.squaredNorm();
-    const double moving = energy.kinetic - carried;
-    const double left = std::max(0.0, moving - (energy.total() - allowed));
-    const double factor = moving > 0.0 ? std::sqrt(left / moving) : 0.0;
-    for (Vec3& velocity : state.velocities) {
-      velocity = mean + factor * (velocity - mean);
-    }
+    slowDown(model, pieces_.get(model, freePieces), energyOf(model, parameters, state).total() - allowed, state);
   }
 
   void takeFiner(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                  const StepInputs& inputs, StepPlan plan, const ClothState& state, StepChoice& choice) {
     plan.substeps *= 2;
-    run_.run(model, rates, parameters, inputs, plan, state);
-    choice.passes += plan.passes();
+    run_.run(model, rates, parameters, inputs, plan, state, false);
+    choice.passes += plan.cost();
     finer_ = state;
     run_.store(finer_);
   }
@@ -250,9 +197,9 @@ class AdaptiveStep {
     if (!std::isfinite(error)) {
       return;
     }
-    const double passes = plan.passes() * std::pow(error / parameters.errorTolerance, 1.0 / order);
+    const double passes = plan.cost() * std::pow(error / parameters.errorTolerance, 1.0 / order);
     state.memory.error = error;
-    state.memory.passes = std::max({1.0, 0.5 * plan.passes(), passes});
+    state.memory.passes = std::max({1.0, 0.5 * plan.cost(), passes});
   }
 
   /// Each value becomes the mean of itself and its neighbours'.
@@ -269,8 +216,10 @@ class AdaptiveStep {
   }
 
   AdaptiveRun<T> run_;
-  ModelCache<LocalRates> rates_;
+  EnergyGuard guard_;
   std::unique_ptr<Solver> lastResort_;
+  MomentumKeeper momentum_;
+  ModelCache<std::vector<std::vector<std::size_t>>> pieces_;
   ClothState finer_;
   ClothState after_;
   std::vector<Vec3> averaged_;
@@ -280,11 +229,14 @@ class AutoSolver final : public Solver {
  public:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
-    return parameters.precision == Precision::Float ? single_.step(model, parameters, inputs, state)
-                                                    : double_.step(model, parameters, inputs, state);
+    const LocalRates& rates = rates_.get(model, localRatesOf);
+    const bool exact = parameters.precision == Precision::Double || roundingHeats(model, rates, parameters, state);
+    return exact ? double_.step(model, rates, parameters, inputs, state)
+                 : single_.step(model, rates, parameters, inputs, state);
   }
 
  private:
+  ModelCache<LocalRates> rates_;
   AdaptiveStep<float> single_;
   AdaptiveStep<double> double_;
 };
@@ -292,11 +244,9 @@ class AutoSolver final : public Solver {
 /// What the springs keep when the whole budget is spent, and the budget with which they would keep all.
 std::string warning(const ClothModel& model, const StepParameters& parameters) {
   constexpr double noticeable = 0.8;
-  StepParameters part = parameters;
-  part.timeStep = parameters.timeStep / parameters.substeps;
-  const double frequency = largestFrequency(model, part);
-  const double substeps = std::floor(passesInBudget(model, part));
-  const double carried = substeps * 2.0 / std::max(frequency * part.timeStep, 1e-30);
+  const double frequency = largestFrequency(model, parameters);
+  const double substeps = std::floor(passesInBudget(model, parameters));
+  const double carried = substeps * 2.0 / std::max(frequency * parameters.timeStep, 1e-30);
   if (carried * carried >= noticeable) {
     return {};
   }
@@ -321,7 +271,8 @@ SolverInfo solvers::adaptive() {
               "softer than asked for, and says so, where cloth is too stiff and fine for the work allowed.",
           .source = "Drape (docs/auto.md), on Stoermer-Verlet and Omelyan, Mryglod and Folk, 2002",
           .backwardEuler = false,
-          .settings = {"precision", "auto.work", "auto.tolerance"},
+          .choosesSubsteps = true,
+          .settings = {"precision", "auto.work", "auto.budget", "auto.tolerance"},
           .warning = warning,
           .stepLimit = nullptr,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<AutoSolver>(); }};

@@ -1,0 +1,121 @@
+#include "sim/adaptive/energy_guard.hpp"
+
+#include "sim/inner_motion.hpp"
+#include "sim/pieces.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+std::uint64_t bitsOf(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+/// A sum over all bits, so that a change of any one shows.
+std::uint64_t sumOf(const std::vector<Vec3>& vectors) {
+  std::uint64_t sum = 0;
+  for (const Vec3& each : vectors) {
+    sum += bitsOf(each.x()) + 3 * bitsOf(each.y()) + 5 * bitsOf(each.z());
+  }
+  return sum;
+}
+
+/// Of all that the energy depends on but the plan.
+std::uint64_t markOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
+  return sumOf(state.positions) + 7 * sumOf(state.velocities) + bitsOf(parameters.stiffness) +
+         3 * bitsOf(parameters.gravity) + 5 * bitsOf(parameters.timeStep) + 7 * bitsOf(model.unitFrequency);
+}
+
+std::uint64_t markOf(const StepPlan& plan) {
+  return plan.carried > 0.0 ? bitsOf(plan.carried) + static_cast<std::uint64_t>(plan.substeps) : 0;
+}
+
+}  // namespace
+
+double mostWorkOfWind(const ClothModel& model, const StepParameters& parameters) {
+  const double speed = parameters.wind.norm();
+  if (speed == 0.0) {
+    return 0.0;
+  }
+  const double pressure = 0.5 * parameters.airDensity * (parameters.drag + parameters.lift) * speed * speed;
+  return pressure * model.restArea() * speed * parameters.timeStep;
+}
+
+double slowDown(const ClothModel& model, const std::vector<std::vector<std::size_t>>& freePieces, double energy,
+                ClothState& state) {
+  if (energy <= 0.0) {
+    return 0.0;
+  }
+  const InnerMotion inner(model, freePieces, state);
+  const double left = std::max(0.0, inner.energy() - energy);
+  inner.scale(inner.energy() > 0.0 ? std::sqrt(left / inner.energy()) : 0.0, state);
+  return inner.energy() - left;
+}
+
+void EnergyGuard::begin(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                        const ClothState& state) {
+  double mass = 0.0;
+  double moment = 0.0;
+  for (std::size_t i = 0; i < state.positions.size(); ++i) {
+    mass += model.vertexMass[i];
+    moment += model.vertexMass[i] * state.positions[i].y();
+  }
+  lifted_ = parameters.gravity * moment;
+  weight_ = parameters.gravity * mass * rates.diagonal;
+  mark_ = markOf(model, parameters, state);
+  fades_ = parameters.damping != 0.0 || parameters.drag != 0.0 || parameters.lift != 0.0;
+}
+
+bool EnergyGuard::knowsStart(const StepPlan& plan, const StepMemory& memory) const {
+  return memory.mark == mark_ + markOf(plan);
+}
+
+/// What growth is held against [J]: the motion and tension that there are, and what falling sets free.
+double EnergyGuard::scaleOf(double startEnergy, double ofFall) const {
+  return std::max(0.0, startEnergy - lifted_) + ofFall * weight_;
+}
+
+bool EnergyGuard::grew(const StepEnergy& energy, double work, bool again, StepMemory& memory) const {
+  constexpr double inAll = 0.01;
+  constexpr double inOneStep = 0.002;
+  constexpr double ofFall = 0.1;
+  constexpr double outOfHand = 0.05;  // at the ends: more than should be taken out of the motion
+  const double growth = energy.last - energy.first;
+  if (!std::isfinite(growth) || !std::isfinite(energy.end)) {
+    return true;
+  }
+  if (memory.risen + energy.end - energy.start - work > outOfHand * scaleOf(energy.start, 1.0)) {
+    return true;
+  }
+  if (growth <= 0.0) {
+    memory.gained = std::max(0.0, memory.gained + growth);
+    return false;
+  }
+  const double unexplained = growth - work;
+  const double scale = scaleOf(energy.first, ofFall);
+  if (unexplained > (again ? inOneStep * scale : inAll * scale - memory.gained)) {
+    return true;
+  }
+  memory.gained = again ? 0.0 : std::max(0.0, memory.gained + unexplained);
+  return false;
+}
+
+void EnergyGuard::book(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan,
+                       const StepEnergy& energy, double work, ClothState& state) {
+  constexpr double most = 0.004;
+  const double room = most * scaleOf(energy.start, 1.0);
+  StepMemory& memory = state.memory;
+  memory.risen += energy.end - energy.start - work;
+  if (fades_ || work > 0.0) {
+    memory.risen = std::max(0.0, memory.risen);
+  }
+  const double taken = slowDown(model, pieces_.get(model, freePieces), memory.risen - room, state);
+  memory.risen -= taken;
+  memory.energy = energy.end - taken;
+  memory.mark = markOf(model, parameters, state) + markOf(plan);
+}
+
+}  // namespace drape
