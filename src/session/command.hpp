@@ -46,6 +46,11 @@ struct MoveBodyCommand {
   int body = 0;               ///< index into the scene's bodies
   Vec3 shift = Vec3::Zero();  ///< [m]
 };
+/// The work that `auto` may do, as it follows from the time allowed for it (auto.budget). The simulation gives this
+/// command to itself, so that the log holds what the clock had to say.
+struct AllowWorkCommand {
+  double work = 0.0;  ///< 1e6 evaluations of a spring a simulated second [1e6/s]
+};
 struct LoadSceneCommand {
   std::shared_ptr<const Scene> scene;
 };
@@ -53,7 +58,7 @@ struct LoadSceneCommand {
 /// Everything that anybody can ask of a running simulation.
 using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, GrabCommand,
                              MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, MovePinsCommand, SwitchBodyCommand,
-                             MoveBodyCommand, LoadSceneCommand>;
+                             MoveBodyCommand, AllowWorkCommand, LoadSceneCommand>;
 
 /// A command and how many steps had been taken when it took effect: enough to run a session again.
 struct LoggedCommand {

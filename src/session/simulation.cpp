@@ -50,6 +50,16 @@ void Simulation::step() {
   tellOfOverlap();
   ++stepIndex_;
   ++stepsTaken_;
+  keepBudget();
+}
+
+void Simulation::keepBudget() {
+  if (replaying_) {
+    return;
+  }
+  if (const auto work = budget_.workAfter(settings_, *model_, stepReport_, stepSeconds_)) {
+    apply(AllowWorkCommand{*work});
+  }
 }
 
 /// Once, when it begins: what was inside a body from the start is pushed out slowly.
@@ -74,12 +84,14 @@ void Simulation::stepGhost() {
 }
 
 void Simulation::replay(const std::vector<LoggedCommand>& log) {
+  replaying_ = true;
   for (const LoggedCommand& entry : log) {
     while (stepsTaken_ < entry.step) {
       step();
     }
     apply(entry.command);
   }
+  replaying_ = false;
 }
 
 void Simulation::capture(Snapshot& snapshot) const {
@@ -240,6 +252,10 @@ std::size_t Simulation::requireBody(int body) const {
   return static_cast<std::size_t>(body);
 }
 
+void Simulation::on(const AllowWorkCommand& command) {
+  assignSetting(settings_, requireSetting("auto.work"), command.work);
+}
+
 void Simulation::on(const LoadSceneCommand& command) {
   if (!command.scene) {
     throw InputError("there is no scene to load");
@@ -248,6 +264,7 @@ void Simulation::on(const LoadSceneCommand& command) {
   model_ = scene_->model;
   settings_ = scene_->settings;
   ghost_.reset();
+  budget_ = {};
   bodies_ = BodyWorld(scene_->bodies, scene_->start.time);
   on(ResetCommand{});
   useSolvers();

@@ -3,6 +3,7 @@
 #include "session/command.hpp"
 #include "session/ghost.hpp"
 #include "session/snapshot.hpp"
+#include "session/work_budget.hpp"
 #include "sim/contact/body_world.hpp"
 #include "sim/stepper.hpp"
 
@@ -70,11 +71,13 @@ class Simulation {
   void on(const MovePinsCommand& command);
   void on(const SwitchBodyCommand& command);
   void on(const MoveBodyCommand& command);
+  void on(const AllowWorkCommand& command);
   void on(const LoadSceneCommand& command);
 
   void useSolvers();
   void useBalance();
   void stepGhost();
+  void keepBudget();
 
   /// What the hand holds; its stiffness and force come from the settings at each step.
   struct Held {
@@ -98,6 +101,8 @@ class Simulation {
   ClothState lastFinite_;
   std::optional<Ghost> ghost_;
   std::optional<EnergyBalance> balance_;
+  WorkBudget budget_;
+  bool replaying_ = false;  // what the clock had to say stands in the log
   std::optional<Held> grab_;
   StepInputs inputs_;
   BodyWorld bodies_;

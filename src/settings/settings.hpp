@@ -18,8 +18,13 @@ struct Settings {
   StepParameters step;
 
   struct SolverChoice {
-    std::string name = "one_iteration";
+    std::string name = "auto";
   } solver;
+
+  /// Of the solver `auto`, beside what stands in `step`.
+  struct Auto {
+    double budget = 0.0;  ///< computing time for each sixtieth of a second of motion [ms]; 0: step.work counts
+  } automatic;
 
   struct Material {
     std::string massGivenAs = "density";  ///< which of the two below counts: "density" or "mass"

@@ -109,6 +109,12 @@ bool solvesBackwardEuler(const Settings& settings) {
   return solves(settings.solver.name) || solves(settings.ghost.solver);
 }
 
+/// True when the cloth or its ghost is moved by a solver that takes the substeps that it is told.
+bool takesSubsteps(const Settings& settings) {
+  const SolverInfo* solver = findSolver(settings.solver.name);
+  return solver == nullptr || !solver->choosesSubsteps;
+}
+
 bool collidesWithItself(const Settings& settings) {
   return settings.step.contact.self != SelfCollision::Off;
 }
@@ -129,7 +135,9 @@ const std::array table{
         "Simulated time that one step covers. Smaller steps are more accurate and cost more."},
     SettingInfo{"substeps", "Substeps", "-", Simulation, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.step.substeps; }, 1, 1000},
-        "Equal parts that each time step is taken in. Costs as much as a time step shorter by that factor."},
+        "Equal parts that each time step is taken in. Costs as much as a time step shorter by that factor. auto chooses its "
+        "own.",
+        {}, {}, SettingScope::Everywhere, takesSubsteps},
     SettingInfo{"integration", "Integration", "-", Simulation, SettingEffect::Step,
         choiceOf<integrations, [](Settings& s) -> Integration& { return s.step.integration; }>(),
         "How an implicit step's end is found. Backward Euler is robust and damps; theta and bdf2 are of second order, "
@@ -168,7 +176,13 @@ const std::array table{
     SettingInfo{"auto.work", "Work allowed", "M/s", Simulation, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.work; }, 0.01, 1e6, true},
         "Evaluations of a spring, in millions for a second of simulated time, that auto may spend. A core does about a "
-        "thousand million in a second of the clock."},
+        "thousand million in a second of the clock. Follows from auto.budget where that is given.",
+        {}, {}, SettingScope::Everywhere, [](const Settings& s) { return s.automatic.budget == 0.0; }},
+    SettingInfo{"auto.budget", "Time allowed", "ms", Simulation, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.automatic.budget; }, 0.0, 1000.0, false},
+        "Computing time that auto may spend on each sixtieth of a second of motion, which is what a screen shows at a time. "
+        "What that pays for is measured while it runs, so that the motion depends on the machine; a recorded session is "
+        "played back the same all the same. 0: auto.work counts, and no clock."},
     SettingInfo{"auto.tolerance", "Error allowed", "m", Simulation, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.errorTolerance; }, 1e-12, 1.0, true},
         "Mean position error that auto lets 0.2 s of motion build up, as far as the work allowed goes."},

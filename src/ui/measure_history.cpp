@@ -17,7 +17,8 @@ void MeasureHistory::add(const Snapshot& snapshot) {
   samples_.push_back({.time = snapshot.time,
                       .energy = snapshot.energy,
                       .balance = snapshot.balance,
-                      .ghostDistance = snapshot.ghost ? std::optional(snapshot.ghost->meanDistance) : std::nullopt});
+                      .ghostDistance = snapshot.ghost ? std::optional(snapshot.ghost->meanDistance) : std::nullopt,
+                      .choice = snapshot.stepReport.choice});
   const auto recent = std::find_if(samples_.begin(), samples_.end(),
                                    [&](const MeasureSample& sample) { return sample.time >= snapshot.time - window; });
   samples_.erase(samples_.begin(), recent);

@@ -14,6 +14,7 @@ struct MeasureSample {
   Energy energy;
   std::optional<EnergyBalance> balance;  ///< where it was asked for
   std::optional<double> ghostDistance;   ///< mean distance of the ghost, where there is one [m]
+  std::optional<StepChoice> choice;      ///< of a solver that chooses for itself
 };
 
 /// The measures of the last seconds of simulated time. Begins anew with another scene and when the cloth is reset.

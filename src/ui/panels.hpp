@@ -32,4 +32,7 @@ void windDial(PanelContext& context);
 /// The recent cost of a step [ms] as a small filled curve.
 void historyPlot(const PanelContext& context, const History& history);
 
+/// What a solver that chooses for itself chose for the steps of the last seconds, and what came of it.
+void choicePlots(const PanelContext& context);
+
 }  // namespace drape

@@ -108,6 +108,9 @@ void performancePanel(PanelContext& context) {
   if (snapshot.ghost) {
     ghostPlot(context);
   }
+  if (snapshot.stepReport.choice) {
+    choicePlots(context);
+  }
   energyPlot(context);
   settingsOfGroup(context, SettingGroup::Performance);
   if (snapshot.balance) {

@@ -1,4 +1,5 @@
 #include "session/solver_warning.hpp"
+#include "session/work_budget.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/solver.hpp"
 #include "ui/panels.hpp"
@@ -25,6 +26,12 @@ constexpr std::string_view choosingSolver = "auto";
 
 bool canChangeToAuto(const Settings& settings) {
   return settings.solver.name != choosingSolver && findSolver(choosingSolver) != nullptr;
+}
+
+/// What a step may cost: what the user allows, or else what it covers [s].
+double timeForStep(const Settings& settings) {
+  const double share = settings.automatic.budget * 1e-3 / budgetedTime;
+  return (share > 0.0 ? share : 1.0) * settings.step.timeStep;
 }
 
 /// The most urgent thing there is to say.
@@ -54,7 +61,7 @@ Message messageOf(const PanelContext& context) {
     return {"The machine does not keep up, so the clock runs slower", palette().warning};
   }
   if (const auto& choice = snapshot.stepReport.choice) {
-    return {inWords(*choice, snapshot.stepSeconds, snapshot.settings.step.timeStep), palette().muted};
+    return {inWords(*choice, snapshot.stepSeconds, timeForStep(snapshot.settings)), palette().muted};
   }
   return {"F1 or ? for help", palette().muted};
 }
@@ -79,7 +86,6 @@ float drawWayOut(PanelContext& context) {
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
   if (ImGui::SmallButton(word)) {
     changeSetting(context, requireSetting("solver"), std::string(choosingSolver));
-    changeSetting(context, requireSetting("substeps"), SettingValue(1));  // auto takes as many as it wants
   }
   ImGui::PopStyleColor();
   context.buttons["button.auto"] = lastItemRect();

@@ -434,6 +434,15 @@ TEST(Window, AnotherSolverIsPickedFromTheListWhileTheClothMoves) {
   EXPECT_FALSE(viewer.state()["widgets"].contains("sweeps")) << "a setting of the first solver only";
 }
 
+TEST(Window, AutoTellsWhatItChose) {
+  ViewerDriver viewer({"grid", "--set", "solver=auto"});
+  const Json chosen = viewer.waitUntil("a choice", [](const Json& s) { return !s["choice"].is_null(); })["choice"];
+  EXPECT_GE(chosen["substeps"], 1.0);
+  EXPECT_FALSE(chosen["words"].get<std::string>().empty());
+  pickFromList(viewer, "solver", "verlet");
+  viewer.waitUntil("a solver without choices", [](const Json& s) { return s["choice"].is_null(); });
+}
+
 TEST(Window, AGhostIsCalledAndSentAway) {
   ViewerDriver viewer({"grid"});
   EXPECT_TRUE(viewer.state()["ghost"].is_null());

@@ -32,6 +32,19 @@ TEST(Run, writesTheFiguresOfThePapersSheet) {
   EXPECT_EQ(stats["settings"]["grid.resolution"], 17);
 }
 
+TEST(Run, tellsWhatASolverThatChoosesForItselfChose) {
+  const std::string sheet = "grid --set grid.resolution=17 --seconds 0.2 --set solver=";
+  EXPECT_TRUE(statsOf(sheet + "one_iteration")["choice"].is_null());
+  const auto choice = statsOf(sheet + "auto")["choice"];
+  EXPECT_NE(choice["words"].get<std::string>().find("substep"), std::string::npos);
+  EXPECT_GE(choice["substeps"], 1.0);
+  EXPECT_GE(choice["error"], 0.0);
+  EXPECT_GT(choice["passes_median"], 0.0);
+  EXPECT_GE(choice["passes_max"], choice["passes_median"]);
+  EXPECT_GE(choice["error_max"], choice["error"]);
+  EXPECT_EQ(choice["last_resort_steps"], 0);
+}
+
 TEST(Run, tellsTheStabilityLimitWhereTheSolverHasOne) {
   EXPECT_TRUE(statsOf("grid --seconds 0.01")["stability_limit"].is_null());
   const std::string sheet = "grid --set grid.resolution=17 --set mass=0.1 --set stiffness=10 --seconds 0.01 ";

@@ -118,6 +118,22 @@ TEST(Scenes, openAUsersFileWithAMeshBesideIt) {
   EXPECT_EQ(buildScene(description, description.settings)->settings.step.stiffness, 42.0);
 }
 
+TEST(Scenes, areMovedByAutoUnlessTheyArePapersOrSayOtherwise) {
+  const Folder folder;
+  const auto mesh = folder.write("sheet.obj", quad);
+  EXPECT_EQ(openScene(mesh).settings.solver.name, "auto");
+  const std::string cloth = "[cloth]\nmesh = \"sheet.obj\"\n";
+  EXPECT_EQ(openScene(folder.write("mine.toml", cloth)).settings.solver.name, "auto");
+  EXPECT_EQ(openScene(folder.write("hers.toml", cloth + "[settings]\nsolver = \"xpbd\"\n")).settings.solver.name,
+            "xpbd");
+  for (const char* papers : {"grid", "fold", "falling_sheet", "falling_sheet_in_air", "edge_drop"}) {
+    EXPECT_EQ(openScene(papers).settings.solver.name, "one_iteration") << papers;
+  }
+  for (const char* ours : {"flag", "curtain", "skirt"}) {
+    EXPECT_EQ(openScene(ours).settings.solver.name, "auto") << ours;
+  }
+}
+
 TEST(Scenes, turnTheClothAboutItsOwnOriginBeforeTheyPlaceIt) {
   SceneDescription description = openScene("grid");
   description.rotation = Vec3(0.0, 0.0, 0.5 * M_PI);

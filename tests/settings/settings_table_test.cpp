@@ -100,6 +100,12 @@ TEST(SettingsTable, takesEvenSweepsOfDampedJacobi) {
 
 TEST(SettingsTable, tellsWhichSettingsHaveAnEffect) {
   Settings settings;
+  EXPECT_TRUE(isRelevant(requireSetting("auto.work"), settings));
+  EXPECT_FALSE(isRelevant(requireSetting("substeps"), settings)) << "auto chooses its own";
+  assignSettingExpression(settings, "auto.budget=5");
+  EXPECT_FALSE(isRelevant(requireSetting("auto.work"), settings)) << "it follows from the time allowed";
+  settings.solver.name = "one_iteration";
+  EXPECT_TRUE(isRelevant(requireSetting("substeps"), settings));
   EXPECT_TRUE(isRelevant(requireSetting("stiffness"), settings));
   EXPECT_TRUE(isRelevant(requireSetting("sweeps"), settings));
   EXPECT_FALSE(isRelevant(requireSetting("theta"), settings));

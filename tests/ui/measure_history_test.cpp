@@ -30,6 +30,19 @@ TEST(MeasureHistory, KeepsTheNewestAndThinsOutTheRest) {
   }
 }
 
+TEST(MeasureHistory, KeepsWhatWasChosen) {
+  const auto scene = std::make_shared<const Scene>();
+  Snapshot snapshot = at(0.0, 1.0, scene);
+  MeasureHistory history;
+  history.add(snapshot);
+  snapshot.time = 1.0;
+  snapshot.stepReport.choice = StepChoice{.substeps = 12};
+  history.add(snapshot);
+  EXPECT_FALSE(history.samples().front().choice);
+  ASSERT_TRUE(history.samples().back().choice);
+  EXPECT_EQ(history.samples().back().choice->substeps, 12);
+}
+
 TEST(MeasureHistory, ForgetsWhatIsLongAgo) {
   const auto scene = std::make_shared<const Scene>();
   MeasureHistory history;

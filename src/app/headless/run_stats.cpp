@@ -38,6 +38,18 @@ nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& s
   return std::isfinite(limit) ? nlohmann::ordered_json(limit) : nlohmann::ordered_json(nullptr);
 }
 
+/// What a solver that chooses for itself chose for the last step; null for others.
+nlohmann::ordered_json toJson(const std::optional<StepChoice>& choice) {
+  if (!choice) {
+    return nullptr;
+  }
+  nlohmann::ordered_json json{{"words", inWords(*choice)}};
+  for (const auto& [name, value] : figuresOf(*choice)) {
+    json[std::string(name)] = value;
+  }
+  return json;
+}
+
 }  // namespace
 
 RunStats::RunStats(const std::string& file, std::int64_t steps) : name_(file) {
@@ -55,6 +67,12 @@ void RunStats::add(const Simulation& simulation) {
   seconds_.push_back(static_cast<float>(simulation.lastStepSeconds()));
   bodySeconds_.push_back(static_cast<float>(contact.bodySeconds));
   selfSeconds_.push_back(static_cast<float>(contact.selfSeconds));
+  if (const auto& choice = simulation.lastStepReport().choice) {
+    passes_.push_back(static_cast<float>(choice->passes));
+    retakenSteps_ += choice->retaken > 0 ? 1 : 0;
+    lastResortSteps_ += choice->lastResort ? 1 : 0;
+    largestError_ = std::max(largestError_, choice->error);
+  }
   mostOverlaps_ = std::max(mostOverlaps_, contact.overlaps);
   deepestOverlap_ = std::max(deepestOverlap_, contact.deepestOverlap);
   mostSqueezed_ = std::max(mostSqueezed_, contact.squeezed);
@@ -65,6 +83,20 @@ nlohmann::ordered_json RunStats::contactJson(const ContactReport& last) const {
           {"body_contacts", last.bodyContacts},   {"self_contacts", last.selfContacts},
           {"overlaps_max", mostOverlaps_},        {"deepest_overlap", deepestOverlap_},
           {"squeezed_max", mostSqueezed_}};
+}
+
+nlohmann::ordered_json RunStats::choiceJson(const std::optional<StepChoice>& last) const {
+  nlohmann::ordered_json json = drape::toJson(last);
+  if (last) {
+    std::vector<float> passes = passes_;
+    std::sort(passes.begin(), passes.end());
+    json["passes_median"] = quantile(passes, 0.5);
+    json["passes_max"] = quantile(passes, 1.0);
+    json["retaken_steps"] = retakenSteps_;
+    json["last_resort_steps"] = lastResortSteps_;
+    json["error_max"] = largestError_;
+  }
+  return json;
 }
 
 nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
@@ -81,6 +113,7 @@ nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
   json["time"] = simulation.state().time;
   json["step_us"] = quantiles(seconds_);
   json["contact"] = contactJson(simulation.lastStepReport().contact);
+  json["choice"] = choiceJson(simulation.lastStepReport().choice);
   json["energy"] = energy.total();
   json["energy_kinetic"] = energy.kinetic;
   json["energy_elastic"] = energy.elastic;

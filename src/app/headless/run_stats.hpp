@@ -27,6 +27,7 @@ class RunStats {
 
  private:
   [[nodiscard]] nlohmann::ordered_json contactJson(const ContactReport& last) const;
+  [[nodiscard]] nlohmann::ordered_json choiceJson(const std::optional<StepChoice>& last) const;
 
   std::string name_;
   std::ofstream file_;
@@ -36,6 +37,10 @@ class RunStats {
   int mostOverlaps_ = 0;
   double deepestOverlap_ = 0.0;  // [m]
   int mostSqueezed_ = 0;
+  std::vector<float> passes_;
+  int retakenSteps_ = 0;
+  int lastResortSteps_ = 0;
+  double largestError_ = -1.0;  // [m]
 };
 
 }  // namespace drape

@@ -87,6 +87,17 @@ Vec3 middleOf(const Body& body, const BodyStatus& status) {
   return status.pose.toWorld(boundsOf(positions).center());
 }
 
+Json toJson(const std::optional<StepChoice>& choice) {
+  if (!choice) {
+    return nullptr;
+  }
+  Json json{{"words", inWords(*choice)}};
+  for (const auto& [name, value] : figuresOf(*choice)) {
+    json[std::string(name)] = value;
+  }
+  return json;
+}
+
 /// Looks for places in the picture with and without cloth, within a budget of triangles.
 class PlaceFinder {
  public:
@@ -195,6 +206,7 @@ Json describeSimulation(const Snapshot& snapshot) {
           {"grab", toJson(snapshot.grab)},
           {"ghost", toJson(snapshot.ghost)},
           {"contacts", contactsOf(snapshot)},
+          {"choice", toJson(snapshot.stepReport.choice)},
           {"warning", solverWarning(snapshot.settings, *snapshot.model)}};
 }
 

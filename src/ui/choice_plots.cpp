@@ -1,0 +1,59 @@
+#include "ui/panels.hpp"
+#include "ui/time_plot.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace drape {
+namespace {
+
+/// A curve of what was chosen in each step; a gap where another solver was at work.
+template <auto value>
+std::optional<double> chosen(const MeasureSample& sample) {
+  return sample.choice ? value(*sample.choice) : std::nullopt;
+}
+
+std::optional<double> substeps(const StepChoice& choice) {
+  return choice.substeps;
+}
+
+std::optional<double> passes(const StepChoice& choice) {
+  return choice.passes;
+}
+
+std::optional<double> stiffness(const StepChoice& choice) {
+  return 100.0 * choice.stiffness;
+}
+
+std::optional<double> error(const StepChoice& choice) {
+  return choice.error < 0.0 ? std::nullopt : std::optional(1e3 * choice.error);
+}
+
+std::optional<double> gained(const StepChoice& choice) {
+  return 1e3 * choice.gained;
+}
+
+bool isSofter(const MeasureSample& sample) {
+  constexpr double allOfIt = 0.995;
+  return sample.choice && sample.choice->stiffness < allOfIt;
+}
+
+}  // namespace
+
+void choicePlots(const PanelContext& context) {
+  const auto& colours = palette().plot;
+  const auto& samples = context.memory.measures.samples();
+  const std::array work{PlotCurve{"Substeps", colours[0], chosen<substeps>},
+                        PlotCurve{"Passes over the springs", colours[1], chosen<passes>}};
+  timePlot(context, "Chosen for a step", "-", samples, work);
+  if (std::any_of(samples.begin(), samples.end(), isSofter)) {
+    const std::array kept{PlotCurve{"Stiffness kept", colours[2], chosen<stiffness>}};
+    timePlot(context, "Stiffness that the springs keep", "%", samples, kept);
+  }
+  const std::array errors{PlotCurve{"Estimated error", colours[3], chosen<error>}};
+  timePlot(context, "Position error in 0.2 s", "mm", samples, errors);
+  const std::array energy{PlotCurve{"From nowhere", colours[4], chosen<gained>}};
+  timePlot(context, "Energy gained by itself", "mJ", samples, energy);
+}
+
+}  // namespace drape

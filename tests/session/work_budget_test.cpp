@@ -1,0 +1,109 @@
+#include "session/work_budget.hpp"
+
+#include "session/simulation.hpp"
+#include "test_scene.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+constexpr double nanosecond = 1e-9;
+
+StepReport ofPasses(int passes) {
+  StepReport report;
+  report.choice = StepChoice{.passes = passes};
+  return report;
+}
+
+class Budgeting : public ::testing::Test {
+ protected:
+  /// What ten passes cost when an evaluation of a spring takes so long [s].
+  [[nodiscard]] double tenPasses(double evaluation) const {
+    return 10.0 * static_cast<double>(scene_->model->springs.size()) * evaluation;
+  }
+
+  std::shared_ptr<const Scene> scene_ = testing::smallGrid();
+  Settings settings_ = scene_->settings;
+  WorkBudget budget_;
+};
+
+TEST_F(Budgeting, allowsTheWorkThatTheTimePaysFor) {
+  settings_.automatic.budget = 2.0;
+  const auto work = budget_.workAfter(settings_, *scene_->model, ofPasses(10), tenPasses(4.0 * nanosecond));
+  ASSERT_TRUE(work);
+  EXPECT_NEAR(*work, 30.0, 0.5);  // 2 ms in 1/60 s at 4 ns an evaluation: 500,000 in 1/60 s, 30 million in a second
+}
+
+TEST_F(Budgeting, takesContactForSomethingElse) {
+  settings_.automatic.budget = 2.0;
+  StepReport report = ofPasses(10);
+  report.contact.bodySeconds = 0.001;
+  report.contact.selfSeconds = 0.002;
+  const auto work = budget_.workAfter(settings_, *scene_->model, report, 0.003 + tenPasses(4.0 * nanosecond));
+  ASSERT_TRUE(work);
+  EXPECT_NEAR(*work, 30.0, 0.5);
+}
+
+TEST_F(Budgeting, leavesSmallDifferencesSingleHiccupsAndOtherSolversAlone) {
+  settings_.automatic.budget = 2.0;
+  const double seconds = tenPasses(4.0 * nanosecond);
+  settings_.step.work = budget_.workAfter(settings_, *scene_->model, ofPasses(10), seconds).value();
+  EXPECT_FALSE(budget_.workAfter(settings_, *scene_->model, ofPasses(10), 1.1 * seconds));
+  EXPECT_FALSE(budget_.workAfter(settings_, *scene_->model, ofPasses(10), 1000.0 * seconds));
+  EXPECT_FALSE(WorkBudget().workAfter(settings_, *scene_->model, StepReport(), 100.0 * seconds));
+  settings_.automatic.budget = 0.0;
+  EXPECT_FALSE(WorkBudget().workAfter(settings_, *scene_->model, ofPasses(10), 100.0 * seconds));
+}
+
+TEST_F(Budgeting, followsAMachineThatBecomesSlower) {
+  settings_.automatic.budget = 2.0;
+  settings_.step.work = 30.0;
+  for (int step = 0; step < 100; ++step) {
+    const double cost = (step < 20 ? 4.0 : 12.0) * nanosecond;
+    settings_.step.work =
+        budget_.workAfter(settings_, *scene_->model, ofPasses(10), tenPasses(cost)).value_or(settings_.step.work);
+  }
+  EXPECT_NEAR(settings_.step.work, 10.0, 2.5);
+}
+
+/// So much that no machine can pay for it, within so little time that the work allowed has to follow.
+void hurry(Simulation& simulation) {
+  simulation.apply(SetSettingCommand{"solver", std::string("auto")});
+  simulation.apply(SetSettingCommand{"stiffness", 1e4});
+  simulation.apply(SetSettingCommand{"auto.tolerance", 1e-9});
+  simulation.apply(SetSettingCommand{"auto.work", 1e4});
+  simulation.apply(SetSettingCommand{"auto.budget", 0.01});
+}
+
+TEST_F(Budgeting, isLoggedSoThatAReplayTakesTheSameSteps) {
+  Simulation simulation(scene_);
+  hurry(simulation);
+  for (int step = 0; step < 20; ++step) {
+    simulation.step();
+  }
+  simulation.apply(SingleStepCommand{});
+  simulation.apply(PauseCommand{});  // so that the log tells of all steps
+  EXPECT_GT(simulation.log().size(), 7U) << "the work allowed was changed";
+  EXPECT_LT(simulation.settings().step.work, 1e4);
+  Simulation again(scene_);
+  again.replay(simulation.log());
+  EXPECT_EQ(again.log().size(), simulation.log().size()) << "a replay adds nothing of its own";
+  EXPECT_EQ(again.stepsTaken(), 21);
+  EXPECT_EQ(stateHash(again.state()), stateHash(simulation.state()));
+}
+
+TEST_F(Budgeting, asksNoClockWhenItIsOff) {
+  Simulation simulation(scene_);
+  hurry(simulation);
+  simulation.apply(SetSettingCommand{"auto.budget", 0.0});
+  const std::size_t commands = simulation.log().size();
+  for (int step = 0; step < 20; ++step) {
+    simulation.step();
+  }
+  EXPECT_EQ(simulation.log().size(), commands);
+  EXPECT_EQ(simulation.settings().step.work, 1e4);
+}
+
+}  // namespace
+}  // namespace drape
