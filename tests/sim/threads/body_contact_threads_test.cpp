@@ -1,0 +1,45 @@
+#include "contact/meeting.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+using testing::bodyAt;
+using testing::Meeting;
+
+/// A ball that swells and shrinks.
+std::shared_ptr<const MeshShape> swellingBall() {
+  const BodySurface ball = surfaceOf(SphereShape{0.3});
+  MeshShape mesh{ball.positions, ball.triangles, {ball.positions, ball.positions}, 0.02, true};
+  for (Vec3& position : mesh.frames[1]) {
+    position *= 1.03;
+  }
+  return std::make_shared<const MeshShape>(std::move(mesh));
+}
+
+/// Enough triangles for several threads to get some.
+TEST(BodyContactThreads, giveTheSameBitsOnMeshesAndOnWhatIsRound) {
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 4}) {
+    ClothMesh sheet = testing::sheet(34);
+    for (Vec3& position : sheet.positions) {
+      position += Vec3(-0.5, 0.305, -0.5);
+    }
+    const auto model = buildClothModel(sheet, 0.15, MassLumping::Area, {});
+    Meeting meeting(model,
+                    {bodyAt(swellingBall(), Vec3::Zero()), bodyAt(BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3(0.4, 0.0, 0.3)),
+                     bodyAt(SphereShape{0.1}, Vec3(-0.4, 0.2, 0.3))});
+    meeting.parameters.threads = threads;
+    meeting.parameters.timeStep = 1.0 / 150.0;
+    int contacts = 0;
+    meeting.run(0.03, [&](const StepReport& report) { contacts += report.contact.bodyContacts; });
+    EXPECT_GT(contacts, 50);
+    hashes.push_back(stateHash(meeting.state));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+}  // namespace
+}  // namespace drape
