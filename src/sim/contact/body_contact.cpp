@@ -11,6 +11,7 @@ namespace drape {
 namespace {
 
 constexpr int mostPasses = 4;
+constexpr int mostAsked = 6;  // rounds in which planes are looked for only where vertices were moved
 constexpr int positionRounds = 6;
 constexpr int velocityRounds = 6;
 constexpr double innerShare = 0.6;     // of the distance that is kept: at which edges and faces are stopped [-]
@@ -183,29 +184,76 @@ void BodyContact::search(const Cloth& cloth, bool settled) {
                                   inBody, clustersOf(cloth), workers_, cloth.parameters.threads, found_);
     }
   }
+  firstOfMeshes_ = found_.barriers.size();
 }
 
 /// Looks for barriers of meshes between where the cloth is safe and where touches let it go. That is less far than it
 /// was about to go, and what it cannot reach any more need not be looked at.
 /// @return true when the cloth pierces a mesh in places that the search for touches did not know of
-bool BodyContact::searchPlanes(const Cloth& cloth, bool settled, const std::vector<Vec3>& positions) {
-  const auto last = near_.begin() + static_cast<std::ptrdiff_t>(nearCount_);
-  if (std::none_of(near_.begin(), last, [](const NearBody& near) { return near.mesh != nullptr; })) {
-    return false;
-  }
-  narrowRoom(cloth, positions);
+bool BodyContact::searchPlanes(const Cloth& cloth, bool settled) {
   const std::vector<OwnedFeatures>& owned = ownedOf(cloth);
   bool news = false;
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
     if (near.mesh != nullptr) {
       const ClothInBody inBody{near.base, near.placed, room_, cloth.model.triangles, owned};
-      news = near.meshSearch.findPlanes(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
-                                        inBody, clustersOf(cloth), workers_, cloth.parameters.threads, found_) ||
-             news;
+      news =
+          near.meshSearch.findPlanes(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
+                                     inBody, clustersOf(cloth), needed_, workers_, cloth.parameters.threads, found_) ||
+          news;
     }
   }
   return news;
+}
+
+/// True when vertices were moved from `solved_` whose triangles were spared the search for planes. They are not again.
+/// @param all whether no triangle is to be spared any more
+bool BodyContact::askAround(const Cloth& cloth, bool all, const std::vector<Vec3>& positions) {
+  if (!meshes()) {
+    return false;
+  }
+  moved_.resize(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    moved_[v] = positions[v] != solved_[v];
+  }
+  bool news = false;
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    if (near_[b].mesh != nullptr && near_[b].meshSearch.askAround(cloth.model.triangles, moved_)) {
+      news = true;
+      if (all) {
+        near_[b].meshSearch.askForAll();
+      }
+    }
+  }
+  return news;
+}
+
+/// Has all barriers held, those of meshes where it matters.
+/// @return how many vertices found no place
+int BodyContact::holdBarriers(const Cloth& cloth, bool settled, std::vector<Vec3>& positions) {
+  const auto shelterOf = [&](int body, int vertex) {
+    const NearBody& near = near_[static_cast<std::size_t>(body)];
+    const Vec3& base = near.base[static_cast<std::size_t>(vertex)];
+    const bool carried = !settled && near.mesh != nullptr && near.mesh->movesInItself();
+    const Vec3 move = carried ? near.meshSearch.moveAt(near.meshInStep(false), vertex) : Vec3(Vec3::Zero());
+    return BarrierFilter::Shelter{near.step->end.toWorld(base), near.step->end.toWorld(base + move)};
+  };
+  solved_ = positions;
+  for (int round = 1;; ++round) {
+    const int squeezed = filter_.apply(found_.barriers, inverseMass_.get(cloth.model, inverseMassOf), room_,
+                                       static_cast<int>(nearCount_), shelterOf, cloth.target, positions);
+    if (!askAround(cloth, round >= mostAsked, positions)) {
+      return squeezed;
+    }
+    found_.barriers.resize(firstOfMeshes_);
+    searchPlanes(cloth, settled);
+    positions = solved_;
+  }
+}
+
+bool BodyContact::meshes() const {
+  const auto last = near_.begin() + static_cast<std::ptrdiff_t>(nearCount_);
+  return std::any_of(near_.begin(), last, [](const NearBody& near) { return near.mesh != nullptr; });
 }
 
 const std::vector<OwnedFeatures>& BodyContact::ownedOf(const Cloth& cloth) {
@@ -213,7 +261,10 @@ const std::vector<OwnedFeatures>& BodyContact::ownedOf(const Cloth& cloth) {
 }
 
 const ClothClusters& BodyContact::clustersOf(const Cloth& cloth) {
-  return clusters_.get(cloth.model, [](const ClothModel& m) { return ClothClusters(m); });
+  return clusters_.get(cloth.model, [this](const ClothModel& m) {
+    ++models_;
+    return ClothClusters(m);
+  });
 }
 
 /// Leaves to each vertex the room that it needs to get to `positions`, and some to be put across planes.
@@ -269,7 +320,10 @@ bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, Contac
                        std::vector<Vec3>& positions) {
   const bool settled = safe != nullptr;
   for (std::size_t b = 0; b < nearCount_; ++b) {
-    near_[b].meshSearch.begin();
+    if (near_[b].mesh != nullptr) {
+      clustersOf(cloth);  // counts models
+      near_[b].meshSearch.begin(*near_[b].mesh, models_);
+    }
   }
   bool news = true;
   for (int i = 0; i < 2 && news; ++i) {
@@ -277,21 +331,17 @@ bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, Contac
     search(cloth, settled);
     positions = cloth.target;
     correctPositions(cloth, positions);
-    news = searchPlanes(cloth, settled, positions);
+    news = false;
+    if (meshes()) {
+      narrowRoom(cloth, positions);
+      news = searchPlanes(cloth, settled);
+    }
   }
   if (!settled) {
     report.overlaps = found_.overlaps;
     report.deepestOverlap = found_.deepestOverlap;
   }
-  const auto shelterOf = [&](int body, int vertex) {
-    const NearBody& near = near_[static_cast<std::size_t>(body)];
-    const Vec3& base = near.base[static_cast<std::size_t>(vertex)];
-    const bool carried = !settled && near.mesh != nullptr && near.mesh->movesInItself();
-    const Vec3 move = carried ? near.meshSearch.moveAt(near.meshInStep(false), vertex) : Vec3(Vec3::Zero());
-    return BarrierFilter::Shelter{near.step->end.toWorld(base), near.step->end.toWorld(base + move)};
-  };
-  const int squeezed = filter_.apply(found_.barriers, inverseMass_.get(cloth.model, inverseMassOf), room_,
-                                     static_cast<int>(nearCount_), shelterOf, cloth.target, positions);
+  const int squeezed = holdBarriers(cloth, settled, positions);
   report.squeezed = std::max(report.squeezed, squeezed);
   if (found_.touches.empty()) {
     return filter_.farthest() > 0.0;

@@ -54,7 +54,10 @@ class BodyContact {
   void place(const Cloth& cloth, const std::vector<Vec3>* safe);
   void makeRoomForMoves(const Cloth& cloth, const NearBody& near);
   void search(const Cloth& cloth, bool settled);
-  bool searchPlanes(const Cloth& cloth, bool settled, const std::vector<Vec3>& positions);
+  bool searchPlanes(const Cloth& cloth, bool settled);
+  bool askAround(const Cloth& cloth, bool all, const std::vector<Vec3>& positions);
+  int holdBarriers(const Cloth& cloth, bool settled, std::vector<Vec3>& positions);
+  [[nodiscard]] bool meshes() const;
   void narrowRoom(const Cloth& cloth, const std::vector<Vec3>& positions);
   const std::vector<OwnedFeatures>& ownedOf(const Cloth& cloth);
   const ClothClusters& clustersOf(const Cloth& cloth);
@@ -66,13 +69,17 @@ class BodyContact {
 
   ModelCache<std::vector<OwnedFeatures>> owned_;
   ModelCache<ClothClusters> clusters_;
+  std::uint64_t models_ = 0;  // for which there were clusters
   ModelCache<std::vector<double>> inverseMass_;
   std::map<const Body*, std::unique_ptr<SearchableMesh>> meshes_;  // looked up, never gone through
   std::vector<NearBody> near_;
   std::size_t nearCount_ = 0;
   std::vector<double> room_;
   std::vector<double> needed_;
-  std::vector<double> moves_;  // of meshes that move in themselves, near each vertex [m]
+  std::vector<Vec3> solved_;       // where touches let the cloth go [m]
+  std::vector<bool> moved_;        // from there
+  std::size_t firstOfMeshes_ = 0;  // among the barriers
+  std::vector<double> moves_;      // of meshes that move in themselves, near each vertex [m]
   Findings found_;
   std::vector<TouchGoal> goals_;
   std::vector<Touch> active_;

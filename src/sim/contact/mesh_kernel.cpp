@@ -43,19 +43,23 @@ std::size_t meeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::i
   return count;
 }
 
-void distances(const BoxList& boxes, const Vec3& point, double* squared) {
-  const Doubles d;
+void distances(const TriangleBoxes* boxes, const std::int32_t* patches, std::size_t count, const Vec3& point,
+               double* squared) {
+  const hn::CappedTag<double, trianglesOfPatch> d;
   const std::size_t lanes = hn::Lanes(d);
-  for (std::size_t i = 0; i < boxes.size(); i += lanes) {
-    auto sum = hn::Zero(d);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto at = hn::Set(d, point[static_cast<Eigen::Index>(axis)]);
-      const auto below = hn::Sub(hn::LoadU(d, boxes.low(axis) + i), at);
-      const auto above = hn::Sub(at, hn::LoadU(d, boxes.high(axis) + i));
-      const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
-      sum = hn::Add(sum, hn::Mul(outside, outside));
+  for (std::size_t k = 0; k < count; ++k) {
+    const TriangleBoxes& box = boxes[patches[k]];
+    for (std::size_t i = 0; i < trianglesOfPatch; i += lanes) {
+      auto sum = hn::Zero(d);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto at = hn::Set(d, point[static_cast<Eigen::Index>(axis)]);
+        const auto below = hn::Sub(hn::LoadU(d, box.low[axis].data() + i), at);
+        const auto above = hn::Sub(at, hn::LoadU(d, box.high[axis].data() + i));
+        const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
+        sum = hn::Add(sum, hn::Mul(outside, outside));
+      }
+      hn::StoreU(sum, d, squared + trianglesOfPatch * k + i);
     }
-    hn::StoreU(sum, d, squared + i);
   }
 }
 
@@ -112,11 +116,10 @@ void boxesMeeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::vec
   met.resize(HWY_DYNAMIC_DISPATCH(meeting)(boxes, box, met.data()));
 }
 
-std::size_t squaredDistances(const BoxList& boxes, const Vec3& point, std::vector<double>& squared) {
-  squared.resize(boxes.size() + mostDoubles);
-  HWY_DYNAMIC_DISPATCH(distances)(boxes, point, squared.data());
-  squared.resize(boxes.size());
-  return static_cast<std::size_t>(std::min_element(squared.begin(), squared.end()) - squared.begin());
+void squaredDistances(const std::vector<TriangleBoxes>& boxes, const std::vector<std::int32_t>& patches,
+                      const Vec3& point, std::vector<double>& squared) {
+  squared.resize(trianglesOfPatch * patches.size());
+  HWY_DYNAMIC_DISPATCH(distances)(boxes.data(), patches.data(), patches.size(), point, squared.data());
 }
 
 Extent extentsAlong(const PatchLanes& lanes, const std::vector<std::size_t>& begin,

@@ -34,6 +34,13 @@ class BoxList {
   std::array<std::vector<double>, 3> low_, high_;  // longer by a vector, which holds anything
 };
 
+inline constexpr std::size_t trianglesOfPatch = 4;  ///< that are looked at together
+
+/// The boxes around the triangles of a patch; what is missing lies at infinity [m].
+struct TriangleBoxes {
+  std::array<std::array<double, trianglesOfPatch>, 3> low, high;
+};
+
 /// The vertices of the patches of a mesh, patch after patch, one array a coordinate [m]. Each patch fills whole
 /// vectors: its last vertex is repeated.
 struct PatchLanes {
@@ -45,9 +52,11 @@ struct PatchLanes {
 /// The indices of the boxes that meet `box`, ascending.
 void boxesMeeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::vector<std::int32_t>& met);
 
-/// The squared distances from a point to all boxes, 0 inside [m^2].
-/// @return the index of the first of the nearest; 0 when there are none
-std::size_t squaredDistances(const BoxList& boxes, const Vec3& point, std::vector<double>& squared);
+/// The squared distances from a point to the boxes of all triangles of some patches, 0 inside [m^2]: those of patch k
+/// from trianglesOfPatch * k on.
+/// @param boxes of all patches
+void squaredDistances(const std::vector<TriangleBoxes>& boxes, const std::vector<std::int32_t>& patches,
+                      const Vec3& point, std::vector<double>& squared);
 
 /// Writes the extents of some patches along a direction, and returns that of all together.
 /// @param begin of each patch in `lanes`, and of what would come after the last one

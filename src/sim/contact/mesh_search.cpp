@@ -4,19 +4,20 @@
 #include "sim/contact/sharp_search.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <mutex>
 #include <utility>
 
 namespace drape {
 namespace {
 
-constexpr double listed = 2.0;      // of the distance that is kept: patches that near to a cluster are listed [-]
+constexpr double listed = 2.0;     // of the distance that is kept: patches that near to a cluster are listed [-]
+constexpr double spare = 1.0;      // of it: how much farther away what is listed may be [-]
+constexpr double known = 0.15;     // of it: how far a cluster may move before distances are found anew [-]
+constexpr double rounding = 1e-9;  // [m]
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double closeShare = 0.2;  // of it: how much nearer than they may edges and faces come in a pass, at most [-]
-
-void listPatches(const MeshTree& tree, const Eigen::AlignedBox3d& box, std::vector<int>& patches) {
-  patches.clear();
-  tree.forEachLeafIn(box, [&](std::size_t leaf) { patches.push_back(static_cast<int>(leaf)); });
-}
 
 NearPoint pointOf(const MeshInStep& mesh, const NearVertex& near) {
   return {near.gap, near.normal, pointAt(mesh.start(near.triangle), near.weights),
@@ -52,41 +53,66 @@ std::vector<Part<More>> inParts(const ClothClusters& clusters, Workers& workers,
 
 }  // namespace
 
-/// What is near a cluster.
+void MeshSearch::begin(const SearchableMesh& mesh, std::uint64_t model) {
+  piercings_.clear();
+  asked_.clear();
+  if (mesh_ != &mesh || model_ != model) {
+    nearby_.clear();
+    mesh_ = &mesh;
+    model_ = model;
+  }
+}
+
+void MeshSearch::Nearby::list(const MeshTree& tree, const Eigen::AlignedBox3d& box) {
+  covered = box;
+  patches.clear();
+  boxes.clear();
+  tree.forEachLeafIn(box, [&](std::size_t leaf) {
+    patches.push_back(static_cast<int>(leaf));
+    boxes.add(tree.leafBox(leaf));
+  });
+}
+
+/// Looks at what is near a cluster.
 class MeshSearch::Near {
  public:
   Near(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth)
       : side_(side), mesh_(mesh), cloth_(cloth), nearest_(mesh), radius_(listed * side.reach().keep) {}
 
-  /// Lists the patches within the radius.
-  void list(std::span<const int> vertices, std::vector<int>& patches) {
+  /// Lists the patches within the radius, when those that are listed may not do any more.
+  /// Says how far the cluster has moved since its distances were found, and remembers it when they have to be found
+  /// anew.
+  void list(std::span<const int> vertices, Nearby& nearby) const {
     Eigen::AlignedBox3d box;
-    for (const int v : vertices) {
-      box.extend(vectorAt(cloth_.base, v));
+    double squared = nearby.reference.size() == vertices.size() ? 0.0 : infinity;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Vec3& base = vectorAt(cloth_.base, vertices[i]);
+      box.extend(base);
+      squared = squared < infinity ? std::max(squared, (base - nearby.reference[i]).squaredNorm()) : infinity;
     }
-    listPatches(mesh_.mesh.tree, inflated(box, radius_), patches);
-    patchBoxes_.clear();
-    triangles_.clear();
-    triangleBoxes_.clear();
-    for (const int patch : patches) {
-      const auto leaf = static_cast<std::size_t>(patch);
-      patchBoxes_.add(mesh_.mesh.tree.leafBox(leaf));
-      for (const int triangle : mesh_.mesh.tree.leaf(leaf)) {
-        triangles_.push_back(triangle);
-        triangleBoxes_.add(boxAround(mesh_.base(triangle)));
+    box = inflated(box, radius_);
+    if (mesh_.mesh.movesInItself()) {
+      nearby.list(mesh_.mesh.tree, box);
+    } else if (!nearby.covered.contains(box)) {
+      nearby.list(mesh_.mesh.tree, inflated(box, spare * side_.reach().keep));
+    }
+    nearby.moved = std::sqrt(squared) + rounding;
+    if (mesh_.mesh.movesInItself() || !(nearby.moved <= known * side_.reach().keep)) {
+      nearby.moved = infinity;
+      nearby.reference.clear();
+      for (const int v : vertices) {
+        nearby.reference.push_back(vectorAt(cloth_.base, v));
       }
     }
   }
 
   /// The mesh's point that is nearest to a vertex, as far as that is about to go.
-  NearVertex nearestTo(int vertex) {
+  NearVertex nearestTo(int vertex, const Nearby& nearby) {
     const Vec3& point = vectorAt(cloth_.base, vertex);
-    const NearVertex found = nearest_.among(triangles_, triangleBoxes_, point, radius_);
+    const NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius_);
     const double radius = cloth_.room[static_cast<std::size_t>(vertex)] - side_.reach().keep;
     return found.triangle < 0 && radius > radius_ ? nearest_.anywhere(point, radius) : found;
   }
-
-  [[nodiscard]] const BoxList& patchBoxes() const { return patchBoxes_; }
 
  private:
   const BodySide& side_;
@@ -94,15 +120,15 @@ class MeshSearch::Near {
   const ClothInBody& cloth_;
   NearestSearch nearest_;
   double radius_;  // [m]
-  BoxList patchBoxes_;
-  std::vector<int> triangles_;
-  BoxList triangleBoxes_;
 };
 
 void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
                              const ClothClusters& clusters, Workers& workers, int threads, Findings& findings) {
-  patches_.resize(clusters.count());
-  nearest_.assign(cloth.base.size(), {});
+  nearby_.resize(clusters.count());
+  nearest_.resize(cloth.base.size());
+  planes_.resize(cloth.triangles.size());
+  hasPlane_.resize(cloth.triangles.size());
+  distances_.resize(cloth.triangles.size());
   pierces_.assign(cloth.triangles.size(), false);
   caught_.assign(cloth.base.size(), false);
   for (const Piercing& each : piercings_) {
@@ -111,31 +137,53 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
       caught_[static_cast<std::size_t>(v)] = true;
     }
   }
-  planes_.assign(cloth.triangles.size(), {});
   const double near = listed * side.reach().keep;
   const double close = side.reach().inner + closeShare * side.reach().keep;
-  const auto parts = inParts<int>(clusters, workers, threads, cloth.triangles.size(),
-                                  [&](std::size_t first, std::size_t last, Part<int>& part) {
-                                    Near here(side, mesh, cloth);
-                                    SharpSearch sharp(side, mesh, cloth, close, near, part.found);
-                                    for (std::size_t c = first; c < last; ++c) {
-                                      here.list(clusters.vertices(c), patches_[c]);
-                                      for (const int v : clusters.ownVertices(c)) {
-                                        nearest_[static_cast<std::size_t>(v)] = here.nearestTo(v);
-                                      }
-                                      for (const int each : clusters.triangles(c)) {
-                                        const auto t = static_cast<std::size_t>(each);
-                                        if (!patches_[c].empty() && !pierces_[t]) {
-                                          planes_[t] = sharp.look(each, patches_[c], here.patchBoxes());
-                                        }
-                                      }
-                                    }
-                                  });
+  workers.forRange(threads, static_cast<int>(cloth.triangles.size()), [&](int begin, int end) {
+    Near here(side, mesh, cloth);
+    const auto [first, last] = clusters.clustersWithin(begin, end);
+    for (std::size_t c = first; c < last; ++c) {
+      here.list(clusters.vertices(c), nearby_[c]);
+      for (const int v : clusters.ownVertices(c)) {
+        nearest_[static_cast<std::size_t>(v)] = here.nearestTo(v, nearby_[c]);
+      }
+    }
+  });
+  const auto parts = inParts<int>(
+      clusters, workers, threads, cloth.triangles.size(), [&](std::size_t first, std::size_t last, Part<int>& part) {
+        SharpSearch sharp(side, mesh, cloth, close, near, part.found);
+        for (std::size_t c = first; c < last; ++c) {
+          if (nearby_[c].moved == infinity) {
+            nearby_[c].moved = 0.0;
+            nearby_[c].distances.assign(clusters.triangles(c).size(), nearby_[c].patches.empty() ? near : -infinity);
+          }
+          lookAtTriangles(clusters.triangles(c), nearby_[c], close, sharp);
+        }
+      });
   for (const auto& part : parts) {
     findings.append(part.found);
   }
   pushOut(side, mesh, cloth, findings);
   touchVertices(side, mesh, cloth, findings);
+}
+
+/// Looks for what touches the triangles of a cluster, as far as they are not known to be too far away.
+/// Distances that are not known are found.
+void MeshSearch::lookAtTriangles(std::span<const int> triangles, Nearby& nearby, double close, SharpSearch& sharp) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto t = static_cast<std::size_t>(triangles[i]);
+    distances_[t] = nearby.distances[i] - nearby.moved;
+    hasPlane_[t] = 0;
+    if (distances_[t] >= close || pierces_[t]) {
+      continue;
+    }
+    planes_[t] = sharp.look(triangles[i], nearby.patches, nearby.boxes);
+    hasPlane_[t] = 1;
+    if (nearby.distances[i] == -infinity) {
+      distances_[t] = sharp.distanceAtLeast(planes_[t], nearest_);
+      nearby.distances[i] = distances_[t] - nearby.moved;
+    }
+  }
 }
 
 void MeshSearch::touchVertices(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
@@ -179,32 +227,54 @@ void MeshSearch::pushOut(const BodySide& side, const MeshInStep& mesh, const Clo
 }
 
 bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
-                            const ClothClusters& clusters, Workers& workers, int threads, Findings& findings) {
-  const auto parts =
-      inParts<Piercing>(clusters, workers, threads, cloth.triangles.size(),
-                        [&](std::size_t first, std::size_t last, Part<Piercing>& part) {
-                          PlaneSearch planes(side, mesh, cloth, nearest_, part.found);
-                          std::vector<int> wider;
-                          for (std::size_t c = first; c < last; ++c) {
-                            double far = 0.0;
-                            Eigen::AlignedBox3d box;
-                            for (const int v : clusters.vertices(c)) {
-                              far = std::max(far, cloth.room[static_cast<std::size_t>(v)] + side.reach().guard);
-                              box.extend(vectorAt(cloth.base, v));
-                            }
-                            const bool wide = far > listed * side.reach().keep;
-                            if (wide) {
-                              listPatches(mesh.mesh.tree, inflated(box, far), wider);
-                            }
-                            const std::vector<int>& patches = wide ? wider : patches_[c];
-                            for (const int t : clusters.triangles(c)) {
-                              if (!patches.empty()) {
-                                planes.look(t, wide ? OwnPlane() : planes_[static_cast<std::size_t>(t)], patches);
-                              }
-                            }
-                          }
-                          part.more = planes.piercings();
-                        });
+                            const ClothClusters& clusters, std::span<const double> ways, Workers& workers, int threads,
+                            Findings& findings) {
+  spared_.assign(cloth.triangles.size(), 0);
+  asked_.resize(cloth.triangles.size(), 0);
+  const double near = listed * side.reach().keep;
+  const auto spares = [&](std::size_t t) {
+    const auto way = [&](std::size_t k) { return ways[static_cast<std::size_t>(cloth.triangles[t][k])]; };
+    const double longest = std::max({way(0), way(1), way(2)});
+    return !mesh.moves() && asked_[t] == 0 && distances_[t] > longest + side.reach().guard + rounding;
+  };
+  const auto parts = inParts<Piercing>(
+      clusters, workers, threads, cloth.triangles.size(),
+      [&](std::size_t first, std::size_t last, Part<Piercing>& part) {
+        PlaneSearch planes(side, mesh, cloth, nearest_, part.found);
+        SharpSearch own(side, mesh, cloth, near, near, part.found);
+        Nearby wider;
+        for (std::size_t c = first; c < last; ++c) {
+          const std::span<const int> triangles = clusters.triangles(c);
+          for (const int t : triangles) {
+            spared_[static_cast<std::size_t>(t)] = spares(static_cast<std::size_t>(t)) ? 1 : 0;
+          }
+          const auto isSpared = [&](int t) { return spared_[static_cast<std::size_t>(t)] != 0; };
+          if (std::all_of(triangles.begin(), triangles.end(), isSpared)) {
+            continue;
+          }
+          double far = 0.0;
+          Eigen::AlignedBox3d box;
+          for (const int v : clusters.vertices(c)) {
+            far = std::max(far, cloth.room[static_cast<std::size_t>(v)] + side.reach().guard);
+            box.extend(vectorAt(cloth.base, v));
+          }
+          const bool wide = far > near;
+          if (wide) {
+            wider.list(mesh.mesh.tree, inflated(box, far));
+          }
+          const Nearby& nearby = wide ? wider : nearby_[c];
+          for (const int t : triangles) {
+            if (!isSpared(t) && !nearby.patches.empty()) {
+              const auto at = static_cast<std::size_t>(t);
+              const OwnPlane plane = wide                 ? OwnPlane()
+                                     : hasPlane_[at] != 0 ? planes_[at]
+                                                          : own.planeOf(t, nearby.patches, nearby.boxes);
+              planes.look(t, plane, nearby.patches, nearby.boxes);
+            }
+          }
+        }
+        part.more = planes.piercings();
+      });
   std::vector<Piercing> piercings;
   for (const auto& part : parts) {
     findings.append(part.found);
@@ -212,6 +282,19 @@ bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const 
   }
   const bool news = piercings.size() != piercings_.size();
   piercings_.swap(piercings);
+  return news;
+}
+
+bool MeshSearch::askAround(std::span<const Triangle> triangles, const std::vector<bool>& moved) {
+  bool news = false;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const bool touched = std::any_of(triangles[t].begin(), triangles[t].end(),
+                                     [&](int v) { return moved[static_cast<std::size_t>(v)]; });
+    if (touched && spared_[t] != 0) {
+      asked_[t] = 1;
+      news = true;
+    }
+  }
   return news;
 }
 

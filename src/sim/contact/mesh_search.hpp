@@ -3,6 +3,7 @@
 #include "sim/contact/cloth_clusters.hpp"
 #include "sim/contact/mesh_in_step.hpp"
 #include "sim/contact/plane_search.hpp"
+#include "sim/contact/sharp_search.hpp"
 #include "sim/workers.hpp"
 
 #include <vector>
@@ -14,10 +15,16 @@ namespace drape {
 ///
 /// Clusters of the cloth find the body's patches near them. Vertices look for their nearest point as far as they are
 /// about to go; but planes are looked for when it is known where touches let the cloth go, which mostly is near.
+///
+/// What was found serves while a cluster hardly moves in the body's frame, where the mesh does not move in itself.
+/// Lists of patches hold a little more than is near; whoever reads them takes what is near. Distances are known with
+/// the way that was gone since then: a triangle that by them goes nowhere near the mesh needs no plane, unless a plane
+/// of another one moves its vertices; then it is asked for. So results do not depend on when something was found.
 class MeshSearch {
  public:
-  /// A step begins, or a pass: what pierced the mesh is forgotten.
-  void begin() { piercings_.clear(); }
+  /// A pass begins: what pierced the mesh is forgotten.
+  /// @param mesh to be searched, by address  @param model tells cloths apart
+  void begin(const SearchableMesh& mesh, std::uint64_t model);
 
   /// Adds touches to `findings`, in an order that does not depend on the threads.
   /// @param cloth with room for all the way to its target
@@ -26,24 +33,48 @@ class MeshSearch {
 
   /// Adds barriers to `findings`, after findTouches.
   /// @param cloth its target is where touches let it go, with room for that
+  /// @param ways from bases to targets [m]
   /// @return true when some of the cloth pierces the mesh of which findTouches did not know: it should be asked again
   bool findPlanes(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, const ClothClusters& clusters,
-                  Workers& workers, int threads, Findings& findings);
+                  std::span<const double> ways, Workers& workers, int threads, Findings& findings);
+
+  /// Has findPlanes look at all triangles with a vertex that was moved from its target.
+  /// @return true when it did without one of these before
+  bool askAround(std::span<const Triangle> triangles, const std::vector<bool>& moved);
+  /// Has it look at all triangles.
+  void askForAll() { asked_.assign(asked_.size(), 1); }
 
   /// How far the mesh's nearest point to a vertex of the cloth moves in the body's frame [m]; zero where none is near.
   [[nodiscard]] Vec3 moveAt(const MeshInStep& mesh, int vertex) const;
 
  private:
+  struct Nearby {
+    Eigen::AlignedBox3d covered;  // all patches that meet it are listed
+    std::vector<int> patches;
+    BoxList boxes;
+    std::vector<Vec3> reference;    // its vertices when distances were found [m]
+    std::vector<double> distances;  // between its triangles and the mesh then, at least [m]
+    double moved = 0.0;             // since then, at most [m]; infinite: distances have to be found
+
+    void list(const MeshTree& tree, const Eigen::AlignedBox3d& box);
+  };
   class Near;
+  void lookAtTriangles(std::span<const int> triangles, Nearby& nearby, double close, SharpSearch& sharp);
   void touchVertices(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
   void pushOut(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
 
-  std::vector<std::vector<int>> patches_;  // of the body near each cluster
-  std::vector<NearVertex> nearest_;        // to each vertex
-  std::vector<OwnPlane> planes_;           // of each triangle of the cloth
-  std::vector<Piercing> piercings_;        // in the order of the cloth's triangles as clusters have them
-  std::vector<bool> pierces_;              // for each triangle of the cloth
-  std::vector<bool> caught_;               // for each vertex whether a triangle of it pierces
+  const SearchableMesh* mesh_ = nullptr;  // that the lists are for ...
+  std::uint64_t model_ = 0;               // ... and the cloth
+  std::vector<Nearby> nearby_;            // of each cluster
+  std::vector<NearVertex> nearest_;       // to each vertex
+  std::vector<OwnPlane> planes_;          // of each triangle of the cloth
+  std::vector<char> hasPlane_;            // for each of these whether it is of this pass
+  std::vector<double> distances_;         // of each triangle to the mesh, at least, at the base [m]
+  std::vector<char> spared_;              // for each triangle whether no plane was looked for ...
+  std::vector<char> asked_;               // ... and whether one has to be
+  std::vector<Piercing> piercings_;       // in the order of the cloth's triangles as clusters have them
+  std::vector<bool> pierces_;             // for each triangle of the cloth
+  std::vector<bool> caught_;              // for each vertex whether a triangle of it pierces
 };
 
 }  // namespace drape

@@ -1,5 +1,7 @@
 #include "sim/contact/nearest_search.hpp"
 
+#include <algorithm>
+
 namespace drape {
 namespace {
 
@@ -71,18 +73,30 @@ NearVertex NearestSearch::result(const Vec3& point) {
   return best_;
 }
 
-NearVertex NearestSearch::among(std::span<const int> triangles, const BoxList& boxes, const Vec3& point,
+NearVertex NearestSearch::among(const std::vector<int>& patches, const BoxList& boxes, const Vec3& point,
                                 double radius) {
   best_ = {};
   least_ = radius * radius;
-  const std::size_t first = squaredDistances(boxes, point, toBox_);
-  if (triangles.empty() || !(toBox_[first] < least_)) {
+  const Vec3 around = Vec3::Constant(radius);
+  boxesMeeting(boxes, {point - around, point + around}, near_);
+  if (near_.empty()) {
     return best_;
   }
-  lookAt(triangles[first], point);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
+  for (std::int32_t& each : near_) {
+    each = patches[static_cast<std::size_t>(each)];
+  }
+  squaredDistances(mesh_.mesh.triangleBoxes(mesh_.settled), near_, point, toBox_);
+  const auto triangleAt = [&](std::size_t i) {
+    return mesh_.mesh.tree.leaf(static_cast<std::size_t>(near_[i / trianglesOfPatch]))[i % trianglesOfPatch];
+  };
+  const auto first = static_cast<std::size_t>(std::min_element(toBox_.begin(), toBox_.end()) - toBox_.begin());
+  if (!(toBox_[first] < least_)) {
+    return best_;
+  }
+  lookAt(triangleAt(first), point);
+  for (std::size_t i = 0; i < toBox_.size(); ++i) {
     if (toBox_[i] < least_ && i != first) {
-      lookAt(triangles[i], point);
+      lookAt(triangleAt(i), point);
     }
   }
   return result(point);

@@ -12,9 +12,9 @@ class NearestSearch {
  public:
   explicit NearestSearch(const MeshInStep& mesh) : mesh_(mesh) {}
 
-  /// Looks at some triangles of the mesh.
-  /// @param boxes around each of them  @param radius nothing farther counts [m]
-  [[nodiscard]] NearVertex among(std::span<const int> triangles, const BoxList& boxes, const Vec3& point,
+  /// Looks into some leaves of the mesh's tree.
+  /// @param boxes theirs  @param radius nothing farther counts [m]
+  [[nodiscard]] NearVertex among(const std::vector<int>& patches, const BoxList& boxes, const Vec3& point,
                                  double radius);
 
   /// Looks into the whole mesh.
@@ -25,7 +25,8 @@ class NearestSearch {
   [[nodiscard]] NearVertex result(const Vec3& point);
 
   const MeshInStep& mesh_;
-  std::vector<double> toBox_;  // [m^2]
+  std::vector<std::int32_t> near_;  // patches
+  std::vector<double> toBox_;       // of their triangles [m^2]
   NearVertex best_;
   double least_ = 0.0;  // [m^2]
 };

@@ -17,7 +17,7 @@ void PlaneSearch::place() {
   }
 }
 
-void PlaneSearch::look(int t, const OwnPlane& own, std::span<const int> patches) {
+void PlaneSearch::look(int t, const OwnPlane& own, const std::vector<int>& patches, const BoxList& boxes) {
   t_ = static_cast<std::size_t>(t);
   base_ = cornersOf(cloth_.base, cloth_.triangles[t_]);
   target_ = cornersOf(cloth_.target, cloth_.triangles[t_]);
@@ -25,11 +25,9 @@ void PlaneSearch::look(int t, const OwnPlane& own, std::span<const int> patches)
     return;
   }
   place();
-  patches_.clear();
-  for (const int patch : patches) {
-    if (mesh_.mesh.tree.leafBox(static_cast<std::size_t>(patch)).intersects(reach_)) {
-      patches_.push_back(patch);
-    }
+  boxesMeeting(boxes, reach_, patches_);
+  for (std::int32_t& each : patches_) {
+    each = patches[static_cast<std::size_t>(each)];
   }
   if (patches_.empty()) {
     return;
@@ -152,7 +150,7 @@ void PlaneSearch::coverSome() {
       const double endTop = mesh_.moves() ? highestAlong(best.normal, mesh_.end(triangle)) : top;
       if (most > 0 && covers(best, top, endTop)) {
         best.cover(top, endTop);
-      } else {
+      } else if (mesh_.moves() || !outOfReach(normals_, triangle)) {
         rest_.push_back({triangle, false});
       }
     }
@@ -160,6 +158,16 @@ void PlaneSearch::coverSome() {
   if (most > 0) {
     raise(best);
   }
+}
+
+/// Whether one of the normals shows that a triangle of the body, which does not move, is too far away to be met.
+bool PlaneSearch::outOfReach(const std::vector<Vec3>& normals, int triangle) const {
+  const Corners at = mesh_.base(triangle);
+  const double far = room_ + side_.reach().guard;
+  return std::any_of(normals.begin(), normals.end(), [&](const Vec3& normal) {
+    return lowestAlong(normal, base_) - highestAlong(normal, at) > far ||
+           lowestAlong(normal, at) - highestAlong(normal, base_) > far;
+  });
 }
 
 void PlaneSearch::raise(const Plane& plane) {

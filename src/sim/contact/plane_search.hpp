@@ -26,8 +26,8 @@ class PlaneSearch {
       : side_(side), mesh_(mesh), cloth_(cloth), nearest_(nearest), findings_(findings) {}
 
   /// @param own a plane that has all behind it that triangle t could reach, if there is one
-  /// @param patches leaves of the mesh's tree, among them all that it could reach
-  void look(int t, const OwnPlane& own, std::span<const int> patches);
+  /// @param patches leaves of the mesh's tree, among them all that it could reach  @param boxes theirs
+  void look(int t, const OwnPlane& own, const std::vector<int>& patches, const BoxList& boxes);
 
   /// The pairs without a plane between them.
   [[nodiscard]] const std::vector<Piercing>& piercings() const { return piercings_; }
@@ -61,6 +61,7 @@ class PlaneSearch {
   [[nodiscard]] Plane planeAlong(const Vec3& normal) const;
   [[nodiscard]] bool covers(const Plane& plane, double baseTop, double endTop) const;
   void measure(const Vec3& normal);
+  [[nodiscard]] bool outOfReach(const std::vector<Vec3>& normals, int triangle) const;
   void raise(const Plane& plane);
 
   const BodySide& side_;

@@ -77,6 +77,29 @@ SearchableMesh::SearchableMesh(MeshShape mesh)
       sharp(sharpSides(shape)) {
   gatherPatches();
   fill(start_, patchVertices_, shape.positions);
+  fillBoxes(shape.positions, startBoxes_);
+}
+
+void SearchableMesh::fillBoxes(std::span<const Vec3> positions, std::vector<TriangleBoxes>& boxes) const {
+  boxes.resize(tree.leafCount());
+  for (std::size_t leaf = 0; leaf < boxes.size(); ++leaf) {
+    const std::span<const int> triangles = tree.leaf(leaf);
+    for (std::size_t k = 0; k < trianglesOfPatch; ++k) {
+      Eigen::AlignedBox3d box;
+      if (k < triangles.size()) {
+        for (const int v : shape.triangles[static_cast<std::size_t>(triangles[k])]) {
+          box.extend(vectorAt(positions, v));
+        }
+      } else {
+        box.min().setConstant(std::numeric_limits<double>::infinity());
+        box.max() = -box.min();
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        boxes[leaf].low[axis][k] = box.min()[static_cast<Eigen::Index>(axis)];
+        boxes[leaf].high[axis][k] = box.max()[static_cast<Eigen::Index>(axis)];
+      }
+    }
+  }
 }
 
 void SearchableMesh::gatherPatches() {
@@ -126,6 +149,8 @@ void SearchableMesh::follow(std::span<const Vec3> before, std::span<const Vec3> 
   tree.refit(before, after, shape.triangles);
   fill(start_, patchVertices_, before);
   fill(end_, patchVertices_, after);
+  fillBoxes(before, startBoxes_);
+  fillBoxes(after, endBoxes_);
   moves_.assign(tree.leafCount(), 0.0);
   for (std::size_t leaf = 0; leaf < moves_.size(); ++leaf) {
     for (std::size_t i = patchBegin_[leaf]; i < patchBegin_[leaf + 1]; ++i) {

@@ -12,8 +12,6 @@
 
 namespace drape {
 
-inline constexpr std::size_t trianglesOfPatch = 4;  ///< that are looked at together
-
 /// A mesh with what is worked out of it for the search: once, and for one that moves in itself at every step.
 class SearchableMesh {
  public:
@@ -29,6 +27,11 @@ class SearchableMesh {
   Extent extentsAlong(const Vec3& direction, const std::vector<std::int32_t>& leaves, bool atEnd,
                       std::vector<Extent>& extents) const {
     return drape::extentsAlong(lanes(atEnd), patchBegin_, leaves, direction, extents);
+  }
+
+  /// The boxes around the triangles of each leaf, triangle i of the leaf in lane i.
+  [[nodiscard]] const std::vector<TriangleBoxes>& triangleBoxes(bool atEnd) const {
+    return atEnd && movesInItself() ? endBoxes_ : startBoxes_;
   }
 
   /// Which triangles of a leaf reach into the slab between two heights along a unit vector, triangle i in bit i.
@@ -48,6 +51,7 @@ class SearchableMesh {
 
  private:
   void gatherPatches();
+  void fillBoxes(std::span<const Vec3> positions, std::vector<TriangleBoxes>& boxes) const;
   [[nodiscard]] const PatchLanes& lanes(bool atEnd) const { return atEnd && movesInItself() ? end_ : start_; }
 
   std::vector<int> patchVertices_;       // of the leaves, each a multiple of the lanes; the last of a leaf is repeated
@@ -55,6 +59,7 @@ class SearchableMesh {
   std::vector<std::array<std::uint8_t, 3>> patchCorners_;  // of each leaf's triangles, counted from where it begins
   std::vector<std::size_t> patchTriangles_;                // where a leaf begins in these
   PatchLanes start_, end_;
+  std::vector<TriangleBoxes> startBoxes_, endBoxes_;
   std::vector<double> moves_;
 };
 

@@ -5,32 +5,62 @@
 
 namespace drape {
 
-OwnPlane SharpSearch::look(int t, const std::vector<int>& patches, const BoxList& boxes) {
+/// Measures a triangle and what is near it along its normal; false where nothing is near.
+bool SharpSearch::place(int t, const std::vector<int>& patches, const BoxList& boxes) {
   t_ = static_cast<std::size_t>(t);
   base_ = cornersOf(cloth_.base, cloth_.triangles[t_]);
-  const Eigen::AlignedBox3d box = boxAround(base_);
-  boxesMeeting(boxes, inflated(box, near_), patches_);
+  boxesMeeting(boxes, inflated(boxAround(base_), near_), patches_);
   if (patches_.empty()) {
-    return {};
+    return false;
   }
   for (std::int32_t& each : patches_) {
     each = patches[static_cast<std::size_t>(each)];
   }
   normal_ = faceNormal(base_);
-  const double low = lowestAlong(normal_, base_);
-  const double high = highestAlong(normal_, base_);
-  const Extent all = mesh_.mesh.extentsAlong(normal_, patches_, mesh_.settled, extents_);
-  if (low - all.high < close_ && all.low - high < close_) {
-    around_ = inflated(box, close_);
-    low_ = low - close_;
-    high_ = high + close_;
+  own_ = {lowestAlong(normal_, base_), highestAlong(normal_, base_)};
+  all_ = mesh_.mesh.extentsAlong(normal_, patches_, mesh_.settled, extents_);
+  return true;
+}
+
+OwnPlane SharpSearch::plane() const {
+  const bool above = own_.low - all_.high >= all_.low - own_.high;
+  return above ? OwnPlane{normal_, all_.high} : OwnPlane{-normal_, -all_.low};
+}
+
+OwnPlane SharpSearch::planeOf(int t, const std::vector<int>& patches, const BoxList& boxes) {
+  return place(t, patches, boxes) ? plane() : OwnPlane();
+}
+
+OwnPlane SharpSearch::look(int t, const std::vector<int>& patches, const BoxList& boxes) {
+  if (!place(t, patches, boxes)) {
+    return {};
+  }
+  if (own_.low - all_.high < close_ && all_.low - own_.high < close_) {
+    around_ = inflated(boxAround(base_), close_);
+    low_ = own_.low - close_;
+    high_ = own_.high + close_;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       if (extents_[i].high > low_ && extents_[i].low < high_) {
         lookInto(static_cast<std::size_t>(patches_[i]));
       }
     }
   }
-  return low - all.high >= all.low - high ? OwnPlane{normal_, all.high} : OwnPlane{-normal_, -all.low};
+  return plane();
+}
+
+double SharpSearch::distanceAtLeast(const OwnPlane& plane, std::span<const NearVertex> nearest) {
+  if (patches_.empty()) {
+    return near_;
+  }
+  double widest = lowestAlong(plane.normal, base_) - plane.top;
+  for (const int v : cloth_.triangles[t_]) {
+    const NearVertex& near = nearest[static_cast<std::size_t>(v)];
+    if (widest < close_ && near.triangle >= 0) {
+      const Extent all = mesh_.mesh.extentsAlong(near.normal, patches_, mesh_.settled, extents_);
+      widest = std::max(widest, lowestAlong(near.normal, base_) - all.high);
+    }
+  }
+  return std::min(widest, near_);
 }
 
 void SharpSearch::lookInto(std::size_t patch) {

@@ -20,7 +20,17 @@ class SharpSearch {
   /// @param patches leaves of the mesh's tree, among them all that come near to triangle t  @param boxes theirs
   OwnPlane look(int t, const std::vector<int>& patches, const BoxList& boxes);
 
+  /// The plane alone.
+  OwnPlane planeOf(int t, const std::vector<int>& patches, const BoxList& boxes);
+
+  /// A bound below the distance between the triangle that was looked at last and the mesh, at the base: the widest gap
+  /// along the plane's normal and those of the nearest points of its corners [m]; what is farther than near counts as
+  /// near.
+  double distanceAtLeast(const OwnPlane& plane, std::span<const NearVertex> nearest);
+
  private:
+  bool place(int t, const std::vector<int>& patches, const BoxList& boxes);
+  [[nodiscard]] OwnPlane plane() const;
   void lookInto(std::size_t patch);
   void touchVertices(int bodyTriangle, const Corners& at);
   void touchEdges(int bodyTriangle, const Corners& at);
@@ -37,6 +47,8 @@ class SharpSearch {
   Corners base_;
   Eigen::AlignedBox3d around_;
   Vec3 normal_ = Vec3::UnitY();
+  Extent own_;                         // of the triangle along its normal [m]
+  Extent all_;                         // of all that is near [m]
   double low_ = 0.0;                   // along the normal, with what counts as close [m]
   double high_ = 0.0;                  // [m]
   std::vector<std::int32_t> patches_;  // that are near

@@ -33,7 +33,22 @@ class TouchSolver {
     Vec3 across = Vec3::Zero();
   };
 
+  /// A touch with only those of its vertices that have a weight.
+  struct Point {
+    std::array<std::size_t, 3> vertices{};
+    std::array<double, 3> weights{};
+    std::array<double, 3> shares{};  // weight over mass [1/kg]
+    std::size_t count = 0;
+    double inverse = 0.0;  // inverse mass [1/kg]
+
+    [[nodiscard]] Vec3 valueIn(std::span<const Vec3> values) const;
+    void push(const Vec3& impulse, std::span<Vec3> values) const;
+  };
+
+  void place(std::span<const Touch> touches, std::span<const double> inverseMass);
+
   std::vector<Impulse> impulses_;
+  std::vector<Point> points_;
 };
 
 }  // namespace drape

@@ -93,7 +93,16 @@ struct Search {
     const MeshInStep inStep{*mesh, before, after, false};
     const ClothInBody cloth{start, target, room, model->triangles, owned};
     meshSearch.findTouches(side, inStep, cloth, clusters, workers, 1, found);
-    EXPECT_FALSE(meshSearch.findPlanes(side, inStep, cloth, clusters, workers, 1, found));
+    std::vector<double> ways;
+    for (std::size_t v = 0; v < start.size(); ++v) {
+      ways.push_back((target[v] - start[v]).norm());
+    }
+    EXPECT_FALSE(meshSearch.findPlanes(side, inStep, cloth, clusters, ways, workers, 1, found));
+    planesAtFirst = found.barriers.size();
+    // Whatever may be moved anywhere needs all its planes.
+    found.barriers.clear();
+    meshSearch.askForAll();
+    EXPECT_FALSE(meshSearch.findPlanes(side, inStep, cloth, clusters, ways, workers, 1, found));
   }
 
   /// Goes with every vertex as far in any direction as its planes and its room allow.
@@ -123,6 +132,7 @@ struct Search {
   ContactReach reach{0.004, 0.0024, 0.0004, 0.002};
   MeshSearch meshSearch;
   Findings found;
+  std::size_t planesAtFirst = 0;  // before all triangles were asked for
 };
 
 TEST(MeshSearch, leavesNoWayIntoAMeshThatStandsStill) {
@@ -194,6 +204,15 @@ TEST(MeshSearch, needsNoMorePlanesThanTrianglesOverWhatIsConvex) {
     search.run(Vec3(0.0, -0.01, 0.0), 0.0);
     EXPECT_LE(search.found.barriers.size(), 3 * search.model->triangles.size());
   }
+}
+
+TEST(MeshSearch, sparesTrianglesThatGoNowhereNearUntilTheyAreAskedFor) {
+  Search still(ball(), 14, 5);
+  still.run(Vec3::Zero(), 0.0);
+  EXPECT_LT(still.planesAtFirst, still.found.barriers.size());
+  Search moving(ball(), 14, 5);
+  moving.run(Vec3(0.0, -0.01, 0.0), 0.0);
+  EXPECT_GT(moving.planesAtFirst, still.planesAtFirst);
 }
 
 TEST(MeshTree, hasEveryTriangleInOneLeafAndFindsTheLeavesInABox) {
