@@ -45,7 +45,7 @@ void choicePlots(const PanelContext& context) {
   const auto& samples = context.memory.measures.samples();
   const std::array work{PlotCurve{"Substeps", colours[0], chosen<substeps>},
                         PlotCurve{"Passes over the springs", colours[1], chosen<passes>}};
-  timePlot(context, "Chosen for a step", "-", samples, work);
+  timePlot(context, "Chosen", "per step", samples, work);
   if (std::any_of(samples.begin(), samples.end(), isSofter)) {
     const std::array kept{PlotCurve{"Stiffness kept", colours[2], chosen<stiffness>}};
     timePlot(context, "Stiffness that the springs keep", "%", samples, kept);

@@ -16,9 +16,11 @@ std::uint64_t bitsOf(double value) {
 
 /// A sum over all bits, so that a change of any one shows.
 std::uint64_t sumOf(const std::vector<Vec3>& vectors) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  const double* values = vectors.empty() ? nullptr : vectors.front().data();
   std::uint64_t sum = 0;
-  for (const Vec3& each : vectors) {
-    sum += bitsOf(each.x()) + 3 * bitsOf(each.y()) + 5 * bitsOf(each.z());
+  for (std::size_t i = 0; i < 3 * vectors.size(); ++i) {
+    sum += bitsOf(values[i]);
   }
   return sum;
 }
@@ -57,14 +59,12 @@ double slowDown(const ClothModel& model, const std::vector<std::vector<std::size
 
 void EnergyGuard::begin(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                         const ClothState& state) {
-  double mass = 0.0;
   double moment = 0.0;
   for (std::size_t i = 0; i < state.positions.size(); ++i) {
-    mass += model.vertexMass[i];
     moment += model.vertexMass[i] * state.positions[i].y();
   }
   lifted_ = parameters.gravity * moment;
-  weight_ = parameters.gravity * mass * rates.diagonal;
+  weight_ = parameters.gravity * rates.mass * rates.diagonal;
   mark_ = markOf(model, parameters, state);
   fades_ = parameters.damping != 0.0 || parameters.drag != 0.0 || parameters.lift != 0.0;
 }

@@ -34,6 +34,17 @@ bool dependsOnPositionsAlone(const StepParameters& parameters, const StepInputs&
   return parameters.damping == 0.0 && parameters.drag == 0.0 && parameters.lift == 0.0 && !inputs.grab;
 }
 
+/// The largest coordinate [m].
+double farthestOf(const std::vector<Vec3>& positions) {
+  Vec3 least = Vec3::Zero();
+  Vec3 most = Vec3::Zero();
+  for (const Vec3& position : positions) {
+    least = least.cwiseMin(position);
+    most = most.cwiseMax(position);
+  }
+  return std::max(-least.minCoeff(), most.maxCoeff());
+}
+
 /// Springs that are held to what so many substeps carry.
 StepPlan heldPlan(const ClothModel& model, const StepParameters& parameters, int substeps) {
   StepPlan plan{.substeps = substeps, .damping = parameters.damping};
@@ -63,6 +74,7 @@ LocalRates localRatesOf(const ClothModel& model) {
     rates.median = *middle;
   }
   rates.diagonal = diagonalOf(model);
+  rates.mass = model.totalMass();
   return rates;
 }
 
@@ -107,11 +119,7 @@ bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepP
       std::min(passesInBudget(model, parameters), parameters.timeStep * largestFrequency(model, parameters) / heldTo);
   const double h = parameters.timeStep / std::max(1.0, substeps);
   const double omegaSquared = std::min(parameters.stiffness * rates.median, heldTo * heldTo / (h * h));
-  double farthest = 0.0;
-  for (const Vec3& position : state.positions) {
-    farthest = std::max(farthest, position.lpNorm<Eigen::Infinity>());
-  }
-  const double rounding = 0x1p-24 * farthest;
+  const double rounding = 0x1p-24 * farthestOf(state.positions);
   const double heating = 0.5 * measured * omegaSquared * rounding * rounding / h;  // [W/kg]
   const bool comesToRest = (parameters.damping > 0.0 || parameters.drag > 0.0) && parameters.wind.isZero(0.0);
   return heating > (comesToRest ? atRest : inMotion * std::max(leastFall, parameters.gravity * rates.diagonal));

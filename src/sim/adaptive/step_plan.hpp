@@ -13,6 +13,7 @@ struct LocalRates {
   std::vector<double> unit;  ///< omega_i^2 / k [1/kg], one a vertex
   double median = 0.0;       ///< [1/kg]
   double diagonal = 0.0;     ///< of the rest shape [m]
+  double mass = 0.0;         ///< of the whole cloth [kg]
 };
 
 [[nodiscard]] LocalRates localRatesOf(const ClothModel& model);

@@ -243,13 +243,15 @@ class AutoSolver final : public Solver {
 
 /// What the springs keep when the whole budget is spent, and the budget with which they would keep all.
 std::string warning(const ClothModel& model, const StepParameters& parameters) {
-  constexpr double noticeable = 0.8;
+  constexpr double stretched = 1.4;  // how far the budget is exceeded where springs then keep all (planStep)
+  constexpr double heldTo = 1.8;     // what h omega held springs are held to
   const double frequency = largestFrequency(model, parameters);
-  const double substeps = std::floor(passesInBudget(model, parameters));
-  const double carried = substeps * 2.0 / std::max(frequency * parameters.timeStep, 1e-30);
-  if (carried * carried >= noticeable) {
+  const double passes = passesInBudget(model, parameters);
+  const double hardness = std::max(frequency * parameters.timeStep, 1e-30);
+  if (stretched * passes * 2.0 >= hardness) {
     return {};
   }
+  const double carried = std::floor(passes / costWithLevels) * heldTo / hardness;
   const double needed = 0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6;
   std::ostringstream words;
   words << std::setprecision(2);
