@@ -249,18 +249,6 @@ TEST(Window, ClothPulledOverABodySlidesOnIt) {
   }
 }
 
-TEST(Window, TheContactPanelSwitchesABodyOff) {
-  const SceneFile scene(sheetOnTable);
-  ViewerDriver viewer({scene.path(), "--set", "view.shadows=off", "--set", "view.contacts=on"});
-  const Json before = viewer.waitUntil("the sheet to lie", [](const Json& s) { return s["contacts"]["bodies"] >= 81; });
-  EXPECT_GE(before["contacts"]["drawn"], 81) << "they are to be drawn";
-  viewer.click(viewer.find("body.table"));
-  viewer.waitUntil("the sheet to fall",
-                   [](const Json& s) { return !s["bodies"][0]["on"] && s["contacts"]["bodies"] == 0; });
-  viewer.click(viewer.find("body.table"));
-  viewer.waitUntil("the table", [](const Json& s) { return s["bodies"][0]["on"].get<bool>(); });
-}
-
 TEST(Window, AStiffnessDragReachesTheRunningSimulation) {
   ViewerDriver viewer({"grid", "--set", "stiffness=10"});
   viewer.move(viewer.find("stiffness", 0.2));

@@ -42,6 +42,32 @@ TEST_F(UserInterfaceTest, ASolverOutOfItsDepthHasOneClickToAuto) {
   }
 }
 
+/// The panels of a scene with a sphere and a solid ground.
+class ContactPanelTest : public PanelFixture {
+ protected:
+  ContactPanelTest() : PanelFixture("sphere") {}
+};
+
+TEST_F(ContactPanelTest, HasABoxForEachBodyThatSwitchesIt) {
+  settle();
+  for (const auto& [name, index] : {std::pair("body.sphere", 0), std::pair("body.ground", 1)}) {
+    const UiOutput output = click(button(name), 0.1);
+    ASSERT_EQ(output.commands.size(), 1U) << name;
+    const auto& command = std::get<SwitchBodyCommand>(output.commands.front());
+    EXPECT_EQ(command.body, index);
+    EXPECT_FALSE(command.on);
+    apply(output);
+    settle();
+    EXPECT_FALSE(simulation_.bodies().isOn(static_cast<std::size_t>(index)));
+    EXPECT_TRUE(std::get<SwitchBodyCommand>(click(button(name), 0.1).commands.at(0)).on) << "and on again";
+  }
+}
+
+TEST_F(ContactPanelTest, DrawsContactsOnDemand) {
+  settle();
+  EXPECT_TRUE(std::get<bool>(lastValue(click(widget("view.contacts"), 0.02), "view.contacts")));
+}
+
 TEST_F(UserInterfaceTest, ViewButtonsAreRequests) {
   const UiOutput output = click(button("button.top"));
   ASSERT_EQ(output.requests.size(), 1U);
