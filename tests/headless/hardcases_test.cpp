@@ -37,6 +37,11 @@ TEST(HardCasesCommand, printsATableOfSolvers) {
   EXPECT_EQ(outcome.output, "| case | verlet |\n|---|---|\n| 21 heavy_gravity | passed |\n");
 }
 
+TEST(HardCasesCommand, putsTheDefaultSolverOnTrial) {
+  const Outcome outcome = headless(quick + "--markdown");
+  EXPECT_EQ(outcome.output, "| case | auto |\n|---|---|\n| 21 heavy_gravity | passed |\n");
+}
+
 TEST(HardCasesCommand, refusesWrongUse) {
   EXPECT_EQ(headless("hardcases --case 23").status, 2);
   EXPECT_EQ(headless(quick + "--solver magic").status, 2);

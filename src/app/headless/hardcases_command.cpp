@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 #include "app/headless/commands.hpp"
 #include "report/hardcases/hard_case_rows.hpp"
+#include "settings/settings.hpp"
 #include "sim/error.hpp"
 #include "sim/solver.hpp"
 
@@ -33,7 +34,7 @@ std::vector<std::string> solversOf(const HardCasesArguments& arguments) {
       solvers.emplace_back(solver.name);
     }
   }
-  return solvers.empty() ? std::vector<std::string>{std::string(solverTable().front().name)} : solvers;
+  return solvers.empty() ? std::vector<std::string>{Settings().solver.name} : solvers;
 }
 
 std::vector<const HardCase*> casesOf(const HardCasesArguments& arguments) {

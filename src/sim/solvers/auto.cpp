@@ -20,14 +20,14 @@ namespace {
 constexpr int mostRetakes = 3;
 /// No step begins with more than so many of them: the last resort is tried last.
 constexpr int mostCaution = 2;
-/// Error estimates come at the steps 0, 1, 2, 4, 8, 16, 32 and then at every 64th.
+/// Error estimates come at the steps 0, 1, 4, 16 and then at every 64th.
 constexpr int estimateEvery = 64;
 /// What the estimated error stands for: the position error after so long [s].
 constexpr double errorTime = 0.2;
 
 bool estimateIsDue(int steps) {
-  return steps < estimateEvery ? std::has_single_bit(static_cast<unsigned>(steps)) || steps == 0
-                               : steps % estimateEvery == 0;
+  const auto count = static_cast<unsigned>(steps);
+  return steps % estimateEvery == 0 || (std::has_single_bit(count) && std::countr_zero(count) % 2 == 0);
 }
 
 /// A method that chooses for itself. In each step:
