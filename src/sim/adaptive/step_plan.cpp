@@ -13,8 +13,6 @@ namespace {
 /// that a short budget is stretched to.
 constexpr double comfortable = 0.9;
 constexpr double atMost = 1.02;
-/// How far the budget is exceeded where all springs then keep their stiffness: held ones would be worse by far.
-constexpr double stretched = 1.4;
 /// h omega that held springs are held to. Crumpled cloth is up to 1.22 times as fast as its rest shape.
 constexpr double heldTo = 1.8;
 /// A substep of the fourth order takes four passes and is stable to about h omega = 2.5.
@@ -96,7 +94,7 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
     return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(passes / 4.0)};
   }
   const double fewest = std::ceil(needed / atMost);
-  const int substeps = static_cast<int>(fewest > passes && fewest <= stretched * passes ? fewest : passes);
+  const int substeps = static_cast<int>(fewest > passes && fewest <= stretchedBudget * passes ? fewest : passes);
   if (substeps >= fewest) {
     return {.substeps = substeps, .damping = parameters.damping};
   }

@@ -27,6 +27,9 @@ enum class ExplicitScheme {
 /// What an evaluation of all springs costs when coarse levels take part, in evaluations without (bench/auto_bench.cpp).
 inline constexpr int costWithLevels = 2;
 
+/// How far the budget is exceeded where all springs then keep their stiffness: held ones would be worse by far.
+inline constexpr double stretchedBudget = 1.6;
+
 /// How a step is to be taken.
 struct StepPlan {
   ExplicitScheme scheme = ExplicitScheme::Verlet;
@@ -47,7 +50,7 @@ struct StepPlan {
 /// The cheapest plan that is expected to hold `errorTolerance`, as far as the budget goes. With B passes and the
 /// frame's hardness H = timeStep omega (docs/auto.md derives the bounds):
 /// - B >= 2 H: the fourth order, where nothing but positions matters (no damping, air or hand);
-/// - B >= H / 2.04: Verlet; also where that takes up to 1.4 times the budget;
+/// - B >= H / 2.04: Verlet; also where that takes up to 1.6 times the budget;
 /// - less: Verlet on springs that are held to what the substep carries;
 /// - where that is less than half of their stiffness: half as many substeps, since coarse levels take as long again.
 /// Depends on its arguments alone.

@@ -243,12 +243,11 @@ class AutoSolver final : public Solver {
 
 /// What the springs keep when the whole budget is spent, and the budget with which they would keep all.
 std::string warning(const ClothModel& model, const StepParameters& parameters) {
-  constexpr double stretched = 1.4;  // how far the budget is exceeded where springs then keep all (planStep)
-  constexpr double heldTo = 1.8;     // what h omega held springs are held to
+  constexpr double heldTo = 1.8;  // what h omega held springs are held to
   const double frequency = largestFrequency(model, parameters);
   const double passes = passesInBudget(model, parameters);
   const double hardness = std::max(frequency * parameters.timeStep, 1e-30);
-  if (stretched * passes * 2.0 >= hardness) {
+  if (stretchedBudget * passes * 2.0 >= hardness) {
     return {};
   }
   const double carried = std::floor(passes / costWithLevels) * heldTo / hardness;
