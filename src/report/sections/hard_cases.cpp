@@ -19,7 +19,7 @@ bool isShort(const std::string& method, const ReportOptions& options) {
 
 /// How long a method may take over a case [s].
 double mostSeconds(bool shortForm) {
-  return shortForm ? 2.0 : 60.0;
+  return shortForm ? 2.0 : 30.0;
 }
 
 ReportRows measureCase(const HardCase& one, const std::string& method, const ReportOptions& options,

@@ -22,7 +22,7 @@ namespace drape {
 namespace {
 
 double mostSeconds(const ReportOptions& options) {
-  return options.quick ? 5.0 : 0.3;
+  return options.quick ? 5.0 : 0.2;
 }
 
 int checkpointsOf(const ReportOptions& options) {
