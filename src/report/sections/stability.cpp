@@ -22,7 +22,7 @@ namespace drape {
 namespace {
 
 double mostSeconds(const ReportOptions& options) {
-  return options.quick ? 5.0 : 0.2;
+  return options.quick ? 5.0 : 0.4;
 }
 
 int checkpointsOf(const ReportOptions& options) {
@@ -94,9 +94,10 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
   Watch patient;
   patient.progress = [&context](std::string_view, std::int64_t, std::int64_t) { context.mayStop(); };
   const Trajectory& reference = ground.motion(patient);
-  // What takes a solver more iterations is given up as too slow anyway, but only between steps can it be.
-  const Settings settings =
-      changedSettings(ground.scene(), {"solver=" + method, "time_step=" + timeStep, "max_iterations=100"});
+  // What takes a solver more iterations is given up as too slow anyway, but only between steps can it be. The default
+  // work of `auto` takes seconds.
+  const Settings settings = changedSettings(
+      ground.scene(), {"solver=" + method, "time_step=" + timeStep, "max_iterations=100", "auto.work=50"});
   ReportRow row{{"method", method},
                 {"resolution", ground.resolution()},
                 {"stiffness", settings.step.stiffness},
