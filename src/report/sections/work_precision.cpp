@@ -30,7 +30,7 @@ struct Limits {
 
 Limits limitsOf(bool quick) {
   // What a quick report finds is tested, and must not hang on how busy the machine is.
-  return quick ? Limits{30.0, 0.05, 2e-3} : Limits{0.1, 0.03, 4e-3};
+  return quick ? Limits{30.0, 0.05, 2e-3} : Limits{0.08, 0.02, 3e-3};
 }
 
 /// A method with its setting.
