@@ -1,5 +1,6 @@
 #include "app/headless/run_stats.hpp"
 
+#include "app/choice_json.hpp"
 #include "report/settings_json.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
@@ -36,18 +37,6 @@ nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& s
   }
   const double limit = solver->stepLimit(model, settings.step);
   return std::isfinite(limit) ? nlohmann::ordered_json(limit) : nlohmann::ordered_json(nullptr);
-}
-
-/// What a solver that chooses for itself chose for the last step; null for others.
-nlohmann::ordered_json toJson(const std::optional<StepChoice>& choice) {
-  if (!choice) {
-    return nullptr;
-  }
-  nlohmann::ordered_json json{{"words", inWords(*choice)}};
-  for (const auto& [name, value] : figuresOf(*choice)) {
-    json[std::string(name)] = value;
-  }
-  return json;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "app/viewer/status_file.hpp"
 
+#include "app/choice_json.hpp"
 #include "render/picking.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
@@ -85,17 +86,6 @@ Vec3 middleOf(const Body& body, const BodyStatus& status) {
   }
   const std::vector<Vec3>& positions = status.vertices.empty() ? (*mesh)->positions : status.vertices;
   return status.pose.toWorld(boundsOf(positions).center());
-}
-
-Json toJson(const std::optional<StepChoice>& choice) {
-  if (!choice) {
-    return nullptr;
-  }
-  Json json{{"words", inWords(*choice)}};
-  for (const auto& [name, value] : figuresOf(*choice)) {
-    json[std::string(name)] = value;
-  }
-  return json;
 }
 
 /// Looks for places in the picture with and without cloth, within a budget of triangles.
