@@ -1,10 +1,10 @@
 #include "sim/contact/body_contact.hpp"
 
 #include "sim/bounds.hpp"
+#include "sim/contact/found_in_order.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 namespace drape {
@@ -118,12 +118,10 @@ MeshInStep BodyContact::NearBody::meshInStep(bool settled) const {
 void BodyContact::place(const Cloth& cloth, const std::vector<Vec3>* safe) {
   const std::size_t count = cloth.start.size();
   room_.assign(count, 0.0);
-  double keep = 0.0;
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
     near.base.resize(count);
     near.target.resize(count);
-    keep = std::max(keep, near.reach.keep);
     workers_.forEach(cloth.parameters.threads, count, [&](std::size_t v) {
       near.base[v] = safe != nullptr ? near.step->end.toLocal((*safe)[v]) : near.step->start.toLocal(cloth.start[v]);
       near.target[v] = near.step->end.toLocal(cloth.target[v]);
@@ -132,6 +130,7 @@ void BodyContact::place(const Cloth& cloth, const std::vector<Vec3>* safe) {
   }
   // Bodies that move differently carry a vertex to different places; all of them must have been searched.
   const double apart = nearCount_ > 1 && safe == nullptr ? 2.0 : 1.0;
+  const double keep = largestKeep();
   for (double& room : room_) {
     room = apart * room + 2.0 * keep;
   }
@@ -256,6 +255,14 @@ bool BodyContact::meshes() const {
   return std::any_of(near_.begin(), last, [](const NearBody& near) { return near.mesh != nullptr; });
 }
 
+double BodyContact::largestKeep() const {
+  double keep = 0.0;
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    keep = std::max(keep, near_[b].reach.keep);
+  }
+  return keep;
+}
+
 const std::vector<OwnedFeatures>& BodyContact::ownedOf(const Cloth& cloth) {
   return owned_.get(cloth.model, [](const ClothModel& m) { return ownedFeatures(m.triangles, m.vertexCount()); });
 }
@@ -269,11 +276,9 @@ const ClothClusters& BodyContact::clustersOf(const Cloth& cloth) {
 
 /// Leaves to each vertex the room that it needs to get to `positions`, and some to be put across planes.
 void BodyContact::narrowRoom(const Cloth& cloth, const std::vector<Vec3>& positions) {
-  double keep = 0.0;
   needed_.assign(positions.size(), 0.0);
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
-    keep = std::max(keep, near.reach.keep);
     near.placed.resize(positions.size());
     workers_.forEach(cloth.parameters.threads, positions.size(), [&](std::size_t v) {
       near.placed[v] = near.step->end.toLocal(positions[v]);
@@ -281,6 +286,7 @@ void BodyContact::narrowRoom(const Cloth& cloth, const std::vector<Vec3>& positi
     });
   }
   const double apart = nearCount_ > 1 ? 2.0 : 1.0;
+  const double keep = largestKeep();
   for (std::size_t v = 0; v < needed_.size(); ++v) {
     room_[v] = std::min(room_[v], apart * needed_[v] + keep + (moves_.empty() ? 0.0 : moves_[v]));
   }
@@ -292,17 +298,11 @@ void BodyContact::searchRound(const Cloth& cloth, const ClothInBody& inBody, con
     body.search(inBody, 0, static_cast<std::size_t>(count), found_);
     return;
   }
-  std::mutex mutex;
-  std::vector<std::pair<int, Findings>> parts;
-  workers_.forRange(cloth.parameters.threads, count, [&](int begin, int end) {
-    Findings part;
-    body.search(inBody, static_cast<std::size_t>(begin), static_cast<std::size_t>(end), part);
-    const std::lock_guard lock(mutex);
-    parts.emplace_back(begin, std::move(part));
-  });
-  // In the triangles' order, whoever was first: the result must not depend on the threads.
-  std::sort(parts.begin(), parts.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-  for (const auto& [begin, part] : parts) {
+  const auto parts =
+      foundInOrder<Findings>(workers_, cloth.parameters.threads, count, [&](int begin, int end, Findings& part) {
+        body.search(inBody, static_cast<std::size_t>(begin), static_cast<std::size_t>(end), part);
+      });
+  for (const Findings& part : parts) {
     found_.append(part);
   }
 }
@@ -347,10 +347,6 @@ bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, Contac
     return filter_.farthest() > 0.0;
   }
   double farthest = filter_.farthest();
-  double keep = 0.0;
-  for (std::size_t b = 0; b < nearCount_; ++b) {
-    keep = std::max(keep, near_[b].reach.keep);
-  }
   for (const Touch& touch : found_.touches) {
     for (const int vertex : touch.vertices) {
       const auto v = static_cast<std::size_t>(vertex);
@@ -358,7 +354,7 @@ bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, Contac
       farthest = std::max(farthest, (positions[v] - from).norm());
     }
   }
-  return farthest > linearShare * keep;
+  return farthest > linearShare * largestKeep();
 }
 
 /// Takes the velocity into the bodies away where the cloth touches them now, and slows down what slides.

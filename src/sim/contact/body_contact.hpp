@@ -58,6 +58,7 @@ class BodyContact {
   bool askAround(const Cloth& cloth, bool all, const std::vector<Vec3>& positions);
   int holdBarriers(const Cloth& cloth, bool settled, std::vector<Vec3>& positions);
   [[nodiscard]] bool meshes() const;
+  [[nodiscard]] double largestKeep() const;
   void narrowRoom(const Cloth& cloth, const std::vector<Vec3>& positions);
   const std::vector<OwnedFeatures>& ownedOf(const Cloth& cloth);
   const ClothClusters& clustersOf(const Cloth& cloth);

@@ -1,12 +1,12 @@
 #include "sim/contact/mesh_search.hpp"
 
+#include "sim/contact/found_in_order.hpp"
 #include "sim/contact/nearest_search.hpp"
 #include "sim/contact/sharp_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <utility>
 
 namespace drape {
@@ -27,28 +27,19 @@ NearPoint pointOf(const MeshInStep& mesh, const NearVertex& near) {
 /// What a thread found in its part of the clusters.
 template <typename More>
 struct Part {
-  int begin = 0;
   Findings found;
   std::vector<More> more;
 };
 
-/// Calls visit(first cluster, last cluster, part) on pieces of the clusters, and collects the parts in their order,
-/// whoever was first: the result must not depend on the threads.
+/// Calls visit(first cluster, last cluster, part) on pieces of the clusters, and collects the parts in their order.
 template <typename More, typename Visit>
 std::vector<Part<More>> inParts(const ClothClusters& clusters, Workers& workers, int threads, std::size_t triangles,
                                 Visit&& visit) {
-  std::mutex mutex;
-  std::vector<Part<More>> parts;
-  workers.forRange(threads, static_cast<int>(triangles), [&](int begin, int end) {
-    Part<More> part;
-    part.begin = begin;
-    const auto [first, last] = clusters.clustersWithin(begin, end);
-    visit(first, last, part);
-    const std::lock_guard lock(mutex);
-    parts.push_back(std::move(part));
-  });
-  std::sort(parts.begin(), parts.end(), [](const auto& x, const auto& y) { return x.begin < y.begin; });
-  return parts;
+  return foundInOrder<Part<More>>(workers, threads, static_cast<int>(triangles),
+                                  [&](int begin, int end, Part<More>& part) {
+                                    const auto [first, last] = clusters.clustersWithin(begin, end);
+                                    visit(first, last, part);
+                                  });
 }
 
 }  // namespace
