@@ -20,12 +20,7 @@ struct Method {
 
 std::string hashAfter(const ClothModel& model, const Method& method) {
   constexpr int steps = 20;
-  StepParameters parameters;
-  parameters.timeStep = 1.0 / 600.0;
-  parameters.damping = 0.002;
-  parameters.drag = 0.8;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  StepParameters parameters = testing::windyStep();
   parameters.sweeps = method.sweeps;
   parameters.precision = method.precision;
   ClothState state = testing::shaken(model, 0.003, 3);

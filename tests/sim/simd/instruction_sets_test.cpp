@@ -67,12 +67,7 @@ std::vector<Kind> kinds() {
 }
 
 ClothState stepsWith(const Kind& kind, const ClothModel& model, int steps) {
-  StepParameters parameters;
-  parameters.timeStep = 1.0 / 600.0;
-  parameters.damping = 0.002;
-  parameters.drag = 0.8;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  StepParameters parameters = testing::windyStep();
   parameters.sweeps = kind.sweeps;
   parameters.precision = kind.precision;
   parameters.derivative = kind.derivative;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/step_parameters.hpp"
 #include "test_meshes.hpp"
 
 #include <algorithm>
@@ -112,6 +113,17 @@ inline std::vector<NamedMesh> everyKindOfMesh() {
 inline std::shared_ptr<const ClothModel> heldCloth(const ClothMesh& mesh) {
   const int count = static_cast<int>(mesh.positions.size());
   return buildClothModel(mesh, 0.1, MassLumping::Area, {0, count / 2});
+}
+
+/// A step in which everything acts on the cloth but a hand.
+inline StepParameters windyStep() {
+  StepParameters parameters;
+  parameters.timeStep = 1.0 / 600.0;
+  parameters.damping = 0.002;
+  parameters.drag = 0.8;
+  parameters.lift = 0.5;
+  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  return parameters;
 }
 
 }  // namespace drape::testing
