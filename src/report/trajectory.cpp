@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -59,6 +60,7 @@ class Runner {
     bodies_.advance(state.time, parameters_.timeStep);
     StepInputs inputs;
     inputs.bodies = &bodies_.steps();
+    inputs.mayStop = watch_.progress ? &mayStop_ : nullptr;
     const StepReport report = stepper_.step(model_, parameters_, inputs, state);
     trajectory_.unsolvedSteps += report.converged ? 0 : 1;
     trajectory_.largestResidual = std::max(trajectory_.largestResidual, report.residual);
@@ -75,7 +77,8 @@ class Runner {
           std::max(trajectory_.largestStepResidual, nonlinearResidual(model_, parameters_, {}, before_, state));
     }
     if (watch_.progress) {
-      watch_.progress(watch_.label, ++stepsDone_, stepsTotal_);
+      ++stepsDone_;
+      mayStop_();
     }
   }
 
@@ -94,6 +97,7 @@ class Runner {
   BodyWorld bodies_;
   std::int64_t stepsDone_ = 0;
   std::int64_t stepsTotal_;
+  std::function<void()> mayStop_ = [this] { watch_.progress(watch_.label, stepsDone_, stepsTotal_); };
   EnergyBalance balance_;
   ClothState before_;
   Trajectory trajectory_;

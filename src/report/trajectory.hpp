@@ -13,7 +13,7 @@ namespace drape {
 /// Time between two checkpoints, the paper's [s].
 inline constexpr double checkpointInterval = 1.0 / 30.0;
 
-/// Called while a run goes on: what runs, steps done, steps in all.
+/// Called while a run goes on, within long steps too: what runs, steps done, steps in all. What it throws ends the run.
 using Progress = std::function<void(std::string_view label, std::int64_t done, std::int64_t total)>;
 
 /// A run, seen at its checkpoints.

@@ -32,6 +32,7 @@ void Simulation::step() {
   inputs_.grab = grabInForce();
   bodies_.advance(state_.time, settings_.step.timeStep);
   inputs_.bodies = &bodies_.steps();
+  inputs_.mayStop = mayStop_ ? &mayStop_ : nullptr;
   stepReport_ = stepper_->step(*model_, settings_.step, inputs_, state_);
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   ++version_;

@@ -8,6 +8,7 @@
 #include "sim/stepper.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,6 +29,10 @@ class Simulation {
   /// Advances by one time step, paused or not. When the state stops being finite the simulation goes back to the last
   /// finite state, pauses and says so. A ghost that stops being finite is taken away, and the first cloth goes on.
   void step();
+
+  /// To be called now and then within steps that take long. What it throws comes out of step(); what was simulated is
+  /// then of no more use.
+  void askWithinSteps(std::function<void()> mayStop) { mayStop_ = std::move(mayStop); }
 
   /// Goes through a log that another simulation of the same scene wrote, taking the steps between its commands. The
   /// states are the same, bit for bit.
@@ -105,6 +110,7 @@ class Simulation {
   bool replaying_ = false;  // what the clock had to say stands in the log
   std::optional<Held> grab_;
   StepInputs inputs_;
+  std::function<void()> mayStop_;
   BodyWorld bodies_;
   std::int64_t stepIndex_ = 0;   // since the last reset
   std::int64_t stepsTaken_ = 0;  // since the scene was loaded

@@ -16,6 +16,9 @@ constexpr double longestBurst = 1.0 / 120.0;  // [s]
 /// The longest sleep: how late a command may be noticed while nothing moves.
 constexpr double longestSleep = 0.004;  // [s]
 
+/// Ends a step that takes long, when the thread is to end.
+struct Stopped {};
+
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -24,8 +27,19 @@ double secondsSince(Clock::time_point start) {
 
 SimulationThread::SimulationThread(std::shared_ptr<const Scene> scene, bool paused) : simulation_(std::move(scene)) {
   simulation_.apply(PauseCommand{paused});
+  simulation_.askWithinSteps([this] {
+    if (stop_) {
+      throw Stopped();
+    }
+  });
   publish();
-  thread_ = std::thread([this] { run(); });
+  thread_ = std::thread([this] {
+    try {
+      run();
+    } catch (const Stopped&) {
+      // Nobody waits for what the step would have come to.
+    }
+  });
 }
 
 SimulationThread::~SimulationThread() {

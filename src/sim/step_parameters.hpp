@@ -3,6 +3,7 @@
 #include "sim/contact/contact_parameters.hpp"
 #include "sim/vector.hpp"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -77,6 +78,9 @@ struct Grab {
 struct StepInputs {
   std::optional<Grab> grab;
   const std::vector<BodyStep>* bodies = nullptr;  ///< that are there, over this step (contact/body.hpp); null: none
+  /// Called now and then by methods that may take seconds over a step. What it throws ends the step, and leaves the
+  /// state somewhere in it. Null: nobody wants to know.
+  const std::function<void()>* mayStop = nullptr;
 };
 
 }  // namespace drape

@@ -276,6 +276,14 @@ TEST(Simulation, loadsAnotherSceneWithItsOwnSettings) {
   EXPECT_TRUE(isFinite(simulation.state()));
 }
 
+TEST(Simulation, letsOutOfAStepWhatIsThrownWithinIt) {
+  struct Enough {};
+  Simulation simulation(smallGrid(9, {"solver=newton", "tolerance=1e-9"}));
+  simulation.askWithinSteps([] { throw Enough(); });
+  EXPECT_THROW(simulation.step(), Enough);
+  EXPECT_EQ(simulation.stepsTaken(), 0);
+}
+
 TEST(Simulation, numbersSnapshotsSoThatEveryChangeShows) {
   Simulation simulation(smallGrid());
   Snapshot snapshot;

@@ -31,7 +31,7 @@ ReportRows measureCase(const HardCase& one, const std::string& method, const Rep
   CaseOptions asked;
   asked.solver = method;
   asked.shortForm = isShort(method, options);
-  // What takes more iterations takes too long anyway, but only between steps can it be given up.
+  // What takes more iterations takes too long anyway.
   asked.settings = {"threads=" + std::to_string(options.threads), "max_iterations=100"};
   asked.mostSeconds = mostSeconds(asked.shortForm, options);
   asked.mayStop = context.mayStop;

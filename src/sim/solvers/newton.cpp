@@ -40,7 +40,7 @@ class NewtonSolver final : public Solver {
                   ClothState& state) override {
     factorisation_ = cache_.get(model, [](const ClothModel& m) { return std::make_unique<Factorisation>(m); }).get();
     potential_.begin(model, parameters, inputs, state, workers_);
-    const StepReport report = minimise(parameters, state.positions.size());
+    const StepReport report = minimise(parameters, inputs, state.positions.size());
     for (std::size_t i = 0; i < velocities_.size(); ++i) {
       state.velocities[i] = velocities_[i];
       state.positions[i] += parameters.timeStep * velocities_[i];
@@ -50,7 +50,7 @@ class NewtonSolver final : public Solver {
   }
 
  private:
-  StepReport minimise(const StepParameters& parameters, std::size_t count) {
+  StepReport minimise(const StepParameters& parameters, const StepInputs& inputs, std::size_t count) {
     velocities_.assign(count, Vec3::Zero());
     direction_.resize(count);
     trial_.resize(count);
@@ -61,6 +61,9 @@ class NewtonSolver final : public Solver {
       return report;  // nothing but rounding is left over where it starts
     }
     while (current_.residual > parameters.tolerance * first && report.iterations < parameters.maxIterations) {
+      if (inputs.mayStop != nullptr) {
+        (*inputs.mayStop)();
+      }
       if (!findDirection(parameters.derivative) || !searchAlongIt()) {
         break;  // rounding is in the way of more
       }

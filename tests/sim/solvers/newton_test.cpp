@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <cmath>
+#include <functional>
 
 namespace drape {
 namespace {
@@ -100,6 +101,28 @@ TEST(Newton, saysWhenItDidNotGetThere) {
   const double judged = leftOver(*model, parameters, before, state.positions, state.velocities) /
                         leftOverAtFirst(*model, parameters, before);
   EXPECT_NEAR(report.residual, judged, 1e-9 * judged);
+}
+
+TEST(Newton, asksBetweenItsIterationsWhetherItMayStopAndDoesSo) {
+  const auto model = pinnedSheet(9);
+  StepParameters parameters;
+  parameters.stiffness = 1e5;
+  parameters.timeStep = 1.0 / 30.0;
+  parameters.tolerance = 1e-10;
+  struct Enough {};
+  int asked = 0;
+  const std::function<void()> mayStop = [&] {
+    if (++asked == 3) {
+      throw Enough();
+    }
+  };
+  StepInputs inputs;
+  inputs.mayStop = &mayStop;
+  ClothState state = shaken(*model, 0.03, 7);
+  const auto before = stateHash(state);
+  EXPECT_THROW(findSolver("newton")->make()->step(*model, parameters, inputs, state), Enough);
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(stateHash(state), before);
 }
 
 TEST(Newton, getsAsFarAsRoundingAllowsWhenItIsAskedForMore) {
