@@ -1,40 +1,13 @@
 #include "io/mesh_topology.hpp"
 
+#include "sim/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 namespace drape {
 namespace {
-
-/// Sets of vertices that only ever grow together.
-class DisjointSets {
- public:
-  explicit DisjointSets(int count) : parent_(static_cast<std::size_t>(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  int root(int item) {
-    while (parentOf(item) != item) {
-      parentOf(item) = parentOf(parentOf(item));
-      item = parentOf(item);
-    }
-    return item;
-  }
-
-  /// True when the two were apart before.
-  bool join(int a, int b) {
-    const auto [low, high] = std::minmax({root(a), root(b)});
-    parentOf(high) = low;
-    return low != high;
-  }
-
- private:
-  int& parentOf(int item) { return parent_[static_cast<std::size_t>(item)]; }
-
-  std::vector<int> parent_;
-};
 
 /// A face's side as its lower vertex sees it.
 struct Side {
