@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <utility>
 
@@ -63,15 +64,17 @@ void Simulation::keepBudget() {
   }
 }
 
-/// Once, when it begins: what was inside a body from the start is pushed out slowly.
+/// While anything is inside a body, which pushes it out slowly.
 void Simulation::tellOfOverlap() {
   const ContactReport& contact = stepReport_.contact;
-  if (stepIndex_ == 0 && contact.overlaps > 0) {
-    std::ostringstream depth;
-    depth.precision(2);
-    depth << contact.deepestOverlap * 1e3;
-    message_ = "The cloth starts inside a body (" + std::to_string(contact.overlaps) + " triangles, up to " +
-               depth.str() + " mm deep) and is pushed out slowly.";
+  overlapMessage_.clear();
+  if (contact.overlaps > 0) {
+    const double depth = contact.deepestOverlap * 1e3;
+    std::ostringstream shown;
+    shown << std::fixed << std::setprecision(depth < 10.0 ? 1 : 0) << depth;
+    overlapMessage_ = std::string("The cloth ") + (stepIndex_ == 0 ? "starts" : "is") + " inside a body (" +
+                      std::to_string(contact.overlaps) + " triangles, up to " + shown.str() +
+                      " mm deep) and is pushed out slowly.";
   }
 }
 
@@ -109,8 +112,8 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.maxStretch = drape::maxStretch(*model_, state_);
   snapshot.stepSeconds = stepSeconds_;
   snapshot.stepReport = stepReport_;
-  snapshot.message = message_;
-  if (message_.empty() && snapshot.maxStretch > implausibleStretch) {
+  snapshot.message = message();
+  if (snapshot.message.empty() && snapshot.maxStretch > implausibleStretch) {
     snapshot.message = "Overstretched: this cloth needs a smaller time step. Change it, then reset.";
   }
   if (!ghost_) {
@@ -184,6 +187,7 @@ void Simulation::on(const ResetCommand&) {
     balance_.emplace();
   }
   stepReport_ = {};
+  overlapMessage_.clear();
   blewUp_ = false;
   stepIndex_ = 0;
   grab_.reset();

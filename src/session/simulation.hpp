@@ -56,7 +56,7 @@ class Simulation {
   [[nodiscard]] double lastStepSeconds() const { return stepSeconds_; }
   /// How the last step went.
   [[nodiscard]] const StepReport& lastStepReport() const { return stepReport_; }
-  [[nodiscard]] const std::string& message() const { return message_; }
+  [[nodiscard]] const std::string& message() const { return message_.empty() ? overlapMessage_ : message_; }
 
   /// The commands since the scene was loaded, in order, each with the number of steps taken before it.
   [[nodiscard]] const std::vector<LoggedCommand>& log() const { return log_; }
@@ -118,6 +118,7 @@ class Simulation {
   bool paused_ = false;
   bool blewUp_ = false;
   std::string message_;
+  std::string overlapMessage_;  // while some of the cloth is inside a body
   double stepSeconds_ = 0.0;
   std::vector<LoggedCommand> log_;
 };

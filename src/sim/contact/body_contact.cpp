@@ -4,7 +4,6 @@
 #include "sim/contact/found_in_order.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace drape {
@@ -14,10 +13,7 @@ constexpr int mostPasses = 4;
 constexpr int mostAsked = 6;  // rounds in which planes are looked for only where vertices were moved
 constexpr int positionRounds = 6;
 constexpr int velocityRounds = 6;
-constexpr double innerShare = 0.6;     // of the distance that is kept: at which edges and faces are stopped [-]
-constexpr double guardShare = 0.1;     // of the distance that is kept: what is never gone below [-]
-constexpr double linearShare = 0.25;   // of it: how far a touch may move before it is looked at again [-]
-constexpr double overlapSpeed = 0.25;  // at which an overlap is undone [m/s]
+constexpr double linearShare = 0.25;  // of it: how far a touch may move before it is looked at again [-]
 
 std::vector<double> inverseMassOf(const ClothModel& model) {
   std::vector<double> inverse(model.vertexMass.size());
@@ -35,77 +31,7 @@ Vec3 pointOf(const Touch& touch, const std::vector<Vec3>& values) {
   return sum;
 }
 
-/// Half the extent of a body around its origin, as far as it is known without looking at its mesh [m].
-double roundRadius(const BodyShape& shape) {
-  if (const auto* sphere = std::get_if<SphereShape>(&shape)) {
-    return sphere->radius;
-  }
-  const auto* capsule = std::get_if<CapsuleShape>(&shape);
-  return capsule == nullptr ? 0.0 : capsule->radius + capsule->halfLength;
-}
-
-/// Whether anything in the box could be nearer to the body than `far`, over the whole step.
-bool couldMeet(const BodyStep& step, const SearchableMesh* mesh, const Eigen::AlignedBox3d& cloth, double far) {
-  double radius = roundRadius(step.body->shape) + far;
-  Vec3 middle = Vec3::Zero();
-  if (std::holds_alternative<PlaneShape>(step.body->shape)) {
-    return true;
-  }
-  if (mesh != nullptr) {
-    const Eigen::AlignedBox3d box = mesh->tree.bounds();
-    middle = box.center();
-    radius = 0.5 * box.diagonal().norm() + far;
-  }
-  Eigen::AlignedBox3d swept;
-  for (const Pose& pose : {step.start, step.end}) {
-    swept.extend((pose.toWorld(middle).array() - radius).matrix());
-    swept.extend((pose.toWorld(middle).array() + radius).matrix());
-  }
-  return swept.intersects(cloth);
-}
-
 }  // namespace
-
-SearchableMesh* BodyContact::meshOf(const BodyStep& step) {
-  const auto* shape = std::get_if<std::shared_ptr<const MeshShape>>(&step.body->shape);
-  const bool box = std::holds_alternative<BoxShape>(step.body->shape);
-  if (shape == nullptr && !box) {
-    return nullptr;
-  }
-  std::unique_ptr<SearchableMesh>& mesh = meshes_[step.body];
-  if (!mesh) {
-    if (box) {
-      const BodySurface surface = surfaceOf(step.body->shape);
-      mesh = std::make_unique<SearchableMesh>(MeshShape{surface.positions, surface.triangles, {}, 1.0, false});
-    } else {
-      mesh = std::make_unique<SearchableMesh>(**shape);
-    }
-  }
-  if (mesh->movesInItself()) {
-    mesh->follow(step.startVertices, step.endVertices);
-  }
-  return mesh.get();
-}
-
-void BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& bodies) {
-  Eigen::AlignedBox3d box = boundsOf(cloth.start);
-  box.extend(boundsOf(cloth.target));
-  nearCount_ = 0;
-  for (const BodyStep& step : bodies) {
-    const double keep = step.body->thickness + 0.5 * cloth.parameters.contact.thickness;
-    SearchableMesh* mesh = meshOf(step);
-    if (!couldMeet(step, mesh, box, 2.0 * keep)) {
-      continue;
-    }
-    if (near_.size() == nearCount_) {
-      near_.emplace_back();
-    }
-    NearBody& near = near_[nearCount_++];
-    near.step = &step;
-    near.mesh = mesh;
-    near.reach = {keep, innerShare * keep, guardShare * keep, overlapSpeed * cloth.parameters.timeStep};
-  }
-}
 
 MeshInStep BodyContact::NearBody::meshInStep(bool settled) const {
   const std::span<const Vec3> own = mesh->shape.positions;
@@ -165,37 +91,52 @@ void BodyContact::makeRoomForMoves(const Cloth& cloth, const NearBody& near) {
   }
 }
 
+ClothInBody BodyContact::clothIn(const Cloth& cloth, const NearBody& near, std::span<const Vec3> target) {
+  return {near.base,
+          target,
+          room_,
+          cloth.model.triangles,
+          ownedOf(cloth),
+          inverseMass_.get(cloth.model, inverseMassOf),
+          near.overlaps ? &near.overlap : nullptr};
+}
+
 /// Looks for touches, and on planes, spheres and capsules for barriers as well.
 /// @param settled the bases are at the end of the step
-void BodyContact::search(const Cloth& cloth, bool settled) {
-  const std::vector<OwnedFeatures>& owned = ownedOf(cloth);
-  found_.touches.clear();
-  found_.barriers.clear();
-  found_.overlaps = 0;
-  found_.deepestOverlap = 0.0;
+/// @return true when some of the cloth is inside of what is round: it should be asked again
+bool BodyContact::search(const Cloth& cloth, bool settled) {
+  found_.clear();
+  bool news = false;
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
-    const ClothInBody inBody{near.base, near.target, room_, cloth.model.triangles, owned};
-    if (near.mesh == nullptr) {
-      searchRound(cloth, inBody, BodySearch(*near.step, static_cast<int>(b), near.reach));
-    } else {
-      near.meshSearch.findTouches(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
-                                  inBody, clustersOf(cloth), workers_, cloth.parameters.threads, found_);
+    ContactReach reach = near.reach;
+    reach.free = settled ? 0.0 : reach.free;
+    const ClothInBody inBody = clothIn(cloth, near, near.target);
+    if (near.mesh != nullptr) {
+      near.meshSearch.findTouches(BodySide(*near.step, static_cast<int>(b), reach), near.meshInStep(settled), inBody,
+                                  clustersOf(cloth), workers_, cloth.parameters.threads, found_);
+      continue;
+    }
+    const int before = found_.overlaps;
+    const BodySearch body(*near.step, static_cast<int>(b), reach);
+    searchRound(cloth, inBody, body);
+    if (found_.overlaps > before && !std::holds_alternative<PlaneShape>(near.step->body->shape)) {
+      news = findRoundOverlap(cloth, near, body.solid()) || news;
     }
   }
   firstOfMeshes_ = found_.barriers.size();
+  return news;
 }
 
 /// Looks for barriers of meshes between where the cloth is safe and where touches let it go. That is less far than it
 /// was about to go, and what it cannot reach any more need not be looked at.
 /// @return true when the cloth pierces a mesh in places that the search for touches did not know of
 bool BodyContact::searchPlanes(const Cloth& cloth, bool settled) {
-  const std::vector<OwnedFeatures>& owned = ownedOf(cloth);
   bool news = false;
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
     if (near.mesh != nullptr) {
-      const ClothInBody inBody{near.base, near.placed, room_, cloth.model.triangles, owned};
+      const ClothInBody inBody = clothIn(cloth, near, near.placed);
       news =
           near.meshSearch.findPlanes(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
                                      inBody, clustersOf(cloth), needed_, workers_, cloth.parameters.threads, found_) ||
@@ -328,13 +269,18 @@ bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, Contac
   bool news = true;
   for (int i = 0; i < 2 && news; ++i) {
     place(cloth, safe);
-    search(cloth, settled);
+    findOverlaps(cloth, settled, i == 0);
+    if (overlaps() && !settled) {
+      calmTargets(cloth);
+      place(cloth, safe);
+    }
+    makeRoomForExits();
+    news = search(cloth, settled);
     positions = cloth.target;
     correctPositions(cloth, positions);
-    news = false;
     if (meshes()) {
       narrowRoom(cloth, positions);
-      news = searchPlanes(cloth, settled);
+      news = searchPlanes(cloth, settled) || news;
     }
   }
   if (!settled) {
@@ -374,21 +320,32 @@ void BodyContact::correctVelocities(const Cloth& cloth, ClothState& state) {
   solver_.solve(active_, goals_, inverseMass_.get(cloth.model, inverseMassOf), velocityRounds, state.velocities);
 }
 
+void BodyContact::passes(const Cloth& cloth, ContactReport& report, std::vector<Vec3>& positions) {
+  report.squeezed = 0;
+  bool again = pass(cloth, nullptr, report, positions);
+  for (int i = 1; i < mostPasses && again; ++i) {
+    safe_ = positions;
+    again = pass(cloth, &safe_, report, positions);
+  }
+}
+
 void BodyContact::resolve(const ClothModel& model, const StepParameters& parameters,
                           const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start, ClothState& state,
                           ContactReport& report, std::vector<ContactPoint>& points) {
-  const std::vector<Vec3> target = state.positions;
-  const Cloth cloth{model, parameters, start, target};
-  chooseBodies(cloth, bodies);
+  const Cloth cloth{model, parameters, start, target_};
+  target_ = state.positions;
+  Eigen::AlignedBox3d ends = boundsOf(target_);
+  calmed_.clear();
+  nearCount_ = 0;
+  while (chooseBodies(cloth, bodies, ends)) {
+    passes(cloth, report, state.positions);
+    ends.extend(boundsOf(state.positions));  // where bodies have taken it there may be others
+  }
   if (nearCount_ == 0) {
     return;
   }
-  bool again = pass(cloth, nullptr, report, state.positions);
-  for (int i = 1; i < mostPasses && again; ++i) {
-    safe_ = state.positions;
-    again = pass(cloth, &safe_, report, state.positions);
-  }
   correctVelocities(cloth, state);
+  calmVelocities(cloth, state);
   report.bodyContacts = static_cast<int>(active_.size());
   for (const Touch& touch : active_) {
     points.push_back({pointOf(touch, state.positions), touch.normal});

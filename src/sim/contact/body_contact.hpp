@@ -5,6 +5,7 @@
 #include "sim/contact/body_search.hpp"
 #include "sim/contact/contact_report.hpp"
 #include "sim/contact/mesh_search.hpp"
+#include "sim/contact/overlap.hpp"
 #include "sim/contact/touch_solver.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/step_parameters.hpp"
@@ -46,14 +47,26 @@ class BodyContact {
     std::vector<Vec3> target;  // in the body's frame [m]
     std::vector<Vec3> placed;  // where touches let it go, in the body's frame [m]
     MeshSearch meshSearch;
+    Overlap overlap;
+    bool overlaps = false;  // it has an inside, and something of the cloth meets it there
 
     [[nodiscard]] MeshInStep meshInStep(bool settled) const;
   };
 
-  void chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& bodies);
+  bool chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& bodies, const Eigen::AlignedBox3d& ends);
+  void addNear(const Cloth& cloth, const BodyStep& step, SearchableMesh* mesh);
+  void findOverlaps(const Cloth& cloth, bool settled, bool first);
+  void makeRoomForExits();
+  bool findRoundOverlap(const Cloth& cloth, NearBody& near, RoundSolid&& solid);
+  [[nodiscard]] ClothInBody clothIn(const Cloth& cloth, const NearBody& near, std::span<const Vec3> target);
+  void passes(const Cloth& cloth, ContactReport& report, std::vector<Vec3>& positions);
+  [[nodiscard]] bool overlaps() const;
+  [[nodiscard]] std::vector<bool> besideOverlap(const Cloth& cloth, const NearBody& near);
+  void calmTargets(const Cloth& cloth);
+  void calmVelocities(const Cloth& cloth, ClothState& state) const;
   void place(const Cloth& cloth, const std::vector<Vec3>* safe);
   void makeRoomForMoves(const Cloth& cloth, const NearBody& near);
-  void search(const Cloth& cloth, bool settled);
+  bool search(const Cloth& cloth, bool settled);
   bool searchPlanes(const Cloth& cloth, bool settled);
   bool askAround(const Cloth& cloth, bool all, const std::vector<Vec3>& positions);
   int holdBarriers(const Cloth& cloth, bool settled, std::vector<Vec3>& positions);
@@ -70,7 +83,8 @@ class BodyContact {
 
   ModelCache<std::vector<OwnedFeatures>> owned_;
   ModelCache<ClothClusters> clusters_;
-  std::uint64_t models_ = 0;  // for which there were clusters
+  ModelCache<std::vector<int>> pieces_;  // a vertex of each
+  std::uint64_t models_ = 0;             // for which there were clusters
   ModelCache<std::vector<double>> inverseMass_;
   std::map<const Body*, std::unique_ptr<SearchableMesh>> meshes_;  // looked up, never gone through
   std::vector<NearBody> near_;
@@ -88,6 +102,13 @@ class BodyContact {
   BarrierFilter filter_;
   Workers workers_;
   std::vector<Vec3> safe_;
+  std::vector<Vec3> target_;  // where the cloth is about to go [m]
+  /// Of a vertex that is inside a body or beside what is.
+  struct Calmed {
+    std::size_t vertex = 0;
+    Vec3 move = Vec3::Zero();  // of the body there over the step [m]
+  };
+  std::vector<Calmed> calmed_;
 };
 
 }  // namespace drape

@@ -1,8 +1,20 @@
 #include "sim/contact/body_search.hpp"
 
+#include "sim/contact/overlap.hpp"
+
 #include <algorithm>
 
 namespace drape {
+
+namespace {
+
+/// What hangs on a pin cannot come out, and is not counted.
+bool isFree(const ClothInBody& cloth, const Triangle& corners) {
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](int v) { return cloth.inverseMass[static_cast<std::size_t>(v)] > 0.0; });
+}
+
+}  // namespace
 
 BodySearch::BodySearch(const BodyStep& step, int index, const ContactReach& reach) : side_(step, index, reach) {
   if (const auto* sphere = std::get_if<SphereShape>(&step.body->shape)) {
@@ -31,8 +43,10 @@ void BodySearch::searchPlane(const ClothInBody& cloth, std::size_t t, Findings& 
     const int v = cloth.triangles[t][k];
     const Vec3& base = vectorAt(cloth.base, v);
     const double gap = base.y();
-    overlaps = overlaps || gap <= 0.0;
-    findings.deepestOverlap = std::max(findings.deepestOverlap, -gap);
+    if (gap <= 0.0 && cloth.inverseMass[static_cast<std::size_t>(v)] > 0.0) {
+      overlaps = true;
+      findings.deepestOverlap = std::max(findings.deepestOverlap, -gap);
+    }
     if (!cloth.owned[t].corners[k] || gap > side_.reach().keep + cloth.room[static_cast<std::size_t>(v)]) {
       continue;
     }
@@ -47,14 +61,27 @@ void BodySearch::searchPlane(const ClothInBody& cloth, std::size_t t, Findings& 
 
 void BodySearch::roundTouch(const ClothInBody& cloth, std::size_t t, const Vec3& weights, const Vec3& onCore,
                             double keep, Findings& findings) const {
-  const Vec3 way = pointAt(cornersOf(cloth.base, cloth.triangles[t]), weights) - onCore;
+  const Corners base = cornersOf(cloth.base, cloth.triangles[t]);
+  const Vec3 way = pointAt(base, weights) - onCore;
   const double distance = way.norm();
-  if (!(distance > 0.0)) {
-    return;
-  }
-  const Vec3 normal = way / distance;
+  const Vec3 normal = distance > 0.0 ? Vec3(way / distance) : faceNormal(base);
   const Vec3 point = onCore + radius_ * normal;
   side_.addTouch(cloth, t, weights, {distance - radius_, normal, point, point}, keep, findings);
+}
+
+void BodySearch::touchCorners(const ClothInBody& cloth, std::size_t t, const Corners& base, Findings& findings) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int v = cloth.triangles[t][k];
+    if (!cloth.owned[t].corners[k]) {
+      continue;
+    }
+    if (cloth.overlap != nullptr && cloth.overlap->inside(v)) {
+      side_.addTouch(cloth, t, onCorner(k), cloth.overlap->exitOf(v), side_.reach().keep, findings);
+      continue;
+    }
+    const Vec3 onCore = core_[0] + nearestOnSegment(base[k], core_[0], core_[1]) * (core_[1] - core_[0]);
+    roundTouch(cloth, t, onCorner(k), onCore, side_.reach().keep, findings);
+  }
 }
 
 void BodySearch::searchRound(const ClothInBody& cloth, std::size_t t, Findings& findings) const {
@@ -86,15 +113,15 @@ void BodySearch::searchRound(const ClothInBody& cloth, std::size_t t, Findings& 
   if (distance > radius_) {
     const Vec3 normal = way / distance;
     side_.addBarriers(cloth, t, normal, normal.dot(onCore) + radius_, distance - radius_, findings);
-  } else {
+  } else if (isFree(cloth, cloth.triangles[t])) {
     ++findings.overlaps;
     findings.deepestOverlap = std::max(findings.deepestOverlap, radius_ - distance);
   }
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (cloth.owned[t].corners[k]) {
-      roundTouch(cloth, t, onCorner(k), coreAt(nearestOnSegment(base[k], core_[0], core_[1])), side_.reach().keep,
-                 findings);
-    }
+  touchCorners(cloth, t, base, findings);
+  const Triangle& corners = cloth.triangles[t];
+  if (cloth.overlap != nullptr &&
+      std::any_of(corners.begin(), corners.end(), [&](int v) { return cloth.overlap->inside(v); })) {
+    return;  // its corners know the way out
   }
   if (distance - radius_ > side_.reach().inner + room - 2.0 * side_.reach().keep) {
     return;  // edges and faces cannot come that near

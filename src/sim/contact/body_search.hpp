@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/contact/body_side.hpp"
+#include "sim/contact/solid.hpp"
 
 namespace drape {
 
@@ -14,7 +15,12 @@ class BodySearch {
   /// Looks at the triangles from begin to end - 1 and adds to `findings`.
   void search(const ClothInBody& cloth, std::size_t begin, std::size_t end, Findings& findings) const;
 
+  /// Of a sphere or a capsule.
+  [[nodiscard]] RoundSolid solid() const { return RoundSolid(core_, radius_); }
+
  private:
+  void touchCorners(const ClothInBody& cloth, std::size_t t, const Corners& base, Findings& findings) const;
+
   void searchPlane(const ClothInBody& cloth, std::size_t t, Findings& findings) const;
   void searchRound(const ClothInBody& cloth, std::size_t t, Findings& findings) const;
   void roundTouch(const ClothInBody& cloth, std::size_t t, const Vec3& weights, const Vec3& onCore, double keep,

@@ -17,6 +17,11 @@ Vec3 onSide(std::size_t k, double along) {
   return weights;
 }
 
+double ContactReach::freedFrom(double depth) const {
+  constexpr double deep = 0.125;  // [m]
+  return free * std::min(4.0, 1.0 + depth / deep);
+}
+
 void Findings::append(const Findings& more) {
   touches.insert(touches.end(), more.touches.begin(), more.touches.end());
   barriers.insert(barriers.end(), more.barriers.begin(), more.barriers.end());
@@ -26,7 +31,8 @@ void Findings::append(const Findings& more) {
 
 void BodySide::addTouch(const ClothInBody& cloth, std::size_t t, const Vec3& weights, const NearPoint& near,
                         double wanted, Findings& findings) const {
-  const double keep = std::min(wanted, near.gap + reach_.push);
+  const double push = near.gap < 0.0 ? reach_.freedFrom(std::max(near.depth, -near.gap)) : reach_.push;
+  const double keep = std::min(wanted, near.gap + push);
   const double height = near.normal.dot(near.endPoint);
   const Vec3 target = pointAt(cornersOf(cloth.target, cloth.triangles[t]), weights);
   if (near.normal.dot(target) - height >= keep) {

@@ -11,12 +11,18 @@
 
 namespace drape {
 
+class Overlap;
+
 /// How near the cloth may come.
 struct ContactReach {
   double keep = 0.0;   ///< distance at which vertices of the cloth are stopped [m]
   double inner = 0.0;  ///< the same of its edges and faces: nearer, so that on what is smooth vertices suffice [m]
   double guard = 0.0;  ///< distance that it never falls below [m]
-  double push = 0.0;   ///< how much of an overlap is undone in a step [m]
+  double push = 0.0;   ///< how far what is nearer than that goes away in a step [m]
+  double free = 0.0;   ///< how far what is inside comes out in a step, or up to four times that where it is deep [m]
+
+  /// How far something that is that deep inside comes out in a step [m].
+  [[nodiscard]] double freedFrom(double depth) const;
 };
 
 /// The cloth as a body sees it: in the body's own frame, in which a rigid body stands still.
@@ -26,6 +32,8 @@ struct ClothInBody {
   std::span<const double> room;  ///< no vertex ends farther than this from its base [m]
   std::span<const Triangle> triangles;
   std::span<const OwnedFeatures> owned;
+  std::span<const double> inverseMass;  ///< one a vertex [1/kg]; 0: it does not move
+  const Overlap* overlap = nullptr;     ///< what of it is inside the body, if something is and it has an inside
 };
 
 /// A point of a body that is near to a point of the cloth, in the body's frame.
@@ -34,6 +42,7 @@ struct NearPoint {
   Vec3 normal = Vec3::UnitY();                           ///< towards the cloth
   Vec3 startPoint = Vec3::Zero();                        ///< where it is when the step begins [m] ...
   Vec3 endPoint = Vec3::Zero();                          ///< ... and when it ends, both in the body's frame
+  double depth = 0.0;                                    ///< of all that is inside and hangs together with it [m]
 };
 
 [[nodiscard]] inline const Vec3& vectorAt(std::span<const Vec3> points, int i) {

@@ -37,6 +37,11 @@ struct NearVertex {
   Vec3 normal = Vec3::UnitY();  ///< towards the cloth
 };
 
+[[nodiscard]] inline NearPoint pointOf(const MeshInStep& mesh, const NearVertex& near) {
+  return {near.gap, near.normal, pointAt(mesh.start(near.triangle), near.weights),
+          pointAt(mesh.end(near.triangle), near.weights)};
+}
+
 /// A plane parallel to a triangle of the cloth, with all of the mesh that is near behind it.
 struct OwnPlane {
   Vec3 normal = Vec3::UnitY();                           ///< towards the triangle

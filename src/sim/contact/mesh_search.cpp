@@ -2,6 +2,7 @@
 
 #include "sim/contact/found_in_order.hpp"
 #include "sim/contact/nearest_search.hpp"
+#include "sim/contact/overlap.hpp"
 #include "sim/contact/sharp_search.hpp"
 
 #include <algorithm>
@@ -18,11 +19,6 @@ constexpr double known = 0.15;     // of it: how far a cluster may move before d
 constexpr double rounding = 1e-9;  // [m]
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double closeShare = 0.2;  // of it: how much nearer than they may edges and faces come in a pass, at most [-]
-
-NearPoint pointOf(const MeshInStep& mesh, const NearVertex& near) {
-  return {near.gap, near.normal, pointAt(mesh.start(near.triangle), near.weights),
-          pointAt(mesh.end(near.triangle), near.weights)};
-}
 
 /// What a thread found in its part of the clusters.
 template <typename More>
@@ -120,14 +116,7 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
   planes_.resize(cloth.triangles.size());
   hasPlane_.resize(cloth.triangles.size());
   distances_.resize(cloth.triangles.size());
-  pierces_.assign(cloth.triangles.size(), false);
-  caught_.assign(cloth.base.size(), false);
-  for (const Piercing& each : piercings_) {
-    pierces_[static_cast<std::size_t>(each.cloth)] = true;
-    for (const int v : cloth.triangles[static_cast<std::size_t>(each.cloth)]) {
-      caught_[static_cast<std::size_t>(v)] = true;
-    }
-  }
+  markCaught(cloth);
   const double near = listed * side.reach().keep;
   const double close = side.reach().inner + closeShare * side.reach().keep;
   workers.forRange(threads, static_cast<int>(cloth.triangles.size()), [&](int begin, int end) {
@@ -154,7 +143,8 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
   for (const auto& part : parts) {
     findings.append(part.found);
   }
-  pushOut(side, mesh, cloth, findings);
+  countOverlaps(cloth, findings);
+  pushOff(side, mesh, cloth, findings);
   touchVertices(side, mesh, cloth, findings);
 }
 
@@ -165,7 +155,7 @@ void MeshSearch::lookAtTriangles(std::span<const int> triangles, Nearby& nearby,
     const auto t = static_cast<std::size_t>(triangles[i]);
     distances_[t] = nearby.distances[i] - nearby.moved;
     hasPlane_[t] = 0;
-    if (distances_[t] >= close || pierces_[t]) {
+    if (distances_[t] >= close || caught_[t]) {
       continue;
     }
     planes_[t] = sharp.look(triangles[i], nearby.patches, nearby.boxes);
@@ -183,35 +173,19 @@ void MeshSearch::touchVertices(const BodySide& side, const MeshInStep& mesh, con
     for (std::size_t k = 0; k < 3; ++k) {
       const auto v = static_cast<std::size_t>(cloth.triangles[t][k]);
       const NearVertex& near = nearest_[v];
-      if (!cloth.owned[t].corners[k] || near.triangle < 0) {
+      if (!cloth.owned[t].corners[k]) {
         continue;
       }
-      // What has pierced the body and is behind it must not be held there.
-      if (!caught_[v] || faceNormal(mesh.base(near.triangle)).dot(near.normal) > 0.0) {
-        side.addTouch(cloth, t, onCorner(k), pointOf(mesh, near), side.reach().keep, findings);
+      if (cloth.overlap != nullptr && cloth.overlap->inside(cloth.triangles[t][k])) {
+        side.addTouch(cloth, t, onCorner(k), cloth.overlap->exitOf(cloth.triangles[t][k]), side.reach().keep, findings);
+        continue;
       }
-    }
-  }
-}
-
-/// What pierces a triangle of the body goes out along its normal, slowly.
-void MeshSearch::pushOut(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
-                         Findings& findings) const {
-  for (std::size_t i = 0; i < piercings_.size(); ++i) {
-    const auto t = static_cast<std::size_t>(piercings_[i].cloth);
-    findings.overlaps += i == 0 || piercings_[i - 1].cloth != piercings_[i].cloth ? 1 : 0;
-    const Corners base = cornersOf(cloth.base, cloth.triangles[t]);
-    const Corners at = mesh.base(piercings_[i].body);
-    const Vec3 face = faceNormal(mesh.end(piercings_[i].body));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 weights = nearestOnTriangle(base[k], at);
-      const double depth = face.dot(base[k] - at[0]);
-      findings.deepestOverlap =
-          std::max(findings.deepestOverlap, std::min(-depth, (base[k] - pointAt(at, weights)).norm()));
-      if (depth < side.reach().keep) {
-        const NearPoint near{depth, face, pointAt(mesh.start(piercings_[i].body), weights),
-                             pointAt(mesh.end(piercings_[i].body), weights)};
-        side.addTouch(cloth, t, onCorner(k), near, side.reach().keep, findings);
+      if (near.triangle < 0) {
+        continue;
+      }
+      // Of a mesh without an inside, what has pierced it and is behind it must not be held there.
+      if (mesh.mesh.closed || !beside_[v] || faceNormal(mesh.base(near.triangle)).dot(near.normal) > 0.0) {
+        side.addTouch(cloth, t, onCorner(k), pointOf(mesh, near), side.reach().keep, findings);
       }
     }
   }
@@ -260,7 +234,11 @@ bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const 
               const OwnPlane plane = wide                 ? OwnPlane()
                                      : hasPlane_[at] != 0 ? planes_[at]
                                                           : own.planeOf(t, nearby.patches, nearby.boxes);
+              const std::size_t before = part.found.barriers.size();
               planes.look(t, plane, nearby.patches, nearby.boxes);
+              if (caught_[at] && mesh.mesh.closed) {
+                part.found.barriers.resize(before);
+              }
             }
           }
         }
@@ -270,6 +248,9 @@ bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const 
   for (const auto& part : parts) {
     findings.append(part.found);
     piercings.insert(piercings.end(), part.more.begin(), part.more.end());
+  }
+  if (cloth.overlap != nullptr) {
+    holdCaught(side, mesh, cloth, findings);
   }
   const bool news = piercings.size() != piercings_.size();
   piercings_.swap(piercings);

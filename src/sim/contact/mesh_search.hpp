@@ -38,6 +38,10 @@ class MeshSearch {
   bool findPlanes(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, const ClothClusters& clusters,
                   std::span<const double> ways, Workers& workers, int threads, Findings& findings);
 
+  /// Whether some of the cloth is known to pierce the mesh in this pass, and for each triangle of it whether it does.
+  [[nodiscard]] bool pierced() const { return !piercings_.empty(); }
+  [[nodiscard]] std::vector<bool> pierces(std::size_t triangles) const;
+
   /// Has findPlanes look at all triangles with a vertex that was moved from its target.
   /// @return true when it did without one of these before
   bool askAround(std::span<const Triangle> triangles, const std::vector<bool>& moved);
@@ -60,8 +64,15 @@ class MeshSearch {
   };
   class Near;
   void lookAtTriangles(std::span<const int> triangles, Nearby& nearby, double close, SharpSearch& sharp);
+  void markCaught(const ClothInBody& cloth);
   void touchVertices(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
-  void pushOut(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
+  void pushOff(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
+  void pushAcross(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, std::size_t first,
+                  std::size_t last, Findings& findings) const;
+  void pushToFront(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, const Piercing& piercing,
+                   Findings& findings) const;
+  void countOverlaps(const ClothInBody& cloth, Findings& findings) const;
+  void holdCaught(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
 
   const SearchableMesh* mesh_ = nullptr;  // that the lists are for ...
   std::uint64_t model_ = 0;               // ... and the cloth
@@ -74,7 +85,8 @@ class MeshSearch {
   std::vector<char> asked_;               // ... and whether one has to be
   std::vector<Piercing> piercings_;       // in the order of the cloth's triangles as clusters have them
   std::vector<bool> pierces_;             // for each triangle of the cloth
-  std::vector<bool> caught_;              // for each vertex whether a triangle of it pierces
+  std::vector<bool> caught_;              // the same, or a vertex of it is inside
+  std::vector<bool> beside_;              // for each vertex whether a triangle of it is caught
 };
 
 }  // namespace drape

@@ -1,6 +1,7 @@
 #include "sim/contact/mesh_tree.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace drape {
@@ -46,6 +47,27 @@ void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t 
     build(middles, middle, end, most);
   }
   nodes_[self].next = nodes_.size();
+}
+
+/// Whether a ray meets a box. What it only just misses counts as met.
+bool MeshTree::meetsRay(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& direction) {
+  constexpr double rounding = 1e-9;  // [m]
+  double first = 0.0;
+  double last = std::numeric_limits<double>::infinity();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double low = box.min()[axis] - rounding - from[axis];
+    const double high = box.max()[axis] + rounding - from[axis];
+    if (direction[axis] == 0.0) {
+      if (low > 0.0 || high < 0.0) {
+        return false;
+      }
+      continue;
+    }
+    const auto [near, far] = std::minmax({low / direction[axis], high / direction[axis]});
+    first = std::max(first, near);
+    last = std::min(last, far);
+  }
+  return first <= last;
 }
 
 void MeshTree::refit(std::span<const Vec3> before, std::span<const Vec3> after, std::span<const Triangle> triangles) {

@@ -61,6 +61,22 @@ class MeshTree {
     }
   }
 
+  /// Calls visit(leaf) for every leaf whose box the ray from a point along a unit vector meets, in ascending order.
+  template <typename Visit>
+  void forEachLeafAlong(const Vec3& from, const Vec3& direction, Visit&& visit) const {
+    for (std::size_t at = 0; at < nodes_.size();) {
+      const Node& node = nodes_[at];
+      if (!meetsRay(node.box, from, direction)) {
+        at = node.next;
+        continue;
+      }
+      if (node.end > node.begin) {
+        visit(node.leaf);
+      }
+      ++at;
+    }
+  }
+
   /// From a point to a box, 0 inside [m^2].
   [[nodiscard]] static double squaredDistance(const Eigen::AlignedBox3d& box, const Vec3& point) {
     const Eigen::Array3d outside = (box.min() - point).array().max((point - box.max()).array()).max(0.0);
@@ -75,6 +91,8 @@ class MeshTree {
     std::size_t end = 0;
     std::size_t leaf = 0;
   };
+
+  [[nodiscard]] static bool meetsRay(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& direction);
 
   void build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end, std::size_t most);
 

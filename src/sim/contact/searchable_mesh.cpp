@@ -50,6 +50,47 @@ std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
   return sharp;
 }
 
+bool isClosed(const MeshShape& mesh) {
+  std::vector<std::array<int, 3>> sides;  // both ends ascending, and which way it runs
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = t[k];
+      const int b = t[(k + 1) % 3];
+      if (a != b) {
+        sides.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+      }
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i < sides.size();) {
+    int sum = 0;
+    const std::size_t first = i;
+    for (; i < sides.size() && sides[i][0] == sides[first][0] && sides[i][1] == sides[first][1]; ++i) {
+      sum += sides[i][2];
+    }
+    if (sum != 0) {
+      return false;
+    }
+  }
+  return !sides.empty();
+}
+
+/// Turns the triangles of a closed mesh over when they face inwards.
+MeshShape facingOutwards(MeshShape mesh) {
+  double volume = 0.0;  // six times
+  for (const Triangle& t : mesh.triangles) {
+    const Corners at = cornersOf(mesh.positions, t);
+    const Vec3& origin = mesh.positions.front();
+    volume += (at[0] - origin).dot((at[1] - origin).cross(at[2] - origin));
+  }
+  if (volume < 0.0 && isClosed(mesh)) {
+    for (Triangle& t : mesh.triangles) {
+      std::swap(t[1], t[2]);
+    }
+  }
+  return mesh;
+}
+
 void fill(PatchLanes& lanes, std::span<const int> vertices, std::span<const Vec3> positions) {
   lanes.x.resize(vertices.size());
   lanes.y.resize(vertices.size());
@@ -71,7 +112,8 @@ Vec3 faceNormal(const Corners& corners) {
 }
 
 SearchableMesh::SearchableMesh(MeshShape mesh)
-    : shape(std::move(mesh)),
+    : shape(facingOutwards(std::move(mesh))),
+      closed(isClosed(shape)),
       tree(shape.positions, shape.triangles, trianglesOfPatch),
       owned(ownedFeatures(shape.triangles, static_cast<int>(shape.positions.size()))),
       sharp(sharpSides(shape)) {

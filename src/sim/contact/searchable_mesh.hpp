@@ -44,7 +44,8 @@ class SearchableMesh {
   /// How far the leaf's vertices move over the step at most [m].
   [[nodiscard]] double moveOf(std::size_t leaf) const { return moves_.empty() ? 0.0 : moves_[leaf]; }
 
-  MeshShape shape;
+  MeshShape shape;  ///< with its triangles facing outwards, where it is closed
+  bool closed;      ///< it has an inside: every side of a triangle is met by one that runs the other way
   MeshTree tree;
   std::vector<OwnedFeatures> owned;
   std::vector<std::array<bool, 3>> sharp;  ///< for each triangle which of its sides stick out

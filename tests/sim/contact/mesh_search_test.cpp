@@ -91,7 +91,8 @@ struct Search {
     Workers workers;
     const BodySide side(step, 0, reach);
     const MeshInStep inStep{*mesh, before, after, false};
-    const ClothInBody cloth{start, target, room, model->triangles, owned};
+    const std::vector<double> inverseMass(start.size(), 1.0);
+    const ClothInBody cloth{start, target, room, model->triangles, owned, inverseMass};
     meshSearch.findTouches(side, inStep, cloth, clusters, workers, 1, found);
     std::vector<double> ways;
     for (std::size_t v = 0; v < start.size(); ++v) {

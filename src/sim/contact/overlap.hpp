@@ -1,0 +1,48 @@
+#pragma once
+
+#include "sim/contact/solid.hpp"
+
+#include <span>
+#include <vector>
+
+namespace drape {
+
+/// What of a cloth is inside a body where its step begins, and the way out for each of its vertices.
+///
+/// Mostly that is the way to the nearest point of the surface. Where these ways would tear neighbours apart, all of a
+/// connected piece goes in one direction, the one in which it has the least way to go, unless that is much farther.
+class Overlap {
+ public:
+  void clear();
+
+  /// Finds the ways out of all vertices that are marked.
+  /// @param inside one a vertex  @param base [m]  @param up preferred among directions that are as good
+  void find(Solid& solid, std::vector<char> inside, std::span<const Vec3> base, std::span<const Triangle> triangles,
+            const Vec3& up);
+
+  /// Whether anything is inside.
+  [[nodiscard]] bool any() const { return !members_.empty(); }
+  [[nodiscard]] bool inside(int vertex) const {
+    return !inside_.empty() && inside_[static_cast<std::size_t>(vertex)] != 0;
+  }
+  /// Of a vertex that is inside: where it comes out. The gap is negative.
+  [[nodiscard]] const NearPoint& exitOf(int vertex) const { return exits_[static_cast<std::size_t>(vertex)]; }
+  /// The vertices that are inside, ascending.
+  [[nodiscard]] std::span<const int> members() const { return members_; }
+
+ private:
+  void leadOut(Solid& solid, const std::vector<int>& piece, double farthestOut, std::span<const Vec3> base,
+               const std::vector<Vec3>& directions);
+
+  std::vector<char> inside_;
+  std::vector<int> members_;
+  std::vector<NearPoint> exits_;
+};
+
+/// Which vertices of a cloth are inside a solid: pieces of it that do not pierce the surface are inside or outside as a
+/// whole.
+/// @param pierces for each triangle whether it meets the surface
+[[nodiscard]] std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> base,
+                                               std::span<const Triangle> triangles, const std::vector<bool>& pierces);
+
+}  // namespace drape

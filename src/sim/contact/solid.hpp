@@ -1,0 +1,62 @@
+#pragma once
+
+#include "sim/contact/mesh_rays.hpp"
+#include "sim/contact/nearest_search.hpp"
+
+#include <array>
+#include <vector>
+
+namespace drape {
+
+/// A body that has an inside, where the cloth's step begins, in the body's frame. What lies inside has a negative gap
+/// to the points of the surface that are given back, and their normals lead out.
+class Solid {
+ public:
+  Solid() = default;
+  Solid(const Solid&) = delete;
+  Solid& operator=(const Solid&) = delete;
+  Solid(Solid&&) = delete;
+  Solid& operator=(Solid&&) = delete;
+  virtual ~Solid() = default;
+
+  [[nodiscard]] virtual bool contains(const Vec3& point) = 0;
+  /// The point of the surface that is nearest to a point inside.
+  [[nodiscard]] virtual NearPoint nearestExit(const Vec3& point) = 0;
+  /// Where one comes out from a point inside along a unit vector.
+  [[nodiscard]] virtual NearPoint exitAlong(const Vec3& point, const Vec3& direction) = 0;
+};
+
+/// A closed mesh.
+class MeshSolid final : public Solid {
+ public:
+  explicit MeshSolid(const MeshInStep& mesh) : mesh_(mesh), nearest_(mesh) {}
+
+  /// By the winding numbers along two rays, and a third where these do not agree (rounding at the surface).
+  [[nodiscard]] bool contains(const Vec3& point) override;
+  [[nodiscard]] NearPoint nearestExit(const Vec3& point) override;
+  [[nodiscard]] NearPoint exitAlong(const Vec3& point, const Vec3& direction) override;
+
+ private:
+  const MeshInStep& mesh_;
+  NearestSearch nearest_;
+  NearVertex last_;  // where to look first: points come in their neighbourhoods
+  std::vector<Crossing> crossings_;
+};
+
+/// All that is nearer than a radius to a segment or, where its ends are one, to a point: a capsule or a sphere.
+class RoundSolid final : public Solid {
+ public:
+  RoundSolid(const std::array<Vec3, 2>& core, double radius) : core_(core), radius_(radius) {}
+
+  [[nodiscard]] bool contains(const Vec3& point) override;
+  [[nodiscard]] NearPoint nearestExit(const Vec3& point) override;
+  [[nodiscard]] NearPoint exitAlong(const Vec3& point, const Vec3& direction) override;
+
+ private:
+  [[nodiscard]] Vec3 fromCore(const Vec3& point) const;
+
+  std::array<Vec3, 2> core_;  // [m]
+  double radius_;             // [m]
+};
+
+}  // namespace drape
