@@ -3,6 +3,7 @@
 #include "sim/error.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -51,24 +52,34 @@ class CellRows {
     return rows_[cell].empty() ? 0 : rows_[cell].front().value("rounds", 0);
   }
 
-  void put(std::size_t cell, ReportRows rows) {
+  /// Also in `all`, which has the rows of all cells in the order of the plan. There are thousands: the others stay.
+  void put(std::size_t cell, ReportRows rows, ReportRows& all) {
     const int rounds = roundsOf(cell) + 1;
     for (ReportRow& row : rows) {
       row["cell"] = plan_.cells[cell].key;
       row["rounds"] = rounds;
     }
+    const auto first = all.begin() + placeOf(cell);
+    const auto next = all.erase(first, first + static_cast<std::ptrdiff_t>(rows_[cell].size()));
+    all.insert(next, rows.begin(), rows.end());
     rows_[cell] = std::move(rows);
   }
 
-  [[nodiscard]] ReportRows all() const {
-    ReportRows all;
+  /// Puts the rows of all cells there, in the order of the plan.
+  void copyTo(ReportRows& all) const {
+    all.clear();
     for (const ReportRows& rows : rows_) {
       all.insert(all.end(), rows.begin(), rows.end());
     }
-    return all;
   }
 
  private:
+  [[nodiscard]] std::ptrdiff_t placeOf(std::size_t cell) const {
+    return std::accumulate(
+        rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(cell), std::ptrdiff_t{0},
+        [](std::ptrdiff_t sum, const ReportRows& rows) { return sum + static_cast<std::ptrdiff_t>(rows.size()); });
+  }
+
   const SectionPlan& plan_;
   std::vector<ReportRows> rows_;
 };
@@ -89,7 +100,9 @@ class Runner {
   void run() {
     int rounds = 0;
     for (Part& part : parts_) {
-      part.cells.emplace(part.plan, rows_[std::string(part.section->name)]);
+      ReportRows& rows = rows_[std::string(part.section->name)];
+      part.cells.emplace(part.plan, rows);
+      part.cells->copyTo(rows);  // what an earlier report measured of these cells, and nothing else
       rounds = std::max(rounds, part.plan.rounds);
     }
     for (int round = 0; round < rounds; ++round) {
@@ -130,8 +143,7 @@ class Runner {
     }
     const Cell& cell = part.plan.cells[index];
     ReportRows& rows = rows_[std::string(part.section->name)];
-    part.cells->put(index, cell.measure({rows, part.cells->of(index), mayStop}));
-    rows = part.cells->all();
+    part.cells->put(index, cell.measure({rows, part.cells->of(index), mayStop}), rows);
     done_ += cell.weight;
     if (hooks_.measured) {
       hooks_.measured(rows_);
