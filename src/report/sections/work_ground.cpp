@@ -3,7 +3,9 @@
 #include "sim/error.hpp"
 #include "sim/measures.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <thread>
 
 namespace drape {
 namespace {
@@ -66,9 +68,11 @@ void WorkGround::findReference(const std::function<void()>& mayStop) {
   tolerance.absolute = quick_ ? 1e-5 : 1e-6;
   tolerance.takeAnyway = true;  // each row tells what its reference is worth
   tolerance.mostWork = mostWork(resolution_, quick_);
+  // Nothing is timed here, and the bits are the same with all the cores that there are.
+  Settings settings = convergedSettings(scene().settings);
+  settings.step.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   try {
-    reference_ = convergedReference(scene(), convergedSettings(scene().settings), judgedCheckpoints, tolerance,
-                                    watchOf(mayStop).progress);
+    reference_ = convergedReference(scene(), settings, judgedCheckpoints, tolerance, watchOf(mayStop).progress);
   } catch (const InputError&) {
     reference_.reset();
   }
