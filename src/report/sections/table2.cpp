@@ -84,13 +84,14 @@ void writeMeasures(const ErrorReport& report, ReportRow& row) {
   }
   const auto count = static_cast<double>(report.checkpoints.size());
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const bool any = !report.checkpoints.empty();
+  // Where the reference is no longer finite there is no eps.
+  const bool any = !report.checkpoints.empty() && std::isfinite(epsSum);
   row["checkpoints"] = report.checkpoints.size();
   row["checkpoints_within_paper"] = within;
   row["eps_max"] = finiteOrNull(any ? epsMost : none);
   row["eps_mean"] = finiteOrNull(epsSum / count);
   row["S_min"] = finiteOrNull(any ? cosineLeast : none);
-  row["S_mean"] = finiteOrNull(cosineSum / count);
+  row["S_mean"] = finiteOrNull(any ? cosineSum / count : none);
 }
 
 /// How far the paper's reference is itself from the motion, at the last checkpoint that it came to: Verlet with the
