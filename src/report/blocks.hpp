@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <variant>
@@ -14,13 +15,17 @@ struct Paragraph {
   std::string text;
 };
 
-/// Every row has as many fields as the header. The first column names the row, the others hold figures.
+/// Every row has as many fields as the header. The first column names the row, the others hold figures or words.
 struct TextTable {
   std::string title;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
   bool folded = false;  ///< long, and not what one reads first: HTML opens it on demand, Markdown leaves it out
 };
+
+/// Whether a column holds words, which line up on the left, and not numbers: the first one does, and those of whose
+/// fields most begin with a letter.
+[[nodiscard]] bool holdsWords(const TextTable& table, std::size_t column);
 
 enum class Scale { Linear, Logarithmic };
 

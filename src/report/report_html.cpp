@@ -15,8 +15,8 @@ body { color: var(--ink); background: var(--paper); font: 15px/1.5 sans-serif; m
 table { border-collapse: collapse; margin: 0.5rem 0 1.5rem; font-size: 13px; }
 caption { text-align: left; font-weight: bold; padding-bottom: 0.3rem; }
 th, td { border-bottom: 1px solid var(--faint); padding: 0.15rem 0.6rem; text-align: right; }
-th:first-child, td:first-child { text-align: left; }
-table.head td { text-align: left; overflow-wrap: anywhere; }
+th.words, td.words, table.head td { text-align: left; }
+table.head td { overflow-wrap: anywhere; }
 th { background: var(--shade); }
 summary { cursor: pointer; }
 figure { margin: 1rem 0; }
@@ -46,9 +46,13 @@ class HtmlWriter {
     html_.open("div", {{"class", "wide"}});
     html_.open("table");
     html_.text("caption", table.title);
-    row("th", table.header);
+    std::vector<bool> words;
+    for (std::size_t i = 0; i < table.header.size(); ++i) {
+      words.push_back(holdsWords(table, i));
+    }
+    row("th", table.header, words);
     for (const auto& fields : table.rows) {
-      row("td", fields);
+      row("td", fields, words);
     }
     html_.close();
     html_.close();
@@ -61,10 +65,14 @@ class HtmlWriter {
   void operator()(const StateMap& map) { picture(svgOf(map)); }
 
  private:
-  void row(std::string_view element, const std::vector<std::string>& fields) {
+  void row(std::string_view element, const std::vector<std::string>& fields, const std::vector<bool>& words) {
     html_.open("tr");
-    for (const std::string& field : fields) {
-      html_.text(element, field);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (i < words.size() && words[i]) {
+        html_.text(element, fields[i], {{"class", "words"}});
+      } else {
+        html_.text(element, fields[i]);
+      }
     }
     html_.close();
   }

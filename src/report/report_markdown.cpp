@@ -35,7 +35,7 @@ class MarkdownWriter {
     }
     report.text += "**" + escaped(table.title) + "**\n\n" + lineOf(table.header) + "|";
     for (std::size_t i = 0; i < table.header.size(); ++i) {
-      report.text += i == 0 ? "---|" : "---:|";
+      report.text += holdsWords(table, i) ? "---|" : "---:|";
     }
     report.text += "\n";
     for (const auto& row : table.rows) {
