@@ -57,6 +57,55 @@ TEST(WhatFollows, isTheLeastErrorOfEachMethodForAMillisecondAFrame) {
   EXPECT_EQ(answer(rows, "budget", "method", "fast")["error_of_diagonal"], 8e-3);
 }
 
+/// `auto` among others: at that cost [us], with that error [m].
+ReportRow measuredRow(const char* method, double cost, double error, const char* state = "calm") {
+  return {{"scene", "hang"},           {"resolution", 17},
+          {"stiffness", 10.0},         {"time", 0.2},
+          {"method", method},          {"setting", "n=" + std::to_string(static_cast<int>(cost))},
+          {"error_mean", error},       {"us_per_simulated_second", cost},
+          {"noise_floor", 1e-3},       {"error_of_diagonal", error / 1.414},
+          {"reference_difference", 0}, {"state", state}};
+}
+
+TEST(WhatFollows, holdsAutoAgainstTheBestOtherMethodAtEqualCost) {
+  SectionRows rows;
+  rows["work_precision"] = {measuredRow("auto", 1.0, 0.5),    // the cheapest of all
+                            measuredRow("auto", 10.0, 0.06),  // twice as wrong as verlet at 10
+                            measuredRow("auto", 20.0, 0.04),  // 1.33 times
+                            measuredRow("auto", 30.0, 0.02),  // better
+                            measuredRow("auto", 40.0, 2e-4),  // both below the noise floor
+                            measuredRow("auto", 50.0, 9.0, "frozen"),
+                            measuredRow("verlet", 10.0, 0.03),
+                            measuredRow("xpbd", 10.0, 0.05),
+                            measuredRow("xpbd", 11.0, 1e-6, "exploded"),
+                            measuredRow("verlet", 35.0, 1e-5)};
+  const ReportRow row = answer(whatFollows().derive(rows), "equal_cost", "method", "auto");
+  EXPECT_EQ(row["points"], 4);
+  EXPECT_EQ(row["within"], 3);
+  EXPECT_EQ(row["best"], 2);
+  EXPECT_NEAR(row["ratio"].get<double>(), 2.0, 1e-9);
+  EXPECT_EQ(row["setting"], "n=10");
+  EXPECT_EQ(row["by_method"], "verlet");
+  EXPECT_EQ(row["by_error_mean"], 0.03);
+}
+
+TEST(WhatFollows, listsTheClothsOnWhichAutoIsBehind) {
+  SectionRows rows;
+  rows["work_precision"] = {measuredRow("auto", 10.0, 0.06), measuredRow("verlet", 10.0, 0.03)};
+  const auto tables = [&] {
+    int count = 0;
+    for (const Block& block : whatFollows().show({}, whatFollows().derive(rows))) {
+      const auto* table = std::get_if<TextTable>(&block);
+      count += table != nullptr && table->title.find("behind") != std::string::npos ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(tables(), 1);
+  rows["work_precision"].push_back(measuredRow("auto", 9.0, 0.01));
+  rows["work_precision"].front()["error_mean"] = 0.02;
+  EXPECT_EQ(tables(), 0) << "it is nowhere behind";
+}
+
 TEST(WhatFollows, saysWhereThereIsNoSetting) {
   SectionRows rows = measured();
   for (ReportRow& row : rows["work_precision"]) {
@@ -65,6 +114,8 @@ TEST(WhatFollows, saysWhereThereIsNoSetting) {
   const ReportRows answers = whatFollows().derive(rows);
   EXPECT_TRUE(answer(answers, "cheapest", "share", 1e-2)["method"].is_null());
   EXPECT_TRUE(answer(answers, "budget", "method", "fast")["error_mean"].is_null());
+  EXPECT_EQ(answer(answers, "equal_cost", "method", "auto")["points"], 0);
+  EXPECT_TRUE(answer(answers, "equal_cost", "method", "auto")["ratio"].is_null());
   EXPECT_FALSE(whatFollows().show({}, answers).empty());
   EXPECT_TRUE(whatFollows().derive({}).empty());
 }

@@ -1,10 +1,14 @@
 #include "report/number_text.hpp"
+#include "report/sections/calm_rows.hpp"
+#include "report/sections/equal_cost.hpp"
 #include "report/sections/sections.hpp"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace drape {
 namespace {
@@ -37,11 +41,6 @@ void answer(ReportRow& row, const ReportRow* by) {
   for (const char* key : {"method", "setting", "us_per_simulated_second", "error_mean", "error_of_diagonal"}) {
     row[key] = by == nullptr ? ReportRow(nullptr) : (*by)[key];
   }
-}
-
-bool isJudged(const ReportRow& row) {
-  return row.value("state", "") == "calm" && row["us_per_simulated_second"].is_number() &&
-         row["error_of_diagonal"].is_number();
 }
 
 /// Of a cloth's rows the cheapest one with at most that error; null when there is none.
@@ -101,13 +100,9 @@ ReportRows derive(const SectionRows& all) {
       row["method"] = method;
       answers.push_back(row);
     }
+    answers.push_back(equalCostRow(rows, rowFor(rows.front(), "equal_cost")));
   }
   return answers;
-}
-
-std::string clothOf(const ReportRow& row) {
-  return row.value("scene", "") + ", " + gridText(row.value("resolution", 0)) + ", " + figure(row, "stiffness", 6) +
-         " N/m, " + figure(row, "time") + " s";
 }
 
 std::string cheapestText(const ReportRow& row) {
@@ -187,6 +182,12 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
   blocks.emplace_back(cheapestTable(rows));
   blocks.emplace_back(Paragraph{winnersText(rows)});
   blocks.emplace_back(budgetTable(rows));
+  ReportRows atEqualCost;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(atEqualCost),
+               [](const ReportRow& row) { return row.value("question", "") == "equal_cost"; });
+  for (Block& block : equalCostBlocks(atEqualCost)) {
+    blocks.push_back(std::move(block));
+  }
   return blocks;
 }
 

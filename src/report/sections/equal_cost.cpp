@@ -1,0 +1,133 @@
+#include "report/sections/equal_cost.hpp"
+
+#include "report/number_text.hpp"
+#include "report/sections/calm_rows.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr const char* own = "auto";
+constexpr double finest = 1e-9;  // that an error is told to [m]
+
+double costOf(const ReportRow& row) {
+  return numberIn(row, "us_per_simulated_second");
+}
+
+/// Below which errors mean nothing [m].
+double floorOf(const ReportRows& rows) {
+  double floor = finest;
+  for (const ReportRow& row : rows) {
+    for (const char* key : {"noise_floor", "reference_difference"}) {
+      const double value = numberIn(row, key);
+      floor = value > floor ? value : floor;
+    }
+  }
+  return floor;
+}
+
+/// The least wrong of the other methods' settings that take no longer; null when there is none.
+const ReportRow* rivalOf(const ReportRow& row, const ReportRows& rows) {
+  const ReportRow* rival = nullptr;
+  for (const ReportRow& other : rows) {
+    const bool fits = isJudged(other) && other.value("method", "") != own && costOf(other) <= costOf(row);
+    if (fits && (rival == nullptr || numberIn(other, "error_mean") < numberIn(*rival, "error_mean"))) {
+      rival = &other;
+    }
+  }
+  return rival;
+}
+
+/// A setting of `auto` and the one that it is held against.
+struct Pairing {
+  const ReportRow* setting = nullptr;
+  const ReportRow* rival = nullptr;
+  double ratio = 0.0;  ///< of their errors [-]
+};
+
+std::vector<Pairing> pairingsIn(const ReportRows& rows) {
+  const double floor = floorOf(rows);
+  std::vector<Pairing> pairings;
+  for (const ReportRow& row : rows) {
+    const ReportRow* rival = isJudged(row) && row.value("method", "") == own ? rivalOf(row, rows) : nullptr;
+    if (rival != nullptr) {
+      const double ratio =
+          std::max(floor, numberIn(row, "error_mean")) / std::max(floor, numberIn(*rival, "error_mean"));
+      pairings.push_back({&row, rival, ratio});
+    }
+  }
+  return pairings;
+}
+
+void copy(ReportRow& row, const char* to, const ReportRow* from, const char* key) {
+  row[to] = from == nullptr ? ReportRow(nullptr) : (*from)[key];
+}
+
+/// "auto.work=3 auto.soften=on" and what it cost.
+std::string settingText(const ReportRow& row) {
+  return row.value("setting", "") + " (" + figure(row, "us_per_simulated_second") + " us)";
+}
+
+}  // namespace
+
+ReportRow equalCostRow(const ReportRows& rows, ReportRow row) {
+  const std::vector<Pairing> pairings = pairingsIn(rows);
+  const auto upTo = [&](double ratio) {
+    return std::count_if(pairings.begin(), pairings.end(), [&](const Pairing& one) { return one.ratio <= ratio; });
+  };
+  const auto found = std::max_element(pairings.begin(), pairings.end(),
+                                      [](const Pairing& a, const Pairing& b) { return a.ratio < b.ratio; });
+  const Pairing worst = found == pairings.end() ? Pairing{} : *found;
+  row["method"] = own;
+  for (const char* key : {"setting", "us_per_simulated_second", "error_mean", "error_of_diagonal"}) {
+    copy(row, key, worst.setting, key);
+  }
+  row["points"] = pairings.size();
+  row["within"] = upTo(mostBehind);
+  row["best"] = upTo(1.0);
+  row["ratio"] = worst.rival == nullptr ? ReportRow(nullptr) : ReportRow(worst.ratio);
+  copy(row, "by_method", worst.rival, "method");
+  copy(row, "by_setting", worst.rival, "setting");
+  copy(row, "by_error_mean", worst.rival, "error_mean");
+  return row;
+}
+
+std::vector<Block> equalCostBlocks(const ReportRows& answers) {
+  int points = 0;
+  int within = 0;
+  int best = 0;
+  ReportRows behind;
+  for (const ReportRow& row : answers) {
+    points += row.value("points", 0);
+    within += row.value("within", 0);
+    best += row.value("best", 0);
+    if (numberIn(row, "ratio") > mostBehind) {
+      behind.push_back(row);
+    }
+  }
+  std::stable_sort(behind.begin(), behind.end(),
+                   [](const ReportRow& a, const ReportRow& b) { return numberIn(a, "ratio") > numberIn(b, "ratio"); });
+  std::vector<Block> blocks;
+  blocks.emplace_back(Paragraph{"'auto' against the best other method at equal or lower cost: of " +
+                                std::to_string(points) + " settings " + std::to_string(within) + " have at most " +
+                                figure(mostBehind) + " times its error, and " + std::to_string(best) +
+                                " no more than it. Errors below what can be known count as that."});
+  TextTable table{"Where 'auto' is further behind at equal cost",
+                  {"cloth", "settings", "of them behind", "worst", "its error [m]", "times that of"},
+                  {}};
+  for (const ReportRow& row : behind) {
+    table.rows.push_back(
+        {clothOf(row), std::to_string(row.value("points", 0)),
+         std::to_string(row.value("points", 0) - row.value("within", 0)), settingText(row), figure(row, "error_mean"),
+         figure(row, "ratio", 2) + ": " + row.value("by_method", "") + " " + row.value("by_setting", "")});
+  }
+  if (!table.rows.empty()) {
+    blocks.emplace_back(std::move(table));
+  }
+  return blocks;
+}
+
+}  // namespace drape
