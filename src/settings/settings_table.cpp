@@ -178,6 +178,10 @@ const std::array table{
         "Evaluations of a spring, in millions for a second of simulated time, that auto may spend. A core does about a "
         "thousand million in a second of the clock. Follows from auto.budget where that is given.",
         {}, {}, SettingScope::Everywhere, [](const Settings& s) { return s.automatic.budget == 0.0; }},
+    SettingInfo{"auto.soften", "Keep pace", "-", Simulation, SettingEffect::Step,
+        FlagField{[](Settings& s) -> bool& { return s.step.soften; }},
+        "What auto does where the work allowed does not suffice for cloth so stiff and fine. Off: a step takes what it "
+        "needs, and the clock falls behind. On: springs are softened to what the work carries."},
     SettingInfo{"auto.budget", "Time allowed", "ms", Simulation, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.automatic.budget; }, 0.0, 1000.0, false},
         "Computing time that auto may spend on each sixtieth of a second of motion, which is what a screen shows at a time. "

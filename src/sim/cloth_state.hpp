@@ -29,6 +29,10 @@ struct StepMemory {
   double risen = 0.0;   ///< the same at the ends of the steps [J]
   double energy = 0.0;  ///< that the last step ended with [J]
   std::uint64_t mark = 0;  ///< of the state and the settings that this is the energy of; 0: not known
+  /// Where the vertices were at `anchorTime`, and have stayed near ever since [m]; null: they move.
+  std::shared_ptr<const std::vector<Vec3>> anchor = {};
+  double anchorTime = 0.0;      ///< [s]
+  std::uint64_t restsWith = 0;  ///< the mark of all that acts on a cloth that rests at its anchor; 0: it does not rest
 };
 
 /// What changes while a cloth moves. Plain data: a copy is a checkpoint.

@@ -66,26 +66,42 @@ void StepChoice::add(const StepChoice& next) {
   passes += before.passes;
   retaken += before.retaken;
   hardness += before.hardness;
+  demand = std::max(demand, before.demand);
   stiffness = std::min(stiffness, before.stiffness);
   lastResort = lastResort || before.lastResort;
+  resting = resting && before.resting;
 }
 
 std::vector<std::pair<std::string_view, double>> figuresOf(const StepChoice& choice) {
-  return {{"order", choice.order},         {"substeps", choice.substeps},
-          {"passes", choice.passes},       {"hardness", choice.hardness},
-          {"stiffness", choice.stiffness}, {"levels", choice.levels},
-          {"retaken", choice.retaken},     {"last_resort", choice.lastResort ? 1.0 : 0.0},
-          {"error", choice.error},         {"gained", choice.gained}};
+  return {{"order", choice.order},
+          {"substeps", choice.substeps},
+          {"passes", choice.passes},
+          {"hardness", choice.hardness},
+          {"demand", choice.demand},
+          {"stiffness", choice.stiffness},
+          {"levels", choice.levels},
+          {"retaken", choice.retaken},
+          {"error", choice.error},
+          {"gained", choice.gained},
+          {"last_resort", choice.lastResort ? 1.0 : 0.0},
+          {"resting", choice.resting ? 1.0 : 0.0}};
 }
 
 std::string inWords(const StepChoice& choice, double seconds, double available) {
   constexpr double allOfIt = 0.995;
+  if (choice.resting) {
+    return "at rest: nothing to do until something changes";
+  }
   std::string words = hardnessInWords(choice.hardness) + schemeInWords(choice);
   if (choice.stiffness < allOfIt) {
     words += " at " + brief(100.0 * choice.stiffness) + " % of the stiffness";
   }
   if (choice.levels > 0) {
     words += choice.levels == 1 ? " with 1 coarse level" : " with " + std::to_string(choice.levels) + " coarse levels";
+  }
+  if (choice.demand > stretchedBudget) {
+    words += ", " + brief(choice.demand) + " times the work allowed";
+    words += seconds >= available ? ": slow motion" : "";
   }
   if (available > 0.0) {
     words += ", " + brief(seconds * 1e3) + " ms of " + brief(available * 1e3) + " ms";

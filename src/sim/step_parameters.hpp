@@ -57,6 +57,7 @@ struct StepParameters {
   double tolerance = 1e-6;                                   ///< relative residual at which a solve ends [-]
   int maxIterations = 1000;                                  ///< at which a solve gives up [-]
   double work = 500.0;           ///< that `auto` may do, 1e6 evaluations of a spring a simulated second [1e6/s]
+  bool soften = false;           ///< `auto` keeps to that by softer springs; else a step takes what it needs
   double errorTolerance = 1e-4;  ///< of `auto`: mean position error that 0.2 s of motion may build up [m]
   bool keepMomentum = false;     ///< free cloth is given back the momentum it lost
   Precision precision = Precision::Double;  ///< of the methods that have both

@@ -9,23 +9,48 @@
 #include "ui/widgets.hpp"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace drape {
 namespace {
 
+/// What one click would change for the better.
+enum class WayOut { None, Auto, Soften };
+
 struct Message {
   std::string text;
   ImVec4 colour;
-  bool outOfDepth = false;  ///< the solver is: another would do better
+  WayOut wayOut = WayOut::None;
 };
 
 /// The solver that finds out for itself what a cloth needs.
 constexpr std::string_view choosingSolver = "auto";
 
-bool canChangeToAuto(const Settings& settings) {
-  return settings.solver.name != choosingSolver && findSolver(choosingSolver) != nullptr;
+bool isOpen(WayOut way, const Settings& settings) {
+  const bool chooses = settings.solver.name == choosingSolver;
+  switch (way) {
+    case WayOut::Auto:
+      return !chooses && findSolver(choosingSolver) != nullptr;
+    case WayOut::Soften:
+      return chooses && !settings.step.soften;
+    case WayOut::None:
+      break;
+  }
+  return false;
+}
+
+/// What a method that chooses for itself has to say that is urgent.
+std::optional<Message> choiceMessage(const Snapshot& snapshot, const std::string& words) {
+  const StepChoice& choice = *snapshot.stepReport.choice;
+  if (choice.resting) {
+    return Message{words, palette().muted};
+  }
+  if (choice.demand > stretchedBudget) {
+    return Message{words, palette().warning, WayOut::Soften};
+  }
+  return std::nullopt;
 }
 
 /// What a step may cost: what the user allows, or else what it covers [s].
@@ -45,13 +70,22 @@ Message messageOf(const PanelContext& context) {
     return {stats.error, palette().error};
   }
   if (!snapshot.message.empty()) {
-    return {snapshot.message, palette().warning, snapshot.maxStretch > implausibleStretch};
+    return {snapshot.message, palette().warning,
+            snapshot.maxStretch > implausibleStretch ? WayOut::Auto : WayOut::None};
   }
   if (!stats.notice.empty()) {
     return {stats.notice, palette().text};
   }
+  const auto& choice = snapshot.stepReport.choice;
+  const std::string chosen =
+      choice ? inWords(*choice, snapshot.stepSeconds, timeForStep(snapshot.settings)) : std::string();
+  if (choice) {
+    if (std::optional<Message> urgent = choiceMessage(snapshot, chosen)) {
+      return *urgent;
+    }
+  }
   if (std::string warning = solverWarning(context.settings, *snapshot.model); !warning.empty()) {
-    return {std::move(warning), palette().warning, true};
+    return {std::move(warning), palette().warning, WayOut::Auto};
   }
   if (std::string warning = ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
     return {"Ghost: " + warning, palette().warning};
@@ -60,8 +94,8 @@ Message messageOf(const PanelContext& context) {
       snapshot.realTimeFactor < 0.9 * snapshot.settings.playback.speed) {
     return {"The machine does not keep up, so the clock runs slower", palette().warning};
   }
-  if (const auto& choice = snapshot.stepReport.choice) {
-    return {inWords(*choice, snapshot.stepSeconds, timeForStep(snapshot.settings)), palette().muted};
+  if (choice) {
+    return {chosen, palette().muted};
   }
   return {"F1 or ? for help", palette().muted};
 }
@@ -77,26 +111,33 @@ std::vector<std::string> factsOf(const PanelContext& context) {
   return facts;
 }
 
-/// At the right end of the line: one click to the solver that chooses for itself. How wide it is [pixels].
-float drawWayOut(PanelContext& context) {
-  constexpr const char* word = "Use auto";
+/// At the right end of the line. How wide it is [pixels].
+float drawWayOut(PanelContext& context, WayOut way) {
+  const bool toAuto = way == WayOut::Auto;
+  const char* const word = toAuto ? "Use auto" : "Keep pace";
   const ImGuiStyle& style = ImGui::GetStyle();
   const float width = ImGui::CalcTextSize(word).x + 2.0F * style.FramePadding.x;
   ImGui::SameLine(ImGui::GetWindowWidth() - width - style.WindowPadding.x);
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
   if (ImGui::SmallButton(word)) {
-    changeSetting(context, requireSetting("solver"), std::string(choosingSolver));
+    if (toAuto) {
+      changeSetting(context, requireSetting("solver"), std::string(choosingSolver));
+    } else {
+      changeSetting(context, requireSetting("auto.soften"), true);
+    }
   }
   ImGui::PopStyleColor();
-  context.buttons["button.auto"] = lastItemRect();
-  explainItem(context, "button.auto", "Changes the solver to auto, which takes the steps that this cloth needs.");
+  const char* const name = toAuto ? "button.auto" : "button.soften";
+  context.buttons[name] = lastItemRect();
+  explainItem(context, name,
+              toAuto ? "Changes the solver to auto, which takes the steps that this cloth needs."
+                     : "Softens the springs to what the work allowed carries, so that the clock keeps pace.");
   return width + style.ItemSpacing.x;
 }
 
 void drawMessage(PanelContext& context, float room) {
   const Message message = messageOf(context);
-  const bool wayOut = message.outOfDepth && canChangeToAuto(context.settings);
-  const float right = wayOut ? drawWayOut(context) : 0.0F;
+  const float right = isOpen(message.wayOut, context.settings) ? drawWayOut(context, message.wayOut) : 0.0F;
   room -= right;
   const auto fits = static_cast<std::size_t>(std::max(8.0F, room / (ImGui::GetFontSize() * 0.52F)));
   const std::string firstLine = message.text.substr(0, message.text.find('\n'));

@@ -42,6 +42,22 @@ TEST_F(UserInterfaceTest, ASolverOutOfItsDepthHasOneClickToAuto) {
   }
 }
 
+TEST_F(UserInterfaceTest, AClockThatFallsBehindForStiffnessHasOneClickToKeepPace) {
+  simulation_.apply(SetSettingCommand{"solver", std::string("auto")});
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("button.soften"));
+  simulation_.apply(SetSettingCommand{"auto.work", 0.1});
+  simulation_.apply(SetSettingCommand{"stiffness", 1e5});
+  simulation_.step();
+  settle();
+  const UiOutput output = click(button("button.soften"));
+  EXPECT_TRUE(std::get<bool>(lastValue(output, "auto.soften")));
+  apply(output);
+  simulation_.step();
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("button.soften"));
+}
+
 /// The panels of a scene with a sphere and a solid ground.
 class ContactPanelTest : public PanelFixture {
  protected:

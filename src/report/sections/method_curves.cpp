@@ -30,6 +30,8 @@ std::vector<MethodCurve> listed() {
   Words many = upTo(512);
   many.emplace_back("1000");
   const Words works{"3", "6", "10", "20", "30", "60", "100", "300", "1000"};
+  // All of the work allowed is to be spent, and no more: what it does not carry is softened.
+  const Words budgeted{"auto.tolerance=1e-12", "auto.soften=on"};
   const Words thetas{"1", "0.75", "0.6", "0.55", "0.5"};
   return {
       {"one iteration, substeps", "one_iteration", {}, "substeps", upTo(64), {"1", "4", "16"}},
@@ -42,8 +44,8 @@ std::vector<MethodCurve> listed() {
        "theta",
        thetas,
        {"0.5", "0.75"}},
-      {"auto, work", "auto", {"auto.tolerance=1e-12"}, "auto.work", works, {"30"}},
-      {"auto, float, work", "auto", {"auto.tolerance=1e-12", "precision=float"}, "auto.work", works, {"30"}},
+      {"auto, work", "auto", budgeted, "auto.work", works, {"30"}},
+      {"auto, float, work", "auto", {budgeted[0], budgeted[1], "precision=float"}, "auto.work", works, {"30"}},
       {"Chebyshev, iterations", "chebyshev", {}, "iterations", {"3", "5", "9", "17", "33"}, {"9"}},
       {"Chebyshev 5, substeps", "chebyshev", {"iterations=5"}, "substeps", upTo(32), {"4"}},
       {"CG, tolerance", "pcg", {}, "tolerance", {"0.3", "0.1", "1e-2", "1e-3", "1e-5"}, {"1e-2"}},

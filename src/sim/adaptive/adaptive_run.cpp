@@ -162,6 +162,9 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
   SliceStep<T> still = step_;
   still.timeStep = T(0);
   still.damping = still.drag = still.lift = T(0);
+  if (!plan.softens) {
+    still.shares = nullptr;
+  }
   still.energy = energy.data();
   kick(still, plan, T(0), &coarseEnergy, share);
 }
@@ -170,8 +173,10 @@ template <typename T>
 double AdaptiveRun<T>::sumOf(const std::vector<T>& energy) const {
   // In lanes, since one sum after the other waits for each addition.
   std::array<double, sliceLanes> lanes{};
-  for (std::size_t i = 0; i < energy.size(); ++i) {
-    lanes[i % sliceLanes] += static_cast<double>(energy[i]);
+  for (std::size_t i = 0; i < energy.size(); i += sliceLanes) {
+    for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
+      lanes[lane] += static_cast<double>(energy[i + lane]);
+    }
   }
   return std::accumulate(lanes.begin(), lanes.end(), 0.0);
 }

@@ -13,9 +13,10 @@
 namespace drape {
 
 /// The energy of a step: that of the springs as they are held and of the coarse levels, with what moves and what is
-/// lifted. In the middle of the first and the last substep it is had by the way, from forces that are evaluated in any
-/// case, as 1/2 m v.v' + V(x), which a scheme that is stable keeps but for what damping, air and hand do. At the step's
-/// ends it is the one that everybody else sees; there it comes and goes by up to (h omega)^2 / 4 of what vibrates.
+/// lifted. At the ends it is that of the springs with all their stiffness, unless they are softened on purpose. In the
+/// middle of the first and the last substep it is had by the way, from forces that are evaluated in any case, as 1/2 m
+/// v.v' + V(x), which a scheme that is stable keeps but for what damping, air and hand do. At the step's ends it is the
+/// one that everybody else sees; there it comes and goes by up to (h omega)^2 / 4 of what vibrates.
 struct StepEnergy {
   double first = 0.0;  ///< in the middle of the first substep [J]
   double last = 0.0;   ///< in the middle of the last substep [J]

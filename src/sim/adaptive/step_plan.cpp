@@ -4,6 +4,7 @@
 #include "sim/stability.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace drape {
@@ -25,6 +26,8 @@ constexpr double fewestPasses = 4.0;
 /// Passes of a first step, about which nothing is known yet: on the safe side.
 constexpr double firstPasses = 64.0;
 constexpr double firstOfLimit = 2.0;
+/// What the energy guard's last resort costs, about, in passes of a step.
+constexpr double passesOfLastResort = 400.0;
 /// No tolerance asks for more passes than so many times what is stable: a chaotic motion would ask without end.
 constexpr double mostOfLimit = 8.0;
 
@@ -32,15 +35,31 @@ bool dependsOnPositionsAlone(const StepParameters& parameters, const StepInputs&
   return parameters.damping == 0.0 && parameters.drag == 0.0 && parameters.lift == 0.0 && !inputs.grab;
 }
 
-/// The largest coordinate [m].
+/// The largest coordinate [m]. In eight maxima, since in one each comparison would wait for the one before.
 double farthestOf(const std::vector<Vec3>& positions) {
-  Vec3 least = Vec3::Zero();
-  Vec3 most = Vec3::Zero();
-  for (const Vec3& position : positions) {
-    least = least.cwiseMin(position);
-    most = most.cwiseMax(position);
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> most{};
+  const double* const values = positions.empty() ? nullptr : positions.front().data();
+  const std::size_t count = 3 * positions.size();
+  for (std::size_t i = 0; i + lanes <= count; i += lanes) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      most[lane] = std::max(most[lane], std::abs(values[i + lane]));
+    }
   }
-  return std::max(-least.minCoeff(), most.maxCoeff());
+  for (std::size_t i = count - count % lanes; i < count; ++i) {
+    most[0] = std::max(most[0], std::abs(values[i]));
+  }
+  return *std::max_element(most.begin(), most.end());
+}
+
+/// The value that no more than one in so many exceed; 0 of none.
+double smallestBut(std::vector<double>& values, std::size_t oneIn) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() - 1 - (values.size() - 1) / oneIn);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 /// Springs that are held to what so many substeps carry.
@@ -55,6 +74,25 @@ StepPlan heldPlan(const ClothModel& model, const StepParameters& parameters, int
   return plan;
 }
 
+/// The share of its stiffness that a vertex of that rate [1/kg] keeps under a plan.
+double shareAt(double rate, const StepParameters& parameters, const StepPlan& plan) {
+  const double h = parameters.timeStep / plan.substeps;
+  const double speed = h * h * parameters.stiffness * rate;
+  return plan.carried > 0.0 && speed > 0.0 ? std::min(1.0, plan.carried * plan.carried / speed) : 1.0;
+}
+
+/// Springs that are held only where the fastest hundredth of the vertices are, however many substeps that takes.
+StepPlan barelyHeldPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                        int substeps) {
+  const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rates.most);
+  StepPlan plan = heldPlan(model, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / heldTo))));
+  if (shareAt(rates.most, parameters, plan) < 1.0) {
+    const double damped = std::sqrt(heldTo * heldTo - dampingHeldTo);
+    plan = heldPlan(model, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / damped))));
+  }
+  return plan;
+}
+
 }  // namespace
 
 LocalRates localRatesOf(const ClothModel& model) {
@@ -66,11 +104,8 @@ LocalRates localRatesOf(const ClothModel& model) {
       free.push_back(rates.unit.back());
     }
   }
-  if (!free.empty()) {
-    const auto middle = free.begin() + static_cast<std::ptrdiff_t>(free.size() / 2);
-    std::nth_element(free.begin(), middle, free.end());
-    rates.median = *middle;
-  }
+  rates.median = smallestBut(free, 2);
+  rates.most = smallestBut(free, 100);
   rates.diagonal = diagonalOf(model);
   rates.mass = model.totalMass();
   return rates;
@@ -79,6 +114,32 @@ LocalRates localRatesOf(const ClothModel& model) {
 double passesInBudget(const ClothModel& model, const StepParameters& parameters) {
   const auto springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
   return std::max(fewestPasses, parameters.work * 1e6 * parameters.timeStep / springs);
+}
+
+double passesAtMost(const ClothModel& model, const StepParameters& parameters) {
+  constexpr double evaluations = 2e9;  // of a spring: several seconds
+  const double springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
+  return std::max(passesInBudget(model, parameters), evaluations / springs);
+}
+
+bool mayBeSoftened(const ClothModel& model, const StepParameters& parameters) {
+  return parameters.soften ||
+         parameters.timeStep / verletStepLimit(model, parameters) > passesAtMost(model, parameters);
+}
+
+StepPlan saferThan(StepPlan plan) {
+  constexpr double less = 0.8;
+  constexpr double asPlanned = 1.7;
+  const bool again = plan.carried < asPlanned;
+  if (plan.softens && again && plan.whole > 0) {
+    return {.substeps = plan.whole, .damping = plan.damping};
+  }
+  if (again || !plan.softens) {
+    plan.substeps = 2 * plan.passes();
+  }
+  plan.scheme = ExplicitScheme::Verlet;
+  plan.carried *= less;
+  return plan;
 }
 
 StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
@@ -98,12 +159,22 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   if (substeps >= fewest) {
     return {.substeps = substeps, .damping = parameters.damping};
   }
-  const StepPlan held = heldPlan(model, parameters, substeps);
-  if (medianShare(rates, parameters, held) >= enoughStiffness) {
-    return held;
+  if (!mayBeSoftened(model, parameters)) {
+    const StepPlan barely = barelyHeldPlan(model, rates, parameters, substeps);
+    return barely.substeps < fewest ? barely
+                                    : StepPlan{.substeps = static_cast<int>(fewest), .damping = parameters.damping};
   }
-  StepPlan withLevels = heldPlan(model, parameters, static_cast<int>(std::max(fewestPasses, passes / costWithLevels)));
+  const double held = parameters.soften ? passes : passesAtMost(model, parameters);
+  StepPlan softer = heldPlan(model, parameters, static_cast<int>(held));
+  softer.softens = true;
+  softer.whole = fewest <= passesOfLastResort ? static_cast<int>(fewest) : 0;
+  if (medianShare(rates, parameters, softer) >= enoughStiffness) {
+    return softer;
+  }
+  StepPlan withLevels = heldPlan(model, parameters, static_cast<int>(std::max(fewestPasses, held / costWithLevels)));
   withLevels.levels = true;
+  withLevels.softens = true;
+  withLevels.whole = softer.whole;
   return withLevels;
 }
 
@@ -113,8 +184,12 @@ bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepP
   constexpr double inMotion = 0.002;  // of what falling sets free, in a second [1/s]
   constexpr double leastFall = 1.0;   // [m^2/s^2]
   constexpr double atRest = 1e-7;     // [W/kg]
-  const double substeps =
-      std::min(passesInBudget(model, parameters), parameters.timeStep * largestFrequency(model, parameters) / heldTo);
+  const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness);
+  const double passes = parameters.soften
+                            ? passesInBudget(model, parameters)
+                            : std::clamp(hardness * std::sqrt(rates.most) / heldTo, passesInBudget(model, parameters),
+                                         passesAtMost(model, parameters));
+  const double substeps = std::min(passes, hardness * model.unitFrequency / heldTo);
   const double h = parameters.timeStep / std::max(1.0, substeps);
   const double omegaSquared = std::min(parameters.stiffness * rates.median, heldTo * heldTo / (h * h));
   const double rounding = 0x1p-24 * farthestOf(state.positions);
@@ -124,9 +199,7 @@ bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepP
 }
 
 double medianShare(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {
-  const double h = parameters.timeStep / plan.substeps;
-  const double speed = h * h * parameters.stiffness * rates.median;
-  return plan.carried > 0.0 && speed > 0.0 ? std::min(1.0, plan.carried * plan.carried / speed) : 1.0;
+  return shareAt(rates.median, parameters, plan);
 }
 
 }  // namespace drape

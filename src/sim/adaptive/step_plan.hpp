@@ -2,16 +2,18 @@
 
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
+#include "sim/step_choice.hpp"
 #include "sim/step_parameters.hpp"
 
 #include <vector>
 
 namespace drape {
 
-/// How fast each vertex can move, and the one in the middle.
+/// How fast each vertex can move, the one in the middle and nearly all.
 struct LocalRates {
   std::vector<double> unit;  ///< omega_i^2 / k [1/kg], one a vertex
   double median = 0.0;       ///< [1/kg]
+  double most = 0.0;         ///< what all free vertices but the fastest hundredth keep below [1/kg]
   double diagonal = 0.0;     ///< of the rest shape [m]
   double mass = 0.0;         ///< of the whole cloth [kg]
 };
@@ -27,9 +29,6 @@ enum class ExplicitScheme {
 /// What an evaluation of all springs costs when coarse levels take part, in evaluations without (bench/auto_bench.cpp).
 inline constexpr int costWithLevels = 2;
 
-/// How far the budget is exceeded where all springs then keep their stiffness: held ones would be worse by far.
-inline constexpr double stretchedBudget = 1.6;
-
 /// How a step is to be taken.
 struct StepPlan {
   ExplicitScheme scheme = ExplicitScheme::Verlet;
@@ -37,12 +36,26 @@ struct StepPlan {
   double carried = 0.0;  ///< what h omega the springs are held to, h being the substep [-]; 0: to nothing
   double damping = 0.0;  ///< of every spring [N s/m], no more than the substep carries
   bool levels = false;   ///< coarse levels give back what the springs do not carry
+  bool softens = false;  ///< held springs are taken for softer ones; else none may be held that the energy shows
+  int whole = 0;         ///< of softened springs: the substeps with which they would keep all; 0: too many ever to take
 
   /// Evaluations of all springs.
   [[nodiscard]] int passes() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }
   /// What they cost, in evaluations without coarse levels.
   [[nodiscard]] int cost() const { return levels ? costWithLevels * passes() : passes(); }
 };
+
+/// What becomes of a plan when its step has to be taken again. Springs that are softened are held to less at first,
+/// since crumpled cloth is faster than its rest shape, and then to nothing, where that takes no more than the last
+/// resort would; all others get twice the substeps.
+[[nodiscard]] StepPlan saferThan(StepPlan plan);
+
+/// The passes of a step that lasts as long as anybody waits for one, several seconds of computing.
+[[nodiscard]] double passesAtMost(const ClothModel& model, const StepParameters& parameters);
+
+/// Whether cloth may become softer than asked for: when the user says so, or where a step of all its stiffness would
+/// take more passes than that.
+[[nodiscard]] bool mayBeSoftened(const ClothModel& model, const StepParameters& parameters);
 
 /// The evaluations of all springs that the budget allows for a step, no fewer than four.
 [[nodiscard]] double passesInBudget(const ClothModel& model, const StepParameters& parameters);
@@ -51,7 +64,8 @@ struct StepPlan {
 /// frame's hardness H = timeStep omega (docs/auto.md derives the bounds):
 /// - B >= 2 H: the fourth order, where nothing but positions matters (no damping, air or hand);
 /// - B >= H / 2.04: Verlet; also where that takes up to 1.6 times the budget;
-/// - less: Verlet on springs that are held to what the substep carries;
+/// - less, and cloth may not be softened: as many substeps as all but the fastest hundredth of the vertices need;
+/// - less, and it may: Verlet on springs that are held to what the substep carries;
 /// - where that is less than half of their stiffness: half as many substeps, since coarse levels take as long again.
 /// Depends on its arguments alone.
 [[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,

@@ -1,5 +1,6 @@
 #include "sim/adaptive/adaptive_run.hpp"
 #include "sim/adaptive/energy_guard.hpp"
+#include "sim/adaptive/rest_watch.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/momentum.hpp"
@@ -50,6 +51,7 @@ class AdaptiveStep {
     StepChoice choice{.order = plan.scheme == ExplicitScheme::Pefrl ? 4 : 2,
                       .substeps = plan.substeps,
                       .hardness = parameters.timeStep * largestFrequency(model, parameters),
+                      .demand = plan.cost() / passesInBudget(model, parameters),
                       .stiffness = medianShare(rates, parameters, plan)};
     choice.passes = 0;
     const bool estimating = estimateIsDue(state.memory.steps);
@@ -106,19 +108,6 @@ class AdaptiveStep {
       --memory.caution;
       memory.calm = 0;
     }
-  }
-
-  /// Springs that are held, are held to less, since crumpled cloth is faster than its rest shape; all others, and the
-  /// second time these too, get twice the substeps.
-  static StepPlan saferThan(StepPlan plan) {
-    constexpr double less = 0.8;
-    constexpr double asPlanned = 1.7;
-    if (plan.carried < asPlanned) {
-      plan.substeps = 2 * plan.passes();
-    }
-    plan.scheme = ExplicitScheme::Verlet;
-    plan.carried *= less;
-    return plan;
   }
 
   /// The most that the hand has done in the step that was run last [J].
@@ -229,6 +218,10 @@ class AutoSolver final : public Solver {
  public:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
+    if (rest_.holds(model, parameters, inputs, state)) {
+      state.time += parameters.timeStep;
+      return {.choice = StepChoice{.substeps = 0, .passes = 0, .resting = true}};
+    }
     const LocalRates& rates = rates_.get(model, localRatesOf);
     const bool exact = parameters.precision == Precision::Double || roundingHeats(model, rates, parameters, state);
     return exact ? double_.step(model, rates, parameters, inputs, state)
@@ -236,12 +229,13 @@ class AutoSolver final : public Solver {
   }
 
  private:
+  RestWatch rest_;
   ModelCache<LocalRates> rates_;
   AdaptiveStep<float> single_;
   AdaptiveStep<double> double_;
 };
 
-/// What the springs keep when the whole budget is spent, and the budget with which they would keep all.
+/// What it costs that cloth is too stiff and fine for the work allowed, time or stiffness, and how much work would do.
 std::string warning(const ClothModel& model, const StepParameters& parameters) {
   constexpr double heldTo = 1.8;  // what h omega held springs are held to
   const double frequency = largestFrequency(model, parameters);
@@ -250,13 +244,20 @@ std::string warning(const ClothModel& model, const StepParameters& parameters) {
   if (stretchedBudget * passes * 2.0 >= hardness) {
     return {};
   }
-  const double carried = std::floor(passes / costWithLevels) * heldTo / hardness;
-  const double needed = 0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6;
+  const double needed = std::ceil(0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6);
   std::ostringstream words;
   words << std::setprecision(2);
-  words << "The work allowed is too little for cloth so stiff and fine: stretching is carried by coarse groups, and "
-        << "springs keep " << 100.0 * carried * carried << " % of their stiffness. ";
-  words << "All of it needs auto.work = " << std::fixed << std::setprecision(0) << std::ceil(needed) << ".";
+  if (mayBeSoftened(model, parameters)) {
+    const double held = parameters.soften ? passes : passesAtMost(model, parameters);
+    const double carried = std::floor(held / costWithLevels) * heldTo / hardness;
+    words << "The work allowed is too little for cloth so stiff and fine: stretching is carried by coarse groups, and "
+          << "springs keep " << 100.0 * carried * carried
+          << " % of their stiffness. All of it needs auto.work = " << std::fixed << std::setprecision(0) << needed
+          << (parameters.soften ? "." : " and auto.soften = off.");
+  } else {
+    words << "Cloth so stiff and fine takes up to " << 0.5 * hardness / passes
+          << " times the work allowed: slow motion. Softer springs would keep pace (auto.soften = on).";
+  }
   return words.str();
 }
 
@@ -267,13 +268,13 @@ SolverInfo solvers::adaptive() {
           .title = "Auto",
           .help =
               "Chooses for itself: explicit steps of second or fourth order, as many substeps as the cloth and the "
-              "tolerance need. Where the work allowed does not suffice, springs keep what a substep carries and coarse "
-              "groups of vertices carry the tension; an energy guard takes a step again that would explode. It is "
-              "softer than asked for, and says so, where cloth is too stiff and fine for the work allowed.",
+              "tolerance need; an energy guard takes a step again that would explode. Where the work allowed does not "
+              "suffice for cloth so stiff and fine, the clock falls behind, or, if that is wished, springs keep what a "
+              "substep carries and coarse groups of vertices carry the tension. What is the case is said.",
           .source = "Drape (docs/auto.md), on Stoermer-Verlet and Omelyan, Mryglod and Folk, 2002",
           .backwardEuler = false,
           .choosesSubsteps = true,
-          .settings = {"precision", "auto.work", "auto.budget", "auto.tolerance"},
+          .settings = {"precision", "auto.work", "auto.soften", "auto.budget", "auto.tolerance"},
           .warning = warning,
           .stepLimit = nullptr,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<AutoSolver>(); }};

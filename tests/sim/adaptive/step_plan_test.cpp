@@ -9,9 +9,11 @@
 namespace drape {
 namespace {
 
-/// A sheet under a budget of so many passes a step.
+/// A sheet under a budget of so many passes a step, which may be softened.
 class StepPlanning : public ::testing::Test {
  protected:
+  StepPlanning() { parameters.soften = true; }
+
   StepPlan plan(double passes) {
     parameters.work = 1.0001 * passes * static_cast<double>(model->springs.size()) / parameters.timeStep * 1e-6;
     return planStep(*model, localRatesOf(*model), parameters, inputs, StepMemory{.passes = passes});
@@ -71,6 +73,45 @@ TEST_F(StepPlanning, keepsToTheBudgetOtherwiseAndNeverGoesBelowFourPasses) {
   EXPECT_EQ(plan(0.5).passes(), 4);
 }
 
+TEST_F(StepPlanning, takesWhatAllOfTheStiffnessNeedsWhereItMayNotBeSoftened) {
+  parameters.soften = false;
+  parameters.stiffness = 1e5;  // H = 320
+  const double hardness = parameters.timeStep * largestFrequency(*model, parameters);
+  for (const double passes : {0.5, 30.0, 100.0}) {
+    const StepPlan chosen = plan(passes);
+    EXPECT_NEAR(chosen.substeps, hardness / 2.04, 1.0) << passes;
+    EXPECT_EQ(chosen.carried, 0.0);
+    EXPECT_FALSE(chosen.levels);
+  }
+  EXPECT_EQ(plan(170.0).substeps, 170);
+}
+
+TEST_F(StepPlanning, softensClothOnlyWhereAStepWouldTakeSeconds) {
+  parameters.soften = false;
+  parameters.stiffness = 1e5;
+  EXPECT_FALSE(mayBeSoftened(*model, parameters));
+  parameters.stiffness = 1e15;  // 16 million passes
+  EXPECT_TRUE(mayBeSoftened(*model, parameters));
+  const StepPlan chosen = plan(30.0);
+  EXPECT_TRUE(chosen.softens);
+  EXPECT_NEAR(chosen.cost(), 2e9 / static_cast<double>(model->springs.size()), 2.0);
+}
+
+TEST_F(StepPlanning, isMoreCarefulWhenAStepHasToBeTakenAgain) {
+  const StepPlan softer = saferThan({.substeps = 10, .carried = 1.8, .softens = true});
+  EXPECT_EQ(softer.substeps, 10) << "held to less at first";
+  EXPECT_LT(softer.carried, 1.8);
+  EXPECT_EQ(saferThan(softer).substeps, 20);
+  EXPECT_EQ(saferThan({.substeps = 10, .carried = 1.8}).substeps, 20) << "what may not be softened gets more at once";
+  const StepPlan whole = saferThan({.substeps = 10, .carried = 1.4, .levels = true, .softens = true, .whole = 90});
+  EXPECT_EQ(whole.substeps, 90) << "all of the stiffness costs less than the last resort";
+  EXPECT_EQ(whole.carried, 0.0);
+  EXPECT_FALSE(whole.levels || whole.softens);
+  const StepPlan plain = saferThan({.scheme = ExplicitScheme::Pefrl, .substeps = 5});
+  EXPECT_EQ(plain.scheme, ExplicitScheme::Verlet);
+  EXPECT_EQ(plain.substeps, 40);
+}
+
 TEST_F(StepPlanning, spendsNoMoreThanWasLearntToBeNeeded) {
   parameters.stiffness = 1000.0;
   parameters.work = 1e6;
@@ -99,6 +140,9 @@ TEST_F(StepPlanning, letsAFewFastVerticesOfAnIrregularMeshSlowNobodyElse) {
   EXPECT_GT(parameters.timeStep * largestFrequency(*model, parameters), 2.04 * 17.0);
   EXPECT_EQ(medianShare(rates, parameters, chosen), 1.0);
   EXPECT_FALSE(chosen.levels);
+  parameters.soften = false;
+  EXPECT_LT(plan(17.0).substeps, 20) << "nor does it when nobody may be softened";
+  EXPECT_FALSE(plan(17.0).softens);
 }
 
 }  // namespace

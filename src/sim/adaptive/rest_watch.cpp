@@ -1,0 +1,152 @@
+#include "sim/adaptive/rest_watch.hpp"
+
+#include "sim/contact/body.hpp"
+#include "sim/pieces.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <initializer_list>
+
+namespace drape {
+namespace {
+
+constexpr double ofTolerance = 0.01;
+constexpr double ofEdge = 1e-4;
+constexpr double restingTime = 1.0;  // [s]
+/// A cloth that moves is looked at every so many steps.
+constexpr int lookEvery = 16;
+
+/// Fowler, Noll and Vo's hash, 64 bits at a time.
+class Mark {
+ public:
+  void add(std::uint64_t bits) { value_ = (value_ ^ bits) * 0x100000001b3ULL; }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  void add(const Vec3& value) {
+    for (int c = 0; c < 3; ++c) {
+      add(value[c]);
+    }
+  }
+  void add(const Pose& pose) {
+    add(pose.position);
+    for (int c = 0; c < 4; ++c) {
+      add(pose.rotation.coeffs()[c]);
+    }
+  }
+  /// Never 0, which stands for none.
+  [[nodiscard]] std::uint64_t value() const { return std::max<std::uint64_t>(1, value_); }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+bool standsStill(const BodyStep& body) {
+  return body.start.position == body.end.position && body.start.rotation.coeffs() == body.end.rotation.coeffs() &&
+         std::equal(body.startVertices.begin(), body.startVertices.end(), body.endVertices.begin(),
+                    body.endVertices.end());
+}
+
+bool hasBodies(const StepParameters& parameters, const StepInputs& inputs) {
+  return parameters.contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty();
+}
+
+/// Whether every vertex is within that distance [m] of where it was.
+bool areNear(const std::vector<Vec3>& places, const std::vector<Vec3>& before, double distance) {
+  return places.size() == before.size() &&
+         std::equal(places.begin(), places.end(), before.begin(),
+                    [&](const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() <= distance * distance; });
+}
+
+bool isAsLeft(const ClothState& state) {
+  return state.positions == *state.memory.anchor &&
+         std::all_of(state.velocities.begin(), state.velocities.end(), [](const Vec3& v) { return v.isZero(0.0); });
+}
+
+}  // namespace
+
+bool RestWatch::holds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                      ClothState& state) {
+  const Facts& facts = facts_.get(model, factsOf);
+  StepMemory& memory = state.memory;
+  if (!canRest(facts, parameters, inputs)) {
+    memory.anchor.reset();
+    memory.restsWith = 0;
+    return false;
+  }
+  if (memory.restsWith != 0) {
+    if (isAsLeft(state) && memory.restsWith == markOf(facts, parameters, inputs)) {
+      return true;
+    }
+    memory.anchor.reset();
+    memory.restsWith = 0;
+  }
+  const double distance = std::min(ofTolerance * parameters.errorTolerance, ofEdge * facts.meanEdge);
+  if (memory.anchor == nullptr || !areNear(state.positions, *memory.anchor, distance)) {
+    memory.anchor.reset();
+    if (memory.steps % lookEvery == 0) {
+      memory.anchor = std::make_shared<const std::vector<Vec3>>(state.positions);
+      memory.anchorTime = state.time;
+    }
+    return false;
+  }
+  if (state.time < memory.anchorTime + restingTime) {
+    return false;
+  }
+  std::fill(state.velocities.begin(), state.velocities.end(), Vec3::Zero());
+  memory.anchor = std::make_shared<const std::vector<Vec3>>(state.positions);
+  memory.restsWith = markOf(facts, parameters, inputs);
+  return true;
+}
+
+/// Free cloth stays in one place only where something carries it.
+bool RestWatch::canRest(const Facts& facts, const StepParameters& parameters, const StepInputs& inputs) {
+  const bool fades = parameters.damping > 0.0 || parameters.drag > 0.0;
+  const bool carried = facts.held || (parameters.gravity > 0.0 && hasBodies(parameters, inputs));
+  const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), standsStill);
+  return fades && carried && still && !inputs.grab;
+}
+
+RestWatch::Facts RestWatch::factsOf(const ClothModel& model) {
+  Facts facts;
+  facts.held = freePieces(model).empty();
+  Mark mark;
+  for (std::size_t i = 0; i < model.vertexMass.size(); ++i) {
+    mark.add(model.vertexMass[i]);
+    mark.add(std::uint64_t{model.pinned[i]});
+  }
+  for (const Spring& spring : model.springs) {
+    mark.add(static_cast<std::uint64_t>(spring.a));
+    mark.add(static_cast<std::uint64_t>(spring.b));
+    mark.add(spring.restLength);
+    mark.add(spring.relativeStiffness);
+    facts.meanEdge += spring.restLength / static_cast<double>(model.springs.size());
+  }
+  facts.mark = mark.value();
+  return facts;
+}
+
+std::uint64_t RestWatch::markOf(const Facts& facts, const StepParameters& parameters, const StepInputs& inputs) {
+  Mark mark;
+  mark.add(facts.mark);
+  const ContactParameters& contact = parameters.contact;
+  for (const double value : {parameters.stiffness, parameters.damping, parameters.gravity, parameters.drag,
+                             parameters.lift, parameters.airDensity, parameters.errorTolerance, contact.thickness,
+                             contact.selfThickness, contact.staticFriction, contact.kineticFriction}) {
+    mark.add(value);
+  }
+  mark.add(parameters.wind);
+  mark.add(std::uint64_t{contact.bodies});
+  mark.add(static_cast<std::uint64_t>(contact.self));
+  if (inputs.bodies != nullptr) {
+    for (const BodyStep& body : *inputs.bodies) {
+      mark.add(body.start);
+      mark.add(body.body->thickness);
+      mark.add(body.body->staticFriction);
+      mark.add(body.body->kineticFriction);
+      std::for_each(body.startVertices.begin(), body.startVertices.end(), [&](const Vec3& v) { mark.add(v); });
+    }
+  }
+  return mark.value();
+}
+
+}  // namespace drape

@@ -1,0 +1,189 @@
+#include "sim/adaptive/rest_watch.hpp"
+
+#include "sim/contact/body.hpp"
+#include "sim/measures.hpp"
+#include "sim/stability.hpp"
+#include "sim/stepper.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <functional>
+
+namespace drape {
+namespace {
+
+/// A sheet of that size that hangs from its upper edge.
+std::shared_ptr<const ClothModel> hangingSheet(double size) {
+  ClothMesh mesh = testing::sheet(5);
+  for (Vec3& position : mesh.positions) {
+    position = size * Vec3(position.x(), -position.z(), 0.0);
+  }
+  return buildClothModel(mesh, 0.1, MassLumping::Uniform, {0, 1, 2, 3, 4});
+}
+
+/// With which it comes to rest within some seconds.
+StepParameters dampedParameters() {
+  StepParameters parameters;
+  parameters.stiffness = 200.0;
+  parameters.damping = 0.03;
+  parameters.drag = 1.0;
+  return parameters;
+}
+
+class Resting : public ::testing::Test {
+ protected:
+  /// How many of so many steps had nothing to do.
+  int rest(int steps) {
+    int resting = 0;
+    for (int step = 0; step < steps; ++step) {
+      resting += stepper.step(*model, parameters, inputs, state).choice.value().resting ? 1 : 0;
+    }
+    return resting;
+  }
+
+  /// Lets the sheet come to rest.
+  void settle() {
+    for (int second = 0; second < 120 && rest(1) == 0; ++second) {
+      rest(150);
+    }
+    ASSERT_EQ(rest(10), 10) << "it does not come to rest";
+  }
+
+  std::shared_ptr<const ClothModel> model = hangingSheet(1.0);
+  StepParameters parameters = dampedParameters();
+  StepInputs inputs;
+  ClothState state = stateAtRest(model->restPositions);
+  Stepper stepper{"auto"};
+};
+
+TEST_F(Resting, leavesClothThatCameToRestWhereItIs) {
+  settle();
+  const auto hash = stateHash(state);
+  const double time = state.time;
+  EXPECT_EQ(rest(150), 150);
+  EXPECT_EQ(stateHash(state), hash) << "to the last bit";
+  EXPECT_NEAR(state.time, time + 1.0, 1e-9) << "time goes on";
+}
+
+TEST_F(Resting, isNearTheConvergedEquilibrium) {
+  settle();
+  ClothState exact = state;
+  Stepper verlet("verlet");
+  StepParameters fine = parameters;
+  fine.substeps = static_cast<int>(std::ceil(2.0 * fine.timeStep / verletStepLimit(*model, fine)));
+  for (int step = 0; step < 600; ++step) {
+    verlet.step(*model, fine, {}, exact);
+  }
+  EXPECT_LT(testing::largestDifference(state, exact), 0.1 * parameters.errorTolerance);
+}
+
+TEST_F(Resting, endsWhenAnythingChanges) {
+  settle();
+  const ClothState atRest = state;
+  const std::vector<std::pair<const char*, std::function<void()>>> changes{
+      {"gravity", [&] { parameters.gravity *= 1.0 + 1e-9; }},
+      {"stiffness", [&] { parameters.stiffness += 1e-3; }},
+      {"wind", [&] { parameters.wind.x() = 1e-6; }},
+      {"a pin that moves", [&] { state.positions[0].x() += 1e-6; }},
+      {"a vertex that is pushed", [&] { state.velocities[12].z() = 1e-6; }},
+      {"a pin let go", [&] { model = withPins(*model, std::vector<bool>(25, false)); }},
+      {"mass", [&] { model = withMass(*model, 0.11, MassLumping::Uniform); }},
+      {"a hand", [&] {
+         inputs.grab = Grab{0, Vec3::Constant(1.0 / 3.0), Vec3::Zero(), 1.0, 1.0};
+       }}};
+  for (const auto& [what, change] : changes) {
+    const auto before = model;
+    state = atRest;
+    parameters = dampedParameters();
+    inputs = {};
+    ASSERT_EQ(rest(1), 1);
+    change();
+    EXPECT_EQ(rest(1), 0) << what;
+    model = before;
+  }
+}
+
+TEST_F(Resting, endsWhenABodyMovesOrIsTakenAway) {
+  Body ground;
+  ground.shape = PlaneShape{};
+  BodyStep place;
+  place.body = &ground;
+  place.start.position.y() = place.end.position.y() = -1.004;  // so that the sheet's lower edge stands on it
+  std::vector<BodyStep> bodies{place};
+  inputs.bodies = &bodies;
+  settle();
+  const ClothState atRest = state;
+  bodies[0].end.position.y() += 1e-6;
+  EXPECT_EQ(rest(1), 0) << "it moves";
+  state = atRest;
+  bodies[0] = place;
+  ASSERT_EQ(rest(1), 1);
+  bodies.clear();
+  EXPECT_EQ(rest(1), 0) << "it is gone";
+}
+
+TEST_F(Resting, comesToClothOfAnySize) {
+  for (const double size : {1e-3, 1e3}) {
+    const double slower = std::sqrt(size);
+    model = hangingSheet(size);
+    state = stateAtRest(model->restPositions);
+    parameters = dampedParameters();
+    parameters.timeStep *= slower;
+    parameters.stiffness /= size;
+    parameters.damping /= slower;
+    parameters.drag /= size * size * size;
+    parameters.errorTolerance *= size;
+    parameters.work /= slower;
+    int resting = 0;
+    for (int round = 0; round < 120 && resting == 0; ++round) {
+      resting = rest(150);
+    }
+    EXPECT_GT(resting, 0) << size;
+  }
+}
+
+TEST_F(Resting, isNotForClothThatNothingBringsToRestOrNothingHolds) {
+  parameters.gravity = 0.0;
+  parameters.damping = 0.0;
+  parameters.drag = 0.0;
+  state = stateAtRest(model->restPositions);
+  EXPECT_EQ(rest(300), 0) << "undamped";
+  parameters.damping = 0.03;
+  model = withPins(*model, std::vector<bool>(25, false));
+  state = stateAtRest(model->restPositions);
+  for (Vec3& velocity : state.velocities) {
+    velocity.x() = 1e-7;
+  }
+  EXPECT_EQ(rest(450), 0) << "free cloth drifts on, however slowly";
+  EXPECT_NEAR(state.positions[12].x() - model->restPositions[12].x(), 3e-7, 1e-12);
+}
+
+/// A sheet as a pendulum: hung from one edge, let go a little aside; or in air so thick that it only creeps.
+TEST_F(Resting, doesNotFreezeSlowMotion) {
+  for (const double drag : {0.0, 3000.0}) {
+    state = stateAtRest(model->restPositions);
+    const double aside = drag > 0.0 ? 0.05 : 2e-4;
+    for (Vec3& position : state.positions) {
+      position.z() = -aside * position.y();
+    }
+    parameters = dampedParameters();
+    parameters.damping = 1e-4;
+    parameters.drag = drag;
+    ClothState exact = state;
+    Stepper verlet("verlet");
+    StepParameters fine = parameters;
+    fine.substeps = static_cast<int>(std::ceil(4.0 * fine.timeStep / verletStepLimit(*model, fine)));
+    MotionKept kept;
+    for (int step = 0; step < 1200; ++step) {
+      const auto [own, reference] = std::pair(state.positions, exact.positions);
+      stepper.step(*model, parameters, {}, state);
+      verlet.step(*model, fine, {}, exact);
+      kept.add(*model, {own, state.positions, reference, exact.positions});
+    }
+    EXPECT_GT(kept.value(), 0.95) << drag;
+  }
+}
+
+}  // namespace
+}  // namespace drape
