@@ -33,6 +33,9 @@ std::span<const Stage> stagesOf(ExplicitScheme scheme) {
 /// Of what the springs are held to, for the levels above them: they move the same vertices.
 constexpr double partOfLevels = 0.78;
 
+/// A thread that is alone may be ended after so many substeps; several would wait for the one that was.
+constexpr int askEvery = 64;
+
 double startOf(ExplicitScheme scheme) {
   return scheme == ExplicitScheme::Pefrl ? xi : verletStart;
 }
@@ -115,6 +118,9 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
   driftSlices(*cloth_, static_cast<T>(start * substep), share);
   team_.meet();
   for (int i = 0; i < plan.substeps; ++i) {
+    if (inputs.mayStop != nullptr && share.first && share.last && i % askEvery == askEvery - 1) {
+      (*inputs.mayStop)();
+    }
     for (std::size_t s = 0; s < stages.size(); ++s) {
       const bool firstKick = i == 0 && s == 0;
       const bool lastKick = i + 1 == plan.substeps && s + 1 == stages.size();

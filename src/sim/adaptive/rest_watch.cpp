@@ -11,8 +11,8 @@
 namespace drape {
 namespace {
 
-constexpr double ofTolerance = 0.01;
-constexpr double ofEdge = 1e-4;
+constexpr double ofTolerance = 0.1;
+constexpr double ofEdge = 1e-3;
 constexpr double restingTime = 1.0;  // [s]
 /// A cloth that moves is looked at every so many steps.
 constexpr int lookEvery = 16;

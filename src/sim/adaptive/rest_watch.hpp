@@ -11,8 +11,8 @@ namespace drape {
 
 /// Finds out when a cloth has come to rest, and leaves it there until something changes.
 ///
-/// It has come to rest when in a whole second none of its vertices left the place where it was by more than a hundredth
-/// of the tolerance, or a ten-thousandth of an edge. Only cloth that loses energy to damping or drag does, held by pins
+/// It has come to rest when in a whole second none of its vertices left the place where it was by more than a tenth
+/// of the tolerance, or a thousandth of an edge. Only cloth that loses energy to damping or drag does, held by pins
 /// or by bodies, with no hand on it. Then its velocities are set to zero, and it rests for as long as its state and
 /// all that acts on it are what they were, to the last bit: settings, pins, masses, bodies.
 class RestWatch {

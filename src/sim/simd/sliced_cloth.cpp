@@ -3,6 +3,7 @@
 #include "sim/simd/convert.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace drape {
 namespace {
@@ -189,6 +190,16 @@ std::size_t SlicedCloth<T>::bytes() const {
 
 template <typename T>
 void driftSlices(SlicedCloth<T>& cloth, T time, const StepShare& share) {
+  if (cloth.position.sideBySide.empty()) {
+    const Coordinates<T> x = coordinatesOf(cloth.position);
+    const Coordinates<T> v = coordinatesOf(cloth.velocity);
+    for (const auto& [place, speed] : {std::pair(x.x, v.x), std::pair(x.y, v.y), std::pair(x.z, v.z)}) {
+      for (int i = share.begin * sliceLanes; i < share.end * sliceLanes; ++i) {
+        place[i] += time * speed[i];
+      }
+    }
+    return;
+  }
   for (int i = share.begin * sliceLanes; i < share.end * sliceLanes; ++i) {
     cloth.position.set(static_cast<std::size_t>(i), cloth.position.x.data()[i] + time * cloth.velocity.x.data()[i],
                        cloth.position.y.data()[i] + time * cloth.velocity.y.data()[i],

@@ -78,6 +78,9 @@ class AdaptiveStep {
             const StepInputs& inputs, StepPlan plan, ClothState& state, StepChoice& choice) {
     guard_.begin(model, rates, parameters, state);
     for (int retake = 0; retake <= mostRetakes; ++retake) {
+      if (inputs.mayStop != nullptr) {
+        (*inputs.mayStop)();
+      }
       const bool startIsKnown = guard_.knowsStart(plan, state.memory);
       StepEnergy energy = run_.run(model, rates, parameters, inputs, plan, state, !startIsKnown);
       energy.start = startIsKnown ? state.memory.energy : energy.start;

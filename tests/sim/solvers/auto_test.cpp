@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace drape {
 namespace {
@@ -123,6 +124,25 @@ TEST(Auto, takesAsLongAsItNeedsRatherThanBreakThePhysics) {
   EXPECT_EQ(report.choice->stiffness, 1.0);
   EXPECT_NEAR(report.choice->demand, 30.5, 1.0) << "305 passes for 10 that are allowed";
   EXPECT_LT(meanDistanceOf(fallen("auto", *model, parameters), converged(*model, 1e5)), 0.002) << "[m]";
+}
+
+TEST(Auto, endsAStepThatTakesLongWhenItIsAsked) {
+  struct Enough {};
+  const auto model = pinnedSheet(9);
+  StepParameters parameters = withPasses(*model, 1e7, 10.0);
+  parameters.soften = false;
+  int asked = 0;
+  const std::function<void()> mayStop = [&] {
+    if (++asked == 5) {
+      throw Enough();
+    }
+  };
+  StepInputs inputs;
+  inputs.mayStop = &mayStop;
+  ClothState state = testing::shaken(*model, 0.001, 7);
+  const auto before = stateHash(state);
+  EXPECT_THROW(findSolver("auto")->make()->step(*model, parameters, inputs, state), Enough);
+  EXPECT_EQ(stateHash(state), before);
 }
 
 TEST(Auto, keepsTheEnergyWhereOnlySliversAreHeld) {
