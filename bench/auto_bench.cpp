@@ -10,7 +10,7 @@ namespace drape::bench {
 namespace {
 
 /// Error estimates come once in so many steps.
-constexpr int cycle = 64;
+constexpr int cycle = 128;
 
 /// A cloth that begins to fall, with as many passes over the springs as Verlet needs, and no more allowed.
 struct Task {

@@ -26,8 +26,6 @@ constexpr double fewestPasses = 4.0;
 /// Passes of a first step, about which nothing is known yet: on the safe side.
 constexpr double firstPasses = 64.0;
 constexpr double firstOfLimit = 2.0;
-/// What the energy guard's last resort costs, about, in passes of a step.
-constexpr double passesOfLastResort = 400.0;
 /// No tolerance asks for more passes than so many times what is stable: a chaotic motion would ask without end.
 constexpr double mostOfLimit = 8.0;
 
@@ -130,11 +128,7 @@ bool mayBeSoftened(const ClothModel& model, const StepParameters& parameters) {
 StepPlan saferThan(StepPlan plan) {
   constexpr double less = 0.8;
   constexpr double asPlanned = 1.7;
-  const bool again = plan.carried < asPlanned;
-  if (plan.softens && again && plan.whole > 0) {
-    return {.substeps = plan.whole, .damping = plan.damping};
-  }
-  if (again || !plan.softens) {
+  if (plan.carried < asPlanned || !plan.softens) {
     plan.substeps = 2 * plan.passes();
   }
   plan.scheme = ExplicitScheme::Verlet;
@@ -167,14 +161,12 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   const double held = parameters.soften ? passes : passesAtMost(model, parameters);
   StepPlan softer = heldPlan(model, parameters, static_cast<int>(held));
   softer.softens = true;
-  softer.whole = fewest <= passesOfLastResort ? static_cast<int>(fewest) : 0;
   if (medianShare(rates, parameters, softer) >= enoughStiffness) {
     return softer;
   }
   StepPlan withLevels = heldPlan(model, parameters, static_cast<int>(std::max(fewestPasses, held / costWithLevels)));
   withLevels.levels = true;
   withLevels.softens = true;
-  withLevels.whole = softer.whole;
   return withLevels;
 }
 

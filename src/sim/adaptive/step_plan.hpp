@@ -37,7 +37,6 @@ struct StepPlan {
   double damping = 0.0;  ///< of every spring [N s/m], no more than the substep carries
   bool levels = false;   ///< coarse levels give back what the springs do not carry
   bool softens = false;  ///< held springs are taken for softer ones; else none may be held that the energy shows
-  int whole = 0;         ///< of softened springs: the substeps with which they would keep all; 0: too many ever to take
 
   /// Evaluations of all springs.
   [[nodiscard]] int passes() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }
@@ -46,8 +45,8 @@ struct StepPlan {
 };
 
 /// What becomes of a plan when its step has to be taken again. Springs that are softened are held to less at first,
-/// since crumpled cloth is faster than its rest shape, and then to nothing, where that takes no more than the last
-/// resort would; all others get twice the substeps.
+/// since crumpled cloth is faster than its rest shape; all others, and the second time these too, get twice the
+/// substeps. All of their stiffness, given back at once to springs that had given way, would be an explosion.
 [[nodiscard]] StepPlan saferThan(StepPlan plan);
 
 /// The passes of a step that lasts as long as anybody waits for one, several seconds of computing.

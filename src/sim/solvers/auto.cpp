@@ -21,8 +21,8 @@ namespace {
 constexpr int mostRetakes = 3;
 /// No step begins with more than so many of them: the last resort is tried last.
 constexpr int mostCaution = 2;
-/// Error estimates come at the steps 0, 1, 4, 16 and then at every 64th.
-constexpr int estimateEvery = 64;
+/// Error estimates come at the steps 0, 1, 4, 16, 64 and then at every 128th.
+constexpr int estimateEvery = 128;
 /// What the estimated error stands for: the position error after so long [s].
 constexpr double errorTime = 0.2;
 
@@ -54,7 +54,9 @@ class AdaptiveStep {
                       .demand = plan.cost() / passesInBudget(model, parameters),
                       .stiffness = medianShare(rates, parameters, plan)};
     choice.passes = 0;
-    const bool estimating = estimateIsDue(state.memory.steps);
+    // Where a step takes what it needs in any case, there is nothing to choose, and the first ones are slow enough.
+    const int steps = state.memory.steps;
+    const bool estimating = estimateIsDue(steps) && (choice.demand <= stretchedBudget || steps >= estimateEvery);
     if (estimating) {
       takeFiner(model, rates, parameters, inputs, plan, state, choice);
     }

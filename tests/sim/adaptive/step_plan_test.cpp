@@ -103,10 +103,6 @@ TEST_F(StepPlanning, isMoreCarefulWhenAStepHasToBeTakenAgain) {
   EXPECT_LT(softer.carried, 1.8);
   EXPECT_EQ(saferThan(softer).substeps, 20);
   EXPECT_EQ(saferThan({.substeps = 10, .carried = 1.8}).substeps, 20) << "what may not be softened gets more at once";
-  const StepPlan whole = saferThan({.substeps = 10, .carried = 1.4, .levels = true, .softens = true, .whole = 90});
-  EXPECT_EQ(whole.substeps, 90) << "all of the stiffness costs less than the last resort";
-  EXPECT_EQ(whole.carried, 0.0);
-  EXPECT_FALSE(whole.levels || whole.softens);
   const StepPlan plain = saferThan({.scheme = ExplicitScheme::Pefrl, .substeps = 5});
   EXPECT_EQ(plain.scheme, ExplicitScheme::Verlet);
   EXPECT_EQ(plain.substeps, 40);
