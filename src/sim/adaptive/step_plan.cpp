@@ -149,14 +149,17 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
     return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(passes / 4.0)};
   }
   const double fewest = std::ceil(needed / atMost);
-  const int substeps = static_cast<int>(fewest > passes && fewest <= stretchedBudget * passes ? fewest : passes);
+  const double bearable = std::max(stretchedBudget * passes, costWithLevels * fewestPasses);
+  const int substeps = static_cast<int>(fewest > passes && fewest <= bearable ? fewest : passes);
   if (substeps >= fewest) {
     return {.substeps = substeps, .damping = parameters.damping};
   }
   if (!mayBeSoftened(model, parameters)) {
     const StepPlan barely = barelyHeldPlan(model, rates, parameters, substeps);
-    return barely.substeps < fewest ? barely
-                                    : StepPlan{.substeps = static_cast<int>(fewest), .damping = parameters.damping};
+    // Slow in any case: at a distance from the limit, where energy comes and goes less and fewer steps are taken again.
+    const double calm = std::ceil(needed / comfortable);
+    return barely.substeps < calm ? barely
+                                  : StepPlan{.substeps = static_cast<int>(calm), .damping = parameters.damping};
   }
   const double held = parameters.soften ? passes : passesAtMost(model, parameters);
   StepPlan softer = heldPlan(model, parameters, static_cast<int>(held));
