@@ -3,14 +3,16 @@
 #include "sim/disjoint_sets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 namespace drape {
 namespace {
 
-constexpr double calmSpeed = 2.0;  // the most that cloth which is inside a body has against it [m/s]
-constexpr int calmRings = 3;       // of triangles around it, which stretched springs draw along
+constexpr double calmSpeed = 1.0;  // the most that cloth which is inside a body has against it [m/s]
+constexpr int calmRings = 3;       // of triangles around it, which stretched springs draw along, and ...
+constexpr double moreRings = 1.0;  // ... as many times its own width
 
 /// A vector made as short as that where it is longer.
 Vec3 shortened(const Vec3& vector, double most) {
@@ -97,7 +99,9 @@ std::vector<bool> BodyContact::besideOverlap(const Cloth& cloth, const NearBody&
                 std::any_of(triangles[t].begin(), triangles[t].end(), [&](int v) { return near.overlap.inside(v); });
   }
   std::vector<bool> beside(target_.size(), false);
-  for (int ring = 0; ring < calmRings; ++ring) {
+  const double width = std::sqrt(static_cast<double>(near.overlap.members().size()));  // in triangles, about
+  const int rings = calmRings + static_cast<int>(moreRings * width);
+  for (int ring = 0; ring < rings; ++ring) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       for (const int v : triangles[t]) {
         beside[static_cast<std::size_t>(v)] = beside[static_cast<std::size_t>(v)] || caught[t];
