@@ -1,5 +1,7 @@
 #include "scene/body_reader.hpp"
 
+#include "settings/surface_fields.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -163,14 +165,17 @@ MeshFileSource meshSource(const std::string& name, const std::filesystem::path& 
 }
 
 void readSurface(const TomlReader& table, Body& body) {
-  constexpr double mostFriction = 10.0;
-  body.staticFriction = table.number("static_friction", 0.0, mostFriction).value_or(body.staticFriction);
-  body.kineticFriction =
-      table.number("kinetic_friction", 0.0, mostFriction).value_or(std::min(body.kineticFriction, body.staticFriction));
-  if (body.kineticFriction > body.staticFriction) {
+  SurfaceProperties surface = body.surface;
+  for (const SurfaceField& field : surfaceFields()) {
+    surface.*field.value = table.number(field.key, field.min, field.max).value_or(surface.*field.value);
+  }
+  if (!table.has("kinetic_friction")) {
+    surface.kineticFriction = std::min(surface.kineticFriction, surface.staticFriction);
+  }
+  if (surface.kineticFriction > surface.staticFriction) {
     table.fail("kinetic_friction must not be larger than static_friction");
   }
-  body.thickness = table.number("thickness", 1e-4, 1.0).value_or(body.thickness);
+  body.surface = surface;
 }
 
 std::vector<BodyDescription> readBodies(const TomlReader& scene, const std::filesystem::path& folder) {

@@ -41,6 +41,11 @@ struct SwitchBodyCommand {
   int body = 0;  ///< index into the scene's bodies
   bool on = true;
 };
+/// Gives a body another surface.
+struct SetSurfaceCommand {
+  int body = 0;  ///< index into the scene's bodies
+  SurfaceProperties surface;
+};
 /// Shifts a body from where its own motion puts it. It goes there at a bounded speed while the simulation runs.
 struct MoveBodyCommand {
   int body = 0;               ///< index into the scene's bodies
@@ -58,7 +63,7 @@ struct LoadSceneCommand {
 /// Everything that anybody can ask of a running simulation.
 using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, GrabCommand,
                              MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, MovePinsCommand, SwitchBodyCommand,
-                             MoveBodyCommand, AllowWorkCommand, LoadSceneCommand>;
+                             SetSurfaceCommand, MoveBodyCommand, AllowWorkCommand, LoadSceneCommand>;
 
 /// A command and how many steps had been taken when it took effect: enough to run a session again.
 struct LoggedCommand {

@@ -1,6 +1,7 @@
 #include "session/simulation.hpp"
 
 #include "scene/mass.hpp"
+#include "settings/surface_fields.hpp"
 #include "sim/error.hpp"
 #include "sim/unfolding.hpp"
 
@@ -137,6 +138,7 @@ void Simulation::captureBodies(Snapshot& snapshot) const {
     status.pose = bodies_.pose(i);
     status.shift = bodies_.shift(i);
     status.on = bodies_.isOn(i);
+    status.surface = bodies_.surface(i);
     status.vertices.clear();
     if (bodies_.movesInItself(i)) {
       const auto vertices = bodies_.vertices(i);
@@ -241,6 +243,12 @@ void Simulation::on(const MovePinsCommand& command) {
 
 void Simulation::on(const SwitchBodyCommand& command) {
   bodies_.switchOn(requireBody(command.body), command.on);
+}
+
+void Simulation::on(const SetSurfaceCommand& command) {
+  const std::size_t body = requireBody(command.body);
+  requireAllowed(command.surface);
+  bodies_.setSurface(body, command.surface);
 }
 
 void Simulation::on(const MoveBodyCommand& command) {

@@ -75,6 +75,7 @@ class Simulation {
   void on(const TogglePinCommand& command);
   void on(const MovePinsCommand& command);
   void on(const SwitchBodyCommand& command);
+  void on(const SetSurfaceCommand& command);
   void on(const MoveBodyCommand& command);
   void on(const AllowWorkCommand& command);
   void on(const LoadSceneCommand& command);

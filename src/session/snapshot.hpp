@@ -38,6 +38,7 @@ struct BodyStatus {
   Pose pose;
   Vec3 shift = Vec3::Zero();  ///< by hand, from where its own motion puts it [m]
   bool on = true;
+  SurfaceProperties surface;
   std::vector<Vec3> vertices;  ///< of a mesh that moves in itself, in its own frame [m]; else empty
 };
 

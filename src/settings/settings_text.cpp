@@ -1,3 +1,4 @@
+#include "settings/number_text.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/error.hpp"
 #include "sim/solver.hpp"
@@ -56,20 +57,6 @@ std::optional<double> parsePlainNumber(std::string_view text) {
     return std::nullopt;
   }
   return value;
-}
-
-/// A number or a fraction such as 1/150.
-std::optional<double> parseNumber(std::string_view text) {
-  const auto slash = text.find('/');
-  if (slash == std::string_view::npos) {
-    return parsePlainNumber(text);
-  }
-  const auto numerator = parsePlainNumber(text.substr(0, slash));
-  const auto denominator = parsePlainNumber(text.substr(slash + 1));
-  if (!numerator || !denominator) {
-    return std::nullopt;
-  }
-  return *numerator / *denominator;
 }
 
 void assignNumber(Settings& settings, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
@@ -149,6 +136,19 @@ int editDistance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::optional<double> parseNumber(std::string_view text) {
+  const auto slash = text.find('/');
+  if (slash == std::string_view::npos) {
+    return parsePlainNumber(text);
+  }
+  const auto numerator = parsePlainNumber(text.substr(0, slash));
+  const auto denominator = parsePlainNumber(text.substr(slash + 1));
+  if (!numerator || !denominator) {
+    return std::nullopt;
+  }
+  return *numerator / *denominator;
+}
 
 const SettingInfo& requireSetting(std::string_view key) {
   if (const SettingInfo* info = findSetting(key)) {

@@ -84,7 +84,7 @@ void paint(const PanelContext& context, const SliderRange& range, const SettingV
                  ImGui::GetColorU32(palette().text), text.c_str());
 }
 
-Edit typing(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
+Edit typing(PanelContext& context, const NumberInput& input, const SettingValue& value) {
   TypedText& typed = context.memory.typed;
   if (typed.frames++ == 0) {
     ImGui::SetKeyboardFocusHere();
@@ -98,7 +98,7 @@ Edit typing(PanelContext& context, const SettingInfo& info, const SettingValue& 
   Edit edit{.finished = true, .value = value};
   if (confirmed || !ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
     try {
-      edit.value = typedValue(info, context.settings, typed.text);
+      edit.value = input.typed(typed.text);
       edit.changed = edit.value != value;
     } catch (const UsageError& error) {
       context.output.hint = error.what();
@@ -130,19 +130,24 @@ SettingValue typedValue(const SettingInfo& info, const Settings& settings, const
   }
 }
 
-Edit numberSlider(PanelContext& context, const SettingInfo& info, const SliderRange& range, const SettingValue& value,
+NumberInput inputOf(const SettingInfo& info, const Settings& settings) {
+  return {std::string(info.key), [&](double value) { return allowedValue(info, settings, value); },
+          [&](const std::string& text) { return typedValue(info, settings, text); }};
+}
+
+Edit numberSlider(PanelContext& context, const NumberInput& input, const SliderRange& range, const SettingValue& value,
                   const std::string& format) {
-  if (context.memory.typed.key == info.key) {
-    return typing(context, info, value);
+  if (context.memory.typed.key == input.key) {
+    return typing(context, input, value);
   }
   ImGui::InvisibleButton("##value", {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()});
   Edit edit{.finished = ImGui::IsItemDeactivated(), .value = value};
   if (ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl) {
-    context.memory.typed = {.key = std::string(info.key), .text = formatValue(value), .frames = 0};
+    context.memory.typed = {.key = input.key, .text = formatValue(value), .frames = 0};
   } else if (ImGui::IsItemActive()) {
     const float width = ImGui::GetItemRectSize().x;
     const double fraction = static_cast<double>((ImGui::GetMousePos().x - ImGui::GetItemRectMin().x) / width);
-    edit.value = allowedValue(info, context.settings, roundedForDisplay(sliderValue(range, fraction)));
+    edit.value = input.nearest(roundedForDisplay(sliderValue(range, fraction)));
     edit.changed = edit.value != value;
   }
   paint(context, range, edit.value, format);

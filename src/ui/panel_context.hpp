@@ -53,6 +53,7 @@ struct PanelMemory {
   MeasureHistory measures;
   std::map<std::string, float> textHeights;  ///< of the texts that come and go
   std::int64_t lastStep = -1;                ///< the step that the history's last entry belongs to
+  std::string openSurface;                   ///< the body whose surface is shown
   std::string openPath;                      ///< what is typed in the open field
   std::vector<SceneInfo> scenes;             ///< the built-in ones
   std::string hoveredRow;                    ///< whose explanation is about to be shown

@@ -15,14 +15,14 @@ namespace {
 
 Edit numberWidget(PanelContext& context, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
   const SliderRange range = everydayRange(field, std::get<double>(defaultValue(info)));
-  return numberSlider(context, info, range, value, numberFormat("%.4g", info.unit));
+  return numberSlider(context, inputOf(info, context.settings), range, value, numberFormat("%.4g", info.unit));
 }
 
 Edit integerWidget(PanelContext& context, const SettingInfo& info, const IntegerField& field,
                    const SettingValue& value) {
   constexpr int many = 32;  // above this the small numbers matter more than the large ones
   const SliderRange range{static_cast<double>(field.min), static_cast<double>(field.max), field.max > many};
-  return numberSlider(context, info, range, value, numberFormat("%.0f", info.unit));
+  return numberSlider(context, inputOf(info, context.settings), range, value, numberFormat("%.0f", info.unit));
 }
 
 Edit flagWidget(bool value) {

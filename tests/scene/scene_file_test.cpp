@@ -150,9 +150,9 @@ static_friction = 0.3
   EXPECT_EQ(std::get<SphereShape>(ball.shape).radius, 0.25);
   EXPECT_EQ(ball.motion.keyframes.at(0).position, Vec3(1, 2, 3));
   EXPECT_NEAR(ball.motion.spin.y(), M_PI, 1e-12);
-  EXPECT_EQ(ball.staticFriction, 0.7);
-  EXPECT_EQ(ball.kineticFriction, 0.6);
-  EXPECT_EQ(ball.thickness, 0.003);
+  EXPECT_EQ(ball.surface.staticFriction, 0.7);
+  EXPECT_EQ(ball.surface.kineticFriction, 0.6);
+  EXPECT_EQ(ball.surface.thickness, 0.003);
   const Body& rod = description.bodies[1].body;
   EXPECT_EQ(std::get<CapsuleShape>(rod.shape).halfLength, 0.4);
   ASSERT_EQ(rod.motion.keyframes.size(), 2U);
@@ -165,8 +165,8 @@ static_friction = 0.3
   ASSERT_EQ(scene->bodies->size(), 4U);
   EXPECT_EQ(scene->bodies->back().name, "ground");
   EXPECT_EQ(scene->bodies->back().motion.keyframes.at(0).position.y(), -0.5);
-  EXPECT_EQ(scene->bodies->back().staticFriction, 0.3);
-  EXPECT_LE(scene->bodies->back().kineticFriction, 0.3);
+  EXPECT_EQ(scene->bodies->back().surface.staticFriction, 0.3);
+  EXPECT_LE(scene->bodies->back().surface.kineticFriction, 0.3);
 }
 
 TEST(SceneBodies, areRefusedWithFileAndLineWhenTheyMakeNoSense) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -152,6 +153,32 @@ TEST(Bodies, aStartInsideABodyIsReportedUntilItIsUndone) {
   }
 }
 
+TEST(Bodies, haveAnotherSurfaceWhenItIsAskedFor) {
+  Simulation simulation(sheetOnTable());
+  advance(simulation, 10);
+  const double before = lowest(simulation);
+  simulation.apply(SetSurfaceCommand{0, {0.3, 0.2, 0.01}});
+  advance(simulation, 20);
+  const double thicker = 0.01 - simulation.scene().bodies->at(0).surface.thickness;
+  EXPECT_NEAR(lowest(simulation), before + thicker, 1e-3);
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  EXPECT_EQ(snapshot.bodies[0].surface.thickness, 0.01);
+  simulation.apply(ResetCommand{});
+  EXPECT_EQ(simulation.bodies().surface(0).thickness, 0.01) << "as everything that was set";
+}
+
+TEST(Bodies, doNotTakeASurfaceThatThereIsNot) {
+  Simulation simulation(sheetOnTable());
+  const SurfaceProperties before = simulation.bodies().surface(0);
+  for (const SurfaceProperties& wrong : {SurfaceProperties{-0.1, 0.0, 0.002}, SurfaceProperties{0.5, 0.6, 0.002},
+                                         SurfaceProperties{0.5, 0.4, 0.0}, SurfaceProperties{0.5, NAN, 0.002}}) {
+    simulation.apply(SetSurfaceCommand{0, wrong});
+    EXPECT_NE(simulation.message().find("a body's"), std::string::npos) << simulation.message();
+    EXPECT_EQ(simulation.bodies().surface(0), before);
+  }
+}
+
 TEST(Bodies, areNotThereForCommandsThatNameNone) {
   Simulation simulation(sheetOnTable());
   for (const int body : {-1, 2}) {
@@ -172,6 +199,7 @@ TEST(Bodies, aLogWithBodiesIsReplayedToTheSameBits) {
   original.apply(MoveBodyCommand{1, Vec3(0.6, 0.02, 0.0)});
   advance(original, 9);
   original.apply(SwitchBodyCommand{1, false});
+  original.apply(SetSurfaceCommand{0, {0.05, 0.02, 0.004}});
   advance(original, 3);
   original.apply(SwitchBodyCommand{1, true});
   original.apply(SetSettingCommand{"bodies", false});

@@ -79,6 +79,34 @@ TEST_F(ContactPanelTest, HasABoxForEachBodyThatSwitchesIt) {
   }
 }
 
+TEST_F(ContactPanelTest, ChangesTheSurfaceOfOneBody) {
+  settle();
+  EXPECT_FALSE(panels_.widgets().contains("body.ground.thickness")) << "until it is asked for";
+  click(button("surface.ground"));
+  settle();
+  const SurfaceProperties before = simulation_.bodies().surface(1);
+  UiOutput output = typeInto(widget("body.ground.thickness"), "1/100");
+  ASSERT_EQ(output.commands.size(), 1U);
+  EXPECT_EQ(std::get<SetSurfaceCommand>(output.commands.front()).body, 1);
+  apply(output);
+  settle();
+  EXPECT_EQ(simulation_.bodies().surface(1).thickness, 0.01);
+  EXPECT_EQ(simulation_.bodies().surface(1).staticFriction, before.staticFriction);
+  apply(typeInto(widget("body.ground.kinetic_friction"), "99"));
+  settle();
+  EXPECT_EQ(simulation_.bodies().surface(1).kineticFriction, 10.0) << "the most that is allowed";
+  EXPECT_EQ(simulation_.bodies().surface(1).staticFriction, 10.0) << "which is never less";
+  apply(drag(widget("body.ground.static_friction"), 0.9, 0.1));
+  settle();
+  EXPECT_NEAR(simulation_.bodies().surface(1).staticFriction, 0.2, 0.02);
+  EXPECT_EQ(simulation_.bodies().surface(1).kineticFriction, simulation_.bodies().surface(1).staticFriction);
+  EXPECT_TRUE(typeInto(widget("body.ground.thickness"), "thin").commands.empty());
+  // A right click gives back what the scene says.
+  apply(click(widget("body.ground.thickness"), 0.5, 1));
+  EXPECT_EQ(simulation_.bodies().surface(1).thickness, before.thickness);
+  EXPECT_EQ(simulation_.bodies().surface(0), simulation_.scene().bodies->at(0).surface) << "the other one's is its own";
+}
+
 TEST_F(ContactPanelTest, DrawsContactsOnDemand) {
   settle();
   EXPECT_TRUE(std::get<bool>(lastValue(click(widget("view.contacts"), 0.02), "view.contacts")));

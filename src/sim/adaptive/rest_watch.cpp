@@ -140,9 +140,9 @@ std::uint64_t RestWatch::markOf(const Facts& facts, const StepParameters& parame
   if (inputs.bodies != nullptr) {
     for (const BodyStep& body : *inputs.bodies) {
       mark.add(body.start);
-      mark.add(body.body->thickness);
-      mark.add(body.body->staticFriction);
-      mark.add(body.body->kineticFriction);
+      mark.add(body.surface.thickness);
+      mark.add(body.surface.staticFriction);
+      mark.add(body.surface.kineticFriction);
       std::for_each(body.startVertices.begin(), body.startVertices.end(), [&](const Vec3& v) { mark.add(v); });
     }
   }

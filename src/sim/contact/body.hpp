@@ -48,14 +48,21 @@ struct CarriedPin {
   int anchor = -1;  ///< of a mesh that moves in itself the vertex whose motion it shares; -1: none
 };
 
+/// How a body meets cloth.
+struct SurfaceProperties {
+  double staticFriction = 0.5;   ///< of cloth on it, at rest [-]
+  double kineticFriction = 0.4;  ///< of cloth on it, sliding [-]; what is above the static one counts as that
+  double thickness = 0.002;      ///< the cloth is kept that far away, and half of its own thickness [m]
+
+  bool operator==(const SurfaceProperties&) const = default;
+};
+
 /// A solid thing that the cloth meets. It pushes the cloth and does not feel it.
 struct Body {
   std::string name;
   BodyShape shape = SphereShape{};
   BodyMotion motion;
-  double staticFriction = 0.5;   ///< of cloth on it, at rest [-]
-  double kineticFriction = 0.4;  ///< of cloth on it, sliding [-]
-  double thickness = 0.002;      ///< the cloth is kept that far away, and half of its own thickness [m]
+  SurfaceProperties surface;  ///< at first
   bool drawn = true;
   std::vector<CarriedPin> pins;  ///< what it carries along
 };
@@ -67,6 +74,7 @@ struct BodyStep {
   Pose end;
   std::span<const Vec3> startVertices;  ///< of a mesh, in its own frame [m]; empty for other shapes
   std::span<const Vec3> endVertices;    ///< the same at the end of the step
+  SurfaceProperties surface;
 };
 
 /// A body's surface as it is drawn, in its own frame. A sphere's or a capsule's lies within the true one, so what does

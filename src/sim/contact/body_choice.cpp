@@ -77,7 +77,7 @@ bool BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& 
       continue;
     }
     SearchableMesh* mesh = meshOf(step);
-    const double keep = step.body->thickness + 0.5 * cloth.parameters.contact.thickness;
+    const double keep = step.surface.thickness + 0.5 * cloth.parameters.contact.thickness;
     if (couldMeet(step, mesh, start, ends, 2.0 * keep)) {
       addNear(cloth, step, mesh);
     }
@@ -92,7 +92,7 @@ void BodyContact::addNear(const Cloth& cloth, const BodyStep& step, SearchableMe
   NearBody& near = near_[nearCount_++];
   near.step = &step;
   near.mesh = mesh;
-  const double keep = step.body->thickness + 0.5 * cloth.parameters.contact.thickness;
+  const double keep = step.surface.thickness + 0.5 * cloth.parameters.contact.thickness;
   const double push = overlapSpeed * cloth.parameters.timeStep;
   near.reach = {keep, innerShare * keep, guardShare * keep, push, push};
 }

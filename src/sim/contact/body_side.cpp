@@ -45,8 +45,8 @@ void BodySide::addTouch(const ClothInBody& cloth, std::size_t t, const Vec3& wei
   touch.height = height + touch.normal.dot(step_.end.position);
   touch.keep = keep;
   touch.bodyMove = step_.end.toWorld(near.endPoint) - step_.start.toWorld(near.startPoint);
-  touch.staticFriction = step_.body->staticFriction;
-  touch.kineticFriction = std::min(step_.body->kineticFriction, step_.body->staticFriction);
+  touch.staticFriction = step_.surface.staticFriction;
+  touch.kineticFriction = std::min(step_.surface.kineticFriction, step_.surface.staticFriction);
   findings.touches.push_back(touch);
 }
 

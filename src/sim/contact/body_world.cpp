@@ -41,6 +41,9 @@ void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& posi
 
 BodyWorld::BodyWorld(std::shared_ptr<const std::vector<Body>> bodies, double time)
     : bodies_(std::move(bodies)), places_(bodies_->size()) {
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    places_[i].surface = (*bodies_)[i].surface;
+  }
   reset(time);
 }
 
@@ -57,6 +60,11 @@ void BodyWorld::reset(double time) {
 
 void BodyWorld::switchOn(std::size_t body, bool on) {
   places_[body].on = on;
+  collect();
+}
+
+void BodyWorld::setSurface(std::size_t body, const SurfaceProperties& surface) {
+  places_[body].surface = surface;
   collect();
 }
 
@@ -103,7 +111,7 @@ void BodyWorld::collect() {
     if (each.on) {
       const bool deforms = hasFrames((*bodies_)[i]);
       steps_.push_back({&(*bodies_)[i], each.start, each.end,
-                        deforms ? std::span<const Vec3>(each.startVertices) : vertices(i), vertices(i)});
+                        deforms ? std::span<const Vec3>(each.startVertices) : vertices(i), vertices(i), each.surface});
     }
   }
 }

@@ -21,12 +21,14 @@ class BodyWorld {
   /// Places every body where it is at that time [s].
   BodyWorld(std::shared_ptr<const std::vector<Body>> bodies, double time);
 
-  /// Back to the bodies' own motion at that time, without shifts. What is switched off stays off.
+  /// Back to the bodies' own motion at that time, without shifts. What is switched off stays off, and surfaces stay as
+  /// they are.
   void reset(double time);
 
   /// Where the hand wants a body to be shifted to from its own motion [m].
   void shiftTowards(std::size_t body, const Vec3& shift) { places_[body].wanted = shift; }
   void switchOn(std::size_t body, bool on);
+  void setSurface(std::size_t body, const SurfaceProperties& surface);
 
   /// Takes the bodies along from `time` to `time + timeStep` [s].
   void advance(double time, double timeStep);
@@ -37,6 +39,7 @@ class BodyWorld {
   [[nodiscard]] const std::vector<Body>& bodies() const { return *bodies_; }
   [[nodiscard]] const Pose& pose(std::size_t body) const { return places_[body].end; }
   [[nodiscard]] bool isOn(std::size_t body) const { return places_[body].on; }
+  [[nodiscard]] const SurfaceProperties& surface(std::size_t body) const { return places_[body].surface; }
   [[nodiscard]] const Vec3& shift(std::size_t body) const { return places_[body].shift; }
   [[nodiscard]] bool movesInItself(std::size_t body) const;
   /// Of a mesh, in its own frame [m]; empty for other shapes.
@@ -48,6 +51,7 @@ class BodyWorld {
  private:
   struct Place {
     bool on = true;
+    SurfaceProperties surface;
     Vec3 wanted = Vec3::Zero();  // shift [m]
     Vec3 shift = Vec3::Zero();   // as it is [m]
     Pose start;

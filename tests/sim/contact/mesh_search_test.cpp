@@ -55,7 +55,7 @@ struct Search {
       position.y() = hilly ? hillHeight(position) : 0.0;
       position += random.next(0.003);
     }
-    body.thickness = 0.002;
+    body.surface.thickness = 0.002;
     body.shape = std::make_shared<const MeshShape>(shape);
     while (testing::intersectingPairs(*buildClothModel(sheet, 1.0, MassLumping::Area, {}), sheet.positions,
                                       {shape.positions, shape.triangles}, Pose()) > 0) {

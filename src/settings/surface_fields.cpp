@@ -1,0 +1,36 @@
+#include "settings/surface_fields.hpp"
+
+#include "sim/error.hpp"
+
+#include <array>
+#include <sstream>
+
+namespace drape {
+
+std::span<const SurfaceField> surfaceFields() {
+  static constexpr std::array<SurfaceField, 3> fields{{
+      {"static_friction", "Static friction", "-", &SurfaceProperties::staticFriction, 0.0, 10.0, 2.0, false,
+       "How firmly cloth that rests on the body is held: up to the angle whose tangent this is it does not slide."},
+      {"kinetic_friction", "Kinetic friction", "-", &SurfaceProperties::kineticFriction, 0.0, 10.0, 2.0, false,
+       "How much cloth that slides on the body is slowed down. At most the static friction."},
+      {"thickness", "Thickness", "m", &SurfaceProperties::thickness, 1e-4, 1.0, 0.05, true,
+       "How far the cloth is kept away from the body, besides half of its own thickness."},
+  }};
+  return fields;
+}
+
+void requireAllowed(const SurfaceProperties& surface) {
+  for (const SurfaceField& field : surfaceFields()) {
+    const double value = surface.*field.value;
+    if (!(value >= field.min && value <= field.max)) {
+      std::ostringstream message;
+      message << "a body's " << field.key << " must be from " << field.min << " to " << field.max << ", not " << value;
+      throw UsageError(message.str());
+    }
+  }
+  if (surface.kineticFriction > surface.staticFriction) {
+    throw UsageError("a body's kinetic_friction must not be larger than its static_friction");
+  }
+}
+
+}  // namespace drape
