@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <string>
 #include <string_view>
 
 namespace drape {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double smallest = 1e-4;  // [m] of a body
 constexpr double longTime = 1e6;   // [s]
 

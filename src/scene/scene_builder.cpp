@@ -145,9 +145,7 @@ Source makeSource(const SceneDescription& description, const Settings& settings)
 
 /// From the mesh's own coordinates to where the scene wants it.
 void placeCloth(const SceneDescription& description, std::vector<Vec3>& positions) {
-  BodyMotion still;
-  still.keyframes = {{0.0, description.position, description.rotation}};
-  const Pose pose = poseAt(still, 0.0);
+  const Pose pose = poseOf(description.position, description.rotation);
   for (Vec3& position : positions) {
     position = pose.toWorld(position);
   }

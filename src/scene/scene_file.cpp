@@ -7,12 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace drape {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, SceneDescription& scene) {
   cloth.allowOnly({"mesh", "grid", "position", "rotation", "pleats"});

@@ -5,12 +5,16 @@
 #include <toml++/toml.h>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace drape {
+
+/// Angles are in degrees in scene files [rad].
+inline constexpr double degree = std::numbers::pi / 180.0;
 
 /// Checked access to a TOML table: every wrong type or unknown key becomes an InputError that says file, line and key.
 class TomlReader {

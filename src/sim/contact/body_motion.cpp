@@ -73,6 +73,10 @@ Keyframe keyAt(const BodyMotion& motion, double time) {
 
 }  // namespace
 
+Pose poseOf(const Vec3& position, const Vec3& rotation) {
+  return {turnBy(rotation).normalized(), position};
+}
+
 Pose poseAt(const BodyMotion& motion, double time) {
   const Keyframe key = keyAt(motion, time);
   return {(turnBy(motion.spin * time) * turnBy(key.rotation)).normalized(), key.position};

@@ -26,6 +26,9 @@ struct BodyMotion {
   [[nodiscard]] bool moves() const { return keyframes.size() > 1 || !spin.isZero(0.0); }
 };
 
+/// Where a thing is that stands still there [m], turned by axis times angle [rad].
+[[nodiscard]] Pose poseOf(const Vec3& position, const Vec3& rotation);
+
 [[nodiscard]] Pose poseAt(const BodyMotion& motion, double time);
 
 }  // namespace drape
