@@ -65,7 +65,8 @@ class Runner {
     trajectory_.unsolvedSteps += report.converged ? 0 : 1;
     trajectory_.largestResidual = std::max(trajectory_.largestResidual, report.residual);
     if (watch_.energy) {
-      balance_.add(model_, parameters_, inputs, before_, state, stepper_.contact().unresolved());
+      balance_.add(model_, parameters_, inputs, before_, state, stepper_.contact().unresolved(),
+                   stepper_.earlierContactWork());
     }
     if (watch_.energyPeak) {
       const double energy = energyOf(model_, parameters_, state).total();

@@ -47,7 +47,8 @@ void Simulation::step() {
     return;
   }
   if (balance_) {
-    balance_->add(*model_, settings_.step, inputs_, lastFinite_, state_, stepper_->contact().unresolved());
+    balance_->add(*model_, settings_.step, inputs_, lastFinite_, state_, stepper_->contact().unresolved(),
+                  stepper_->earlierContactWork());
   }
   stepGhost();
   tellOfOverlap();

@@ -85,9 +85,11 @@ double handWork(const ClothModel& model, const Grab& grab, const ClothState& bef
 }  // namespace
 
 void EnergyBalance::add(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                        const ClothState& before, const ClothState& after, const ClothState* unresolved) {
+                        const ClothState& before, const ClothState& after, const ClothState* unresolved,
+                        double earlierContact) {
   const double end = energyOf(model, parameters, after).total();
   change_ += end - energyOf(model, parameters, before).total();
+  contact_ += earlierContact;
   if (unresolved != nullptr) {
     contact_ += end - energyOf(model, parameters, *unresolved).total();
   }

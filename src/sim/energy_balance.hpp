@@ -18,8 +18,10 @@ class EnergyBalance {
  public:
   /// Adds one step. `parameters` and `inputs` are those under which it was taken from `before` to `after`.
   /// @param unresolved the state that the method left before contact corrected it, or nullptr when nothing did
+  /// @param earlierContact what contact had given or taken by then, where a step is taken in rounds [J]
   void add(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-           const ClothState& before, const ClothState& after, const ClothState* unresolved = nullptr);
+           const ClothState& before, const ClothState& after, const ClothState* unresolved = nullptr,
+           double earlierContact = 0.0);
 
   /// Change of kinetic + elastic + potential energy [J].
   [[nodiscard]] double change() const { return change_; }

@@ -1,9 +1,12 @@
 #include "sim/stepper.hpp"
 
 #include "sim/contact/body.hpp"
+#include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
+#include "sim/stability.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace drape {
@@ -11,6 +14,20 @@ namespace {
 
 /// The part of a BDF2 step that its solver takes.
 constexpr double bdf2Part = 2.0 / 3.0;
+
+/// The hardness h omega of a round between two contacts, at most, and how many rounds a step may have. A T-shirt of
+/// 500 N/m on the mannequin blew up at 22 and held at 11.
+constexpr double hardestRound = 8.0;
+constexpr double mostRounds = 64.0;
+
+/// Takes in what a later round of the same step found; overlaps are those that the step began with.
+void addLater(const ContactReport& round, ContactReport& total) {
+  total.bodyContacts = std::max(total.bodyContacts, round.bodyContacts);
+  total.selfContacts = std::max(total.selfContacts, round.selfContacts);
+  total.squeezed += round.squeezed;
+  total.bodySeconds += round.bodySeconds;
+  total.selfSeconds += round.selfSeconds;
+}
 
 /// A state that was put there since the last step, as by a new scene, has no history or one of another size.
 bool hasHistory(const ClothState& state, double timeStep) {
@@ -28,6 +45,51 @@ Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
 
 StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                          ClothState& state) {
+  earlierContactWork_ = 0.0;
+  const int rounds = roundsOf(model, parameters, inputs);
+  return rounds == 1 ? round(model, parameters, inputs, state) : stepInRounds(model, parameters, inputs, rounds, state);
+}
+
+int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs) {
+  if (!info_->choosesSubsteps || !parameters.contact.bodies || inputs.bodies == nullptr || inputs.bodies->empty()) {
+    return 1;
+  }
+  const double unit = unitFrequency_.get(model, [](const ClothModel& m) {
+    StepParameters one;
+    one.stiffness = 1.0;
+    return largestFrequency(m, one);
+  });
+  const double hardness = parameters.timeStep * unit * std::sqrt(parameters.stiffness);
+  return static_cast<int>(std::clamp(std::ceil(hardness / hardestRound), 1.0, mostRounds));
+}
+
+StepReport Stepper::stepInRounds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                 int rounds, ClothState& state) {
+  const double end = state.time + parameters.timeStep;
+  StepParameters part = parameters;
+  part.timeStep = parameters.timeStep / rounds;
+  StepInputs acting = inputs;
+  StepReport total;
+  for (int i = 0; i < rounds; ++i) {
+    if (contact_.unresolved() != nullptr && i > 0) {
+      earlierContactWork_ +=
+          energyOf(model, parameters, state).total() - energyOf(model, parameters, *contact_.unresolved()).total();
+    }
+    acting.bodies = &bodyParts_.between(*inputs.bodies, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
+    const StepReport report = round(model, part, acting, state);
+    total.add(report);
+    if (i == 0) {
+      total.contact = report.contact;
+    } else {
+      addLater(report.contact, total.contact);
+    }
+  }
+  state.time = end;
+  return total;
+}
+
+StepReport Stepper::round(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                          ClothState& state) {
   const double end = state.time + parameters.timeStep;
   StepParameters part = parameters;
   StepReport total;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "sim/contact/body_parts.hpp"
 #include "sim/contact/contact_stage.hpp"
+#include "sim/model_cache.hpp"
 #include "sim/momentum.hpp"
 #include "sim/solver.hpp"
 
@@ -21,6 +23,10 @@ namespace drape {
 /// With `keepMomentum`, the MomentumKeeper stands around every substep, and contact around the whole step. Pins that a
 /// body carries are taken along before every substep, evenly over the step; to the solver they are at rest, as all
 /// pins.
+///
+/// A solver that chooses its substeps keeps the energy it finds. Springs that drew cloth into a body over a long step,
+/// and that contact then made longer, would feed it without end. With bodies about, the step of such a solver is taken
+/// in as many rounds, each with its own contact, as the cloth is stiff.
 class Stepper {
  public:
   /// Throws InputError when there is no solver of that name.
@@ -32,8 +38,10 @@ class Stepper {
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state);
 
-  /// What contact did in the last step.
+  /// What contact did in the last step, or in the last round of it.
   [[nodiscard]] const ContactStage& contact() const { return contact_; }
+  /// What contact gave or took in the rounds before that [J].
+  [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
 
  private:
   /// Of a pin that a body carries, over the step [m].
@@ -42,6 +50,13 @@ class Stepper {
     Vec3 from = Vec3::Zero();
     Vec3 to = Vec3::Zero();
   };
+
+  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs);
+  StepReport stepInRounds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                          int rounds, ClothState& state);
+  /// A step, or a round of one, with contact at its end.
+  StepReport round(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                   ClothState& state);
 
   void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
   /// Puts carried pins where they are after that share of the step.
@@ -63,6 +78,9 @@ class Stepper {
   ClothState before_;
   MomentumKeeper momentum_;
   ContactStage contact_;
+  BodyParts bodyParts_;
+  ModelCache<double> unitFrequency_;  // omega / sqrt(k) [kg^-1/2]
+  double earlierContactWork_ = 0.0;   // [J]
   std::vector<PinWay> pinWays_;
 };
 
