@@ -15,10 +15,11 @@ namespace {
 /// The part of a BDF2 step that its solver takes.
 constexpr double bdf2Part = 2.0 / 3.0;
 
-/// The hardness h omega of a round between two contacts, at most, and how many rounds a step may have. A T-shirt of
-/// 500 N/m on the mannequin blew up at 22 and held at 11.
-constexpr double hardestRound = 8.0;
-constexpr double mostRounds = 64.0;
+/// The hardness h omega of a round between two contacts, at most, and how many rounds a step may have. A sheet of 17 x
+/// 17 vertices and 5000 N/m that fell onto a box had 30 kJ after 0.6 s of whole steps of 1/150 s, gained 2 J in rounds
+/// of 8, and nothing in rounds of 4.
+constexpr double hardestRound = 4.0;
+constexpr double mostRounds = 128.0;
 
 /// Takes in what a later round of the same step found; overlaps are those that the step began with.
 void addLater(const ContactReport& round, ContactReport& total) {
