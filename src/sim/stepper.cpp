@@ -51,16 +51,11 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
   return rounds == 1 ? round(model, parameters, inputs, state) : stepInRounds(model, parameters, inputs, rounds, state);
 }
 
-int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs) {
+int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs) const {
   if (!info_->choosesSubsteps || !parameters.contact.bodies || inputs.bodies == nullptr || inputs.bodies->empty()) {
     return 1;
   }
-  const double unit = unitFrequency_.get(model, [](const ClothModel& m) {
-    StepParameters one;
-    one.stiffness = 1.0;
-    return largestFrequency(m, one);
-  });
-  const double hardness = parameters.timeStep * unit * std::sqrt(parameters.stiffness);
+  const double hardness = parameters.timeStep * largestFrequency(model, parameters);
   return static_cast<int>(std::clamp(std::ceil(hardness / hardestRound), 1.0, mostRounds));
 }
 

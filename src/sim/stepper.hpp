@@ -2,7 +2,6 @@
 
 #include "sim/contact/body_parts.hpp"
 #include "sim/contact/contact_stage.hpp"
-#include "sim/model_cache.hpp"
 #include "sim/momentum.hpp"
 #include "sim/solver.hpp"
 
@@ -51,7 +50,7 @@ class Stepper {
     Vec3 to = Vec3::Zero();
   };
 
-  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs);
+  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs) const;
   StepReport stepInRounds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                           int rounds, ClothState& state);
   /// A step, or a round of one, with contact at its end.
@@ -79,8 +78,7 @@ class Stepper {
   MomentumKeeper momentum_;
   ContactStage contact_;
   BodyParts bodyParts_;
-  ModelCache<double> unitFrequency_;  // omega / sqrt(k) [kg^-1/2]
-  double earlierContactWork_ = 0.0;   // [J]
+  double earlierContactWork_ = 0.0;  // [J]
   std::vector<PinWay> pinWays_;
 };
 
