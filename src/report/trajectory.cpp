@@ -26,6 +26,7 @@ class Runner {
         stepper_(settings.solver.name),
         bodies_(scene.bodies, scene.start.time),
         stepsTotal_(static_cast<std::int64_t>(checkpoints) * stepsPerCheckpoint(settings.step.timeStep)) {
+    stepper_.keepContactWork(watch.energy);
     trajectory_.stepsPerCheckpoint = stepsPerCheckpoint(settings.step.timeStep);
     if (watch.energyPeak) {
       trajectory_.largestEnergy = energyOf(model_, parameters_, scene.start).total();

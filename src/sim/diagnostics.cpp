@@ -1,6 +1,7 @@
 #include "sim/diagnostics.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace drape {
 
@@ -32,6 +33,15 @@ double maxStretch(const ClothModel& model, const ClothState& state) {
     }
   }
   return largest;
+}
+
+double meanEdge(const ClothModel& model) {
+  if (model.springs.empty()) {
+    return 0.0;
+  }
+  const double sum = std::accumulate(model.springs.begin(), model.springs.end(), 0.0,
+                                     [](double length, const Spring& spring) { return length + spring.restLength; });
+  return sum / static_cast<double>(model.springs.size());
 }
 
 }  // namespace drape

@@ -20,4 +20,7 @@ struct Energy {
 /// The largest elongation of a spring, (L - l0) / l0 [-]: 0 when none is longer than at rest.
 [[nodiscard]] double maxStretch(const ClothModel& model, const ClothState& state);
 
+/// The mean length of the springs at rest [m]; 0 without springs.
+[[nodiscard]] double meanEdge(const ClothModel& model);
+
 }  // namespace drape

@@ -52,7 +52,7 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
 }
 
 int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs) const {
-  if (!info_->choosesSubsteps || !parameters.contact.bodies || inputs.bodies == nullptr || inputs.bodies->empty()) {
+  if (!info_->choosesSubsteps || !meetsBodies(parameters, inputs)) {
     return 1;
   }
   const double hardness = parameters.timeStep * largestFrequency(model, parameters);
@@ -67,7 +67,7 @@ StepReport Stepper::stepInRounds(const ClothModel& model, const StepParameters& 
   StepInputs acting = inputs;
   StepReport total;
   for (int i = 0; i < rounds; ++i) {
-    if (contact_.unresolved() != nullptr && i > 0) {
+    if (keepsContactWork_ && contact_.unresolved() != nullptr && i > 0) {
       earlierContactWork_ +=
           energyOf(model, parameters, state).total() - energyOf(model, parameters, *contact_.unresolved()).total();
     }

@@ -39,7 +39,10 @@ class Stepper {
 
   /// What contact did in the last step, or in the last round of it.
   [[nodiscard]] const ContactStage& contact() const { return contact_; }
-  /// What contact gave or took in the rounds before that [J].
+  /// Whether to keep account of what contact gives and takes in the rounds of a step, which costs two sums over the
+  /// springs a round. Off at first.
+  void keepContactWork(bool kept) { keepsContactWork_ = kept; }
+  /// What contact gave or took in the rounds before the last one [J]; 0 where no account is kept.
   [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
 
  private:
@@ -78,6 +81,7 @@ class Stepper {
   MomentumKeeper momentum_;
   ContactStage contact_;
   BodyParts bodyParts_;
+  bool keepsContactWork_ = false;
   double earlierContactWork_ = 0.0;  // [J]
   std::vector<PinWay> pinWays_;
 };

@@ -2,6 +2,7 @@
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
+#include <cmath>
 
 namespace drape {
 namespace {
@@ -29,6 +30,12 @@ TEST(Energy, hasTheClosedFormForASheetThatIsScaledLiftedAndMoved) {
   EXPECT_NEAR(energy.potential, 0.1 * parameters.gravity * 2.0, 1e-13);
   EXPECT_NEAR(energy.elastic, elastic, 1e-12);
   EXPECT_NEAR(maxStretch(*model, state), 0.2, 1e-13);
+}
+
+TEST(MeanEdge, isTheMeanOfTheSpringsAtRest) {
+  const auto model = testing::pinnedSheet(4);  // 24 sides of 1/3 m and 9 diagonals
+  EXPECT_NEAR(meanEdge(*model), (24.0 + 9.0 * std::sqrt(2.0)) / 3.0 / 33.0, 1e-15);
+  EXPECT_EQ(meanEdge(ClothModel()), 0.0);
 }
 
 TEST(MaxStretch, isZeroWhereEverythingIsCompressed) {

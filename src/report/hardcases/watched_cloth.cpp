@@ -119,10 +119,4 @@ double largestSpeed(const ClothState& state) {
                          [](double most, const Vec3& v) { return std::max(most, v.norm()); });
 }
 
-double meanEdge(const ClothModel& model) {
-  const double sum = std::accumulate(model.springs.begin(), model.springs.end(), 0.0,
-                                     [](double all, const Spring& spring) { return all + spring.restLength; });
-  return sum / static_cast<double>(model.springs.size());
-}
-
 }  // namespace drape

@@ -55,7 +55,4 @@ class WatchedCloth {
 /// Largest speed of a vertex [m/s].
 [[nodiscard]] double largestSpeed(const ClothState& state);
 
-/// Mean rest length of the springs [m].
-[[nodiscard]] double meanEdge(const ClothModel& model);
-
 }  // namespace drape

@@ -1,6 +1,8 @@
 #include "sim/adaptive/rest_watch.hpp"
 
 #include "sim/contact/body.hpp"
+#include "sim/contact/contact_stage.hpp"
+#include "sim/diagnostics.hpp"
 #include "sim/pieces.hpp"
 
 #include <algorithm>
@@ -44,10 +46,6 @@ bool standsStill(const BodyStep& body) {
   return body.start.position == body.end.position && body.start.rotation.coeffs() == body.end.rotation.coeffs() &&
          std::equal(body.startVertices.begin(), body.startVertices.end(), body.endVertices.begin(),
                     body.endVertices.end());
-}
-
-bool hasBodies(const StepParameters& parameters, const StepInputs& inputs) {
-  return parameters.contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty();
 }
 
 /// Whether every vertex is within that distance [m] of where it was.
@@ -101,7 +99,7 @@ bool RestWatch::holds(const ClothModel& model, const StepParameters& parameters,
 /// Free cloth stays in one place only where something carries it.
 bool RestWatch::canRest(const Facts& facts, const StepParameters& parameters, const StepInputs& inputs) {
   const bool fades = parameters.damping > 0.0 || parameters.drag > 0.0;
-  const bool carried = facts.held || (parameters.gravity > 0.0 && hasBodies(parameters, inputs));
+  const bool carried = facts.held || (parameters.gravity > 0.0 && meetsBodies(parameters, inputs));
   const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), standsStill);
   return fades && carried && still && !inputs.grab;
 }
@@ -109,6 +107,7 @@ bool RestWatch::canRest(const Facts& facts, const StepParameters& parameters, co
 RestWatch::Facts RestWatch::factsOf(const ClothModel& model) {
   Facts facts;
   facts.held = freePieces(model).empty();
+  facts.meanEdge = meanEdge(model);
   Mark mark;
   for (std::size_t i = 0; i < model.vertexMass.size(); ++i) {
     mark.add(model.vertexMass[i]);
@@ -119,7 +118,6 @@ RestWatch::Facts RestWatch::factsOf(const ClothModel& model) {
     mark.add(static_cast<std::uint64_t>(spring.b));
     mark.add(spring.restLength);
     mark.add(spring.relativeStiffness);
-    facts.meanEdge += spring.restLength / static_cast<double>(model.springs.size());
   }
   facts.mark = mark.value();
   return facts;

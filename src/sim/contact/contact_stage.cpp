@@ -8,15 +8,17 @@
 
 namespace drape {
 
+bool meetsBodies(const StepParameters& parameters, const StepInputs& inputs) {
+  return parameters.contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty();
+}
+
 ContactStage::ContactStage() = default;
 ContactStage::ContactStage(ContactStage&&) noexcept = default;
 ContactStage& ContactStage::operator=(ContactStage&&) noexcept = default;
 ContactStage::~ContactStage() = default;
 
 void ContactStage::begin(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state) {
-  const ContactParameters& contact = parameters.contact;
-  active_ =
-      contact.self != SelfCollision::Off || (contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty());
+  active_ = parameters.contact.self != SelfCollision::Off || meetsBodies(parameters, inputs);
   changed_ = false;
   points_.clear();
   if (active_) {
@@ -41,7 +43,7 @@ ContactReport ContactStage::resolve(const ClothModel& model, const StepParameter
     report.selfContacts = self_->resolve(model, parameters, start_, state, points_);
     report.selfSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  if (parameters.contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty()) {
+  if (meetsBodies(parameters, inputs)) {
     const auto before = std::chrono::steady_clock::now();
     if (!bodies_) {
       bodies_ = std::make_unique<BodyContact>();

@@ -14,6 +14,9 @@ namespace drape {
 class BodyContact;
 class SelfContact;
 
+/// Whether there is a body that the cloth meets.
+[[nodiscard]] bool meetsBodies(const StepParameters& parameters, const StepInputs& inputs);
+
 /// Contact around a step of any solver (docs/contact.md). The solver moves the cloth as if nothing were in its way;
 /// then positions and velocities are corrected, so that the next step begins outside of everything and with no velocity
 /// into it. It is done once a step, not once a substep: a method that takes many small parts is not made dearer by it,

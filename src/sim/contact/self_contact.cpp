@@ -1,12 +1,12 @@
 #include "sim/contact/self_contact.hpp"
 
+#include "sim/diagnostics.hpp"
 #include "sim/simd/convert.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 namespace drape {
 namespace {
@@ -89,12 +89,7 @@ bool connected(const ClothModel& model, const VertexPair& pair) {
 }  // namespace
 
 double selfThicknessOf(const ClothModel& model, const ContactParameters& parameters) {
-  if (parameters.selfThickness > 0.0 || model.springs.empty()) {
-    return parameters.selfThickness;
-  }
-  const double sum = std::accumulate(model.springs.begin(), model.springs.end(), 0.0,
-                                     [](double length, const Spring& spring) { return length + spring.restLength; });
-  return thicknessOfEdge * sum / static_cast<double>(model.springs.size());
+  return parameters.selfThickness > 0.0 ? parameters.selfThickness : thicknessOfEdge * meanEdge(model);
 }
 
 bool SelfContact::listServes(const ClothModel& model, double thickness, const ClothState& state) const {

@@ -63,11 +63,17 @@ TEST(Newton, isTheDenseSolveOfTheLinearisedStepWithOneIteration) {
   }
 }
 
-TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
-  const auto model = pinnedSheet(9);
+/// Of cloth so stiff that Newton's method has to work for it.
+StepParameters stiffParameters() {
   StepParameters parameters;
   parameters.stiffness = 1e5;
   parameters.timeStep = 1.0 / 30.0;
+  return parameters;
+}
+
+TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
+  const auto model = pinnedSheet(9);
+  StepParameters parameters = stiffParameters();
   parameters.damping = 0.01;
   parameters.tolerance = 1e-10;
   ClothState state = shaken(*model, 0.03, 7);
@@ -88,9 +94,7 @@ TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
 
 TEST(Newton, saysWhenItDidNotGetThere) {
   const auto model = pinnedSheet(9);
-  StepParameters parameters;
-  parameters.stiffness = 1e5;
-  parameters.timeStep = 1.0 / 30.0;
+  StepParameters parameters = stiffParameters();
   parameters.tolerance = 1e-10;
   parameters.maxIterations = 3;
   ClothState state = shaken(*model, 0.03, 7);
@@ -105,9 +109,7 @@ TEST(Newton, saysWhenItDidNotGetThere) {
 
 TEST(Newton, asksBetweenItsIterationsWhetherItMayStopAndDoesSo) {
   const auto model = pinnedSheet(9);
-  StepParameters parameters;
-  parameters.stiffness = 1e5;
-  parameters.timeStep = 1.0 / 30.0;
+  StepParameters parameters = stiffParameters();
   parameters.tolerance = 1e-10;
   struct Enough {};
   int asked = 0;
@@ -127,9 +129,7 @@ TEST(Newton, asksBetweenItsIterationsWhetherItMayStopAndDoesSo) {
 
 TEST(Newton, getsAsFarAsRoundingAllowsWhenItIsAskedForMore) {
   const auto model = pinnedSheet(9);
-  StepParameters parameters;
-  parameters.stiffness = 1e5;
-  parameters.timeStep = 1.0 / 30.0;
+  StepParameters parameters = stiffParameters();
   parameters.tolerance = 1e-30;
   ClothState state = stateAtRest(model->restPositions);
   const auto solver = findSolver("newton")->make();
