@@ -1,45 +1,69 @@
 #include "render/surface_shapes.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 namespace drape {
+namespace {
+
+using Lanes [[gnu::vector_size(16)]] = float;
+
+/// Of the first three components; the fourth stays zero.
+Lanes cross(Lanes a, Lanes b) {
+  const Lanes aYzx = __builtin_shufflevector(a, a, 1, 2, 0, 3);
+  const Lanes bYzx = __builtin_shufflevector(b, b, 1, 2, 0, 3);
+  const Lanes zxy = a * bYzx - aYzx * b;
+  return __builtin_shufflevector(zxy, zxy, 1, 2, 0, 3);
+}
+
+float sumOf(Lanes a) {
+  return a[0] + a[1] + a[2];
+}
+
+}  // namespace
 
 void SurfaceShapes::compute(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
-  const Eigen::Vector3f zero(0.0F, 0.0F, 0.0F);
-  sums_.resize(positions.size());
-  std::fill(sums_.begin(), sums_.end(), Sums{zero, zero, 0.0F});
+  places_.resize(positions.size());
+  // From a place on the mesh, so that edges of cloth far away are as exact.
+  const Vec3 origin = positions.empty() ? Vec3(Vec3::Zero()) : positions.front();
+  std::transform(positions.begin(), positions.end(), places_.begin(), [&](const Vec3& position) {
+    const Eigen::Vector3f from = (position - origin).cast<float>();
+    return Lanes{from.x(), from.y(), from.z(), 0.0F};
+  });
+  sumUp(triangles);
+  shapes_.resize(positions.size());
+  std::transform(sums_.begin(), sums_.end(), shapes_.begin(), shapeOf);
+}
+
+void SurfaceShapes::sumUp(std::span<const Triangle> triangles) {
+  sums_.resize(places_.size());
+  std::fill(sums_.begin(), sums_.end(), Sums{});
   for (const auto& [a, b, c] : triangles) {
     const auto ia = static_cast<std::size_t>(a);
     const auto ib = static_cast<std::size_t>(b);
     const auto ic = static_cast<std::size_t>(c);
-    const Eigen::Vector3f ab = (positions[ib] - positions[ia]).cast<float>();
-    const Eigen::Vector3f ac = (positions[ic] - positions[ia]).cast<float>();
-    const Eigen::Vector3f bc = ac - ab;
-    const Eigen::Vector3f twiceArea = ab.cross(ac);
-    const float ab2 = ab.squaredNorm();
-    const float ac2 = ac.squaredNorm();
-    const float bc2 = bc.squaredNorm();
-    const auto add = [&twiceArea](Sums& sums, const Eigen::Vector3f& edges, float squaredLengths) {
+    const Lanes ab = places_[ib] - places_[ia];
+    const Lanes ac = places_[ic] - places_[ia];
+    const Lanes bc = ac - ab;
+    const Lanes twiceArea = cross(ab, ac);
+    const auto add = [&twiceArea](Sums& sums, Lanes edges, Lanes squares) {
       sums.twiceArea += twiceArea;
       sums.toNeighbours += edges;
-      sums.squaredLengths += squaredLengths;
+      sums.squares += squares;
     };
-    add(sums_[ia], ab + ac, ab2 + ac2);
-    add(sums_[ib], bc - ab, ab2 + bc2);
-    add(sums_[ic], -ac - bc, ac2 + bc2);
+    add(sums_[ia], ab + ac, ab * ab + ac * ac);
+    add(sums_[ib], bc - ab, ab * ab + bc * bc);
+    add(sums_[ic], -ac - bc, ac * ac + bc * bc);
   }
-  shapes_.resize(positions.size());
-  for (std::size_t i = 0; i < sums_.size(); ++i) {
-    const Sums& sums = sums_[i];
-    const float area = sums.twiceArea.norm();
-    SurfaceShape& shape = shapes_[i];
-    shape.normal = area > 0.0F ? Eigen::Vector3f(sums.twiceArea / area) : Eigen::Vector3f(0.0F, 1.0F, 0.0F);
-    // A neighbour at distance d on a surface of curvature k lies k d^2 / 2 off the tangent plane.
-    shape.curvature =
-        sums.squaredLengths > 0.0F ? 2.0F * shape.normal.dot(sums.toNeighbours) / sums.squaredLengths : 0.0F;
-  }
+}
+
+SurfaceShape SurfaceShapes::shapeOf(const Sums& sums) {
+  const float area = std::sqrt(sumOf(sums.twiceArea * sums.twiceArea));
+  const Lanes normal = area > 0.0F ? sums.twiceArea / area : Lanes{0.0F, 1.0F, 0.0F, 0.0F};
+  const float squaredLengths = sumOf(sums.squares);
+  // A neighbour at distance d on a surface of curvature k lies k d^2 / 2 off the tangent plane.
+  const float curvature = squaredLengths > 0.0F ? 2.0F * sumOf(normal * sums.toNeighbours) / squaredLengths : 0.0F;
+  return {{normal[0], normal[1], normal[2]}, curvature};
 }
 
 }  // namespace drape

@@ -23,13 +23,20 @@ class SurfaceShapes {
   [[nodiscard]] std::span<const SurfaceShape> values() const { return shapes_; }
 
  private:
+  /// A vector with a fourth component of zero, so that one instruction takes all of it.
+  using Lanes [[gnu::vector_size(16)]] = float;
+
   /// What is summed over the triangles of a vertex.
   struct Sums {
-    Eigen::Vector3f twiceArea;     ///< times the normal [m^2]
-    Eigen::Vector3f toNeighbours;  ///< vectors along the edges [m]
-    float squaredLengths = 0.0F;   ///< of the same edges [m^2]
+    Lanes twiceArea{};     ///< times the normal [m^2]
+    Lanes toNeighbours{};  ///< vectors along the edges [m]
+    Lanes squares{};       ///< of their components [m^2]
   };
 
+  void sumUp(std::span<const Triangle> triangles);
+  static SurfaceShape shapeOf(const Sums& sums);
+
+  std::vector<Lanes> places_;  // [m]
   std::vector<Sums> sums_;
   std::vector<SurfaceShape> shapes_;
 };
