@@ -1,9 +1,9 @@
 #include "sim/stepper.hpp"
 
+#include "sim/adaptive/step_plan.hpp"
 #include "sim/contact/body.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
-#include "sim/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,15 +47,17 @@ Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
 StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                          ClothState& state) {
   earlierContactWork_ = 0.0;
-  const int rounds = roundsOf(model, parameters, inputs);
-  return rounds == 1 ? round(model, parameters, inputs, state) : stepInRounds(model, parameters, inputs, rounds, state);
+  rounds_ = roundsOf(model, parameters, inputs);
+  return rounds_ == 1 ? round(model, parameters, inputs, state)
+                      : stepInRounds(model, parameters, inputs, rounds_, state);
 }
 
-int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs) const {
+int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs) {
   if (!info_->choosesSubsteps || !meetsBodies(parameters, inputs)) {
     return 1;
   }
-  const double hardness = parameters.timeStep * largestFrequency(model, parameters);
+  const double rate = rate_.get(model, [](const ClothModel& m) { return localRatesOf(m).most; });
+  const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rate);
   return static_cast<int>(std::clamp(std::ceil(hardness / hardestRound), 1.0, mostRounds));
 }
 

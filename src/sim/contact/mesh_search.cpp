@@ -20,6 +20,11 @@ constexpr double rounding = 1e-9;  // [m]
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double closeShare = 0.2;  // of it: how much nearer than they may edges and faces come in a pass, at most [-]
 
+/// How near edges and faces have to be for touches to be looked for [m].
+double closeBy(const ContactReach& reach) {
+  return reach.inner + closeShare * reach.keep;
+}
+
 /// What a thread found in its part of the clusters.
 template <typename More>
 struct Part {
@@ -45,6 +50,7 @@ void MeshSearch::begin(const SearchableMesh& mesh, std::uint64_t model) {
   asked_.clear();
   if (mesh_ != &mesh || model_ != model) {
     nearby_.clear();
+    near_.clear();
     mesh_ = &mesh;
     model_ = model;
   }
@@ -94,14 +100,25 @@ class MeshSearch::Near {
   }
 
   /// The mesh's point that is nearest to a vertex, as far as that is about to go.
-  NearVertex nearestTo(int vertex, const Nearby& nearby) {
+  NearVertex nearestTo(int vertex, const Nearby& nearby, NearbyTriangles& memory) {
     const Vec3& point = vectorAt(cloth_.base, vertex);
-    const NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius_);
+    const NearVertex found = nearestWithin(point, nearby, memory);
     const double radius = cloth_.room[static_cast<std::size_t>(vertex)] - side_.reach().keep;
     return found.triangle < 0 && radius > radius_ ? nearest_.anywhere(point, radius) : found;
   }
 
  private:
+  NearVertex nearestWithin(const Vec3& point, const Nearby& nearby, NearbyTriangles& memory) {
+    if ((point - memory.at).norm() + rounding <= memory.serves) {
+      return nearest_.amongRemembered(memory, point, radius_);
+    }
+    const NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius_);
+    if (!mesh_.mesh.movesInItself()) {
+      nearest_.remember(point, known * side_.reach().keep, memory);
+    }
+    return found;
+  }
+
   const BodySide& side_;
   const MeshInStep& mesh_;
   const ClothInBody& cloth_;
@@ -113,19 +130,21 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
                              const ClothClusters& clusters, Workers& workers, int threads, Findings& findings) {
   nearby_.resize(clusters.count());
   nearest_.resize(cloth.base.size());
+  near_.resize(cloth.base.size());
   planes_.resize(cloth.triangles.size());
   hasPlane_.resize(cloth.triangles.size());
   distances_.resize(cloth.triangles.size());
   markCaught(cloth);
   const double near = listed * side.reach().keep;
-  const double close = side.reach().inner + closeShare * side.reach().keep;
+  const double close = closeBy(side.reach());
   workers.forRange(threads, static_cast<int>(cloth.triangles.size()), [&](int begin, int end) {
     Near here(side, mesh, cloth);
     const auto [first, last] = clusters.clustersWithin(begin, end);
     for (std::size_t c = first; c < last; ++c) {
       here.list(clusters.vertices(c), nearby_[c]);
       for (const int v : clusters.ownVertices(c)) {
-        nearest_[static_cast<std::size_t>(v)] = here.nearestTo(v, nearby_[c]);
+        const auto at = static_cast<std::size_t>(v);
+        nearest_[at] = here.nearestTo(v, nearby_[c], near_[at]);
       }
     }
   });
@@ -137,7 +156,7 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
             nearby_[c].moved = 0.0;
             nearby_[c].distances.assign(clusters.triangles(c).size(), nearby_[c].patches.empty() ? near : -infinity);
           }
-          lookAtTriangles(clusters.triangles(c), nearby_[c], close, sharp);
+          lookAtTriangles(cloth, clusters.triangles(c), nearby_[c], side.reach(), sharp);
         }
       });
   for (const auto& part : parts) {
@@ -150,13 +169,17 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
 
 /// Looks for what touches the triangles of a cluster, as far as they are not known to be too far away.
 /// Distances that are not known are found.
-void MeshSearch::lookAtTriangles(std::span<const int> triangles, Nearby& nearby, double close, SharpSearch& sharp) {
+void MeshSearch::lookAtTriangles(const ClothInBody& cloth, std::span<const int> triangles, Nearby& nearby,
+                                 const ContactReach& reach, SharpSearch& sharp) {
+  const auto way = [&](int v) { return (vectorAt(cloth.target, v) - vectorAt(cloth.base, v)).squaredNorm(); };
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto t = static_cast<std::size_t>(triangles[i]);
     distances_[t] = nearby.distances[i] - nearby.moved;
     hasPlane_[t] = 0;
-    if (distances_[t] >= close || caught_[t]) {
-      continue;
+    const Triangle& corners = cloth.triangles[t];
+    const double longest = std::sqrt(std::max({way(corners[0]), way(corners[1]), way(corners[2])})) + rounding;
+    if (distances_[t] >= std::min(closeBy(reach), reach.inner + longest) || caught_[t]) {
+      continue;  // nothing of it is about to come near enough to touch
     }
     planes_[t] = sharp.look(triangles[i], nearby.patches, nearby.boxes);
     hasPlane_[t] = 1;

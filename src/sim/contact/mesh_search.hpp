@@ -2,6 +2,7 @@
 
 #include "sim/contact/cloth_clusters.hpp"
 #include "sim/contact/mesh_in_step.hpp"
+#include "sim/contact/nearest_search.hpp"
 #include "sim/contact/plane_search.hpp"
 #include "sim/contact/sharp_search.hpp"
 #include "sim/workers.hpp"
@@ -63,7 +64,8 @@ class MeshSearch {
     void list(const MeshTree& tree, const Eigen::AlignedBox3d& box);
   };
   class Near;
-  void lookAtTriangles(std::span<const int> triangles, Nearby& nearby, double close, SharpSearch& sharp);
+  void lookAtTriangles(const ClothInBody& cloth, std::span<const int> triangles, Nearby& nearby,
+                       const ContactReach& reach, SharpSearch& sharp);
   void markCaught(const ClothInBody& cloth);
   void touchVertices(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
   void pushOff(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
@@ -78,6 +80,7 @@ class MeshSearch {
   std::uint64_t model_ = 0;               // ... and the cloth
   std::vector<Nearby> nearby_;            // of each cluster
   std::vector<NearVertex> nearest_;       // to each vertex
+  std::vector<NearbyTriangles> near_;     // the same: where to look for it
   std::vector<OwnPlane> planes_;          // of each triangle of the cloth
   std::vector<char> hasPlane_;            // for each of these whether it is of this pass
   std::vector<double> distances_;         // of each triangle to the mesh, at least, at the base [m]

@@ -1,9 +1,13 @@
 #include "sim/contact/nearest_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drape {
 namespace {
+
+/// What rounding makes of squared distances that are equal, and more [-].
+constexpr double roundedUp = 1.0 + 1e-12;
 
 /// The weights of a triangle's corners at its point nearest to `point`, by the regions of its corners, sides and inside
 /// (Ericson 2005, Real-Time Collision Detection, sec. 5.1.5). Of slivers it may be a point that is not quite the
@@ -57,7 +61,7 @@ void NearestSearch::lookAt(int triangle, const Vec3& point) {
   const Vec3& c = vectorAt(mesh_.atBase(), corners[2]);
   const Vec3 weights = quickNearest(point, a, b, c);
   const double distance = (weights[0] * a + weights[1] * b + weights[2] * c - point).squaredNorm();
-  if (distance < least_) {
+  if (distance < least_ || (distance == least_ && triangle < best_.triangle)) {
     least_ = distance;
     best_.triangle = triangle;
     best_.weights = weights;
@@ -73,6 +77,39 @@ NearVertex NearestSearch::result(const Vec3& point) {
   return best_;
 }
 
+int NearestSearch::triangleAt(std::size_t box) const {
+  return mesh_.mesh.tree.leaf(static_cast<std::size_t>(near_[box / trianglesOfPatch]))[box % trianglesOfPatch];
+}
+
+void NearestSearch::remember(const Vec3& point, double within, NearbyTriangles& memory) const {
+  memory.serves = -1.0;
+  memory.count = 0;
+  if (best_.triangle < 0) {
+    return;
+  }
+  // What is nearest elsewhere is no farther from there than the triangle that is nearest here.
+  const double far = std::sqrt(least_) + 2.0 * within;
+  for (std::size_t i = 0; i < toBox_.size(); ++i) {
+    if (toBox_[i] <= roundedUp * far * far) {
+      if (memory.count == NearbyTriangles::most) {
+        return;
+      }
+      memory.triangles[memory.count++] = triangleAt(i);
+    }
+  }
+  memory.at = point;
+  memory.serves = within;
+}
+
+NearVertex NearestSearch::amongRemembered(const NearbyTriangles& memory, const Vec3& point, double radius) {
+  best_ = {};
+  least_ = radius * radius;
+  for (std::size_t i = 0; i < memory.count; ++i) {
+    lookAt(memory.triangles[i], point);
+  }
+  return result(point);
+}
+
 NearVertex NearestSearch::among(const std::vector<int>& patches, const BoxList& boxes, const Vec3& point,
                                 double radius) {
   best_ = {};
@@ -86,16 +123,13 @@ NearVertex NearestSearch::among(const std::vector<int>& patches, const BoxList& 
     each = patches[static_cast<std::size_t>(each)];
   }
   squaredDistances(mesh_.mesh.triangleBoxes(mesh_.settled), near_, point, toBox_);
-  const auto triangleAt = [&](std::size_t i) {
-    return mesh_.mesh.tree.leaf(static_cast<std::size_t>(near_[i / trianglesOfPatch]))[i % trianglesOfPatch];
-  };
   const auto first = static_cast<std::size_t>(std::min_element(toBox_.begin(), toBox_.end()) - toBox_.begin());
   if (!(toBox_[first] < least_)) {
     return best_;
   }
   lookAt(triangleAt(first), point);
   for (std::size_t i = 0; i < toBox_.size(); ++i) {
-    if (toBox_[i] < least_ && i != first) {
+    if (toBox_[i] <= roundedUp * least_ && i != first) {
       lookAt(triangleAt(i), point);
     }
   }

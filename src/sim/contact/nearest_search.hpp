@@ -2,12 +2,25 @@
 
 #include "sim/contact/mesh_in_step.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace drape {
 
-/// Finds the point of a mesh that is nearest to a point of the cloth, at its base.
+/// What a search for a vertex's nearest point leaves behind: the triangles that can have it while the vertex stays
+/// near.
+struct NearbyTriangles {
+  static constexpr std::size_t most = 16;
+
+  Vec3 at = Vec3::Zero();  ///< where the vertex was [m]
+  double serves = -1.0;    ///< how far from there it may be [m]; negative: there is nothing to be had here
+  std::array<int, most> triangles{};
+  std::size_t count = 0;
+};
+
+/// Finds the point of a mesh that is nearest to a point of the cloth, at its base. Of triangles that are as near, bit
+/// by bit, it takes the first: so the result does not depend on where and in what order was looked.
 class NearestSearch {
  public:
   explicit NearestSearch(const MeshInStep& mesh) : mesh_(mesh) {}
@@ -17,11 +30,18 @@ class NearestSearch {
   [[nodiscard]] NearVertex among(const std::vector<int>& patches, const BoxList& boxes, const Vec3& point,
                                  double radius);
 
+  /// Remembers after `among` what can be nearest while the point stays within a distance [m] of where it was.
+  void remember(const Vec3& point, double within, NearbyTriangles& memory) const;
+
+  /// The same as `among`, by what is remembered of a place that is near enough.
+  [[nodiscard]] NearVertex amongRemembered(const NearbyTriangles& memory, const Vec3& point, double radius);
+
   /// Looks into the whole mesh.
   [[nodiscard]] NearVertex anywhere(const Vec3& point, double radius);
 
  private:
   void lookAt(int triangle, const Vec3& point);
+  [[nodiscard]] int triangleAt(std::size_t box) const;
   [[nodiscard]] NearVertex result(const Vec3& point);
 
   const MeshInStep& mesh_;

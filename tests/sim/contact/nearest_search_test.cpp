@@ -1,0 +1,83 @@
+#include "sim/contact/nearest_search.hpp"
+
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace drape {
+namespace {
+
+/// Ground with hills, on whose edges and corners many points have several triangles that are as near.
+MeshShape hills() {
+  const ClothMesh sheet = testing::sheet(17);
+  MeshShape shape{sheet.positions, sheet.triangles, {}, 1.0, false};
+  for (Vec3& position : shape.positions) {
+    position.y() = 0.03 * std::round(3.0 * std::sin(20.0 * position.x()) * std::cos(15.0 * position.z()));
+  }
+  return shape;
+}
+
+/// All leaves of a mesh's tree.
+struct Leaves {
+  explicit Leaves(const SearchableMesh& mesh) {
+    for (std::size_t leaf = 0; leaf < mesh.tree.leafCount(); ++leaf) {
+      patches.push_back(static_cast<int>(leaf));
+      boxes.add(mesh.tree.leafBox(leaf));
+    }
+  }
+
+  std::vector<int> patches;
+  BoxList boxes;
+};
+
+void expectSame(const NearVertex& a, const NearVertex& b) {
+  EXPECT_EQ(a.triangle, b.triangle);
+  EXPECT_EQ(a.gap, b.gap);
+  EXPECT_EQ(a.weights, b.weights);
+  EXPECT_EQ(a.normal, b.normal);
+}
+
+TEST(NearestSearch, findsTheSameBitsByWhatItRemembersAsByLookingAnew) {
+  const SearchableMesh mesh(hills());
+  const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
+  const Leaves all(mesh);
+  constexpr double radius = 0.05;  // [m]
+  constexpr double within = 0.004;
+  NearestSearch search(inStep);
+  testing::RandomVectors random(3);
+  int remembered = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Vec3 point = Vec3(0.5, 0.01, 0.5) + random.next(0.3);
+    point.y() = 0.02 + 0.1 * point.y();
+    if (i % 3 == 0) {
+      point = mesh.shape.positions[static_cast<std::size_t>(i) % mesh.shape.positions.size()] + 0.02 * Vec3::UnitY();
+    }
+    (void)search.among(all.patches, all.boxes, point, radius);
+    NearbyTriangles memory;
+    search.remember(point, within, memory);
+    if (memory.serves < 0.0) {
+      continue;
+    }
+    ++remembered;
+    for (const Vec3& there : {point, Vec3(point + random.next(within / 2.0)), Vec3(point - within * Vec3::UnitX())}) {
+      expectSame(search.amongRemembered(memory, there, radius), search.among(all.patches, all.boxes, there, radius));
+    }
+  }
+  EXPECT_GT(remembered, 1000);
+}
+
+TEST(NearestSearch, remembersNothingWhereNothingIsNear) {
+  const SearchableMesh mesh(hills());
+  const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
+  const Leaves all(mesh);
+  NearestSearch search(inStep);
+  const Vec3 far(0.5, 1.0, 0.5);
+  EXPECT_LT(search.among(all.patches, all.boxes, far, 0.1).triangle, 0);
+  NearbyTriangles memory;
+  search.remember(far, 0.01, memory);
+  EXPECT_LT(memory.serves, 0.0);
+}
+
+}  // namespace
+}  // namespace drape
