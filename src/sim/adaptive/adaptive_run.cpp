@@ -48,7 +48,13 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
                                bool measureStart) {
   cloth_ = &cloths_.get(model);
   step_ = sliceStepOf<T>(parameters);
-  step_.damping = static_cast<T>(plan.damping);
+  const double substep = parameters.timeStep / plan.substeps;
+  damping_ = {static_cast<T>(substep * parameters.damping), plan.dampingStages, &gain_};
+  if (plan.dampingStages > 0) {
+    step_.damping = T(0);
+    step_.settles = false;
+    gain_.resize(cloth_->layout.slices(), false);
+  }
   hold(model, rates, parameters, plan);
   const auto places = static_cast<std::size_t>(cloth_->layout.slices()) * sliceLanes;
   for (std::vector<T>* energy : {&firstEnergy_, &lastEnergy_, &startEnergy_, &endEnergy_}) {
@@ -64,7 +70,7 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
       team_.meet();
       measure(plan, startEnergy_, startCoarse_, share);
     }
-    move(model, inputs, plan, parameters.timeStep / plan.substeps, share);
+    move(model, inputs, plan, substep, share);
     measure(plan, endEnergy_, endCoarse_, share);
   });
   return {.first = sumOf(firstEnergy_) + firstCoarse_,
@@ -130,6 +136,9 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
       step.timeStep = static_cast<T>(stages[s].kick * substep);
       step.energy = firstKick ? firstEnergy_.data() : lastKick ? lastEnergy_.data() : nullptr;
       kick(step, plan, static_cast<T>(inputs.grab ? 0.0 : drift), firstKick ? &firstCoarse_ : &lastCoarse_, share);
+      if (plan.dampingStages > 0) {
+        damp(inputs.grab ? 0.0 : drift, share);
+      }
       if (inputs.grab) {
         if (share.member == 0) {
           pullByHand(model, stages[s].kick * substep, *inputs.grab, *cloth_);
@@ -161,6 +170,17 @@ void AdaptiveRun<T>::kick(const SliceStep<T>& step, const StepPlan& plan, T drif
   }
 }
 
+/// After a kick that has not settled.
+template <typename T>
+void AdaptiveRun<T>::damp(double drift, const StepShare& share) {
+  for (int stage = 1; stage <= damping_.stages; ++stage) {
+    dampingStage(*cloth_, damping_, stage, share);
+    team_.meet();
+  }
+  driftSlices(*cloth_, static_cast<T>(drift), share);
+  team_.meet();
+}
+
 /// A kick that lasts no time changes nothing and tells the energy of the cloth as it stands.
 template <typename T>
 void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy,
@@ -168,6 +188,7 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
   SliceStep<T> still = step_;
   still.timeStep = T(0);
   still.damping = still.drag = still.lift = T(0);
+  still.settles = true;
   if (!plan.softens) {
     still.shares = nullptr;
   }

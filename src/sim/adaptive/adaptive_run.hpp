@@ -3,6 +3,7 @@
 #include "sim/adaptive/coarse_motion.hpp"
 #include "sim/adaptive/step_plan.hpp"
 #include "sim/model_cache.hpp"
+#include "sim/simd/damping_stages.hpp"
 #include "sim/simd/slice_step.hpp"
 #include "sim/simd/sliced_cloth_cache.hpp"
 #include "sim/simd/thread_team.hpp"
@@ -54,6 +55,7 @@ class AdaptiveRun {
   void move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
             const StepShare& share);
   void kick(const SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy, const StepShare& share);
+  void damp(double drift, const StepShare& share);
   void measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy, const StepShare& share);
   [[nodiscard]] double sumOf(const std::vector<T>& energy) const;
 
@@ -66,6 +68,8 @@ class AdaptiveRun {
   std::vector<SliceNumbers<T>> shares_;
   int levelsAtWork_ = 0;
   SliceStep<T> step_;
+  DampingRun<T> damping_;  // of a substep; no stages: it is part of the kick
+  LaneVectors<T> gain_;    // of velocity in a kick, for the stages of damping [m/s]
   std::vector<T> firstEnergy_;
   std::vector<T> lastEnergy_;
   std::vector<T> startEnergy_;

@@ -1,6 +1,7 @@
 #include "sim/adaptive/step_plan.hpp"
 
 #include "sim/measures.hpp"
+#include "sim/simd/damping_stages.hpp"
 #include "sim/stability.hpp"
 
 #include <algorithm>
@@ -20,8 +21,10 @@ constexpr double heldTo = 1.8;
 constexpr double passesOfFourthOrder = 2.0;
 /// Held springs that keep at least so much do without coarse levels.
 constexpr double enoughStiffness = 0.5;
-/// The most of damping's own limit that held springs take, as 2 h c with its rate c.
-constexpr double dampingHeldTo = 1.0;
+/// The same where damping is taken by itself: its stages bear h omega = 1.62 at the worst of all rates.
+constexpr double heldBeside = 1.5;
+/// Stages of damping in a substep, at most: rounding grows with their square.
+constexpr double mostStages = 100.0;
 constexpr double fewestPasses = 4.0;
 /// Passes of a first step, about which nothing is known yet: on the safe side.
 constexpr double firstPasses = 64.0;
@@ -60,16 +63,65 @@ double smallestBut(std::vector<double>& values, std::size_t oneIn) {
   return *at;
 }
 
+/// How strong damping is over a whole step, h lambda with its largest rate [-].
+double dampedOver(const ClothModel& model, const StepParameters& parameters) {
+  return parameters.timeStep * model.unitDampingRate * parameters.damping;
+}
+
+/// Stages of damping by itself in each of so many substeps.
+int stagesIn(double damped, double substeps) {
+  return dampingStages(damped / substeps);
+}
+
+/// What substeps cost that take damping by itself, in passes.
+double costBeside(double damped, double substeps) {
+  return substeps * (1.0 + costOfDampingStage * stagesIn(damped, substeps));
+}
+
+/// How many substeps with damping by itself so many passes pay for: n of them take about n + c sqrt(n damped). As many
+/// at least as keep the stages to what float bears.
+int substepsBeside(double damped, double passes) {
+  const double root = 0.5 * costOfDampingStage * std::sqrt(damped);
+  const double paid = std::sqrt(root * root + std::max(0.0, passes)) - root;
+  const double fewest = damped / (mostStages * mostStages);
+  return static_cast<int>(std::max({1.0, std::ceil(fewest), std::floor(paid * paid)}));
+}
+
 /// Springs that are held to what so many substeps carry.
-StepPlan heldPlan(const ClothModel& model, const StepParameters& parameters, int substeps) {
-  StepPlan plan{.substeps = substeps, .damping = parameters.damping};
-  const double h = parameters.timeStep / substeps;
-  const double damped = 2.0 * h * model.unitDampingRate * parameters.damping;
-  if (damped > dampingHeldTo) {
-    plan.damping *= dampingHeldTo / damped;
+StepPlan heldAt(const ClothModel& model, const StepParameters& parameters, int substeps) {
+  const double damped = dampedOver(model, parameters);
+  if (2.0 * damped > substeps) {
+    return {.substeps = substeps, .carried = heldBeside, .dampingStages = stagesIn(damped, substeps)};
   }
-  plan.carried = std::sqrt(heldTo * heldTo - std::min(damped, dampingHeldTo));
-  return plan;
+  return {.substeps = substeps, .carried = std::sqrt(heldTo * heldTo - 2.0 * damped / substeps)};
+}
+
+/// The same for what costs so many passes.
+StepPlan heldPlan(const ClothModel& model, const StepParameters& parameters, double passes) {
+  const double damped = dampedOver(model, parameters);
+  return heldAt(model, parameters,
+                2.0 * damped > std::floor(passes) ? substepsBeside(damped, passes) : static_cast<int>(passes));
+}
+
+/// The least that a step takes where springs and damping stay as they are.
+struct Need {
+  bool beside = false;  ///< damping by itself is cheaper than substeps for it
+  double calm = 0.0;    ///< substeps at a distance from the limit
+  double fewest = 0.0;  ///< substeps
+  double passes = 0.0;  ///< that the calm ones cost
+};
+
+Need needOf(const ClothModel& model, const StepParameters& parameters) {
+  const double limit = parameters.timeStep / verletStepLimit(model, parameters);
+  const double damped = dampedOver(model, parameters);
+  const double hardness = parameters.timeStep * largestFrequency(model, parameters);
+  const double beside =
+      std::max({1.0, std::ceil(hardness / heldBeside), std::ceil(damped / (mostStages * mostStages))});
+  const double cost = costBeside(damped, beside);
+  if (cost < limit / comfortable) {
+    return {true, beside, beside, cost};
+  }
+  return {false, std::ceil(limit / comfortable), std::ceil(limit / atMost), limit / comfortable};
 }
 
 /// The share of its stiffness that a vertex of that rate [1/kg] keeps under a plan.
@@ -83,10 +135,10 @@ double shareAt(double rate, const StepParameters& parameters, const StepPlan& pl
 StepPlan barelyHeldPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                         int substeps) {
   const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rates.most);
-  StepPlan plan = heldPlan(model, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / heldTo))));
+  StepPlan plan = heldAt(model, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / heldTo))));
   if (shareAt(rates.most, parameters, plan) < 1.0) {
-    const double damped = std::sqrt(heldTo * heldTo - dampingHeldTo);
-    plan = heldPlan(model, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / damped))));
+    const double damped = std::sqrt(heldTo * heldTo - 1.0);
+    plan = heldAt(model, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / damped))));
   }
   return plan;
 }
@@ -121,8 +173,7 @@ double passesAtMost(const ClothModel& model, const StepParameters& parameters) {
 }
 
 bool mayBeSoftened(const ClothModel& model, const StepParameters& parameters) {
-  return parameters.soften ||
-         parameters.timeStep / verletStepLimit(model, parameters) > passesAtMost(model, parameters);
+  return parameters.soften || needOf(model, parameters).passes > passesAtMost(model, parameters);
 }
 
 StepPlan saferThan(StepPlan plan) {
@@ -140,34 +191,37 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
                   const StepInputs& inputs, const StepMemory& memory) {
   constexpr double mostPasses = 1e6;
   const double budget = std::min(mostPasses, passesInBudget(model, parameters));
-  const double needed = parameters.timeStep / verletStepLimit(model, parameters);
-  const double wanted = memory.passes > 0.0 ? memory.passes : firstPasses + firstOfLimit * needed;
-  const double stable = std::max(fewestPasses, needed / comfortable);
+  const Need need = needOf(model, parameters);
+  const double wanted = memory.passes > 0.0 ? memory.passes : firstPasses + firstOfLimit * comfortable * need.passes;
+  const double stable = std::max(fewestPasses, need.passes);
   const double passes = std::min(budget, std::clamp(wanted, stable, mostOfLimit * std::max(stable, firstPasses / 8.0)));
   const double hardness = parameters.timeStep * largestFrequency(model, parameters);
   if (passes >= passesOfFourthOrder * hardness && dependsOnPositionsAlone(parameters, inputs)) {
     return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(passes / 4.0)};
   }
-  const double fewest = std::ceil(needed / atMost);
+  const double damped = dampedOver(model, parameters);
+  const auto asTheyAre = [&](int substeps) {
+    return StepPlan{.substeps = substeps, .dampingStages = need.beside ? stagesIn(damped, substeps) : 0};
+  };
   const double bearable = std::max(stretchedBudget * passes, costWithLevels * fewestPasses);
-  const int substeps = static_cast<int>(fewest > passes && fewest <= bearable ? fewest : passes);
-  if (substeps >= fewest) {
-    return {.substeps = substeps, .damping = parameters.damping};
+  const int paid = need.beside ? substepsBeside(damped, passes) : static_cast<int>(passes);
+  const double fewestCost = need.beside ? need.passes : need.fewest;
+  const int substeps = static_cast<int>(need.fewest > paid && fewestCost <= bearable ? need.fewest : paid);
+  if (substeps >= need.fewest) {
+    return asTheyAre(substeps);
   }
   if (!mayBeSoftened(model, parameters)) {
-    const StepPlan barely = barelyHeldPlan(model, rates, parameters, substeps);
     // Slow in any case: at a distance from the limit, where energy comes and goes less and fewer steps are taken again.
-    const double calm = std::ceil(needed / comfortable);
-    return barely.substeps < calm ? barely
-                                  : StepPlan{.substeps = static_cast<int>(calm), .damping = parameters.damping};
+    const StepPlan barely = barelyHeldPlan(model, rates, parameters, substeps);
+    return barely.substeps < need.calm ? barely : asTheyAre(static_cast<int>(need.calm));
   }
   const double held = parameters.soften ? passes : passesAtMost(model, parameters);
-  StepPlan softer = heldPlan(model, parameters, static_cast<int>(held));
+  StepPlan softer = heldPlan(model, parameters, held);
   softer.softens = true;
   if (medianShare(rates, parameters, softer) >= enoughStiffness) {
     return softer;
   }
-  StepPlan withLevels = heldPlan(model, parameters, static_cast<int>(std::max(fewestPasses, held / costWithLevels)));
+  StepPlan withLevels = heldPlan(model, parameters, std::max(fewestPasses, held / costWithLevels));
   withLevels.levels = true;
   withLevels.softens = true;
   return withLevels;

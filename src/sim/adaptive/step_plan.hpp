@@ -29,19 +29,25 @@ enum class ExplicitScheme {
 /// What an evaluation of all springs costs when coarse levels take part, in evaluations without (bench/auto_bench.cpp).
 inline constexpr int costWithLevels = 2;
 
+/// What a stage of damping by itself costs, in evaluations of all springs (bench/auto_bench.cpp).
+inline constexpr double costOfDampingStage = 0.3;
+
 /// How a step is to be taken.
 struct StepPlan {
   ExplicitScheme scheme = ExplicitScheme::Verlet;
   int substeps = 1;
-  double carried = 0.0;  ///< what h omega the springs are held to, h being the substep [-]; 0: to nothing
-  double damping = 0.0;  ///< of every spring [N s/m], no more than the substep carries
-  bool levels = false;   ///< coarse levels give back what the springs do not carry
-  bool softens = false;  ///< held springs are taken for softer ones; else none may be held that the energy shows
+  double carried = 0.0;   ///< what h omega the springs are held to, h being the substep [-]; 0: to nothing
+  int dampingStages = 0;  ///< that a substep takes for damping too strong to be part of the kick; 0: it is
+  bool levels = false;    ///< coarse levels give back what the springs do not carry
+  bool softens = false;   ///< held springs are taken for softer ones; else none may be held that the energy shows
 
   /// Evaluations of all springs.
   [[nodiscard]] int passes() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }
-  /// What they cost, in evaluations without coarse levels.
-  [[nodiscard]] int cost() const { return levels ? costWithLevels * passes() : passes(); }
+  /// What they cost with all else, in evaluations without coarse levels.
+  [[nodiscard]] int cost() const {
+    return (levels ? costWithLevels * passes() : passes()) +
+           static_cast<int>(costOfDampingStage * substeps * dampingStages);
+  }
 };
 
 /// What becomes of a plan when its step has to be taken again. Springs that are softened are held to less at first,

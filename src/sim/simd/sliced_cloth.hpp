@@ -96,6 +96,9 @@ struct SliceStep {
 
   /// Of Verlet: the drift after the kick is by the velocity from before it, which makes the step explicit Euler's.
   bool driftsByOldVelocity = false;
+  /// Of Verlet: the velocity after the kick takes the place of the one before, and vertices drift on. Else it is left
+  /// in `start`, for strong damping to be dealt with (damping_stages.hpp).
+  bool settles = true;
   /// Of Verlet: the share of its stiffness that each spring keeps, one number a slot and lane. Null: all of it.
   const SliceNumbers<T>* shares = nullptr;
   /// Of Verlet: the group that each place belongs to, and the acceleration [m/s^2] of each group that comes on top of

@@ -38,7 +38,8 @@ class VerletKernel {
       for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(D()))) {
         kick(slice, lane);
       }
-      while (settled < share_.innerEnd(1) && layout_.reach[static_cast<std::size_t>(settled)] <= slice) {
+      while (step_.settles && settled < share_.innerEnd(1) &&
+             layout_.reach[static_cast<std::size_t>(settled)] <= slice) {
         settle(settled++);
       }
     }
@@ -46,6 +47,9 @@ class VerletKernel {
 
   /// The slices at the ends of the share, which other threads' kicks have read.
   void laterPhase() {
+    if (!step_.settles) {
+      return;
+    }
     for (int slice = share_.begin; slice < share_.innerBegin(1); ++slice) {
       settle(slice);
     }

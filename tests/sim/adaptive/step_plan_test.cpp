@@ -121,12 +121,37 @@ TEST_F(StepPlanning, spendsNoMoreThanWasLearntToBeNeeded) {
   EXPECT_EQ(planStep(*model, rates, parameters, inputs, StepMemory{.passes = 50.0}).passes(), 50);
 }
 
-TEST_F(StepPlanning, holdsDampingToWhatASubstepCarries) {
+/// h lambda of damping in a substep.
+double dampedIn(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan) {
+  return parameters.timeStep / plan.substeps * model.unitDampingRate * parameters.damping;
+}
+
+TEST_F(StepPlanning, takesDampingByItselfWhereSubstepsForItWouldCostMore) {
+  parameters.soften = false;
+  parameters.stiffness = 1000.0;  // H = 32
+  const double hardness = parameters.timeStep * largestFrequency(*model, parameters);
+  parameters.damping = 1e-4;
+  EXPECT_EQ(plan(20.0).dampingStages, 0);
+  for (const double damping : {1.0, 10.0, 100.0}) {
+    parameters.damping = damping;
+    const StepPlan chosen = plan(20.0);
+    const double s = chosen.dampingStages;
+    EXPECT_GT(s, 0.0) << damping;
+    EXPECT_GE(s * s + s, dampedIn(*model, parameters, chosen)) << damping;
+    EXPECT_GE(1.5 * chosen.substeps, hardness) << damping;
+    EXPECT_LT(chosen.cost(), 0.5 * parameters.timeStep / verletStepLimit(*model, parameters)) << damping;
+  }
+}
+
+TEST_F(StepPlanning, takesAllOfTheDampingAlsoWhereSpringsAreHeld) {
   parameters.stiffness = 1e5;
-  parameters.damping = 10.0;
-  const StepPlan chosen = plan(10.0);
-  EXPECT_LT(chosen.damping, parameters.damping);
-  EXPECT_NEAR(2.0 * parameters.timeStep / chosen.substeps * model->unitDampingRate * chosen.damping, 1.0, 1e-9);
+  parameters.damping = 0.1;
+  const StepPlan chosen = plan(20.0);
+  const double s = chosen.dampingStages;
+  EXPECT_TRUE(chosen.softens);
+  EXPECT_GE(s * s + s, dampedIn(*model, parameters, chosen));
+  EXPECT_EQ(chosen.carried, 1.5) << "the stages bear no more";
+  EXPECT_LT(chosen.cost(), 24);
 }
 
 TEST_F(StepPlanning, letsAFewFastVerticesOfAnIrregularMeshSlowNobodyElse) {

@@ -48,6 +48,7 @@ struct Kind {
   int sweeps = 1;
   Precision precision = Precision::Float;
   ForceDerivative derivative = ForceDerivative::Stabilised;
+  double damping = testing::windyStep().damping;  // [N s/m]
 };
 
 std::vector<Kind> kinds() {
@@ -62,6 +63,8 @@ std::vector<Kind> kinds() {
     all.push_back({"verlet", 1, precision});
     all.push_back({"pcg", 1, precision});
     all.push_back({"xpbd", 1, precision});
+    all.push_back({.solver = "auto", .precision = precision});
+    all.push_back({.solver = "auto", .precision = precision, .damping = 0.1});
   }
   return all;
 }
@@ -71,6 +74,7 @@ ClothState stepsWith(const Kind& kind, const ClothModel& model, int steps) {
   parameters.sweeps = kind.sweeps;
   parameters.precision = kind.precision;
   parameters.derivative = kind.derivative;
+  parameters.damping = kind.damping;
   StepInputs inputs;
   inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20.0, 2.0};
   ClothState state = testing::shaken(model, 0.003, 3);

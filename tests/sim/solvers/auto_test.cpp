@@ -196,6 +196,28 @@ TEST(Auto, spendsLessOnALooserTolerance) {
   }
 }
 
+TEST(Auto, keepsToItsToleranceUnderStrongDampingWithoutSubstepsForIt) {
+  const auto model = pinnedSheet(17);
+  for (const double damping : {2.0, 10.0}) {
+    StepParameters parameters;
+    parameters.timeStep = frame;
+    parameters.stiffness = 1000.0;
+    parameters.damping = damping;
+    const double needed = frame / verletStepLimit(*model, parameters);
+    StepParameters fine = parameters;
+    fine.substeps = static_cast<int>(std::ceil(2.0 * needed));
+    const ClothState reference = fallen("verlet", *model, fine);
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+      parameters.precision = precision;
+      StepReport report;
+      const ClothState state = fallen("auto", *model, parameters, &report);
+      EXPECT_LT(meanDistanceOf(state, reference), parameters.errorTolerance) << damping;
+      EXPECT_LT(report.choice->substeps, 0.5 * needed) << damping;
+      EXPECT_EQ(report.choice->retaken, 0) << damping;
+    }
+  }
+}
+
 TEST(Auto, goesOnFromACopyOfTheStateToTheSameBits) {
   const auto model = pinnedSheet(17);
   StepParameters parameters = withPasses(*model, 1000.0, 100.0);
