@@ -46,6 +46,24 @@ std::uint64_t markOf(const StepPlan& plan) {
   return plan.softens ? bitsOf(plan.carried) + static_cast<std::uint64_t>(plan.substeps) : 0;
 }
 
+/// Cloth at rest that nothing pulls at has no energy at all that a growth could be held against, but that of rounding:
+/// of springs that are off by the last bit of their places, and what that heats up in a step (roundingHeats). Where
+/// gravity pulls, its work is far above.
+double roundingIn(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                  const ClothState& state, double roundoff) {
+  constexpr double leastFall = 1e-2;  // [m^2/s^2]
+  constexpr double heatOfSubstep = 0.02;
+  constexpr double heldAgainst = 1000.0;  // growth may be a hundredth, and rounding ten times as much as this
+  if (parameters.gravity * rates.diagonal > leastFall) {
+    return 0.0;
+  }
+  const double off = roundoff * farthestOf(state.positions);
+  const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rates.most);
+  const double springs = parameters.stiffness * static_cast<double>(model.springs.size()) * off * off;
+  const double heat = heatOfSubstep * rates.mass * parameters.stiffness * rates.most * off * off * (1.0 + hardness);
+  return heldAgainst * (springs + heat);
+}
+
 }  // namespace
 
 double mostWorkOfWind(const ClothModel& model, const StepParameters& parameters) {
@@ -69,9 +87,10 @@ double slowDown(const ClothModel& model, const std::vector<std::vector<std::size
 }
 
 void EnergyGuard::begin(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                        const ClothState& state) {
+                        const ClothState& state, double roundoff) {
   lifted_ = parameters.gravity * momentOf(model, state);
   weight_ = parameters.gravity * rates.mass * rates.diagonal;
+  rounding_ = roundingIn(model, rates, parameters, state, roundoff);
   mark_ = markOf(model, parameters, state);
   fades_ = parameters.damping != 0.0 || parameters.drag != 0.0 || parameters.lift != 0.0;
 }
@@ -82,7 +101,7 @@ bool EnergyGuard::knowsStart(const StepPlan& plan, const StepMemory& memory) con
 
 /// What growth is held against [J]: the motion and tension that there are, and what falling sets free.
 double EnergyGuard::scaleOf(double startEnergy, double ofFall) const {
-  return std::max(0.0, startEnergy - lifted_) + ofFall * weight_;
+  return std::max(0.0, startEnergy - lifted_) + ofFall * weight_ + rounding_;
 }
 
 bool EnergyGuard::grew(const StepEnergy& energy, double work, bool again, StepMemory& memory) const {

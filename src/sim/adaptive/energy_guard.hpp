@@ -26,9 +26,9 @@ double slowDown(const ClothModel& model, const std::vector<std::vector<std::size
 ///   pins or settings, does not count.
 class EnergyGuard {
  public:
-  /// Looks at the cloth before a step.
+  /// Looks at the cloth before a step. @param roundoff the unit roundoff of the numbers it is calculated with [-]
   void begin(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-             const ClothState& state);
+             const ClothState& state, double roundoff);
 
   /// Whether the energy that it starts with, under this plan, is what the step before ended with.
   [[nodiscard]] bool knowsStart(const StepPlan& plan, const StepMemory& memory) const;
@@ -46,6 +46,7 @@ class EnergyGuard {
 
   ModelCache<std::vector<std::vector<std::size_t>>> pieces_;
   double weight_ = 0.0;     // m g D, what falling by the cloth's own size sets free [J]
+  double rounding_ = 0.0;   // what rounding alone may look like, times what it is held against [J]
   double lifted_ = 0.0;     // potential energy at the start [J]
   std::uint64_t mark_ = 0;  // of the state and the settings that the step begins with
   bool fades_ = false;      // damping or air take energy

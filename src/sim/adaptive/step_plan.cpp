@@ -23,8 +23,9 @@ constexpr double passesOfFourthOrder = 2.0;
 constexpr double enoughStiffness = 0.5;
 /// The same where damping is taken by itself: its stages bear h omega = 1.62 at the worst of all rates.
 constexpr double heldBeside = 1.5;
-/// Stages of damping in a substep, at most: rounding grows with their square.
-constexpr double mostStages = 100.0;
+/// Stages of damping in a substep, at most: rounding grows with their square. In float, and in double.
+constexpr double mostStagesInFloat = 100.0;
+constexpr double mostStages = 10000.0;
 constexpr double fewestPasses = 4.0;
 /// Passes of a first step, about which nothing is known yet: on the safe side.
 constexpr double firstPasses = 64.0;
@@ -34,23 +35,6 @@ constexpr double mostOfLimit = 8.0;
 
 bool dependsOnPositionsAlone(const StepParameters& parameters, const StepInputs& inputs) {
   return parameters.damping == 0.0 && parameters.drag == 0.0 && parameters.lift == 0.0 && !inputs.grab;
-}
-
-/// The largest coordinate [m]. In eight maxima, since in one each comparison would wait for the one before.
-double farthestOf(const std::vector<Vec3>& positions) {
-  constexpr std::size_t lanes = 8;
-  std::array<double, lanes> most{};
-  const double* const values = positions.empty() ? nullptr : positions.front().data();
-  const std::size_t count = 3 * positions.size();
-  for (std::size_t i = 0; i + lanes <= count; i += lanes) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      most[lane] = std::max(most[lane], std::abs(values[i + lane]));
-    }
-  }
-  for (std::size_t i = count - count % lanes; i < count; ++i) {
-    most[0] = std::max(most[0], std::abs(values[i]));
-  }
-  return *std::max_element(most.begin(), most.end());
 }
 
 /// The value that no more than one in so many exceed; 0 of none.
@@ -145,6 +129,23 @@ StepPlan barelyHeldPlan(const ClothModel& model, const LocalRates& rates, const 
 
 }  // namespace
 
+// In eight maxima, since in one each comparison would wait for the one before.
+double farthestOf(const std::vector<Vec3>& positions) {
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> most{};
+  const double* const values = positions.empty() ? nullptr : positions.front().data();
+  const std::size_t count = 3 * positions.size();
+  for (std::size_t i = 0; i + lanes <= count; i += lanes) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      most[lane] = std::max(most[lane], std::abs(values[i + lane]));
+    }
+  }
+  for (std::size_t i = count - count % lanes; i < count; ++i) {
+    most[0] = std::max(most[0], std::abs(values[i]));
+  }
+  return *std::max_element(most.begin(), most.end());
+}
+
 LocalRates localRatesOf(const ClothModel& model) {
   LocalRates rates;
   std::vector<double> free;
@@ -225,6 +226,10 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   withLevels.levels = true;
   withLevels.softens = true;
   return withLevels;
+}
+
+bool dampingRounds(const ClothModel& model, const StepParameters& parameters) {
+  return dampedOver(model, parameters) > mostStagesInFloat * mostStagesInFloat;
 }
 
 bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,

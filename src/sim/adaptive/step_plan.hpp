@@ -20,6 +20,9 @@ struct LocalRates {
 
 [[nodiscard]] LocalRates localRatesOf(const ClothModel& model);
 
+/// The largest coordinate [m].
+[[nodiscard]] double farthestOf(const std::vector<Vec3>& positions);
+
 /// The explicit schemes. Either is symplectic and reversible where forces depend on positions alone.
 enum class ExplicitScheme {
   Verlet,  ///< second order, one pass over the springs
@@ -75,6 +78,9 @@ struct StepPlan {
 /// Depends on its arguments alone.
 [[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                 const StepInputs& inputs, const StepMemory& memory);
+
+/// True when damping may take so many stages in a substep that float is too coarse for them.
+[[nodiscard]] bool dampingRounds(const ClothModel& model, const StepParameters& parameters);
 
 /// True when rounding to float would warm the cloth up noticeably. A substep h rounds each place by up to
 /// d = 2^-24 |x|, which is worth about c m omega^2 d^2 / 2 on stiff springs; c = 0.02 was measured (docs/auto.md).

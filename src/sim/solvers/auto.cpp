@@ -12,6 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace drape {
@@ -78,7 +79,7 @@ class AdaptiveStep {
  private:
   void take(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
             const StepInputs& inputs, StepPlan plan, ClothState& state, StepChoice& choice) {
-    guard_.begin(model, rates, parameters, state);
+    guard_.begin(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()));
     for (int retake = 0; retake <= mostRetakes; ++retake) {
       if (inputs.mayStop != nullptr) {
         (*inputs.mayStop)();
@@ -228,7 +229,8 @@ class AutoSolver final : public Solver {
       return {.choice = StepChoice{.substeps = 0, .passes = 0, .resting = true}};
     }
     const LocalRates& rates = rates_.get(model, localRatesOf);
-    const bool exact = parameters.precision == Precision::Double || roundingHeats(model, rates, parameters, state);
+    const bool exact = parameters.precision == Precision::Double || dampingRounds(model, parameters) ||
+                       roundingHeats(model, rates, parameters, state);
     return exact ? double_.step(model, rates, parameters, inputs, state)
                  : single_.step(model, rates, parameters, inputs, state);
   }

@@ -218,6 +218,32 @@ TEST(Auto, keepsToItsToleranceUnderStrongDampingWithoutSubstepsForIt) {
   }
 }
 
+TEST(Auto, leavesClothAloneThatIsAtRestWithoutGravity) {
+  // Out of line, so that no length is exact.
+  ClothMesh mesh = testing::sheet(9);
+  testing::RandomVectors random(3);
+  for (Vec3& position : mesh.positions) {
+    position += random.next(0.02);
+  }
+  const auto model = buildClothModel(mesh, 0.1, MassLumping::Area, {0, 8});
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    for (const double damping : {0.0, 1.0}) {
+      StepParameters parameters;
+      parameters.gravity = 0.0;
+      parameters.stiffness = 1e4;
+      parameters.damping = damping;
+      parameters.precision = precision;
+      ClothState state = stateAtRest(model->restPositions);
+      Stepper stepper("auto");
+      for (int step = 0; step < 10; ++step) {
+        const StepReport report = stepper.step(*model, parameters, {}, state);
+        EXPECT_EQ(report.choice->retaken, 0) << "step " << step;
+      }
+      EXPECT_LT(meanDistanceOf(state, stateAtRest(model->restPositions)), 1e-6);
+    }
+  }
+}
+
 TEST(Auto, goesOnFromACopyOfTheStateToTheSameBits) {
   const auto model = pinnedSheet(17);
   StepParameters parameters = withPasses(*model, 1000.0, 100.0);
