@@ -1,10 +1,10 @@
 #include "sim/adaptive/adaptive_run.hpp"
 
+#include "sim/adaptive/lane_sum.hpp"
 #include "sim/adaptive/slot_stiffness.hpp"
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 
 namespace drape {
@@ -31,7 +31,7 @@ std::span<const Stage> stagesOf(ExplicitScheme scheme) {
 }
 
 /// Of what the springs are held to, for the levels above them: they move the same vertices.
-constexpr double partOfLevels = 0.78;
+constexpr double partOfLevels = 0.7;
 
 /// A thread that is alone may be ended after so many substeps; several would wait for the one that was.
 constexpr int askEvery = 64;
@@ -73,10 +73,10 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
     move(model, inputs, plan, substep, share);
     measure(plan, endEnergy_, endCoarse_, share);
   });
-  return {.first = sumOf(firstEnergy_) + firstCoarse_,
-          .last = sumOf(lastEnergy_) + lastCoarse_,
-          .start = measureStart ? sumOf(startEnergy_) + startCoarse_ : 0.0,
-          .end = sumOf(endEnergy_) + endCoarse_};
+  return {.first = sumOfLanes(firstEnergy_) + firstCoarse_,
+          .last = sumOfLanes(lastEnergy_) + lastCoarse_,
+          .start = measureStart ? sumOfLanes(startEnergy_) + startCoarse_ : 0.0,
+          .end = sumOfLanes(endEnergy_) + endCoarse_};
 }
 
 template <typename T>
@@ -194,18 +194,6 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
   }
   still.energy = energy.data();
   kick(still, plan, T(0), &coarseEnergy, share);
-}
-
-template <typename T>
-double AdaptiveRun<T>::sumOf(const std::vector<T>& energy) const {
-  // In lanes, since one sum after the other waits for each addition.
-  std::array<double, sliceLanes> lanes{};
-  for (std::size_t i = 0; i < energy.size(); i += sliceLanes) {
-    for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
-      lanes[lane] += static_cast<double>(energy[i + lane]);
-    }
-  }
-  return std::accumulate(lanes.begin(), lanes.end(), 0.0);
 }
 
 template <typename T>

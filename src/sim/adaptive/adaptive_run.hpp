@@ -57,7 +57,6 @@ class AdaptiveRun {
   void kick(const SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy, const StepShare& share);
   void damp(double drift, const StepShare& share);
   void measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy, const StepShare& share);
-  [[nodiscard]] double sumOf(const std::vector<T>& energy) const;
 
   ThreadTeam team_;
   SlicedClothCache<T> cloths_;

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-constexpr int fewestGroups = 4;  // a level of fewer vertices is not gathered any further
+constexpr int fewestGroups = 12;  // a level of fewer vertices is not gathered any further
 
 std::span<const SpringEnd> endsOf(const ClothModel& model, std::size_t vertex) {
   const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
@@ -16,85 +16,163 @@ std::span<const SpringEnd> endsOf(const ClothModel& model, std::size_t vertex) {
   return {model.springEnds.values.data() + begin, end - begin};
 }
 
-/// Ring by ring, so that groups lie next to each other and few vertices are left over.
-std::vector<std::size_t> ringOrder(const ClothModel& model) {
-  std::vector<std::size_t> order;
-  std::vector<bool> seen(model.restPositions.size(), false);
-  for (std::size_t first = 0; first < seen.size(); ++first) {
-    if (seen[first]) {
-      continue;
+/// One list a vertex: those that an edge of the rim leads to, an edge that a single triangle has.
+using RimEnds = std::vector<std::vector<int>>;
+
+RimEnds rimOf(const ClothModel& model) {
+  std::vector<std::pair<int, int>> edges;
+  for (const Triangle& triangle : model.triangles) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      edges.emplace_back(std::minmax({triangle[corner], triangle[(corner + 1) % 3]}));
     }
-    seen[first] = true;
-    order.push_back(first);
-    for (std::size_t next = order.size() - 1; next < order.size(); ++next) {
-      for (const SpringEnd& end : endsOf(model, order[next])) {
-        const auto j = static_cast<std::size_t>(end.neighbour);
-        if (!seen[j]) {
-          seen[j] = true;
-          order.push_back(j);
+  }
+  std::sort(edges.begin(), edges.end());
+  RimEnds rim(model.restPositions.size());
+  for (auto same = edges.begin(); same != edges.end();) {
+    const auto next = std::find_if(same, edges.end(), [&](const auto& edge) { return edge != *same; });
+    if (next - same == 1) {
+      rim[static_cast<std::size_t>(same->first)].push_back(same->second);
+      rim[static_cast<std::size_t>(same->second)].push_back(same->first);
+    }
+    same = next;
+  }
+  return rim;
+}
+
+/// The rim of the groups: where the rim below leads from one to another.
+RimEnds rimOf(const RimEnds& below, const std::vector<int>& groupOf, std::size_t groups) {
+  RimEnds rim(groups);
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    for (const int j : below[i]) {
+      if (groupOf[i] != groupOf[static_cast<std::size_t>(j)]) {
+        rim[static_cast<std::size_t>(groupOf[i])].push_back(groupOf[static_cast<std::size_t>(j)]);
+      }
+    }
+  }
+  for (std::vector<int>& ends : rim) {
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  }
+  return rim;
+}
+
+/// Along the rim first, from what is pinned, then inwards ring by ring: groups lie in rows along free edges.
+class VisitOrder {
+ public:
+  VisitOrder(const ClothModel& model, const RimEnds& rim) : model_(model), rim_(rim), seen_(rim.size(), false) {
+    begin([&](std::size_t i) { return model.pinned[i]; });
+    begin([&](std::size_t i) { return !rim[i].empty(); });
+    goInwards(0);
+    for (std::size_t i = 0; i < seen_.size(); ++i) {  // what no rim and no pin leads to
+      const std::size_t first = order_.size();
+      add(i);
+      goInwards(first);
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+
+ private:
+  void add(std::size_t i) {
+    if (!seen_[i]) {
+      seen_[i] = true;
+      order_.push_back(i);
+    }
+  }
+
+  template <typename Is>
+  void begin(Is&& is) {
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      if (is(i) && !seen_[i]) {
+        std::size_t next = order_.size();
+        add(i);
+        for (; next < order_.size(); ++next) {
+          for (const int j : rim_[order_[next]]) {
+            add(static_cast<std::size_t>(j));
+          }
         }
       }
     }
   }
-  return order;
-}
 
-class Grouping {
- public:
-  explicit Grouping(const ClothModel& model) : model_(model), groupOf_(model.restPositions.size(), -1) {
-    const std::vector<std::size_t> order = ringOrder(model);
-    for (const std::size_t i : order) {
-      gatherRing(i);
-    }
-    const std::vector<int> rings = groupOf_;
-    for (const std::size_t i : order) {
-      if (rings[i] < 0) {
-        const int nearest = nearestGroup(i, rings);
-        groupOf_[i] = nearest < 0 ? count_++ : nearest;
+  void goInwards(std::size_t next) {
+    for (; next < order_.size(); ++next) {
+      for (const SpringEnd& end : endsOf(model_, order_[next])) {
+        add(static_cast<std::size_t>(end.neighbour));
       }
     }
+  }
+
+  const ClothModel& model_;
+  const RimEnds& rim_;
+  std::vector<bool> seen_;
+  std::vector<std::size_t> order_;
+};
+
+/// Seeds of which no two are tied, as many as there is room for; every other vertex goes with the nearest seed that it
+/// is tied to, along the rim if it lies there.
+class Grouping {
+ public:
+  Grouping(const ClothModel& model, const RimEnds& rim) : model_(model), rim_(rim), seed_(rim.size(), false) {
+    const std::vector<std::size_t> order = VisitOrder(model, rim).order();
+    std::vector<bool> taken(rim.size(), false);
+    for (const std::size_t i : order) {
+      if (!taken[i]) {
+        seed_[i] = true;
+        for (const SpringEnd& end : endsOf(model, i)) {
+          taken[static_cast<std::size_t>(end.neighbour)] = true;
+        }
+      }
+    }
+    for (const std::size_t i : order) {
+      seed_[i] = seed_[i] || seedOf(i) < 0;
+    }
+    number();
   }
 
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] std::vector<int> take() { return std::move(groupOf_); }
 
  private:
-  /// A vertex and its neighbours, when none of them has a group yet.
-  void gatherRing(std::size_t i) {
-    const auto alike = [&](const SpringEnd& end) {
-      return model_.pinned[static_cast<std::size_t>(end.neighbour)] == model_.pinned[i];
-    };
-    const auto ends = endsOf(model_, i);
-    const bool taken = groupOf_[i] >= 0 || std::any_of(ends.begin(), ends.end(), [&](const SpringEnd& end) {
-                         return alike(end) && groupOf_[static_cast<std::size_t>(end.neighbour)] >= 0;
-                       });
-    if (taken) {
-      return;
-    }
-    groupOf_[i] = count_;
-    for (const SpringEnd& end : ends) {
-      if (alike(end)) {
-        groupOf_[static_cast<std::size_t>(end.neighbour)] = count_;
+  /// In the order of the vertices, so that a regular cloth has regular groups.
+  void number() {
+    groupOf_.assign(seed_.size(), -1);
+    for (std::size_t i = 0; i < seed_.size(); ++i) {
+      if (seed_[i]) {
+        groupOf_[i] = count_++;
       }
     }
-    ++count_;
+    for (std::size_t i = 0; i < seed_.size(); ++i) {
+      if (!seed_[i]) {
+        groupOf_[i] = groupOf_[static_cast<std::size_t>(seedOf(i))];
+      }
+    }
   }
 
-  [[nodiscard]] int nearestGroup(std::size_t i, const std::vector<int>& rings) const {
+  /// The seed that a vertex goes with; -1: there is none next to it. Pinned and free ones never go together.
+  [[nodiscard]] int seedOf(std::size_t i) const {
     int nearest = -1;
     double distance = std::numeric_limits<double>::max();
-    for (const SpringEnd& end : endsOf(model_, i)) {
-      const auto j = static_cast<std::size_t>(end.neighbour);
-      const double length = model_.springs[static_cast<std::size_t>(end.spring)].restLength;
-      if (rings[j] >= 0 && model_.pinned[j] == model_.pinned[i] && length < distance) {
-        nearest = rings[j];
+    const auto look = [&](int neighbour) {
+      const auto j = static_cast<std::size_t>(neighbour);
+      const double length = (model_.restPositions[i] - model_.restPositions[j]).norm();
+      if (seed_[j] && model_.pinned[j] == model_.pinned[i] && length < distance) {
+        nearest = neighbour;
         distance = length;
+      }
+    };
+    std::for_each(rim_[i].begin(), rim_[i].end(), look);
+    if (nearest < 0) {
+      for (const SpringEnd& end : endsOf(model_, i)) {
+        look(end.neighbour);
       }
     }
     return nearest;
   }
 
   const ClothModel& model_;
+  const RimEnds& rim_;
+  std::vector<bool> seed_;
   std::vector<int> groupOf_;
   int count_ = 0;
 };
@@ -137,8 +215,8 @@ RaggedRows<SpringEnd> endsOfSprings(const std::vector<Spring>& springs, std::siz
   return ends;
 }
 
-CoarseLevel levelAbove(const ClothModel& model) {
-  Grouping grouping(model);
+CoarseLevel levelAbove(const ClothModel& model, const RimEnds& rim) {
+  Grouping grouping(model, rim);
   const auto count = static_cast<std::size_t>(grouping.count());
   CoarseLevel level;
   level.groupOf = grouping.take();
@@ -168,11 +246,13 @@ CoarseLevel levelAbove(const ClothModel& model) {
 std::vector<CoarseLevel> buildCoarseLevels(const ClothModel& model) {
   std::vector<CoarseLevel> levels;
   const ClothModel* below = &model;
+  RimEnds rim = rimOf(model);
   while (below->vertexCount() > fewestGroups) {
-    CoarseLevel level = levelAbove(*below);
+    CoarseLevel level = levelAbove(*below, rim);
     if (level.cloth->springs.empty() || level.cloth->vertexCount() == below->vertexCount()) {
       break;
     }
+    rim = rimOf(rim, level.groupOf, level.cloth->restPositions.size());
     levels.push_back(std::move(level));
     below = levels.back().cloth.get();
   }

@@ -18,8 +18,9 @@ struct CoarseLevel {
 };
 
 /// Levels from fine to coarse, from the rest shape and the pins alone; the last one has no more than a few groups.
-/// Groups are aggregates as in algebraic multigrid (Vanek, Mandel and Brezina, 1996): a vertex and its neighbours, none
-/// of them in a group yet, then what is left over to the nearest group next to it. About a seventh of the members.
+/// A quarter to a third of the members are seeds, a maximal independent set that is begun along the rim, and every
+/// other goes with the nearest seed next to it. Along a free edge the groups so stand in a row: tension in a row that
+/// goes to and fro would find the slack in it (docs/auto.md).
 [[nodiscard]] std::vector<CoarseLevel> buildCoarseLevels(const ClothModel& model);
 
 }  // namespace drape

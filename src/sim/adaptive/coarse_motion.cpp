@@ -1,10 +1,10 @@
 #include "sim/adaptive/coarse_motion.hpp"
 
+#include "sim/adaptive/lane_sum.hpp"
 #include "sim/adaptive/slot_stiffness.hpp"
 #include "sim/stability.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace drape {
 template <typename T>
@@ -33,16 +33,11 @@ void CoarseMotion<T>::addLevel(const CoarseLevel& source, const ClothModel& belo
     level.groupAt[place] = group;
     members[static_cast<std::size_t>(group)].push_back(static_cast<int>(place));
   }
-  level.memberBegin.push_back(0);
-  for (std::size_t group = 0; group < groups; ++group) {
-    const double mass = source.cloth->vertexMass[static_cast<std::size_t>(own.order[group])];
-    for (const int place : members[group]) {
-      const auto vertex = static_cast<std::size_t>(belowLayout.order[static_cast<std::size_t>(place)]);
-      level.members.push_back(place);
-      level.weights.push_back(static_cast<T>(below.vertexMass[vertex] / mass));
-    }
-    level.memberBegin.push_back(static_cast<int>(level.members.size()));
-  }
+  const auto weightOf = [&](std::size_t group, int place) {
+    const auto vertex = static_cast<std::size_t>(belowLayout.order[static_cast<std::size_t>(place)]);
+    return below.vertexMass[vertex] / source.cloth->vertexMass[static_cast<std::size_t>(own.order[group])];
+  };
+  level.members.fill(members, weightOf, level.groupAt.size());
   for (std::size_t group = 0; group < groups; ++group) {
     level.rates.push_back(source.cloth->pinned[group] ? 0.0 : unitFrequencySquared(*source.cloth, group));
   }
@@ -67,28 +62,11 @@ int CoarseMotion<T>::setStiffness(double stiffness, double missing, double carri
 }
 
 template <typename T>
-void CoarseMotion<T>::gather(const LaneVectors<T>& from, Level& level) const {
-  for (std::size_t group = 0; group + 1 < level.memberBegin.size(); ++group) {
-    T x = 0;
-    T y = 0;
-    T z = 0;
-    for (int m = level.memberBegin[group]; m < level.memberBegin[group + 1]; ++m) {
-      const int place = level.members[static_cast<std::size_t>(m)];
-      const T weight = level.weights[static_cast<std::size_t>(m)];
-      x += weight * from.x.data()[place];
-      y += weight * from.y.data()[place];
-      z += weight * from.z.data()[place];
-    }
-    level.cloth.position.set(group, x, y, z);
-  }
-}
-
-template <typename T>
 void CoarseMotion<T>::accelerate(const SlicedCloth<T>& fine, bool measure) {
   const LaneVectors<T>* from = &fine.position;
   for (int l = 0; l < active_; ++l) {
     Level& level = levels_[static_cast<std::size_t>(l)];
-    gather(*from, level);
+    gatherMeans(*from, level.members, level.cloth.position);
     from = &level.cloth.position;
   }
   for (int l = active_ - 1; l >= 0; --l) {
@@ -108,7 +86,7 @@ double CoarseMotion<T>::energy() const {
   double sum = 0.0;
   for (int l = 0; l < active_; ++l) {
     const Level& level = levels_[static_cast<std::size_t>(l)];
-    sum = std::accumulate(level.energy.begin(), level.energy.end(), sum);
+    sum += sumOfLanes(level.energy);
   }
   return sum;
 }

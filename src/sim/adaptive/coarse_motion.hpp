@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/adaptive/coarse_levels.hpp"
+#include "sim/simd/group_means.hpp"
 #include "sim/simd/sliced_cloth.hpp"
 
 #include <cstdint>
@@ -37,16 +38,13 @@ class CoarseMotion {
   struct Level {
     SlicedCloth<T> cloth;
     std::vector<std::int32_t> groupAt = {};  // one a place of the level below, and as many more as fill its last slice
-    std::vector<int> memberBegin = {};       // groups + 1 entries
-    std::vector<int> members = {};           // places of the level below
-    std::vector<T> weights = {};             // of the members in the mean, summing to 1
+    GroupMembers<T> members = {};            // places of the level below
     std::vector<double> rates = {};          // omega^2 / k of each group [1/kg]
     std::vector<SliceNumbers<T>> stiffness = {};
     std::vector<T> energy = {};
   };
 
   void addLevel(const CoarseLevel& source, const ClothModel& below, const SliceLayout& belowLayout);
-  void gather(const LaneVectors<T>& from, Level& level) const;
 
   std::vector<Level> levels_;
   int active_ = 0;

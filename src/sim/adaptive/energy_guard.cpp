@@ -2,6 +2,7 @@
 
 #include "sim/inner_motion.hpp"
 #include "sim/pieces.hpp"
+#include "sim/simd/convert.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,15 +16,9 @@ std::uint64_t bitsOf(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
-/// A sum over all bits, so that a change of any one shows.
 std::uint64_t sumOf(const std::vector<Vec3>& vectors) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
-  const double* values = vectors.empty() ? nullptr : vectors.front().data();
-  std::uint64_t sum = 0;
-  for (std::size_t i = 0; i < 3 * vectors.size(); ++i) {
-    sum += bitsOf(values[i]);
-  }
-  return sum;
+  return vectors.empty() ? 0 : sumOfBits(vectors.front().data(), 3 * vectors.size());
 }
 
 /// Mass times height, in four sums, since in one each addition would wait for the one before.

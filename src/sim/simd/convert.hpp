@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace drape {
 
@@ -17,5 +18,8 @@ void splitCoordinates(const double* from, std::size_t count, const Coordinates<f
 void splitCoordinates(const double* from, std::size_t count, const Coordinates<double>& to);
 void joinCoordinates(const Coordinates<float>& from, std::size_t count, double* to);
 void joinCoordinates(const Coordinates<double>& from, std::size_t count, double* to);
+
+/// The sum of the bit patterns of so many numbers, modulo 2^64: a change of any one number shows.
+[[nodiscard]] std::uint64_t sumOfBits(const double* values, std::size_t count);
 
 }  // namespace drape

@@ -9,6 +9,7 @@
 #include "sim/simd/slice_layout.hpp"
 
 #include <hwy/highway.h>
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace drape {
@@ -88,6 +89,21 @@ void joinDouble(const Coordinates<double>& from, std::size_t count, double* to) 
   join(from, count, to);
 }
 
+std::uint64_t sumBits(const double* values, std::size_t count) {
+  const hn::ScalableTag<std::uint64_t> d;
+  const std::size_t lanes = hn::Lanes(d);
+  auto sum = hn::Zero(d);
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    sum = hn::Add(sum, hn::BitCast(d, hn::LoadU(hn::RebindToFloat<decltype(d)>(), values + i)));
+  }
+  std::uint64_t all = hn::GetLane(hn::SumOfLanes(d, sum));
+  for (; i < count; ++i) {
+    all += std::bit_cast<std::uint64_t>(values[i]);
+  }
+  return all;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace drape
 HWY_AFTER_NAMESPACE();
@@ -99,6 +115,7 @@ HWY_EXPORT(splitFloat);
 HWY_EXPORT(splitDouble);
 HWY_EXPORT(joinFloat);
 HWY_EXPORT(joinDouble);
+HWY_EXPORT(sumBits);
 
 void splitCoordinates(const double* from, std::size_t count, const Coordinates<float>& to) {
   HWY_DYNAMIC_DISPATCH(splitFloat)(from, count, to);
@@ -114,6 +131,10 @@ void joinCoordinates(const Coordinates<float>& from, std::size_t count, double* 
 
 void joinCoordinates(const Coordinates<double>& from, std::size_t count, double* to) {
   HWY_DYNAMIC_DISPATCH(joinDouble)(from, count, to);
+}
+
+std::uint64_t sumOfBits(const double* values, std::size_t count) {
+  return HWY_DYNAMIC_DISPATCH(sumBits)(values, count);
 }
 
 }  // namespace drape

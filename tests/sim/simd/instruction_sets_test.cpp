@@ -49,6 +49,7 @@ struct Kind {
   Precision precision = Precision::Float;
   ForceDerivative derivative = ForceDerivative::Stabilised;
   double damping = testing::windyStep().damping;  // [N s/m]
+  bool levels = false;                            // springs so stiff for the work that coarse levels carry them
 };
 
 std::vector<Kind> kinds() {
@@ -65,6 +66,7 @@ std::vector<Kind> kinds() {
     all.push_back({"xpbd", 1, precision});
     all.push_back({.solver = "auto", .precision = precision});
     all.push_back({.solver = "auto", .precision = precision, .damping = 0.1});
+    all.push_back({.solver = "auto", .precision = precision, .levels = true});
   }
   return all;
 }
@@ -75,6 +77,11 @@ ClothState stepsWith(const Kind& kind, const ClothModel& model, int steps) {
   parameters.precision = kind.precision;
   parameters.derivative = kind.derivative;
   parameters.damping = kind.damping;
+  if (kind.levels) {
+    parameters.stiffness = 5e3;
+    parameters.work = 0.001;
+    parameters.soften = true;
+  }
   StepInputs inputs;
   inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20.0, 2.0};
   ClothState state = testing::shaken(model, 0.003, 3);
@@ -118,8 +125,8 @@ TEST(InstructionSets, agreeWithinRoundingWhereTheyHaveNone) {
       for (const std::int64_t set : sets) {
         const OnlyInstructions only(set);
         const ClothState state = stepsWith(kind, *model, 1);
-        const bool single = kind.precision == Precision::Float;
-        EXPECT_LT(largestDifference(state, expected), single ? 2e-4 : 1e-12)
+        const double rounding = kind.precision == Precision::Float ? 2e-4 : 1e-12;
+        EXPECT_LT(largestDifference(state, expected), kind.levels ? 10.0 * rounding : rounding)
             << kind.solver << ", " << kind.sweeps << " sweeps, " << hwy::TargetName(set);
         if (kind.solver == "one_iteration") {
           EXPECT_NE(stateHash(state), stateHash(expected)) << "the other instructions should have been used";
