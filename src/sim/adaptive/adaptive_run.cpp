@@ -48,6 +48,7 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
                                bool measureStart) {
   cloth_ = &cloths_.get(model);
   step_ = sliceStepOf<T>(parameters);
+  step_.holdsLift = true;
   const double substep = parameters.timeStep / plan.substeps;
   damping_ = {static_cast<T>(substep * parameters.damping), plan.dampingStages, &gain_};
   if (plan.dampingStages > 0) {

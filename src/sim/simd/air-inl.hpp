@@ -93,12 +93,22 @@ HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>
   const auto facing = dot(normal, relative);
   const auto q = hn::Abs(facing);
   const auto surface = hn::LoadU(d, cloth.area.data() + i);
-  const auto lift = hn::Mul(hn::Mul(surface, hn::Set(d, step.lift)), hn::Sub(speed, q));  // K_L (s - q)
+  const auto mass = hn::LoadU(d, cloth.mass.data() + i);
+  auto lift = hn::Mul(hn::Mul(surface, hn::Set(d, step.lift)), hn::Sub(speed, q));  // K_L (s - q)
   const auto drag = hn::Mul(hn::Mul(surface, hn::Set(d, step.drag)), q);
+  auto side = facing;
+  if (step.holdsLift) {
+    // The side, and the force that would stop the vertex across itself, are those of where all else takes it.
+    const auto push = hn::Div(hn::Set(d, step.timeStep), mass);
+    side = hn::MulAdd(push, hn::NegMulAdd(drag, facing, dot(normal, force)), facing);
+    const auto strength = hn::Mul(lift, speed);
+    const auto held = hn::Div(hn::Div(hn::Abs(side), push), strength);
+    lift = hn::IfThenElseZero(hn::Gt(strength, zero), hn::Mul(lift, hn::Min(held, hn::Set(d, T(1)))));
+  }
   const auto along = hn::MulSub(hn::Mul(lift, q), hn::Mul(inverse, size), drag);
   Lanes3<D> air = scaled(relative, along);
-  air = multiplyAdd(normal, hn::Neg(hn::Mul(hn::CopySign(lift, facing), speed)), air);
-  const auto limit = hn::Mul(hn::LoadU(d, cloth.mass.data() + i), hn::Mul(speed, hn::Set(d, T(1) / step.timeStep)));
+  air = multiplyAdd(normal, hn::Neg(hn::Mul(hn::CopySign(lift, side), speed)), air);
+  const auto limit = hn::Mul(mass, hn::Mul(speed, hn::Set(d, T(1) / step.timeStep)));
   const auto strength = dot(air, air);
   const auto excessive = hn::Gt(strength, hn::Mul(limit, limit));
   if (HWY_UNLIKELY(!hn::AllFalse(d, excessive))) {

@@ -218,6 +218,58 @@ TEST(Auto, keepsToItsToleranceUnderStrongDampingWithoutSubstepsForIt) {
   }
 }
 
+TEST(Auto, doesNotLetLiftTurnTheSideThatClothFacesTheWindWith) {
+  ClothMesh mesh;
+  mesh.positions = {Vec3(0.0, 0.0, 0.0), Vec3(0.1, 0.0, 0.0), Vec3(0.0, 0.0, -0.1)};
+  mesh.triangles = {{0, 1, 2}};
+  const auto model = buildClothModel(mesh, 0.001, MassLumping::Uniform, {});
+  StepParameters parameters;
+  parameters.gravity = 0.0;
+  parameters.lift = 1.0;
+  parameters.airDensity = 1000.0;
+  parameters.wind = Vec3(10.0, 0.0, 0.0);
+  for (const double rising : {0.1, -0.1}) {
+    ClothState state = stateAtRest(model->restPositions);
+    for (Vec3& velocity : state.velocities) {
+      velocity.y() = rising;
+    }
+    Stepper stepper("auto");
+    for (int step = 0; step < 5; ++step) {
+      stepper.step(*model, parameters, {}, state);
+      for (const Vec3& velocity : state.velocities) {
+        EXPECT_LT(std::abs(velocity.y()), 1e-6) << "it lies along the wind, and stays so";
+      }
+    }
+  }
+}
+
+TEST(Auto, isNearTheConvergedMotionOfAFlagInHeavyAir) {
+  ClothMesh mesh = testing::sheet(9);
+  for (Vec3& position : mesh.positions) {
+    position = Vec3(position.x(), -position.z(), 0.0);
+  }
+  const auto model = buildClothModel(mesh, 0.15, MassLumping::Area, {0, 9, 18, 27, 36, 45, 54, 63, 72});
+  StepParameters parameters;
+  parameters.timeStep = frame;
+  parameters.drag = 0.5;
+  parameters.lift = 0.3;
+  parameters.airDensity = 100.0;
+  parameters.wind = Vec3(8.0, 0.0, 2.0);
+  const auto after = [&](const char* solver, int substeps) {
+    parameters.substeps = substeps;
+    Stepper stepper(solver);
+    ClothState state = stateAtRest(model->restPositions);
+    for (int step = 0; step < 15; ++step) {
+      stepper.step(*model, parameters, {}, state);
+    }
+    return state;
+  };
+  const ClothState converged = after("verlet", 10000);
+  const double error = meanDistanceOf(after("auto", 1), converged);
+  EXPECT_LT(error, 2e-3);
+  EXPECT_LT(error, 0.1 * meanDistanceOf(after("verlet", 64), converged)) << "as many substeps as auto takes at most";
+}
+
 TEST(Auto, leavesClothAloneThatIsAtRestWithoutGravity) {
   // Out of line, so that no length is exact.
   ClothMesh mesh = testing::sheet(9);
