@@ -1,6 +1,7 @@
-// What auto spends on looking after itself: its steps against as many plain substeps of Verlet.
+// What auto spends on looking after itself and on coarse levels: its steps against as many plain substeps of Verlet.
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
+#include "sim/adaptive/step_plan.hpp"
 #include "sim/solver.hpp"
 #include "sim/stability.hpp"
 
@@ -27,13 +28,13 @@ struct Task {
   }
 };
 
-Batch byAuto(ModelPtr model, Precision precision) {
+Batch byAuto(Task task) {
   struct Run {
     Task task;
     ClothState state;
     std::unique_ptr<Solver> solver = findSolver("auto")->make();
   };
-  auto run = std::make_shared<Run>(Run{Task(std::move(model), precision), {}});
+  auto run = std::make_shared<Run>(Run{std::move(task), {}});
   run->state = stateAtRest(run->task.model->restPositions);
   const auto advance = [run] {
     for (int i = 0; i < cycle; ++i) {
@@ -44,13 +45,13 @@ Batch byAuto(ModelPtr model, Precision precision) {
   return {cycle, [advance] { return threadSeconds(advance); }};
 }
 
-Batch byVerlet(ModelPtr model, Precision precision) {
+Batch byVerlet(Task task) {
   struct Run {
     Task task;
     ClothState state;
     std::unique_ptr<Solver> solver = findSolver("verlet")->make();
   };
-  auto run = std::make_shared<Run>(Run{Task(std::move(model), precision), {}});
+  auto run = std::make_shared<Run>(Run{std::move(task), {}});
   run->state = stateAtRest(run->task.model->restPositions);
   run->task.parameters.timeStep /= run->task.passes;
   return {cycle, [run] {
@@ -65,10 +66,35 @@ Batch byVerlet(ModelPtr model, Precision precision) {
 void addCloth(Suite& suite, const std::string& name, Precision precision, ModelPtr (*make)()) {
   const std::string own = name + ", auto";
   const std::string plain = name + ", its substeps alone";
-  suite.add({"auto", own, "us/step"}, [make, precision] { return byAuto(make(), precision); });
-  suite.add({"auto", plain, "us/step"}, [make, precision] { return byVerlet(make(), precision); });
+  suite.add({"auto", own, "us/step"}, [make, precision] { return byAuto(Task(make(), precision)); });
+  suite.add({"auto", plain, "us/step"}, [make, precision] { return byVerlet(Task(make(), precision)); });
   suite.addRatio(
       {"auto", name + ": auto / its substeps alone", "auto/" + own, "auto/" + plain, Bound{Bound::Side::AtMost, 1.1}});
+}
+
+/// Ten substeps a step, springs held to next to nothing, and coarse levels for the rest.
+void addLevels(Suite& suite, const std::string& name, int resolution) {
+  constexpr int substeps = 10;
+  const auto softened = [resolution] {
+    Task task(grid(resolution), Precision::Float);
+    task.parameters.stiffness = 1e5;
+    task.parameters.soften = true;
+    task.passes = substeps;
+    task.parameters.work = (costWithLevels * substeps + 0.5) * static_cast<double>(task.model->springs.size()) * 1e-6 /
+                           task.parameters.timeStep;
+    return task;
+  };
+  const auto plain = [resolution] {
+    Task task(grid(resolution), Precision::Float);
+    task.parameters.stiffness = 10.0;  // which ten substeps carry, and whose passes take as long
+    task.passes = substeps;
+    return task;
+  };
+  const std::string own = name + ", 10 with levels";
+  const std::string others = name + ", 10 plain substeps";
+  suite.add({"auto", own, "us/step"}, [softened] { return byAuto(softened()); });
+  suite.add({"auto", others, "us/step"}, [plain] { return byVerlet(plain()); });
+  suite.addRatio({"auto", name + ": with levels / plain", "auto/" + own, "auto/" + others});
 }
 
 }  // namespace
@@ -77,6 +103,7 @@ void addAutoGroup(Suite& suite) {
   addCloth(suite, "33x33, float", Precision::Float, [] { return grid(33); });
   addCloth(suite, "33x33, double", Precision::Double, [] { return grid(33); });
   addCloth(suite, "65x65, float", Precision::Float, [] { return grid(65); });
+  addLevels(suite, "33x33, 1e5 N/m", 33);
   // In float auto would go over to double by itself here, because of rounding.
   addCloth(suite, "T-shirt, double", Precision::Double, tshirt);
 }

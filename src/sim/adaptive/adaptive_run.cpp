@@ -31,7 +31,7 @@ std::span<const Stage> stagesOf(ExplicitScheme scheme) {
 }
 
 /// Of what the springs are held to, for the levels above them: they move the same vertices.
-constexpr double partOfLevels = 0.7;
+constexpr double partOfLevels = 0.55;
 
 /// A thread that is alone may be ended after so many substeps; several would wait for the one that was.
 constexpr int askEvery = 64;

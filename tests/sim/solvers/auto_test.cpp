@@ -70,7 +70,7 @@ TEST(Auto, isAsAccurateAsAskedForInFloatWithThirtyPassesAtMost) {
   };
   const auto model = pinnedSheet(33);
   for (const Case each : {Case{10.0, 8.0, 1e-5, 2, false}, Case{10.0, 30.0, 3e-6, 4, false},
-                          Case{1e3, 31.0, 1e-5, 2, false}, Case{1e5, 22.0, 4e-3, 2, true}}) {
+                          Case{1e3, 31.0, 1e-5, 2, false}, Case{1e5, 22.0, 5e-3, 2, true}}) {
     StepParameters parameters = withPasses(*model, each.stiffness, each.passes);
     parameters.precision = Precision::Float;
     StepReport report;
@@ -89,7 +89,7 @@ TEST(Auto, carriesTensionByCoarseLevelsWhereTheBudgetIsATenthOfWhatTheSpringsNee
   StepReport report;
   const ClothState exact = converged(*model, 1e5);
   const double error = meanDistanceOf(fallen("auto", *model, withPasses(*model, 1e5, 34.0), &report), exact);
-  EXPECT_LT(error, 0.003) << "[m]";
+  EXPECT_LT(error, 0.004) << "[m]";
   ASSERT_TRUE(report.choice);
   EXPECT_GE(report.choice->levels, 2);
   EXPECT_EQ(report.choice->substeps, 17) << "with levels each costs two passes";
