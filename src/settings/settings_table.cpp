@@ -38,6 +38,8 @@ struct Word {
   std::string_view word;
   ChoiceLabel label;
 };
+template <typename Enum>
+Word(Enum, std::string_view, ChoiceLabel) -> Word<Enum>;
 
 constexpr std::array integrations{
     Word{Integration::BackwardEuler, "backward_euler", {"Backward Euler", "First order, robust, damps fast motion."}},

@@ -16,7 +16,7 @@ class BodySearch {
   void search(const ClothInBody& cloth, std::size_t begin, std::size_t end, Findings& findings) const;
 
   /// Of a sphere or a capsule.
-  [[nodiscard]] RoundSolid solid() const { return RoundSolid(core_, radius_); }
+  [[nodiscard]] RoundSolid solid() const { return {core_, radius_}; }
 
  private:
   void touchCorners(const ClothInBody& cloth, std::size_t t, const Corners& base, Findings& findings) const;

@@ -25,7 +25,7 @@ void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& posi
     positions = mesh.positions;
     return;
   }
-  const double last = static_cast<double>(mesh.loop ? count : count - 1);
+  const auto last = static_cast<double>(mesh.loop ? count : count - 1);
   double at = time / mesh.frameTime;
   at = mesh.loop ? at - last * std::floor(at / last) : std::clamp(at, 0.0, last);
   const double whole = std::min(std::floor(at), last - 1.0);

@@ -4,6 +4,7 @@
 #include "sim/contact/nearest_search.hpp"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace drape {
@@ -46,7 +47,7 @@ class MeshSolid final : public Solid {
 /// All that is nearer than a radius to a segment or, where its ends are one, to a point: a capsule or a sphere.
 class RoundSolid final : public Solid {
  public:
-  RoundSolid(const std::array<Vec3, 2>& core, double radius) : core_(core), radius_(radius) {}
+  RoundSolid(std::array<Vec3, 2> core, double radius) : core_(std::move(core)), radius_(radius) {}
 
   [[nodiscard]] bool contains(const Vec3& point) override;
   [[nodiscard]] NearPoint nearestExit(const Vec3& point) override;
