@@ -24,10 +24,10 @@ namespace drape {
 /// body carries are taken along before every substep, evenly over the step; to the solver they are at rest, as all
 /// pins.
 ///
-/// A solver that chooses its substeps keeps the energy it finds. Springs that drew cloth into a body over a long step,
-/// and that contact then made longer, would feed it without end. With bodies about, the step of such a solver is taken
-/// in as many rounds, each with its own contact, as the cloth is stiff. The fastest hundredth of its vertices does not
-/// count: a sliver must not make the whole cloth a hundred times as expensive.
+/// With bodies about, a step is taken in rounds of at most 1/300 s, each with its own contact and its share of the
+/// substeps. A solver that chooses its substeps keeps the energy it finds, and is fed by springs that drew cloth into a
+/// body and that contact then made longer. So its rounds are as short as the cloth is stiff, but for the fastest
+/// hundredth of the vertices: a sliver must not make the whole cloth a hundred times as expensive.
 class Stepper {
  public:
   /// Throws InputError when there is no solver of that name.

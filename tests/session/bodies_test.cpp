@@ -96,9 +96,13 @@ TEST(Bodies, aBallThatIsMovedByHandSweepsTheClothAlong) {
   Simulation simulation(hangingSheet());
   advance(simulation, 5);
   simulation.apply(MoveBodyCommand{0, Vec3(0.0, 0.0, 0.45)});
-  advance(simulation, 30);
+  int contacts = 0;
+  for (int i = 0; i < 30; ++i) {
+    simulation.step();
+    contacts = std::max(contacts, simulation.lastStepReport().contact.bodyContacts);
+  }
   EXPECT_EQ(simulation.bodies().shift(0), Vec3(0.0, 0.0, 0.45));
-  EXPECT_GT(simulation.lastStepReport().contact.bodyContacts, 0);
+  EXPECT_GT(contacts, 0);
   EXPECT_GT(meanPosition(simulation).z(), 0.1);
   EXPECT_FALSE(simulation.blewUp());
 }

@@ -83,7 +83,7 @@ TEST(BodyContact, restsOnASphereWithoutCreeping) {
   meeting.parameters.stiffness = 50.0;
   meeting.parameters.damping = 0.02;
   meeting.parameters.drag = 1.0;
-  meeting.run(5.0);
+  meeting.run(11.0);
   const std::vector<Vec3> resting = meeting.state.positions;
   double jitter = 0.0;
   meeting.run(1.0, [&](const StepReport& report) {
