@@ -13,8 +13,7 @@
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 using F = LanesOf<float>;
 using I = hn::Rebind<std::int32_t, F>;
@@ -230,8 +229,7 @@ void push(float thickness, float share, const ContactLanes& contacts, const std:
   }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -11,8 +11,7 @@
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 constexpr std::uint16_t allLanes = 0xFFFF;
 
@@ -20,7 +19,7 @@ constexpr std::uint16_t allLanes = 0xFFFF;
 template <class D>
 HWY_INLINE hn::Mask<D> lanesOfBits(D d, std::uint16_t bits, int lane) {
   std::uint64_t shifted = static_cast<std::uint64_t>(bits) >> static_cast<unsigned>(lane);
-  std::array<std::uint8_t, sizeof(shifted)> bytes;
+  std::array<std::uint8_t, sizeof(shifted)> bytes{};
   std::memcpy(bytes.data(), &shifted, sizeof(shifted));
   return hn::LoadMaskBits(d, bytes.data());
 }
@@ -118,8 +117,7 @@ HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>
   return add(force, air);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

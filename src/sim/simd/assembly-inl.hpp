@@ -10,8 +10,7 @@
 #include "sim/simd/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 /// What a vertex of each lane contributes to the backward-Euler system.
 template <class D>
@@ -62,8 +61,7 @@ HWY_INLINE Assembled<D> assembleRow(D d, const SlicedCloth<T>& cloth, const Slic
           diagonal};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -12,8 +12,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 /// The inverse of a diagonal block, zero where pinned. With an indefinite force derivative a block need not be positive
 /// definite, which a preconditioner must be; its size alone is then taken.
@@ -166,8 +165,7 @@ void conjugateDouble(SlicedCloth<double>& cloth, ConjugateGradients<double>& sys
   ConjugateKernel<double>(cloth, system, step, share).run(phase, factor);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

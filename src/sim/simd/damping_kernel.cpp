@@ -14,8 +14,7 @@
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 template <typename T>
 class DampingKernel {
@@ -94,8 +93,7 @@ void dampDouble(SlicedCloth<double>& cloth, const DampingRun<double>& run, int s
   DampingKernel<double>(cloth, run, stage).run(share);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

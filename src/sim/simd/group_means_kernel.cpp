@@ -12,8 +12,7 @@
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 /// Numbers that a place takes: its coordinates, and one that is never read.
 inline constexpr std::size_t numbers = 4;
@@ -81,8 +80,7 @@ void gatherDouble(const LaneVectors<double>& from, GroupMembers<double>& groups,
   gather(from, groups, means);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

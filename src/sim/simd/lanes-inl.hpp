@@ -11,8 +11,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -439,8 +438,7 @@ HWY_INLINE void addHands(D d, const SliceStep<T>& step, int slice, int lane, Lan
   }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -13,8 +13,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 // | here          | paper                                                                              |
 // |---------------|------------------------------------------------------------------------------------|
@@ -172,8 +171,7 @@ void oneIterationDouble(SlicedCloth<double>& cloth, const SliceStep<double>& ste
   runPhase(cloth, step, share, phase);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

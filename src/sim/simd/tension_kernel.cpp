@@ -11,8 +11,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 template <typename T>
 HWY_INLINE void accelerateLanes(SlicedCloth<T>& level, const TensionStep<T>& step, int slice, int lane) {
@@ -66,8 +65,7 @@ void accelerateDouble(SlicedCloth<double>& level, const TensionStep<double>& ste
   accelerate(level, step);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

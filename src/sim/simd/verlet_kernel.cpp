@@ -12,8 +12,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 /// Stoermer-Verlet: drift by half a step, one evaluation of the forces there, kick, drift by the other half.
 template <typename T>
@@ -145,8 +144,7 @@ void verletDouble(SlicedCloth<double>& cloth, const SliceStep<double>& step, dou
   phase == 0 ? kernel.firstPhase() : kernel.laterPhase();
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -11,8 +11,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape {
-namespace HWY_NAMESPACE {
+namespace drape::HWY_NAMESPACE {
 
 /// Springs of one colour, as many as there are lanes: eqs. 17 and 18 with numerator and denominator times h^2 k.
 template <class D>
@@ -89,8 +88,7 @@ void dampBatches(ConstraintLanes& constraints, float strength, LaneRange range) 
   }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace drape
+}  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
