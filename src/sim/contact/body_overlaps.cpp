@@ -90,27 +90,37 @@ bool BodyContact::overlaps() const {
   return std::any_of(near_.begin(), last, [](const NearBody& near) { return near.overlaps; });
 }
 
-/// For each vertex whether it is on a triangle that meets a body, or a few triangles from such.
+/// For each vertex whether it is on a triangle that meets a body, or a few springs from such.
 std::vector<bool> BodyContact::besideOverlap(const Cloth& cloth, const NearBody& near) {
   const std::vector<Triangle>& triangles = cloth.model.triangles;
-  std::vector<bool> caught = near.meshSearch.pierces(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    caught[t] = (near.mesh != nullptr && caught[t]) ||
-                std::any_of(triangles[t].begin(), triangles[t].end(), [&](int v) { return near.overlap.inside(v); });
-  }
+  const std::vector<bool> pierces = near.meshSearch.pierces(triangles.size());
   std::vector<bool> beside(target_.size(), false);
+  std::vector<int> newest;
+  const auto mark = [&](int v, std::vector<int>& marked) {
+    if (!beside[static_cast<std::size_t>(v)]) {
+      beside[static_cast<std::size_t>(v)] = true;
+      marked.push_back(v);
+    }
+  };
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if ((near.mesh != nullptr && pierces[t]) ||
+        std::any_of(triangles[t].begin(), triangles[t].end(), [&](int v) { return near.overlap.inside(v); })) {
+      std::for_each(triangles[t].begin(), triangles[t].end(), [&](int v) { mark(v, newest); });
+    }
+  }
   const double width = std::sqrt(static_cast<double>(near.overlap.members().size()));  // in triangles, about
   const int rings = calmRings + static_cast<int>(moreRings * width);
-  for (int ring = 0; ring < rings; ++ring) {
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      for (const int v : triangles[t]) {
-        beside[static_cast<std::size_t>(v)] = beside[static_cast<std::size_t>(v)] || caught[t];
+  std::vector<int> next;
+  for (int ring = 1; ring < rings && !newest.empty(); ++ring) {
+    next.clear();
+    for (const int v : newest) {
+      const RaggedRows<SpringEnd>& ends = cloth.model.springEnds;
+      const auto last = static_cast<std::size_t>(ends.begin[static_cast<std::size_t>(v) + 1]);
+      for (auto e = static_cast<std::size_t>(ends.begin[static_cast<std::size_t>(v)]); e < last; ++e) {
+        mark(ends.values[e].neighbour, next);
       }
     }
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      caught[t] = std::any_of(triangles[t].begin(), triangles[t].end(),
-                              [&](int v) { return beside[static_cast<std::size_t>(v)]; });
-    }
+    newest.swap(next);
   }
   return beside;
 }
