@@ -50,11 +50,9 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
   step_ = sliceStepOf<T>(parameters);
   step_.holdsLift = true;
   const double substep = parameters.timeStep / plan.substeps;
-  damping_ = {static_cast<T>(substep * parameters.damping), plan.dampingStages, &gain_};
+  damping_ = {.timedDamping = static_cast<T>(substep * parameters.damping), .stages = plan.dampingStages};
   if (plan.dampingStages > 0) {
-    step_.damping = T(0);
-    step_.settles = false;
-    gain_.resize(cloth_->layout.slices(), false);
+    dampBeside(model, rates);
   }
   hold(model, rates, parameters, plan);
   const auto places = static_cast<std::size_t>(cloth_->layout.slices()) * sliceLanes;
@@ -78,6 +76,21 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
           .last = sumOfLanes(lastEnergy_) + lastCoarse_,
           .start = measureStart ? sumOfLanes(startEnergy_) + startCoarse_ : 0.0,
           .end = sumOfLanes(endEnergy_) + endCoarse_};
+}
+
+/// A few slivers slow nobody else down: they are damped as the stages bear that the others need.
+template <typename T>
+void AdaptiveRun<T>::dampBeside(const ClothModel& model, const LocalRates& rates) {
+  step_.damping = T(0);
+  step_.settles = false;
+  gain_.resize(cloth_->layout.slices(), false);
+  damping_.gain = &gain_;
+  const auto& shares = dampingShares_.get(model, [&](const ClothModel&) {
+    std::vector<SliceNumbers<T>> slots;
+    const auto share = [&](double rate) { return std::min(1.0, rates.mostDamping / rate); };
+    return fillSlots(*cloth_, rates.damping, share, slots) < 1.0 ? slots : std::vector<SliceNumbers<T>>();
+  });
+  damping_.shares = shares.empty() ? nullptr : shares.data();
 }
 
 template <typename T>

@@ -55,6 +55,7 @@ class AdaptiveRun {
   void move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
             const StepShare& share);
   void kick(const SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy, const StepShare& share);
+  void dampBeside(const ClothModel& model, const LocalRates& rates);
   void damp(double drift, const StepShare& share);
   void measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy, const StepShare& share);
 
@@ -67,8 +68,9 @@ class AdaptiveRun {
   std::vector<SliceNumbers<T>> shares_;
   int levelsAtWork_ = 0;
   SliceStep<T> step_;
-  DampingRun<T> damping_;  // of a substep; no stages: it is part of the kick
-  LaneVectors<T> gain_;    // of velocity in a kick, for the stages of damping [m/s]
+  ModelCache<std::vector<SliceNumbers<T>>> dampingShares_;  // empty: all springs keep all of their damping
+  DampingRun<T> damping_;                                   // of a substep; no stages: it is part of the kick
+  LaneVectors<T> gain_;                                     // of velocity in a kick, for the stages of damping [m/s]
   std::vector<T> firstEnergy_;
   std::vector<T> lastEnergy_;
   std::vector<T> startEnergy_;

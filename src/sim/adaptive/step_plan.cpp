@@ -47,8 +47,13 @@ double smallestBut(std::vector<double>& values, std::size_t oneIn) {
   return *at;
 }
 
-/// How strong damping is over a whole step, h lambda with its largest rate [-].
-double dampedOver(const ClothModel& model, const StepParameters& parameters) {
+/// How strong damping is over a whole step, h lambda with the largest rate but for the fastest hundredth [-].
+double dampedOver(const LocalRates& rates, const StepParameters& parameters) {
+  return parameters.timeStep * rates.mostDamping * parameters.damping;
+}
+
+/// The same for the fastest vertex.
+double fastestDampedOver(const ClothModel& model, const StepParameters& parameters) {
   return parameters.timeStep * model.unitDampingRate * parameters.damping;
 }
 
@@ -71,20 +76,21 @@ int substepsBeside(double damped, double passes) {
   return static_cast<int>(std::max({1.0, std::ceil(fewest), std::floor(paid * paid)}));
 }
 
-/// Springs that are held to what so many substeps carry.
-StepPlan heldAt(const ClothModel& model, const StepParameters& parameters, int substeps) {
-  const double damped = dampedOver(model, parameters);
-  if (2.0 * damped > substeps) {
-    return {.substeps = substeps, .carried = heldBeside, .dampingStages = stagesIn(damped, substeps)};
+/// Springs that are held to what so many substeps carry. Damping is part of the kick where all vertices bear that.
+StepPlan heldAt(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, int substeps) {
+  const double inKick = 2.0 * fastestDampedOver(model, parameters) / substeps;
+  if (inKick > 1.0) {
+    const int stages = stagesIn(dampedOver(rates, parameters), substeps);
+    return {.substeps = substeps, .carried = heldBeside, .dampingStages = stages};
   }
-  return {.substeps = substeps, .carried = std::sqrt(heldTo * heldTo - 2.0 * damped / substeps)};
+  return {.substeps = substeps, .carried = std::sqrt(heldTo * heldTo - inKick)};
 }
 
 /// The same for what costs so many passes.
-StepPlan heldPlan(const ClothModel& model, const StepParameters& parameters, double passes) {
-  const double damped = dampedOver(model, parameters);
-  return heldAt(model, parameters,
-                2.0 * damped > std::floor(passes) ? substepsBeside(damped, passes) : static_cast<int>(passes));
+StepPlan heldPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, double passes) {
+  const bool inKick = 2.0 * fastestDampedOver(model, parameters) <= std::floor(passes);
+  return heldAt(model, rates, parameters,
+                inKick ? static_cast<int>(passes) : substepsBeside(dampedOver(rates, parameters), passes));
 }
 
 /// The least that a step takes where springs and damping stay as they are.
@@ -95,9 +101,9 @@ struct Need {
   double passes = 0.0;  ///< that the calm ones cost
 };
 
-Need needOf(const ClothModel& model, const StepParameters& parameters) {
+/// @param damped h lambda over the step, of damping by itself
+Need needOf(const ClothModel& model, const StepParameters& parameters, double damped) {
   const double limit = parameters.timeStep / verletStepLimit(model, parameters);
-  const double damped = dampedOver(model, parameters);
   const double hardness = parameters.timeStep * largestFrequency(model, parameters);
   const double beside =
       std::max({1.0, std::ceil(hardness / heldBeside), std::ceil(damped / (mostStages * mostStages))});
@@ -119,10 +125,10 @@ double shareAt(double rate, const StepParameters& parameters, const StepPlan& pl
 StepPlan barelyHeldPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                         int substeps) {
   const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rates.most);
-  StepPlan plan = heldAt(model, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / heldTo))));
+  StepPlan plan = heldAt(model, rates, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / heldTo))));
   if (shareAt(rates.most, parameters, plan) < 1.0) {
     const double damped = std::sqrt(heldTo * heldTo - 1.0);
-    plan = heldAt(model, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / damped))));
+    plan = heldAt(model, rates, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / damped))));
   }
   return plan;
 }
@@ -149,14 +155,19 @@ double farthestOf(const std::vector<Vec3>& positions) {
 LocalRates localRatesOf(const ClothModel& model) {
   LocalRates rates;
   std::vector<double> free;
+  std::vector<double> freeDamping;
   for (std::size_t i = 0; i < model.restPositions.size(); ++i) {
+    const double ends = model.springEnds.begin[i + 1] - model.springEnds.begin[i];
     rates.unit.push_back(model.pinned[i] ? 0.0 : unitFrequencySquared(model, i));
+    rates.damping.push_back(model.pinned[i] ? 0.0 : 2.0 * ends / model.vertexMass[i]);
     if (!model.pinned[i]) {
       free.push_back(rates.unit.back());
+      freeDamping.push_back(rates.damping.back());
     }
   }
   rates.median = smallestBut(free, 2);
   rates.most = smallestBut(free, 100);
+  rates.mostDamping = smallestBut(freeDamping, 100);
   rates.diagonal = diagonalOf(model);
   rates.mass = model.totalMass();
   return rates;
@@ -174,7 +185,8 @@ double passesAtMost(const ClothModel& model, const StepParameters& parameters) {
 }
 
 bool mayBeSoftened(const ClothModel& model, const StepParameters& parameters) {
-  return parameters.soften || needOf(model, parameters).passes > passesAtMost(model, parameters);
+  return parameters.soften ||
+         needOf(model, parameters, fastestDampedOver(model, parameters)).passes > passesAtMost(model, parameters);
 }
 
 StepPlan saferThan(StepPlan plan) {
@@ -192,7 +204,8 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
                   const StepInputs& inputs, const StepMemory& memory) {
   constexpr double mostPasses = 1e6;
   const double budget = std::min(mostPasses, passesInBudget(model, parameters));
-  const Need need = needOf(model, parameters);
+  const double damped = dampedOver(rates, parameters);
+  const Need need = needOf(model, parameters, damped);
   const double wanted = memory.passes > 0.0 ? memory.passes : firstPasses + firstOfLimit * comfortable * need.passes;
   const double stable = std::max(fewestPasses, need.passes);
   const double passes = std::min(budget, std::clamp(wanted, stable, mostOfLimit * std::max(stable, firstPasses / 8.0)));
@@ -200,7 +213,6 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   if (passes >= passesOfFourthOrder * hardness && dependsOnPositionsAlone(parameters, inputs)) {
     return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(passes / 4.0)};
   }
-  const double damped = dampedOver(model, parameters);
   const auto asTheyAre = [&](int substeps) {
     return StepPlan{.substeps = substeps, .dampingStages = need.beside ? stagesIn(damped, substeps) : 0};
   };
@@ -217,19 +229,19 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
     return barely.substeps < need.calm ? barely : asTheyAre(static_cast<int>(need.calm));
   }
   const double held = parameters.soften ? passes : passesAtMost(model, parameters);
-  StepPlan softer = heldPlan(model, parameters, held);
+  StepPlan softer = heldPlan(model, rates, parameters, held);
   softer.softens = true;
   if (medianShare(rates, parameters, softer) >= enoughStiffness) {
     return softer;
   }
-  StepPlan withLevels = heldPlan(model, parameters, std::max(fewestPasses, held / costWithLevels));
+  StepPlan withLevels = heldPlan(model, rates, parameters, std::max(fewestPasses, held / costWithLevels));
   withLevels.levels = true;
   withLevels.softens = true;
   return withLevels;
 }
 
-bool dampingRounds(const ClothModel& model, const StepParameters& parameters) {
-  return dampedOver(model, parameters) > mostStagesInFloat * mostStagesInFloat;
+bool dampingRounds(const LocalRates& rates, const StepParameters& parameters) {
+  return dampedOver(rates, parameters) > mostStagesInFloat * mostStagesInFloat;
 }
 
 bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,

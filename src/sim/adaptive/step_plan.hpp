@@ -11,11 +11,13 @@ namespace drape {
 
 /// How fast each vertex can move, the one in the middle and nearly all.
 struct LocalRates {
-  std::vector<double> unit;  ///< omega_i^2 / k [1/kg], one a vertex
-  double median = 0.0;       ///< [1/kg]
-  double most = 0.0;         ///< what all free vertices but the fastest hundredth keep below [1/kg]
-  double diagonal = 0.0;     ///< of the rest shape [m]
-  double mass = 0.0;         ///< of the whole cloth [kg]
+  std::vector<double> unit;     ///< omega_i^2 / k [1/kg], one a vertex
+  std::vector<double> damping;  ///< the rate of damping, lambda_i / C_d [1/kg], one a vertex
+  double median = 0.0;          ///< of `unit` [1/kg]
+  double most = 0.0;            ///< what all free vertices but the fastest hundredth keep below [1/kg]
+  double mostDamping = 0.0;     ///< the same of `damping` [1/kg]
+  double diagonal = 0.0;        ///< of the rest shape [m]
+  double mass = 0.0;            ///< of the whole cloth [kg]
 };
 
 [[nodiscard]] LocalRates localRatesOf(const ClothModel& model);
@@ -80,7 +82,7 @@ struct StepPlan {
                                 const StepInputs& inputs, const StepMemory& memory);
 
 /// True when damping may take so many stages in a substep that float is too coarse for them.
-[[nodiscard]] bool dampingRounds(const ClothModel& model, const StepParameters& parameters);
+[[nodiscard]] bool dampingRounds(const LocalRates& rates, const StepParameters& parameters);
 
 /// True when rounding to float would warm the cloth up noticeably. A substep h rounds each place by up to
 /// d = 2^-24 |x|, which is worth about c m omega^2 d^2 / 2 on stiff springs; c = 0.02 was measured (docs/auto.md).

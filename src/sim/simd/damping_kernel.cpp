@@ -26,6 +26,7 @@ class DampingKernel {
       : cloth_(cloth),
         layout_(cloth.layout),
         gain_(*run.gain),
+        shares_(run.shares),
         from_(stage % 2 == 1 ? cloth.velocity : cloth.start),
         to_(stage % 2 == 1 ? cloth.start : cloth.velocity),
         first_(stage == 1),
@@ -53,8 +54,12 @@ class DampingKernel {
     for (int slot = layout_.slotBegin[static_cast<std::size_t>(slice)]; slot < end; ++slot) {
       const auto at = static_cast<std::size_t>(slot);
       const Neighbours<D> neighbours(layout_, layout_.slots[at], lane);
-      const auto present = hn::Ge(hn::LoadU(d, cloth_.restLength[at].data() + lane), hn::Zero(d));
       const V3 difference = subtract(neighbours.load(from_), v);
+      if (shares_ != nullptr) {
+        sum = multiplyAdd(difference, hn::LoadU(d, shares_[at].data() + lane), sum);
+        continue;
+      }
+      const auto present = hn::Ge(hn::LoadU(d, cloth_.restLength[at].data() + lane), hn::Zero(d));
       sum = {hn::Add(sum.x, hn::IfThenElseZero(present, difference.x)),
              hn::Add(sum.y, hn::IfThenElseZero(present, difference.y)),
              hn::Add(sum.z, hn::IfThenElseZero(present, difference.z))};
@@ -77,6 +82,7 @@ class DampingKernel {
   SlicedCloth<T>& cloth_;
   const SliceLayout& layout_;
   LaneVectors<T>& gain_;
+  const SliceNumbers<T>* shares_;
   const LaneVectors<T>& from_;
   LaneVectors<T>& to_;
   bool first_;

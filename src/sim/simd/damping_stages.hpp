@@ -15,8 +15,10 @@ namespace drape {
 /// What the stages of one substep have in common.
 template <typename T>
 struct DampingRun {
-  T timedDamping = 0;              ///< h C_d [N s^2/m]
-  int stages = 0;                  ///< even, so that the last one ends in `velocity`
+  T timedDamping = 0;  ///< h C_d [N s^2/m]
+  int stages = 0;      ///< even, so that the last one ends in `velocity`
+  /// The share of its damping that each spring keeps, one number a slot and lane, 0 where there is none. Null: all.
+  const SliceNumbers<T>* shares = nullptr;
   LaneVectors<T>* gain = nullptr;  ///< takes h a [m/s] in the first stage, for the others
 };
 

@@ -229,7 +229,7 @@ class AutoSolver final : public Solver {
       return {.choice = StepChoice{.substeps = 0, .passes = 0, .resting = true}};
     }
     const LocalRates& rates = rates_.get(model, localRatesOf);
-    const bool exact = parameters.precision == Precision::Double || dampingRounds(model, parameters) ||
+    const bool exact = parameters.precision == Precision::Double || dampingRounds(rates, parameters) ||
                        roundingHeats(model, rates, parameters, state);
     return exact ? double_.step(model, rates, parameters, inputs, state)
                  : single_.step(model, rates, parameters, inputs, state);

@@ -164,6 +164,12 @@ TEST_F(StepPlanning, letsAFewFastVerticesOfAnIrregularMeshSlowNobodyElse) {
   EXPECT_GT(parameters.timeStep * largestFrequency(*model, parameters), 2.04 * 17.0);
   EXPECT_EQ(medianShare(rates, parameters, chosen), 1.0);
   EXPECT_FALSE(chosen.levels);
+  parameters.damping = 10.0;
+  const double slivers = model->unitDampingRate / rates.mostDamping;
+  EXPECT_GT(slivers, 1.2);
+  const StepPlan damped = plan(17.0);
+  EXPECT_LT(damped.dampingStages, std::sqrt(dampedIn(*model, parameters, damped) / slivers) + 2.0);
+  parameters.damping = 0.0;
   parameters.soften = false;
   EXPECT_LT(plan(17.0).substeps, 20) << "nor does it when nobody may be softened";
   EXPECT_FALSE(plan(17.0).softens);

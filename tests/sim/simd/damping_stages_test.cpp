@@ -75,7 +75,7 @@ Vectors plainStages(const ClothModel& model, const Kick& kick) {
 
 /// By the vector loops, share by share.
 template <typename T>
-Vectors stagesOf(const ClothModel& model, const Kick& kick, int members, Turns turns) {
+Vectors stagesOf(const ClothModel& model, const Kick& kick, int members, Turns turns, double kept = 1.0) {
   SlicedCloth<T> cloth(model);
   cloth.prepare(members, 1);
   ClothState state = stateAtRest(model.restPositions);
@@ -94,7 +94,16 @@ Vectors stagesOf(const ClothModel& model, const Kick& kick, int members, Turns t
   }
   LaneVectors<T> gain;
   gain.resize(cloth.layout.slices(), false);
-  const DampingRun<T> run{static_cast<T>(kick.timedDamping), kick.stages, &gain};
+  std::vector<SliceNumbers<T>> shares(cloth.layout.slots.size());
+  for (std::size_t slot = 0; slot < shares.size(); ++slot) {
+    for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
+      shares[slot][lane] = cloth.restLength[slot][lane] < T(0) ? T(0) : static_cast<T>(kept);
+    }
+  }
+  const DampingRun<T> run{.timedDamping = static_cast<T>(kick.timedDamping),
+                          .stages = kick.stages,
+                          .shares = kept < 1.0 ? shares.data() : nullptr,
+                          .gain = &gain};
   for (int stage = 1; stage <= kick.stages; ++stage) {
     eachMember([&](const StepShare& share) { dampingStage(cloth, run, stage, share); });
   }
@@ -129,6 +138,14 @@ TEST(DampingStages, areThoseOfThePaperOnEveryKindOfMeshWhateverTheShares) {
       EXPECT_EQ(stagesOf<float>(*model, kick, 3, Turns::Backwards), single) << mesh.name << " " << stages;
     }
   }
+}
+
+TEST(DampingStages, giveEachSpringItsShareOfTheDamping) {
+  const auto model = heldCloth(testing::unevenSheet(13, 3));
+  Kick kick{mostDamping(*model, 10), 10, randomVectors(*model, 1.0, 3), randomVectors(*model, 1.0, 5)};
+  const Vectors shared = stagesOf<double>(*model, kick, 1, Turns::Forwards, 0.25);
+  kick.timedDamping *= 0.25;
+  EXPECT_LT(largestDifferenceOf(shared, plainStages(*model, kick)), 1e-12);
 }
 
 TEST(DampingStages, takeOnlyMotionAwayUpToTheirBoundAndKeepMomentum) {
