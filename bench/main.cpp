@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     drape::bench::Suite suite;
     drape::bench::addStepGroup(suite);
     drape::bench::addInstructionsGroup(suite);
+    drape::bench::addFloorGroup(suite);
     drape::bench::addIrregularGroup(suite);
     drape::bench::addSizeGroup(suite);
     drape::bench::addThreadsGroup(suite);

@@ -73,6 +73,7 @@ double wallSeconds(Work&& work) {
 void addStepGroup(Suite& suite);
 void addIrregularGroup(Suite& suite);
 void addSizeGroup(Suite& suite);
+void addFloorGroup(Suite& suite);
 void addThreadsGroup(Suite& suite);
 void addMemoryGroup(Suite& suite);
 void addInstructionsGroup(Suite& suite);
