@@ -53,15 +53,12 @@ Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
 StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                          ClothState& state) {
   earlierContactWork_ = 0.0;
-  rounds_ = roundsOf(model, parameters, inputs);
+  rounds_ = contact_.isNearBodies(parameters, inputs, state) ? roundsOf(model, parameters) : 1;
   return rounds_ == 1 ? round(model, parameters, inputs, state)
                       : stepInRounds(model, parameters, inputs, rounds_, state);
 }
 
-int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs) {
-  if (!meetsBodies(parameters, inputs)) {
-    return 1;
-  }
+int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters) {
   constexpr double rounding = 1e-9;  // [-]
   const int fewest = std::max(1, static_cast<int>(std::ceil(parameters.timeStep / longestRound * (1.0 - rounding))));
   if (!info_->choosesSubsteps) {

@@ -24,7 +24,7 @@ namespace drape {
 /// body carries are taken along before every substep, evenly over the step; to the solver they are at rest, as all
 /// pins.
 ///
-/// With bodies about, a step is taken in rounds of at most 1/300 s, each with its own contact and its share of the
+/// Near bodies a step is taken in rounds of at most 1/300 s, each with its own contact and its share of the
 /// substeps. A solver that chooses its substeps keeps the energy it finds, and is fed by springs that drew cloth into a
 /// body and that contact then made longer. So its rounds are as short as the cloth is stiff, but for the fastest
 /// hundredth of the vertices: a sliver must not make the whole cloth a hundred times as expensive.
@@ -57,7 +57,7 @@ class Stepper {
     Vec3 to = Vec3::Zero();
   };
 
-  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs);
+  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters);
   StepReport stepInRounds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                           int rounds, ClothState& state);
   /// A step, or a round of one, with contact at its end.

@@ -33,13 +33,19 @@ Eigen::AlignedBox3d inFrame(const Pose& pose, const Eigen::AlignedBox3d& box) {
 /// `far` meanwhile. As everything here, that is judged in the body's frame.
 bool couldMeet(const BodyStep& step, const SearchableMesh* mesh, const Eigen::AlignedBox3d& start,
                const Eigen::AlignedBox3d& end, double far) {
+  const Eigen::AlignedBox3d way = inFrame(step.start, start).merged(inFrame(step.end, end));
   if (std::holds_alternative<PlaneShape>(step.body->shape)) {
-    return true;
+    return way.min().y() < far;
   }
   const double radius = roundRadius(step.body->shape);
   const Eigen::AlignedBox3d body =
       mesh != nullptr ? mesh->tree.bounds() : Eigen::AlignedBox3d(Vec3::Constant(-radius), Vec3::Constant(radius));
-  return inflated(body, far).intersects(inFrame(step.start, start).merged(inFrame(step.end, end)));
+  return inflated(body, far).intersects(way);
+}
+
+/// How far vertices are kept from a body [m].
+double keptFrom(const BodyStep& step, const StepParameters& parameters) {
+  return step.surface.thickness + 0.5 * parameters.contact.thickness;
 }
 
 }  // namespace
@@ -77,12 +83,18 @@ bool BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& 
       continue;
     }
     SearchableMesh* mesh = meshOf(step);
-    const double keep = step.surface.thickness + 0.5 * cloth.parameters.contact.thickness;
-    if (couldMeet(step, mesh, start, ends, 2.0 * keep)) {
+    if (couldMeet(step, mesh, start, ends, 2.0 * keptFrom(step, cloth.parameters))) {
       addNear(cloth, step, mesh);
     }
   }
   return nearCount_ > before;
+}
+
+bool BodyContact::couldMeetAny(const StepParameters& parameters, const std::vector<BodyStep>& bodies,
+                               const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end) {
+  return std::any_of(bodies.begin(), bodies.end(), [&](const BodyStep& step) {
+    return couldMeet(step, meshOf(step), start, end, 2.0 * keptFrom(step, parameters));
+  });
 }
 
 void BodyContact::addNear(const Cloth& cloth, const BodyStep& step, SearchableMesh* mesh) {
@@ -92,7 +104,7 @@ void BodyContact::addNear(const Cloth& cloth, const BodyStep& step, SearchableMe
   NearBody& near = near_[nearCount_++];
   near.step = &step;
   near.mesh = mesh;
-  const double keep = step.surface.thickness + 0.5 * cloth.parameters.contact.thickness;
+  const double keep = keptFrom(step, cloth.parameters);
   const double push = overlapSpeed * cloth.parameters.timeStep;
   near.reach = {keep, innerShare * keep, guardShare * keep, push, push};
 }

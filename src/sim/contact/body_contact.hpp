@@ -32,6 +32,10 @@ class BodyContact {
                const std::vector<Vec3>& start, ClothState& state, ContactReport& report,
                std::vector<ContactPoint>& points);
 
+  /// Whether a cloth that a step takes from one box into another could come near any of the bodies [m].
+  [[nodiscard]] bool couldMeetAny(const StepParameters& parameters, const std::vector<BodyStep>& bodies,
+                                  const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end);
+
  private:
   struct Cloth {
     const ClothModel& model;

@@ -1,7 +1,9 @@
 #include "sim/contact/contact_stage.hpp"
 
+#include "sim/bounds.hpp"
 #include "sim/contact/body.hpp"
 #include "sim/contact/body_contact.hpp"
+#include "sim/contact/mesh_in_step.hpp"
 #include "sim/contact/self_contact.hpp"
 
 #include <chrono>
@@ -24,6 +26,21 @@ void ContactStage::begin(const StepParameters& parameters, const StepInputs& inp
   if (active_) {
     start_ = state.positions;
   }
+}
+
+bool ContactStage::isNearBodies(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state) {
+  if (!meetsBodies(parameters, inputs)) {
+    return false;
+  }
+  if (!bodies_) {
+    bodies_ = std::make_unique<BodyContact>();
+  }
+  const double fall = parameters.gravity * parameters.timeStep * parameters.timeStep;
+  Eigen::AlignedBox3d end;
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    end.extend(Vec3(state.positions[v] + parameters.timeStep * state.velocities[v]));
+  }
+  return bodies_->couldMeetAny(parameters, *inputs.bodies, boundsOf(state.positions), inflated(end, fall));
 }
 
 ContactReport ContactStage::resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,

@@ -36,6 +36,9 @@ class ContactStage {
   /// Keeps the state that the step begins with. Does nothing when no kind of contact is on.
   void begin(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state);
 
+  /// Whether the cloth is near a body, or on its way to one in this step, as far as its speed and gravity tell.
+  [[nodiscard]] bool isNearBodies(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state);
+
   /// Corrects the state that a solver has left. Does nothing when `begin` did nothing.
   ContactReport resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                         ClothState& state);

@@ -10,11 +10,11 @@
 namespace drape {
 namespace {
 
-/// A free sheet above a ball, in steps of 1/60 s.
-testing::Meeting sheetOverBall(const std::string& solver) {
+/// A free sheet so high above the middle of a ball of 0.3 m, in steps of 1/60 s.
+testing::Meeting sheetOverBall(const std::string& solver, double height = 0.4) {
   ClothMesh mesh = testing::sheet(13);
   for (Vec3& position : mesh.positions) {
-    position += Vec3(-0.5, 0.4, -0.5);
+    position += Vec3(-0.5, height, -0.5);
   }
   const Body ball = testing::bodyAt(SphereShape{0.3}, Vec3::Zero());
   testing::Meeting meeting(buildClothModel(mesh, 0.15, MassLumping::Area, {}), {ball}, solver);
@@ -40,19 +40,33 @@ TEST(Rounds, letNoSolverGainEnergyOnABallInLongSteps) {
 
 TEST(Rounds, areAsManyAsKeepThemShortAndShareTheSubsteps) {
   for (const auto& [timeStep, rounds] : {std::pair(1.0 / 60.0, 5), {1.0 / 150.0, 2}, {1.0 / 300.0, 1}, {1e-3, 1}}) {
-    testing::Meeting meeting = sheetOverBall("xpbd");
+    constexpr double near = 0.307;  // and yet too far to touch within the step
+    testing::Meeting meeting = sheetOverBall("xpbd", near);
     meeting.parameters.timeStep = timeStep;
     meeting.parameters.substeps = 10;
     meeting.step();
     EXPECT_EQ(meeting.stepper().rounds(), rounds) << timeStep;
     EXPECT_EQ(meeting.state.time, timeStep);
     // In free fall nothing depends on the rounds but how long the substeps are: all are as long, 10 to a step.
-    testing::Meeting alone = sheetOverBall("xpbd");
+    testing::Meeting alone = sheetOverBall("xpbd", near);
     alone.parameters = meeting.parameters;
     alone.parameters.contact.bodies = false;
     alone.step();
     EXPECT_EQ(alone.stepper().rounds(), 1);
     EXPECT_LT((alone.state.positions[0] - meeting.state.positions[0]).norm(), 1e-6) << timeStep;
+  }
+}
+
+TEST(Rounds, areTakenOnlyWhereABodyIsNear) {
+  for (const char* solver : {"xpbd", "auto"}) {
+    testing::Meeting meeting = sheetOverBall(solver, 0.5);
+    meeting.step();
+    EXPECT_EQ(meeting.stepper().rounds(), 1) << solver;
+    for (Vec3& velocity : meeting.state.velocities) {
+      velocity.y() = -20.0;  // 0.33 m in a step
+    }
+    meeting.step();
+    EXPECT_GE(meeting.stepper().rounds(), 5) << solver;
   }
 }
 
