@@ -6,7 +6,7 @@
 namespace drape {
 namespace {
 
-using Lanes [[gnu::vector_size(16)]] = float;
+using Lanes = SurfaceShapes::Lanes;
 
 /// Of the first three components; the fourth stays zero.
 Lanes cross(Lanes a, Lanes b) {

@@ -17,15 +17,15 @@ struct SurfaceShape {
 /// The shape of a mesh at its vertices. A vertex without any area around it gets a normal that points up.
 class SurfaceShapes {
  public:
+  /// A vector with a fourth component of zero, so that one instruction takes all of it.
+  using Lanes [[gnu::vector_size(16)]] = float;
+
   /// Computes all shapes anew. No memory is allocated while the number of positions stays the same.
   void compute(std::span<const Vec3> positions, std::span<const Triangle> triangles);
 
   [[nodiscard]] std::span<const SurfaceShape> values() const { return shapes_; }
 
  private:
-  /// A vector with a fourth component of zero, so that one instruction takes all of it.
-  using Lanes [[gnu::vector_size(16)]] = float;
-
   /// What is summed over the triangles of a vertex.
   struct Sums {
     Lanes twiceArea{};     ///< times the normal [m^2]
