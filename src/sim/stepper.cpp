@@ -53,7 +53,10 @@ Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
 StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                          ClothState& state) {
   earlierContactWork_ = 0.0;
-  rounds_ = contact_.isNearBodies(parameters, inputs, state) ? roundsOf(model, parameters) : 1;
+  rounds_ = meetsBodies(parameters, inputs) ? roundsOf(model, parameters) : 1;
+  if (rounds_ > 1 && !contact_.isNearBodies(parameters, inputs, state)) {
+    rounds_ = 1;
+  }
   return rounds_ == 1 ? round(model, parameters, inputs, state)
                       : stepInRounds(model, parameters, inputs, rounds_, state);
 }

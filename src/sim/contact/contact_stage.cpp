@@ -29,18 +29,19 @@ void ContactStage::begin(const StepParameters& parameters, const StepInputs& inp
 }
 
 bool ContactStage::isNearBodies(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state) {
-  if (!meetsBodies(parameters, inputs)) {
-    return false;
-  }
-  if (!bodies_) {
-    bodies_ = std::make_unique<BodyContact>();
-  }
   const double fall = parameters.gravity * parameters.timeStep * parameters.timeStep;
   Eigen::AlignedBox3d end;
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     end.extend(Vec3(state.positions[v] + parameters.timeStep * state.velocities[v]));
   }
-  return bodies_->couldMeetAny(parameters, *inputs.bodies, boundsOf(state.positions), inflated(end, fall));
+  return bodyContact().couldMeetAny(parameters, *inputs.bodies, boundsOf(state.positions), inflated(end, fall));
+}
+
+BodyContact& ContactStage::bodyContact() {
+  if (!bodies_) {
+    bodies_ = std::make_unique<BodyContact>();
+  }
+  return *bodies_;
 }
 
 ContactReport ContactStage::resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -62,10 +63,7 @@ ContactReport ContactStage::resolve(const ClothModel& model, const StepParameter
   }
   if (meetsBodies(parameters, inputs)) {
     const auto before = std::chrono::steady_clock::now();
-    if (!bodies_) {
-      bodies_ = std::make_unique<BodyContact>();
-    }
-    bodies_->resolve(model, parameters, *inputs.bodies, start_, state, report, points_);
+    bodyContact().resolve(model, parameters, *inputs.bodies, start_, state, report, points_);
     report.bodySeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   }
   changed_ = report.selfContacts > 0 || report.bodyContacts > 0;

@@ -19,8 +19,8 @@ class SelfContact;
 
 /// Contact around a step of any solver (docs/contact.md). The solver moves the cloth as if nothing were in its way;
 /// then positions and velocities are corrected, so that the next step begins outside of everything and with no velocity
-/// into it. It is done once a step, not once a substep: a method that takes many small parts is not made dearer by it,
-/// and what crosses a body within a step is found all the same.
+/// into it. It is done once a round of the step, not once a substep: a method that takes many small parts is not made
+/// dearer by it, and what crosses a body within a step is found all the same.
 ///
 /// Positions and velocities are corrected each by itself: what pushes the cloth out of something leaves no velocity
 /// behind, and what is done to velocities only takes kinetic energy away, as seen from the body that is touched.
@@ -37,6 +37,7 @@ class ContactStage {
   void begin(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state);
 
   /// Whether the cloth is near a body, or on its way to one in this step, as far as its speed and gravity tell.
+  /// To be asked only where there are bodies.
   [[nodiscard]] bool isNearBodies(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state);
 
   /// Corrects the state that a solver has left. Does nothing when `begin` did nothing.
@@ -50,6 +51,8 @@ class ContactStage {
   [[nodiscard]] std::span<const ContactPoint> points() const { return points_; }
 
  private:
+  BodyContact& bodyContact();
+
   bool active_ = false;
   bool changed_ = false;
   std::vector<Vec3> start_;              // positions when the step began [m]
