@@ -4,6 +4,7 @@
 #include "sim/contact/found_in_order.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace drape {
@@ -29,6 +30,16 @@ Vec3 pointOf(const Touch& touch, const std::vector<Vec3>& values) {
     sum += touch.weights[static_cast<Eigen::Index>(c)] * values[static_cast<std::size_t>(touch.vertices[c])];
   }
   return sum;
+}
+
+/// How far the point of a mesh that is nearest moves in the body's frame [m], however far away it is: a triangle can be
+/// stopped by what none of its vertices comes near to.
+Vec3 moveNear(const MeshInStep& mesh, const Vec3& place) {
+  NearestSearch search(mesh);
+  const NearVertex near = search.anywhere(place, std::numeric_limits<double>::infinity());
+  return near.triangle < 0
+             ? Vec3(Vec3::Zero())
+             : Vec3(pointAt(mesh.end(near.triangle), near.weights) - pointAt(mesh.start(near.triangle), near.weights));
 }
 
 }  // namespace
@@ -175,7 +186,7 @@ int BodyContact::holdBarriers(const Cloth& cloth, bool settled, std::vector<Vec3
     const NearBody& near = near_[static_cast<std::size_t>(body)];
     const Vec3& base = near.base[static_cast<std::size_t>(vertex)];
     const bool carried = !settled && near.mesh != nullptr && near.mesh->movesInItself();
-    const Vec3 move = carried ? near.meshSearch.moveAt(near.meshInStep(false), vertex) : Vec3(Vec3::Zero());
+    const Vec3 move = carried ? moveNear(near.meshInStep(false), base) : Vec3(Vec3::Zero());
     return BarrierFilter::Shelter{near.step->end.toWorld(base), near.step->end.toWorld(base + move)};
   };
   solved_ = positions;

@@ -13,19 +13,10 @@ namespace drape {
 namespace {
 
 using testing::bodyAt;
+using testing::freeSheet;
 using testing::Meeting;
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-/// A sheet without pins, moved and turned.
-std::shared_ptr<const ClothModel> freeSheet(int n, double size, const Vec3& middle,
-                                            const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
-  ClothMesh mesh = testing::sheet(n);
-  for (Vec3& position : mesh.positions) {
-    position = middle + turn * (size * (position - Vec3(0.5, 0.0, 0.5)));
-  }
-  return buildClothModel(mesh, 0.15 * size * size, MassLumping::Area, {});
-}
 
 /// A sheet that lies on a plane of that slope, as high as contact keeps it.
 std::unique_ptr<Meeting> onSlope(double slope, double staticFriction, double kineticFriction,
@@ -95,93 +86,6 @@ TEST(BodyContact, restsOnASphereWithoutCreeping) {
   EXPECT_LT(jitter, 1e-4 * size / (n - 1));
   EXPECT_EQ(meeting.pairs(0), 0);
   EXPECT_GT(meeting.state.positions[n * n / 2].y(), 0.3);
-}
-
-/// A spike: four triangles that meet in a point at the top.
-std::shared_ptr<const MeshShape> spike() {
-  MeshShape mesh;
-  mesh.positions = {
-      {0.0, 0.3, 0.0}, {0.03, -0.3, 0.03}, {0.03, -0.3, -0.03}, {-0.03, -0.3, -0.03}, {-0.03, -0.3, 0.03}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
-  return std::make_shared<const MeshShape>(std::move(mesh));
-}
-
-struct Thrown {
-  const char* name;
-  BodyShape shape;
-};
-
-/// Bodies of each kind, all smaller than a triangle of the sheet or sharper than its edges.
-std::vector<Thrown> thrownBodies() {
-  return {{"sphere", SphereShape{0.04}},
-          {"capsule", CapsuleShape{0.02, 0.15}},
-          {"box", BoxShape{Vec3(0.05, 0.04, 0.06)}},
-          {"spike", spike()}};
-}
-
-/// Throws a body through where a sheet hangs between its four corners, and counts the pairs at every step.
-void throwThrough(const Thrown& thrown, double speed, double timeStep, const Vec3& aim, const Vec3& rotation) {
-  const double flight = 0.35;  // [s]
-  Body body = bodyAt(thrown.shape, Vec3::Zero());
-  // Evenly, through the height of the sheet half-way: a long straight part of a longer curve.
-  body.motion.keyframes.clear();
-  for (int k = -20; k <= 20; ++k) {
-    const double time = 0.5 * flight + 0.5 * flight * k / 2.0;
-    body.motion.keyframes.push_back({time, aim + Vec3(0.0, speed * (time - 0.5 * flight), 0.0), rotation});
-  }
-  ClothMesh mesh = testing::sheet(5);
-  const auto model = buildClothModel(mesh, 0.1, MassLumping::Area, {});
-  Meeting meeting(model, {body}, "xpbd");
-  meeting.parameters.timeStep = timeStep;
-  meeting.parameters.stiffness = 30.0;
-  meeting.parameters.gravity = 0.0;
-  double highest = 0.0;
-  meeting.run(flight, [&](const StepReport& report) {
-    ASSERT_EQ(meeting.pairs(0), 0) << thrown.name << " at " << meeting.state.time << " s";
-    EXPECT_EQ(report.contact.squeezed, 0) << thrown.name;
-    EXPECT_EQ(report.contact.overlaps, 0) << thrown.name;
-    highest = meeting.world().pose(0).position.y();
-  });
-  // The body has passed the place where the sheet was and has taken it along.
-  ASSERT_GT(highest, 0.1);
-  Eigen::AlignedBox3d box;
-  for (const Vec3& position : meeting.state.positions) {
-    box.extend(position);
-  }
-  EXPECT_GT(box.max().y(), 0.5 * highest) << thrown.name;
-}
-
-TEST(BodyContact, letsNoBodyThroughAFaceAnEdgeOrAVertexHoweverFastItComes) {
-  const Vec3 onFace(0.55, 0.0, 0.60);
-  const Vec3 onEdge(0.5, 0.0, 0.625);
-  const Vec3 onVertex(0.5, 0.0, 0.5);
-  for (const Thrown& thrown : thrownBodies()) {
-    for (const Vec3& aim : {onFace, onEdge, onVertex}) {
-      throwThrough(thrown, 10.0, 1.0 / 60.0, aim, Vec3::Zero());
-      throwThrough(thrown, 3.0, 1.0 / 150.0, aim, Vec3(0.3, 0.5, 0.2));
-    }
-  }
-}
-
-TEST(BodyContact, keepsAFastSheetOutOfEveryKindOfBody) {
-  testing::RandomVectors random(5);
-  for (const Thrown& thrown : thrownBodies()) {
-    for (int i = 0; i < 4; ++i) {
-      const Vec3 axis = random.next(1.0);
-      const Eigen::Quaterniond turn(Eigen::AngleAxisd(axis.norm(), axis.normalized()));
-      Meeting meeting(freeSheet(9, 0.6, Vec3(0.0, 0.9, 0.0), turn),
-                      {bodyAt(thrown.shape, Vec3::Zero(), random.next(1.0))}, "xpbd");
-      meeting.parameters.timeStep = 1.0 / 60.0;
-      meeting.parameters.stiffness = 100.0;
-      for (Vec3& velocity : meeting.state.velocities) {
-        velocity = Vec3(0.0, -10.0, 0.0);
-      }
-      meeting.run(0.5, [&](const StepReport& report) {
-        ASSERT_EQ(meeting.pairs(0), 0) << thrown.name << " " << i << " at " << meeting.state.time << " s";
-        EXPECT_EQ(report.contact.squeezed, 0);
-      });
-    }
-  }
 }
 
 TEST(BodyContact, seesBodiesToWhichOtherBodiesTakeTheCloth) {
@@ -306,19 +210,6 @@ std::shared_ptr<const MeshShape> livelyBall(bool swells) {
   return std::make_shared<const MeshShape>(std::move(mesh));
 }
 
-TEST(BodyContact, isNotPassedByAMeshThatMovesInItselfFast) {
-  for (const bool swells : {true, false}) {
-    Meeting meeting(freeSheet(15, 0.7, Vec3(0.0, 0.23, 0.0)), {bodyAt(livelyBall(swells), Vec3::Zero())}, "xpbd");
-    meeting.parameters.timeStep = 1.0 / 60.0;
-    meeting.parameters.stiffness = 50.0;
-    meeting.run(0.6, [&](const StepReport& report) {
-      ASSERT_EQ(meeting.pairs(0), 0) << (swells ? "swelling at " : "swaying at ") << meeting.state.time;
-      EXPECT_EQ(report.contact.squeezed, 0) << (swells ? "swelling at " : "swaying at ") << meeting.state.time;
-      EXPECT_EQ(report.contact.overlaps, 0);
-    });
-  }
-}
-
 /// A bowl with a rim: hollow above, and a corner all around.
 std::shared_ptr<const MeshShape> bowl() {
   ClothMesh sheet = testing::sheet(25);
@@ -328,22 +219,6 @@ std::shared_ptr<const MeshShape> bowl() {
     position.y() = far < 0.3 ? 2.0 * far * far - 0.18 : 0.5 * (0.3 - far);
   }
   return std::make_shared<const MeshShape>(MeshShape{sheet.positions, sheet.triangles, {}, 1.0, false});
-}
-
-TEST(BodyContact, keepsAFastSheetOutOfWhatIsHollow) {
-  Meeting meeting(freeSheet(19, 0.7, Vec3(0.02, 0.4, 0.01)), {bodyAt(bowl(), Vec3::Zero())}, "xpbd");
-  meeting.parameters.timeStep = 1.0 / 60.0;
-  meeting.parameters.stiffness = 50.0;
-  for (Vec3& velocity : meeting.state.velocities) {
-    velocity = Vec3(1.0, -8.0, 0.0);
-  }
-  int contacts = 0;
-  meeting.run(0.7, [&](const StepReport& report) {
-    ASSERT_EQ(meeting.pairs(0), 0) << meeting.state.time;
-    EXPECT_EQ(report.contact.squeezed, 0);
-    contacts = std::max(contacts, report.contact.bodyContacts);
-  });
-  EXPECT_GT(contacts, 150);
 }
 
 TEST(BodyContact, goesOnToTheSameBitsFromACopiedStateOnAMesh) {

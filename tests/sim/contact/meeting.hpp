@@ -1,9 +1,11 @@
 #pragma once
 
+#include "judge/intersections.hpp"
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
 #include "sim/contact/body_world.hpp"
 #include "sim/stepper.hpp"
+#include "test_meshes.hpp"
 
 #include <Eigen/Geometry>
 #include <functional>
@@ -14,61 +16,14 @@
 
 namespace drape::testing {
 
-using MeshCorners = std::array<Vec3, 3>;
-
-/// Whether the segment from a to b crosses the triangle, by the signs of five volumes. It shares nothing with the
-/// contact code; touching counts as not crossing.
-inline bool crosses(const Vec3& a, const Vec3& b, const MeshCorners& t) {
-  const auto volume = [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
-    return (q - p).cross(r - p).dot(s - p);
-  };
-  if (volume(t[0], t[1], t[2], a) * volume(t[0], t[1], t[2], b) >= 0.0) {
-    return false;
-  }
-  const double u = volume(a, b, t[0], t[1]);
-  const double v = volume(a, b, t[1], t[2]);
-  const double w = volume(a, b, t[2], t[0]);
-  return (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
-}
-
-inline bool intersect(const MeshCorners& s, const MeshCorners& t) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (crosses(s[k], s[(k + 1) % 3], t) || crosses(t[k], t[(k + 1) % 3], s)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-inline MeshCorners cornersAt(const std::vector<Vec3>& positions, const Triangle& t) {
-  return {positions[static_cast<std::size_t>(t[0])], positions[static_cast<std::size_t>(t[1])],
-          positions[static_cast<std::size_t>(t[2])]};
-}
-
-/// How many pairs of a cloth's and a body's drawn triangles intersect.
+/// How many pairs of a cloth's and a body's drawn triangles intersect, by exact arithmetic.
 inline int intersectingPairs(const ClothModel& model, const std::vector<Vec3>& cloth, const BodySurface& surface,
                              const Pose& pose) {
   std::vector<Vec3> body;
   for (const Vec3& position : surface.positions) {
     body.push_back(pose.toWorld(position));
   }
-  int pairs = 0;
-  for (const Triangle& s : model.triangles) {
-    const MeshCorners mine = cornersAt(cloth, s);
-    Eigen::AlignedBox3d box;
-    for (const Vec3& corner : mine) {
-      box.extend(corner);
-    }
-    for (const Triangle& t : surface.triangles) {
-      const MeshCorners theirs = cornersAt(body, t);
-      Eigen::AlignedBox3d other;
-      for (const Vec3& corner : theirs) {
-        other.extend(corner);
-      }
-      pairs += box.intersects(other) && intersect(mine, theirs) ? 1 : 0;
-    }
-  }
-  return pairs;
+  return static_cast<int>(drape::intersectingPairs({cloth, model.triangles}, {body, surface.triangles}).size());
 }
 
 /// A cloth among bodies, moved by any solver.
@@ -129,6 +84,16 @@ inline Body bodyAt(BodyShape shape, const Vec3& position, const Vec3& rotation =
   body.shape = std::move(shape);
   body.motion.keyframes = {{0.0, position, rotation}};
   return body;
+}
+
+/// A sheet without pins, moved and turned.
+inline std::shared_ptr<const ClothModel> freeSheet(int n, double size, const Vec3& middle,
+                                                   const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
+  ClothMesh mesh = sheet(n);
+  for (Vec3& position : mesh.positions) {
+    position = middle + turn * (size * (position - Vec3(0.5, 0.0, 0.5)));
+  }
+  return buildClothModel(mesh, 0.15 * size * size, MassLumping::Area, {});
 }
 
 }  // namespace drape::testing

@@ -189,7 +189,7 @@ TEST(MeshSearch, touchesEachVertexAtThePointOfTheMeshThatIsNearest) {
       const Vec3& point = search.start[static_cast<std::size_t>(touch.vertices[static_cast<std::size_t>(corner)])];
       double least = 1e9;
       for (const Triangle& triangle : shape.triangles) {
-        const Corners corners = testing::cornersAt(shape.positions, triangle);
+        const Corners corners = cornersOf(shape.positions, triangle);
         least = std::min(least, (pointAt(corners, nearestOnTriangle(point, corners)) - point).norm());
       }
       EXPECT_NEAR(touch.normal.dot(point) - touch.height, least, 1e-12);
