@@ -96,6 +96,46 @@ Vec3 nearestOnTriangle(const Vec3& point, const Corners& triangle) {
   return nearestOnBorder(point, triangle);
 }
 
+Vec3 quickNearestOnTriangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 ap = point - a;
+  const double d1 = ab.dot(ap);
+  const double d2 = ac.dot(ap);
+  if (d1 <= 0.0 && d2 <= 0.0) {
+    return {1.0, 0.0, 0.0};
+  }
+  const Vec3 bp = point - b;
+  const double d3 = ab.dot(bp);
+  const double d4 = ac.dot(bp);
+  if (d3 >= 0.0 && d4 <= d3) {
+    return {0.0, 1.0, 0.0};
+  }
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+    const double along = d1 / (d1 - d3);
+    return {1.0 - along, along, 0.0};
+  }
+  const Vec3 cp = point - c;
+  const double d5 = ab.dot(cp);
+  const double d6 = ac.dot(cp);
+  if (d6 >= 0.0 && d5 <= d6) {
+    return {0.0, 0.0, 1.0};
+  }
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+    const double along = d2 / (d2 - d6);
+    return {1.0 - along, 0.0, along};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+    const double along = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0.0, 1.0 - along, along};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
 SegmentPair nearestOfSegments(const std::array<Vec3, 2>& first, const std::array<Vec3, 2>& second) {
   const Vec3 d1 = first[1] - first[0];
   const Vec3 d2 = second[1] - second[0];

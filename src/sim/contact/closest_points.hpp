@@ -17,6 +17,10 @@ using Corners = std::array<Vec3, 3>;
 /// on the triangle's border. Triangles without area are treated as the segments that they are.
 [[nodiscard]] Vec3 nearestOnTriangle(const Vec3& point, const Corners& triangle);
 
+/// The same by the regions of its corners, sides and inside (Ericson 2005, Real-Time Collision Detection, sec. 5.1.5).
+/// Of slivers it may be a point that is not quite the nearest.
+[[nodiscard]] Vec3 quickNearestOnTriangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// Where on the segment from a to b the point nearest to `point` is: 0 at a, 1 at b.
 [[nodiscard]] double nearestOnSegment(const Vec3& point, const Vec3& a, const Vec3& b);
 

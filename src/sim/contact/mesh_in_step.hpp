@@ -42,12 +42,6 @@ struct NearVertex {
           pointAt(mesh.end(near.triangle), near.weights)};
 }
 
-/// A plane parallel to a triangle of the cloth, with all of the mesh that is near behind it.
-struct OwnPlane {
-  Vec3 normal = Vec3::UnitY();                           ///< towards the triangle
-  double top = std::numeric_limits<double>::infinity();  ///< of the mesh along the normal [m]; infinite: there is none
-};
-
 /// How far a triangle reaches along a direction [m].
 [[nodiscard]] inline double lowestAlong(const Vec3& direction, const Corners& corners) {
   return std::min({direction.dot(corners[0]), direction.dot(corners[1]), direction.dot(corners[2])});

@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 #include <algorithm>
 #include <array>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::HWY_NAMESPACE {
@@ -86,6 +87,92 @@ Extent extents(const PatchLanes& lanes, const std::size_t* begin, const std::int
   return all;
 }
 
+Farthest farthest(const PatchLanes& lanes, const std::size_t* begin, const std::int32_t* patches, std::size_t count,
+                  const Vec3& direction) {
+  const Doubles d;
+  const std::size_t step = hn::Lanes(d);
+  const auto x = hn::Set(d, direction.x());
+  const auto y = hn::Set(d, direction.y());
+  const auto z = hn::Set(d, direction.z());
+  auto high = hn::Set(d, Farthest().height);
+  auto where = hn::Zero(d);  // as doubles, which hold them exactly
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = begin[patches[k]]; i < begin[patches[k] + 1]; i += step) {
+      const auto inPlane =
+          hn::Add(hn::Mul(x, hn::LoadU(d, lanes.x.data() + i)), hn::Mul(y, hn::LoadU(d, lanes.y.data() + i)));
+      const auto along = hn::Add(inPlane, hn::Mul(z, hn::LoadU(d, lanes.z.data() + i)));
+      where = hn::IfThenElse(hn::Gt(along, high), hn::Iota(d, static_cast<double>(i)), where);
+      high = hn::Max(high, along);
+    }
+  }
+  const auto most = hn::MaxOfLanes(d, high);
+  const auto first = hn::IfThenElse(hn::Eq(high, most), where, hn::Set(d, std::numeric_limits<double>::infinity()));
+  return {hn::GetLane(most), static_cast<std::size_t>(hn::GetLane(hn::MinOfLanes(d, first)))};
+}
+
+/// Three coordinates of a vector of points.
+struct PointLanes {
+  DoubleLanes x, y, z;
+
+  HWY_INLINE DoubleLanes along(const Vec3& direction) const {
+    const Doubles d;
+    const auto inPlane = hn::Add(hn::Mul(hn::Set(d, direction.x()), x), hn::Mul(hn::Set(d, direction.y()), y));
+    return hn::Add(inPlane, hn::Mul(hn::Set(d, direction.z()), z));
+  }
+};
+
+HWY_INLINE PointLanes load(const PatchLanes& lanes, std::size_t at) {
+  const Doubles d;
+  return {hn::LoadU(d, lanes.x.data() + at), hn::LoadU(d, lanes.y.data() + at), hn::LoadU(d, lanes.z.data() + at)};
+}
+
+/// Whether what reaches from one place to another along an axis, or along the normal, meets a range.
+HWY_INLINE hn::Mask<Doubles> meets(DoubleLanes from, DoubleLanes to, double low, double high) {
+  const Doubles d;
+  return hn::And(hn::Ge(hn::Max(from, to), hn::Set(d, low)), hn::Le(hn::Min(from, to), hn::Set(d, high)));
+}
+
+HWY_INLINE std::uint32_t pointsIn(const FaceRegion& region, const PointLanes& at) {
+  const Doubles d;
+  const auto height = at.along(region.normal);
+  auto in = meets(height, height, region.low, region.high);
+  in = hn::And(in, meets(at.x, at.x, region.box.min().x(), region.box.max().x()));
+  in = hn::And(in, meets(at.y, at.y, region.box.min().y(), region.box.max().y()));
+  in = hn::And(in, meets(at.z, at.z, region.box.min().z(), region.box.max().z()));
+  const PointLanes way{hn::Sub(at.x, hn::Set(d, region.corner.x())), hn::Sub(at.y, hn::Set(d, region.corner.y())),
+                       hn::Sub(at.z, hn::Set(d, region.corner.z()))};
+  const auto second = way.along(region.weights[0]);
+  const auto third = way.along(region.weights[1]);
+  in = hn::And(in, hn::Ge(hn::Min(second, third), hn::Zero(d)));
+  in = hn::And(in, hn::Le(hn::Add(second, third), hn::Set(d, 1.0)));
+  return bitsOf(in);
+}
+
+HWY_INLINE std::uint32_t edgesIn(const FaceRegion& region, const PointLanes& from, const PointLanes& to) {
+  auto in = meets(from.along(region.normal), to.along(region.normal), region.low, region.high);
+  in = hn::And(in, meets(from.x, to.x, region.box.min().x(), region.box.max().x()));
+  in = hn::And(in, meets(from.y, to.y, region.box.min().y(), region.box.max().y()));
+  in = hn::And(in, meets(from.z, to.z, region.box.min().z(), region.box.max().z()));
+  return bitsOf(in);
+}
+
+void findInRegion(const PatchLanes& points, const std::size_t* begin, const EdgeLanes& edges,
+                  const std::size_t* edgeBegin, const std::int32_t* patches, std::size_t count,
+                  const FaceRegion& region, InRegion* found) {
+  const std::size_t step = hn::Lanes(Doubles());
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto patch = static_cast<std::size_t>(patches[k]);
+    InRegion in;
+    for (std::size_t i = begin[patch]; i < begin[patch + 1]; i += step) {
+      in.points |= pointsIn(region, load(points, i)) << (i - begin[patch]);
+    }
+    for (std::size_t i = edgeBegin[patch]; i < edgeBegin[patch + 1]; i += step) {
+      in.edges |= edgesIn(region, load(edges.from, i), load(edges.to, i)) << (i - edgeBegin[patch]);
+    }
+    found[k] = in;
+  }
+}
+
 }  // namespace drape::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -95,6 +182,8 @@ namespace drape {
 HWY_EXPORT(meeting);
 HWY_EXPORT(distances);
 HWY_EXPORT(extents);
+HWY_EXPORT(farthest);
+HWY_EXPORT(findInRegion);
 
 void BoxList::add(const Eigen::AlignedBox3d& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -124,6 +213,19 @@ Extent extentsAlong(const PatchLanes& lanes, const std::vector<std::size_t>& beg
                     const std::vector<std::int32_t>& patches, const Vec3& direction, std::vector<Extent>& result) {
   result.resize(patches.size());
   return HWY_DYNAMIC_DISPATCH(extents)(lanes, begin.data(), patches.data(), patches.size(), direction, result.data());
+}
+
+Farthest farthestAlong(const PatchLanes& lanes, const std::vector<std::size_t>& begin,
+                       const std::vector<std::int32_t>& patches, const Vec3& direction) {
+  return HWY_DYNAMIC_DISPATCH(farthest)(lanes, begin.data(), patches.data(), patches.size(), direction);
+}
+
+void inRegion(const PatchLanes& points, const std::vector<std::size_t>& begin, const EdgeLanes& edges,
+              const std::vector<std::size_t>& edgeBegin, const std::vector<std::int32_t>& patches,
+              const FaceRegion& region, std::vector<InRegion>& found) {
+  found.resize(patches.size());
+  HWY_DYNAMIC_DISPATCH(findInRegion)
+  (points, begin.data(), edges, edgeBegin.data(), patches.data(), patches.size(), region, found.data());
 }
 
 }  // namespace drape

@@ -47,6 +47,30 @@ struct PatchLanes {
   std::vector<double> x, y, z;
 };
 
+/// The edges of the patches of a mesh that stick out, patch after patch, from one end to the other. Each patch fills
+/// whole vectors: what is missing lies at infinity.
+struct EdgeLanes {
+  PatchLanes from, to;
+};
+
+/// What may touch a triangle of the cloth: near its box, and between two heights over it; of points only what lies
+/// above or below it, of edges the rest as well.
+struct FaceRegion {
+  Eigen::AlignedBox3d box;      ///< [m]
+  Vec3 normal = Vec3::UnitY();  ///< of the triangle
+  double low = 0.0;             ///< along the normal [m] ...
+  double high = 0.0;            ///< ... and the other end [m]
+  Vec3 corner = Vec3::Zero();   ///< the triangle's first [m]
+  /// The weights of the second and third corner at a point are these, times its way from the first [1/m].
+  std::array<Vec3, 2> weights{Vec3::Zero(), Vec3::Zero()};
+};
+
+/// Which of a patch's points and edges lie in a region, the first of them in bit 0.
+struct InRegion {
+  std::uint32_t points = 0;
+  std::uint32_t edges = 0;
+};
+
 // What follows runs by the widest vector instructions that the machine has, and gives the same bits with any.
 
 /// The indices of the boxes that meet `box`, ascending.
@@ -57,6 +81,20 @@ void boxesMeeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::vec
 /// @param boxes of all patches
 void squaredDistances(const std::vector<TriangleBoxes>& boxes, const std::vector<std::int32_t>& patches,
                       const Vec3& point, std::vector<double>& squared);
+
+/// What of some patches lies farthest along a direction.
+struct Farthest {
+  double height = -std::numeric_limits<double>::infinity();  ///< along the direction [m]
+  std::size_t at = 0;                                        ///< among the lanes; of several the first
+};
+Farthest farthestAlong(const PatchLanes& lanes, const std::vector<std::size_t>& begin,
+                       const std::vector<std::int32_t>& patches, const Vec3& direction);
+
+/// Writes for each of some patches what of it lies in a region.
+/// @param begin of each patch among the points, and of what would come after the last one  @param edgeBegin the same
+void inRegion(const PatchLanes& points, const std::vector<std::size_t>& begin, const EdgeLanes& edges,
+              const std::vector<std::size_t>& edgeBegin, const std::vector<std::int32_t>& patches,
+              const FaceRegion& region, std::vector<InRegion>& found);
 
 /// Writes the extents of some patches along a direction, and returns that of all together.
 /// @param begin of each patch in `lanes`, and of what would come after the last one

@@ -91,7 +91,11 @@ class MeshSearch::Near {
     }
     nearby.moved = std::sqrt(squared) + rounding;
     if (mesh_.mesh.movesInItself() || !(nearby.moved <= known * side_.reach().keep)) {
-      nearby.moved = infinity;
+      const double moved = mesh_.mesh.movesInItself() ? infinity : nearby.moved;
+      for (double& distance : nearby.distances) {
+        distance -= moved;
+      }
+      nearby.moved = 0.0;
       nearby.reference.clear();
       for (const int v : vertices) {
         nearby.reference.push_back(vectorAt(cloth_.base, v));
@@ -148,17 +152,14 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
       }
     }
   });
-  const auto parts = inParts<int>(
-      clusters, workers, threads, cloth.triangles.size(), [&](std::size_t first, std::size_t last, Part<int>& part) {
-        SharpSearch sharp(side, mesh, cloth, close, near, part.found);
-        for (std::size_t c = first; c < last; ++c) {
-          if (nearby_[c].moved == infinity) {
-            nearby_[c].moved = 0.0;
-            nearby_[c].distances.assign(clusters.triangles(c).size(), nearby_[c].patches.empty() ? near : -infinity);
-          }
-          lookAtTriangles(cloth, clusters.triangles(c), nearby_[c], side.reach(), sharp);
-        }
-      });
+  const auto parts = inParts<int>(clusters, workers, threads, cloth.triangles.size(),
+                                  [&](std::size_t first, std::size_t last, Part<int>& part) {
+                                    SharpSearch sharp(side, mesh, cloth, nearest_, close, near, part.found);
+                                    for (std::size_t c = first; c < last; ++c) {
+                                      nearby_[c].distances.resize(clusters.triangles(c).size(), -infinity);
+                                      lookAtTriangles(cloth, clusters.triangles(c), nearby_[c], side.reach(), sharp);
+                                    }
+                                  });
   for (const auto& part : parts) {
     findings.append(part.found);
   }
@@ -174,19 +175,20 @@ void MeshSearch::lookAtTriangles(const ClothInBody& cloth, std::span<const int> 
   const auto way = [&](int v) { return (vectorAt(cloth.target, v) - vectorAt(cloth.base, v)).squaredNorm(); };
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto t = static_cast<std::size_t>(triangles[i]);
+    if (nearby.patches.empty()) {
+      nearby.distances[i] = std::max(nearby.distances[i], listed * reach.keep - nearby.moved);
+    }
     distances_[t] = nearby.distances[i] - nearby.moved;
     hasPlane_[t] = 0;
     const Triangle& corners = cloth.triangles[t];
     const double longest = std::sqrt(std::max({way(corners[0]), way(corners[1]), way(corners[2])})) + rounding;
-    if (distances_[t] >= std::min(closeBy(reach), reach.inner + longest) || caught_[t]) {
+    if (nearby.patches.empty() || distances_[t] >= std::min(closeBy(reach), reach.inner + longest) || caught_[t]) {
       continue;  // nothing of it is about to come near enough to touch
     }
-    planes_[t] = sharp.look(triangles[i], nearby.patches, nearby.boxes);
+    planes_[t] = sharp.look(triangles[i], nearby.patches, nearby.boxes, longest);
     hasPlane_[t] = 1;
-    if (nearby.distances[i] == -infinity) {
-      distances_[t] = sharp.distanceAtLeast(planes_[t], nearest_);
-      nearby.distances[i] = distances_[t] - nearby.moved;
-    }
+    distances_[t] = std::max(distances_[t], planes_[t].atLeast);
+    nearby.distances[i] = std::max(nearby.distances[i], planes_[t].atLeast - nearby.moved);
   }
 }
 
@@ -229,7 +231,7 @@ bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const 
       clusters, workers, threads, cloth.triangles.size(),
       [&](std::size_t first, std::size_t last, Part<Piercing>& part) {
         PlaneSearch planes(side, mesh, cloth, nearest_, part.found);
-        SharpSearch own(side, mesh, cloth, near, near, part.found);
+        SharpSearch own(side, mesh, cloth, nearest_, near, near, part.found);
         Nearby wider;
         for (std::size_t c = first; c < last; ++c) {
           const std::span<const int> triangles = clusters.triangles(c);
@@ -254,9 +256,9 @@ bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const 
           for (const int t : triangles) {
             if (!isSpared(t) && !nearby.patches.empty()) {
               const auto at = static_cast<std::size_t>(t);
-              const OwnPlane plane = wide                 ? OwnPlane()
-                                     : hasPlane_[at] != 0 ? planes_[at]
-                                                          : own.planeOf(t, nearby.patches, nearby.boxes);
+              const HullGap plane = wide                 ? HullGap()
+                                    : hasPlane_[at] != 0 ? planes_[at]
+                                                         : own.planeOf(t, nearby.patches, nearby.boxes);
               const std::size_t before = part.found.barriers.size();
               planes.look(t, plane, nearby.patches, nearby.boxes);
               if (caught_[at] && mesh.mesh.closed) {

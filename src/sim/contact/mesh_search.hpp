@@ -81,7 +81,7 @@ class MeshSearch {
   std::vector<Nearby> nearby_;            // of each cluster
   std::vector<NearVertex> nearest_;       // to each vertex
   std::vector<NearbyTriangles> near_;     // the same: where to look for it
-  std::vector<OwnPlane> planes_;          // of each triangle of the cloth
+  std::vector<HullGap> planes_;           // of each triangle of the cloth
   std::vector<char> hasPlane_;            // for each of these whether it is of this pass
   std::vector<double> distances_;         // of each triangle to the mesh, at least, at the base [m]
   std::vector<char> spared_;              // for each triangle whether no plane was looked for ...

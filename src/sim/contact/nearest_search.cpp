@@ -9,49 +9,6 @@ namespace {
 /// What rounding makes of squared distances that are equal, and more [-].
 constexpr double roundedUp = 1.0 + 1e-12;
 
-/// The weights of a triangle's corners at its point nearest to `point`, by the regions of its corners, sides and inside
-/// (Ericson 2005, Real-Time Collision Detection, sec. 5.1.5). Of slivers it may be a point that is not quite the
-/// nearest.
-Vec3 quickNearest(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const Vec3 ap = point - a;
-  const double d1 = ab.dot(ap);
-  const double d2 = ac.dot(ap);
-  if (d1 <= 0.0 && d2 <= 0.0) {
-    return {1.0, 0.0, 0.0};
-  }
-  const Vec3 bp = point - b;
-  const double d3 = ab.dot(bp);
-  const double d4 = ac.dot(bp);
-  if (d3 >= 0.0 && d4 <= d3) {
-    return {0.0, 1.0, 0.0};
-  }
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-    const double along = d1 / (d1 - d3);
-    return {1.0 - along, along, 0.0};
-  }
-  const Vec3 cp = point - c;
-  const double d5 = ab.dot(cp);
-  const double d6 = ac.dot(cp);
-  if (d6 >= 0.0 && d5 <= d6) {
-    return {0.0, 0.0, 1.0};
-  }
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-    const double along = d2 / (d2 - d6);
-    return {1.0 - along, 0.0, along};
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-    const double along = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0.0, 1.0 - along, along};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
-}
-
 }  // namespace
 
 void NearestSearch::lookAt(int triangle, const Vec3& point) {
@@ -59,7 +16,7 @@ void NearestSearch::lookAt(int triangle, const Vec3& point) {
   const Vec3& a = vectorAt(mesh_.atBase(), corners[0]);
   const Vec3& b = vectorAt(mesh_.atBase(), corners[1]);
   const Vec3& c = vectorAt(mesh_.atBase(), corners[2]);
-  const Vec3 weights = quickNearest(point, a, b, c);
+  const Vec3 weights = quickNearestOnTriangle(point, a, b, c);
   const double distance = (weights[0] * a + weights[1] * b + weights[2] * c - point).squaredNorm();
   if (distance < least_ || (distance == least_ && triangle < best_.triangle)) {
     least_ = distance;

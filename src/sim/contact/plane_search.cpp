@@ -17,7 +17,7 @@ void PlaneSearch::place() {
   }
 }
 
-void PlaneSearch::look(int t, const OwnPlane& own, const std::vector<int>& patches, const BoxList& boxes) {
+void PlaneSearch::look(int t, const HullGap& own, const std::vector<int>& patches, const BoxList& boxes) {
   t_ = static_cast<std::size_t>(t);
   base_ = cornersOf(cloth_.base, cloth_.triangles[t_]);
   target_ = cornersOf(cloth_.target, cloth_.triangles[t_]);
@@ -39,7 +39,7 @@ void PlaneSearch::look(int t, const OwnPlane& own, const std::vector<int>& patch
   }
 }
 
-bool PlaneSearch::offerOwn(const OwnPlane& own) {
+bool PlaneSearch::offerOwn(const HullGap& own) {
   if (mesh_.moves() || !(own.top < std::numeric_limits<double>::infinity())) {
     return false;
   }

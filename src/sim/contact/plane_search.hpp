@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/contact/hull_gap.hpp"
 #include "sim/contact/mesh_in_step.hpp"
 
 #include <span>
@@ -27,7 +28,7 @@ class PlaneSearch {
 
   /// @param own a plane that has all behind it that triangle t could reach, if there is one
   /// @param patches leaves of the mesh's tree, among them all that it could reach  @param boxes theirs
-  void look(int t, const OwnPlane& own, const std::vector<int>& patches, const BoxList& boxes);
+  void look(int t, const HullGap& own, const std::vector<int>& patches, const BoxList& boxes);
 
   /// The pairs without a plane between them.
   [[nodiscard]] const std::vector<Piercing>& piercings() const { return piercings_; }
@@ -51,7 +52,7 @@ class PlaneSearch {
   };
 
   void place();
-  bool offerOwn(const OwnPlane& own);
+  bool offerOwn(const HullGap& own);
   bool separateAtOnce();
   bool offerOwnPlane();
   bool offer(const Vec3& normal);

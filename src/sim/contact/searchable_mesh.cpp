@@ -96,7 +96,8 @@ void fill(PatchLanes& lanes, std::span<const int> vertices, std::span<const Vec3
   lanes.y.resize(vertices.size());
   lanes.z.resize(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec3& position = vectorAt(positions, vertices[i]);
+    const Vec3 position = vertices[i] >= 0 ? vectorAt(positions, vertices[i])
+                                           : Vec3(Vec3::Constant(std::numeric_limits<double>::infinity()));
     lanes.x[i] = position.x();
     lanes.y[i] = position.y();
     lanes.z[i] = position.z();
@@ -119,6 +120,7 @@ SearchableMesh::SearchableMesh(MeshShape mesh)
       sharp(sharpSides(shape)) {
   gatherPatches();
   fill(start_, patchVertices_, shape.positions);
+  fillEdges(shape.positions, startEdges_);
   fillBoxes(shape.positions, startBoxes_);
 }
 
@@ -144,53 +146,74 @@ void SearchableMesh::fillBoxes(std::span<const Vec3> positions, std::vector<Tria
   }
 }
 
+void SearchableMesh::fillEdges(std::span<const Vec3> positions, EdgeLanes& edges) const {
+  std::vector<int> ends(patchEdges_.size());
+  for (const std::size_t end : {0U, 1U}) {
+    std::transform(patchEdges_.begin(), patchEdges_.end(), ends.begin(), [&](const auto& edge) { return edge[end]; });
+    fill(end == 0 ? edges.from : edges.to, ends, positions);
+  }
+}
+
 void SearchableMesh::gatherPatches() {
+  patchBegin_.push_back(0);
+  edgeBegin_.push_back(0);
   for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
-    const std::size_t begin = patchVertices_.size();
-    patchBegin_.push_back(begin);
-    patchTriangles_.push_back(patchCorners_.size());
-    for (const int t : tree.leaf(leaf)) {
-      std::array<std::uint8_t, 3>& corners = patchCorners_.emplace_back();
+    gatherPoints(tree.leaf(leaf));
+    gatherEdges(tree.leaf(leaf));
+    patchBegin_.push_back(patchVertices_.size());
+    edgeBegin_.push_back(patchEdges_.size());
+  }
+  patchFeatures_.resize(patchVertices_.size());
+}
+
+/// Adds the vertices of a leaf, first those that are its own.
+void SearchableMesh::gatherPoints(std::span<const int> triangles) {
+  const std::size_t begin = patchVertices_.size();
+  patchFeatures_.resize(begin);
+  for (const bool own : {true, false}) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto t = static_cast<std::size_t>(triangles[i]);
       for (std::size_t k = 0; k < 3; ++k) {
-        const int v = shape.triangles[static_cast<std::size_t>(t)][k];
+        const int v = shape.triangles[t][k];
         const auto first = patchVertices_.begin() + static_cast<std::ptrdiff_t>(begin);
-        const auto known = std::find(first, patchVertices_.end(), v);
-        corners[k] = static_cast<std::uint8_t>(known - first);
-        if (known == patchVertices_.end()) {
+        if (owned[t].corners[k] == own && (own || std::find(first, patchVertices_.end(), v) == patchVertices_.end())) {
           patchVertices_.push_back(v);
+          if (own) {
+            patchFeatures_.push_back({triangles[i], k, static_cast<int>(i)});
+          }
         }
       }
     }
-    while ((patchVertices_.size() - begin) % mostDoubles != 0) {
-      patchVertices_.push_back(patchVertices_.back());
-    }
   }
-  patchBegin_.push_back(patchVertices_.size());
-  patchTriangles_.push_back(patchCorners_.size());
+  ownPoints_.push_back(static_cast<std::uint32_t>(patchFeatures_.size() - begin));
+  while ((patchVertices_.size() - begin) % mostDoubles != 0) {
+    patchVertices_.push_back(patchVertices_.back());
+  }
 }
 
-std::uint32_t SearchableMesh::trianglesBetween(const Vec3& direction, double low, double high, std::size_t leaf,
-                                               bool atEnd) const {
-  const PatchLanes& at = lanes(atEnd);
-  std::array<double, 3 * trianglesOfPatch> heights{};
-  const std::size_t begin = patchBegin_[leaf];
-  for (std::size_t i = begin; i < std::min(patchBegin_[leaf + 1], begin + heights.size()); ++i) {
-    heights[i - begin] = direction[0] * at.x[i] + direction[1] * at.y[i] + direction[2] * at.z[i];
+/// Adds the edges of a leaf that are its own and stick out.
+void SearchableMesh::gatherEdges(std::span<const int> triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto t = static_cast<std::size_t>(triangles[i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (owned[t].sides[k] && sharp[t][k]) {
+        patchEdges_.push_back({shape.triangles[t][k], shape.triangles[t][(k + 1) % 3]});
+        edgeFeatures_.push_back({triangles[i], k, static_cast<int>(i)});
+      }
+    }
   }
-  std::uint32_t between = 0;
-  for (std::size_t t = patchTriangles_[leaf]; t < patchTriangles_[leaf + 1]; ++t) {
-    const auto& [a, b, c] = patchCorners_[t];
-    const bool reaches =
-        std::max({heights[a], heights[b], heights[c]}) > low && std::min({heights[a], heights[b], heights[c]}) < high;
-    between |= (reaches ? 1U : 0U) << (t - patchTriangles_[leaf]);
+  while (patchEdges_.size() % mostDoubles != 0) {
+    patchEdges_.push_back({-1, -1});
+    edgeFeatures_.emplace_back();
   }
-  return between;
 }
 
 void SearchableMesh::follow(std::span<const Vec3> before, std::span<const Vec3> after) {
   tree.refit(before, after, shape.triangles);
   fill(start_, patchVertices_, before);
   fill(end_, patchVertices_, after);
+  fillEdges(before, startEdges_);
+  fillEdges(after, endEdges_);
   fillBoxes(before, startBoxes_);
   fillBoxes(after, endBoxes_);
   moves_.assign(tree.leafCount(), 0.0);
