@@ -51,6 +51,7 @@ void MeshSearch::begin(const SearchableMesh& mesh, std::uint64_t model) {
   if (mesh_ != &mesh || model_ != model) {
     nearby_.clear();
     near_.clear();
+    outwards_.clear();
     mesh_ = &mesh;
     model_ = model;
   }
@@ -106,9 +107,14 @@ class MeshSearch::Near {
   /// The mesh's point that is nearest to a vertex, as far as that is about to go.
   NearVertex nearestTo(int vertex, const Nearby& nearby, NearbyTriangles& memory) {
     const Vec3& point = vectorAt(cloth_.base, vertex);
-    const NearVertex found = nearestWithin(point, nearby, memory);
+    const NearVertex found = nearby.patches.empty() ? NearVertex() : nearestWithin(point, nearby, memory);
     const double radius = cloth_.room[static_cast<std::size_t>(vertex)] - side_.reach().keep;
-    return found.triangle < 0 && radius > radius_ ? nearest_.anywhere(point, radius) : found;
+    if (found.triangle >= 0 || radius <= radius_) {
+      return found;
+    }
+    const Eigen::AlignedBox3d around = inflated({point, point}, radius);
+    return nearby.covered.contains(around) ? nearest_.among(nearby.patches, nearby.boxes, point, radius)
+                                           : nearest_.anywhere(point, radius);
   }
 
  private:
@@ -135,11 +141,9 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
   nearby_.resize(clusters.count());
   nearest_.resize(cloth.base.size());
   near_.resize(cloth.base.size());
-  planes_.resize(cloth.triangles.size());
-  hasPlane_.resize(cloth.triangles.size());
   distances_.resize(cloth.triangles.size());
+  outwards_.resize(cloth.triangles.size(), Vec3::Zero());
   markCaught(cloth);
-  const double near = listed * side.reach().keep;
   const double close = closeBy(side.reach());
   workers.forRange(threads, static_cast<int>(cloth.triangles.size()), [&](int begin, int end) {
     Near here(side, mesh, cloth);
@@ -152,14 +156,13 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
       }
     }
   });
-  const auto parts = inParts<int>(clusters, workers, threads, cloth.triangles.size(),
-                                  [&](std::size_t first, std::size_t last, Part<int>& part) {
-                                    SharpSearch sharp(side, mesh, cloth, nearest_, close, near, part.found);
-                                    for (std::size_t c = first; c < last; ++c) {
-                                      nearby_[c].distances.resize(clusters.triangles(c).size(), -infinity);
-                                      lookAtTriangles(cloth, clusters.triangles(c), nearby_[c], side.reach(), sharp);
-                                    }
-                                  });
+  const auto parts = inParts<int>(
+      clusters, workers, threads, cloth.triangles.size(), [&](std::size_t first, std::size_t last, Part<int>& part) {
+        SharpSearch sharp(side, mesh, cloth, nearest_, close, side.reach().keep, part.found);
+        for (std::size_t c = first; c < last; ++c) {
+          lookAtTriangles(cloth, clusters.triangles(c), nearby_[c], side.reach(), sharp);
+        }
+      });
   for (const auto& part : parts) {
     findings.append(part.found);
   }
@@ -172,23 +175,30 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
 /// Distances that are not known are found.
 void MeshSearch::lookAtTriangles(const ClothInBody& cloth, std::span<const int> triangles, Nearby& nearby,
                                  const ContactReach& reach, SharpSearch& sharp) {
+  nearby.distances.resize(triangles.size(), -infinity);
+  if (nearby.patches.empty()) {
+    const double near = listed * reach.keep;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      distances_[static_cast<std::size_t>(triangles[i])] = near;
+      nearby.distances[i] = std::max(nearby.distances[i], near - nearby.moved);
+    }
+    return;
+  }
   const auto way = [&](int v) { return (vectorAt(cloth.target, v) - vectorAt(cloth.base, v)).squaredNorm(); };
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto t = static_cast<std::size_t>(triangles[i]);
-    if (nearby.patches.empty()) {
-      nearby.distances[i] = std::max(nearby.distances[i], listed * reach.keep - nearby.moved);
-    }
     distances_[t] = nearby.distances[i] - nearby.moved;
-    hasPlane_[t] = 0;
+    if (distances_[t] >= closeBy(reach) || caught_[t]) {
+      continue;
+    }
     const Triangle& corners = cloth.triangles[t];
     const double longest = std::sqrt(std::max({way(corners[0]), way(corners[1]), way(corners[2])})) + rounding;
-    if (nearby.patches.empty() || distances_[t] >= std::min(closeBy(reach), reach.inner + longest) || caught_[t]) {
+    if (distances_[t] >= reach.inner + longest) {
       continue;  // nothing of it is about to come near enough to touch
     }
-    planes_[t] = sharp.look(triangles[i], nearby.patches, nearby.boxes, longest);
-    hasPlane_[t] = 1;
-    distances_[t] = std::max(distances_[t], planes_[t].atLeast);
-    nearby.distances[i] = std::max(nearby.distances[i], planes_[t].atLeast - nearby.moved);
+    distances_[t] =
+        std::max(distances_[t], sharp.look(triangles[i], nearby.patches, nearby.boxes, longest, outwards_[t]));
+    nearby.distances[i] = std::max(nearby.distances[i], distances_[t] - nearby.moved);
   }
 }
 
@@ -227,48 +237,44 @@ bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const 
     const double longest = std::max({way(0), way(1), way(2)});
     return !mesh.moves() && asked_[t] == 0 && distances_[t] > longest + side.reach().guard + rounding;
   };
-  const auto parts = inParts<Piercing>(
-      clusters, workers, threads, cloth.triangles.size(),
-      [&](std::size_t first, std::size_t last, Part<Piercing>& part) {
-        PlaneSearch planes(side, mesh, cloth, nearest_, part.found);
-        SharpSearch own(side, mesh, cloth, nearest_, near, near, part.found);
-        Nearby wider;
-        for (std::size_t c = first; c < last; ++c) {
-          const std::span<const int> triangles = clusters.triangles(c);
-          for (const int t : triangles) {
-            spared_[static_cast<std::size_t>(t)] = spares(static_cast<std::size_t>(t)) ? 1 : 0;
-          }
-          const auto isSpared = [&](int t) { return spared_[static_cast<std::size_t>(t)] != 0; };
-          if (std::all_of(triangles.begin(), triangles.end(), isSpared)) {
-            continue;
-          }
-          double far = 0.0;
-          Eigen::AlignedBox3d box;
-          for (const int v : clusters.vertices(c)) {
-            far = std::max(far, cloth.room[static_cast<std::size_t>(v)] + side.reach().guard);
-            box.extend(vectorAt(cloth.base, v));
-          }
-          const bool wide = far > near;
-          if (wide) {
-            wider.list(mesh.mesh.tree, inflated(box, far));
-          }
-          const Nearby& nearby = wide ? wider : nearby_[c];
-          for (const int t : triangles) {
-            if (!isSpared(t) && !nearby.patches.empty()) {
-              const auto at = static_cast<std::size_t>(t);
-              const HullGap plane = wide                 ? HullGap()
-                                    : hasPlane_[at] != 0 ? planes_[at]
-                                                         : own.planeOf(t, nearby.patches, nearby.boxes);
-              const std::size_t before = part.found.barriers.size();
-              planes.look(t, plane, nearby.patches, nearby.boxes);
-              if (caught_[at] && mesh.mesh.closed) {
-                part.found.barriers.resize(before);
-              }
-            }
-          }
-        }
-        part.more = planes.piercings();
-      });
+  const auto parts =
+      inParts<Piercing>(clusters, workers, threads, cloth.triangles.size(),
+                        [&](std::size_t first, std::size_t last, Part<Piercing>& part) {
+                          PlaneSearch planes(side, mesh, cloth, nearest_, part.found);
+                          Nearby wider;
+                          for (std::size_t c = first; c < last; ++c) {
+                            const std::span<const int> triangles = clusters.triangles(c);
+                            for (const int t : triangles) {
+                              spared_[static_cast<std::size_t>(t)] = spares(static_cast<std::size_t>(t)) ? 1 : 0;
+                            }
+                            const auto isSpared = [&](int t) { return spared_[static_cast<std::size_t>(t)] != 0; };
+                            if (std::all_of(triangles.begin(), triangles.end(), isSpared)) {
+                              continue;
+                            }
+                            double far = 0.0;
+                            Eigen::AlignedBox3d box;
+                            for (const int v : clusters.vertices(c)) {
+                              far = std::max(far, cloth.room[static_cast<std::size_t>(v)] + side.reach().guard);
+                              box.extend(vectorAt(cloth.base, v));
+                            }
+                            const bool wide = far > near;
+                            if (wide) {
+                              wider.list(mesh.mesh.tree, inflated(box, far));
+                            }
+                            const Nearby& nearby = wide ? wider : nearby_[c];
+                            for (const int t : triangles) {
+                              if (!isSpared(t) && !nearby.patches.empty()) {
+                                const auto at = static_cast<std::size_t>(t);
+                                const std::size_t before = part.found.barriers.size();
+                                planes.look(t, nearby.patches, nearby.boxes);
+                                if (caught_[at] && mesh.mesh.closed) {
+                                  part.found.barriers.resize(before);
+                                }
+                              }
+                            }
+                          }
+                          part.more = planes.piercings();
+                        });
   std::vector<Piercing> piercings;
   for (const auto& part : parts) {
     findings.append(part.found);

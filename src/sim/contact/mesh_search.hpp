@@ -81,9 +81,8 @@ class MeshSearch {
   std::vector<Nearby> nearby_;            // of each cluster
   std::vector<NearVertex> nearest_;       // to each vertex
   std::vector<NearbyTriangles> near_;     // the same: where to look for it
-  std::vector<HullGap> planes_;           // of each triangle of the cloth
-  std::vector<char> hasPlane_;            // for each of these whether it is of this pass
   std::vector<double> distances_;         // of each triangle to the mesh, at least, at the base [m]
+  std::vector<Vec3> outwards_;            // of each triangle, where its distance was found: where to look first
   std::vector<char> spared_;              // for each triangle whether no plane was looked for ...
   std::vector<char> asked_;               // ... and whether one has to be
   std::vector<Piercing> piercings_;       // in the order of the cloth's triangles as clusters have them

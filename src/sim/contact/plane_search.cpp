@@ -17,13 +17,10 @@ void PlaneSearch::place() {
   }
 }
 
-void PlaneSearch::look(int t, const HullGap& own, const std::vector<int>& patches, const BoxList& boxes) {
+void PlaneSearch::look(int t, const std::vector<int>& patches, const BoxList& boxes) {
   t_ = static_cast<std::size_t>(t);
   base_ = cornersOf(cloth_.base, cloth_.triangles[t_]);
   target_ = cornersOf(cloth_.target, cloth_.triangles[t_]);
-  if (offerOwn(own)) {
-    return;
-  }
   place();
   boxesMeeting(boxes, reach_, patches_);
   for (std::int32_t& each : patches_) {
@@ -39,19 +36,6 @@ void PlaneSearch::look(int t, const HullGap& own, const std::vector<int>& patche
   }
 }
 
-bool PlaneSearch::offerOwn(const HullGap& own) {
-  if (mesh_.moves() || !(own.top < std::numeric_limits<double>::infinity())) {
-    return false;
-  }
-  Plane plane = planeAlong(own.normal);
-  if (!covers(plane, own.top, own.top)) {
-    return false;
-  }
-  plane.cover(own.top, own.top);
-  raise(plane);
-  return true;
-}
-
 /// Tries what is cheap: one plane for all.
 bool PlaneSearch::separateAtOnce() {
   std::array<const NearVertex*, 3> near{};
@@ -59,9 +43,34 @@ bool PlaneSearch::separateAtOnce() {
     near[k] = &nearest_[static_cast<std::size_t>(cloth_.triangles[t_][k])];
   }
   std::stable_sort(near.begin(), near.end(), [](const auto* a, const auto* b) { return a->gap < b->gap; });
+  if (!mesh_.moves()) {
+    const bool separate = offerWidestGap(near[0]->triangle >= 0 ? near[0]->normal : faceNormal(base_));
+    for (const NearVertex* each : near) {
+      if (!separate && each->triangle >= 0) {
+        normals_.push_back(each->normal);
+      }
+    }
+    return separate;
+  }
   return std::any_of(near.begin(), near.end(),
                      [&](const NearVertex* each) { return each->triangle >= 0 && offer(each->normal); }) ||
          offerOwnPlane();
+}
+
+/// Looks for the direction in which a mesh that stands still is farthest from the triangle, at its base and where it
+/// goes. Where their hulls are apart there is one.
+bool PlaneSearch::offerWidestGap(const Vec3& along) {
+  const std::array<Vec3, 6> points{base_[0], base_[1], base_[2], target_[0], target_[1], target_[2]};
+  const double guard = side_.reach().guard;
+  const HullGap gap = HullGapSearch(mesh_.mesh, mesh_.settled, patches_, points).search(along, {guard, guard});
+  normals_.push_back(gap.normal);
+  if (gap.atLeast < guard) {
+    return false;
+  }
+  Plane plane = planeAlong(gap.normal);
+  plane.cover(gap.top, gap.top);
+  raise(plane);
+  return true;
 }
 
 /// Tries the plane in which the triangle lies, and the one across the way from it to what sticks out most.

@@ -16,8 +16,9 @@ struct Piercing {
 
 /// Puts planes between one triangle of the cloth and what of a mesh it could meet within its room.
 ///
-/// Mostly one plane does for all: the triangle's own, or one across the way from its nearest vertex to the mesh. It is
-/// taken where it has the cloth, at its base and where it is about to go, on its side: then it stands in nobody's way.
+/// Mostly one plane does for all: one in the gap between the hulls of what it could meet and of the triangle, at its
+/// base and where it is about to go. It stands in nobody's way. Of a mesh that moves in itself the triangle's own plane
+/// and those across the way from its corners to the mesh are tried.
 /// What is not on the other side of such a plane gets planes through the nearest points, triangle by triangle.
 class PlaneSearch {
  public:
@@ -26,9 +27,8 @@ class PlaneSearch {
               std::span<const NearVertex> nearest, Findings& findings)
       : side_(side), mesh_(mesh), cloth_(cloth), nearest_(nearest), findings_(findings) {}
 
-  /// @param own a plane that has all behind it that triangle t could reach, if there is one
-  /// @param patches leaves of the mesh's tree, among them all that it could reach  @param boxes theirs
-  void look(int t, const HullGap& own, const std::vector<int>& patches, const BoxList& boxes);
+  /// @param patches leaves of the mesh's tree, among them all that triangle t could reach  @param boxes theirs
+  void look(int t, const std::vector<int>& patches, const BoxList& boxes);
 
   /// The pairs without a plane between them.
   [[nodiscard]] const std::vector<Piercing>& piercings() const { return piercings_; }
@@ -52,8 +52,8 @@ class PlaneSearch {
   };
 
   void place();
-  bool offerOwn(const HullGap& own);
   bool separateAtOnce();
+  bool offerWidestGap(const Vec3& along);
   bool offerOwnPlane();
   bool offer(const Vec3& normal);
   void coverSome();

@@ -16,34 +16,30 @@ bool SharpSearch::place(int t, const std::vector<int>& patches, const BoxList& b
   return !patches_.empty();
 }
 
-/// Away from where the mesh is for the corner that is nearest to it, the triangle's own normal is where to begin.
-HullGap SharpSearch::gap(const HullGapSearch::Wanted& wanted) const {
+/// The triangle's normal, away from where the mesh is for the corner that is nearest to it.
+Vec3 SharpSearch::ownOutwards() const {
   const NearVertex* first = nullptr;
   for (const int v : cloth_.triangles[t_]) {
     const NearVertex& near = nearest_[static_cast<std::size_t>(v)];
     first = near.triangle >= 0 && (first == nullptr || near.gap < first->gap) ? &near : first;
   }
-  const Vec3 outwards = first != nullptr && first->normal.dot(normal_) < 0.0 ? Vec3(-normal_) : normal_;
-  HullGap gap = HullGapSearch(mesh_.mesh, mesh_.settled, patches_, base_).search(outwards, wanted);
-  gap.atLeast = std::min(gap.atLeast, near_);
-  return gap;
+  return first != nullptr && first->normal.dot(normal_) < 0.0 ? Vec3(-normal_) : normal_;
 }
 
-HullGap SharpSearch::planeOf(int t, const std::vector<int>& patches, const BoxList& boxes) {
-  return place(t, patches, boxes) ? gap({close_, side_.reach().guard}) : HullGap{near_};
-}
-
-HullGap SharpSearch::look(int t, const std::vector<int>& patches, const BoxList& boxes, double way) {
+double SharpSearch::look(int t, const std::vector<int>& patches, const BoxList& boxes, double way, Vec3& outwards) {
   if (!place(t, patches, boxes)) {
-    return {near_};
+    return near_;
   }
   const ContactReach& reach = side_.reach();
   const double wanted = mesh_.mesh.movesInItself() ? close_ : std::min(close_, reach.inner + way);
-  const HullGap widest = gap({wanted, way + reach.guard});
-  if (widest.atLeast < wanted) {
+  const HullGap gap = HullGapSearch(mesh_.mesh, mesh_.settled, patches_, base_)
+                          .search(outwards.isZero() ? ownOutwards() : outwards, {wanted, way + reach.guard});
+  outwards = gap.normal;
+  const double distance = std::min(gap.atLeast, near_);
+  if (distance < wanted) {
     lookAround(patches, boxes);
   }
-  return widest;
+  return distance;
 }
 
 FaceRegion SharpSearch::region() const {

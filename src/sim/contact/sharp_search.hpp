@@ -13,23 +13,21 @@ namespace drape {
 /// found.
 class SharpSearch {
  public:
-  /// @param close how near something must be to touch [m]  @param near the same of what the plane is to cover, farther
+  /// @param close how near something must be to touch [m]  @param near how far away what is near may be, farther [m]
   SharpSearch(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
               std::span<const NearVertex> nearest, double close, double near, Findings& findings)
       : side_(side), mesh_(mesh), cloth_(cloth), nearest_(nearest), close_(close), near_(near), findings_(findings) {}
 
   /// @param patches leaves of the mesh's tree, among them all that come near to triangle t  @param boxes theirs
-  /// @return the plane with the widest gap that was found between it and the mesh, at the base; the gap bounds its
-  ///   distance to the mesh from below, and what is farther than near counts as near
   /// @param way of its corners, at most [m]
-  HullGap look(int t, const std::vector<int>& patches, const BoxList& boxes, double way);
-
-  /// The plane alone.
-  HullGap planeOf(int t, const std::vector<int>& patches, const BoxList& boxes);
+  /// @param outwards the direction of the widest gap that was found last, where to begin, or zero; changed to the new
+  /// one
+  /// @return how far it is from the mesh at least, at the base [m]; what is farther than near counts as near
+  double look(int t, const std::vector<int>& patches, const BoxList& boxes, double way, Vec3& outwards);
 
  private:
   bool place(int t, const std::vector<int>& patches, const BoxList& boxes);
-  [[nodiscard]] HullGap gap(const HullGapSearch::Wanted& wanted) const;
+  [[nodiscard]] Vec3 ownOutwards() const;
   [[nodiscard]] FaceRegion region() const;
   void lookAround(const std::vector<int>& patches, const BoxList& boxes);
   void touchPoint(int bodyTriangle, std::size_t corner);

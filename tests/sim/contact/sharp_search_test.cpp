@@ -125,7 +125,8 @@ TEST(SharpSearch, findsExactlyWhatLookingAtEveryPairFinds) {
       SharpSearch sharp(side, inStep, inBody, cloth.nearest, close, near, found);
       AllPairs all(side, mesh, cloth, expected);
       for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
-        sharp.look(static_cast<int>(t), patches, boxes, 1.0);
+        Vec3 outwards = t % 2 == 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::UnitX());  // wherever it begins
+        sharp.look(static_cast<int>(t), patches, boxes, 1.0, outwards);
         all.look(t);
       }
       EXPECT_GT(expected.touches.size(), 50U);
