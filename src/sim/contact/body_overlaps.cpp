@@ -75,13 +75,14 @@ void BodyContact::findOverlaps(const Cloth& cloth, bool settled, bool first) {
 }
 
 void BodyContact::makeRoomForExits() {
-  double most = 0.0;
   for (std::size_t b = 0; b < nearCount_; ++b) {
     const NearBody& near = near_[b];
-    most = near.overlaps ? std::max(most, near.reach.freedFrom(std::numeric_limits<double>::max())) : most;
-  }
-  for (double& room : room_) {
-    room += most;
+    if (near.overlaps) {
+      const double most = near.reach.freedFrom(std::numeric_limits<double>::max());
+      for (const int v : near.overlap.members()) {
+        room_[static_cast<std::size_t>(v)] += most;
+      }
+    }
   }
 }
 

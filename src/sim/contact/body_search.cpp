@@ -110,17 +110,18 @@ void BodySearch::searchRound(const ClothInBody& cloth, std::size_t t, Findings& 
   if (distance > far) {
     return;
   }
-  if (distance > radius_) {
+  const Triangle& corners = cloth.triangles[t];
+  const bool leaves = cloth.overlap != nullptr &&
+                      std::any_of(corners.begin(), corners.end(), [&](int v) { return cloth.overlap->inside(v); });
+  if (distance > radius_ && !leaves) {
     const Vec3 normal = way / distance;
     side_.addBarriers(cloth, t, normal, normal.dot(onCore) + radius_, distance - radius_, findings);
-  } else if (isFree(cloth, cloth.triangles[t])) {
+  } else if (distance <= radius_ && isFree(cloth, corners)) {
     ++findings.overlaps;
     findings.deepestOverlap = std::max(findings.deepestOverlap, radius_ - distance);
   }
   touchCorners(cloth, t, base, findings);
-  const Triangle& corners = cloth.triangles[t];
-  if (cloth.overlap != nullptr &&
-      std::any_of(corners.begin(), corners.end(), [&](int v) { return cloth.overlap->inside(v); })) {
+  if (leaves) {
     return;  // its corners know the way out
   }
   if (distance - radius_ > side_.reach().inner + room - 2.0 * side_.reach().keep) {

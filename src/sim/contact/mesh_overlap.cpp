@@ -50,7 +50,7 @@ void MeshSearch::countOverlaps(const ClothInBody& cloth, Findings& findings) con
   }
   for (std::size_t v = 0; v < cloth.base.size() && cloth.overlap != nullptr; ++v) {
     if (movesInside(static_cast<int>(v))) {
-      findings.deepestOverlap = std::max(findings.deepestOverlap, -cloth.overlap->exitOf(static_cast<int>(v)).gap);
+      findings.deepestOverlap = std::max(findings.deepestOverlap, cloth.overlap->depthOf(static_cast<int>(v)));
     }
   }
 }

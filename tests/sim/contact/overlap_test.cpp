@@ -162,6 +162,72 @@ TEST(Overlap, aTubeThatIsNarrowerThanWhatItIsAroundGetsWiderWithAnySolver) {
   expectEscape("aslant", tube(32, 16, 0.17, 0.5), aslant, 0.0);
 }
 
+TEST(Overlap, aSheetThroughTheMiddleOfAPostIsPulledOffItsEnd) {
+  const auto sheet = sheetAt(17, 0.9, Vec3(0.01, 0.0, 0.0));
+  const BodyShape post = CapsuleShape{0.1, 0.25};
+  for (const double gravity : {0.0, 9.81}) {
+    expectEscape("upright", sheet, bodyAt(post, Vec3::Zero()), gravity);
+    expectEscape("aslant", sheet, bodyAt(post, Vec3::Zero(), Vec3(0.4, 0.0, 0.3)), gravity);
+  }
+  expectEscape("mesh", sheet, bodyAt(meshOf(post), Vec3::Zero()), 9.81);
+}
+
+/// The winding number of a tube's rings around an axis through the origin, which may be turned about x.
+int windingAround(const std::vector<Vec3>& positions, int around, int ring, double turn) {
+  const Eigen::Quaterniond back(Eigen::AngleAxisd(-turn, Vec3::UnitX()));
+  double sum = 0.0;
+  for (int i = 0; i < around; ++i) {
+    const Vec3 a = back * positions[static_cast<std::size_t>(ring * around + i)];
+    const Vec3 b = back * positions[static_cast<std::size_t>(ring * around + (i + 1) % around)];
+    sum += std::atan2(a.z() * b.x() - a.x() * b.z(), a.x() * b.x() + a.z() * b.z());
+  }
+  return static_cast<int>(std::lround(sum / (2.0 * std::numbers::pi)));
+}
+
+TEST(Overlap, aSleeveThatALimbPassesThroughComesAroundIt) {
+  constexpr int around = 24;
+  constexpr int along = 12;
+  const auto sleeve = tube(around, along, 0.07, 0.25);
+  for (const double turn : {0.3, 0.5}) {  // [rad] the limb comes through the sleeve's wall before its ends
+    for (const bool round : {true, false}) {
+      const BodyShape limb = CapsuleShape{0.04, 0.6};
+      const Body body = bodyAt(round ? limb : meshOf(limb), Vec3::Zero(), Vec3(turn, 0.0, 0.0));
+      const auto meeting = meetingOf(sleeve, body, 0.0);
+      const Escape escape = escapeOf(*meeting, body);
+      EXPECT_GT(escape.first.overlaps, 0) << turn;
+      EXPECT_LT(escape.time, 1.0) << turn;
+      EXPECT_EQ(escape.pairs, 0U) << turn;
+      for (int ring = 0; ring <= along; ++ring) {
+        EXPECT_EQ(windingAround(meeting->state.positions, around, ring, turn), 1) << turn << ", ring " << ring;
+      }
+    }
+  }
+}
+
+TEST(CommonExit, isOneOnlyWhereWhatHangsOnThePieceCanFollow) {
+  // A sheet across a post can leave it at its ends only, one that ends soon behind it also sideways.
+  RoundSolid post({Vec3(0.0, -0.5, 0.0), Vec3(0.0, 0.5, 0.0)}, 0.1);
+  const std::vector<Vec3> sideways{Vec3::UnitX()};
+  for (const double size : {1.0, 0.3}) {
+    const auto sheet = sheetAt(31, size, Vec3(0.05, 0.0, 0.0));
+    std::vector<char> inside;
+    std::vector<int> members;
+    for (int v = 0; v < sheet->vertexCount(); ++v) {
+      inside.push_back(static_cast<char>(post.contains(vectorAt(sheet->restPositions, v))));
+      if (inside.back() != 0) {
+        members.push_back(v);
+      }
+    }
+    CommonExit exit(post, sheet->restPositions, sheet->triangles, inside);
+    exit.begin(members, sideways);
+    EXPECT_EQ(exit.find(0.3, true).empty(), size == 1.0) << size;
+    EXPECT_EQ(exit.find(0.3, false).size(), members.size()) << size;
+    EXPECT_TRUE(exit.find(0.1, false).empty()) << "too far";
+    exit.begin(members, {Vec3::UnitX(), Vec3::UnitY()});
+    EXPECT_EQ(exit.find(0.7, true).front().second.normal, size == 1.0 ? Vec3::UnitY() : Vec3::UnitX()) << size;
+  }
+}
+
 TEST(Overlap, goesOnToTheSameBitsFromACopiedStateAndForAnyNumberOfThreads) {
   const Body ball = bodyAt(meshOf(SphereShape{0.2}), Vec3::Zero());
   const auto sheet = sheetAt(34, 0.9, Vec3(0.01, 0.0, 0.0));
@@ -265,6 +331,15 @@ TEST(Solids, leadOutToTheirSurface) {
         EXPECT_TRUE(solid->contains(exit.endPoint - 1e-6 * exit.normal));
         EXPECT_FALSE(solid->contains(exit.endPoint + 1e-6 * exit.normal));
       }
+      const auto passage = solid->passageAlong(point - 3.0 * direction, direction);
+      ASSERT_TRUE(passage.has_value());
+      EXPECT_LT((passage->exit.endPoint - along.endPoint).norm(), 1e-9);
+      EXPECT_TRUE(solid->contains(point + (passage->enter - 3.0 + 1e-6) * direction));
+      EXPECT_FALSE(solid->contains(point + (passage->enter - 3.0 - 1e-6) * direction));
+      EXPECT_FALSE(solid->passageAlong(point + 3.0 * direction, direction).has_value());
+      const NearPoint outside = solid->nearestSurface(along.endPoint + 0.1 * along.normal);
+      EXPECT_GT(outside.gap, 0.0);
+      EXPECT_FALSE(solid->contains(outside.endPoint + 1e-6 * outside.normal));
     }
   }
 }
