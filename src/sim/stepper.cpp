@@ -4,6 +4,7 @@
 #include "sim/contact/body.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
+#include "sim/moving_frame.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,9 +112,14 @@ StepReport Stepper::round(const ClothModel& model, const StepParameters& paramet
     state.history.timeStep = 0.0;
     total = solver_->steps(model, part, inputs, substeps, state);
   } else {
+    MovingFrame frame(meanPinVelocity(model, parameters.timeStep));
+    const StepParameters seen = frame.seen(part);
+    const StepInputs acting = frame.seen(inputs, part.timeStep);
     for (int i = 0; i < substeps; ++i) {
       movePins((i + 1.0) / substeps, state);
-      total.add(substep(model, part, inputs, state));
+      frame.enter(model, part.timeStep, state);
+      total.add(substep(model, seen, acting, state));
+      frame.leave(model, part.timeStep, state);
     }
   }
   total.contact = contact_.resolve(model, parameters, inputs, state);
@@ -140,6 +146,16 @@ void Stepper::movePins(double share, ClothState& state) const {
   for (const PinWay& way : pinWays_) {
     state.positions[way.vertex] = way.from + share * (way.to - way.from);
   }
+}
+
+/// Of all pins, while carried ones go their ways in that time [m/s].
+Vec3 Stepper::meanPinVelocity(const ClothModel& model, double seconds) const {
+  Vec3 sum = Vec3::Zero();
+  for (const PinWay& way : pinWays_) {
+    sum += way.to - way.from;
+  }
+  const auto pins = std::count(model.pinned.begin(), model.pinned.end(), true);
+  return pinWays_.empty() ? sum : Vec3(sum / (static_cast<double>(pins) * seconds));
 }
 
 StepReport Stepper::substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,

@@ -22,7 +22,7 @@ namespace drape {
 ///
 /// With `keepMomentum`, the MomentumKeeper stands around every substep, and contact around the whole step. Pins that a
 /// body carries are taken along before every substep, evenly over the step; to the solver they are at rest, as all
-/// pins.
+/// pins, and so it works in a frame that goes along with them (MovingFrame).
 ///
 /// Near bodies a step is taken in rounds of at most 1/300 s, each with its own contact and its share of the
 /// substeps. A solver that chooses its substeps keeps the energy it finds, and is fed by springs that drew cloth into a
@@ -67,6 +67,7 @@ class Stepper {
   void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
   /// Puts carried pins where they are after that share of the step.
   void movePins(double share, ClothState& state) const;
+  [[nodiscard]] Vec3 meanPinVelocity(const ClothModel& model, double seconds) const;
 
   StepReport substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                      ClothState& state);

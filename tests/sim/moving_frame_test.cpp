@@ -1,0 +1,111 @@
+// Pins that a body carries brake nothing.
+#include "sim/moving_frame.hpp"
+
+#include "contact/meeting.hpp"
+#include "sim/measures.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+
+namespace drape {
+namespace {
+
+using testing::Meeting;
+
+/// A sheet whose first row goes along with a body far away, evenly from the start, and moves with it.
+std::unique_ptr<Meeting> carriedSheet(const std::string& solver, const Vec3& velocity) {
+  constexpr int n = 6;
+  Body carrier = testing::bodyAt(SphereShape{0.01}, Vec3(0.0, 9.0, 0.0));
+  carrier.motion.keyframes.clear();
+  for (int k = -3; k <= 10; ++k) {
+    carrier.motion.keyframes.push_back({0.1 * k, Vec3(0.0, 9.0, 0.0) + 0.1 * k * velocity, Vec3::Zero()});
+  }
+  std::vector<int> pins;
+  for (int v = 0; v < n; ++v) {
+    pins.push_back(v);
+    carrier.pins.push_back({v, -1});
+  }
+  auto meeting = std::make_unique<Meeting>(buildClothModel(testing::sheet(n), 0.1, MassLumping::Area, pins),
+                                           std::vector<Body>{carrier}, solver);
+  meeting->parameters.timeStep = 1.0 / 300.0;
+  meeting->parameters.substeps = 4;
+  meeting->parameters.gravity = 0.0;
+  meeting->parameters.stiffness = 20.0;
+  meeting->parameters.damping = 0.1;
+  meeting->parameters.drag = 0.5;
+  meeting->parameters.wind = velocity;  // so that the air does not brake it
+  for (std::size_t v = static_cast<std::size_t>(n); v < meeting->state.velocities.size(); ++v) {
+    meeting->state.velocities[v] = velocity;
+  }
+  return meeting;
+}
+
+double farthestFrom(const std::vector<Vec3>& rest, const Vec3& way, const ClothState& state) {
+  double farthest = 0.0;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    farthest = std::max(farthest, (state.positions[v] - rest[v] - way).norm());
+  }
+  return farthest;
+}
+
+TEST(MovingFrame, letsASheetGoAlongWithItsPinsHoweverStronglyItIsDamped) {
+  const Vec3 velocity(0.5, 0.3, 2.0);
+  for (const SolverInfo& solver : solverTable()) {
+    const auto meeting = carriedSheet(std::string(solver.name), velocity);
+    meeting->run(0.3);
+    EXPECT_LT(farthestFrom(meeting->model().restPositions, 0.3 * velocity, meeting->state), 2e-5) << solver.name;
+  }
+}
+
+TEST(MovingFrame, doesTheSameUnderEveryIntegration) {
+  const Vec3 velocity(0.5, 0.3, 2.0);
+  for (const Integration integration : {Integration::Theta, Integration::Bdf2}) {
+    const auto meeting = carriedSheet("pcg", velocity);
+    meeting->parameters.integration = integration;
+    meeting->run(0.3);
+    EXPECT_LT(farthestFrom(meeting->model().restPositions, 0.3 * velocity, meeting->state), 2e-5);
+  }
+}
+
+TEST(MovingFrame, showsTheSameMotionAsARoomThatMoves) {
+  // A carried sheet that is shaken and pulled swings as one whose pins rest, seen from its pins.
+  const Vec3 velocity(1.0, -0.5, 0.5);
+  std::vector<ClothState> ends;
+  for (const Vec3& each : {Vec3(Vec3::Zero()), velocity}) {
+    const auto meeting = carriedSheet("xpbd", each);
+    const ClothState shaken = testing::shaken(meeting->model(), 0.02, 7);
+    for (std::size_t v = 0; v < shaken.positions.size(); ++v) {
+      meeting->state.positions[v] = shaken.positions[v];
+      meeting->state.velocities[v] += shaken.velocities[v];
+    }
+    meeting->parameters.gravity = 9.81;
+    meeting->run(0.3);
+    ends.push_back(meeting->state);
+  }
+  EXPECT_GT(farthestFrom(ends[0].positions, Vec3::Zero(), carriedSheet("xpbd", velocity)->state), 0.01);
+  EXPECT_LT(farthestFrom(ends[0].positions, 0.3 * velocity, ends[1]), 1e-4);
+}
+
+TEST(MovingFrame, changesNothingWhereItRests) {
+  const auto model = testing::pinnedSheet(5);
+  const ClothState before = testing::shaken(*model, 0.1, 3);
+  ClothState state = before;
+  MovingFrame frame{Vec3::Zero()};
+  frame.enter(*model, 0.1, state);
+  frame.leave(*model, 0.1, state);
+  EXPECT_EQ(stateHash(state), stateHash(before));
+}
+
+TEST(MovingFrame, leavesPinsThatNobodyCarriesWhereTheyAre) {
+  const auto meeting = carriedSheet("xpbd", Vec3(0.1, 0.2, 0.3));
+  std::vector<bool> pinned = meeting->model().pinned;
+  pinned.back() = true;
+  Meeting other(withPins(meeting->model(), pinned), meeting->world().bodies(), "xpbd");
+  other.parameters = meeting->parameters;
+  other.run(0.1);
+  EXPECT_EQ(other.state.positions.back(), other.model().restPositions.back());
+  EXPECT_EQ(other.state.velocities.back(), Vec3(0, 0, 0));
+}
+
+}  // namespace
+}  // namespace drape
