@@ -112,7 +112,7 @@ ClothInBody BodyContact::clothIn(const Cloth& cloth, const NearBody& near, std::
           near.overlaps ? &near.overlap : nullptr};
 }
 
-/// Looks for touches, and on planes, spheres and capsules for barriers as well.
+/// Looks for touches, of meshes those of vertices, and on planes, spheres and capsules for barriers as well.
 /// @param settled the bases are at the end of the step
 /// @return true when some of the cloth is inside of what is round: it should be asked again
 bool BodyContact::search(const Cloth& cloth, bool settled) {
@@ -137,6 +137,22 @@ bool BodyContact::search(const Cloth& cloth, bool settled) {
   }
   firstOfMeshes_ = found_.barriers.size();
   return news;
+}
+
+/// Looks for edges and faces that are about to touch meshes although vertices are held: on what is smooth as seen from
+/// the cloth there are none.
+/// @return true when there are some
+bool BodyContact::searchSharp(const Cloth& cloth, bool settled) {
+  const std::size_t before = found_.touches.size();
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    NearBody& near = near_[b];
+    if (near.mesh != nullptr) {
+      near.meshSearch.findSharpTouches(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
+                                       clothIn(cloth, near, near.placed), clustersOf(cloth), workers_,
+                                       cloth.parameters.threads, found_);
+    }
+  }
+  return found_.touches.size() > before;
 }
 
 /// Looks for barriers of meshes between where the cloth is safe and where touches let it go. That is less far than it
@@ -226,8 +242,8 @@ const ClothClusters& BodyContact::clustersOf(const Cloth& cloth) {
   });
 }
 
-/// Leaves to each vertex the room that it needs to get to `positions`, and some to be put across planes.
-void BodyContact::narrowRoom(const Cloth& cloth, const std::vector<Vec3>& positions) {
+/// Brings what touches let the cloth do into the frames of the bodies.
+void BodyContact::placeSolved(const Cloth& cloth, const std::vector<Vec3>& positions) {
   needed_.assign(positions.size(), 0.0);
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
@@ -237,6 +253,10 @@ void BodyContact::narrowRoom(const Cloth& cloth, const std::vector<Vec3>& positi
       needed_[v] = std::max(needed_[v], (near.placed[v] - near.base[v]).norm());
     });
   }
+}
+
+/// Leaves to each vertex the room that it needs to get there, and some to be put across planes.
+void BodyContact::narrowRoom() {
   const double apart = nearCount_ > 1 ? 2.0 : 1.0;
   const double keep = largestKeep();
   for (std::size_t v = 0; v < needed_.size(); ++v) {
@@ -290,7 +310,13 @@ bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, Contac
     positions = cloth.target;
     correctPositions(cloth, positions);
     if (meshes()) {
-      narrowRoom(cloth, positions);
+      placeSolved(cloth, positions);
+      if (searchSharp(cloth, settled)) {
+        positions = cloth.target;
+        correctPositions(cloth, positions);
+        placeSolved(cloth, positions);
+      }
+      narrowRoom();
       news = searchPlanes(cloth, settled) || news;
     }
   }

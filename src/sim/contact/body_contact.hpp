@@ -71,12 +71,14 @@ class BodyContact {
   void place(const Cloth& cloth, const std::vector<Vec3>* safe);
   void makeRoomForMoves(const Cloth& cloth, const NearBody& near);
   bool search(const Cloth& cloth, bool settled);
+  bool searchSharp(const Cloth& cloth, bool settled);
   bool searchPlanes(const Cloth& cloth, bool settled);
   bool askAround(const Cloth& cloth, bool all, const std::vector<Vec3>& positions);
   int holdBarriers(const Cloth& cloth, bool settled, std::vector<Vec3>& positions);
   [[nodiscard]] bool meshes() const;
   [[nodiscard]] double largestKeep() const;
-  void narrowRoom(const Cloth& cloth, const std::vector<Vec3>& positions);
+  void placeSolved(const Cloth& cloth, const std::vector<Vec3>& positions);
+  void narrowRoom();
   const std::vector<OwnedFeatures>& ownedOf(const Cloth& cloth);
   const ClothClusters& clustersOf(const Cloth& cloth);
   void searchRound(const Cloth& cloth, const ClothInBody& inBody, const BodySearch& body);

@@ -43,6 +43,21 @@ std::size_t meeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::i
   return count;
 }
 
+void distancesToList(const BoxList& boxes, const Vec3& point, double* squared) {
+  const Doubles d;
+  for (std::size_t i = 0; i < boxes.size(); i += hn::Lanes(d)) {
+    auto sum = hn::Zero(d);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = hn::Set(d, point[static_cast<Eigen::Index>(axis)]);
+      const auto below = hn::Sub(hn::LoadU(d, boxes.low(axis) + i), at);
+      const auto above = hn::Sub(at, hn::LoadU(d, boxes.high(axis) + i));
+      const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
+      sum = hn::Add(sum, hn::Mul(outside, outside));
+    }
+    hn::StoreU(sum, d, squared + i);
+  }
+}
+
 void distances(const TriangleBoxes* boxes, const std::int32_t* patches, std::size_t count, const Vec3& point,
                double* squared) {
   const hn::CappedTag<double, trianglesOfPatch> d;
@@ -181,6 +196,7 @@ namespace drape {
 
 HWY_EXPORT(meeting);
 HWY_EXPORT(distances);
+HWY_EXPORT(distancesToList);
 HWY_EXPORT(extents);
 HWY_EXPORT(farthest);
 HWY_EXPORT(findInRegion);
@@ -201,6 +217,12 @@ void BoxList::add(const Eigen::AlignedBox3d& box) {
 void boxesMeeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::vector<std::int32_t>& met) {
   met.resize(boxes.size());
   met.resize(HWY_DYNAMIC_DISPATCH(meeting)(boxes, box, met.data()));
+}
+
+void squaredDistances(const BoxList& boxes, const Vec3& point, std::vector<double>& squared) {
+  squared.resize(boxes.size() + mostDoubles);
+  HWY_DYNAMIC_DISPATCH(distancesToList)(boxes, point, squared.data());
+  squared.resize(boxes.size());
 }
 
 void squaredDistances(const std::vector<TriangleBoxes>& boxes, const std::vector<std::int32_t>& patches,

@@ -76,6 +76,9 @@ struct InRegion {
 /// The indices of the boxes that meet `box`, ascending.
 void boxesMeeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::vector<std::int32_t>& met);
 
+/// The squared distances from a point to boxes, 0 inside [m^2].
+void squaredDistances(const BoxList& boxes, const Vec3& point, std::vector<double>& squared);
+
 /// The squared distances from a point to the boxes of all triangles of some patches, 0 inside [m^2]: those of patch k
 /// from trianglesOfPatch * k on.
 /// @param boxes of all patches

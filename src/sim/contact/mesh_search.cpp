@@ -107,28 +107,30 @@ class MeshSearch::Near {
   /// The mesh's point that is nearest to a vertex, as far as that is about to go.
   NearVertex nearestTo(int vertex, const Nearby& nearby, NearbyTriangles& memory) {
     const Vec3& point = vectorAt(cloth_.base, vertex);
-    const NearVertex found = nearby.patches.empty() ? NearVertex() : nearestWithin(point, nearby, memory);
     const double radius = cloth_.room[static_cast<std::size_t>(vertex)] - side_.reach().keep;
-    if (found.triangle >= 0 || radius <= radius_) {
-      return found;
+    if (mesh_.mesh.movesInItself() || cloth_.overlap != nullptr) {
+      const NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius_);
+      return found.triangle < 0 && radius > radius_ ? nearest_.anywhere(point, radius) : found;
     }
-    const Eigen::AlignedBox3d around = inflated({point, point}, radius);
-    return nearby.covered.contains(around) ? nearest_.among(nearby.patches, nearby.boxes, point, radius)
-                                           : nearest_.anywhere(point, radius);
-  }
-
- private:
-  NearVertex nearestWithin(const Vec3& point, const Nearby& nearby, NearbyTriangles& memory) {
-    if ((point - memory.at).norm() + rounding <= memory.serves) {
-      return nearest_.amongRemembered(memory, point, radius_);
+    const double moved = (point - memory.at).norm() + rounding;
+    if (memory.clear - moved >= radius) {
+      return {};
     }
-    const NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius_);
-    if (!mesh_.mesh.movesInItself()) {
-      nearest_.remember(point, known * side_.reach().keep, memory);
+    if (moved <= memory.serves) {
+      return nearest_.amongRemembered(memory, point, radius, moved);
     }
+    const double beyond =
+        std::min((point - nearby.covered.min()).minCoeff(), (nearby.covered.max() - point).minCoeff());
+    const double within = known * side_.reach().keep;
+    if (radius + 2.0 * within > beyond) {
+      return nearest_.anywhere(point, radius);
+    }
+    const NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius, within);
+    nearest_.remember(point, within, beyond, memory);
     return found;
   }
 
+ private:
   const BodySide& side_;
   const MeshInStep& mesh_;
   const ClothInBody& cloth_;
@@ -141,10 +143,7 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
   nearby_.resize(clusters.count());
   nearest_.resize(cloth.base.size());
   near_.resize(cloth.base.size());
-  distances_.resize(cloth.triangles.size());
-  outwards_.resize(cloth.triangles.size(), Vec3::Zero());
   markCaught(cloth);
-  const double close = closeBy(side.reach());
   workers.forRange(threads, static_cast<int>(cloth.triangles.size()), [&](int begin, int end) {
     Near here(side, mesh, cloth);
     const auto [first, last] = clusters.clustersWithin(begin, end);
@@ -156,6 +155,16 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
       }
     }
   });
+  countOverlaps(cloth, findings);
+  pushOff(side, mesh, cloth, findings);
+  touchVertices(side, mesh, cloth, findings);
+}
+
+void MeshSearch::findSharpTouches(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
+                                  const ClothClusters& clusters, Workers& workers, int threads, Findings& findings) {
+  distances_.resize(cloth.triangles.size());
+  outwards_.resize(cloth.triangles.size(), Vec3::Zero());
+  const double close = closeBy(side.reach());
   const auto parts = inParts<int>(
       clusters, workers, threads, cloth.triangles.size(), [&](std::size_t first, std::size_t last, Part<int>& part) {
         SharpSearch sharp(side, mesh, cloth, nearest_, close, side.reach().keep, part.found);
@@ -166,9 +175,6 @@ void MeshSearch::findTouches(const BodySide& side, const MeshInStep& mesh, const
   for (const auto& part : parts) {
     findings.append(part.found);
   }
-  countOverlaps(cloth, findings);
-  pushOff(side, mesh, cloth, findings);
-  touchVertices(side, mesh, cloth, findings);
 }
 
 /// Looks for what touches the triangles of a cluster, as far as they are not known to be too far away.

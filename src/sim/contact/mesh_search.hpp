@@ -15,7 +15,8 @@ namespace drape {
 /// come nearer than they may, and planes between every triangle and what of the body it could meet.
 ///
 /// Clusters of the cloth find the body's patches near them. Vertices look for their nearest point as far as they are
-/// about to go; but planes are looked for when it is known where touches let the cloth go, which mostly is near.
+/// about to go; but edges and faces are looked at when it is known where touches of vertices let the cloth go, and
+/// planes are looked for when all touches are known. Then it mostly goes not far.
 ///
 /// What was found serves while a cluster hardly moves in the body's frame, where the mesh does not move in itself.
 /// Lists of patches hold a little more than is near; whoever reads them takes what is near. Distances are known with
@@ -27,12 +28,17 @@ class MeshSearch {
   /// @param mesh to be searched, by address  @param model tells cloths apart
   void begin(const SearchableMesh& mesh, std::uint64_t model);
 
-  /// Adds touches to `findings`, in an order that does not depend on the threads.
+  /// Adds touches of the cloth's vertices to `findings`.
   /// @param cloth with room for all the way to its target
   void findTouches(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
                    const ClothClusters& clusters, Workers& workers, int threads, Findings& findings);
 
-  /// Adds barriers to `findings`, after findTouches.
+  /// Adds touches of its edges and faces, after findTouches, in an order that does not depend on the threads.
+  /// @param cloth its target is where touches of its vertices alone let it go
+  void findSharpTouches(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
+                        const ClothClusters& clusters, Workers& workers, int threads, Findings& findings);
+
+  /// Adds barriers to `findings`, after both.
   /// @param cloth its target is where touches let it go, with room for that
   /// @param ways from bases to targets [m]
   /// @return true when some of the cloth pierces the mesh of which findTouches did not know: it should be asked again

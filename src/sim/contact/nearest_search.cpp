@@ -8,6 +8,7 @@ namespace {
 
 /// What rounding makes of squared distances that are equal, and more [-].
 constexpr double roundedUp = 1.0 + 1e-12;
+constexpr float roundedDown = 1.0F - 1e-6F;  // the same of distances as floats [-]
 
 }  // namespace
 
@@ -38,50 +39,63 @@ int NearestSearch::triangleAt(std::size_t box) const {
   return mesh_.mesh.tree.leaf(static_cast<std::size_t>(near_[box / trianglesOfPatch]))[box % trianglesOfPatch];
 }
 
-void NearestSearch::remember(const Vec3& point, double within, NearbyTriangles& memory) const {
+void NearestSearch::remember(const Vec3& point, double within, double beyond, NearbyTriangles& memory) const {
+  memory.at = point;
   memory.serves = -1.0;
   memory.count = 0;
   if (best_.triangle < 0) {
+    const auto nearest = std::min_element(toPatch_.begin(), toPatch_.end());
+    memory.clear = nearest == toPatch_.end() ? beyond : std::min(beyond, std::sqrt(*nearest));
     return;
   }
+  memory.clear = std::sqrt(least_);
   // What is nearest elsewhere is no farther from there than the triangle that is nearest here.
-  const double far = std::sqrt(least_) + 2.0 * within;
+  const double far = memory.clear + 2.0 * within;
   for (std::size_t i = 0; i < toBox_.size(); ++i) {
     if (toBox_[i] <= roundedUp * far * far) {
       if (memory.count == NearbyTriangles::most) {
         return;
       }
-      memory.triangles[memory.count++] = triangleAt(i);
+      memory.triangles[memory.count] = triangleAt(i);
+      memory.toBox[memory.count] = roundedDown * static_cast<float>(std::sqrt(toBox_[i]));
+      if (memory.triangles[memory.count] == best_.triangle) {  // it comes first: that bounds what others can be
+        std::swap(memory.triangles[memory.count], memory.triangles[0]);
+        std::swap(memory.toBox[memory.count], memory.toBox[0]);
+      }
+      ++memory.count;
     }
   }
-  memory.at = point;
   memory.serves = within;
 }
 
-NearVertex NearestSearch::amongRemembered(const NearbyTriangles& memory, const Vec3& point, double radius) {
+NearVertex NearestSearch::amongRemembered(const NearbyTriangles& memory, const Vec3& point, double radius,
+                                          double moved) {
   best_ = {};
   least_ = radius * radius;
   for (std::size_t i = 0; i < memory.count; ++i) {
-    lookAt(memory.triangles[i], point);
+    const double toBox = static_cast<double>(memory.toBox[i]) - moved;
+    if (toBox <= 0.0 || toBox * toBox <= roundedUp * least_) {
+      lookAt(memory.triangles[i], point);
+    }
   }
   return result(point);
 }
 
-NearVertex NearestSearch::among(const std::vector<int>& patches, const BoxList& boxes, const Vec3& point,
-                                double radius) {
+NearVertex NearestSearch::among(const std::vector<int>& patches, const BoxList& boxes, const Vec3& point, double radius,
+                                double within) {
   best_ = {};
   least_ = radius * radius;
-  const Vec3 around = Vec3::Constant(radius);
-  boxesMeeting(boxes, {point - around, point + around}, near_);
-  if (near_.empty()) {
-    return best_;
-  }
-  for (std::int32_t& each : near_) {
-    each = patches[static_cast<std::size_t>(each)];
+  squaredDistances(boxes, point, toPatch_);
+  const double far = radius + 2.0 * within;
+  near_.clear();
+  for (std::size_t i = 0; i < toPatch_.size(); ++i) {
+    if (toPatch_[i] <= roundedUp * far * far) {
+      near_.push_back(patches[i]);
+    }
   }
   squaredDistances(mesh_.mesh.triangleBoxes(mesh_.settled), near_, point, toBox_);
   const auto first = static_cast<std::size_t>(std::min_element(toBox_.begin(), toBox_.end()) - toBox_.begin());
-  if (!(toBox_[first] < least_)) {
+  if (near_.empty() || !(toBox_[first] < least_)) {
     return best_;
   }
   lookAt(triangleAt(first), point);

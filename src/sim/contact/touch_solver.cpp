@@ -42,36 +42,60 @@ void TouchSolver::place(std::span<const Touch> touches, std::span<const double> 
   }
 }
 
+/// A vertex with a single touch, of itself, is where it should be after one round, exactly.
+void TouchSolver::findCoupled() {
+  for (const Point& point : points_) {
+    for (std::size_t c = 0; c < point.count; ++c) {
+      ++touchesOf_[point.vertices[c]];
+    }
+  }
+  coupled_.clear();
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    if (points_[k].count > 1 || touchesOf_[points_[k].vertices[0]] > 1) {
+      coupled_.push_back(k);
+    }
+  }
+}
+
+/// @return whether the impulse changes
+bool TouchSolver::solveOne(const Touch& touch, const TouchGoal& goal, std::size_t k, std::span<Vec3> values) {
+  const Point& point = points_[k];
+  const double inverse = point.inverse;
+  if (inverse <= 0.0) {
+    return false;  // nothing there can move
+  }
+  Impulse& impulse = impulses_[k];
+  const Vec3 value = point.valueIn(values);
+  const double along = std::max(0.0, impulse.along + (goal.least - touch.normal.dot(value)) / inverse);
+  if (along == 0.0 && impulse.along == 0.0) {
+    return false;
+  }
+  const Vec3 slip = value - goal.still;
+  Vec3 across = impulse.across - (slip - slip.dot(touch.normal) * touch.normal) / inverse;
+  const double wanted = across.norm();
+  if (wanted > touch.staticFriction * along) {
+    across *= touch.kineticFriction * along / wanted;
+  }
+  const Vec3 change = (along - impulse.along) * touch.normal + across - impulse.across;
+  point.push(change, values);
+  impulse = {along, across};
+  return change.norm() > converged * along;
+}
+
 void TouchSolver::solve(std::span<const Touch> touches, std::span<const TouchGoal> goals,
                         std::span<const double> inverseMass, int rounds, std::span<Vec3> values) {
   impulses_.assign(touches.size(), {});
+  touchesOf_.assign(values.size(), 0);
   place(touches, inverseMass);
+  findCoupled();
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    solveOne(touches[k], goals[k], k, values);
+  }
   bool changes = true;
-  for (int round = 0; round < rounds && changes; ++round) {
+  for (int round = 1; round < rounds && changes; ++round) {
     changes = false;
-    for (std::size_t k = 0; k < touches.size(); ++k) {
-      const Touch& touch = touches[k];
-      const Point& point = points_[k];
-      const double inverse = point.inverse;
-      if (inverse <= 0.0) {
-        continue;  // nothing there can move
-      }
-      Impulse& impulse = impulses_[k];
-      const Vec3 value = point.valueIn(values);
-      const double along = std::max(0.0, impulse.along + (goals[k].least - touch.normal.dot(value)) / inverse);
-      if (along == 0.0 && impulse.along == 0.0) {
-        continue;
-      }
-      const Vec3 slip = value - goals[k].still;
-      Vec3 across = impulse.across - (slip - slip.dot(touch.normal) * touch.normal) / inverse;
-      const double wanted = across.norm();
-      if (wanted > touch.staticFriction * along) {
-        across *= touch.kineticFriction * along / wanted;
-      }
-      const Vec3 change = (along - impulse.along) * touch.normal + across - impulse.across;
-      changes = changes || change.norm() > converged * along;
-      point.push(change, values);
-      impulse = {along, across};
+    for (const std::size_t k : coupled_) {
+      changes = solveOne(touches[k], goals[k], k, values) || changes;
     }
   }
 }

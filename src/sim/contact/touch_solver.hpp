@@ -24,9 +24,6 @@ class TouchSolver {
   void solve(std::span<const Touch> touches, std::span<const TouchGoal> goals, std::span<const double> inverseMass,
              int rounds, std::span<Vec3> values);
 
-  /// True when the last solve pushed at that touch.
-  [[nodiscard]] bool pushed(std::size_t touch) const { return impulses_[touch].along > 0.0; }
-
  private:
   struct Impulse {
     double along = 0.0;  // [kg times the values' unit]
@@ -46,9 +43,14 @@ class TouchSolver {
   };
 
   void place(std::span<const Touch> touches, std::span<const double> inverseMass);
+  void findCoupled();
+  bool solveOne(const Touch& touch, const TouchGoal& goal, std::size_t k, std::span<Vec3> values);
 
   std::vector<Impulse> impulses_;
   std::vector<Point> points_;
+  std::vector<int> touchesOf_;  // how many each vertex has
+  std::vector<std::size_t>
+      coupled_;  // touches that share a vertex with others or have several: one round is not enough
 };
 
 }  // namespace drape

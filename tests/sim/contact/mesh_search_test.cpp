@@ -94,6 +94,7 @@ struct Search {
     const std::vector<double> inverseMass(start.size(), 1.0);
     const ClothInBody cloth{start, target, room, model->triangles, owned, inverseMass};
     meshSearch.findTouches(side, inStep, cloth, clusters, workers, 1, found);
+    meshSearch.findSharpTouches(side, inStep, cloth, clusters, workers, 1, found);
     std::vector<double> ways;
     for (std::size_t v = 0; v < start.size(); ++v) {
       ways.push_back((target[v] - start[v]).norm());

@@ -53,21 +53,23 @@ TEST(NearestSearch, findsTheSameBitsByWhatItRemembersAsByLookingAnew) {
     if (i % 3 == 0) {
       point = mesh.shape.positions[static_cast<std::size_t>(i) % mesh.shape.positions.size()] + 0.02 * Vec3::UnitY();
     }
-    (void)search.among(all.patches, all.boxes, point, radius);
+    (void)search.among(all.patches, all.boxes, point, radius, within);
     NearbyTriangles memory;
-    search.remember(point, within, memory);
+    search.remember(point, within, 1.0, memory);
     if (memory.serves < 0.0) {
       continue;
     }
     ++remembered;
     for (const Vec3& there : {point, Vec3(point + random.next(within / 2.0)), Vec3(point - within * Vec3::UnitX())}) {
-      expectSame(search.amongRemembered(memory, there, radius), search.among(all.patches, all.boxes, there, radius));
+      const double moved = (there - point).norm() + 1e-9;
+      expectSame(search.amongRemembered(memory, there, radius, moved),
+                 search.among(all.patches, all.boxes, there, radius));
     }
   }
   EXPECT_GT(remembered, 1000);
 }
 
-TEST(NearestSearch, remembersNothingWhereNothingIsNear) {
+TEST(NearestSearch, remembersHowFarEverythingIsWhereNothingIsNear) {
   const SearchableMesh mesh(hills());
   const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
   const Leaves all(mesh);
@@ -75,8 +77,12 @@ TEST(NearestSearch, remembersNothingWhereNothingIsNear) {
   const Vec3 far(0.5, 1.0, 0.5);
   EXPECT_LT(search.among(all.patches, all.boxes, far, 0.1).triangle, 0);
   NearbyTriangles memory;
-  search.remember(far, 0.01, memory);
+  search.remember(far, 0.01, 2.0, memory);
   EXPECT_LT(memory.serves, 0.0);
+  EXPECT_GT(memory.clear, 0.8);
+  EXPECT_LE(memory.clear, NearestSearch(inStep).anywhere(far, 2.0).gap);
+  search.remember(far, 0.01, 0.5, memory);  // beyond the leaves something may be nearer
+  EXPECT_EQ(memory.clear, 0.5);
 }
 
 }  // namespace
