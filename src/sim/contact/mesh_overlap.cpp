@@ -32,6 +32,18 @@ void MeshSearch::markCaught(const ClothInBody& cloth) {
   }
 }
 
+/// Spares a caught triangle another search: it has no planes, and what it pierces at the base is known.
+bool MeshSearch::keepPiercings(const MeshInStep& mesh, int triangle, PlaneSearch& planes) const {
+  const auto t = static_cast<std::size_t>(triangle);
+  if (!piercingsKnown_ || !caught_[t] || !mesh.mesh.closed) {
+    return false;
+  }
+  for (std::size_t i = firstPiercing_[t]; i < piercings_.size() && piercings_[i].cloth == triangle; ++i) {
+    planes.keep(piercings_[i]);
+  }
+  return true;
+}
+
 /// Counts what could come out: pins stay where they are, and what hangs on them with them.
 void MeshSearch::countOverlaps(const ClothInBody& cloth, Findings& findings) const {
   if (piercings_.empty() && cloth.overlap == nullptr) {

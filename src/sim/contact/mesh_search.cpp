@@ -47,6 +47,7 @@ std::vector<Part<More>> inParts(const ClothClusters& clusters, Workers& workers,
 
 void MeshSearch::begin(const SearchableMesh& mesh, std::uint64_t model) {
   piercings_.clear();
+  piercingsKnown_ = false;
   asked_.clear();
   if (mesh_ != &mesh || model_ != model) {
     nearby_.clear();
@@ -271,6 +272,9 @@ bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const 
                             for (const int t : triangles) {
                               if (!isSpared(t) && !nearby.patches.empty()) {
                                 const auto at = static_cast<std::size_t>(t);
+                                if (keepPiercings(mesh, t, planes)) {
+                                  continue;
+                                }
                                 const std::size_t before = part.found.barriers.size();
                                 planes.look(t, nearby.patches, nearby.boxes);
                                 if (caught_[at] && mesh.mesh.closed) {
@@ -291,6 +295,11 @@ bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const 
   }
   const bool news = piercings.size() != piercings_.size();
   piercings_.swap(piercings);
+  firstPiercing_.assign(cloth.triangles.size(), piercings_.size());
+  for (std::size_t i = piercings_.size(); i-- > 0;) {
+    firstPiercing_[static_cast<std::size_t>(piercings_[i].cloth)] = i;
+  }
+  piercingsKnown_ = true;
   return news;
 }
 

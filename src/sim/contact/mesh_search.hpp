@@ -80,21 +80,24 @@ class MeshSearch {
   void pushToFront(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, const Piercing& piercing,
                    Findings& findings) const;
   void countOverlaps(const ClothInBody& cloth, Findings& findings) const;
+  bool keepPiercings(const MeshInStep& mesh, int triangle, PlaneSearch& planes) const;
   void holdCaught(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
 
-  const SearchableMesh* mesh_ = nullptr;  // that the lists are for ...
-  std::uint64_t model_ = 0;               // ... and the cloth
-  std::vector<Nearby> nearby_;            // of each cluster
-  std::vector<NearVertex> nearest_;       // to each vertex
-  std::vector<NearbyTriangles> near_;     // the same: where to look for it
-  std::vector<double> distances_;         // of each triangle to the mesh, at least, at the base [m]
-  std::vector<Vec3> outwards_;            // of each triangle, where its distance was found: where to look first
-  std::vector<char> spared_;              // for each triangle whether no plane was looked for ...
-  std::vector<char> asked_;               // ... and whether one has to be
-  std::vector<Piercing> piercings_;       // in the order of the cloth's triangles as clusters have them
-  std::vector<bool> pierces_;             // for each triangle of the cloth
-  std::vector<bool> caught_;              // the same, or a vertex of it is inside
-  std::vector<bool> beside_;              // for each vertex whether a triangle of it is caught
+  const SearchableMesh* mesh_ = nullptr;    // that the lists are for ...
+  std::uint64_t model_ = 0;                 // ... and the cloth
+  std::vector<Nearby> nearby_;              // of each cluster
+  std::vector<NearVertex> nearest_;         // to each vertex
+  std::vector<NearbyTriangles> near_;       // the same: where to look for it
+  std::vector<double> distances_;           // of each triangle to the mesh, at least, at the base [m]
+  std::vector<Vec3> outwards_;              // of each triangle, where its distance was found: where to look first
+  std::vector<char> spared_;                // for each triangle whether no plane was looked for ...
+  std::vector<char> asked_;                 // ... and whether one has to be
+  std::vector<Piercing> piercings_;         // in the order of the cloth's triangles as clusters have them
+  bool piercingsKnown_ = false;             // of this pass: what pierces at the base goes on to
+  std::vector<std::size_t> firstPiercing_;  // of each triangle of the cloth
+  std::vector<bool> pierces_;               // for each triangle of the cloth
+  std::vector<bool> caught_;                // the same, or a vertex of it is inside
+  std::vector<bool> beside_;                // for each vertex whether a triangle of it is caught
 };
 
 }  // namespace drape

@@ -31,6 +31,8 @@ class PlaneSearch {
   void look(int t, const std::vector<int>& patches, const BoxList& boxes);
 
   /// The pairs without a plane between them.
+  /// Takes in what is known to pierce, as if it had been found now.
+  void keep(const Piercing& piercing) { piercings_.push_back(piercing); }
   [[nodiscard]] const std::vector<Piercing>& piercings() const { return piercings_; }
 
  private:
