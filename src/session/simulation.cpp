@@ -69,15 +69,26 @@ void Simulation::keepBudget() {
 
 /// While anything is inside a body, which pushes it out slowly.
 void Simulation::tellOfOverlap() {
+  constexpr double patience = 1.5;  // of what can come out nearly all is out by then [s]
   const ContactReport& contact = stepReport_.contact;
   overlapMessage_.clear();
+  if (contact.overlaps == 0 || stepIndex_ == 0) {
+    lastOutside_ = state_.time;
+  }
   if (contact.overlaps > 0) {
+    const bool stuck = state_.time - lastOutside_ > patience;
     const double depth = contact.deepestOverlap * 1e3;
     std::ostringstream shown;
     shown << std::fixed << std::setprecision(depth < 10.0 ? 1 : 0) << depth;
-    overlapMessage_ = std::string("The cloth ") + (stepIndex_ == 0 ? "starts" : "is") + " inside a body (" +
-                      std::to_string(contact.overlaps) + " triangles, up to " + shown.str() +
-                      " mm deep) and is pushed out slowly.";
+    overlapMessage_ =
+        std::string("The cloth ") +
+        (stepIndex_ == 0 ? "starts"
+         : stuck         ? "is still"
+                         : "is") +
+        " inside a body (" + std::to_string(contact.overlaps) + " triangles, up to " + shown.str() + " mm deep) and " +
+        (stuck ? "does not come out: the body may pass right through it, or not fit. Move or scale one of "
+                 "them."
+               : "is pushed out slowly.");
   }
 }
 

@@ -120,6 +120,7 @@ class Simulation {
   bool blewUp_ = false;
   std::string message_;
   std::string overlapMessage_;  // while some of the cloth is inside a body
+  double lastOutside_ = 0.0;    // when it last was not [s]
   double stepSeconds_ = 0.0;
   std::vector<LoggedCommand> log_;
 };

@@ -134,6 +134,21 @@ TEST(Bodies, whatIsSwitchedOffLetsTheClothThrough) {
   EXPECT_LT(lowest(simulation), 0.0);
 }
 
+TEST(Bodies, whatCannotComeOutIsToldInWords) {
+  // A mast of 4 m through the middle of a sheet.
+  Simulation simulation(sceneOf(std::string("[cloth]\ngrid = \"horizontal\"\nposition = [0, 0.5, 0]\n"
+                                            "[[bodies]]\nname = \"mast\"\nshape = \"capsule\"\nradius = 0.05\n"
+                                            "length = 4\n") +
+                                settings));
+  simulation.step();
+  EXPECT_NE(simulation.message().find("pushed out slowly"), std::string::npos) << simulation.message();
+  while (simulation.state().time < 2.0) {
+    simulation.step();
+  }
+  EXPECT_NE(simulation.message().find("does not come out"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().find("Move or scale"), std::string::npos) << simulation.message();
+}
+
 TEST(Bodies, aStartInsideABodyIsReportedUntilItIsUndone) {
   Simulation simulation(sheetInBall());
   EXPECT_EQ(simulation.message(), "");

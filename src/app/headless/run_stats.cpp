@@ -70,8 +70,8 @@ void RunStats::add(const Simulation& simulation) {
 nlohmann::ordered_json RunStats::contactJson(const ContactReport& last) const {
   return {{"bodies_us", quantiles(bodySeconds_)}, {"self_us", quantiles(selfSeconds_)},
           {"body_contacts", last.bodyContacts},   {"self_contacts", last.selfContacts},
-          {"overlaps_max", mostOverlaps_},        {"deepest_overlap", deepestOverlap_},
-          {"squeezed_max", mostSqueezed_}};
+          {"overlaps_max", mostOverlaps_},        {"overlaps_final", last.overlaps},
+          {"deepest_overlap", deepestOverlap_},   {"squeezed_max", mostSqueezed_}};
 }
 
 nlohmann::ordered_json RunStats::choiceJson(const std::optional<StepChoice>& last) const {
