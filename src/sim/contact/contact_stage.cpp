@@ -6,9 +6,22 @@
 #include "sim/contact/mesh_in_step.hpp"
 #include "sim/contact/self_contact.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace drape {
+
+namespace {
+
+/// Whether all of a cloth is somewhere. One that blows up is not, and whoever runs it will see that; searches would get
+/// lost in squares of its coordinates.
+bool isSomewhere(const std::vector<Vec3>& positions) {
+  constexpr double farthest = 1e8;  // [m]
+  return std::all_of(positions.begin(), positions.end(),
+                     [=](const Vec3& position) { return (position.array().abs() <= farthest).all(); });
+}
+
+}  // namespace
 
 bool meetsBodies(const StepParameters& parameters, const StepInputs& inputs) {
   return parameters.contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty();
@@ -34,7 +47,8 @@ bool ContactStage::isNearBodies(const StepParameters& parameters, const StepInpu
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     end.extend(Vec3(state.positions[v] + parameters.timeStep * state.velocities[v]));
   }
-  return bodyContact().couldMeetAny(parameters, *inputs.bodies, boundsOf(state.positions), inflated(end, fall));
+  return isSomewhere(state.positions) &&
+         bodyContact().couldMeetAny(parameters, *inputs.bodies, boundsOf(state.positions), inflated(end, fall));
 }
 
 BodyContact& ContactStage::bodyContact() {
@@ -47,7 +61,7 @@ BodyContact& ContactStage::bodyContact() {
 ContactReport ContactStage::resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                     ClothState& state) {
   ContactReport report;
-  if (!active_) {
+  if (!active_ || !isSomewhere(start_) || !isSomewhere(state.positions)) {
     return report;
   }
   unresolved_.positions = state.positions;
