@@ -14,7 +14,6 @@ constexpr int mostPasses = 4;
 constexpr int mostAsked = 6;  // rounds in which planes are looked for only where vertices were moved
 constexpr int positionRounds = 6;
 constexpr int velocityRounds = 6;
-constexpr double linearShare = 0.25;  // of it: how far a touch may move before it is looked at again [-]
 
 std::vector<double> inverseMassOf(const ClothModel& model) {
   std::vector<double> inverse(model.vertexMass.size());
@@ -22,14 +21,6 @@ std::vector<double> inverseMassOf(const ClothModel& model) {
     inverse[v] = model.pinned[v] ? 0.0 : 1.0 / model.vertexMass[v];
   }
   return inverse;
-}
-
-Vec3 pointOf(const Touch& touch, const std::vector<Vec3>& values) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t c = 0; c < 3; ++c) {
-    sum += touch.weights[static_cast<Eigen::Index>(c)] * values[static_cast<std::size_t>(touch.vertices[c])];
-  }
-  return sum;
 }
 
 /// How far the point of a mesh that is nearest moves in the body's frame [m], however far away it is: a triangle can be
@@ -329,15 +320,7 @@ bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, Contac
   if (found_.touches.empty()) {
     return filter_.farthest() > 0.0;
   }
-  double farthest = filter_.farthest();
-  for (const Touch& touch : found_.touches) {
-    for (const int vertex : touch.vertices) {
-      const auto v = static_cast<std::size_t>(vertex);
-      const Vec3 from = safe != nullptr ? (*safe)[v] : Vec3(cloth.start[v] + touch.bodyMove);
-      farthest = std::max(farthest, (positions[v] - from).norm());
-    }
-  }
-  return farthest > linearShare * largestKeep();
+  return leftItsTouches(cloth, safe, positions);
 }
 
 /// Takes the velocity into the bodies away where the cloth touches them now, and slows down what slides.

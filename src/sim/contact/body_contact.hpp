@@ -84,6 +84,9 @@ class BodyContact {
   void searchRound(const Cloth& cloth, const ClothInBody& inBody, const BodySearch& body);
   bool pass(const Cloth& cloth, const std::vector<Vec3>* safe, ContactReport& report, std::vector<Vec3>& positions);
   void correctPositions(const Cloth& cloth, std::vector<Vec3>& positions);
+  [[nodiscard]] bool leftItsTouches(const Cloth& cloth, const std::vector<Vec3>* safe,
+                                    const std::vector<Vec3>& positions) const;
+  [[nodiscard]] double gapTo(const NearBody& near, const Vec3& place, double most) const;
   void correctVelocities(const Cloth& cloth, ClothState& state);
   SearchableMesh* meshOf(const BodyStep& step);
 

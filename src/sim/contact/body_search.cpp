@@ -27,6 +27,14 @@ BodySearch::BodySearch(const BodyStep& step, int index, const ContactReach& reac
   }
 }
 
+double BodySearch::gapAt(const Vec3& place) const {
+  if (plane_) {
+    return place.y();
+  }
+  const Vec3 onCore = core_[0] + nearestOnSegment(place, core_[0], core_[1]) * (core_[1] - core_[0]);
+  return (place - onCore).norm() - radius_;
+}
+
 void BodySearch::search(const ClothInBody& cloth, std::size_t begin, std::size_t end, Findings& findings) const {
   for (std::size_t t = begin; t < end; ++t) {
     if (plane_) {

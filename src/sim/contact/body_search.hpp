@@ -15,6 +15,9 @@ class BodySearch {
   /// Looks at the triangles from begin to end - 1 and adds to `findings`.
   void search(const ClothInBody& cloth, std::size_t begin, std::size_t end, Findings& findings) const;
 
+  /// From a place in the body's frame to the body [m]; negative inside.
+  [[nodiscard]] double gapAt(const Vec3& place) const;
+
   /// Of a sphere or a capsule.
   [[nodiscard]] RoundSolid solid() const { return {core_, radius_}; }
 

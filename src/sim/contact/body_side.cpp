@@ -22,6 +22,14 @@ double ContactReach::freedFrom(double depth) const {
   return free * std::min(4.0, 1.0 + depth / deep);
 }
 
+Vec3 pointOf(const Touch& touch, const std::vector<Vec3>& values) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t c = 0; c < 3; ++c) {
+    sum += touch.weights[static_cast<Eigen::Index>(c)] * values[static_cast<std::size_t>(touch.vertices[c])];
+  }
+  return sum;
+}
+
 void Findings::append(const Findings& more) {
   touches.insert(touches.end(), more.touches.begin(), more.touches.end());
   barriers.insert(barriers.end(), more.barriers.begin(), more.barriers.end());
@@ -47,6 +55,7 @@ void BodySide::addTouch(const ClothInBody& cloth, std::size_t t, const Vec3& wei
   touch.bodyMove = step_.end.toWorld(near.endPoint) - step_.start.toWorld(near.startPoint);
   touch.staticFriction = step_.surface.staticFriction;
   touch.kineticFriction = std::min(step_.surface.kineticFriction, step_.surface.staticFriction);
+  touch.body = index_;
   findings.touches.push_back(touch);
 }
 

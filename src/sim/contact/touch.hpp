@@ -17,7 +17,11 @@ struct Touch {
   Vec3 bodyMove = Vec3::Zero();   ///< the way of the body's nearest point over the step [m]
   double staticFriction = 0.0;    ///< [-]
   double kineticFriction = 0.0;   ///< [-]
+  int body = -1;                  ///< index into the bodies of the step
 };
+
+/// The weighted sum of its vertices' values.
+[[nodiscard]] Vec3 pointOf(const Touch& touch, const std::vector<Vec3>& values);
 
 /// A plane with the whole triangle on one side and the body on the other, as one of the triangle's vertices sees it. As
 /// long as no vertex crosses its planes, no triangle can meet a body.
