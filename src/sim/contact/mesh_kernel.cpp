@@ -122,7 +122,10 @@ Farthest farthest(const PatchLanes& lanes, const std::size_t* begin, const std::
   }
   const auto most = hn::MaxOfLanes(d, high);
   const auto first = hn::IfThenElse(hn::Eq(high, most), where, hn::Set(d, std::numeric_limits<double>::infinity()));
-  return {hn::GetLane(most), static_cast<std::size_t>(hn::GetLane(hn::MinOfLanes(d, first)))};
+  const double at = hn::GetLane(hn::MinOfLanes(d, first));
+  // Along what is not a number nothing is farthest.
+  return {hn::GetLane(most),
+          at < std::numeric_limits<double>::infinity() ? static_cast<std::size_t>(at) : begin[patches[0]]};
 }
 
 /// Three coordinates of a vector of points.

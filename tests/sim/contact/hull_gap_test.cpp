@@ -116,5 +116,15 @@ TEST(HullGap, holdsForSliversPointsAndSegments) {
   }
 }
 
+TEST(HullGap, endsWithPointsThatAreNotFinite) {
+  const SearchableMesh mesh = ball();
+  const std::vector<std::int32_t> patches = allPatches(mesh);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    const Corners corners{Vec3(0.0, 0.31, 0.0), Vec3(0.01, 0.31, 0.0), Vec3(bad, 0.31, 0.01)};
+    EXPECT_FALSE(HullGapSearch(mesh, false, patches, corners).search(Vec3::UnitX(), {1.0, 0.1}).atLeast > 0.02);
+    (void)HullGapSearch(mesh, false, patches, corners).search(Vec3::Constant(bad), {1.0, 0.1});
+  }
+}
+
 }  // namespace
 }  // namespace drape
