@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace drape {
@@ -195,12 +196,9 @@ void Overlap::leadOut(Solid& solid, const Cloth& cloth, const Piece& piece, cons
 /// Where most of a piece is not torn, sends the rest of it where that goes.
 /// @return false when there is no such part
 bool Overlap::joinParts(Solid& solid, const Cloth& cloth, const Piece& piece, const std::vector<Vec3>& directions) {
-  const auto tears = [&](std::size_t a, std::size_t b) {
-    return tearOf((cloth.base[a] - cloth.base[b]).norm(), exits_[a], exits_[b]) > 0.0;
-  };
   DisjointSets sets(static_cast<int>(cloth.base.size()));
   forEachSideInside(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
-    if (!tears(a, b)) {
+    if (!tears(cloth, a, b)) {
       sets.join(static_cast<int>(a), static_cast<int>(b));
     }
   });
@@ -215,48 +213,58 @@ bool Overlap::joinParts(Solid& solid, const Cloth& cloth, const Piece& piece, co
     return false;
   }
   int through = 0;
-  int cut = 0;
+  int torn = 0;
   forEachSideThrough(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
     if (sets.root(static_cast<int>(a)) == main->first) {
       ++through;
-      cut += tears(a, b) ? 1 : 0;
+      torn += tears(cloth, a, b) ? 1 : 0;
     }
   });
-  if (cut > fewTorn * through) {
-    return false;
+  if (torn > fewTorn * through) {
+    return false;  // it cannot stay there itself
   }
   for (const auto& [root, part] : parts) {
-    if (root == main->first) {
-      continue;
+    if (root != main->first) {
+      joinPart(solid, cloth, part, pulled * piece.tear, directions);
     }
-    std::vector<std::pair<std::size_t, std::size_t>> sides;  // from the part to what is not of it
-    Vec3 where = Vec3::Zero();
-    forEachSideInside(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
-      const bool first = sets.root(static_cast<int>(a)) == root;
-      if (first != (sets.root(static_cast<int>(b)) == root)) {
-        sides.emplace_back(first ? a : b, first ? b : a);
-        where += exits_[first ? b : a].normal;
-      }
-    });
-    std::vector<Vec3> tried = directions;
-    if (where.norm() > 0.0) {
-      tried.insert(tried.begin(), where.normalized());
-    }
-    CommonExit exit(solid, cloth.base, cloth.triangles, inside_);
-    exit.begin(part, tried);
-    take(exit.find(pulled * piece.tear, true, [&](const std::vector<CommonExit::Way>& ways) {
-      std::map<std::size_t, const NearPoint*> of;
-      for (const CommonExit::Way& way : ways) {
-        of[static_cast<std::size_t>(way.first)] = &way.second;
-      }
-      const auto torn = std::count_if(sides.begin(), sides.end(), [&](const auto& side) {
-        const double length = (cloth.base[side.first] - cloth.base[side.second]).norm();
-        return tearOf(length, *of.at(side.first), exits_[side.second]) > 0.0;
-      });
-      return static_cast<double>(torn) <= fewTorn * static_cast<double>(sides.size());
-    }));
   }
   return true;
+}
+
+/// Sends a part of a piece where what it hangs on goes, or in one of the other directions if that suits, and at most so
+/// far [m].
+void Overlap::joinPart(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double farthest,
+                       std::vector<Vec3> directions) {
+  const std::set<std::size_t> members(part.begin(), part.end());
+  std::vector<std::pair<std::size_t, std::size_t>> sides;  // from the part to what is not of it
+  Vec3 where = Vec3::Zero();
+  forEachSideInside(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
+    const bool first = members.count(a) > 0;
+    if (first != (members.count(b) > 0)) {
+      sides.emplace_back(first ? a : b, first ? b : a);
+      where += exits_[first ? b : a].normal;
+    }
+  });
+  if (where.norm() > 0.0) {
+    directions.insert(directions.begin(), where.normalized());
+  }
+  CommonExit exit(solid, cloth.base, cloth.triangles, inside_);
+  exit.begin(part, directions);
+  take(exit.find(farthest, true, [&](const std::vector<CommonExit::Way>& ways) {
+    std::map<std::size_t, const NearPoint*> of;
+    for (const CommonExit::Way& way : ways) {
+      of[static_cast<std::size_t>(way.first)] = &way.second;
+    }
+    const auto torn = std::count_if(sides.begin(), sides.end(), [&](const auto& side) {
+      const double length = (cloth.base[side.first] - cloth.base[side.second]).norm();
+      return tearOf(length, *of.at(side.first), exits_[side.second]) > 0.0;
+    });
+    return static_cast<double>(torn) <= fewTorn * static_cast<double>(sides.size());
+  }));
+}
+
+bool Overlap::tears(const Cloth& cloth, std::size_t a, std::size_t b) const {
+  return tearOf((cloth.base[a] - cloth.base[b]).norm(), exits_[a], exits_[b]) > 0.0;
 }
 
 void Overlap::take(const std::vector<CommonExit::Way>& ways) {

@@ -44,6 +44,9 @@ class Overlap {
   [[nodiscard]] std::vector<Piece> piecesOf(const Cloth& cloth) const;
   void leadOut(Solid& solid, const Cloth& cloth, const Piece& piece, const Vec3& up);
   bool joinParts(Solid& solid, const Cloth& cloth, const Piece& piece, const std::vector<Vec3>& directions);
+  void joinPart(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double farthest,
+                std::vector<Vec3> directions);
+  [[nodiscard]] bool tears(const Cloth& cloth, std::size_t a, std::size_t b) const;
   void take(const std::vector<CommonExit::Way>& ways);
   void addFollowers();
 
