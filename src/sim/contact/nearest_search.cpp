@@ -110,10 +110,12 @@ NearVertex NearestSearch::among(const std::vector<int>& patches, const BoxList& 
 NearVertex NearestSearch::anywhere(const Vec3& point, double radius) {
   best_ = {};
   least_ = radius * radius;
-  mesh_.mesh.tree.forEachLeafWithin(point, least_, [&](std::size_t leaf) {
+  double limit = roundedUp * least_;  // what is as near counts too: it may come first
+  mesh_.mesh.tree.forEachLeafWithin(point, limit, [&](std::size_t leaf) {
     for (const int triangle : mesh_.mesh.tree.leaf(leaf)) {
       lookAt(triangle, point);
     }
+    limit = roundedUp * least_;
   });
   return result(point);
 }

@@ -3,6 +3,8 @@
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace drape {
@@ -67,6 +69,22 @@ TEST(NearestSearch, findsTheSameBitsByWhatItRemembersAsByLookingAnew) {
     }
   }
   EXPECT_GT(remembered, 1000);
+}
+
+TEST(NearestSearch, findsTheSameBitsInTheWholeMeshAsAmongItsLeaves) {
+  MeshShape shape = hills();
+  std::reverse(shape.triangles.begin(), shape.triangles.end());  // so that the tree does not begin with the first ones
+  const SearchableMesh mesh(std::move(shape));
+  const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
+  const Leaves all(mesh);
+  NearestSearch search(inStep);
+  testing::RandomVectors random(4);
+  for (int i = 0; i < 2000; ++i) {
+    // Above a corner all of its triangles are as near.
+    const Vec3 corner = mesh.shape.positions[static_cast<std::size_t>(i) % mesh.shape.positions.size()];
+    const Vec3 point = i % 2 == 0 ? Vec3(corner + 0.01 * Vec3::UnitY()) : Vec3(corner + random.next(0.02));
+    expectSame(search.anywhere(point, 0.05), search.among(all.patches, all.boxes, point, 0.05));
+  }
 }
 
 TEST(NearestSearch, remembersHowFarEverythingIsWhereNothingIsNear) {
