@@ -171,8 +171,14 @@ bool BodyContact::askAround(const Cloth& cloth, bool all, const std::vector<Vec3
     return false;
   }
   moved_.resize(positions.size());
+  bool any = false;
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    moved_[v] = positions[v] != solved_[v];
+    const bool moved = positions[v] != solved_[v];
+    moved_[v] = moved;
+    any = any || moved;
+  }
+  if (!any) {
+    return false;
   }
   bool news = false;
   for (std::size_t b = 0; b < nearCount_; ++b) {
