@@ -45,7 +45,7 @@ double startOf(ExplicitScheme scheme) {
 template <typename T>
 StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                const StepInputs& inputs, const StepPlan& plan, const ClothState& state,
-                               bool measureStart) {
+                               EnergyLooks looks) {
   cloth_ = &cloths_.get(model);
   step_ = sliceStepOf<T>(parameters);
   step_.holdsLift = true;
@@ -65,17 +65,20 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth_->layout, 1, member, threads);
     cloth_->load(state, share);
-    if (measureStart) {
+    if (looks.start) {
       team_.meet();
       measure(plan, startEnergy_, startCoarse_, share);
     }
     move(model, inputs, plan, substep, share);
-    measure(plan, endEnergy_, endCoarse_, share);
+    if (looks.end) {
+      measure(plan, endEnergy_, endCoarse_, share);
+    }
   });
   return {.first = sumOfLanes(firstEnergy_) + firstCoarse_,
           .last = sumOfLanes(lastEnergy_) + lastCoarse_,
-          .start = measureStart ? sumOfLanes(startEnergy_) + startCoarse_ : 0.0,
-          .end = sumOfLanes(endEnergy_) + endCoarse_};
+          .start = looks.start ? sumOfLanes(startEnergy_) + startCoarse_ : 0.0,
+          .end = looks.end ? sumOfLanes(endEnergy_) + endCoarse_ : 0.0,
+          .ends = looks.end};
 }
 
 /// A few slivers slow nobody else down: they are damped as the stages bear that the others need.

@@ -22,17 +22,23 @@ struct StepEnergy {
   double first = 0.0;  ///< in the middle of the first substep [J]
   double last = 0.0;   ///< in the middle of the last substep [J]
   double start = 0.0;  ///< where the step begins, when it was asked for [J]
-  double end = 0.0;    ///< where it ends [J]
+  double end = 0.0;    ///< where it ends, when it was asked for [J]
+  bool ends = false;   ///< the two are known
+};
+
+/// At which ends of a step its energy is asked for. Each costs a pass over the springs.
+struct EnergyLooks {
+  bool start = false;
+  bool end = false;
 };
 
 /// Takes a step of a cloth as a plan says, by vector instructions and in the precision of T.
 template <typename T>
 class AdaptiveRun {
  public:
-  /// Takes a step from `state`, which stays as it is. Call `store` to have the result. The energy at the end costs a
-  /// pass over the springs, that at the start another.
+  /// Takes a step from `state`, which stays as it is. Call `store` to have the result.
   StepEnergy run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                 const StepInputs& inputs, const StepPlan& plan, const ClothState& state, bool measureStart);
+                 const StepInputs& inputs, const StepPlan& plan, const ClothState& state, EnergyLooks looks);
 
   /// Gives positions and velocities at the end of the step that was run last. `state` is the one that it began from.
   void store(ClothState& state);

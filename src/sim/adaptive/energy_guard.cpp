@@ -31,6 +31,9 @@ double momentOf(const ClothModel& model, const ClothState& state) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
+/// That the energy at the ends of steps may rise by, of all there is [-].
+constexpr double mostRise = 0.004;
+
 /// Of all that the energy depends on but the plan.
 std::uint64_t markOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
   return sumOf(state.positions) + 7 * sumOf(state.velocities) + bitsOf(parameters.stiffness) +
@@ -87,11 +90,20 @@ void EnergyGuard::begin(const ClothModel& model, const LocalRates& rates, const 
   weight_ = parameters.gravity * rates.mass * rates.diagonal;
   rounding_ = roundingIn(model, rates, parameters, state, roundoff);
   mark_ = markOf(model, parameters, state);
+  windy_ = mostWorkOfWind(model, parameters) > 0.0;
   fades_ = parameters.damping != 0.0 || parameters.drag != 0.0 || parameters.lift != 0.0;
 }
 
 bool EnergyGuard::knowsStart(const StepPlan& plan, const StepMemory& memory) const {
   return memory.mark == mark_ + markOf(plan);
+}
+
+bool EnergyGuard::isDue(const StepPlan& plan, const StepMemory& memory) const {
+  constexpr double passesALook = 24.0;
+  constexpr double calm = 0.5;  // of what it may rise by
+  const int every = std::max(1, static_cast<int>(passesALook / plan.cost()));
+  return memory.steps % every == 0 || windy_ || memory.caution > 0 || !knowsStart(plan, memory) ||
+         memory.risen > calm * mostRise * scaleOf(memory.energy, 1.0);
 }
 
 /// What growth is held against [J]: the motion and tension that there are, and what falling sets free.
@@ -108,7 +120,7 @@ bool EnergyGuard::grew(const StepEnergy& energy, double work, bool again, StepMe
   if (!std::isfinite(growth) || !std::isfinite(energy.end)) {
     return true;
   }
-  if (memory.risen + energy.end - energy.start - work > outOfHand * scaleOf(energy.start, 1.0)) {
+  if (energy.ends && memory.risen + energy.end - energy.start - work > outOfHand * scaleOf(energy.start, 1.0)) {
     return true;
   }
   if (growth <= 0.0) {
@@ -126,9 +138,12 @@ bool EnergyGuard::grew(const StepEnergy& energy, double work, bool again, StepMe
 
 void EnergyGuard::book(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan,
                        const StepEnergy& energy, double work, ClothState& state) {
-  constexpr double most = 0.004;
-  const double room = most * scaleOf(energy.start, 1.0);
   StepMemory& memory = state.memory;
+  memory.mark = markOf(model, parameters, state) + markOf(plan);
+  if (!energy.ends) {
+    return;
+  }
+  const double room = mostRise * scaleOf(energy.start, 1.0);
   memory.risen += energy.end - energy.start - work;
   if (fades_ || work > 0.0) {
     memory.risen = std::max(0.0, memory.risen);
@@ -136,7 +151,9 @@ void EnergyGuard::book(const ClothModel& model, const StepParameters& parameters
   const double taken = slowDown(model, pieces_.get(model, freePieces), memory.risen - room, state);
   memory.risen -= taken;
   memory.energy = energy.end - taken;
-  memory.mark = markOf(model, parameters, state) + markOf(plan);
+  if (taken > 0.0) {
+    memory.mark = markOf(model, parameters, state) + markOf(plan);
+  }
 }
 
 }  // namespace drape

@@ -33,6 +33,10 @@ class EnergyGuard {
   /// Whether the energy that it starts with, under this plan, is what the step before ended with.
   [[nodiscard]] bool knowsStart(const StepPlan& plan, const StepMemory& memory) const;
 
+  /// Whether the energy at the end of a step is to be looked at, which costs a pass. Where a step takes a few passes
+  /// only, calm cloth that nothing works at is looked at now and then.
+  [[nodiscard]] bool isDue(const StepPlan& plan, const StepMemory& memory) const;
+
   /// True when the energy is no number, or grew and nothing can have done it.
   /// @param work that may have been done from outside [J]  @param again the step has been taken again
   [[nodiscard]] bool grew(const StepEnergy& energy, double work, bool again, StepMemory& memory) const;
@@ -50,6 +54,7 @@ class EnergyGuard {
   double lifted_ = 0.0;     // potential energy at the start [J]
   std::uint64_t mark_ = 0;  // of the state and the settings that the step begins with
   bool fades_ = false;      // damping or air take energy
+  bool windy_ = false;      // wind may do work
 };
 
 }  // namespace drape

@@ -85,7 +85,8 @@ class AdaptiveStep {
         (*inputs.mayStop)();
       }
       const bool startIsKnown = guard_.knowsStart(plan, state.memory);
-      StepEnergy energy = run_.run(model, rates, parameters, inputs, plan, state, !startIsKnown);
+      const bool looking = retake > 0 || inputs.grab || guard_.isDue(plan, state.memory);
+      StepEnergy energy = run_.run(model, rates, parameters, inputs, plan, state, {looking && !startIsKnown, looking});
       energy.start = startIsKnown ? state.memory.energy : energy.start;
       const double work = mostWorkOfWind(model, parameters) + workOfHand(model, inputs, state);
       choice.passes += plan.cost();
@@ -164,7 +165,7 @@ class AdaptiveStep {
   void takeFiner(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                  const StepInputs& inputs, StepPlan plan, const ClothState& state, StepChoice& choice) {
     plan.substeps *= 2;
-    run_.run(model, rates, parameters, inputs, plan, state, false);
+    run_.run(model, rates, parameters, inputs, plan, state, {});
     choice.passes += plan.cost();
     finer_ = state;
     run_.store(finer_);
