@@ -24,8 +24,9 @@ constexpr int mostRetakes = 3;
 constexpr int mostCaution = 2;
 /// Error estimates come at the steps 0, 1, 4, 16, 64 and then at every 128th.
 constexpr int estimateEvery = 128;
-/// What the estimated error stands for: the position error after so long [s].
-constexpr double errorTime = 0.2;
+/// Those at the steps 1 and 4 only where the tolerance does not ask for so many times what the work allowed pays for.
+constexpr double outOfReach = 4.0;
+constexpr int soon = 16;
 
 bool estimateIsDue(int steps) {
   const auto count = static_cast<unsigned>(steps);
@@ -57,7 +58,10 @@ class AdaptiveStep {
     choice.passes = 0;
     // Where a step takes what it needs in any case, there is nothing to choose, and the first ones are slow enough.
     const int steps = state.memory.steps;
-    const bool estimating = estimateIsDue(steps) && (choice.demand <= stretchedBudget || steps >= estimateEvery);
+    const bool early =
+        steps > 0 && steps < soon && state.memory.passes > outOfReach * passesInBudget(model, parameters);
+    const bool open = choice.demand <= stretchedBudget && !early;
+    const bool estimating = estimateIsDue(steps) && (open || steps >= estimateEvery);
     if (estimating) {
       takeFiner(model, rates, parameters, inputs, plan, state, choice);
     }
