@@ -21,6 +21,8 @@ constexpr double heldTo = 1.8;
 constexpr double passesOfFourthOrder = 2.0;
 /// Held springs that keep at least so much do without coarse levels.
 constexpr double enoughStiffness = 0.5;
+/// So do those that the load stretches by less than so much next to the pins (docs/auto.md).
+constexpr double smallStrain = 0.001;
 /// The same where damping is taken by itself: its stages bear h omega = 1.62 at the worst of all rates.
 constexpr double heldBeside = 1.5;
 /// Stages of damping in a substep, at most: rounding grows with their square. In float, and in double.
@@ -133,6 +135,25 @@ StepPlan barelyHeldPlan(const ClothModel& model, const LocalRates& rates, const 
   return plan;
 }
 
+/// How far weight and wind would stretch the springs next to the pins [-], as they are held under a plan. Infinite
+/// where nothing is pinned: what carries the cloth then is not known.
+double strainAtPins(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {
+  constexpr double alongWind = 0.1;  // of the pressure from ahead, on cloth that gives way to it
+  const double pressure = 0.5 * parameters.airDensity * (parameters.drag + parameters.lift);
+  const double wind = alongWind * pressure * parameters.wind.squaredNorm() * rates.area;
+  const double kept = shareAt(rates.median, parameters, plan) * parameters.stiffness;
+  return (parameters.gravity * rates.mass + wind) / (kept * rates.pinnedLength);
+}
+
+/// The passes that the tolerance asks for, whatever work is allowed.
+double passesWanted(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                    const StepMemory& memory) {
+  const Need need = needOf(model, parameters, dampedOver(rates, parameters));
+  const double wanted = memory.passes > 0.0 ? memory.passes : firstPasses + firstOfLimit * comfortable * need.passes;
+  const double stable = std::max(fewestPasses, need.passes);
+  return std::clamp(wanted, stable, mostOfLimit * std::max(stable, firstPasses / 8.0));
+}
+
 }  // namespace
 
 // In eight maxima, since in one each comparison would wait for the one before.
@@ -170,6 +191,12 @@ LocalRates localRatesOf(const ClothModel& model) {
   rates.mostDamping = smallestBut(freeDamping, 100);
   rates.diagonal = diagonalOf(model);
   rates.mass = model.totalMass();
+  rates.area = model.restArea();
+  for (const Spring& spring : model.springs) {
+    const bool carries =
+        model.pinned[static_cast<std::size_t>(spring.a)] != model.pinned[static_cast<std::size_t>(spring.b)];
+    rates.pinnedLength += carries ? spring.relativeStiffness * spring.restLength : 0.0;
+  }
   return rates;
 }
 
@@ -206,9 +233,7 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   const double budget = std::min(mostPasses, passesInBudget(model, parameters));
   const double damped = dampedOver(rates, parameters);
   const Need need = needOf(model, parameters, damped);
-  const double wanted = memory.passes > 0.0 ? memory.passes : firstPasses + firstOfLimit * comfortable * need.passes;
-  const double stable = std::max(fewestPasses, need.passes);
-  const double passes = std::min(budget, std::clamp(wanted, stable, mostOfLimit * std::max(stable, firstPasses / 8.0)));
+  const double passes = std::min(budget, passesWanted(model, rates, parameters, memory));
   const double hardness = parameters.timeStep * largestFrequency(model, parameters);
   if (passes >= passesOfFourthOrder * hardness && dependsOnPositionsAlone(parameters, inputs)) {
     return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(passes / 4.0)};
@@ -231,7 +256,8 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   const double held = parameters.soften ? passes : passesAtMost(model, parameters);
   StepPlan softer = heldPlan(model, rates, parameters, held);
   softer.softens = true;
-  if (medianShare(rates, parameters, softer) >= enoughStiffness) {
+  const bool carries = !inputs.grab && strainAtPins(rates, parameters, softer) < smallStrain;
+  if (carries || medianShare(rates, parameters, softer) >= enoughStiffness) {
     return softer;
   }
   StepPlan withLevels = heldPlan(model, rates, parameters, std::max(fewestPasses, held / costWithLevels));
@@ -262,6 +288,18 @@ bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepP
   const double heating = 0.5 * measured * omegaSquared * rounding * rounding / h;  // [W/kg]
   const bool comesToRest = (parameters.damping > 0.0 || parameters.drag > 0.0) && parameters.wind.isZero(0.0);
   return heating > (comesToRest ? atRest : inMotion * std::max(leastFall, parameters.gravity * rates.diagonal));
+}
+
+bool roundingShows(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                   const ClothState& state) {
+  constexpr double measured = 0.25;
+  constexpr double costOfDouble = 2.0;
+  const double passes = passesWanted(model, rates, parameters, state.memory);
+  if (costOfDouble * passes > passesInBudget(model, parameters)) {
+    return false;
+  }
+  const double count = passes * std::max(1.0, errorTime / parameters.timeStep);
+  return measured * 0x1p-24 * farthestOf(state.positions) * std::sqrt(count) > parameters.errorTolerance;
 }
 
 double medianShare(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {

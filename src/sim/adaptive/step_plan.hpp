@@ -18,6 +18,8 @@ struct LocalRates {
   double mostDamping = 0.0;     ///< the same of `damping` [1/kg]
   double diagonal = 0.0;        ///< of the rest shape [m]
   double mass = 0.0;            ///< of the whole cloth [kg]
+  double area = 0.0;            ///< likewise [m^2]
+  double pinnedLength = 0.0;    ///< of all springs with one end pinned, times their relative stiffness [m]
 };
 
 [[nodiscard]] LocalRates localRatesOf(const ClothModel& model);
@@ -30,6 +32,9 @@ enum class ExplicitScheme {
   Verlet,  ///< second order, one pass over the springs
   Pefrl    ///< fourth order, four passes (Omelyan, Mryglod and Folk, 2002, Comput. Phys. Commun. 146, 188)
 };
+
+/// What an error stands for: the position error after so long [s].
+inline constexpr double errorTime = 0.2;
 
 /// What an evaluation of all springs costs when coarse levels take part, in evaluations without (bench/auto_bench.cpp).
 inline constexpr int costWithLevels = 2;
@@ -76,7 +81,8 @@ struct StepPlan {
 /// - B >= H / 2.04: Verlet; also where that takes up to 1.6 times the budget;
 /// - less, and cloth may not be softened: as many substeps as all but the fastest hundredth of the vertices need;
 /// - less, and it may: Verlet on springs that are held to what the substep carries;
-/// - where that is less than half of their stiffness: half as many substeps, since coarse levels take as long again.
+/// - where that is less than half of their stiffness, and the load stretches them by a thousandth or more at the pins:
+///   half as many substeps, since coarse levels take as long again.
 /// Depends on its arguments alone.
 [[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                 const StepInputs& inputs, const StepMemory& memory);
@@ -89,6 +95,12 @@ struct StepPlan {
 /// Noticeable is a five-hundredth of the energy that falling by its own size gives the cloth, in a second; for cloth
 /// that damping or still air bring to rest it is what keeps vertices moving by some tenths of a millimetre a second.
 [[nodiscard]] bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                                 const ClothState& state);
+
+/// True when rounding to float would by itself build up more error than the tolerance, and the work allowed has room
+/// for a step in double, which costs twice as much. N passes that each round places x to float leave a mean error of
+/// about c 2^-24 |x| sqrt(N); c = 0.25 was measured (docs/auto.md).
+[[nodiscard]] bool roundingShows(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                  const ClothState& state);
 
 /// The share of their stiffness that the springs of the median vertex keep under a plan [-].

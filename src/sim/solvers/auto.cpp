@@ -235,7 +235,7 @@ class AutoSolver final : public Solver {
     }
     const LocalRates& rates = rates_.get(model, localRatesOf);
     const bool exact = parameters.precision == Precision::Double || dampingRounds(rates, parameters) ||
-                       roundingHeats(model, rates, parameters, state);
+                       roundingHeats(model, rates, parameters, state) || roundingShows(model, rates, parameters, state);
     return exact ? double_.step(model, rates, parameters, inputs, state)
                  : single_.step(model, rates, parameters, inputs, state);
   }

@@ -70,6 +70,25 @@ TEST_F(StepPlanning, holdsSpringsToWhatASubstepCarriesAndHelpsThemByLevelsWhereI
   EXPECT_NEAR(share, std::pow(1.8 * 4.0 / (parameters.timeStep * largestFrequency(*model, parameters)), 2.0), 1e-9);
 }
 
+TEST_F(StepPlanning, doesWithoutLevelsWhereTheLoadHardlyStretchesTheHeldSprings) {
+  parameters.stiffness = 1e5;
+  ASSERT_TRUE(plan(30.0).levels) << "it hangs from two vertices";
+  std::vector<int> edge;
+  for (int v = 0; v < 17; ++v) {
+    edge.push_back(v);
+  }
+  model = buildClothModel(testing::sheet(17), 0.1, MassLumping::Uniform, edge);
+  const StepPlan held = plan(30.0);
+  EXPECT_FALSE(held.levels);
+  EXPECT_EQ(held.substeps, 30);
+  inputs.grab.emplace();
+  EXPECT_TRUE(plan(30.0).levels) << "a hand pulls at one place";
+  inputs.grab.reset();
+  parameters.wind = {100.0, 0.0, 0.0};
+  parameters.drag = 1.0;
+  EXPECT_TRUE(plan(30.0).levels) << "a storm";
+}
+
 TEST_F(StepPlanning, keepsToTheBudgetOtherwiseAndNeverGoesBelowFourPasses) {
   parameters.stiffness = 1e5;
   EXPECT_EQ(plan(30.0).passes(), 15) << "coarse levels cost as much again";

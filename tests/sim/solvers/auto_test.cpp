@@ -380,15 +380,33 @@ TEST(Auto, keepsTheMotionWithALargeBudgetAndASmallOne) {
   }
 }
 
+/// Whether a step in float gives the bits of one in double.
+bool isTakenInDouble(const ClothModel& model, StepParameters parameters) {
+  parameters.precision = Precision::Double;
+  const auto inDouble = stateHash(fallen("auto", model, parameters));
+  parameters.precision = Precision::Float;
+  return stateHash(fallen("auto", model, parameters)) == inDouble;
+}
+
 TEST(Auto, goesOverToDoubleWhereRoundingWouldHeatTheCloth) {
   const auto model = pinnedSheet(17);
   for (const double stiffness : {10.0, 1e7}) {
     StepParameters parameters = withPasses(*model, stiffness, 3000.0);
-    parameters.precision = Precision::Double;
-    const auto inDouble = stateHash(fallen("auto", *model, parameters));
-    parameters.precision = Precision::Float;
-    EXPECT_EQ(stateHash(fallen("auto", *model, parameters)) == inDouble, stiffness > 1e6) << stiffness;
+    parameters.errorTolerance = 1e-4;
+    EXPECT_EQ(isTakenInDouble(*model, parameters), stiffness > 1e6) << stiffness;
   }
+}
+
+TEST(Auto, goesOverToDoubleWhereRoundingIsMoreThanTheToleranceAndTheWorkAllowedHasRoomForIt) {
+  const auto model = pinnedSheet(17);
+  StepParameters parameters = withPasses(*model, 10.0, 1000.0);
+  parameters.errorTolerance = 1e-9;
+  EXPECT_TRUE(isTakenInDouble(*model, parameters));
+  StepParameters little = withPasses(*model, 10.0, 40.0);
+  little.errorTolerance = 1e-9;
+  EXPECT_FALSE(isTakenInDouble(*model, little));
+  parameters.errorTolerance = 1e-5;
+  EXPECT_FALSE(isTakenInDouble(*model, parameters));
 }
 
 TEST(Auto, keepsTheMomentumOfFreeClothThatIsHeldToLessThanItsStiffness) {
