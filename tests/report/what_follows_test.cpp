@@ -72,6 +72,7 @@ TEST(WhatFollows, holdsAutoAgainstTheBestOtherMethodAtEqualCost) {
   rows["work_precision"] = {measuredRow("auto", 1.0, 0.5),    // the cheapest of all
                             measuredRow("auto", 10.0, 0.06),  // twice as wrong as verlet at 10
                             measuredRow("auto", 20.0, 0.04),  // 1.33 times
+                            measuredRow("auto", 25.0, 0.9),   // the setting before is better and takes no longer
                             measuredRow("auto", 30.0, 0.02),  // better
                             measuredRow("auto", 40.0, 2e-4),  // both below the noise floor
                             measuredRow("auto", 50.0, 9.0, "frozen"),
@@ -80,8 +81,8 @@ TEST(WhatFollows, holdsAutoAgainstTheBestOtherMethodAtEqualCost) {
                             measuredRow("xpbd", 11.0, 1e-6, "exploded"),
                             measuredRow("verlet", 35.0, 1e-5)};
   const ReportRow row = answer(whatFollows().derive(rows), "equal_cost", "method", "auto");
-  EXPECT_EQ(row["points"], 4);
-  EXPECT_EQ(row["within"], 3);
+  EXPECT_EQ(row["points"], 5);
+  EXPECT_EQ(row["within"], 4);
   EXPECT_EQ(row["best"], 2);
   EXPECT_NEAR(row["ratio"].get<double>(), 2.0, 1e-9);
   EXPECT_EQ(row["setting"], "n=10");

@@ -29,19 +29,19 @@ double floorOf(const ReportRows& rows) {
   return floor;
 }
 
-/// The least wrong of the other methods' settings that take no longer; null when there is none.
-const ReportRow* rivalOf(const ReportRow& row, const ReportRows& rows) {
-  const ReportRow* rival = nullptr;
-  for (const ReportRow& other : rows) {
-    const bool fits = isJudged(other) && other.value("method", "") != own && costOf(other) <= costOf(row);
-    if (fits && (rival == nullptr || numberIn(other, "error_mean") < numberIn(*rival, "error_mean"))) {
-      rival = &other;
+/// The least wrong setting, of `auto` or of all others, that takes no longer; null when there is none.
+const ReportRow* bestWithin(double cost, bool ofOwn, const ReportRows& rows) {
+  const ReportRow* best = nullptr;
+  for (const ReportRow& row : rows) {
+    const bool fits = isJudged(row) && (row.value("method", "") == own) == ofOwn && costOf(row) <= cost;
+    if (fits && (best == nullptr || numberIn(row, "error_mean") < numberIn(*best, "error_mean"))) {
+      best = &row;
     }
   }
-  return rival;
+  return best;
 }
 
-/// A setting of `auto` and the one that it is held against.
+/// A setting of `auto` and the one that it is held against, at one cost.
 struct Pairing {
   const ReportRow* setting = nullptr;
   const ReportRow* rival = nullptr;
@@ -52,11 +52,13 @@ std::vector<Pairing> pairingsIn(const ReportRows& rows) {
   const double floor = floorOf(rows);
   std::vector<Pairing> pairings;
   for (const ReportRow& row : rows) {
-    const ReportRow* rival = isJudged(row) && row.value("method", "") == own ? rivalOf(row, rows) : nullptr;
+    const bool counts = isJudged(row) && row.value("method", "") == own;
+    const ReportRow* rival = counts ? bestWithin(costOf(row), false, rows) : nullptr;
     if (rival != nullptr) {
+      const ReportRow* best = bestWithin(costOf(row), true, rows);
       const double ratio =
-          std::max(floor, numberIn(row, "error_mean")) / std::max(floor, numberIn(*rival, "error_mean"));
-      pairings.push_back({&row, rival, ratio});
+          std::max(floor, numberIn(*best, "error_mean")) / std::max(floor, numberIn(*rival, "error_mean"));
+      pairings.push_back({best, rival, ratio});
     }
   }
   return pairings;
@@ -111,12 +113,14 @@ std::vector<Block> equalCostBlocks(const ReportRows& answers) {
   std::stable_sort(behind.begin(), behind.end(),
                    [](const ReportRow& a, const ReportRow& b) { return numberIn(a, "ratio") > numberIn(b, "ratio"); });
   std::vector<Block> blocks;
-  blocks.emplace_back(Paragraph{"'auto' against the best other method at equal or lower cost: of " +
-                                std::to_string(points) + " settings " + std::to_string(within) + " have at most " +
-                                figure(mostBehind) + " times its error, and " + std::to_string(best) +
-                                " no more than it. Errors below what can be known count as that."});
+  blocks.emplace_back(
+      Paragraph{"'auto' against the best other method at equal cost, at what each of its settings costs and with the "
+                "best of its own that takes no longer: at " +
+                std::to_string(points) + " such costs it has " + std::to_string(within) + " times at most " +
+                figure(mostBehind) + " times the other's error, and " + std::to_string(best) +
+                " times no more than it. Errors below what can be known count as that."});
   TextTable table{"Where 'auto' is further behind at equal cost",
-                  {"cloth", "settings", "of them behind", "worst", "its error [m]", "times that of"},
+                  {"cloth", "costs", "of them behind", "worst", "its error [m]", "times that of"},
                   {}};
   for (const ReportRow& row : behind) {
     table.rows.push_back(
