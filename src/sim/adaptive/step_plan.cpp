@@ -219,11 +219,12 @@ bool mayBeSoftened(const ClothModel& model, const StepParameters& parameters) {
 StepPlan saferThan(StepPlan plan) {
   constexpr double less = 0.8;
   constexpr double asPlanned = 1.7;
-  if (plan.carried < asPlanned || !plan.softens) {
+  const bool finer = !plan.softens || plan.carried < asPlanned;
+  plan.carried *= plan.softens && finer ? 0.5 : less;
+  if (finer) {
     plan.substeps = 2 * plan.passes();
   }
   plan.scheme = ExplicitScheme::Verlet;
-  plan.carried *= less;
   return plan;
 }
 

@@ -62,7 +62,8 @@ struct StepPlan {
 
 /// What becomes of a plan when its step has to be taken again. Springs that are softened are held to less at first,
 /// since crumpled cloth is faster than its rest shape; all others, and the second time these too, get twice the
-/// substeps. All of their stiffness, given back at once to springs that had given way, would be an explosion.
+/// substeps. Softened springs stay as soft as they are then: stiffness given back to springs that had given way would
+/// be energy from nothing.
 [[nodiscard]] StepPlan saferThan(StepPlan plan);
 
 /// The passes of a step that lasts as long as anybody waits for one, several seconds of computing.

@@ -123,7 +123,9 @@ TEST_F(StepPlanning, isMoreCarefulWhenAStepHasToBeTakenAgain) {
   const StepPlan softer = saferThan({.substeps = 10, .carried = 1.8, .softens = true});
   EXPECT_EQ(softer.substeps, 10) << "held to less at first";
   EXPECT_LT(softer.carried, 1.8);
-  EXPECT_EQ(saferThan(softer).substeps, 20);
+  const StepPlan finer = saferThan(softer);
+  EXPECT_EQ(finer.substeps, 20);
+  EXPECT_NEAR(finer.carried * finer.substeps, softer.carried * softer.substeps, 1e-12) << "as soft as before";
   EXPECT_EQ(saferThan({.substeps = 10, .carried = 1.8}).substeps, 20) << "what may not be softened gets more at once";
   const StepPlan plain = saferThan({.scheme = ExplicitScheme::Pefrl, .substeps = 5});
   EXPECT_EQ(plain.scheme, ExplicitScheme::Verlet);
