@@ -30,9 +30,6 @@ std::span<const Stage> stagesOf(ExplicitScheme scheme) {
   return scheme == ExplicitScheme::Pefrl ? std::span<const Stage>(pefrlStages) : std::span<const Stage>(verletStages);
 }
 
-/// Of what the springs are held to, for the levels above them: they move the same vertices.
-constexpr double partOfLevels = 0.55;
-
 /// A thread that is alone may be ended after so many substeps; several would wait for the one that was.
 constexpr int askEvery = 64;
 
@@ -117,8 +114,8 @@ void AdaptiveRun<T>::hold(const ClothModel& model, const LocalRates& rates, cons
                            return std::make_unique<CoarseMotion<T>>(buildCoarseLevels(own), own, *cloth_);
                          })
                     .get();
-      levelsAtWork_ = motion_->setStiffness(parameters.stiffness, (1.0 - smallest) * parameters.stiffness,
-                                            partOfLevels * plan.carried, h);
+      levelsAtWork_ =
+          motion_->setStiffness(parameters.stiffness, (1.0 - smallest) * parameters.stiffness, plan.carried, h);
     }
     holding = wanted;
   }

@@ -19,7 +19,8 @@ class CoarseMotion {
   CoarseMotion(const std::vector<CoarseLevel>& levels, const ClothModel& model, const SlicedCloth<T>& fine);
 
   /// Gives each level's springs the stiffness that is still missing, as far as a substep carries it.
-  /// @param missing of the springs below [N/m]  @param carried what h omega the levels are held to [-]
+  /// @param missing of the springs below [N/m]  @param carried what h omega the springs are held to [-]: each level to
+  /// a part of that
   /// @param timeStep the substep h [s]
   /// @return how many levels have any
   int setStiffness(double stiffness, double missing, double carried, double timeStep);
