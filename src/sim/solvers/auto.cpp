@@ -24,13 +24,20 @@ constexpr int mostRetakes = 3;
 constexpr int mostCaution = 2;
 /// Error estimates come at the steps 0, 1, 4, 16, 64 and then at every 128th.
 constexpr int estimateEvery = 128;
-/// Those at the steps 1 and 4 only where the tolerance does not ask for so many times what the work allowed pays for.
-constexpr double outOfReach = 4.0;
-constexpr int soon = 16;
 
 bool estimateIsDue(int steps) {
   const auto count = static_cast<unsigned>(steps);
   return steps % estimateEvery == 0 || (std::has_single_bit(count) && std::countr_zero(count) % 2 == 0);
+}
+
+/// Whether a step's error is estimated. Where a step takes what it needs in any case, there is nothing to choose, and
+/// the first ones are slow enough; where the tolerance asks for far more than the work allowed, there is little.
+bool estimates(const StepChoice& choice, double passesAllowed, const StepMemory& memory) {
+  constexpr double outOfReach = 4.0;
+  constexpr int soon = 16;
+  const bool early = memory.steps > 0 && memory.steps < soon && memory.passes > outOfReach * passesAllowed;
+  const bool open = choice.demand <= stretchedBudget && !early;
+  return estimateIsDue(memory.steps) && (open || memory.steps >= estimateEvery);
 }
 
 /// A method that chooses for itself. In each step:
@@ -56,12 +63,7 @@ class AdaptiveStep {
                       .demand = plan.cost() / passesInBudget(model, parameters),
                       .stiffness = medianShare(rates, parameters, plan)};
     choice.passes = 0;
-    // Where a step takes what it needs in any case, there is nothing to choose, and the first ones are slow enough.
-    const int steps = state.memory.steps;
-    const bool early =
-        steps > 0 && steps < soon && state.memory.passes > outOfReach * passesInBudget(model, parameters);
-    const bool open = choice.demand <= stretchedBudget && !early;
-    const bool estimating = estimateIsDue(steps) && (open || steps >= estimateEvery);
+    const bool estimating = estimates(choice, passesInBudget(model, parameters), state.memory);
     if (estimating) {
       takeFiner(model, rates, parameters, inputs, plan, state, choice);
     }
