@@ -26,8 +26,8 @@ namespace drape {
 ///
 /// Near bodies a step is taken in rounds of at most 1/300 s, each with its own contact and its share of the
 /// substeps. A solver that chooses its substeps keeps the energy it finds, and is fed by springs that drew cloth into a
-/// body and that contact then made longer. So its rounds are as short as the cloth is stiff, but for the fastest
-/// hundredth of the vertices: a sliver must not make the whole cloth a hundred times as expensive.
+/// body, or into itself, and that contact then made longer. So its rounds are as short as the cloth is stiff, but for
+/// the fastest hundredth of the vertices: a sliver must not make the whole cloth a hundred times as expensive.
 class Stepper {
  public:
   /// Throws InputError when there is no solver of that name.
@@ -57,7 +57,10 @@ class Stepper {
     Vec3 to = Vec3::Zero();
   };
 
-  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters);
+  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                             const ClothState& state);
+  /// Of a solver that keeps the energy it finds.
+  [[nodiscard]] int roundsForStiffness(const ClothModel& model, const StepParameters& parameters);
   StepReport stepInRounds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                           int rounds, ClothState& state);
   /// A step, or a round of one, with contact at its end.

@@ -5,6 +5,7 @@
 #include "sim/contact/body_contact.hpp"
 #include "sim/contact/mesh_in_step.hpp"
 #include "sim/contact/self_contact.hpp"
+#include "sim/contact/self_memory.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -49,6 +50,11 @@ bool ContactStage::isNearBodies(const StepParameters& parameters, const StepInpu
   }
   return isSomewhere(state.positions) &&
          bodyContact().couldMeetAny(parameters, *inputs.bodies, boundsOf(state.positions), inflated(end, fall));
+}
+
+bool ContactStage::isNearItself(const StepParameters& parameters, const ClothState& state) {
+  return parameters.contact.self != SelfCollision::Off &&
+         (state.selfContact == nullptr || state.selfContact->pairs.count() > 0);
 }
 
 BodyContact& ContactStage::bodyContact() {

@@ -40,6 +40,9 @@ class ContactStage {
   /// To be asked only where there are bodies.
   [[nodiscard]] bool isNearBodies(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state);
 
+  /// Whether the cloth may meet itself in this step: self-collision is on and knows of near pairs, or nothing yet.
+  [[nodiscard]] static bool isNearItself(const StepParameters& parameters, const ClothState& state);
+
   /// Corrects the state that a solver has left. Does nothing when `begin` did nothing.
   ContactReport resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                         ClothState& state);
