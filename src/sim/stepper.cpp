@@ -130,7 +130,7 @@ StepReport Stepper::round(const ClothModel& model, const StepParameters& paramet
       frame.leave(model, part.timeStep, state);
     }
   }
-  total.contact = contact_.resolve(model, parameters, inputs, state);
+  total.contact = contact_.resolve(model, parameters, inputs, state, 1.0 / rounds_);
   state.time = end;  // not the sum of the parts, which rounds
   return total;
 }

@@ -65,7 +65,7 @@ BodyContact& ContactStage::bodyContact() {
 }
 
 ContactReport ContactStage::resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                    ClothState& state) {
+                                    ClothState& state, double shareOfStep) {
   ContactReport report;
   if (!active_ || !isSomewhere(start_) || !isSomewhere(state.positions)) {
     return report;
@@ -78,7 +78,7 @@ ContactReport ContactStage::resolve(const ClothModel& model, const StepParameter
     if (!self_) {
       self_ = std::make_unique<SelfContact>();
     }
-    report.selfContacts = self_->resolve(model, parameters, start_, state, points_);
+    report.selfContacts = self_->resolve(model, parameters, start_, state, points_, shareOfStep);
     report.selfSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
   if (meetsBodies(parameters, inputs)) {

@@ -44,8 +44,9 @@ class ContactStage {
   [[nodiscard]] static bool isNearItself(const StepParameters& parameters, const ClothState& state);
 
   /// Corrects the state that a solver has left. Does nothing when `begin` did nothing.
+  /// @param shareOfStep that a round is of the user's step [-]: what is too near is pushed apart gently, once a step
   ContactReport resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                        ClothState& state);
+                        ClothState& state, double shareOfStep = 1.0);
 
   /// The state as the solver left it in the last step, or nullptr when contact was off or changed nothing.
   [[nodiscard]] const ClothState* unresolved() const { return changed_ ? &unresolved_ : nullptr; }

@@ -237,7 +237,7 @@ void SelfContact::look(const ClothModel& model, double thickness, const std::vec
 }
 
 int SelfContact::resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& start,
-                         ClothState& state, std::vector<ContactPoint>& points) {
+                         ClothState& state, std::vector<ContactPoint>& points, double shareOfStep) {
   const double thickness =
       parameters.contact.selfThickness > 0.0
           ? parameters.contact.selfThickness
@@ -256,8 +256,9 @@ int SelfContact::resolve(const ClothModel& model, const StepParameters& paramete
   takePlaces(start, before_);
   const Friction friction = {static_cast<float>(parameters.contact.staticFriction),
                              static_cast<float>(parameters.contact.kineticFriction)};
-  return response_.resolve(model, {parameters.timeStep, thickness, friction}, memory.pairs, before_, places_, state,
-                           points);
+  const auto pushOut = static_cast<float>(1.0 - std::pow(1.0 - SelfResponse::pushOut, shareOfStep));
+  return response_.resolve(model, {parameters.timeStep, thickness, friction, pushOut}, memory.pairs, before_, places_,
+                           state, points);
 }
 
 }  // namespace drape

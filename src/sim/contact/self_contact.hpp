@@ -34,9 +34,10 @@ class SelfContact {
  public:
   /// Corrects the state that a solver has left.
   /// @param start positions when the step began [m]  @param points what was in contact is appended
+  /// @param shareOfStep that this is of the user's step [-]: as much of what began it too near is pushed apart
   /// @returns how many pairs were in contact
   int resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& start,
-              ClothState& state, std::vector<ContactPoint>& points);
+              ClothState& state, std::vector<ContactPoint>& points, double shareOfStep = 1.0);
 
  private:
   [[nodiscard]] bool listServes(const ClothModel& model, double thickness, const ClothState& state) const;

@@ -132,7 +132,7 @@ int SelfResponse::resolve(const ClothModel& model, const Inputs& inputs, const C
     }
   }
   if (overlap) {
-    pushContacts(thickness, pushOut, contacts_, moves.moves, moves.pushes);
+    pushContacts(thickness, inputs.pushOut, contacts_, moves.moves, moves.pushes);
     handOver(contacts_, moves.pushes, [&](std::size_t v, const Vec3& push) { state.positions[v] += push; });
   }
   const double perTime = 1.0 / inputs.timeStep;

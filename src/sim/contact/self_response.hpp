@@ -86,6 +86,7 @@ class SelfResponse {
     double timeStep = 0.0;   ///< h [s]
     double thickness = 0.0;  ///< [m]
     Friction friction = {};
+    float pushOut = SelfResponse::pushOut;  ///< the share of what is missing [-]
   };
 
   /// @param pairs that may be too near  @param before, places at the start of the step, and as the solver left them [m]
