@@ -34,7 +34,7 @@ std::unique_ptr<Meeting> carriedSheet(const std::string& solver, const Vec3& vel
   meeting->parameters.damping = 0.1;
   meeting->parameters.drag = 0.5;
   meeting->parameters.wind = velocity;  // so that the air does not brake it
-  for (std::size_t v = static_cast<std::size_t>(n); v < meeting->state.velocities.size(); ++v) {
+  for (auto v = static_cast<std::size_t>(n); v < meeting->state.velocities.size(); ++v) {
     meeting->state.velocities[v] = velocity;
   }
   return meeting;

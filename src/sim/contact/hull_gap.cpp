@@ -38,7 +38,7 @@ bool holdsOrigin(const std::array<Vec3, 4>& corners) {
 
 /// How high the points lie above the patches along a direction; returns what of these sticks out farthest.
 FarPoint HullGapSearch::measure(const Vec3& along) {
-  const FarPoint far = mesh_.farthestOf(along, patches_, atEnd_);
+  FarPoint far = mesh_.farthestOf(along, patches_, atEnd_);
   lowest_ = 0;
   double low = along.dot(points_[0]);
   for (std::size_t i = 1; i < points_.size(); ++i) {

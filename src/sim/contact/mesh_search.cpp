@@ -83,7 +83,9 @@ class MeshSearch::Near {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       const Vec3& base = vectorAt(cloth_.base, vertices[i]);
       box.extend(base);
-      squared = squared < infinity ? std::max(squared, (base - nearby.reference[i]).squaredNorm()) : infinity;
+      if (squared < infinity) {
+        squared = std::max(squared, (base - nearby.reference[i]).squaredNorm());
+      }
     }
     box = inflated(box, radius_);
     if (mesh_.mesh.movesInItself()) {
@@ -93,7 +95,10 @@ class MeshSearch::Near {
     }
     nearby.moved = std::sqrt(squared) + rounding;
     if (mesh_.mesh.movesInItself() || !(nearby.moved <= known * side_.reach().keep)) {
-      const double moved = mesh_.mesh.movesInItself() ? infinity : nearby.moved;
+      double moved = nearby.moved;
+      if (mesh_.mesh.movesInItself()) {
+        moved = infinity;
+      }
       for (double& distance : nearby.distances) {
         distance -= moved;
       }
@@ -110,7 +115,7 @@ class MeshSearch::Near {
     const Vec3& point = vectorAt(cloth_.base, vertex);
     const double radius = cloth_.room[static_cast<std::size_t>(vertex)] - side_.reach().keep;
     if (mesh_.mesh.movesInItself() || cloth_.overlap != nullptr) {
-      const NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius_);
+      NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius_);
       return found.triangle < 0 && radius > radius_ ? nearest_.anywhere(point, radius) : found;
     }
     const double moved = (point - memory.at).norm() + rounding;
@@ -126,7 +131,7 @@ class MeshSearch::Near {
     if (radius + 2.0 * within > beyond) {
       return nearest_.anywhere(point, radius);
     }
-    const NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius, within);
+    NearVertex found = nearest_.among(nearby.patches, nearby.boxes, point, radius, within);
     nearest_.remember(point, within, beyond, memory);
     return found;
   }

@@ -28,7 +28,7 @@ NearVertex MeshSolid::nearestTo(const Vec3& point) {
     constexpr double more = 1.0 + 1e-9;  // so that the point itself is found
     radius = more * (pointAt(mesh_.base(last_.triangle), last_.weights) - point).norm() + 1e-12;
   }
-  const NearVertex found = nearest_.anywhere(point, radius);
+  NearVertex found = nearest_.anywhere(point, radius);
   last_ = found.triangle < 0 ? last_ : found;
   return found;
 }

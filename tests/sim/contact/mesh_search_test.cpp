@@ -82,7 +82,7 @@ struct Search {
       move = std::max(move, (after[v] - before[v]).norm());
     }
     for (const Vec3& position : start) {
-      target.push_back(carry(position) + way + random.next(spread));
+      target.emplace_back(carry(position) + way + random.next(spread));
       room.push_back((target.back() - position).norm() + 2.0 * reach.keep + move);
     }
     const std::vector<OwnedFeatures> owned = ownedFeatures(model->triangles, model->vertexCount());

@@ -176,9 +176,11 @@ TEST(Overlap, aSheetThroughTheMiddleOfAPostIsPulledOffItsEnd) {
 int windingAround(const std::vector<Vec3>& positions, int around, int ring, double turn) {
   const Eigen::Quaterniond back(Eigen::AngleAxisd(-turn, Vec3::UnitX()));
   double sum = 0.0;
-  for (int i = 0; i < around; ++i) {
-    const Vec3 a = back * positions[static_cast<std::size_t>(ring * around + i)];
-    const Vec3 b = back * positions[static_cast<std::size_t>(ring * around + (i + 1) % around)];
+  const auto count = static_cast<std::size_t>(around);
+  const auto first = static_cast<std::size_t>(ring) * count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 a = back * positions[first + i];
+    const Vec3 b = back * positions[first + (i + 1) % count];
     sum += std::atan2(a.z() * b.x() - a.x() * b.z(), a.x() * b.x() + a.z() * b.z());
   }
   return static_cast<int>(std::lround(sum / (2.0 * std::numbers::pi)));

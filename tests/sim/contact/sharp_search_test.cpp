@@ -35,7 +35,7 @@ Cloth strewnOver(const SearchableMesh& mesh, double size, unsigned seed) {
     const Vec3& at = vectorAt(mesh.shape.positions, under[static_cast<std::size_t>(i) % 3]);
     const Vec3 middle = at + 0.003 * faceNormal(cornersOf(mesh.shape.positions, under)) + random.next(0.3 * size);
     for (int k = 0; k < 3; ++k) {
-      cloth.base.push_back(middle + random.next(size));
+      cloth.base.emplace_back(middle + random.next(size));
     }
     cloth.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }

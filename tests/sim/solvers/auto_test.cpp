@@ -148,9 +148,9 @@ TEST(Auto, endsAStepThatTakesLongWhenItIsAsked) {
 TEST(Auto, keepsTheEnergyWhereOnlySliversAreHeld) {
   ClothMesh mesh = testing::sheet(33);
   const Vec3 middle = mesh.positions[16 * 33 + 16];
-  for (const int row : {15, 16, 17}) {
-    for (const int column : {15, 16, 17}) {
-      Vec3& position = mesh.positions[static_cast<std::size_t>(row * 33 + column)];
+  for (const std::size_t row : {15U, 16U, 17U}) {
+    for (const std::size_t column : {15U, 16U, 17U}) {
+      Vec3& position = mesh.positions[row * 33 + column];
       position = middle + (position - middle) / 30.0;
     }
   }
