@@ -63,9 +63,14 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
 int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                       const ClothState& state) {
   constexpr double rounding = 1e-9;  // [-]
+  const bool meetsItself = info_->choosesSubsteps && ContactStage::isNearItself(parameters, state);
+  const bool bodies = meetsBodies(parameters, inputs);
+  if (!meetsItself && !bodies) {
+    return 1;
+  }
   const int shortest = info_->choosesSubsteps ? roundsForStiffness(model, parameters) : 1;
-  const int nearItself = shortest > 1 && ContactStage::isNearItself(parameters, state) ? shortest : 1;
-  if (!meetsBodies(parameters, inputs)) {
+  const int nearItself = meetsItself ? shortest : 1;
+  if (!bodies) {
     return nearItself;
   }
   const int fewest = static_cast<int>(std::ceil(parameters.timeStep / longestRound * (1.0 - rounding)));
@@ -159,11 +164,14 @@ void Stepper::movePins(double share, ClothState& state) const {
 /// Of all pins, while carried ones go their ways in that time [m/s].
 Vec3 Stepper::meanPinVelocity(const ClothModel& model, double seconds) const {
   Vec3 sum = Vec3::Zero();
+  if (pinWays_.empty()) {
+    return sum;
+  }
   for (const PinWay& way : pinWays_) {
     sum += way.to - way.from;
   }
   const auto pins = std::count(model.pinned.begin(), model.pinned.end(), true);
-  return pinWays_.empty() ? sum : Vec3(sum / (static_cast<double>(pins) * seconds));
+  return sum / (static_cast<double>(pins) * seconds);
 }
 
 StepReport Stepper::substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
