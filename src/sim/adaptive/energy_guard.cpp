@@ -64,13 +64,8 @@ double roundingIn(const ClothModel& model, const LocalRates& rates, const StepPa
 
 }  // namespace
 
-double mostWorkOfWind(const ClothModel& model, const StepParameters& parameters) {
-  const double speed = parameters.wind.norm();
-  if (speed == 0.0) {
-    return 0.0;
-  }
-  const double pressure = 0.5 * parameters.airDensity * (parameters.drag + parameters.lift) * speed * speed;
-  return pressure * model.restArea() * speed * parameters.timeStep;
+double mostWorkOfWind(const LocalRates& rates, const StepParameters& parameters) {
+  return mostForceOfWind(rates, parameters) * parameters.wind.norm() * parameters.timeStep;
 }
 
 double slowDown(const ClothModel& model, const std::vector<std::vector<std::size_t>>& freePieces, double energy,
@@ -90,7 +85,7 @@ void EnergyGuard::begin(const ClothModel& model, const LocalRates& rates, const 
   weight_ = parameters.gravity * rates.mass * rates.diagonal;
   rounding_ = roundingIn(model, rates, parameters, state, roundoff);
   mark_ = markOf(model, parameters, state);
-  windy_ = mostWorkOfWind(model, parameters) > 0.0;
+  windy_ = mostWorkOfWind(rates, parameters) > 0.0;
   fades_ = parameters.damping != 0.0 || parameters.drag != 0.0 || parameters.lift != 0.0;
 }
 

@@ -11,7 +11,7 @@
 namespace drape {
 
 /// A bound of what wind does to a cloth in a step [J]: the air's force on all of its area, as fast as the wind.
-[[nodiscard]] double mostWorkOfWind(const ClothModel& model, const StepParameters& parameters);
+[[nodiscard]] double mostWorkOfWind(const LocalRates& rates, const StepParameters& parameters);
 
 /// Slows the inner motion of a cloth (sim/inner_motion.hpp) down by so much energy [J], or to nothing. Momentum stays.
 /// @return how much it took [J]

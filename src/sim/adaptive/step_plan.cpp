@@ -139,16 +139,13 @@ StepPlan barelyHeldPlan(const ClothModel& model, const LocalRates& rates, const 
 /// where nothing is pinned: what carries the cloth then is not known.
 double strainAtPins(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {
   constexpr double alongWind = 0.1;  // of the pressure from ahead, on cloth that gives way to it
-  const double pressure = 0.5 * parameters.airDensity * (parameters.drag + parameters.lift);
-  const double wind = alongWind * pressure * parameters.wind.squaredNorm() * rates.area;
+  const double wind = alongWind * mostForceOfWind(rates, parameters);
   const double kept = shareAt(rates.median, parameters, plan) * parameters.stiffness;
   return (parameters.gravity * rates.mass + wind) / (kept * rates.pinnedLength);
 }
 
 /// The passes that the tolerance asks for, whatever work is allowed.
-double passesWanted(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                    const StepMemory& memory) {
-  const Need need = needOf(model, parameters, dampedOver(rates, parameters));
+double passesWanted(const Need& need, const StepMemory& memory) {
   const double wanted = memory.passes > 0.0 ? memory.passes : firstPasses + firstOfLimit * comfortable * need.passes;
   const double stable = std::max(fewestPasses, need.passes);
   return std::clamp(wanted, stable, mostOfLimit * std::max(stable, firstPasses / 8.0));
@@ -200,6 +197,11 @@ LocalRates localRatesOf(const ClothModel& model) {
   return rates;
 }
 
+double mostForceOfWind(const LocalRates& rates, const StepParameters& parameters) {
+  const double speed = parameters.wind.norm();
+  return 0.5 * parameters.airDensity * (parameters.drag + parameters.lift) * speed * speed * rates.area;
+}
+
 double passesInBudget(const ClothModel& model, const StepParameters& parameters) {
   const auto springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
   return std::max(fewestPasses, parameters.work * 1e6 * parameters.timeStep / springs);
@@ -234,7 +236,7 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   const double budget = std::min(mostPasses, passesInBudget(model, parameters));
   const double damped = dampedOver(rates, parameters);
   const Need need = needOf(model, parameters, damped);
-  const double passes = std::min(budget, passesWanted(model, rates, parameters, memory));
+  const double passes = std::min(budget, passesWanted(need, memory));
   const double hardness = parameters.timeStep * largestFrequency(model, parameters);
   if (passes >= passesOfFourthOrder * hardness && dependsOnPositionsAlone(parameters, inputs)) {
     return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(passes / 4.0)};
@@ -272,7 +274,7 @@ bool dampingRounds(const LocalRates& rates, const StepParameters& parameters) {
 }
 
 bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                   const ClothState& state) {
+                   double farthest) {
   constexpr double measured = 0.02;
   constexpr double inMotion = 0.002;  // of what falling sets free, in a second [1/s]
   constexpr double leastFall = 1.0;   // [m^2/s^2]
@@ -285,22 +287,22 @@ bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepP
   const double substeps = std::min(passes, hardness * model.unitFrequency / heldTo);
   const double h = parameters.timeStep / std::max(1.0, substeps);
   const double omegaSquared = std::min(parameters.stiffness * rates.median, heldTo * heldTo / (h * h));
-  const double rounding = 0x1p-24 * farthestOf(state.positions);
+  const double rounding = 0x1p-24 * farthest;
   const double heating = 0.5 * measured * omegaSquared * rounding * rounding / h;  // [W/kg]
   const bool comesToRest = (parameters.damping > 0.0 || parameters.drag > 0.0) && parameters.wind.isZero(0.0);
   return heating > (comesToRest ? atRest : inMotion * std::max(leastFall, parameters.gravity * rates.diagonal));
 }
 
 bool roundingShows(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                   const ClothState& state) {
+                   const StepMemory& memory, double farthest) {
   constexpr double measured = 0.25;
   constexpr double costOfDouble = 2.0;
-  const double passes = passesWanted(model, rates, parameters, state.memory);
+  const double passes = passesWanted(needOf(model, parameters, dampedOver(rates, parameters)), memory);
   if (costOfDouble * passes > passesInBudget(model, parameters)) {
     return false;
   }
   const double count = passes * std::max(1.0, errorTime / parameters.timeStep);
-  return measured * 0x1p-24 * farthestOf(state.positions) * std::sqrt(count) > parameters.errorTolerance;
+  return measured * 0x1p-24 * farthest * std::sqrt(count) > parameters.errorTolerance;
 }
 
 double medianShare(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {

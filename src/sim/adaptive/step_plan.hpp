@@ -91,18 +91,23 @@ struct StepPlan {
 /// True when damping may take so many stages in a substep that float is too coarse for them.
 [[nodiscard]] bool dampingRounds(const LocalRates& rates, const StepParameters& parameters);
 
+/// A bound of the wind's force on a cloth [N]: its pressure from ahead on all of the area.
+[[nodiscard]] double mostForceOfWind(const LocalRates& rates, const StepParameters& parameters);
+
 /// True when rounding to float would warm the cloth up noticeably. A substep h rounds each place by up to
 /// d = 2^-24 |x|, which is worth about c m omega^2 d^2 / 2 on stiff springs; c = 0.02 was measured (docs/auto.md).
 /// Noticeable is a five-hundredth of the energy that falling by its own size gives the cloth, in a second; for cloth
 /// that damping or still air bring to rest it is what keeps vertices moving by some tenths of a millimetre a second.
+/// @param farthest the largest coordinate [m]
 [[nodiscard]] bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                                 const ClothState& state);
+                                 double farthest);
 
 /// True when rounding to float would by itself build up more error than the tolerance, and the work allowed has room
 /// for a step in double, which costs twice as much. N passes that each round places x to float leave a mean error of
 /// about c 2^-24 |x| sqrt(N); c = 0.25 was measured (docs/auto.md).
+/// @param farthest the largest coordinate [m]
 [[nodiscard]] bool roundingShows(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                                 const ClothState& state);
+                                 const StepMemory& memory, double farthest);
 
 /// The share of their stiffness that the springs of the median vertex keep under a plan [-].
 [[nodiscard]] double medianShare(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan);

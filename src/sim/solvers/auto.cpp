@@ -94,7 +94,7 @@ class AdaptiveStep {
       const bool looking = retake > 0 || inputs.grab || guard_.isDue(plan, state.memory);
       StepEnergy energy = run_.run(model, rates, parameters, inputs, plan, state, {looking && !startIsKnown, looking});
       energy.start = startIsKnown ? state.memory.energy : energy.start;
-      const double work = mostWorkOfWind(model, parameters) + workOfHand(model, inputs, state);
+      const double work = mostWorkOfWind(rates, parameters) + workOfHand(model, inputs, state);
       choice.passes += plan.cost();
       choice.levels = run_.levels();
       if (!guard_.grew(energy, work, retake > 0, state.memory)) {
@@ -108,7 +108,7 @@ class AdaptiveStep {
       choice.substeps = plan.substeps;
       choice.stiffness = medianShare(rates, parameters, plan);
     }
-    takeLastResort(model, parameters, inputs, state, choice);
+    takeLastResort(model, rates, parameters, inputs, state, choice);
   }
 
   /// What had to be taken again will have to be again: the steps that follow begin with what held. That wears off.
@@ -141,14 +141,14 @@ class AdaptiveStep {
 
   /// By XPBD, which cannot explode; what energy it makes, by a cloth that its few iterations leave stretched, is taken
   /// out of the motion. The energy is that of the springs with all their stiffness.
-  void takeLastResort(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state,
-                      StepChoice& choice) {
+  void takeLastResort(const ClothModel& model, const LocalRates& rates, StepParameters parameters,
+                      const StepInputs& inputs, ClothState& state, StepChoice& choice) {
     constexpr int substeps = 8;
     if (!lastResort_) {
       lastResort_ = findSolver("xpbd")->make();
     }
     const double time = state.time;
-    const double allowed = energyOf(model, parameters, state).total() + mostWorkOfWind(model, parameters) +
+    const double allowed = energyOf(model, parameters, state).total() + mostWorkOfWind(rates, parameters) +
                            (inputs.grab ? inputs.grab->maxForce * parameters.timeStep : 0.0);
     parameters.precision = Precision::Double;
     parameters.timeStep /= substeps;
@@ -236,13 +236,21 @@ class AutoSolver final : public Solver {
       return {.choice = StepChoice{.substeps = 0, .passes = 0, .resting = true}};
     }
     const LocalRates& rates = rates_.get(model, localRatesOf);
-    const bool exact = parameters.precision == Precision::Double || dampingRounds(rates, parameters) ||
-                       roundingHeats(model, rates, parameters, state) || roundingShows(model, rates, parameters, state);
-    return exact ? double_.step(model, rates, parameters, inputs, state)
-                 : single_.step(model, rates, parameters, inputs, state);
+    return isTakenInDouble(model, rates, parameters, state) ? double_.step(model, rates, parameters, inputs, state)
+                                                            : single_.step(model, rates, parameters, inputs, state);
   }
 
  private:
+  static bool isTakenInDouble(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                              const ClothState& state) {
+    if (parameters.precision == Precision::Double || dampingRounds(rates, parameters)) {
+      return true;
+    }
+    const double farthest = farthestOf(state.positions);
+    return roundingHeats(model, rates, parameters, farthest) ||
+           roundingShows(model, rates, parameters, state.memory, farthest);
+  }
+
   RestWatch rest_;
   ModelCache<LocalRates> rates_;
   AdaptiveStep<float> single_;
