@@ -19,32 +19,34 @@ constexpr double fewTorn =
     0.2;  // of the sides between a part and the rest may still be torn when it joins the rest [-]
 constexpr double mainShare = 0.6;  // of a piece: from then on a part of it counts as what the others join [-]
 
-/// Calls visit(a, b) for the sides of all triangles whose both ends are inside.
+/// Calls visit(a, b) for the sides of all triangles, triangle by triangle.
 template <typename Visit>
-void forEachSideInside(const std::vector<char>& inside, std::span<const Triangle> triangles, Visit&& visit) {
+void forEachSide(std::span<const Triangle> triangles, Visit&& visit) {
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto a = static_cast<std::size_t>(t[k]);
-      const auto b = static_cast<std::size_t>(t[(k + 1) % 3]);
-      if (inside[a] != 0 && inside[b] != 0) {
-        visit(a, b);
-      }
+      visit(static_cast<std::size_t>(t[k]), static_cast<std::size_t>(t[(k + 1) % 3]));
     }
   }
 }
 
-/// Calls visit(a, b) for the sides of which a is inside and b is not.
+/// Calls visit(a, b) for those whose both ends are inside.
+template <typename Visit>
+void forEachSideInside(const std::vector<char>& inside, std::span<const Triangle> triangles, Visit&& visit) {
+  forEachSide(triangles, [&](std::size_t a, std::size_t b) {
+    if (inside[a] != 0 && inside[b] != 0) {
+      visit(a, b);
+    }
+  });
+}
+
+/// Calls visit(a, b) for those of which a is inside and b is not.
 template <typename Visit>
 void forEachSideThrough(const std::vector<char>& inside, std::span<const Triangle> triangles, Visit&& visit) {
-  for (const Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto a = static_cast<std::size_t>(t[k]);
-      const auto b = static_cast<std::size_t>(t[(k + 1) % 3]);
-      if ((inside[a] != 0) != (inside[b] != 0)) {
-        inside[a] != 0 ? visit(a, b) : visit(b, a);
-      }
+  forEachSide(triangles, [&](std::size_t a, std::size_t b) {
+    if ((inside[a] != 0) != (inside[b] != 0)) {
+      inside[a] != 0 ? visit(a, b) : visit(b, a);
     }
-  }
+  });
 }
 
 /// How far the ends of a side, which lead to two places, would be torn apart [m]; 0 where they go on together.
