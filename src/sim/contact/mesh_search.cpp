@@ -238,12 +238,39 @@ void MeshSearch::touchVertices(const BodySide& side, const MeshInStep& mesh, con
   }
 }
 
+/// The patches that a cluster could reach with the room that its vertices have.
+/// @param wider is used where what is listed is not enough
+const MeshSearch::Nearby& MeshSearch::asFarAsRoom(const BodySide& side, const MeshInStep& mesh,
+                                                  const ClothInBody& cloth, const ClothClusters& clusters,
+                                                  std::size_t cluster, Nearby& wider) const {
+  double far = 0.0;
+  Eigen::AlignedBox3d box;
+  for (const int v : clusters.vertices(cluster)) {
+    far = std::max(far, cloth.room[static_cast<std::size_t>(v)] + side.reach().guard);
+    box.extend(vectorAt(cloth.base, v));
+  }
+  if (far > listed * side.reach().keep) {
+    wider.list(mesh.mesh.tree, inflated(box, far));
+    return wider;
+  }
+  return nearby_[cluster];
+}
+
+/// Of one triangle. What is caught in a closed mesh gets none, and is only looked at for what it pierces.
+void MeshSearch::findPlanesOf(int triangle, const MeshInStep& mesh, const Nearby& nearby, PlaneSearch& planes,
+                              Findings& findings) const {
+  const std::size_t before = findings.barriers.size();
+  planes.look(triangle, nearby.patches, nearby.boxes);
+  if (caught_[static_cast<std::size_t>(triangle)] && mesh.mesh.closed) {
+    findings.barriers.resize(before);
+  }
+}
+
 bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
                             const ClothClusters& clusters, std::span<const double> ways, Workers& workers, int threads,
                             Findings& findings) {
   spared_.assign(cloth.triangles.size(), 0);
   asked_.resize(cloth.triangles.size(), 0);
-  const double near = listed * side.reach().keep;
   const auto spares = [&](std::size_t t) {
     const auto way = [&](std::size_t k) { return ways[static_cast<std::size_t>(cloth.triangles[t][k])]; };
     const double longest = std::max({way(0), way(1), way(2)});
@@ -263,28 +290,13 @@ bool MeshSearch::findPlanes(const BodySide& side, const MeshInStep& mesh, const 
                             if (std::all_of(triangles.begin(), triangles.end(), isSpared)) {
                               continue;
                             }
-                            double far = 0.0;
-                            Eigen::AlignedBox3d box;
-                            for (const int v : clusters.vertices(c)) {
-                              far = std::max(far, cloth.room[static_cast<std::size_t>(v)] + side.reach().guard);
-                              box.extend(vectorAt(cloth.base, v));
+                            const Nearby& nearby = asFarAsRoom(side, mesh, cloth, clusters, c, wider);
+                            if (nearby.patches.empty()) {
+                              continue;
                             }
-                            const bool wide = far > near;
-                            if (wide) {
-                              wider.list(mesh.mesh.tree, inflated(box, far));
-                            }
-                            const Nearby& nearby = wide ? wider : nearby_[c];
                             for (const int t : triangles) {
-                              if (!isSpared(t) && !nearby.patches.empty()) {
-                                const auto at = static_cast<std::size_t>(t);
-                                if (keepPiercings(mesh, t, planes)) {
-                                  continue;
-                                }
-                                const std::size_t before = part.found.barriers.size();
-                                planes.look(t, nearby.patches, nearby.boxes);
-                                if (caught_[at] && mesh.mesh.closed) {
-                                  part.found.barriers.resize(before);
-                                }
+                              if (!isSpared(t) && !keepPiercings(mesh, t, planes)) {
+                                findPlanesOf(t, mesh, nearby, planes, part.found);
                               }
                             }
                           }

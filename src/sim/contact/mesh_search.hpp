@@ -80,6 +80,10 @@ class MeshSearch {
   void pushToFront(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, const Piercing& piercing,
                    Findings& findings) const;
   void countOverlaps(const ClothInBody& cloth, Findings& findings) const;
+  const Nearby& asFarAsRoom(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
+                            const ClothClusters& clusters, std::size_t cluster, Nearby& wider) const;
+  void findPlanesOf(int triangle, const MeshInStep& mesh, const Nearby& nearby, PlaneSearch& planes,
+                    Findings& findings) const;
   bool keepPiercings(const MeshInStep& mesh, int triangle, PlaneSearch& planes) const;
   void holdCaught(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth, Findings& findings) const;
 
