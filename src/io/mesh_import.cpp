@@ -149,6 +149,11 @@ bool isMeshFile(const fs::path& file) {
   return !ending.empty() && std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end();
 }
 
+FormatFacts factsOfFormat(std::string_view format) {
+  // glTF 2.0, section 3.4: "The units for all linear distances are meters", "+Y as up".
+  return format == "glb" || format == "gltf" ? FormatFacts{1.0, 'y'} : FormatFacts{};
+}
+
 ImportedMesh importMesh(const std::filesystem::path& file, const ImportOptions& options) {
   const std::string bytes = readWholeFile(file);
   return importMeshFromMemory(file.string(), bytes, options);
@@ -178,7 +183,9 @@ ImportedMesh importMeshFromMemory(std::string_view nameView, std::string_view by
     throw InputError(name + ": " +
                      (problem.empty() ? error.what() : problem + ". Correct it, or export the mesh again."));
   }
-  return weldMesh(raw, name, options);
+  ImportedMesh mesh = weldMesh(raw, name, options);
+  mesh.format = factsOfFormat(format);
+  return mesh;
 }
 
 }  // namespace drape

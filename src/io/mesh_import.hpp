@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,11 +46,19 @@ struct MeshSummary {
   std::vector<std::string> warnings;
 };
 
+/// What the specification of a file format says about coordinates. Empty where it leaves them to the author, as OBJ,
+/// PLY and STL do.
+struct FormatFacts {
+  std::optional<double> metresPerUnit;  ///< length of the file's unit [m]
+  std::optional<char> up;               ///< the axis that points up: 'x', 'y' or 'z'
+};
+
 /// A mesh ready to become a cloth.
 struct ImportedMesh {
   ClothMesh cloth;
   RenderMesh render;
   MeshSummary summary;
+  FormatFacts format;
 };
 
 /// How to read a mesh.
@@ -64,6 +73,9 @@ struct ImportOptions {
 
 /// True when the file's ending, in capitals or not, is that of a format that is offered.
 [[nodiscard]] bool isMeshFile(const std::filesystem::path& file);
+
+/// What a format, given by its ending without the dot in small letters, says about unit and up axis.
+[[nodiscard]] FormatFacts factsOfFormat(std::string_view format);
 
 /// Reads a mesh file. The parsing happens in a child process with limits on memory and time, so that a file that
 /// crashes or stalls the parser costs a message. Throws InputError (missing, a directory, unknown format, too large,

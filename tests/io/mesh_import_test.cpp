@@ -131,6 +131,15 @@ TEST(MeshImport, scalesToMetres) {
   EXPECT_NEAR(importMeshFromMemory("a.obj", fourCorners + "f 1 2 3\n", options).summary.size[0], 0.01, 1e-12);
 }
 
+TEST(MeshImport, tellsTheUnitAndTheUpAxisThatTheFormatPrescribes) {
+  const FormatFacts gltf = import("a.glb", glbSquare()).format;
+  EXPECT_EQ(gltf.metresPerUnit, 1.0);
+  EXPECT_EQ(gltf.up, 'y');
+  const FormatFacts obj = import("a.obj", fourCorners + "f 1 2 3\n").format;
+  EXPECT_FALSE(obj.metresPerUnit.has_value());
+  EXPECT_FALSE(obj.up.has_value());
+}
+
 TEST(MeshImport, offersFormatsWithoutDots) {
   for (const std::string& format : meshFormats()) {
     EXPECT_NE(format.front(), '.');
