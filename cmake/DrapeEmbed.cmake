@@ -44,5 +44,6 @@ ${entries}  }};
 }  // namespace drape
 ")
   target_sources(${target} PRIVATE "${source}")
-  set_source_files_properties("${source}" PROPERTIES OBJECT_DEPENDS "${inputs}" GENERATED TRUE)
+  set_source_files_properties("${source}" PROPERTIES OBJECT_DEPENDS "${inputs}" GENERATED TRUE
+    SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

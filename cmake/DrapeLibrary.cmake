@@ -1,10 +1,21 @@
-# drape_library(<name> SOURCES <files> [LINKS <targets>] [PRIVATE_LINKS <targets>])
+# drape_unity(<target>): compiles several sources at a time where DRAPE_UNITY_BUILD says so. Headers are then read, and
+# Eigen's templates compiled, once for the batch instead of once a source. Sources that Highway includes again for each
+# instruction set (hwy/foreach_target.h) have to stay alone. Names of a source's own (its unnamed namespace) must differ
+# from those of its neighbours in the same library.
+function(drape_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${DRAPE_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE 12)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "_kernel\\.cpp$")
+  set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# drape_library(<name> SOURCES <files> [LINKS <targets>] [PRIVATE_LINKS <targets>] [ALONE])
 #
 # Adds the static library drape_<name> for src/<name>. Its headers are reached as "<name>/header.hpp", and only by
 # targets that link it: each library publishes a folder that holds nothing but a link to its own sources. So an
-# include that points upwards in the layering does not compile.
+# include that points upwards in the layering does not compile. ALONE keeps it out of unity builds.
 function(drape_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "ALONE" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   set(include_root "${PROJECT_BINARY_DIR}/include/${name}")
   file(MAKE_DIRECTORY "${include_root}")
   file(CREATE_LINK "${PROJECT_SOURCE_DIR}/src/${name}" "${include_root}/${name}" SYMBOLIC)
@@ -12,6 +23,9 @@ function(drape_library name)
   add_library(drape_${name} STATIC ${ARG_SOURCES})
   target_include_directories(drape_${name} PUBLIC "${include_root}")
   target_link_libraries(drape_${name} PUBLIC drape_compiler ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+  if(NOT ARG_ALONE)
+    drape_unity(drape_${name})
+  endif()
 endfunction()
 
 # drape_program(<name> SOURCES <files> LINKS <targets>): an executable in <build>/bin.
@@ -19,4 +33,5 @@ function(drape_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE drape_compiler ${ARG_LINKS})
+  drape_unity(${name})
 endfunction()

@@ -31,7 +31,7 @@ struct MeasureArguments {
 };
 
 /// A minute is far beyond what can be compared.
-constexpr double mostSeconds = 60.0;
+constexpr double mostMeasuredSeconds = 60.0;
 
 ReferenceKind kindOf(const std::string& against) {
   if (against == "same_step") {
@@ -149,7 +149,7 @@ void addMeasureCommand(CLI::App& app) {
   arguments->scene.addTo(*command);
   command->add_option("--seconds", arguments->seconds, "Simulated time [s]; taken to whole checkpoints of 1/30 s")
       ->required()
-      ->check(numberFrom(0.0, mostSeconds));
+      ->check(numberFrom(0.0, mostMeasuredSeconds));
   command
       ->add_option("--against", arguments->against,
                    "same_step (this step solved to the end), converged (the limit of small steps) or a solver's name")
@@ -168,7 +168,7 @@ void addMeasureCommand(CLI::App& app) {
   command->add_option("--summary", arguments->summaries, "Times to sum up at [s]")
       ->delimiter(',')
       ->type_name("T,...")
-      ->check(numberFrom(0.0, mostSeconds));
+      ->check(numberFrom(0.0, mostMeasuredSeconds));
   command->add_option("--json", arguments->json, "Write everything to this file (JSON)")->type_name("FILE");
   command->callback([arguments] { run(*arguments); });
 }

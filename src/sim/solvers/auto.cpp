@@ -258,7 +258,7 @@ class AutoSolver final : public Solver {
 };
 
 /// What it costs that cloth is too stiff and fine for the work allowed, time or stiffness, and how much work would do.
-std::string warning(const ClothModel& model, const StepParameters& parameters) {
+std::string autoWarning(const ClothModel& model, const StepParameters& parameters) {
   constexpr double heldTo = 1.8;  // what h omega held springs are held to
   const double frequency = largestFrequency(model, parameters);
   const double passes = passesInBudget(model, parameters);
@@ -297,7 +297,7 @@ SolverInfo solvers::adaptive() {
           .backwardEuler = false,
           .choosesSubsteps = true,
           .settings = {"precision", "auto.work", "auto.soften", "auto.budget", "auto.tolerance"},
-          .warning = warning,
+          .warning = autoWarning,
           .stepLimit = nullptr,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<AutoSolver>(); }};
 }

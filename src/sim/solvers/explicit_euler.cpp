@@ -43,7 +43,7 @@ double stepLimit(const ClothModel& model, const StepParameters& parameters) {
   return std::min(swinging, damped);
 }
 
-std::string warning(const ClothModel& model, const StepParameters& parameters) {
+std::string explicitEulerWarning(const ClothModel& model, const StepParameters& parameters) {
   const double h = parameters.timeStep / parameters.substeps;
   const double limit = stepLimit(model, parameters);
   if (h <= limit) {
@@ -75,7 +75,7 @@ SolverInfo solvers::explicitEuler() {
           .source = "Euler (1768), Institutiones calculi integralis",
           .backwardEuler = false,
           .settings = {},
-          .warning = warning,
+          .warning = explicitEulerWarning,
           .stepLimit = stepLimit,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<ExplicitEulerSolver>(); }};
 }

@@ -127,7 +127,7 @@ class LocalGlobalSolver final : public Solver {
 
 /// On sheets of 17 x 17 vertices, after 7/15 s, the positions are within three times the converged step's own error
 /// while (h omega)^2 is below ten times the iterations, and ten times as far off at a hundred times.
-std::string warning(const ClothModel& model, const StepParameters& parameters) {
+std::string localGlobalWarning(const ClothModel& model, const StepParameters& parameters) {
   return slackWarning(model, parameters, 10.0);
 }
 
@@ -146,7 +146,7 @@ SolverInfo solvers::localGlobal() {
       .source = "Liu, Bargteil, O'Brien and Kavan (2013), Fast simulation of mass-spring systems",
       .backwardEuler = true,
       .settings = {"iterations"},
-      .warning = warning,
+      .warning = localGlobalWarning,
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<LocalGlobalSolver>(); }};
 }
 

@@ -127,7 +127,7 @@ class NewtonSolver final : public Solver {
 };
 
 /// A step of 17 x 17 vertices takes milliseconds, of 33 x 33 tens and of 61 x 61 hundreds.
-std::string warning(const ClothModel& model, const StepParameters& /*parameters*/) {
+std::string newtonWarning(const ClothModel& model, const StepParameters& /*parameters*/) {
   constexpr int fluent = 1000;  // vertices
   if (model.vertexCount() <= fluent) {
     return {};
@@ -152,7 +152,7 @@ SolverInfo solvers::newton() {
       .source = "Gast and co-authors (2015), Optimization integrator for large time steps",
       .backwardEuler = true,
       .settings = {"tolerance", "max_iterations", "derivative"},
-      .warning = warning,
+      .warning = newtonWarning,
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<NewtonSolver>(); }};
 }
 

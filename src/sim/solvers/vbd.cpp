@@ -160,7 +160,7 @@ bool overshoots(int iterations, double spectralRadius) {
 
 /// On sheets of 17 x 17 and 33 x 33 vertices the positions are within a few times the converged step's own error while
 /// (h omega)^2 is below the number of iterations.
-std::string warning(const ClothModel& model, const StepParameters& parameters) {
+std::string vbdWarning(const ClothModel& model, const StepParameters& parameters) {
   if (!overshoots(parameters.iterations, parameters.spectralRadius)) {
     return slackWarning(model, parameters, 1.0);
   }
@@ -186,7 +186,7 @@ SolverInfo solvers::vbd() {
           .source = "Chen, Liu, Yang and Yuksel (2024), Vertex block descent",
           .backwardEuler = true,
           .settings = {"iterations", "derivative", "spectral_radius"},
-          .warning = warning,
+          .warning = vbdWarning,
           .stepLimit = nullptr,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<VbdSolver>(); }};
 }

@@ -28,7 +28,7 @@ class VerletSolver final : public BatchSolver {
   SlicedRun run_;
 };
 
-std::string warning(const ClothModel& model, const StepParameters& parameters) {
+std::string verletWarning(const ClothModel& model, const StepParameters& parameters) {
   return stepLimitWarning(parameters, verletStepLimit(model, parameters));
 }
 
@@ -45,7 +45,7 @@ SolverInfo solvers::verlet() {
       .source = "Stoermer, 1907; Verlet, 1967, Computer experiments on classical fluids",
       .backwardEuler = false,
       .settings = {"precision"},
-      .warning = warning,
+      .warning = verletWarning,
       .stepLimit = verletStepLimit,
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<VerletSolver>(); }};
 }

@@ -136,7 +136,7 @@ class XpbdSolver final : public BatchSolver {
 ///
 /// Places in float make velocities inexact in short steps: a sheet of 17 x 17 that falls from rest with 100 N/m is 0.4
 /// mm off after 0.2 s with 1/6000 s and 11 mm with 1/30000 s.
-std::string warning(const ClothModel& model, const StepParameters& parameters) {
+std::string xpbdWarning(const ClothModel& model, const StepParameters& parameters) {
   constexpr double shortestInFloat = 1.0 / 6001.0;  // [s]
   if (parameters.precision == Precision::Float && parameters.timeStep / parameters.substeps < shortestInFloat) {
     return "Substeps below 1/6000 s are too short for XPBD in float: velocities become inexact. Use double precision.";
@@ -156,7 +156,7 @@ SolverInfo solvers::xpbd() {
           .source = "Macklin, Mueller and Chentanez, 2016, XPBD",
           .backwardEuler = true,
           .settings = {"iterations", "precision"},
-          .warning = warning,
+          .warning = xpbdWarning,
           .stepLimit = nullptr,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<XpbdSolver>(); }};
 }

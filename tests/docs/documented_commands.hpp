@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drape::testing {
+
+/// A command line that the documentation prints.
+struct DocumentedCommand {
+  std::string page;       ///< the Markdown file, relative to the project's root
+  int line = 0;           ///< where it begins, counted from 1
+  std::string program;    ///< first word, without its folder: "drape-headless", "run" for scripts/run
+  bool script = false;    ///< the first word is in scripts/
+  std::string text;       ///< the whole command line, continued lines joined, without a comment
+  bool synopsis = false;  ///< it has placeholders (`[SCENE|MESH]`, `--seconds T`, `...`) and cannot be run as it stands
+};
+
+/// The commands of README.md, CONTRIBUTING.md and docs/*.md that call one of the project's programs or scripts, cmake
+/// or ctest, with at least one argument: lines of code blocks and code spans.
+[[nodiscard]] std::vector<DocumentedCommand> documentedCommands(const std::filesystem::path& root);
+
+/// The commands of one page's text.
+[[nodiscard]] std::vector<DocumentedCommand> commandsIn(const std::string& page, const std::string& markdown);
+
+}  // namespace drape::testing
