@@ -16,6 +16,7 @@ std::optional<DocumentedCommand> parse(const std::string& page, int line, std::s
   static const std::regex shape(
       R"(^(scripts/|build/release/bin/)?(drape[a-z-]*|drape_bench|[a-z_]+_tests|cmake|ctest|[a-z-]+)( +\S.*)$)");
   static const std::regex comment(R"( +# .*$)");
+  static const std::regex mention(R"(drape-headless +(run|capture|measure))");
   static const std::regex placeholder(R"((^|[ |=/\[])(\.\.\.|[A-Z][A-Z_]*|\[.*\])($|[ |\]]))");
   text = std::regex_replace(text, comment, "");
   std::smatch parts;
@@ -29,7 +30,8 @@ std::optional<DocumentedCommand> parse(const std::string& page, int line, std::s
   if (!known && folder != "scripts/") {
     return std::nullopt;
   }
-  return DocumentedCommand{page, line, program, folder == "scripts/", text, std::regex_search(text, placeholder)};
+  const bool synopsis = std::regex_search(text, placeholder) || std::regex_match(text, mention);
+  return DocumentedCommand{page, line, program, folder == "scripts/", text, synopsis};
 }
 
 /// The code spans of a line outside code blocks. A bar is escaped in tables.
@@ -95,6 +97,10 @@ class Page {
 };
 
 }  // namespace
+
+std::ostream& operator<<(std::ostream& stream, const DocumentedCommand& command) {
+  return stream << command.page << ':' << command.line << ": " << command.text;
+}
 
 std::vector<DocumentedCommand> commandsIn(const std::string& page, const std::string& markdown) {
   return Page(page, markdown).read();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -8,13 +9,18 @@ namespace drape::testing {
 
 /// A command line that the documentation prints.
 struct DocumentedCommand {
-  std::string page;       ///< the Markdown file, relative to the project's root
-  int line = 0;           ///< where it begins, counted from 1
-  std::string program;    ///< first word, without its folder: "drape-headless", "run" for scripts/run
-  bool script = false;    ///< the first word is in scripts/
-  std::string text;       ///< the whole command line, continued lines joined, without a comment
-  bool synopsis = false;  ///< it has placeholders (`[SCENE|MESH]`, `--seconds T`, `...`) and cannot be run as it stands
+  std::string page;     ///< the Markdown file, relative to the project's root
+  int line = 0;         ///< where it begins, counted from 1
+  std::string program;  ///< first word, without its folder: "drape-headless", "run" for scripts/run
+  bool script = false;  ///< the first word is in scripts/
+  std::string text;     ///< the whole command line, continued lines joined, without a comment
+  /// It cannot be run as it stands: it has placeholders (`[SCENE|MESH]`, `--seconds T`, `...`), or names a subcommand
+  /// and nothing more (`drape-headless measure`).
+  bool synopsis = false;
 };
+
+/// For Google Test's messages: page, line and text.
+std::ostream& operator<<(std::ostream& stream, const DocumentedCommand& command);
 
 /// The commands of README.md, CONTRIBUTING.md and docs/*.md that call one of the project's programs or scripts, cmake
 /// or ctest, with at least one argument: lines of code blocks and code spans.

@@ -90,7 +90,9 @@ class Documentation : public ::testing::TestWithParam<DocumentedCommand> {
 
   void callProgram(const DocumentedCommand& command) {
     const int status = shell(std::regex_replace(command.text, std::regex("^build/release/bin/"), ""));
-    EXPECT_TRUE(status == 0 || status == timedOut) << "status " << status << ": " << contentOf(output());
+    // The hard cases end with 1 when a solver fails one of them, as most do.
+    const bool failsCases = status == 1 && command.text.find(" hardcases ") != std::string::npos;
+    EXPECT_TRUE(status == 0 || status == timedOut || failsCases) << "status " << status << ": " << contentOf(output());
   }
 
   /// Each of the filter's patterns names a test; CTest runs the tests themselves.
@@ -135,7 +137,7 @@ class Documentation : public ::testing::TestWithParam<DocumentedCommand> {
 
 TEST_P(Documentation, printsCommandsThatWork) {
   const DocumentedCommand& command = GetParam();
-  SCOPED_TRACE(command.page + ":" + std::to_string(command.line) + ": " + command.text);
+  SCOPED_TRACE(command);
   const bool window = (command.script && command.program == "run") || (!command.script && command.program == "drape");
   if (command.script && !window) {
     // They install, build or measure for minutes, or run these tests.
