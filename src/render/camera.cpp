@@ -11,11 +11,44 @@ namespace drape {
 namespace {
 
 constexpr double maxElevation = 89.5 * std::numbers::pi / 180.0;  // [rad]
+
 Vec3 directionFrom(double azimuth, double elevation) {
   return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
 }
 
 }  // namespace
+
+CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight, const CameraPose& pose) {
+  constexpr double clearance = 0.02;     // above the ground, in sizes of the box
+  constexpr double sideways = 1.0;       // from the box to the focal point, in sizes of the box
+  constexpr double away = 8.0;           // from the focal point, in sizes of the box
+  constexpr double smallestSize = 0.02;  // [m]
+  const double size = std::max(box.diagonal().norm(), smallestSize);
+  CameraBounds bounds;
+  bounds.lowest = std::min(groundHeight + clearance * size, pose.position.y());
+  const Vec3 room = Vec3::Constant(sideways * size);
+  bounds.focalPoints = Eigen::AlignedBox3d(box.min() - room, box.max() + room);
+  bounds.focalPoints.min().y() = std::min(std::max(bounds.focalPoints.min().y(), bounds.lowest), box.max().y());
+  bounds.focalPoints.extend(pose.focalPoint);
+  bounds.farthest = std::max(away * size, viewOffset(pose).norm());
+  return bounds;
+}
+
+void Camera::keepWithin(const CameraBounds& bounds) {
+  const Vec3 focalPoint = pose_.focalPoint.cwiseMax(bounds.focalPoints.min()).cwiseMin(bounds.focalPoints.max());
+  pose_.position += focalPoint - pose_.focalPoint;
+  pose_.focalPoint = focalPoint;
+  const Vec3 offset = viewOffset(pose_);
+  const double distance = std::min(offset.norm(), bounds.farthest);
+  if (distance < offset.norm()) {
+    pose_.position = pose_.focalPoint + distance * offset.normalized();
+  }
+  if (pose_.position.y() < bounds.lowest) {
+    const double rise = std::clamp((bounds.lowest - focalPoint.y()) / distance, -1.0, 1.0);
+    const double elevation = std::clamp(std::asin(rise), -maxElevation, maxElevation);
+    pose_.position = pose_.focalPoint + distance * directionFrom(std::atan2(offset.x(), offset.z()), elevation);
+  }
+}
 
 void Camera::orbit(double yaw, double pitch) {
   const Vec3 offset = viewOffset(pose_);

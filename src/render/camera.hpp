@@ -4,6 +4,7 @@
 #include "sim/vector.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <utility>
 
 namespace drape {
@@ -13,6 +14,17 @@ struct Ray {
   Vec3 origin;     ///< [m]
   Vec3 direction;  ///< unit length
 };
+
+/// Where a camera may go, so that the cloth does not get out of sight.
+struct CameraBounds {
+  Eigen::AlignedBox3d focalPoints;  ///< where its focal point may be [m]
+  double lowest = 0.0;              ///< height that the camera stays above [m]
+  double farthest = 400.0;          ///< from its focal point [m]
+};
+
+/// The bounds for looking at things in `box` [m] that stand on a ground at that height [m]. Never so narrow that `pose`
+/// is beyond them: a scene's author may look from anywhere.
+[[nodiscard]] CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight, const CameraPose& pose);
 
 /// An orbiting perspective camera that looks from a pose at its focal point; y is up.
 class Camera {
@@ -31,6 +43,9 @@ class Camera {
   void zoom(double factor);
   /// Looks at another point from the same direction and distance.
   void recentre(const Vec3& focalPoint);
+  /// Moves the camera the least that brings it within the bounds: focal point, then distance, then height, which is
+  /// reached by turning around the focal point.
+  void keepWithin(const CameraBounds& bounds);
   /// Looks from a side (1: front, 3: right, 7: top as in other 3D programs) at the same focal point and distance.
   enum class Side { Front, Right, Top };
   void lookFrom(Side side);

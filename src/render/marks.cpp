@@ -8,10 +8,12 @@ namespace {
 // Colours as they appear on the screen, with opacity.
 const Eigen::Vector4f pinColour(0.16F, 0.18F, 0.22F, 1.0F);
 const Eigen::Vector4f handColour(0.96F, 0.62F, 0.16F, 1.0F);
-constexpr float pinSize = 8.0F;    // in units of a mark; of a single pin
-constexpr float manySize = 4.5F;   // where there are so many that they would hide the cloth
-constexpr float heldSize = 12.0F;  // in units of a mark
-constexpr float handSize = 16.0F;  // in units of a mark
+constexpr float pinSize = 8.0F;      // in units of a mark; of a single pin
+constexpr float manySize = 4.5F;     // where there are so many that they would hide the cloth
+constexpr float shareOfGap = 0.5F;   // of the way to the next pin that a dot takes
+constexpr float smallestPin = 1.5F;  // [pixels]
+constexpr float heldSize = 12.0F;    // in units of a mark
+constexpr float handSize = 16.0F;    // in units of a mark
 const Eigen::Vector4f contactColour(0.86F, 0.16F, 0.36F, 1.0F);
 constexpr double contactLength = 0.03;  // of a drawn normal [m]
 constexpr float contactSize = 6.5F;     // in units of a mark; its rim takes two of them
@@ -21,6 +23,22 @@ float sizeOfPins(std::size_t count) {
   constexpr float few = 6.0F;
   const float share = std::min(few / static_cast<float>(count), 1.0F);
   return manySize + (pinSize - manySize) * share;
+}
+
+/// The median length of the edges whose ends are both pinned [m]; 0 where there is none.
+float gapBetweenPins(const ClothModel& model) {
+  std::vector<double> gaps;
+  for (const Spring& spring : model.springs) {
+    if (model.pinned[static_cast<std::size_t>(spring.a)] && model.pinned[static_cast<std::size_t>(spring.b)]) {
+      gaps.push_back(spring.restLength);
+    }
+  }
+  if (gaps.empty()) {
+    return 0.0F;
+  }
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  return static_cast<float>(*middle);
 }
 
 }  // namespace
@@ -76,18 +94,26 @@ void Marks::setPins(const Snapshot& snapshot) {
       pins_.emplace_back(snapshot.positions[i].cast<float>());
     }
   }
+  if (snapshot.model != pinnedModel_) {
+    pinnedModel_ = snapshot.model;
+    pinGap_ = gapBetweenPins(*pinnedModel_);
+  }
   glBindBuffer(GL_ARRAY_BUFFER, pinBuffer_.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(pins_.size() * sizeof(Eigen::Vector3f)), pins_.data(),
                GL_STREAM_DRAW);
 }
 
-void Marks::drawPins(float scale) const {
+void Marks::drawPins(float scale, float pixelsPerMetre) const {
   if (pins_.empty()) {
     return;
   }
+  float size = sizeOfPins(pins_.size()) * scale;
+  if (pinGap_ > 0.0F) {
+    size = std::clamp(shareOfGap * pinGap_ * pixelsPerMetre, std::min(smallestPin, size), size);
+  }
   dots_.use();
   dots_.set("fill", pinColour);
-  dots_.set("size", sizeOfPins(pins_.size()) * scale);
+  dots_.set("size", size);
   glBindVertexArray(pinArray_.name());
   glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(pins_.size()));
   glBindVertexArray(0);

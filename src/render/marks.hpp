@@ -5,6 +5,7 @@
 #include "session/snapshot.hpp"
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 namespace drape {
@@ -20,8 +21,10 @@ class Marks {
   /// Takes over where the cloth touches something: each place becomes a dot and a line along its normal.
   void setContacts(const Snapshot& snapshot);
 
-  /// `scale` is the size of a mark's unit [pixels].
-  void drawPins(float scale) const;
+  /// `scale` is the size of a mark's unit [pixels]. Pins that stand so close that their dots would touch get smaller
+  /// ones.
+  /// @param pixelsPerMetre of the picture, where the pins are
+  void drawPins(float scale, float pixelsPerMetre) const;
   void drawContacts(float scale) const;
   void drawGrab(const GrabStatus& grab, float scale) const;
 
@@ -34,6 +37,8 @@ class Marks {
   GlBuffer pinBuffer_;
   GlVertexArray nothing_;
   std::vector<Eigen::Vector3f> pins_;
+  std::shared_ptr<const ClothModel> pinnedModel_;  // that pinGap_ belongs to
+  float pinGap_ = 0.0F;                            // between neighbouring pins [m]; 0: none has a neighbour
   ShaderProgram lines_;
   GlVertexArray contactArray_;
   GlBuffer contactBuffer_;

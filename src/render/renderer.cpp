@@ -11,6 +11,7 @@
 #include "render/smooth_mesh.hpp"
 #include "render/surface_coordinates.hpp"
 #include "render/texture_units.hpp"
+#include "scene/framing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,12 @@ float markScale(int height) {
   return std::max(smallestMark, static_cast<float>(height) / unitHeight);
 }
 
+/// How large a metre is in the picture, as far away as the focal point [pixels].
+float pixelsPerMetre(const Camera& camera, int height) {
+  const CameraPose& pose = camera.pose();
+  return static_cast<float>(height / (2.0 * viewOffset(pose).norm() * tanHalfAngle(pose)));
+}
+
 }  // namespace
 
 struct Renderer::Parts {
@@ -48,7 +55,7 @@ struct Renderer::Parts {
   void drawCloth(const Settings::View& view) const;
   void drawGhost(const Settings::View& view) const;
   void drawGround() const;
-  void drawMarks(const Snapshot& snapshot, int height) const;
+  void drawMarks(const Snapshot& snapshot, const Camera& camera, int height) const;
 
   Framebuffer framebuffer;
   FrameBlock frameBlock;
@@ -237,12 +244,14 @@ void Renderer::Parts::drawGround() const {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void Renderer::Parts::drawMarks(const Snapshot& snapshot, int height) const {
+void Renderer::Parts::drawMarks(const Snapshot& snapshot, const Camera& camera, int height) const {
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDepthMask(GL_FALSE);
-  marks.drawPins(markScale(height));
+  if (snapshot.settings.view.pins) {
+    marks.drawPins(markScale(height), pixelsPerMetre(camera, height));
+  }
   marks.drawContacts(markScale(height));
   if (snapshot.grab) {
     // The hand is shown through the cloth: it must never be lost.
@@ -299,7 +308,7 @@ void Renderer::draw(const Snapshot& snapshot, const Camera& camera, int width, i
   if (parts.hasGhost) {
     parts.drawGhost(view);
   }
-  parts.drawMarks(snapshot, height);
+  parts.drawMarks(snapshot, camera, height);
   parts.framebuffer.resolve();
   glUseProgram(0);
   checkGl("the picture");

@@ -72,6 +72,7 @@ struct Settings {
     bool ground = true;
     bool shadows = true;
     bool contacts = false;
+    bool pins = true;
     double fontScale = 0.0;  ///< 0: from the monitor's scale
   } view;
 };
@@ -88,6 +89,6 @@ enum class SettingEffect {
 enum class SettingScope { Everywhere, Grid, MeshFile };
 
 /// The panel that a setting is shown in.
-enum class SettingGroup { Simulation, Ghost, Material, Air, Contact, Scene, View, Performance };
+enum class SettingGroup { Material, Air, Simulation, Contact, Scene, View, Ghost, Advanced };
 
 }  // namespace drape

@@ -64,7 +64,7 @@ void surfaceRow(PanelContext& context, int body, const SurfaceField& field) {
     ImGui::Spacing();
     mutedText("Range: " + withUnit(field, field.min) + " to " + withUnit(field, field.max));
     mutedText("In the scene: " + withUnit(field, usual));
-    mutedText("Ctrl+click to type a value, right click for the scene's.");
+    mutedText("Ctrl+click types a value. A right click restores the scene's value.");
     endExplanation();
   }
   ImGui::PopID();

@@ -1,4 +1,5 @@
 #include "ui/panels.hpp"
+#include "ui/scene_changes.hpp"
 #include "ui/widgets.hpp"
 
 #include <string>
@@ -52,6 +53,18 @@ void sceneChoice(PanelContext& context) {
   }
 }
 
+/// Restores all that the scene says; bright while something differs.
+void resetAllButton(PanelContext& context, float width) {
+  const bool differs = differsFromScene(context.snapshot, context.settings);
+  ImGui::BeginDisabled(!differs && context.snapshot.step == 0);
+  if (iconButton(context, "reset_all", Icon::None, "Reset all", width)) {
+    context.output.requests.emplace_back(UiAction::ResetAll);
+  }
+  ImGui::EndDisabled();
+  explainItem(context, "button.reset_all",
+              "Back to the scene's start, with the scene's own settings, pins and bodies.");
+}
+
 }  // namespace
 
 void headPanel(PanelContext& context) {
@@ -61,8 +74,10 @@ void headPanel(PanelContext& context) {
 
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = ImGui::GetContentRegionAvail().x;
-  const float wide = (width - 2.0F * gap) * 0.4F;
-  const float narrow = (width - 2.0F * gap) * 0.3F;
+  const bool oneRow = width > 300.0F * context.scale;
+  const float share = width - (oneRow ? 3.0F : 2.0F) * gap;
+  const float wide = share * (oneRow ? 0.27F : 0.4F);
+  const float narrow = share * (oneRow ? 0.235F : 0.3F);
   if (iconButton(context, "play", snapshot.paused ? Icon::Play : Icon::Pause, snapshot.paused ? "Play" : "Pause", wide,
                  true)) {
     context.output.commands.emplace_back(PauseCommand{!snapshot.paused});
@@ -78,6 +93,10 @@ void headPanel(PanelContext& context) {
     context.output.commands.emplace_back(ResetCommand{});
   }
   explainItem(context, "button.reset", "Back to the scene's start. Settings and pins stay (R).");
+  if (oneRow) {
+    ImGui::SameLine();
+  }
+  resetAllButton(context, oneRow ? ImGui::GetContentRegionAvail().x : width);
 }
 
 }  // namespace drape

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace drape {
@@ -49,6 +50,13 @@ std::optional<BodyHit> bodyHitBy(const Ray& ray, const Snapshot& snapshot) {
   return nearest;
 }
 
+/// The bounds for the camera as it is: around the cloth, where it is and where it began.
+CameraBounds boundsAround(const Snapshot& snapshot, const CameraPose& pose) {
+  Eigen::AlignedBox3d box = boundsOf(snapshot.scene->start.positions);
+  box.extend(boundsOf(snapshot.positions));
+  return boundsFor(box, snapshot.scene->groundHeight, pose);
+}
+
 }  // namespace
 
 void InteractionController::handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output) {
@@ -79,6 +87,19 @@ void InteractionController::frameCloth(const Snapshot& snapshot) {
     box.extend(ghost.translated(Vec3(snapshot.settings.ghost.offset, 0.0, 0.0)));
   }
   camera_.frame(box.min(), box.max(), view_.width / view_.height);
+}
+
+void InteractionController::lookFrom(Camera::Side side, const Snapshot& snapshot) {
+  moveCamera(snapshot, [&](Camera& camera) { camera.lookFrom(side); });
+}
+
+void InteractionController::moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move) {
+  if (snapshot.positions.empty()) {
+    return;
+  }
+  const CameraBounds bounds = boundsAround(snapshot, camera_.pose());
+  move(camera_);
+  camera_.keepWithin(bounds);
 }
 
 void InteractionController::on(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
@@ -147,13 +168,13 @@ void InteractionController::on(const ReleaseEvent& event, const Snapshot& /*snap
   }
 }
 
-void InteractionController::on(const MoveEvent& event, const Snapshot& /*snapshot*/, UiOutput& output) {
+void InteractionController::on(const MoveEvent& event, const Snapshot& snapshot, UiOutput& output) {
   const Vec2 moved = (event.position - mouse_) / view_.height;
   mouse_ = event.position;
   if (std::holds_alternative<Orbiting>(gesture_)) {
-    camera_.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight);
+    moveCamera(snapshot, [&](Camera& camera) { camera.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight); });
   } else if (std::holds_alternative<Panning>(gesture_)) {
-    camera_.pan(-moved.x(), moved.y());
+    moveCamera(snapshot, [&](Camera& camera) { camera.pan(-moved.x(), moved.y()); });
   } else if (const auto* held = std::get_if<Grabbing>(&gesture_)) {
     const Vec2 point = inView(event.position);
     output.commands.emplace_back(
@@ -165,8 +186,8 @@ void InteractionController::on(const MoveEvent& event, const Snapshot& /*snapsho
   }
 }
 
-void InteractionController::on(const ScrollEvent& event, const Snapshot& /*snapshot*/, UiOutput& /*output*/) {
-  camera_.zoom(std::pow(zoomPerNotch, event.amount));
+void InteractionController::on(const ScrollEvent& event, const Snapshot& snapshot, UiOutput& /*output*/) {
+  moveCamera(snapshot, [&](Camera& camera) { camera.zoom(std::pow(zoomPerNotch, event.amount)); });
 }
 
 void InteractionController::escape(UiOutput& output) {
@@ -201,13 +222,13 @@ void InteractionController::on(const KeyEvent& event, const Snapshot& snapshot, 
       frameCloth(snapshot);
       break;
     case Key::One:
-      lookFrom(Camera::Side::Front);
+      lookFrom(Camera::Side::Front, snapshot);
       break;
     case Key::Three:
-      lookFrom(Camera::Side::Right);
+      lookFrom(Camera::Side::Right, snapshot);
       break;
     case Key::Seven:
-      lookFrom(Camera::Side::Top);
+      lookFrom(Camera::Side::Top, snapshot);
       break;
     case Key::H:
       output.requests.emplace_back(UiAction::TogglePanels);

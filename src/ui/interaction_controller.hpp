@@ -4,6 +4,7 @@
 #include "session/snapshot.hpp"
 #include "ui/ui_output.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -55,7 +56,8 @@ class InteractionController {
   void lookAtScene(const Scene& scene);
   /// Moves the camera so that the cloth as it is now fills the view.
   void frameCloth(const Snapshot& snapshot);
-  void lookFrom(Camera::Side side) { camera_.lookFrom(side); }
+  /// Looks from a side, but never from below the ground.
+  void lookFrom(Camera::Side side, const Snapshot& snapshot);
 
   /// True while a gesture drags a body.
   [[nodiscard]] bool holdsBody() const { return std::holds_alternative<MovingBody>(gesture_); }
@@ -89,6 +91,7 @@ class InteractionController {
   bool grab(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
   void letGo(UiOutput& output);
   void escape(UiOutput& output);
+  void moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move);
   [[nodiscard]] Vec2 inView(const Vec2& position) const { return position - Vec2(view_.x, view_.y); }
   [[nodiscard]] int width() const { return static_cast<int>(view_.width); }
   [[nodiscard]] int height() const { return static_cast<int>(view_.height); }

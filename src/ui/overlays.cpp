@@ -1,4 +1,6 @@
+#include "ui/overlay_stack.hpp"
 #include "ui/panels.hpp"
+#include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
 #include <algorithm>
@@ -7,15 +9,12 @@
 namespace drape {
 namespace {
 
-constexpr ImGuiWindowFlags overlayFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize;
-
 struct HelpRow {
   const char* keys;
   const char* what;
 };
 
-constexpr std::array<HelpRow, 8> mouseHelp{{
+constexpr std::array<HelpRow, 9> mouseHelp{{
     {"Drag the cloth", "pull it"},
     {"Ctrl + drag", "pull it, and never turn the view"},
     {"Drag a body", "move it"},
@@ -23,7 +22,8 @@ constexpr std::array<HelpRow, 8> mouseHelp{{
     {"Middle or Shift + drag", "move the view"},
     {"Wheel", "nearer and farther"},
     {"Double click", "look at that point"},
-    {"Drop a file", "open a scene or a mesh"},
+    {"Drop files", "open a scene, a garment, a garment with a body"},
+    {"Click the line below", "what the solver does, and its cost"},
 }};
 
 constexpr std::array<HelpRow, 11> keyHelp{{
@@ -37,7 +37,7 @@ constexpr std::array<HelpRow, 11> keyHelp{{
     {"H", "hide and show the panels"},
     {"F12", "save a picture"},
     {"F1   ?", "this list"},
-    {"Esc", "let go, close, quit"},
+    {"Esc", "let go, close, stop reading a file, quit"},
 }};
 
 template <std::size_t size>
@@ -57,70 +57,85 @@ void helpTable(float scale, const char* title, const std::array<HelpRow, size>& 
   }
 }
 
-void pushOverlayStyle(float padding) {
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, padding * 0.5F);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding, padding));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.13F, 0.145F, 0.18F, 0.97F));
-}
+constexpr const char* panelHelp =
+    "In the panels: Ctrl+click types a value. A right click restores the scene's value;\n"
+    "a dot marks a value that differs from it. \"Reset all\" restores every value.";
 
-void popOverlayStyle() {
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
-}
-
-void rememberWindow(PanelContext& context, const char* name) {
-  const ImVec2 at = ImGui::GetWindowPos();
-  const ImVec2 size = ImGui::GetWindowSize();
-  context.buttons[name] = {at.x, at.y, size.x, size.y};
+bool clickedBeside() {
+  return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
 }
 
 }  // namespace
 
 bool helpOverlay(PanelContext& context, const UiRect& view) {
-  const float padding = 18.0F * context.scale;
-  ImGui::SetNextWindowPos(
-      {static_cast<float>(view.x + view.width * 0.5), static_cast<float>(view.y + view.height * 0.5)}, ImGuiCond_Always,
-      {0.5F, 0.5F});
-  pushOverlayStyle(padding);
-  ImGui::Begin("Help", nullptr, overlayFlags);
-  rememberWindow(context, "overlay.help");
-  ImGui::PushFont(context.fonts.title);
-  ImGui::TextUnformatted("Keys and mouse");
-  ImGui::PopFont();
-  ImGui::Spacing();
+  beginDialog(context, view, "help", "Keys and mouse");
   helpTable(context.scale, "Mouse", mouseHelp);
   ImGui::Spacing();
   helpTable(context.scale, "Keys", keyHelp);
   ImGui::Spacing();
-  mutedText("In the panels: Ctrl+click types a value,\na right click goes back to the default.");
-  const bool clickedBeside =
-      ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
-  ImGui::End();
-  popOverlayStyle();
-  return !clickedBeside;
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
+  ImGui::TextUnformatted(panelHelp);
+  ImGui::PopStyleColor();
+  const bool closed = clickedBeside();
+  endDialog();
+  return !closed;
 }
 
-bool errorNotice(PanelContext& context, const UiRect& view) {
-  const float margin = 12.0F * context.scale;
-  const float width = std::min(static_cast<float>(view.width) - 2.0F * margin, 44.0F * ImGui::GetFontSize());
-  ImGui::SetNextWindowPos({static_cast<float>(view.x + view.width * 0.5), static_cast<float>(view.y) + margin},
-                          ImGuiCond_Always, {0.5F, 0.0F});
-  pushOverlayStyle(margin);
-  ImGui::Begin("Notice", nullptr, overlayFlags);
-  rememberWindow(context, "overlay.error");
-  const float button = ImGui::CalcTextSize("Close").x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  ImGui::PushTextWrapPos(width - button - margin);
+bool errorNotice(PanelContext& context, OverlayStack& stack) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float button = ImGui::CalcTextSize("Close").x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+  const std::string& text = context.stats.error;
+  stack.begin("error");
+  const float widest = stack.textWidth() - button - style.ScrollbarSize;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
+  // A very long message scrolls, so that it can be read to its end.
+  ImGui::BeginChild("text", {size.x + style.ScrollbarSize, std::min(size.y, stack.roomBelow())});
   ImGui::PushStyleColor(ImGuiCol_Text, palette().error);
-  ImGui::TextUnformatted(context.stats.error.c_str());
-  ImGui::PopStyleColor();
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + widest);
+  ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
-  ImGui::SameLine(0.0F, margin);
+  ImGui::PopStyleColor();
+  ImGui::EndChild();
+  ImGui::SameLine();
   const bool closed = ImGui::SmallButton("Close");
   context.buttons["button.close"] = lastItemRect();
-  ImGui::End();
-  popOverlayStyle();
+  stack.end();
   return !closed;
+}
+
+void loadingNotice(PanelContext& context, OverlayStack& stack) {
+  const UiStats& stats = context.stats;
+  stack.begin("loading");
+  ImGui::TextUnformatted(stats.loading.c_str());
+  if (stats.loadingShare >= 0.0) {
+    const float width = std::min(stack.textWidth(), 20.0F * ImGui::GetFontSize());
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette().accent);
+    ImGui::ProgressBar(static_cast<float>(stats.loadingShare), {width, 0.3F * ImGui::GetFontSize()}, "");
+    ImGui::PopStyleColor();
+  }
+  stack.end();
+}
+
+void dragHint(OverlayStack& stack) {
+  stack.begin("drag", OverlayStack::Mouse::LetThrough);
+  ImGui::TextUnformatted("Drag the cloth. F1: help");
+  stack.end();
+}
+
+bool quitQuestion(PanelContext& context, const UiRect& view) {
+  beginDialog(context, view, "quit", "Quit?");
+  ImGui::TextUnformatted("Your changes to this scene are lost.");
+  ImGui::Spacing();
+  const bool quit = iconButton(context, "quit", Icon::None, "Quit (Enter)", 130.0F * context.scale, true) ||
+                    ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+                    ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+  ImGui::SameLine();
+  const bool stay = iconButton(context, "stay", Icon::None, "Stay (Esc)", 130.0F * context.scale) || clickedBeside();
+  if (quit) {
+    context.output.requests.emplace_back(UiAction::QuitAndLoseChanges);
+  }
+  endDialog();
+  return !quit && !stay;
 }
 
 }  // namespace drape

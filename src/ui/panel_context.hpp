@@ -59,12 +59,15 @@ struct PanelMemory {
   std::string hoveredRow;                    ///< whose explanation is about to be shown
   double hoveredSince = 0.0;                 ///< [s]
   bool hoveredThisFrame = false;
+  bool hasDragged = false;  ///< the cloth, ever
+  std::string status;       ///< what the status line says, in full
 };
 
 /// What a panel sees while it is being drawn.
 struct PanelContext {
   const Snapshot& snapshot;
   const Settings& settings;  ///< in force, with the user's latest changes on top
+  const Settings& scene;     ///< what the scene itself says: what a right click restores
   const UiStats& stats;
   const UiFonts& fonts;
   float scale;  ///< of all lengths

@@ -1,5 +1,4 @@
 #include "ui/panels.hpp"
-#include "ui/setting_widget.hpp"
 #include "ui/text.hpp"
 #include "ui/time_plot.hpp"
 #include "ui/widgets.hpp"
@@ -9,12 +8,6 @@
 
 namespace drape {
 namespace {
-
-const ImVec4& paceColour(const Snapshot& snapshot) {
-  const bool slow = !snapshot.paused && snapshot.realTimeFactor > 0.0 &&
-                    snapshot.realTimeFactor < 0.95 * snapshot.settings.playback.speed;
-  return slow ? palette().warning : palette().text;
-}
 
 template <double (EnergyBalance::*part)() const>
 std::optional<double> balanceOf(const MeasureSample& sample) {
@@ -90,7 +83,7 @@ void historyPlot(const PanelContext& context, const History& history) {
 }
 
 void performancePanel(PanelContext& context) {
-  if (!beginSection(context, "Performance", true)) {
+  if (!beginSection(context, "Performance", false)) {
     return;
   }
   const Snapshot& snapshot = context.snapshot;
@@ -102,7 +95,7 @@ void performancePanel(PanelContext& context) {
   if (snapshot.ghost) {
     valueRow(context, "Step of the ghost", formatDuration(snapshot.ghost->stepSeconds));
   }
-  valueRow(context, "Pace", describePace(snapshot), paceColour(snapshot));
+  valueRow(context, "Pace", describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text);
   valueRow(context, "Largest stretch", formatQuantity(snapshot.maxStretch * 100.0, "%"));
   historyPlot(context, context.memory.stepTimes);
   if (snapshot.ghost) {
@@ -112,7 +105,6 @@ void performancePanel(PanelContext& context) {
     choicePlots(context);
   }
   energyPlot(context);
-  settingsOfGroup(context, SettingGroup::Performance);
   if (snapshot.balance) {
     balancePlot(context);
   }

@@ -31,17 +31,32 @@ void SceneLoader::open(const std::string& nameOrPath, std::function<void(Setting
                 adjust(settings);
                 return buildScene(description, settings);
               },
-          .rebuilt = false});
+          .kind = Kind::Opened});
 }
 
 void SceneLoader::rebuild(const SceneDescription& description, const Settings& settings) {
   submit({.activity = "Building " + description.name + " \u2026",
           .build = [description, settings] { return buildScene(description, settings); },
-          .rebuilt = true});
+          .kind = Kind::Rebuilt});
+}
+
+void SceneLoader::restore(const SceneDescription& description) {
+  submit({.activity = "Building " + description.name + " \u2026",
+          .build = [description] { return buildScene(description, description.settings); },
+          .kind = Kind::Restored});
+}
+
+bool SceneLoader::cancel() {
+  const bool any = !activity_.empty();
+  activity_.clear();
+  waiting_.reset();
+  cancelled_ = running_.valid();
+  return any;
 }
 
 void SceneLoader::submit(Job job) {
   if (running_.valid()) {
+    activity_ = job.activity;
     waiting_ = std::move(job);
   } else {
     start(std::move(job));
@@ -50,11 +65,12 @@ void SceneLoader::submit(Job job) {
 
 void SceneLoader::start(Job job) {
   activity_ = job.activity;
+  cancelled_ = false;
   running_ = std::async(std::launch::async, [job = std::move(job)]() -> Outcome {
     try {
-      return {.scene = job.build(), .error = {}, .rebuilt = job.rebuilt};
+      return {.scene = job.build(), .error = {}, .kind = job.kind};
     } catch (...) {
-      return {.scene = nullptr, .error = reasonOf(std::current_exception()), .rebuilt = job.rebuilt};
+      return {.scene = nullptr, .error = reasonOf(std::current_exception()), .kind = job.kind};
     }
   });
 }
@@ -64,6 +80,9 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
     return std::nullopt;
   }
   std::optional<Outcome> outcome = running_.get();
+  if (std::exchange(cancelled_, false)) {
+    outcome.reset();
+  }
   activity_.clear();
   if (waiting_) {
     // The newer wish stands; what has just been built would be replaced at once.

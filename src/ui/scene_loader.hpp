@@ -16,11 +16,18 @@ namespace drape {
 /// because it is what the user wants in the end. Destruction waits for the one in progress.
 class SceneLoader {
  public:
+  /// What a job was for.
+  enum class Kind {
+    Opened,   ///< another scene
+    Rebuilt,  ///< the same scene under other settings
+    Restored  ///< the same scene under its own settings
+  };
+
   /// How a job ended: with a scene, or with the reason why there is none.
   struct Outcome {
     std::shared_ptr<const Scene> scene;
     std::string error;
-    bool rebuilt = false;  ///< the same scene under other settings
+    Kind kind = Kind::Opened;
   };
 
   SceneLoader() = default;
@@ -32,6 +39,11 @@ class SceneLoader {
   void open(const std::string& nameOrPath, std::function<void(Settings&)> adjust);
   /// Builds a description again.
   void rebuild(const SceneDescription& description, const Settings& settings);
+  /// Builds a description again under its own settings.
+  void restore(const SceneDescription& description);
+
+  /// Gives up what is being built and what waits. Its outcome never arrives. False when there was nothing.
+  bool cancel();
 
   /// The outcome of a job that has ended since the last call. Never waits.
   [[nodiscard]] std::optional<Outcome> poll();
@@ -43,13 +55,14 @@ class SceneLoader {
   struct Job {
     std::string activity;
     std::function<std::shared_ptr<const Scene>()> build;
-    bool rebuilt = false;
+    Kind kind = Kind::Opened;
   };
 
   void submit(Job job);
   void start(Job job);
 
   std::string activity_;
+  bool cancelled_ = false;  // the running job is: nobody wants its outcome
   std::optional<Job> waiting_;
   std::future<Outcome> running_;
 };

@@ -151,14 +151,15 @@ void explain(const PanelContext& context, const SettingInfo& info, const UiRect&
   ImGui::TextWrapped("%.*s", static_cast<int>(info.help.size()), info.help.data());
   ImGui::Spacing();
   ImGui::TextWrapped("Range: %s", describeRange(info).c_str());
+  ImGui::TextWrapped("In the scene: %s", withUnit(shortValue(settingValue(context.scene, info)), info.unit).c_str());
   ImGui::TextWrapped("Default: %s", withUnit(shortValue(defaultValue(info)), info.unit).c_str());
   ImGui::TextWrapped("Command line: --set %.*s=%s", static_cast<int>(info.key.size()), info.key.data(),
                      shortValue(settingValue(context.settings, info)).c_str());
   ImGui::Spacing();
   const bool typed =
       std::holds_alternative<NumberField>(info.field) || std::holds_alternative<IntegerField>(info.field);
-  ImGui::TextWrapped(
-      "%s", typed ? "Ctrl+click to type a value, right click for the default." : "Right click for the default.");
+  ImGui::TextWrapped("%s", typed ? "Ctrl+click types a value. A right click restores the scene's value."
+                                 : "A right click restores the scene's value.");
   ImGui::PopStyleColor();
   endExplanation();
 }
@@ -226,7 +227,7 @@ void changeSetting(PanelContext& context, const SettingInfo& info, const Setting
 
 void settingWidget(PanelContext& context, const SettingInfo& info) {
   const SettingValue value = settingValue(context.settings, info);
-  const SettingValue usual = defaultValue(info);
+  const SettingValue usual = settingValue(context.scene, info);
   const std::string key(info.key);
   ImGui::PushID(key.c_str());
   const UiRect row = beginRow(context, info.title, value != usual);

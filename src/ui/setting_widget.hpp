@@ -9,7 +9,7 @@ namespace drape {
 
 /// Draws the row for one setting, made from its entry in the settings table alone: a slider, a box to tick or a choice
 /// of words, with range, unit and an explanation that appears on hovering. A change becomes a command (or, when the
-/// mesh depends on it, a request to build the scene again); a right click goes back to the default.
+/// mesh depends on it, a request to build the scene again); a right click restores the scene's value.
 void settingWidget(PanelContext& context, const SettingInfo& info);
 
 /// Draws every setting of a group, in the table's order, except those that do not apply now.

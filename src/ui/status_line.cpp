@@ -8,6 +8,7 @@
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -15,6 +16,8 @@
 
 namespace drape {
 namespace {
+
+constexpr const char* detailsName = "Solver details";
 
 /// What one click would change for the better.
 enum class WayOut { None, Auto, Soften };
@@ -41,48 +44,38 @@ bool isOpen(WayOut way, const Settings& settings) {
   return false;
 }
 
-/// What a method that chooses for itself has to say that is urgent.
-std::optional<Message> choiceMessage(const Snapshot& snapshot, const std::string& words) {
-  const StepChoice& choice = *snapshot.stepReport.choice;
-  if (choice.resting) {
-    return Message{words, palette().muted};
-  }
-  if (choice.demand > stretchedBudget) {
-    return Message{words, palette().warning, WayOut::Soften};
-  }
-  return std::nullopt;
-}
-
 /// What a step may cost: what the user allows, or else what it covers [s].
 double timeForStep(const Settings& settings) {
   const double share = settings.automatic.budget * 1e-3 / budgetedTime;
   return (share > 0.0 ? share : 1.0) * settings.step.timeStep;
 }
 
+/// What is worth telling about the clock: why it is slow, or that there is nothing to do.
+std::optional<Message> paceMessage(const Snapshot& snapshot) {
+  const auto& choice = snapshot.stepReport.choice;
+  if (choice && choice->resting) {
+    return Message{"The cloth is at rest", palette().muted};
+  }
+  if (choice && choice->demand > stretchedBudget) {
+    return Message{snapshot.settings.step.soften ? "The cloth is softer than it was set, to keep pace"
+                                                 : "The cloth is too stiff and too fine for real time",
+                   palette().warning, WayOut::Soften};
+  }
+  return std::nullopt;
+}
+
 /// The most urgent thing there is to say.
 Message messageOf(const PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
-  const UiStats& stats = context.stats;
-  if (!stats.loading.empty()) {
-    return {stats.loading, palette().accent};
-  }
-  if (!stats.error.empty()) {
-    return {stats.error, palette().error};
-  }
   if (!snapshot.message.empty()) {
     return {snapshot.message, palette().warning,
             snapshot.maxStretch > implausibleStretch ? WayOut::Auto : WayOut::None};
   }
-  if (!stats.notice.empty()) {
-    return {stats.notice, palette().text};
+  if (!context.stats.notice.empty()) {
+    return {context.stats.notice, palette().text};
   }
-  const auto& choice = snapshot.stepReport.choice;
-  const std::string chosen =
-      choice ? inWords(*choice, snapshot.stepSeconds, timeForStep(snapshot.settings)) : std::string();
-  if (choice) {
-    if (std::optional<Message> urgent = choiceMessage(snapshot, chosen)) {
-      return *urgent;
-    }
+  if (std::optional<Message> pace = paceMessage(snapshot)) {
+    return *pace;
   }
   if (std::string warning = solverWarning(context.settings, *snapshot.model); !warning.empty()) {
     return {std::move(warning), palette().warning, WayOut::Auto};
@@ -90,36 +83,25 @@ Message messageOf(const PanelContext& context) {
   if (std::string warning = ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
     return {"Ghost: " + warning, palette().warning};
   }
-  if (!snapshot.paused && snapshot.realTimeFactor > 0.0 &&
-      snapshot.realTimeFactor < 0.9 * snapshot.settings.playback.speed) {
-    return {"The machine does not keep up, so the clock runs slower", palette().warning};
+  if (isTooSlow(snapshot)) {
+    return {"This machine needs longer for a step than the step covers. Fewer vertices make it faster",
+            palette().warning};
   }
-  if (choice) {
-    return {chosen, palette().muted};
-  }
-  return {"F1 or ? for help", palette().muted};
+  return {"F1: help", palette().muted};
 }
 
-std::vector<std::string> factsOf(const PanelContext& context) {
-  const Snapshot& snapshot = context.snapshot;
-  std::vector<std::string> facts{snapshot.scene->description.name,
-                                 formatCount(snapshot.model->vertexCount()) + " vertices",
-                                 printed("%.2f s", snapshot.time), describePace(snapshot)};
-  if (context.stats.frameSeconds > 0.0) {
-    facts.push_back(std::to_string(std::lround(1.0 / context.stats.frameSeconds)) + " fps");
-  }
-  return facts;
+/// The cloth and its pace.
+std::vector<std::pair<std::string, ImVec4>> factsOf(const Snapshot& snapshot) {
+  const SceneDescription& scene = snapshot.scene->description;
+  return {{scene.title.empty() ? scene.name : scene.title, palette().text},
+          {formatCount(snapshot.model->vertexCount()) + " vertices", palette().text},
+          {describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text}};
 }
 
-/// At the right end of the line. How wide it is [pixels].
-float drawWayOut(PanelContext& context, WayOut way) {
+void drawWayOut(PanelContext& context, WayOut way) {
   const bool toAuto = way == WayOut::Auto;
-  const char* const word = toAuto ? "Use auto" : "Keep pace";
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const float width = ImGui::CalcTextSize(word).x + 2.0F * style.FramePadding.x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - style.WindowPadding.x);
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
-  if (ImGui::SmallButton(word)) {
+  if (ImGui::SmallButton(toAuto ? "Use auto" : "Keep pace")) {
     if (toAuto) {
       changeSetting(context, requireSetting("solver"), std::string(choosingSolver));
     } else {
@@ -132,52 +114,149 @@ float drawWayOut(PanelContext& context, WayOut way) {
   explainItem(context, name,
               toAuto ? "Changes the solver to auto, which takes the steps that this cloth needs."
                      : "Softens the springs to what the work allowed carries, so that the clock keeps pace.");
-  return width + style.ItemSpacing.x;
 }
 
-void drawMessage(PanelContext& context, float room) {
-  const Message message = messageOf(context);
-  const float right = isOpen(message.wayOut, context.settings) ? drawWayOut(context, message.wayOut) : 0.0F;
-  room -= right;
-  const auto fits = static_cast<std::size_t>(std::max(8.0F, room / (ImGui::GetFontSize() * 0.52F)));
-  const std::string firstLine = message.text.substr(0, message.text.find('\n'));
-  const std::string shown = shortened(firstLine, fits);
-  const float width = ImGui::CalcTextSize(shown.c_str()).x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - right - ImGui::GetStyle().WindowPadding.x);
-  ImGui::PushStyleColor(ImGuiCol_Text, message.colour);
-  ImGui::TextUnformatted(shown.c_str());
-  ImGui::PopStyleColor();
-  if (shown != message.text) {
-    explainItem(context, "status.message", message.text);
+/// What the click on the line shows: the solver, what it costs and what it chose.
+void detailRows(PanelContext& context) {
+  const Snapshot& snapshot = context.snapshot;
+  const Settings& settings = snapshot.settings;
+  const SolverInfo* solver = findSolver(settings.solver.name);
+  ImGui::Dummy({26.0F * ImGui::GetFontSize(), 0.0F});
+  valueRow(context, "Solver", solver == nullptr ? settings.solver.name : solver->title);
+  valueRow(context, "Simulated time", printed("%.2f s", snapshot.time));
+  valueRow(context, "Time step", describeStepLimit(settings.step.timeStep));
+  valueRow(context, "Cost of a step", formatDuration(snapshot.stepSeconds));
+  if (context.stats.frameSeconds > 0.0) {
+    valueRow(context, "Frames per second", std::to_string(std::lround(1.0 / context.stats.frameSeconds)));
   }
+  if (const auto& choice = snapshot.stepReport.choice) {
+    ImGui::Spacing();
+    mutedText("Chosen by auto: " + inWords(*choice, snapshot.stepSeconds, timeForStep(settings)));
+  }
+  if (const std::string warning = solverWarning(context.settings, *snapshot.model); !warning.empty()) {
+    ImGui::Spacing();
+    mutedText(warning, palette().warning);
+  }
+  ImGui::Spacing();
+  mutedText("The section Advanced changes these.");
+}
+
+void drawDetails(PanelContext& context, const UiRect& place) {
+  ImGui::SetNextWindowPos({ImGui::GetStyle().WindowPadding.x, static_cast<float>(place.y) - 4.0F * context.scale},
+                          ImGuiCond_Always, {0.0F, 1.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetFontSize() * 0.8F, ImGui::GetFontSize() * 0.6F));
+  if (ImGui::BeginPopup(detailsName)) {
+    const ImVec2 at = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    context.buttons["status.details"] = {at.x, at.y, size.x, size.y};
+    detailRows(context);
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+}
+
+constexpr const char* gapBetweenFacts = "   \u00B7   ";
+
+float widthOf(const std::string& text) {
+  return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+/// The facts from the left end; a click on them opens the details.
+void drawFacts(PanelContext& context, const std::vector<std::pair<std::string, ImVec4>>& facts, float width) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("facts", {width, ImGui::GetTextLineHeight()})) {
+    ImGui::OpenPopup(detailsName);
+  }
+  const bool hovered = ImGui::IsItemHovered();
+  context.buttons["status.facts"] = lastItemRect();
+  explainItem(context, "status.facts", "Click for the solver, its cost and what it chose.");
+  ImDrawList& canvas = *ImGui::GetWindowDrawList();
+  float x = at.x;
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    const std::string text = (i > 0 ? gapBetweenFacts : "") + facts[i].first;
+    canvas.AddText({x, at.y}, ImGui::GetColorU32(hovered ? palette().accent : facts[i].second), text.c_str());
+    x += widthOf(text);
+  }
+}
+
+/// How the line is laid out: on one line while that has room for everything, else with the message above the facts.
+struct Layout {
+  float factsWidth = 0.0F;
+  float buttonWidth = 0.0F;   // with its gap; 0: no button
+  float messageWidth = 0.0F;  // of the lines that it is broken into
+  float extraHeight = 0.0F;   // that the line grows by
+};
+
+Layout layOut(const std::string& facts, const Message& message, bool hasButton, const UiRect& place) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = static_cast<float>(place.width) - 2.0F * style.WindowPadding.x;
+  Layout layout{.factsWidth = std::min(width, widthOf(facts))};
+  if (hasButton) {
+    const float word = std::max(widthOf("Use auto"), widthOf("Keep pace"));
+    layout.buttonWidth = word + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+  }
+  layout.messageWidth = widthOf(message.text);
+  const bool breaks = message.text.find('\n') != std::string::npos;
+  if (breaks || layout.factsWidth + layout.messageWidth + layout.buttonWidth + 3.0F * style.WindowPadding.x > width) {
+    layout.messageWidth = width - layout.buttonWidth;
+    layout.extraHeight =
+        ImGui::CalcTextSize(message.text.c_str(), nullptr, false, layout.messageWidth).y + style.ItemSpacing.y;
+  }
+  return layout;
+}
+
+void drawMessage(PanelContext& context, const Message& message, const Layout& layout, bool hasButton) {
+  ImGui::PushStyleColor(ImGuiCol_Text, message.colour);
+  ImGui::PushTextWrapPos(layout.extraHeight > 0.0F ? ImGui::GetCursorPosX() + layout.messageWidth : -1.0F);
+  ImGui::TextUnformatted(message.text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  if (hasButton) {
+    ImGui::SameLine();
+    drawWayOut(context, message.wayOut);
+  }
+}
+
+void drawLine(PanelContext& context, const Message& message, const Layout& layout, bool hasButton) {
+  const auto facts = factsOf(context.snapshot);
+  if (layout.extraHeight > 0.0F) {
+    drawMessage(context, message, layout, hasButton);
+    drawFacts(context, facts, layout.factsWidth);
+    return;
+  }
+  drawFacts(context, facts, layout.factsWidth);
+  const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
+  ImGui::SameLine(right - layout.messageWidth - layout.buttonWidth);
+  drawMessage(context, message, layout, hasButton);
 }
 
 }  // namespace
 
 void statusLine(PanelContext& context, const UiRect& place) {
-  ImGui::SetNextWindowPos({static_cast<float>(place.x), static_cast<float>(place.y)});
-  ImGui::SetNextWindowSize({static_cast<float>(place.width), static_cast<float>(place.height)});
+  const Message message = messageOf(context);
+  const bool hasButton = isOpen(message.wayOut, context.settings);
+  std::string facts;
+  for (const auto& [text, colour] : factsOf(context.snapshot)) {
+    facts += (facts.empty() ? "" : gapBetweenFacts) + text;
+  }
+  const Layout layout = layOut(facts, message, hasButton, place);
+  context.memory.status = facts + gapBetweenFacts + message.text;
+  const float top = static_cast<float>(place.y) - layout.extraHeight;
+  ImGui::SetNextWindowPos({static_cast<float>(place.x), top});
+  ImGui::SetNextWindowSize({static_cast<float>(place.width), static_cast<float>(place.height) + layout.extraHeight});
   const float padding = (static_cast<float>(place.height) - ImGui::GetTextLineHeight()) * 0.5F;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetStyle().WindowPadding.x, std::floor(padding)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
   ImGui::Begin("Status", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus);
-  float used = 0.0F;
-  bool first = true;
-  for (const std::string& fact : factsOf(context)) {
-    if (!first) {
-      ImGui::SameLine(0.0F, 0.0F);
-      mutedText("   \u00B7   ");
-      ImGui::SameLine(0.0F, 0.0F);
-    }
-    first = false;
-    mutedText(fact, palette().text);
-    used = ImGui::GetItemRectMax().x;
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  if (layout.extraHeight > 0.0F) {
+    context.buttons["overlay.status"] = {place.x, top, place.width, layout.extraHeight};
   }
-  drawMessage(context, static_cast<float>(place.width) - used - 3.0F * ImGui::GetStyle().WindowPadding.x);
-  ImGui::End();
+  drawLine(context, message, layout, hasButton);
   ImGui::PopStyleVar(2);
+  drawDetails(context, {place.x, top, place.width, place.height});
+  ImGui::End();
 }
 
 }  // namespace drape

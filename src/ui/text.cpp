@@ -48,6 +48,12 @@ std::string formatCount(long long count) {
   return digits;
 }
 
+bool isTooSlow(const Snapshot& snapshot) {
+  constexpr double nearEnough = 0.9;
+  return !snapshot.paused && snapshot.realTimeFactor > 0.0 &&
+         snapshot.realTimeFactor < nearEnough * snapshot.settings.playback.speed;
+}
+
 std::string describePace(const Snapshot& snapshot) {
   if (snapshot.paused) {
     return "paused";
@@ -55,7 +61,12 @@ std::string describePace(const Snapshot& snapshot) {
   if (snapshot.realTimeFactor <= 0.0) {
     return "not timed";  // no clock is running, as in a capture, or it has only just begun
   }
-  return printed("%.2f", snapshot.realTimeFactor) + " \u00D7 real time";
+  const bool slow = isTooSlow(snapshot);
+  if (!slow && snapshot.settings.playback.speed == 1.0) {
+    return "real time";
+  }
+  const std::string factor = printed(snapshot.realTimeFactor < 0.095 ? "%.2g" : "%.1f", snapshot.realTimeFactor);
+  return factor + " \u00D7 real time" + (slow ? ": too slow" : "");
 }
 
 int countPins(const ClothModel& model) {

@@ -22,8 +22,11 @@ namespace drape {
 /// A count with thin gaps between the thousands.
 [[nodiscard]] std::string formatCount(long long count);
 
-/// How fast the clock of the simulation runs: "real time", "0.41 x real time", "paused".
+/// How fast the clock of the simulation runs: "real time", "0.4 x real time: too slow", "paused".
 [[nodiscard]] std::string describePace(const Snapshot& snapshot);
+
+/// True while the clock falls behind the speed that was set.
+[[nodiscard]] bool isTooSlow(const Snapshot& snapshot);
 
 /// The number of vertices that are pinned.
 [[nodiscard]] int countPins(const ClothModel& model);

@@ -38,7 +38,18 @@ struct RebuildSceneRequest {
 };
 
 /// What the program itself does, rather than the simulation.
-enum class UiAction { TogglePanels, ToggleHelp, Screenshot, FrameCloth, ViewFront, ViewRight, ViewTop, Quit };
+enum class UiAction {
+  TogglePanels,
+  ToggleHelp,
+  Screenshot,
+  FrameCloth,
+  ViewFront,
+  ViewRight,
+  ViewTop,
+  ResetAll,           ///< settings, pins, bodies and the cloth, as the scene has them
+  Quit,               ///< or stop reading a file; asks first where changes would be lost
+  QuitAndLoseChanges  ///< without a question
+};
 
 using UiRequest = std::variant<OpenSceneRequest, RebuildSceneRequest, UiAction>;
 
@@ -51,10 +62,11 @@ struct UiOutput {
 
 /// What the panels show besides the snapshot.
 struct UiStats {
-  double frameSeconds = 0.0;  ///< from one drawn frame to the next, lately [s]
-  std::string loading;        ///< what is being built in the background, or empty
-  std::string error;          ///< the last thing that failed, in words, or empty
-  std::string notice;         ///< the last thing worth telling, or empty
+  double frameSeconds = 0.0;   ///< from one drawn frame to the next, lately [s]
+  std::string loading;         ///< what is being built in the background, or empty
+  double loadingShare = -1.0;  ///< how much of it is done, from 0 to 1; negative: not known
+  std::string error;           ///< the last thing that failed, in words, or empty
+  std::string notice;          ///< the last thing worth telling, or empty
 };
 
 }  // namespace drape

@@ -15,11 +15,12 @@ namespace {
 constexpr float columnWidth = 372.0F;  // at scale 1
 constexpr float statusHeight = 30.0F;  // at scale 1
 constexpr float columnShare = 0.55F;   // of a small window, at most
-constexpr std::size_t sectionCount = 8;
+constexpr std::size_t sectionCount = 9;
 
 using Panel = void (*)(PanelContext&);
-constexpr std::array<Panel, sectionCount> sections{simulationPanel, ghostPanel, materialPanel, airPanel,
-                                                   contactPanel,    scenePanel, viewPanel,     performancePanel};
+constexpr std::array<Panel, sectionCount> sections{materialPanel, airPanel,         simulationPanel,
+                                                   contactPanel,  scenePanel,       viewPanel,
+                                                   ghostPanel,    performancePanel, advancedPanel};
 
 constexpr ImGuiWindowFlags columnFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -38,6 +39,7 @@ struct UserInterface::Parts {
   UiRects buttons;
   bool panels = true;
   bool help = false;
+  bool asksToQuit = false;
   std::string closedError;  ///< the error that the user has seen and closed
   std::string shownError;
 
@@ -74,6 +76,7 @@ void UserInterface::Parts::remember(const Snapshot& snapshot, const UiStats& sta
   }
   memory.lastStep = snapshot.step;
   memory.measures.add(snapshot);
+  memory.hasDragged = memory.hasDragged || snapshot.grab.has_value();
   if (!memory.hoveredThisFrame) {
     memory.hoveredRow.clear();
   }
@@ -100,12 +103,23 @@ void UserInterface::Parts::column(PanelContext& panel, const UiRect& place) {
 }
 
 void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
-  if (!shownError.empty() && !errorNotice(panel, view)) {
+  // What stays comes first, so that a message which appears moves nothing that is about to be clicked.
+  OverlayStack stack(panel, view);
+  if (!shownError.empty() && !errorNotice(panel, stack)) {
     closedError = shownError;
     shownError.clear();
   }
+  if (!panel.stats.loading.empty()) {
+    loadingNotice(panel, stack);
+  }
+  if (!memory.hasDragged) {
+    dragHint(stack);
+  }
   if (help && !helpOverlay(panel, view)) {
     help = false;
+  }
+  if (asksToQuit && !quitQuestion(panel, view)) {
+    asksToQuit = false;
   }
 }
 
@@ -163,8 +177,10 @@ void UserInterface::build(const Snapshot& snapshot, const UiStats& stats, UiOutp
   parts.widgets.clear();
   parts.buttons.clear();
   const Settings settings = parts.memory.pending.overlay(snapshot.settings);
-  PanelContext panel{snapshot,     settings,      stats,         parts.fonts, parts.display.scale,
-                     parts.memory, parts.widgets, parts.buttons, output};
+  PanelContext panel{snapshot,     settings,      snapshot.scene->description.settings,
+                     stats,        parts.fonts,   parts.display.scale,
+                     parts.memory, parts.widgets, parts.buttons,
+                     output};
   if (parts.panels) {
     const double below = static_cast<double>(parts.display.height) - parts.bottom();
     parts.column(panel, {0.0, 0.0, parts.width(), below});
@@ -193,9 +209,8 @@ bool UserInterface::covers(const Vec2& point) const {
   if (!view().contains(point)) {
     return parts_->panels;
   }
-  for (const char* overlay : {"overlay.help", "overlay.error"}) {
-    const auto found = parts_->buttons.find(overlay);
-    if (found != parts_->buttons.end() && found->second.contains(point)) {
+  for (const auto& [name, rect] : parts_->buttons) {
+    if (name.starts_with("overlay.") && rect.contains(point)) {
       return true;
     }
   }
@@ -231,9 +246,11 @@ bool UserInterface::closeOverlay() {
     ImGui::ClosePopupToLevel(0, true);
     return true;
   }
-  if (parts_->help) {
-    parts_->help = false;
-    return true;
+  for (bool* question : {&parts_->asksToQuit, &parts_->help}) {
+    if (*question) {
+      *question = false;
+      return true;
+    }
   }
   if (!parts_->shownError.empty()) {
     parts_->closedError = parts_->shownError;
@@ -241,6 +258,14 @@ bool UserInterface::closeOverlay() {
     return true;
   }
   return false;
+}
+
+void UserInterface::askToQuit() {
+  parts_->asksToQuit = true;
+}
+
+const std::string& UserInterface::status() const {
+  return parts_->memory.status;
 }
 
 void UserInterface::openSections(bool open) {

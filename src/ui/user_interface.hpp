@@ -54,7 +54,14 @@ class UserInterface {
   [[nodiscard]] bool helpVisible() const;
   void showHelp(bool visible);
 
-  /// Closes what lies over the picture: help, a list that dropped down, an error. False when there was nothing.
+  /// Asks whether to quit although changes are lost; the answer yes is UiAction::QuitAndLoseChanges.
+  void askToQuit();
+
+  /// What the status line said in the last frame, in full.
+  [[nodiscard]] const std::string& status() const;
+
+  /// Closes what lies over the picture: a list that dropped down, a question, help, an error. False when there was
+  /// nothing.
   bool closeOverlay();
 
   /// Opens all sections, or closes them all: for pictures and tests.

@@ -17,7 +17,7 @@ namespace drape {
 [[nodiscard]] std::string fitted(std::string_view text, float width);
 
 /// Starts a row: the label at the left, and the cursor where the widget goes, whose width is set to the rest of the
-/// row. A row whose value is not the default carries a small mark. Gives back the whole row's rectangle.
+/// row. A row whose value is not the scene's carries a small mark. Gives back the whole row's rectangle.
 UiRect beginRow(const PanelContext& context, std::string_view label, bool marked = false);
 
 /// A row that only shows something: the label at the left, the value at the right edge, so that numbers line up.

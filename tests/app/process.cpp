@@ -83,6 +83,14 @@ std::optional<int> Process::waitFor(double seconds) {
   return status_;
 }
 
+void Process::suspend() const {
+  kill(pid_, SIGSTOP);
+}
+
+void Process::resume() const {
+  kill(pid_, SIGCONT);
+}
+
 int runToEnd(const ProcessOptions& options) {
   Process process(options);
   return process.waitFor(60.0).value_or(-1);

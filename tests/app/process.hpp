@@ -30,6 +30,10 @@ class Process {
   /// The exit status once it has ended by itself within that time; nothing when it still runs. 128 and more: a signal.
   [[nodiscard]] std::optional<int> waitFor(double seconds);
 
+  /// Stops the program where it is, and lets it go on. What happens to it in between arrives all at once.
+  void suspend() const;
+  void resume() const;
+
   [[nodiscard]] bool running() { return !waitFor(0.0).has_value(); }
 
  private:

@@ -50,15 +50,14 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-VirtualDisplay::VirtualDisplay() {
+VirtualDisplay::VirtualDisplay(const std::string& size) {
   int ends[2] = {-1, -1};
   if (pipe(ends) != 0) {
     throw std::runtime_error("cannot make a pipe");
   }
-  server_ =
-      std::make_unique<Process>(ProcessOptions{.command = {"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen",
-                                                           "0", "1280x800x24", "-nolisten", "tcp", "-noreset"},
-                                               .inheritedPipe = ends[1]});
+  server_ = std::make_unique<Process>(ProcessOptions{
+      .command = {"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", size, "-nolisten", "tcp", "-noreset"},
+      .inheritedPipe = ends[1]});
   close(ends[1]);
   // The server writes its number once it is ready; when it cannot start, the pipe closes.
   char letter = 0;
@@ -72,9 +71,10 @@ VirtualDisplay::VirtualDisplay() {
   name_ = ":" + name_;
 }
 
-ViewerDriver::ViewerDriver(const std::vector<std::string>& arguments) {
+ViewerDriver::ViewerDriver(const std::vector<std::string>& arguments, const std::string& size)
+    : display_(std::string(size).replace(size.find(','), 1, "x") + "x24") {
   std::vector<std::string> command{DRAPE_PROGRAM, "--status", (folder_.path() / statusName).string(), "--window-size",
-                                   "1280,800"};
+                                   size};
   command.insert(command.end(), arguments.begin(), arguments.end());
   viewer_ =
       std::make_unique<Process>(ProcessOptions{.command = command,
@@ -123,6 +123,21 @@ void ViewerDriver::xdotool(const std::vector<std::string>& arguments) {
   if (runToEnd({.command = command, .environment = {{"DISPLAY", display_.name()}}}) != 0) {
     throw std::runtime_error("xdotool failed; the window tests need xvfb and xdotool");
   }
+}
+
+void ViewerDriver::betweenTwoFrames(const std::vector<std::vector<std::string>>& commands) {
+  viewer_->suspend();
+  for (const std::vector<std::string>& command : commands) {
+    xdotool(command);
+  }
+  viewer_->resume();
+  frames();
+}
+
+void ViewerDriver::resize(int width, int height) {
+  xdotool({"search", "--onlyvisible", "--name", "Drape", "windowsize", std::to_string(width), std::to_string(height)});
+  waitUntil("the other size",
+            [&](const Json& s) { return s["window"]["width"] == width && s["window"]["height"] == height; });
 }
 
 void ViewerDriver::move(const Place& place) {
@@ -193,8 +208,11 @@ Place ViewerDriver::find(const std::string& name, double across) {
     const double y = rect["y"].get<double>() + rect["height"].get<double>() / 2.0;
     const double top = now["buttons"]["button.play"]["y"].get<double>() + 60.0;
     const double bottom = now["view"]["height"].get<double>() - 20.0;
-    const bool fixed = y <= top && (name == "scene.choice" || name == "button.play" || name == "button.step" ||
-                                    name == "button.reset");
+    // Only the sections scroll; what is above them, over the picture or in the status line stays where it is.
+    const bool overPicture = rect["x"].get<double>() >= now["view"]["x"].get<double>();
+    const bool inHead = name == "scene.choice" || name == "button.play" || name == "button.step" ||
+                        name == "button.reset" || name == "button.reset_all";
+    const bool fixed = overPicture || name.starts_with("status.") || (y <= top && inHead);
     if (fixed || (rect["visible"] && y > top && y < bottom)) {
       return {rect["x"].get<double>() + across * rect["width"].get<double>(), y};
     }

@@ -31,7 +31,7 @@ class TemporaryFolder {
 /// A virtual display with nothing on it, on a number that is free.
 class VirtualDisplay {
  public:
-  VirtualDisplay();
+  explicit VirtualDisplay(const std::string& size = "1280x800x24");
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
@@ -48,7 +48,8 @@ struct Place {
 /// The viewer on a virtual display, used with mouse and keyboard, and looked at through its state file.
 class ViewerDriver {
  public:
-  explicit ViewerDriver(const std::vector<std::string>& arguments);
+  /// `size` of the window, on a display that is at least as large.
+  explicit ViewerDriver(const std::vector<std::string>& arguments, const std::string& size = "1280,800");
 
   /// The newest state.
   [[nodiscard]] Json state();
@@ -70,6 +71,12 @@ class ViewerDriver {
   void tap(const std::string& name);
   void holdKey(const std::string& name);
   void letKeyGo(const std::string& name);
+  /// Any xdotool command, without waiting for what comes of it.
+  void send(const std::vector<std::string>& arguments) { xdotool(arguments); }
+  /// Sends xdotool commands while the viewer stands still, as if they came between two frames of a very slow machine.
+  void betweenTwoFrames(const std::vector<std::vector<std::string>>& commands);
+  /// Gives the window another size.
+  void resize(int width, int height);
   /// Text and Enter into a field that has the keyboard.
   void type(const std::string& text);
 
@@ -80,6 +87,7 @@ class ViewerDriver {
   Place besideCloth();
 
   [[nodiscard]] Process& process() { return *viewer_; }
+  [[nodiscard]] const std::string& display() const { return display_.name(); }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:

@@ -275,7 +275,7 @@ TEST(Window, TypedValuesAndRightClicks) {
   const Json typed = viewer.waitUntil("the typed value", [](const Json& s) { return s["settings"]["drag"] == 1.75; });
   EXPECT_EQ(typed["step"], before["step"]) << "a full stop in a number is no shortcut";
   viewer.click(viewer.find("drag"), 3);
-  viewer.waitUntil("the default", [](const Json& s) { return s["settings"]["drag"] == 0.0; });
+  viewer.waitUntil("the scene's value", [](const Json& s) { return s["settings"]["drag"] == 0.0; });
 }
 
 TEST(Window, TheClockIsStoppedSteppedAndSetBack) {
@@ -414,6 +414,7 @@ TEST(Window, AnotherSolverIsPickedFromTheListWhileTheClothMoves) {
   ViewerDriver viewer({"grid", "--set", "stiffness=10", "--set", "substeps=10"});
   const Json before = viewer.waitUntil("time to pass", [](const Json& s) { return s["step"] > 5; });
   ASSERT_EQ(before["settings"]["solver"], "one_iteration");
+  viewer.click(viewer.find("section.advanced"));
   pickFromList(viewer, "solver", "verlet");
   const Json after =
       viewer.waitUntil("the other solver", [](const Json& s) { return s["settings"]["solver"] == "verlet"; });
@@ -427,6 +428,7 @@ TEST(Window, AutoTellsWhatItChose) {
   const Json chosen = viewer.waitUntil("a choice", [](const Json& s) { return !s["choice"].is_null(); })["choice"];
   EXPECT_GE(chosen["substeps"], 1.0);
   EXPECT_FALSE(chosen["words"].get<std::string>().empty());
+  viewer.click(viewer.find("section.advanced"));
   pickFromList(viewer, "solver", "verlet");
   viewer.waitUntil("a solver without choices", [](const Json& s) { return s["choice"].is_null(); });
 }

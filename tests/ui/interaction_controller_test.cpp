@@ -13,7 +13,7 @@ class Interaction : public ::testing::Test {
   Interaction() : simulation_(scene()) {
     controller_.setView(view_);
     simulation_.capture(snapshot_);
-    controller_.lookFrom(Camera::Side::Top);
+    controller_.lookFrom(Camera::Side::Top, snapshot_);
     controller_.frameCloth(snapshot_);
     onCloth_ = inWindow(middleOf(0.31, 0.43));
   }
@@ -186,6 +186,43 @@ TEST_F(Interaction, AnotherSceneIsNotHeld) {
   EXPECT_FALSE(controller_.holdsCloth());
 }
 
+TEST_F(Interaction, TheCameraStaysAboveTheGround) {
+  controller_.lookAtScene(*snapshot_.scene);
+  send(PressEvent{.position = beside_});
+  for (int i = 1; i <= 20; ++i) {
+    send(MoveEvent{beside_ + Vec2(0.0, -60.0 * i)});
+  }
+  EXPECT_GT(controller_.camera().pose().position.y(), snapshot_.scene->groundHeight);
+  send(ReleaseEvent{MouseButton::Left});
+  send(PressEvent{.button = MouseButton::Middle, .position = beside_});
+  for (int i = 1; i <= 20; ++i) {
+    send(MoveEvent{beside_ + Vec2(0.0, -300.0 * i)});
+  }
+  EXPECT_GT(controller_.camera().pose().position.y(), snapshot_.scene->groundHeight);
+  EXPECT_GE(controller_.camera().pose().focalPoint.y(), snapshot_.scene->groundHeight);
+}
+
+TEST_F(Interaction, TheCameraStaysNearTheCloth) {
+  controller_.lookAtScene(*snapshot_.scene);
+  const auto distance = [&] { return (controller_.camera().pose().position - middleOf(0.5, 0.5)).norm(); };
+  for (int i = 0; i < 200; ++i) {
+    send(ScrollEvent{-3.0});
+  }
+  const double far = distance();
+  EXPECT_LT(far, 20.0);
+  send(PressEvent{.button = MouseButton::Middle, .position = beside_});
+  for (int i = 1; i <= 50; ++i) {
+    send(MoveEvent{beside_ + Vec2(400.0 * i, 0.0)});
+  }
+  EXPECT_LT(distance(), far + 5.0);
+}
+
+TEST_F(Interaction, AnAuthorsCameraThatIsFarAwayDoesNotJump) {
+  controller_.setCamera(Camera(CameraPose{Vec3(0.0, -3.0, 90.0), Vec3(0.0, 1.0, 0.0), 35.0}));
+  send(ScrollEvent{0.01});
+  EXPECT_NEAR((controller_.camera().pose().position - Vec3(0.0, -3.0, 90.0)).norm(), 0.0, 0.5);
+}
+
 TEST_F(Interaction, ANarrowPictureShowsTheSceneFromFartherAway) {
   const auto distance = [&] {
     const CameraPose& pose = controller_.camera().pose();
@@ -211,7 +248,7 @@ class BodyInteraction : public Interaction {
     description.ground = Body{};
     simulation_.apply(LoadSceneCommand{buildScene(description, description.settings)});
     simulation_.capture(snapshot_);
-    controller_.lookFrom(Camera::Side::Top);
+    controller_.lookFrom(Camera::Side::Top, snapshot_);
     onBall_ = inWindow(Vec3(0.8, 1.3, 0.0));
   }
 

@@ -27,7 +27,7 @@ TEST(SceneLoader, OpensASceneUnderAdjustedSettings) {
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
   EXPECT_EQ(outcome.scene->settings.view.surface, "plain");
-  EXPECT_FALSE(outcome.rebuilt);
+  EXPECT_EQ(outcome.kind, SceneLoader::Kind::Opened);
   EXPECT_TRUE(loader.activity().empty());
 }
 
@@ -50,7 +50,30 @@ TEST(SceneLoader, OfThoseThatWaitTheNewestWins) {
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
   EXPECT_EQ(outcome.scene->settings.grid.resolution, 8);
-  EXPECT_TRUE(outcome.rebuilt);
+  EXPECT_EQ(outcome.kind, SceneLoader::Kind::Rebuilt);
+}
+
+TEST(SceneLoader, RestoresASceneUnderItsOwnSettings) {
+  SceneLoader loader;
+  const SceneDescription description = openScene("grid");
+  loader.restore(description);
+  const auto outcome = waitFor(loader);
+  ASSERT_NE(outcome.scene, nullptr) << outcome.error;
+  EXPECT_EQ(outcome.kind, SceneLoader::Kind::Restored);
+  EXPECT_EQ(outcome.scene->settings.grid.resolution, description.settings.grid.resolution);
+}
+
+TEST(SceneLoader, WhatIsCancelledNeverArrives) {
+  SceneLoader loader;
+  loader.open("grid", [](Settings&) {});
+  EXPECT_TRUE(loader.cancel());
+  EXPECT_TRUE(loader.activity().empty());
+  EXPECT_FALSE(loader.cancel()) << "there is nothing left to cancel";
+  loader.open("flag", [](Settings&) {});
+  EXPECT_NE(loader.activity().find("flag"), std::string::npos);
+  const auto outcome = waitFor(loader);
+  ASSERT_NE(outcome.scene, nullptr) << outcome.error;
+  EXPECT_EQ(outcome.scene->description.name, "flag");
 }
 
 TEST(CarryViewSettings, TakesOnlyWhatTheUserChangedAboutTheView) {

@@ -33,7 +33,14 @@ TEST(Text, CountsAreGrouped) {
 TEST(Text, PaceIsInWords) {
   Snapshot snapshot;
   snapshot.realTimeFactor = 0.414;
-  EXPECT_EQ(describePace(snapshot), "0.41 \u00D7 real time");
+  EXPECT_EQ(describePace(snapshot), "0.4 \u00D7 real time: too slow");
+  snapshot.realTimeFactor = 0.0123;
+  EXPECT_EQ(describePace(snapshot), "0.012 \u00D7 real time: too slow");
+  snapshot.realTimeFactor = 0.98;
+  EXPECT_EQ(describePace(snapshot), "real time");
+  snapshot.settings.playback.speed = 0.5;
+  snapshot.realTimeFactor = 0.5;
+  EXPECT_EQ(describePace(snapshot), "0.5 \u00D7 real time") << "as slow as it was asked to be";
   snapshot.realTimeFactor = 0.0;
   EXPECT_EQ(describePace(snapshot), "not timed");
   snapshot.paused = true;

@@ -179,6 +179,125 @@ TEST_F(UserInterfaceTest, AnErrorStaysUntilItIsClosed) {
   EXPECT_TRUE(panels_.buttons().contains("button.close")) << "the same thing went wrong again";
 }
 
+TEST_F(UserInterfaceTest, ALongErrorScrollsInsideThePicture) {
+  std::string text = "garment.obj cannot be read.";
+  for (int line = 0; line < 300; ++line) {
+    text += "\nline " + std::to_string(line) + ": this is not a vertex";
+  }
+  stats_.error = text;
+  panels_.setDisplay({.width = 1280, .height = 720, .density = 1.0F, .scale = 1.0F});
+  settle();
+  const UiRect& notice = button("overlay.error");
+  EXPECT_LT(notice.y + notice.height, 700.0);
+  EXPECT_TRUE(panels_.covers({notice.x + 20.0, notice.y + notice.height - 10.0})) << "the wheel scrolls it";
+}
+
+TEST_F(UserInterfaceTest, TheFirstHintGoesWithTheFirstDrag) {
+  ASSERT_TRUE(panels_.buttons().contains("hint.drag"));
+  const UiRect hint = button("hint.drag");
+  EXPECT_FALSE(panels_.covers({hint.x + 5.0, hint.y + 5.0})) << "the cloth behind it can be taken";
+  simulation_.apply(GrabCommand{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()});
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("hint.drag"));
+  simulation_.apply(ReleaseGrabCommand{});
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("hint.drag"));
+}
+
+TEST_F(UserInterfaceTest, WhatLiesOverThePictureNeverOverlaps) {
+  stats_.error =
+      "shirt.obj is not a mesh. It has a very long explanation, which needs more than one line in a window that "
+      "is as small as this one.";
+  stats_.loading = "Opening coat.obj \u2026";
+  stats_.loadingShare = 0.4;
+  panels_.setDisplay({.width = 800, .height = 600, .density = 1.0F, .scale = 1.0F});
+  settle();
+  double bottom = 0.0;
+  for (const char* name : {"overlay.error", "overlay.loading", "hint.drag"}) {
+    const UiRect& box = button(name);
+    EXPECT_GE(box.y, bottom) << name;
+    EXPECT_GE(box.x, panels_.view().x) << name;
+    EXPECT_LE(box.x + box.width, 800.0) << name;
+    bottom = box.y + box.height;
+  }
+}
+
+TEST_F(UserInterfaceTest, ResetAllIsThereOnceSomethingDiffers) {
+  EXPECT_TRUE(click(button("button.reset_all")).requests.empty()) << "there is nothing to restore";
+  simulation_.apply(SetSettingCommand{"drag", 2.0});
+  settle();
+  const UiOutput output = click(button("button.reset_all"));
+  ASSERT_EQ(output.requests.size(), 1U);
+  EXPECT_EQ(std::get<UiAction>(output.requests.front()), UiAction::ResetAll);
+}
+
+TEST_F(UserInterfaceTest, QuittingIsAskedAndAnswered) {
+  panels_.askToQuit();
+  settle();
+  ASSERT_TRUE(panels_.buttons().contains("overlay.quit"));
+  EXPECT_TRUE(click(button("button.stay")).requests.empty());
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("overlay.quit"));
+  panels_.askToQuit();
+  settle();
+  EXPECT_TRUE(panels_.closeOverlay()) << "Esc";
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("overlay.quit"));
+  panels_.askToQuit();
+  settle();
+  const UiOutput output = click(button("button.quit"));
+  ASSERT_EQ(output.requests.size(), 1U);
+  EXPECT_EQ(std::get<UiAction>(output.requests.front()), UiAction::QuitAndLoseChanges);
+}
+
+TEST_F(UserInterfaceTest, TheStatusLineSpeaksOfTheClothFirst) {
+  snapshot_.paused = true;
+  settle();
+  const std::string status = panels_.status();
+  const std::size_t vertices = status.find("vertices");
+  ASSERT_NE(vertices, std::string::npos) << status;
+  EXPECT_EQ(status.find(snapshot_.scene->description.title), 0U) << status;
+  EXPECT_GT(status.find("paused"), vertices) << status;
+  EXPECT_EQ(status.find("iteration"), std::string::npos) << "the solver is for those who ask: " << status;
+}
+
+TEST_F(UserInterfaceTest, AClickOnTheStatusLineTellsOfTheSolver) {
+  EXPECT_FALSE(panels_.buttons().contains("status.details"));
+  click(button("status.facts"), 0.1);
+  settle();
+  EXPECT_TRUE(panels_.buttons().contains("status.details"));
+  EXPECT_TRUE(panels_.closeOverlay());
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("status.details"));
+}
+
+TEST_F(UserInterfaceTest, TheStatusLineGrowsForALongMessage) {
+  EXPECT_FALSE(panels_.buttons().contains("overlay.status"));
+  stats_.notice =
+      "The file holds 12 pieces, 3 of which touch nothing. They are kept, but nothing holds them, so they will fall to "
+      "the ground as soon as the clock runs. Remove them in the program that made the file, or pin them here.";
+  settle();
+  ASSERT_TRUE(panels_.buttons().contains("overlay.status"));
+  EXPECT_GT(button("overlay.status").height, 15.0);
+  EXPECT_NE(panels_.status().find("or pin them here."), std::string::npos);
+}
+
+TEST_F(UserInterfaceTest, AdvancedIsClosedAtFirstAndMaterialAndAirAreInSight) {
+  UserInterface fresh({.width = 1440, .height = 900, .density = 1.0F, .scale = 1.0F}, UserInterface::Backend::None);
+  UiOutput output;
+  for (int i = 0; i < 3; ++i) {
+    fresh.build(snapshot_, stats_, output);
+  }
+  for (const char* key : {"stiffness", "damping", "density", "drag", "lift", "wind.x", "wind.y", "wind.z"}) {
+    ASSERT_TRUE(fresh.widgets().contains(key)) << key;
+    const UiRect& row = fresh.widgets().at(key);
+    EXPECT_TRUE(row.visible) << key;
+    EXPECT_LT(row.y + row.height, 870.0) << key;
+  }
+  EXPECT_FALSE(fresh.widgets().contains("solver"));
+  EXPECT_FALSE(fresh.widgets().contains("substeps"));
+}
+
 TEST_F(UserInterfaceTest, ScalesWithTheDisplay) {
   const double height = widget("drag").height;
   panels_.setDisplay({.width = 3840, .height = 6000, .density = 1.0F, .scale = 2.0F});

@@ -219,7 +219,9 @@ Json describeAll(const ViewerStatus& status) {
   json["cloth_points"] = places.clothPoints();
   json["bodies"] = places.bodies();
   json["loading"] = status.stats.loading;
+  json["loading_share"] = status.stats.loadingShare;
   json["message"] = messageOf(status);
+  json["status"] = status.panels.status();
   return json;
 }
 
@@ -231,7 +233,7 @@ void StatusFile::update(const ViewerStatus& status) {
     return;
   }
   next_ = now + interval;
-  Json json{{"sequence", ++sequence_}, {"frame", status.frame}};
+  Json json{{"sequence", ++sequence_}, {"frame", status.frame}, {"first_frame_seconds", status.firstFrameSeconds}};
   json.update(describeAll(status));
   std::filesystem::path draft = file_;
   draft += ".part";

@@ -19,6 +19,7 @@ struct ViewerStatus {
   UiDisplay display;
   UiStats stats;
   std::int64_t frame = 0;
+  double firstFrameSeconds = 0.0;  ///< from the start of the program until the first frame was shown [s]
 };
 
 /// The state query for scripts and tests: about every 50 ms it replaces a file by the viewer's state as JSON, in one
@@ -36,6 +37,7 @@ class StatusFile {
   static constexpr const char* help =
       "With --status FILE the viewer replaces FILE about every 50 ms by a JSON object for scripts:\n"
       "  sequence, frame          counters of writes and of drawn frames\n"
+      "  first_frame_seconds      from the start of the program until its first frame was shown [s]\n"
       "  scene, vertices, pins    what runs, and how many vertices are pinned\n"
       "  paused, step, time       the clock [s]\n"
       "  settings                 all settings in force, by key\n"
@@ -51,7 +53,9 @@ class StatusFile {
       "  widgets, buttons         rectangles by setting key or name, in window coordinates\n"
       "  cloth_points             places in the window where the cloth can be clicked\n"
       "  free_point               a place in the picture beside the cloth, or null\n"
-      "  loading, message         what is being opened, and the last message";
+      "  loading, message         what is being opened, and the last message\n"
+      "  loading_share            how much of it is done, 0 to 1; negative: not known\n"
+      "  status                   what the status line says";
 
  private:
   std::filesystem::path file_;

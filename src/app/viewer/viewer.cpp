@@ -1,7 +1,10 @@
 #include "app/viewer/viewer.hpp"
 
+#include "app/viewer/process_age.hpp"
 #include "app/viewer/screenshot_name.hpp"
+#include "settings/settings_table.hpp"
 #include "sim/error.hpp"
+#include "ui/scene_changes.hpp"
 
 #include <GL/glew.h>
 #define GLFW_INCLUDE_NONE
@@ -125,7 +128,7 @@ void Viewer::frame() {
   controller_.setView(panels_.view());
   handleInput(snapshot, output);
   draw(snapshot);
-  status_.update({snapshot, controller_.camera(), panels_, display_, stats_, ++frameCount_});
+  status_.update({snapshot, controller_.camera(), panels_, display_, stats_, ++frameCount_, firstFrameSeconds_});
   carryOut(output, snapshot);
 }
 
@@ -138,6 +141,9 @@ void Viewer::draw(const Snapshot& snapshot) {
   blit(view);
   panels_.renderDrawData();
   glfwSwapBuffers(window_.window());
+  if (frameCount_ == 0) {
+    firstFrameSeconds_ = processAge();
+  }
 }
 
 /// Puts the picture beside the panels: it must not lie under them, or half of the cloth would.
@@ -193,13 +199,16 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
     return;
   }
   simulation_.post(LoadSceneCommand{outcome->scene});
-  if (outcome->rebuilt) {
+  using Kind = SceneLoader::Kind;
+  if (outcome->kind != Kind::Opened) {
     grownScene_ = differsInSize(*outcome->scene, *snapshot.scene) ? outcome->scene : nullptr;
+  }
+  if (outcome->kind == Kind::Rebuilt) {
     // What the user changed while the scene was being built must not be lost.
     for (auto& change : runningChanges(outcome->scene->settings, snapshot.settings)) {
       simulation_.post(std::move(change));
     }
-  } else {
+  } else if (outcome->kind == Kind::Opened) {
     newScene_ = outcome->scene;
     tell("Opened " + outcome->scene->description.name);
   }
@@ -212,6 +221,7 @@ void Viewer::followScene(const Snapshot& snapshot) {
   shownScene_ = snapshot.scene;
   glfwSetWindowTitle(window_.window(), (shownScene_->description.name + " \u2013 Drape").c_str());
   if (shownScene_ == newScene_) {
+    openedScene_ = shownScene_;
     controller_.lookAtScene(*shownScene_);
     newScene_.reset();
   } else if (shownScene_ == grownScene_) {
@@ -243,7 +253,7 @@ bool Viewer::belongsToPanels(const InputEvent& event) {
 
 void Viewer::handleInput(const Snapshot& snapshot, UiOutput& output) {
   const WindowEvents::Batch batch = events_.take();
-  if (!snapshot.paused || !batch.input.empty() || !stats_.loading.empty()) {
+  if (!snapshot.paused || !batch.input.empty() || events_.waiting() || !stats_.loading.empty()) {
     lastChange_ = Clock::now();
   }
   for (const InputEvent& event : batch.input) {
@@ -294,17 +304,47 @@ void Viewer::on(UiAction action, const Snapshot& snapshot) {
       controller_.frameCloth(snapshot);
       break;
     case UiAction::ViewFront:
-      controller_.lookFrom(Camera::Side::Front);
+      controller_.lookFrom(Camera::Side::Front, snapshot);
       break;
     case UiAction::ViewRight:
-      controller_.lookFrom(Camera::Side::Right);
+      controller_.lookFrom(Camera::Side::Right, snapshot);
       break;
     case UiAction::ViewTop:
-      controller_.lookFrom(Camera::Side::Top);
+      controller_.lookFrom(Camera::Side::Top, snapshot);
+      break;
+    case UiAction::ResetAll:
+      resetAll(snapshot);
       break;
     case UiAction::Quit:
+      stopLoadingOrQuit(snapshot);
+      break;
+    case UiAction::QuitAndLoseChanges:
       glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
       break;
+  }
+}
+
+/// A scene whose mesh is as its author wants it is loaded as it is; any other has to be built again.
+void Viewer::resetAll(const Snapshot& snapshot) {
+  stats_.error.clear();
+  const Scene& scene = *snapshot.scene;
+  const auto same = [&](const SettingInfo& info) {
+    return settingValue(scene.settings, info) == settingValue(scene.description.settings, info);
+  };
+  if (std::all_of(settingsTable().begin(), settingsTable().end(), same)) {
+    simulation_.post(LoadSceneCommand{snapshot.scene});
+  } else {
+    loader_.restore(scene.description);
+  }
+}
+
+void Viewer::stopLoadingOrQuit(const Snapshot& snapshot) {
+  if (loader_.cancel()) {
+    tell("Stopped. The scene stays as it was");
+  } else if (openedScene_ && hasChanges(snapshot, *openedScene_)) {
+    panels_.askToQuit();
+  } else {
+    glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
   }
 }
 
@@ -312,6 +352,11 @@ void Viewer::saveScreenshot(const Snapshot& snapshot) {
   try {
     const std::filesystem::path file =
         freeScreenshotName(std::filesystem::current_path(), snapshot.scene->description.name);
+    // Pins are there for the hand, not for a picture.
+    Snapshot bare = snapshot;
+    bare.settings.view.pins = false;
+    const Image shown = renderer_.read();
+    renderer_.draw(bare, controller_.camera(), shown.width, shown.height);
     writePng(renderer_.read(), file);
     tell("Saved " + file.string());
   } catch (const std::exception& error) {

@@ -49,6 +49,8 @@ class Viewer {
   void on(const OpenSceneRequest& request, const Snapshot& snapshot);
   void on(const RebuildSceneRequest& request, const Snapshot& snapshot);
   void on(UiAction action, const Snapshot& snapshot);
+  void resetAll(const Snapshot& snapshot);
+  void stopLoadingOrQuit(const Snapshot& snapshot);
   void saveScreenshot(const Snapshot& snapshot);
   void tell(const std::string& notice);
   [[nodiscard]] UiDisplay measureDisplay(double fontScaleSetting) const;
@@ -63,9 +65,10 @@ class Viewer {
   StatusFile status_;
   SimulationThread simulation_;
 
-  std::shared_ptr<const Scene> shownScene_;  ///< whose name the title bar has
-  std::shared_ptr<const Scene> newScene_;    ///< on its way; it is to be looked at as its author wants
-  std::shared_ptr<const Scene> grownScene_;  ///< on its way; it is to be framed from the same direction
+  std::shared_ptr<const Scene> shownScene_;   ///< whose name the title bar has
+  std::shared_ptr<const Scene> openedScene_;  ///< the last one that was opened, before any change of its settings
+  std::shared_ptr<const Scene> newScene_;     ///< on its way; it is to be looked at as its author wants
+  std::shared_ptr<const Scene> grownScene_;   ///< on its way; it is to be framed from the same direction
   UiStats stats_;
   UiDisplay display_;
   Vec2 mouse_ = Vec2::Zero();
@@ -73,6 +76,7 @@ class Viewer {
   Clock::time_point noticeEnds_ = Clock::now();
   Clock::time_point lastChange_ = Clock::now();  ///< when something last moved, or the user did something
   std::int64_t frameCount_ = 0;
+  double firstFrameSeconds_ = 0.0;  ///< from the start of the program until the first frame was shown [s]
 };
 
 }  // namespace drape

@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
 
 #include <array>
 #include <cctype>
@@ -78,19 +79,32 @@ std::optional<Key> letterKey(int key, int scancode, bool shift) {
   }
 }
 
+/// Keys that act on a text field by themselves. The codes of GLFW's keys without a letter begin with that of Escape.
+bool edits(int key, int modifiers) {
+  const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+  return (key >= GLFW_KEY_ESCAPE && !modifier) || (modifiers & GLFW_MOD_CONTROL) != 0;
+}
+
 }  // namespace
 
 WindowEvents::WindowEvents(GLFWwindow* window) : window_(window) {
   glfwSetWindowUserPointer(window, this);
+  // ImGui's own callbacks are not installed: it is fed from the queue.
+  ImGui_ImplGlfw_InitForOpenGL(window, false);
   install();
-  // ImGui chains to the callbacks that are there already, so it comes second.
-  ImGui_ImplGlfw_InitForOpenGL(window, true);
+  installPointer();
 }
 
 WindowEvents::~WindowEvents() {
-  ImGui_ImplGlfw_Shutdown();
+  glfwSetMouseButtonCallback(window_, nullptr);
   glfwSetCursorPosCallback(window_, nullptr);
+  glfwSetCursorEnterCallback(window_, nullptr);
+  glfwSetScrollCallback(window_, nullptr);
+  glfwSetKeyCallback(window_, nullptr);
+  glfwSetCharCallback(window_, nullptr);
+  glfwSetWindowFocusCallback(window_, nullptr);
   glfwSetDropCallback(window_, nullptr);
+  ImGui_ImplGlfw_Shutdown();
 }
 
 WindowEvents& WindowEvents::of(GLFWwindow* window) {
@@ -98,23 +112,13 @@ WindowEvents& WindowEvents::of(GLFWwindow* window) {
 }
 
 void WindowEvents::install() {
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
-    of(window).onMouseButton(button, action, modifiers);
-  });
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-    of(window).batch_.input.emplace_back(MoveEvent{{x, y}});
-  });
-  glfwSetScrollCallback(window_, [](GLFWwindow* window, double /*x*/, double y) {
-    of(window).batch_.input.emplace_back(ScrollEvent{y});
-  });
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
     of(window).onKey(key, scancode, action, modifiers);
   });
-  glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int focused) {
-    if (focused == GLFW_FALSE) {
-      of(window).batch_.input.emplace_back(FocusLostEvent{});
-    }
-  });
+  glfwSetCharCallback(window_,
+                      [](GLFWwindow* window, unsigned int code) { of(window).queue_.push(RawCharacter{code}); });
+  glfwSetWindowFocusCallback(
+      window_, [](GLFWwindow* window, int focused) { of(window).queue_.push(RawFocus{focused == GLFW_TRUE}); });
   glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
     for (int i = 0; i < count; ++i) {
       of(window).batch_.droppedFiles.emplace_back(paths[i]);
@@ -122,38 +126,108 @@ void WindowEvents::install() {
   });
 }
 
+void WindowEvents::installPointer() {
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int button, int action, int modifiers) {
+    of(window).onMouseButton(button, action, modifiers);
+  });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+    of(window).queue_.push(RawMove{x, y});
+  });
+  glfwSetCursorEnterCallback(window_, ImGui_ImplGlfw_CursorEnterCallback);
+  glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
+    of(window).queue_.push(RawScroll{x, y});
+  });
+}
+
 void WindowEvents::onMouseButton(int button, int action, int modifiers) {
-  const auto which = mouseButton(button);
-  if (!which) {
-    return;
-  }
-  if (action == GLFW_RELEASE) {
-    batch_.input.emplace_back(ReleaseEvent{*which});
-    return;
-  }
-  PressEvent press{.button = *which,
-                   .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
-                   .control = (modifiers & GLFW_MOD_CONTROL) != 0,
-                   .time = glfwGetTime()};
-  glfwGetCursorPos(window_, &press.position.x(), &press.position.y());
-  batch_.input.emplace_back(press);
+  RawButton press{.button = button,
+                  .down = action == GLFW_PRESS,
+                  .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+                  .control = (modifiers & GLFW_MOD_CONTROL) != 0,
+                  .time = glfwGetTime()};
+  glfwGetCursorPos(window_, &press.x, &press.y);
+  queue_.push(press);
 }
 
 void WindowEvents::onKey(int key, int scancode, int action, int modifiers) {
-  if (action == GLFW_RELEASE) {
+  using Action = RawKey::Action;
+  queue_.push(RawKey{.key = key,
+                     .scancode = scancode,
+                     .modifiers = modifiers,
+                     .action = action == GLFW_PRESS     ? Action::Down
+                               : action == GLFW_RELEASE ? Action::Up
+                                                        : Action::Repeat,
+                     .edits = edits(key, modifiers)});
+}
+
+void WindowEvents::feed(const RawMove& move) {
+  mouse_ = {move.x, move.y};
+  batch_.input.emplace_back(MoveEvent{mouse_});
+}
+
+void WindowEvents::feed(const RawButton& button) {
+  mouse_ = {button.x, button.y};
+  if (button.button >= 0 && button.button < static_cast<int>(buttonsDown_.size())) {
+    buttonsDown_[static_cast<std::size_t>(button.button)] = button.down;
+  }
+  const auto which = mouseButton(button.button);
+  if (which && button.down) {
+    batch_.input.emplace_back(PressEvent{
+        .button = *which, .position = mouse_, .shift = button.shift, .control = button.control, .time = button.time});
+  } else if (which) {
+    batch_.input.emplace_back(ReleaseEvent{*which});
+  }
+}
+
+void WindowEvents::feed(const RawScroll& scroll) {
+  ImGui_ImplGlfw_ScrollCallback(window_, scroll.right, scroll.up);
+  batch_.input.emplace_back(ScrollEvent{scroll.up});
+}
+
+void WindowEvents::feed(const RawKey& key) {
+  const bool repeated = key.action == RawKey::Action::Repeat;
+  if (!repeated) {
+    const int action = key.action == RawKey::Action::Down ? GLFW_PRESS : GLFW_RELEASE;
+    ImGui_ImplGlfw_KeyCallback(window_, key.key, key.scancode, action, key.modifiers);
+  }
+  if (key.action == RawKey::Action::Up) {
     return;
   }
-  auto meaning = fixedKey(key);
+  auto meaning = fixedKey(key.key);
   if (!meaning) {
-    meaning = letterKey(key, scancode, (modifiers & GLFW_MOD_SHIFT) != 0);
+    meaning = letterKey(key.key, key.scancode, (key.modifiers & GLFW_MOD_SHIFT) != 0);
   }
   if (meaning) {
-    batch_.input.emplace_back(KeyEvent{*meaning, action == GLFW_REPEAT});
+    batch_.input.emplace_back(KeyEvent{*meaning, repeated});
+  }
+}
+
+void WindowEvents::feed(const RawCharacter& character) {
+  ImGui_ImplGlfw_CharCallback(window_, character.code);
+}
+
+void WindowEvents::feed(const RawFocus& focus) {
+  ImGui_ImplGlfw_WindowFocusCallback(window_, focus.focused ? GLFW_TRUE : GLFW_FALSE);
+  if (!focus.focused) {
+    batch_.input.emplace_back(FocusLostEvent{});
   }
 }
 
 void WindowEvents::beginFrame() {
+  bool clicked = false;
+  for (const RawEvent& event : queue_.takeFrame()) {
+    std::visit([this](const auto& each) { feed(each); }, event);
+    clicked = clicked || std::holds_alternative<RawButton>(event);
+  }
   ImGui_ImplGlfw_NewFrame();
+  // The backend asks for the mouse as it is now. Buttons and, while events wait, its place are those of this frame.
+  ImGuiIO& io = ImGui::GetIO();
+  for (std::size_t i = 0; i < buttonsDown_.size(); ++i) {
+    io.MouseDown[i] = buttonsDown_[i];
+  }
+  if (clicked || waiting()) {
+    io.MousePos = {static_cast<float>(mouse_.x()), static_cast<float>(mouse_.y())};
+  }
 }
 
 WindowEvents::Batch WindowEvents::take() {

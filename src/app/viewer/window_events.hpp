@@ -1,7 +1,9 @@
 #pragma once
 
+#include "ui/input_queue.hpp"
 #include "ui/interaction_controller.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -9,7 +11,8 @@ struct GLFWwindow;
 
 namespace drape {
 
-/// Collects what happens to a window between two frames, in order, and feeds ImGui.
+/// Collects what happens to a window, in order, and hands it out frame by frame: to ImGui and to take(). What happens
+/// faster than frames are drawn is spread over several of them, so that no short tap is lost.
 class WindowEvents {
  public:
   /// What may happen: input, or files that are dropped on the window.
@@ -24,20 +27,33 @@ class WindowEvents {
   WindowEvents& operator=(const WindowEvents&) = delete;
   ~WindowEvents();
 
-  /// Tells ImGui about the mouse and the time that has passed; before UserInterface::build().
+  /// Tells ImGui what belongs to this frame, and the time that has passed; before UserInterface::build().
   void beginFrame();
 
-  /// Everything since the last call.
+  /// The input of this frame, and the files that were dropped since the last call.
   [[nodiscard]] Batch take();
+
+  /// True while input waits for a later frame.
+  [[nodiscard]] bool waiting() const { return !queue_.empty(); }
 
  private:
   static WindowEvents& of(GLFWwindow* window);
   void install();
+  void installPointer();
   void onMouseButton(int button, int action, int modifiers);
   void onKey(int key, int scancode, int action, int modifiers);
+  void feed(const RawMove& move);
+  void feed(const RawButton& button);
+  void feed(const RawScroll& scroll);
+  void feed(const RawKey& key);
+  void feed(const RawCharacter& character);
+  void feed(const RawFocus& focus);
 
   GLFWwindow* window_;
+  InputQueue queue_;
   Batch batch_;
+  Vec2 mouse_ = Vec2::Zero();          // as of the events that were fed [window units]
+  std::array<bool, 5> buttonsDown_{};  // as of the events that were fed
 };
 
 }  // namespace drape

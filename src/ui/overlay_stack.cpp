@@ -1,0 +1,86 @@
+#include "ui/overlay_stack.hpp"
+
+#include "ui/theme.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace drape {
+namespace {
+
+constexpr ImGuiWindowFlags overlayFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                          ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+constexpr int styleVariables = 3;
+constexpr float widestText = 44.0F;  // [heights of the text]
+
+void remember(PanelContext& context, const std::string& name) {
+  const ImVec2 at = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  context.buttons[name] = {at.x, at.y, size.x, size.y};
+}
+
+void pushStyle(float padding, float opacity) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, padding * 0.5F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding, padding * 0.7F));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.13F, 0.145F, 0.18F, opacity));
+}
+
+void popStyle() {
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(styleVariables);
+}
+
+}  // namespace
+
+OverlayStack::OverlayStack(PanelContext& context, const UiRect& view)
+    : context_(context),
+      bottom_(static_cast<float>(view.y + view.height)),
+      centre_(static_cast<float>(view.x + view.width * 0.5)),
+      padding_(12.0F * context.scale),
+      textWidth_(std::min(static_cast<float>(view.width) - 4.0F * padding_, widestText * ImGui::GetFontSize())) {
+  top_ = static_cast<float>(view.y) + padding_;
+}
+
+float OverlayStack::roomBelow() const {
+  return std::max(ImGui::GetTextLineHeight(), 0.6F * (bottom_ - top_) - 2.0F * padding_);
+}
+
+void OverlayStack::begin(const std::string& name, Mouse mouse) {
+  const bool taken = mouse == Mouse::Taken;
+  ImGui::SetNextWindowPos({centre_, top_}, ImGuiCond_Always, {0.5F, 0.0F});
+  pushStyle(padding_, taken ? 0.97F : 0.8F);
+  ImGui::Begin(("overlay." + name).c_str(), nullptr, overlayFlags | (taken ? 0 : ImGuiWindowFlags_NoInputs));
+  remember(context_, (taken ? "overlay." : "hint.") + name);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + textWidth_);
+}
+
+void OverlayStack::end() {
+  ImGui::PopTextWrapPos();
+  top_ += ImGui::GetWindowSize().y + padding_ * 0.5F;
+  ImGui::End();
+  popStyle();
+}
+
+void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const std::string& title) {
+  const float padding = 18.0F * context.scale;
+  ImGui::SetNextWindowPos(
+      {static_cast<float>(view.x + view.width * 0.5), static_cast<float>(view.y + view.height * 0.5)}, ImGuiCond_Always,
+      {0.5F, 0.5F});
+  pushStyle(padding, 0.97F);
+  ImGui::Begin(("dialog." + name).c_str(), nullptr, overlayFlags);
+  remember(context, "overlay." + name);
+  ImGui::PushFont(context.fonts.title);
+  ImGui::TextUnformatted(title.c_str());
+  ImGui::PopFont();
+  ImGui::Spacing();
+}
+
+void endDialog() {
+  ImGui::End();
+  popStyle();
+}
+
+}  // namespace drape

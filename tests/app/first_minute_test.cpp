@@ -1,0 +1,216 @@
+// What somebody meets in the first minute with the window.
+#include "viewer_driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace drape {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+bool isHeld(const Json& state) {
+  return !state["grab"].is_null();
+}
+
+bool hasButton(const Json& state, const char* name) {
+  return state["buttons"].contains(name);
+}
+
+std::string status(const Json& state) {
+  return state["status"].get<std::string>();
+}
+
+void drag(ViewerDriver& viewer, const Place& from, const Place& to, int button = 1) {
+  viewer.move(from);
+  viewer.press(button);
+  viewer.move({0.5 * (from.x + to.x), 0.5 * (from.y + to.y)});
+  viewer.move(to);
+}
+
+TEST(FirstMinute, ThePictureSaysWhatToDoUntilTheFirstDrag) {
+  ViewerDriver viewer({"grid", "--paused"});
+  EXPECT_TRUE(hasButton(viewer.state(), "hint.drag"));
+  const Place place = viewer.onCloth();
+  drag(viewer, place, {place.x + 20.0, place.y});
+  viewer.waitUntil("no hint", [](const Json& s) { return isHeld(s) && !hasButton(s, "hint.drag"); });
+  viewer.release();
+  EXPECT_FALSE(hasButton(viewer.frames(), "hint.drag"));
+}
+
+TEST(FirstMinute, TheStatusLineSpeaksOfTheClothAndAClickOnItOfTheSolver) {
+  ViewerDriver viewer({"skirt", "--paused"});
+  const std::string words = status(viewer.state());
+  EXPECT_NE(words.find("vertices"), std::string::npos) << words;
+  EXPECT_NE(words.find("paused"), std::string::npos) << words;
+  viewer.click(viewer.find("status.facts", 0.1));
+  viewer.waitUntil("the details", [](const Json& s) { return hasButton(s, "status.details"); });
+  viewer.key("Escape");
+  viewer.waitUntil("no details", [](const Json& s) { return !hasButton(s, "status.details"); });
+  EXPECT_TRUE(viewer.process().running()) << "Esc closed the details and nothing else";
+}
+
+TEST(FirstMinute, TheStatusLineSaysThatTheClockIsTooSlow) {
+  // More work than any machine does in time.
+  ViewerDriver viewer({"grid", "--set", "grid.resolution=65", "--set", "solver=newton", "--set", "substeps=200"});
+  viewer.waitUntil("the pace",
+                   [](const Json& s) { return status(s).find("real time: too slow") != std::string::npos; });
+}
+
+TEST(FirstMinute, MaterialAndAirAreInSightInAnOrdinaryWindow) {
+  ViewerDriver viewer({}, "1440,900");
+  const Json state = viewer.state();
+  for (const char* key : {"stiffness", "damping", "density", "drag", "lift", "wind.x", "wind.y", "wind.z"}) {
+    ASSERT_TRUE(state["widgets"].contains(key)) << key;
+    const Json& row = state["widgets"][key];
+    EXPECT_TRUE(row["visible"].get<bool>()) << key;
+    EXPECT_LE(row["y"].get<double>() + row["height"].get<double>(), state["view"]["height"].get<double>()) << key;
+  }
+  EXPECT_FALSE(state["widgets"].contains("solver")) << "what is numerical is in Advanced, which is closed";
+}
+
+TEST(FirstMinute, EscapeAsksBeforeChangesAreLost) {
+  ViewerDriver viewer({"grid", "--paused", "--set", "drag=0.5"});
+  viewer.click(viewer.find("drag", 0.6));
+  viewer.waitUntil("a change", [](const Json& s) { return s["settings"]["drag"] != 0.5; });
+  viewer.key("Escape");
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
+  viewer.key("Escape");
+  viewer.waitUntil("no question", [](const Json& s) { return !hasButton(s, "overlay.quit"); });
+  EXPECT_TRUE(viewer.process().running());
+  viewer.key("Escape");
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
+  viewer.tap("Return");
+  EXPECT_EQ(viewer.process().waitFor(60.0), 0);
+}
+
+TEST(FirstMinute, EscapeQuitsAtOnceWhereNothingIsLost) {
+  ViewerDriver viewer({"grid", "--set", "drag=0.5"});
+  viewer.waitUntil("time to pass", [](const Json& s) { return s["step"] > 5; });
+  viewer.tap("Escape");
+  EXPECT_EQ(viewer.process().waitFor(60.0), 0);
+}
+
+TEST(FirstMinute, ARightClickAndResetAllRestoreWhatTheSceneSays) {
+  ViewerDriver viewer({"flag"});
+  const Json scene = viewer.state()["settings"];
+  ASSERT_NE(scene["wind.x"], 0.0) << "the flag has wind of its own";
+  viewer.click(viewer.find("wind.x", 0.2));
+  viewer.waitUntil("another wind", [&](const Json& s) { return s["settings"]["wind.x"] != scene["wind.x"]; });
+  viewer.click(viewer.find("wind.x"), 3);
+  viewer.waitUntil("the scene's wind", [&](const Json& s) { return s["settings"]["wind.x"] == scene["wind.x"]; });
+  viewer.click(viewer.find("wind.x", 0.2));
+  viewer.click(viewer.find("drag", 0.9));
+  viewer.click(viewer.find("grid.resolution", 0.3));
+  viewer.waitUntil("another mesh", [&](const Json& s) {
+    return s["settings"]["grid.resolution"] != scene["grid.resolution"] && s["loading"] == "" &&
+           s["settings"]["drag"] != scene["drag"];
+  });
+  viewer.click(viewer.find("button.reset_all"));
+  const Json restored =
+      viewer.waitUntil("the scene's own settings", [&](const Json& s) { return s["settings"] == scene; });
+  EXPECT_EQ(restored["message"], "");
+}
+
+TEST(FirstMinute, PinsAreNotInThePicturesOfF12) {
+  ViewerDriver viewer({"grid", "--paused", "--set", "pins=none"});
+  viewer.key("F12");
+  viewer.waitUntil("the picture",
+                   [](const Json& s) { return s["message"].get<std::string>().find("grid-001") != std::string::npos; });
+  EXPECT_TRUE(viewer.state()["settings"]["view.pins"].get<bool>()) << "the window goes on showing them";
+}
+
+TEST(FirstMinute, TheCameraStaysAboveTheGroundAndNearTheCloth) {
+  ViewerDriver viewer({"grid", "--paused"});
+  const Place free = viewer.besideCloth();
+  drag(viewer, free, {free.x, 20.0});
+  drag(viewer, free, {free.x, 20.0});
+  viewer.release();
+  EXPECT_GT(viewer.frames()["camera"]["position"].get<Vector>()[1], 0.0);
+  viewer.move(free);
+  for (int i = 0; i < 60; ++i) {
+    viewer.send({"click", "5"});
+  }
+  const Json far = viewer.frames();
+  const auto eye = far["camera"]["position"].get<Vector>();
+  EXPECT_LT(std::hypot(eye[0], eye[1], eye[2]), 25.0);
+}
+
+TEST(FirstMinute, AShortTapOfReturnCountsHoweverSlowTheFrames) {
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.move(viewer.find("drag"));
+  viewer.holdKey("Control_L");
+  viewer.press();
+  viewer.release();
+  viewer.letKeyGo("Control_L");
+  viewer.betweenTwoFrames({{"type", "1.7"}, {"key", "BackSpace"}, {"type", "25"}, {"key", "Return"}});
+  viewer.waitUntil("the typed value", [](const Json& s) { return s["settings"]["drag"] == 1.25; });
+}
+
+TEST(FirstMinute, AClickBetweenTwoFramesCounts) {
+  ViewerDriver viewer({"grid", "--paused"});
+  const Place play = viewer.find("button.play");
+  viewer.betweenTwoFrames({{"mousemove", std::to_string(std::lround(play.x)), std::to_string(std::lround(play.y))},
+                           {"click", "1"},
+                           {"mousemove", "800", "400"}});
+  viewer.waitUntil("the clock to run", [](const Json& s) { return !s["paused"].get<bool>(); });
+}
+
+TEST(FirstMinute, ADragGoesOnBeyondTheWindowAndEndsThere) {
+  // A window that is smaller than the display.
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.resize(900, 600);
+  const Place place = viewer.onCloth();
+  drag(viewer, place, {1250.0, 780.0});
+  const Json outside =
+      viewer.waitUntil("the hand to be there", [](const Json& s) { return isHeld(s) && s["grab"]["distance"] > 0.1; });
+  viewer.release();
+  viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  EXPECT_EQ(outside["step"], 0);
+}
+
+TEST(FirstMinute, ResizingKeepsThePanelsUsable) {
+  ViewerDriver viewer({"grid", "--paused"});
+  for (const auto& [width, height] : {std::pair(640, 400), std::pair(1280, 760)}) {
+    viewer.resize(width, height);
+    const Json state = viewer.frames();
+    EXPECT_NEAR(state["view"]["x"].get<double>() + state["view"]["width"].get<double>(), width, 1.0);
+    EXPECT_LT(state["view"]["height"].get<double>(), height);
+  }
+  viewer.click(viewer.find("button.play"));
+  viewer.waitUntil("the clock to run", [](const Json& s) { return !s["paused"].get<bool>(); });
+}
+
+TEST(FirstMinute, AHiddenWindowComesBack) {
+  ViewerDriver viewer({"grid"});
+  viewer.send({"search", "--name", "Drape", "windowunmap"});
+  viewer.send({"search", "--name", "Drape", "windowmap"});
+  const Json back = viewer.frames();
+  viewer.waitUntil("time to pass", [&](const Json& s) { return s["step"] > back["step"]; });
+  EXPECT_TRUE(viewer.process().running());
+}
+
+TEST(FirstMinute, TheTimeUntilTheFirstFrameIsTold) {
+  ViewerDriver viewer({"grid", "--paused"});
+  const double seconds = viewer.state()["first_frame_seconds"];
+  EXPECT_GT(seconds, 0.0);
+  EXPECT_LT(seconds, 120.0) << "it counts from the start of the program, not of the machine";
+}
+
+TEST(FirstMinute, AnErrorCanBeReadToItsEndAndClosed) {
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.click(viewer.find("scene.path"));
+  viewer.type("/no/such/folder/with-a-very-long-name-that-does-not-fit-into-any-line/shirt.obj");
+  const Json failed = viewer.waitUntil("the notice", [](const Json& s) { return hasButton(s, "overlay.error"); });
+  const Json notice = viewer.frames()["buttons"]["overlay.error"];
+  EXPECT_LE(notice["x"].get<double>() + notice["width"].get<double>(), failed["window"]["width"].get<double>());
+  viewer.click(viewer.find("button.close"));
+  viewer.waitUntil("no notice", [](const Json& s) { return !hasButton(s, "overlay.error"); });
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,66 @@
+#include "ui/scene_changes.hpp"
+
+#include "session/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+/// A scene with bodies, opened and not yet touched.
+class SceneChanges : public ::testing::Test {
+ protected:
+  SceneChanges() : scene_(opened()), simulation_(scene_) {}
+
+  static std::shared_ptr<const Scene> opened() {
+    const SceneDescription description = openScene("sphere");
+    Settings settings = description.settings;
+    settings.step.drag = 0.25;  // as with --set
+    return buildScene(description, settings);
+  }
+
+  bool changed(const Command& command) {
+    simulation_.apply(command);
+    return changed();
+  }
+  bool changed() {
+    simulation_.capture(snapshot_);
+    return hasChanges(snapshot_, *scene_);
+  }
+
+  std::shared_ptr<const Scene> scene_;
+  Simulation simulation_;
+  Snapshot snapshot_;
+};
+
+TEST_F(SceneChanges, NothingHasChangedAtFirst) {
+  EXPECT_FALSE(changed()) << "what the command line set is no change";
+  simulation_.step();
+  EXPECT_FALSE(changed()) << "time that has passed is none either";
+  EXPECT_TRUE(differsFromScene(snapshot_, snapshot_.settings)) << "but the scene itself says something else";
+}
+
+TEST_F(SceneChanges, ASettingIsAChangeUntilItIsSetBack) {
+  EXPECT_TRUE(changed(SetSettingCommand{"drag", 0.5}));
+  EXPECT_FALSE(changed(SetSettingCommand{"drag", 0.25}));
+}
+
+TEST_F(SceneChanges, TheViewIsNotLost) {
+  EXPECT_FALSE(changed(SetSettingCommand{"view.wireframe", true}));
+}
+
+TEST_F(SceneChanges, APinIsAChange) {
+  simulation_.apply(GrabCommand{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()});
+  EXPECT_TRUE(changed(TogglePinCommand{}));
+}
+
+TEST_F(SceneChanges, ABodyThatIsSwitchedOffOrMovedIsAChange) {
+  EXPECT_TRUE(changed(SwitchBodyCommand{0, false}));
+  EXPECT_FALSE(changed(SwitchBodyCommand{0, true}));
+  SurfaceProperties rough = scene_->bodies->front().surface;
+  rough.staticFriction += 1.0;
+  EXPECT_TRUE(changed(SetSurfaceCommand{0, rough}));
+}
+
+}  // namespace
+}  // namespace drape
