@@ -61,8 +61,10 @@ constexpr const char* panelHelp =
     "In the panels: Ctrl+click types a value. A right click restores the scene's value;\n"
     "a dot marks a value that differs from it. \"Reset all\" restores every value.";
 
+/// True when a click fell on the picture. A button that is just pressed is active, and must not block the question.
 bool clickedBeside() {
-  return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
+  constexpr ImGuiHoveredFlags anywhere = ImGuiHoveredFlags_AnyWindow | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem;
+  return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(anywhere);
 }
 
 }  // namespace

@@ -12,11 +12,11 @@ constexpr int enter = 257;
 constexpr int backspace = 259;
 
 RawKey down(int key) {
-  return {.key = key, .action = RawKey::Action::Down, .edits = key != letter};
+  return {.key = key, .action = RawKey::Action::Down, .edits = key >= enter - 1};
 }
 
 RawKey up(int key) {
-  return {.key = key, .action = RawKey::Action::Up, .edits = key != letter};
+  return {.key = key, .action = RawKey::Action::Up, .edits = key >= enter - 1};
 }
 
 /// How many events each frame takes until none is left.
