@@ -66,6 +66,7 @@ struct BodyDescription {
   double scale = 1.0;                  ///< of the meshes [-]
   double frameTime = 1.0 / 30.0;       ///< from one frame to the next [s]
   bool frameLoop = false;              ///< after the last frame comes the first one
+  bool readLikeCloth = false;          ///< the meshes are in the cloth's unit, with its axis up
 };
 
 /// A scene as it is written down (docs/scenes.md), before anything is built.

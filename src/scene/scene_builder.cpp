@@ -8,6 +8,7 @@
 #include "sim/error.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 namespace drape {
@@ -81,9 +82,22 @@ std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& descriptio
   return shape;
 }
 
-std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& description, double groundHeight) {
+/// The body in metres and with y up, when its files are like the cloth's.
+BodyDescription inMetres(BodyDescription body, const Settings& settings) {
+  if (body.readLikeCloth) {
+    body.scale *= metresPerUnit(settings.mesh.unit);
+    if (settings.mesh.up == "z") {
+      body.body.motion.keyframes.front().rotation = Vec3(-0.5 * std::numbers::pi, 0.0, 0.0);
+    }
+  }
+  return body;
+}
+
+std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& description, const Settings& settings,
+                                               double groundHeight) {
   auto bodies = std::make_shared<std::vector<Body>>();
-  for (const BodyDescription& each : description.bodies) {
+  for (const BodyDescription& written : description.bodies) {
+    const BodyDescription each = inMetres(written, settings);
     bodies->push_back(each.body);
     if (!each.meshes.empty()) {
       bodies->back().shape = readMeshShape(each);
@@ -181,7 +195,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   const Eigen::AlignedBox3d box = boundsOf(scene->start.positions);
   scene->groundHeight =
       description.groundBelowCloth ? box.min().y() - 0.25 * (box.max().y() - box.min().y()) : description.groundHeight;
-  const auto bodies = buildBodies(description, scene->groundHeight);
+  const auto bodies = buildBodies(description, settings, scene->groundHeight);
   carryPins(description, pins, scene->start, *bodies);
   scene->bodies = bodies;
   constexpr double usualAspect = 16.0 / 9.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/dropped_files.hpp"
 #include "ui/overlay_stack.hpp"
 #include "ui/panel_context.hpp"
 
@@ -34,6 +35,11 @@ void dragHint(OverlayStack& stack);
 
 /// The list of keys and mouse gestures over the picture. Gives back false once the user has closed it.
 [[nodiscard]] bool helpOverlay(PanelContext& context, const UiRect& view);
+
+/// Asks which of several files is the cloth: the index of a mesh, or of the scene beyond the meshes. The answer is an
+/// OpenPartsRequest. Gives back false once it is answered.
+[[nodiscard]] bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles& files,
+                                std::size_t& cloth);
 
 /// Asks before changes are lost. Gives back false once it is answered.
 [[nodiscard]] bool quitQuestion(PanelContext& context, const UiRect& view);

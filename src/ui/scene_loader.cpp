@@ -23,10 +23,14 @@ std::string reasonOf(const std::exception_ptr& failure) {
 }  // namespace
 
 void SceneLoader::open(const std::string& nameOrPath, std::function<void(Settings&)> adjust) {
-  submit({.activity = "Opening " + nameOrPath + " \u2026",
+  open(SceneParts{.scene = nameOrPath}, std::move(adjust));
+}
+
+void SceneLoader::open(const SceneParts& parts, std::function<void(Settings&)> adjust) {
+  submit({.activity = "Opening " + (parts.cloth.empty() ? parts.scene : parts.cloth) + " \u2026",
           .build =
-              [nameOrPath, adjust = std::move(adjust)] {
-                const SceneDescription description = openScene(nameOrPath);
+              [parts, adjust = std::move(adjust)] {
+                const SceneDescription description = openParts(parts);
                 Settings settings = description.settings;
                 adjust(settings);
                 return buildScene(description, settings);

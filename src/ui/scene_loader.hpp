@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "scene/scene_parts.hpp"
 #include "session/command.hpp"
 
 #include <functional>
@@ -37,6 +38,8 @@ class SceneLoader {
 
   /// Opens another scene. `adjust` may change the scene's own settings before it is built.
   void open(const std::string& nameOrPath, std::function<void(Settings&)> adjust);
+  /// The same for a scene that is put together from several files.
+  void open(const SceneParts& parts, std::function<void(Settings&)> adjust);
   /// Builds a description again.
   void rebuild(const SceneDescription& description, const Settings& settings);
   /// Builds a description again under its own settings.

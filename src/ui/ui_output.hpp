@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/scene_parts.hpp"
 #include "session/command.hpp"
 #include "settings/settings.hpp"
 #include "sim/vector.hpp"
@@ -32,6 +33,16 @@ struct OpenSceneRequest {
   std::string nameOrPath;
 };
 
+/// Open a scene that is put together from several files.
+struct OpenPartsRequest {
+  SceneParts parts;
+};
+
+/// Files that were dropped on the window together.
+struct DroppedRequest {
+  std::vector<std::string> files;
+};
+
 /// Build the running scene again because a setting changed that its mesh depends on.
 struct RebuildSceneRequest {
   Settings settings;  ///< all of them, with the change
@@ -51,7 +62,7 @@ enum class UiAction {
   QuitAndLoseChanges  ///< without a question
 };
 
-using UiRequest = std::variant<OpenSceneRequest, RebuildSceneRequest, UiAction>;
+using UiRequest = std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest, UiAction>;
 
 /// Everything the user asked for during one frame. Panels and input only ever add to this; nobody changes live state.
 struct UiOutput {

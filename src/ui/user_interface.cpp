@@ -40,7 +40,9 @@ struct UserInterface::Parts {
   bool panels = true;
   bool help = false;
   bool asksToQuit = false;
-  std::string closedError;  ///< the error that the user has seen and closed
+  std::optional<DroppedFiles> dropped;  ///< of which one has to be chosen as the cloth
+  std::size_t chosenCloth = 0;          ///< among them
+  std::string closedError;              ///< the error that the user has seen and closed
   std::string shownError;
 
   void makeFonts();
@@ -117,6 +119,9 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   }
   if (help && !helpOverlay(panel, view)) {
     help = false;
+  }
+  if (dropped && !dropQuestion(panel, view, *dropped, chosenCloth)) {
+    dropped.reset();
   }
   if (asksToQuit && !quitQuestion(panel, view)) {
     asksToQuit = false;
@@ -246,6 +251,10 @@ bool UserInterface::closeOverlay() {
     ImGui::ClosePopupToLevel(0, true);
     return true;
   }
+  if (parts_->dropped) {
+    parts_->dropped.reset();
+    return true;
+  }
   for (bool* question : {&parts_->asksToQuit, &parts_->help}) {
     if (*question) {
       *question = false;
@@ -258,6 +267,11 @@ bool UserInterface::closeOverlay() {
     return true;
   }
   return false;
+}
+
+void UserInterface::askWhichIsTheCloth(const DroppedFiles& files) {
+  parts_->chosenCloth = likelyCloth(files);
+  parts_->dropped = files;
 }
 
 void UserInterface::askToQuit() {

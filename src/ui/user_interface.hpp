@@ -2,6 +2,7 @@
 
 #include "render/camera.hpp"
 #include "session/snapshot.hpp"
+#include "ui/dropped_files.hpp"
 #include "ui/ui_output.hpp"
 
 #include <memory>
@@ -53,6 +54,9 @@ class UserInterface {
   void showPanels(bool visible);
   [[nodiscard]] bool helpVisible() const;
   void showHelp(bool visible);
+
+  /// Asks which of these files is the cloth; the answer is an OpenPartsRequest.
+  void askWhichIsTheCloth(const DroppedFiles& files);
 
   /// Asks whether to quit although changes are lost; the answer yes is UiAction::QuitAndLoseChanges.
   void askToQuit();

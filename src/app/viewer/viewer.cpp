@@ -210,7 +210,8 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
     }
   } else if (outcome->kind == Kind::Opened) {
     newScene_ = outcome->scene;
-    tell("Opened " + outcome->scene->description.name);
+    const std::string left = std::exchange(notOpened_, {});
+    tell("Opened " + outcome->scene->description.name + (left.empty() ? "" : ". " + left));
   }
 }
 
@@ -262,7 +263,7 @@ void Viewer::handleInput(const Snapshot& snapshot, UiOutput& output) {
     }
   }
   if (!batch.droppedFiles.empty()) {
-    output.requests.emplace_back(OpenSceneRequest{batch.droppedFiles.front()});
+    output.requests.emplace_back(DroppedRequest{batch.droppedFiles});
   }
 }
 
@@ -279,9 +280,28 @@ void Viewer::carryOut(UiOutput& output, const Snapshot& snapshot) {
 }
 
 void Viewer::on(const OpenSceneRequest& request, const Snapshot& snapshot) {
+  on(OpenPartsRequest{{.scene = request.nameOrPath}}, snapshot);
+}
+
+void Viewer::on(const DroppedRequest& request, const Snapshot& snapshot) {
+  const DroppedFiles files = sortDropped(request.files);
+  const DropDecision decision = decide(files);
+  if (decision.open) {
+    on(OpenPartsRequest{*decision.open}, snapshot);
+  }
+  if (decision.ask) {
+    panels_.askWhichIsTheCloth(files);
+  }
+  notOpened_ = decision.notice;
+  if (!notOpened_.empty()) {
+    tell(notOpened_);
+  }
+}
+
+void Viewer::on(const OpenPartsRequest& request, const Snapshot& snapshot) {
   stats_.error.clear();
-  loader_.open(request.nameOrPath, [current = snapshot.settings, own = snapshot.scene->description.settings](
-                                       Settings& target) { carryViewSettings(current, own, target); });
+  loader_.open(request.parts, [current = snapshot.settings, own = snapshot.scene->description.settings](
+                                  Settings& target) { carryViewSettings(current, own, target); });
 }
 
 void Viewer::on(const RebuildSceneRequest& request, const Snapshot& snapshot) {

@@ -47,6 +47,8 @@ class Viewer {
   [[nodiscard]] bool belongsToPanels(const InputEvent& event);
   void carryOut(UiOutput& output, const Snapshot& snapshot);
   void on(const OpenSceneRequest& request, const Snapshot& snapshot);
+  void on(const OpenPartsRequest& request, const Snapshot& snapshot);
+  void on(const DroppedRequest& request, const Snapshot& snapshot);
   void on(const RebuildSceneRequest& request, const Snapshot& snapshot);
   void on(UiAction action, const Snapshot& snapshot);
   void resetAll(const Snapshot& snapshot);
@@ -69,6 +71,7 @@ class Viewer {
   std::shared_ptr<const Scene> openedScene_;  ///< the last one that was opened, before any change of its settings
   std::shared_ptr<const Scene> newScene_;     ///< on its way; it is to be looked at as its author wants
   std::shared_ptr<const Scene> grownScene_;   ///< on its way; it is to be framed from the same direction
+  std::string notOpened_;                     ///< which of the files that were dropped are not opened, and why
   UiStats stats_;
   UiDisplay display_;
   Vec2 mouse_ = Vec2::Zero();

@@ -1,0 +1,77 @@
+#include "scene/scene_parts.hpp"
+
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr std::size_t mostBodies = 32;
+
+std::string freeName(const std::vector<BodyDescription>& bodies, const std::string& wanted) {
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [&](const BodyDescription& other) { return other.body.name == name; });
+  };
+  std::string name = wanted;
+  for (int number = 2; taken(name); ++number) {
+    name = wanted + " " + std::to_string(number);
+  }
+  return name;
+}
+
+void replaceCloth(SceneDescription& scene, const std::string& file) {
+  SceneDescription cloth = openScene(file);
+  if (!std::holds_alternative<MeshFileSource>(cloth.source)) {
+    throw InputError(file + " is no mesh; the cloth that is put into a scene must be one");
+  }
+  scene.name = cloth.name;
+  scene.title = cloth.title;
+  scene.source = std::move(cloth.source);
+  scene.pins = std::move(cloth.pins);
+  scene.settings.mesh = cloth.settings.mesh;
+  scene.position = Vec3::Zero();
+  scene.rotation = Vec3::Zero();
+  scene.pleats.reset();
+  scene.stand.reset();
+  scene.camera.reset();
+}
+
+void addBody(SceneDescription& scene, const std::string& file) {
+  if (!isMeshFile(file)) {
+    throw InputError(file + " is no mesh; only a mesh can be a body");
+  }
+  BodyDescription description;
+  description.body.name = freeName(scene.bodies, std::filesystem::path(file).stem().string());
+  description.body.motion.keyframes = {Keyframe{}};
+  description.meshes = {MeshFileSource{file, false}};
+  description.readLikeCloth = true;
+  scene.bodies.push_back(std::move(description));
+}
+
+}  // namespace
+
+SceneDescription openParts(const SceneParts& parts) {
+  if (parts.bodies.size() > mostBodies) {
+    throw InputError("there are " + std::to_string(parts.bodies.size()) + " files for bodies; drop at most " +
+                     std::to_string(mostBodies) + " at a time");
+  }
+  SceneDescription scene = openScene(parts.scene.empty() ? parts.cloth : parts.scene);
+  if (!parts.scene.empty() && !parts.cloth.empty()) {
+    replaceCloth(scene, parts.cloth);
+  }
+  for (const std::string& body : parts.bodies) {
+    addBody(scene, body);
+  }
+  if (!parts.bodies.empty() && scene.groundBelowCloth) {
+    // Bodies stand on the ground of their files, and that is where the cloth was made for them.
+    scene.groundBelowCloth = false;
+    scene.groundHeight = 0.0;
+  }
+  return scene;
+}
+
+}  // namespace drape

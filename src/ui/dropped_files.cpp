@@ -1,0 +1,99 @@
+#include "ui/dropped_files.hpp"
+
+#include "io/mesh_import.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+
+namespace drape {
+namespace {
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+bool soundsLikeABody(const std::string& file) {
+  static constexpr std::array<std::string_view, 9> words{"body",   "avatar", "mannequin", "figure", "human",
+                                                         "person", "woman",  "smpl",      "dummy"};
+  const std::string name = lowerCase(shortName(file));
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+std::string listOf(const std::vector<std::string>& files) {
+  std::string names;
+  for (const std::string& file : files) {
+    names += (names.empty() ? "" : ", ") + shortName(file);
+  }
+  return names;
+}
+
+void addSentence(std::string& text, const std::string& sentence) {
+  text += (text.empty() ? "" : " ") + sentence;
+}
+
+}  // namespace
+
+std::string shortName(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+DroppedFiles sortDropped(const std::vector<std::string>& files) {
+  DroppedFiles sorted;
+  for (const std::string& file : files) {
+    const bool scene = lowerCase(std::filesystem::path(file).extension().string()) == ".toml";
+    (scene ? sorted.scenes : isMeshFile(file) ? sorted.meshes : sorted.others).push_back(file);
+  }
+  return sorted;
+}
+
+DropDecision decide(const DroppedFiles& files) {
+  DropDecision decision;
+  if (files.scenes.size() > 1) {
+    const std::vector<std::string> left(files.scenes.begin(), files.scenes.end() - 1);
+    addSentence(decision.notice, "Only the last scene is opened, not " + listOf(left) + ".");
+  }
+  const std::size_t pieces = files.meshes.size() + (files.scenes.empty() ? 0 : 1);
+  std::vector<std::string> strangers = files.others;
+  if (pieces == 0 && !strangers.empty()) {
+    decision.open = SceneParts{.scene = strangers.front()};  // opening it says what is wrong with it
+    strangers.erase(strangers.begin());
+  } else if (pieces == 1) {
+    decision.open = SceneParts{.scene = files.scenes.empty() ? files.meshes.front() : files.scenes.back()};
+  }
+  if (!strangers.empty()) {
+    addSentence(decision.notice, "Neither scenes nor meshes, and not opened: " + listOf(strangers) + ".");
+  }
+  decision.ask = pieces > 1;
+  return decision;
+}
+
+SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth) {
+  SceneParts parts;
+  if (!files.scenes.empty()) {
+    parts.scene = files.scenes.back();
+  }
+  for (std::size_t i = 0; i < files.meshes.size(); ++i) {
+    if (i == cloth) {
+      parts.cloth = files.meshes[i];
+    } else {
+      parts.bodies.push_back(files.meshes[i]);
+    }
+  }
+  return parts;
+}
+
+std::size_t likelyCloth(const DroppedFiles& files) {
+  if (!files.scenes.empty()) {
+    return files.meshes.size();
+  }
+  const auto found = std::find_if_not(files.meshes.begin(), files.meshes.end(), soundsLikeABody);
+  return found == files.meshes.end() ? 0 : static_cast<std::size_t>(found - files.meshes.begin());
+}
+
+}  // namespace drape

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "scene/scene_parts.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drape {
+
+/// Files that were dropped on the window together, by what they are.
+struct DroppedFiles {
+  std::vector<std::string> scenes;
+  std::vector<std::string> meshes;
+  std::vector<std::string> others;  ///< neither, by their endings
+};
+
+/// Sorts files by their endings; the order within each kind stays.
+[[nodiscard]] DroppedFiles sortDropped(const std::vector<std::string>& files);
+
+/// What is to be done with them.
+struct DropDecision {
+  std::optional<SceneParts> open;  ///< at once
+  bool ask = false;                ///< which mesh is the cloth
+  std::string notice;              ///< which files are not opened, and why; or empty
+};
+
+/// One scene or one mesh is opened at once; of several scenes the last one. Where several meshes come together, or a
+/// mesh with a scene, the user has to say which is the cloth.
+[[nodiscard]] DropDecision decide(const DroppedFiles& files);
+
+/// The parts when the mesh with that index is the cloth and the others are bodies; an index beyond the meshes takes the
+/// cloth of the scene and makes bodies of all of them.
+[[nodiscard]] SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth);
+
+/// The mesh that is most likely the cloth, by the names: the first that is not called a body. For a scene and meshes
+/// beyond the meshes: the scene has a cloth.
+[[nodiscard]] std::size_t likelyCloth(const DroppedFiles& files);
+
+/// The file's name without its folder, for people.
+[[nodiscard]] std::string shortName(const std::string& file);
+
+}  // namespace drape

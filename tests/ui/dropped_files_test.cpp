@@ -1,0 +1,70 @@
+#include "ui/dropped_files.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+TEST(DroppedFiles, AreSortedByTheirEndings) {
+  const DroppedFiles files = sortDropped({"/a/Coat.OBJ", "/a/room.toml", "/a/notes.txt", "/a/body.stl"});
+  EXPECT_EQ(files.meshes, (std::vector<std::string>{"/a/Coat.OBJ", "/a/body.stl"}));
+  EXPECT_EQ(files.scenes, (std::vector<std::string>{"/a/room.toml"}));
+  EXPECT_EQ(files.others, (std::vector<std::string>{"/a/notes.txt"}));
+}
+
+TEST(DroppedFiles, OneMeshOrOneSceneIsOpenedAtOnce) {
+  for (const char* file : {"/a/coat.obj", "/a/room.toml"}) {
+    const DropDecision decision = decide(sortDropped({file}));
+    ASSERT_TRUE(decision.open) << file;
+    EXPECT_EQ(decision.open->scene, file);
+    EXPECT_FALSE(decision.ask);
+    EXPECT_TRUE(decision.notice.empty());
+  }
+}
+
+TEST(DroppedFiles, OfSeveralScenesTheLastIsOpenedAndTheOthersAreNamed) {
+  const DropDecision decision = decide(sortDropped({"/a/one.toml", "/a/two.toml", "/a/three.toml"}));
+  ASSERT_TRUE(decision.open);
+  EXPECT_EQ(decision.open->scene, "/a/three.toml");
+  EXPECT_NE(decision.notice.find("one.toml"), std::string::npos) << decision.notice;
+  EXPECT_NE(decision.notice.find("two.toml"), std::string::npos) << decision.notice;
+}
+
+TEST(DroppedFiles, AStrangerBesideAMeshIsNamed) {
+  const DropDecision decision = decide(sortDropped({"/a/coat.obj", "/a/notes.txt"}));
+  ASSERT_TRUE(decision.open);
+  EXPECT_EQ(decision.open->scene, "/a/coat.obj");
+  EXPECT_NE(decision.notice.find("notes.txt"), std::string::npos) << decision.notice;
+}
+
+TEST(DroppedFiles, StrangersAloneAreOpenedForTheMessageAndTheRestNamed) {
+  const DropDecision decision = decide(sortDropped({"/a/notes.txt", "/a/photo.jpg"}));
+  ASSERT_TRUE(decision.open);
+  EXPECT_EQ(decision.open->scene, "/a/notes.txt");
+  EXPECT_NE(decision.notice.find("photo.jpg"), std::string::npos) << decision.notice;
+}
+
+TEST(DroppedFiles, SeveralMeshesRaiseTheQuestion) {
+  const DroppedFiles files = sortDropped({"/a/Female_Body.obj", "/a/coat.obj", "/a/shoe.ply"});
+  const DropDecision decision = decide(files);
+  EXPECT_TRUE(decision.ask);
+  EXPECT_FALSE(decision.open);
+  EXPECT_EQ(likelyCloth(files), 1U) << "what is called a body is none";
+  const SceneParts parts = partsWithCloth(files, 1);
+  EXPECT_EQ(parts.cloth, "/a/coat.obj");
+  EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/Female_Body.obj", "/a/shoe.ply"}));
+  EXPECT_TRUE(parts.scene.empty());
+}
+
+TEST(DroppedFiles, ASceneAndAMeshRaiseTheQuestionAndKeepTheScenesCloth) {
+  const DroppedFiles files = sortDropped({"/a/room.toml", "/a/table.obj"});
+  EXPECT_TRUE(decide(files).ask);
+  const SceneParts parts = partsWithCloth(files, likelyCloth(files));
+  EXPECT_EQ(parts.scene, "/a/room.toml");
+  EXPECT_TRUE(parts.cloth.empty());
+  EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/table.obj"}));
+  EXPECT_EQ(partsWithCloth(files, 0).cloth, "/a/table.obj");
+}
+
+}  // namespace
+}  // namespace drape
