@@ -246,7 +246,8 @@ bool Viewer::belongsToPanels(const InputEvent& event) {
     return panels_.covers(mouse_);
   }
   if (const auto* key = std::get_if<KeyEvent>(&event)) {
-    const bool closes = key->key == Key::Escape && !controller_.holdsCloth();
+    // A key that is held down must not close what its first press has opened.
+    const bool closes = key->key == Key::Escape && !key->repeated && !controller_.holdsCloth();
     return panels_.takesText() || (closes && panels_.closeOverlay());
   }
   return false;
