@@ -69,6 +69,18 @@ struct BodyDescription {
   bool readLikeCloth = false;          ///< the meshes are in the cloth's unit, with its axis up
 };
 
+/// The ground as the cloth meets it. The renderer draws the ground apart from the bodies.
+[[nodiscard]] Body groundToTouch();
+
+/// A stand as the cloth meets it, without its shape. The renderer draws the stand apart from the bodies.
+[[nodiscard]] Body standToTouch();
+
+/// A thing that stands in a scene, such as a pole. It does not move.
+struct StandDescription {
+  MeshFileSource mesh;
+  std::optional<Body> body = standToTouch();  ///< absent: it is drawn, and the cloth passes through it
+};
+
 /// A scene as it is written down (docs/scenes.md), before anything is built.
 struct SceneDescription {
   std::string name;   ///< "flag", or the file's name
@@ -79,16 +91,16 @@ struct SceneDescription {
   Vec3 rotation = Vec3::Zero();  ///< of the mesh before that, about its own origin: axis times angle [rad]
   std::optional<Pleats> pleats;
   PinSelection pins;
-  std::optional<CameraPose> camera;     ///< absent: chosen so that the cloth fills the view
-  std::optional<MeshFileSource> stand;  ///< a thing that stands there and is drawn
+  std::optional<CameraPose> camera;  ///< absent: chosen so that the cloth fills the view
+  std::optional<StandDescription> stand;
   std::vector<BodyDescription> bodies;
-  double groundHeight = 0.0;      ///< [m]
-  std::optional<Body> ground;     ///< what the ground is like to touch; absent: the cloth falls through it
-  bool groundBelowCloth = false;  ///< put the ground under the cloth instead
-  Settings settings;              ///< the defaults with the scene's own values
+  std::optional<double> groundHeight;            ///< absent: groundHeightOf chooses [m]
+  bool groundBelowCloth = false;                 ///< an absent height is always below the cloth
+  std::optional<Body> ground = groundToTouch();  ///< absent: the cloth falls through the ground
+  Settings settings;                             ///< the defaults with the scene's own values
 };
 
-/// A thing that is drawn and does not take part.
+/// The surface of a stand.
 struct Decor {
   std::vector<Vec3> positions;  ///< [m]
   std::vector<Triangle> triangles;

@@ -1,6 +1,7 @@
 #include "scene/builtin_meshes.hpp"
 #include "scene/framing.hpp"
 #include "scene/grid_mesh.hpp"
+#include "scene/ground.hpp"
 #include "scene/mass.hpp"
 #include "scene/pin_selection.hpp"
 #include "scene/scene.hpp"
@@ -48,11 +49,11 @@ PinSelection pinsInForce(const SceneDescription& description, const Settings& se
   return pins;
 }
 
-std::optional<Decor> readStand(const std::optional<MeshFileSource>& source) {
-  if (!source) {
+std::optional<Decor> readStand(const std::optional<StandDescription>& stand) {
+  if (!stand) {
     return std::nullopt;
   }
-  ImportedMesh mesh = readMesh(*source, ImportOptions{});
+  ImportedMesh mesh = readMesh(stand->mesh, ImportOptions{});
   return Decor{std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles)};
 }
 
@@ -93,8 +94,18 @@ BodyDescription inMetres(BodyDescription body, const Settings& settings) {
   return body;
 }
 
+Body bodyOf(const Body& stand, const Decor& surface) {
+  auto shape = std::make_shared<MeshShape>();
+  shape->positions = surface.positions;
+  shape->triangles = surface.triangles;
+  Body body = stand;
+  body.shape = std::move(shape);
+  return body;
+}
+
+/// The scene's own bodies, then its stand, then its ground.
 std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& description, const Settings& settings,
-                                               double groundHeight) {
+                                               const std::optional<Decor>& stand, double groundHeight) {
   auto bodies = std::make_shared<std::vector<Body>>();
   for (const BodyDescription& written : description.bodies) {
     const BodyDescription each = inMetres(written, settings);
@@ -103,9 +114,11 @@ std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& descripti
       bodies->back().shape = readMeshShape(each);
     }
   }
+  if (stand && description.stand->body) {
+    bodies->push_back(bodyOf(*description.stand->body, *stand));
+  }
   if (description.ground) {
     bodies->push_back(*description.ground);
-    bodies->back().shape = PlaneShape{};
     bodies->back().motion.keyframes = {{0.0, Vec3(0.0, groundHeight, 0.0), Vec3::Zero()}};
   }
   return bodies;
@@ -127,7 +140,9 @@ int anchorNear(const BodyShape& shape, const Vec3& place) {
 /// Gives the pins to the body that is to carry them.
 void carryPins(const SceneDescription& description, const std::vector<int>& pins, const ClothState& start,
                std::vector<Body>& bodies) {
-  for (Body& body : bodies) {
+  // Stand and ground come after the scene's own bodies, carry nothing, and may share a name with one of them.
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    Body& body = bodies[i];
     if (body.name != description.pins.body) {
       continue;
     }
@@ -193,9 +208,8 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->stand = readStand(description.stand);
 
   const Eigen::AlignedBox3d box = boundsOf(scene->start.positions);
-  scene->groundHeight =
-      description.groundBelowCloth ? box.min().y() - 0.25 * (box.max().y() - box.min().y()) : description.groundHeight;
-  const auto bodies = buildBodies(description, settings, scene->groundHeight);
+  scene->groundHeight = groundHeightOf(description, scene->start.positions, pins);
+  const auto bodies = buildBodies(description, settings, scene->stand, scene->groundHeight);
   carryPins(description, pins, scene->start, *bodies);
   scene->bodies = bodies;
   constexpr double usualAspect = 16.0 / 9.0;

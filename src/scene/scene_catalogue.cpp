@@ -1,4 +1,5 @@
 #include "scene/builtin_meshes.hpp"
+#include "scene/opened_mesh.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_file.hpp"
 #include "sim/embedded_file.hpp"
@@ -59,6 +60,7 @@ SceneDescription sceneOfMesh(const std::filesystem::path& file) {
   scene.source = MeshFileSource{file.string(), false};
   scene.pins.top = topOfBareMesh;
   scene.groundBelowCloth = true;
+  scene.settings = openedMeshSettings();
   return scene;
 }
 

@@ -52,20 +52,38 @@ PinSelection readPins(const TomlReader& reader) {
   return pins;
 }
 
-void readGround(const TomlReader& ground, SceneDescription& scene) {
-  std::vector<std::string_view> keys{"height", "solid"};
-  keys.insert(keys.end(), surfaceKeys.begin(), surfaceKeys.end());
-  ground.allowOnly(keys);
-  scene.groundHeight = ground.number("height", -farAway, farAway).value_or(0.0);
-  Body body;
-  body.name = "ground";
-  body.drawn = false;  // it is drawn as the ground
-  readSurface(ground, body);
-  if (ground.flag("solid").value_or(false)) {
-    scene.ground = std::move(body);
-  } else if (std::any_of(surfaceKeys.begin(), surfaceKeys.end(), [&](auto key) { return ground.has(key); })) {
-    ground.fail("friction and thickness of the ground need solid = true");
+/// What of a thing that is drawn can be touched: it is solid unless it says otherwise.
+void readSolidity(const TomlReader& table, const std::string& what, std::optional<Body>& body) {
+  if (table.flag("solid").value_or(true)) {
+    readSurface(table, *body);
+    return;
   }
+  body.reset();
+  if (std::any_of(surfaceKeys.begin(), surfaceKeys.end(), [&](auto key) { return table.has(key); })) {
+    table.fail("friction and thickness of the " + what + " need solid = true");
+  }
+}
+
+std::vector<std::string_view> withSurfaceKeys(std::vector<std::string_view> keys) {
+  keys.insert(keys.end(), surfaceKeys.begin(), surfaceKeys.end());
+  return keys;
+}
+
+void readGround(const TomlReader& ground, SceneDescription& scene) {
+  ground.allowOnly(withSurfaceKeys({"height", "solid"}));
+  scene.groundHeight = ground.number("height", -farAway, farAway);
+  readSolidity(ground, "ground", scene.ground);
+}
+
+StandDescription readStand(const TomlReader& reader, const std::filesystem::path& folder) {
+  reader.allowOnly(withSurfaceKeys({"mesh", "solid"}));
+  const auto mesh = reader.text("mesh");
+  if (!mesh) {
+    reader.fail("[stand] needs mesh = \"file.obj\"");
+  }
+  StandDescription stand{meshSource(*mesh, folder)};
+  readSolidity(reader, "stand", stand.body);
+  return stand;
 }
 
 CameraPose readCamera(const TomlReader& reader) {
@@ -146,8 +164,7 @@ SceneDescription parseScene(std::string_view text, const std::string& name, cons
     scene.camera = readCamera(*camera);
   }
   if (const auto stand = reader.table("stand")) {
-    stand->allowOnly({"mesh"});
-    scene.stand = meshSource(stand->text("mesh").value_or(""), folder);
+    scene.stand = readStand(*stand, folder);
   }
   if (const auto ground = reader.table("ground")) {
     readGround(*ground, scene);

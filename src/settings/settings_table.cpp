@@ -331,7 +331,7 @@ const std::array table{
         "What the cloth looks like: a checker along its texture coordinates, or one colour."},
     SettingInfo{"view.ground", "Ground", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](Settings& s) -> bool& { return s.view.ground; }},
-        "Draws the ground. Whether it stops the cloth is for the scene to say."},
+        "Draws the ground. The ground stops the cloth even when it is not drawn; the Contact panel switches that off."},
     SettingInfo{"view.shadows", "Shadows", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](Settings& s) -> bool& { return s.view.shadows; }},
         "Draws shadows."},

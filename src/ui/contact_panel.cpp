@@ -122,9 +122,12 @@ void reportRows(PanelContext& context) {
 }  // namespace
 
 void contactPanel(PanelContext& context) {
-  const bool bodies = !context.snapshot.scene->bodies->empty();
+  const std::vector<Body>& all = *context.snapshot.scene->bodies;
+  const bool bodies = !all.empty();
+  // Every scene has a ground. It alone, or with a stand, does not make contact the thing to look at.
+  const bool ownBodies = std::any_of(all.begin(), all.end(), [](const Body& body) { return body.drawn; });
   const bool self = context.settings.step.contact.self != SelfCollision::Off;
-  if (!beginSection(context, "Contact", bodies || self)) {
+  if (!beginSection(context, "Contact", ownBodies || self)) {
     return;
   }
   settingsOfGroup(context, SettingGroup::Contact);

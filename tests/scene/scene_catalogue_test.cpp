@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -88,6 +89,58 @@ TEST(Scenes, openAMeshFileHangingByItsTop) {
   Settings free = description.settings;
   free.mesh.pins = "none";
   EXPECT_EQ(pinCount(*buildScene(description, free)), 0);
+}
+
+const Body* bodyNamed(const Scene& scene, const std::string& name) {
+  const auto found =
+      std::find_if(scene.bodies->begin(), scene.bodies->end(), [&](const Body& body) { return body.name == name; });
+  return found == scene.bodies->end() ? nullptr : &*found;
+}
+
+std::shared_ptr<const Scene> built(const std::string& nameOrPath) {
+  const SceneDescription description = openScene(nameOrPath);
+  return buildScene(description, description.settings);
+}
+
+TEST(Scenes, haveASolidGround) {
+  for (const SceneInfo& info : sceneList()) {
+    const auto scene = built(info.name);
+    const Body* ground = bodyNamed(*scene, "ground");
+    ASSERT_NE(ground, nullptr) << info.name;
+    EXPECT_EQ(ground->motion.keyframes.at(0).position.y(), scene->groundHeight) << info.name;
+  }
+}
+
+TEST(Scenes, haveTheirGroundAtZeroOrBelowClothThatStartsLower) {
+  const Folder folder;
+  const auto groundOf = [&](const std::string& height, const std::string& pins) {
+    return built(
+               folder.write("mine.toml", "[cloth]\ngrid = \"horizontal\"\nposition = [0, " + height + ", 0]\n" + pins))
+        ->groundHeight;
+  };
+  EXPECT_EQ(groundOf("0.5", ""), 0.0);
+  EXPECT_NEAR(groundOf("0", ""), -0.25, 1e-12);
+  EXPECT_NEAR(groundOf("-3", ""), -3.25, 1e-12);
+  // A sheet of 1 m that hangs from one edge reaches 1 m down; from one corner as far as its diagonal is long.
+  EXPECT_LT(groundOf("-3", "[pins]\nedges = [\"top\"]"), -4.0);
+  EXPECT_GT(groundOf("-3", "[pins]\nedges = [\"top\"]"), -4.2);
+  EXPECT_LT(groundOf("-3", "[pins]\ncorners = [\"top_left\"]"), -3.0 - std::sqrt(2.0));
+}
+
+TEST(Scenes, giveAnOpenedMeshAirDampingSelfCollisionAndASolidGroundBelowIt) {
+  const Folder folder;
+  const auto scene = built(folder.write("sheet.obj", quad));
+  const StepParameters& step = scene->description.settings.step;
+  EXPECT_GT(step.drag, 0.0);
+  EXPECT_GT(step.lift, 0.0);
+  EXPECT_GT(step.damping, 0.0);
+  EXPECT_EQ(step.contact.self, SelfCollision::Hash);
+  EXPECT_NE(bodyNamed(*scene, "ground"), nullptr);
+  EXPECT_LT(scene->groundHeight, -0.2);
+  // A scene file starts from the table's defaults.
+  const auto mine = built(folder.write("mine.toml", "[cloth]\nmesh = \"sheet.obj\"\n"));
+  EXPECT_EQ(mine->description.settings.step.drag, Settings().step.drag);
+  EXPECT_EQ(mine->description.settings.step.contact.self, SelfCollision::Off);
 }
 
 TEST(Scenes, takeAMeshFilesUnitFromTheSettings) {

@@ -63,7 +63,7 @@ unit = "cm"
   EXPECT_EQ(scene.pins.boxes.front().max, Vec3(1, 1, 1));
   EXPECT_EQ(scene.pins.every, 2);
   EXPECT_EQ(scene.camera->viewAngle, 50.0);
-  EXPECT_EQ(scene.stand->path, "/folder/pole.obj");
+  EXPECT_EQ(scene.stand->mesh.path, "/folder/pole.obj");
   EXPECT_EQ(scene.groundHeight, -0.5);
   EXPECT_DOUBLE_EQ(scene.settings.step.timeStep, 1.0 / 300.0);
   EXPECT_EQ(scene.settings.step.stiffness, 250.0);
@@ -182,12 +182,30 @@ TEST(SceneBodies, areRefusedWithFileAndLineWhenTheyMakeNoSense) {
       {"[[bodies]]\nshape = \"sphere\"\nkeyframes = [{ time = 1 }, { time = 1 }]", "times must ascend"},
       {"[[bodies]]\nshape = \"sphere\"\nstatic_friction = 0.2\nkinetic_friction = 0.3", "must not be larger"},
       {"[[bodies]]\nname = \"a\"\nshape = \"sphere\"\n[[bodies]]\nname = \"a\"\nshape = \"sphere\"", "two bodies"},
-      {"[ground]\nthickness = 0.1", "need solid = true"}};
+      {"[ground]\nsolid = false\nthickness = 0.1", "need solid = true"}};
   for (const auto& [body, message] : cases) {
     const std::string refused = refusal(sheetText + body);
     EXPECT_NE(refused.find(message), std::string::npos) << body << "\n" << refused;
     EXPECT_NE(refused.find("toml:"), std::string::npos) << refused;
   }
+}
+
+TEST(SceneFile, hasASolidGroundUnlessItSaysOtherwise) {
+  EXPECT_TRUE(parse(sheetText).ground);
+  EXPECT_TRUE(parse(std::string(sheetText) + "[ground]\nheight = 1").ground);
+  EXPECT_FALSE(parse(std::string(sheetText) + "[ground]\nsolid = false").ground);
+  EXPECT_FALSE(parse(sheetText).groundHeight);
+  EXPECT_EQ(parse(std::string(sheetText) + "[ground]\nstatic_friction = 0.2").ground->surface.staticFriction, 0.2);
+}
+
+TEST(SceneFile, hasASolidStandUnlessItSaysOtherwise) {
+  const std::string stand = std::string(sheetText) + "[stand]\nmesh = \"pole.obj\"\n";
+  EXPECT_TRUE(parse(stand).stand->body);
+  EXPECT_FALSE(parse(stand + "solid = false").stand->body);
+  EXPECT_EQ(parse(stand + "thickness = 0.004").stand->body->surface.thickness, 0.004);
+  EXPECT_NE(refusal(stand + "solid = false\nthickness = 0.004").find("need solid = true"), std::string::npos);
+  const std::string noMesh = refusal(std::string(sheetText) + "[stand]\nsolid = true");
+  EXPECT_NE(noMesh.find("toml:3: [stand] needs mesh"), std::string::npos) << noMesh;
 }
 
 TEST(SceneFile, takesAsCarrierOfThePinsOnlyABodyThatThereIs) {

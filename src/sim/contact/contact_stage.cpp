@@ -70,6 +70,13 @@ ContactReport ContactStage::resolve(const ClothModel& model, const StepParameter
   if (!active_ || !isSomewhere(start_) || !isSomewhere(state.positions)) {
     return report;
   }
+  // Most cloth is nowhere near the ground of its scene. It then pays for two boxes.
+  const bool nearBodies =
+      meetsBodies(parameters, inputs) &&
+      bodyContact().couldMeetAny(parameters, *inputs.bodies, boundsOf(start_), boundsOf(state.positions));
+  if (parameters.contact.self == SelfCollision::Off && !nearBodies) {
+    return report;
+  }
   unresolved_.positions = state.positions;
   unresolved_.velocities = state.velocities;
   // The cloth against itself comes first, bodies last: no cloth may be pushed into a body.
