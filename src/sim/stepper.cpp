@@ -75,7 +75,7 @@ int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters,
   }
   const int fewest = static_cast<int>(std::ceil(parameters.timeStep / longestRound * (1.0 - rounding)));
   const int nearBodies = std::max(fewest, shortest);
-  return nearBodies > nearItself && contact_.isNearBodies(parameters, inputs, state) ? nearBodies : nearItself;
+  return nearBodies > nearItself && contact_.isNearBodies(model, parameters, inputs, state) ? nearBodies : nearItself;
 }
 
 int Stepper::roundsForStiffness(const ClothModel& model, const StepParameters& parameters) {

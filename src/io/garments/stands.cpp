@@ -1,6 +1,7 @@
 #include "io/garments/garments.hpp"
 #include "io/garments/solids.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,11 +13,23 @@ using namespace garment;
 constexpr double pi = std::numbers::pi;
 constexpr double poleRadius = 0.011;     // [m]
 constexpr double hoopThickness = 0.006;  // radius of the bar that it is bent from [m]
+constexpr double hoopGap = 0.016;        // from a hoop to the cloth around it: contact keeps less than that [m]
 constexpr double spokeRadius = 0.004;    // [m]
 constexpr double barRadius = 0.007;      // of the shoulder bar [m]
 constexpr double barDepth = 0.02;        // of its axis below the shoulder line: cloth on it falls to both sides [m]
 constexpr int roundSegments = 64;        // around base and pole
 constexpr int barSegments = 16;          // around bars
+constexpr double longest = 0.06;         // part of a bar or a pole: long triangles make contact slow [m]
+
+/// A straight bar.
+void addStraightBar(const Vec3& from, const Vec3& to, double radius, RawMesh& mesh) {
+  const int parts = std::max(2, static_cast<int>(std::ceil((to - from).norm() / longest)));
+  std::vector<Vec3> axis;
+  for (int i = 0; i <= parts; ++i) {
+    axis.emplace_back(from + (to - from) * i / parts);
+  }
+  addBar(axis, false, radius, barSegments, mesh);
+}
 
 /// A heavy base of that radius, a pole, and a knob that ends at `top`.
 void addBaseAndPole(double baseRadius, double top, RawMesh& stand) {
@@ -32,8 +45,12 @@ void addBaseAndPole(double baseRadius, double top, RawMesh& stand) {
   silhouette.push_back({0.040, 0.023});
   add(rounding({0.036, 0.024}, {poleRadius + 0.006, 0.042}, true));
   add(rounding({poleRadius + 0.006, 0.070}, {poleRadius, 0.076}, false));
-  silhouette.push_back({poleRadius, 0.1});
-  silhouette.push_back({poleRadius, knobBottom - 0.01});
+  constexpr double poleBottom = 0.1;
+  const double poleTop = knobBottom - 0.01;
+  const int parts = static_cast<int>(std::ceil((poleTop - poleBottom) / longest));
+  for (int i = 0; i <= parts; ++i) {
+    silhouette.push_back({poleRadius, poleBottom + (poleTop - poleBottom) * i / parts});
+  }
   silhouette.push_back({poleRadius, knobBottom});
   constexpr int knobRings = 12;
   const double start = std::asin(poleRadius / knobRadius);
@@ -70,8 +87,8 @@ void addHoop(double outerRadius, double height, int spokes, RawMesh& stand) {
 RawMesh makeSkirtStand() {
   RawMesh stand;
   addBaseAndPole(0.17, waistHeight + 0.045, stand);
-  addHoop(waistRadius, waistHeight, 3, stand);
-  addHoop(hipRadius(), hipHeight, 3, stand);
+  addHoop(waistRadius - hoopGap, waistHeight, 3, stand);
+  addHoop(hipRadius() - hoopGap, hipHeight, 3, stand);
   return stand;
 }
 
@@ -109,12 +126,10 @@ RawMesh makeTable() {
 RawMesh makeCurtainRail() {
   RawMesh rail;
   const double end = 0.5 * railLength;
-  addBar({Vec3(-end, railHeight, 0.0), Vec3(0.0, railHeight, 0.0), Vec3(end, railHeight, 0.0)}, false, 0.012,
-         barSegments, rail);
+  addStraightBar(Vec3(-end, railHeight, 0.0), Vec3(end, railHeight, 0.0), 0.012, rail);
   for (const double x : {-end, end}) {
-    addBar({Vec3(x, 0.0, 0.0), Vec3(x, 0.5 * railHeight, 0.0), Vec3(x, railHeight + 0.03, 0.0)}, false, 0.016,
-           barSegments, rail);
-    addBar({Vec3(x, 0.012, -0.25), Vec3(x, 0.012, 0.0), Vec3(x, 0.012, 0.25)}, false, 0.012, barSegments, rail);
+    addStraightBar(Vec3(x, 0.0, 0.0), Vec3(x, railHeight + 0.03, 0.0), 0.016, rail);
+    addStraightBar(Vec3(x, 0.012, -0.25), Vec3(x, 0.012, 0.25), 0.012, rail);
   }
   return rail;
 }

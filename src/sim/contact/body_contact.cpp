@@ -76,7 +76,7 @@ void BodyContact::place(const Cloth& cloth, const std::vector<Vec3>* safe) {
 /// What a mesh that moves in itself takes along goes as far as the mesh does there.
 void BodyContact::makeRoomForMoves(const Cloth& cloth, const NearBody& near) {
   moves_.resize(room_.size(), 0.0);
-  const ClothClusters& clusters = clustersOf(cloth);
+  const ClothClusters& clusters = clustersOf(cloth.model);
   for (std::size_t c = 0; c < clusters.count(); ++c) {
     Eigen::AlignedBox3d box;
     for (const int vertex : clusters.vertices(c)) {
@@ -116,7 +116,7 @@ bool BodyContact::search(const Cloth& cloth, bool settled) {
     const ClothInBody inBody = clothIn(cloth, near, near.target);
     if (near.mesh != nullptr) {
       near.meshSearch.findTouches(BodySide(*near.step, static_cast<int>(b), reach), near.meshInStep(settled), inBody,
-                                  clustersOf(cloth), workers_, cloth.parameters.threads, found_);
+                                  clustersOf(cloth.model), workers_, cloth.parameters.threads, found_);
       continue;
     }
     const int before = found_.overlaps;
@@ -139,7 +139,7 @@ bool BodyContact::searchSharp(const Cloth& cloth, bool settled) {
     NearBody& near = near_[b];
     if (near.mesh != nullptr) {
       near.meshSearch.findSharpTouches(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
-                                       clothIn(cloth, near, near.placed), clustersOf(cloth), workers_,
+                                       clothIn(cloth, near, near.placed), clustersOf(cloth.model), workers_,
                                        cloth.parameters.threads, found_);
     }
   }
@@ -155,10 +155,10 @@ bool BodyContact::searchPlanes(const Cloth& cloth, bool settled) {
     NearBody& near = near_[b];
     if (near.mesh != nullptr) {
       const ClothInBody inBody = clothIn(cloth, near, near.placed);
-      news =
-          near.meshSearch.findPlanes(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
-                                     inBody, clustersOf(cloth), needed_, workers_, cloth.parameters.threads, found_) ||
-          news;
+      news = near.meshSearch.findPlanes(BodySide(*near.step, static_cast<int>(b), near.reach), near.meshInStep(settled),
+                                        inBody, clustersOf(cloth.model), needed_, workers_, cloth.parameters.threads,
+                                        found_) ||
+             news;
     }
   }
   return news;
@@ -232,8 +232,8 @@ const std::vector<OwnedFeatures>& BodyContact::ownedOf(const Cloth& cloth) {
   return owned_.get(cloth.model, [](const ClothModel& m) { return ownedFeatures(m.triangles, m.vertexCount()); });
 }
 
-const ClothClusters& BodyContact::clustersOf(const Cloth& cloth) {
-  return clusters_.get(cloth.model, [this](const ClothModel& m) {
+const ClothClusters& BodyContact::clustersOf(const ClothModel& model) {
+  return clusters_.get(model, [this](const ClothModel& m) {
     ++models_;
     return ClothClusters(m);
   });
@@ -290,7 +290,7 @@ bool BodyContact::pass(const Cloth& cloth, const std::vector<Vec3>* safe, Contac
   const bool settled = safe != nullptr;
   for (std::size_t b = 0; b < nearCount_; ++b) {
     if (near_[b].mesh != nullptr) {
-      clustersOf(cloth);  // counts models
+      clustersOf(cloth.model);  // counts models
       near_[b].meshSearch.begin(*near_[b].mesh, models_);
     }
   }
@@ -363,7 +363,7 @@ void BodyContact::resolve(const ClothModel& model, const StepParameters& paramet
   Eigen::AlignedBox3d ends = boundsOf(target_);
   calmed_.clear();
   nearCount_ = 0;
-  while (chooseBodies(cloth, bodies, ends)) {
+  while (chooseBodies(cloth, bodies, state.positions, ends)) {
     passes(cloth, report, state.positions);
     ends.extend(boundsOf(state.positions));  // where bodies have taken it there may be others
   }

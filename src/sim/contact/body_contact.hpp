@@ -4,6 +4,7 @@
 #include "sim/contact/barrier_filter.hpp"
 #include "sim/contact/body_search.hpp"
 #include "sim/contact/contact_report.hpp"
+#include "sim/contact/mesh_clearance.hpp"
 #include "sim/contact/mesh_search.hpp"
 #include "sim/contact/overlap.hpp"
 #include "sim/contact/touch_solver.hpp"
@@ -36,6 +37,13 @@ class BodyContact {
   [[nodiscard]] bool couldMeetAny(const StepParameters& parameters, const std::vector<BodyStep>& bodies,
                                   const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end);
 
+  /// Whether cloth on its way from `start` to `end` is so near to a body that the step should be taken in rounds.
+  /// Follows from nothing but that.
+  /// @param spread how far from `end` it may arrive [m]
+  [[nodiscard]] bool isNearAny(const ClothModel& model, const StepParameters& parameters,
+                               const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start,
+                               const std::vector<Vec3>& end, double spread);
+
  private:
   struct Cloth {
     const ClothModel& model;
@@ -57,7 +65,12 @@ class BodyContact {
     [[nodiscard]] MeshInStep meshInStep(bool settled) const;
   };
 
-  bool chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& bodies, const Eigen::AlignedBox3d& ends);
+  bool chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& bodies, const std::vector<Vec3>& positions,
+                    const Eigen::AlignedBox3d& ends);
+  ClothWay wayIn(const BodyStep& step, const ClothModel& model, const std::vector<Vec3>& start,
+                 const std::vector<Vec3>& end);
+  bool staysClearOf(const Cloth& cloth, const BodyStep& step, const SearchableMesh& mesh,
+                    const std::vector<Vec3>& positions);
   void addNear(const Cloth& cloth, const BodyStep& step, SearchableMesh* mesh);
   void findOverlaps(const Cloth& cloth, bool settled, bool first);
   void makeRoomForExits();
@@ -80,7 +93,8 @@ class BodyContact {
   void placeSolved(const Cloth& cloth, const std::vector<Vec3>& positions);
   void narrowRoom();
   const std::vector<OwnedFeatures>& ownedOf(const Cloth& cloth);
-  const ClothClusters& clustersOf(const Cloth& cloth);
+  const ClothClusters& clustersOf(const ClothModel& model);
+  const std::vector<int>& piecesOf(const ClothModel& model);
   void searchRound(const Cloth& cloth, const ClothInBody& inBody, const BodySearch& body);
   bool pass(const Cloth& cloth, const std::vector<Vec3>* safe, ContactReport& report, std::vector<Vec3>& positions);
   void correctPositions(const Cloth& cloth, std::vector<Vec3>& positions);
@@ -96,6 +110,9 @@ class BodyContact {
   std::uint64_t models_ = 0;             // for which there were clusters
   ModelCache<std::vector<double>> inverseMass_;
   std::map<const Body*, std::unique_ptr<SearchableMesh>> meshes_;  // looked up, never gone through
+  std::map<const Body*, MeshClearance> clearances_;                // likewise
+  std::vector<Vec3> localStart_;                                   // of wayIn [m]
+  std::vector<Vec3> localEnd_;                                     // likewise
   std::vector<NearBody> near_;
   std::size_t nearCount_ = 0;
   std::vector<double> room_;

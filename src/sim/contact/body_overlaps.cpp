@@ -38,6 +38,10 @@ std::vector<int> firstOfPieces(const ClothModel& model) {
 
 }  // namespace
 
+const std::vector<int>& BodyContact::piecesOf(const ClothModel& model) {
+  return pieces_.get(model, firstOfPieces);
+}
+
 /// @return true when that is news
 bool BodyContact::findRoundOverlap(const Cloth& cloth, NearBody& near, RoundSolid&& solid) {
   if (near.overlaps) {
@@ -61,7 +65,7 @@ void BodyContact::findOverlaps(const Cloth& cloth, bool settled, bool first) {
     if (near.mesh != nullptr && near.mesh->closed) {
       const MeshInStep mesh = near.meshInStep(settled);
       MeshSolid solid(mesh);
-      const std::vector<int>& pieces = pieces_.get(cloth.model, firstOfPieces);
+      const std::vector<int>& pieces = piecesOf(cloth.model);
       near.overlaps = first ? std::any_of(pieces.begin(), pieces.end(),
                                           [&](int v) { return solid.contains(vectorAt(near.base, v)); })
                             : near.overlaps || near.meshSearch.pierced();

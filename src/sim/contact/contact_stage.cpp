@@ -42,14 +42,15 @@ void ContactStage::begin(const StepParameters& parameters, const StepInputs& inp
   }
 }
 
-bool ContactStage::isNearBodies(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state) {
+bool ContactStage::isNearBodies(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                const ClothState& state) {
   const double fall = parameters.gravity * parameters.timeStep * parameters.timeStep;
-  Eigen::AlignedBox3d end;
+  ahead_.resize(state.positions.size());
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
-    end.extend(Vec3(state.positions[v] + parameters.timeStep * state.velocities[v]));
+    ahead_[v] = state.positions[v] + parameters.timeStep * state.velocities[v];
   }
   return isSomewhere(state.positions) &&
-         bodyContact().couldMeetAny(parameters, *inputs.bodies, boundsOf(state.positions), inflated(end, fall));
+         bodyContact().isNearAny(model, parameters, *inputs.bodies, state.positions, ahead_, fall);
 }
 
 bool ContactStage::isNearItself(const StepParameters& parameters, const ClothState& state) {

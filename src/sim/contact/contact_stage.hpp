@@ -38,7 +38,8 @@ class ContactStage {
 
   /// Whether the cloth is near a body, or on its way to one in this step, as far as its speed and gravity tell.
   /// To be asked only where there are bodies.
-  [[nodiscard]] bool isNearBodies(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state);
+  [[nodiscard]] bool isNearBodies(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                  const ClothState& state);
 
   /// Whether the cloth may meet itself in this step: self-collision is on and knows of near pairs, or nothing yet.
   [[nodiscard]] static bool isNearItself(const StepParameters& parameters, const ClothState& state);
@@ -62,6 +63,7 @@ class ContactStage {
   std::vector<Vec3> start_;              // positions when the step began [m]
   std::unique_ptr<BodyContact> bodies_;  // made when bodies are met
   ClothState unresolved_;
+  std::vector<Vec3> ahead_;  // where the cloth's speed takes it [m]
   std::vector<ContactPoint> points_;
   std::unique_ptr<SelfContact> self_;  // made when it is asked for
 };
