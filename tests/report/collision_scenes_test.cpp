@@ -38,5 +38,21 @@ TEST(BuiltInScenes, letNoTriangleIntoABodyFromTheirBeginning) {
   }
 }
 
+// The long form of these two is scripts/judge-scenes --winds.
+TEST(BuiltInScenes, letNoTriangleIntoABodyInWind) {
+  for (const char* name : {"skirt", "flag", "curtain"}) {
+    for (const char* wind : {"wind.x=-10", "wind.z=-10"}) {
+      const CollisionRun run = beginningOf(name, {"wind.x=0", "wind.z=0", wind});
+      expectNothingInsideBodies(run, std::string(name) + ", " + wind);
+    }
+  }
+}
+
+TEST(BuiltInScenes, letNoTriangleIntoABodyWithoutPins) {
+  for (const char* name : {"skirt", "flag", "curtain"}) {
+    expectNothingInsideBodies(beginningOf(name, {"pins=none"}), name);
+  }
+}
+
 }  // namespace
 }  // namespace drape

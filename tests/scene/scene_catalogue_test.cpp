@@ -102,12 +102,19 @@ std::shared_ptr<const Scene> built(const std::string& nameOrPath) {
   return buildScene(description, description.settings);
 }
 
-TEST(Scenes, haveASolidGround) {
+TEST(Scenes, areSolidWhereTheyDrawAStandOrTheGround) {
   for (const SceneInfo& info : sceneList()) {
     const auto scene = built(info.name);
     const Body* ground = bodyNamed(*scene, "ground");
     ASSERT_NE(ground, nullptr) << info.name;
     EXPECT_EQ(ground->motion.keyframes.at(0).position.y(), scene->groundHeight) << info.name;
+    const Body* stand = bodyNamed(*scene, "stand");
+    ASSERT_EQ(stand != nullptr, scene->stand.has_value()) << info.name;
+    if (stand != nullptr) {
+      const auto& mesh = *std::get<std::shared_ptr<const MeshShape>>(stand->shape);
+      EXPECT_EQ(mesh.positions, scene->stand->positions) << info.name;
+      EXPECT_EQ(mesh.triangles, scene->stand->triangles) << info.name;
+    }
   }
 }
 

@@ -219,7 +219,7 @@ TEST(Bodies, doNotTakeASurfaceThatThereIsNot) {
 
 TEST(Bodies, areNotThereForCommandsThatNameNone) {
   Simulation simulation(sheetOnTable());
-  for (const int body : {-1, 2}) {
+  for (const int body : {-1, static_cast<int>(simulation.scene().bodies->size())}) {
     simulation.apply(MoveBodyCommand{body, Vec3::Zero()});
     EXPECT_NE(simulation.message().find("there is no body"), std::string::npos);
     simulation.apply(SetSettingCommand{"gravity", 9.0});
