@@ -143,6 +143,18 @@ TEST(Bodies, theGroundStopsClothThatNothingHolds) {
   }
 }
 
+TEST(Bodies, aStandAndAGroundThatAreNotTouchedChangeNoBit) {
+  const auto afterSteps = [](bool bodies) {
+    SceneDescription description = openScene("skirt");
+    description.settings.step.contact.bodies = bodies;
+    Simulation simulation(buildScene(description, description.settings));
+    advance(simulation, 40);
+    EXPECT_EQ(simulation.lastStepReport().contact.bodyContacts, 0);
+    return simulation.state().positions;
+  };
+  EXPECT_EQ(afterSteps(true), afterSteps(false));
+}
+
 TEST(Bodies, whatIsSwitchedOffLetsTheClothThrough) {
   Simulation simulation(sheetOnTable());
   advance(simulation, 20);
