@@ -14,8 +14,8 @@ struct Keyframe {
   Vec3 rotation = Vec3::Zero();  ///< axis times angle [rad]; more than a turn is allowed
 };
 
-/// How a body moves by itself. Between keyframes positions and rotations follow cubic curves whose velocity does not
-/// jump (Catmull and Rom 1974, for unequal times): at a keyframe it is that of the chord between its neighbours. Before
+/// How a body moves by itself. Between keyframes each component follows a cubic curve whose velocity does not jump and
+/// which stays between the two values (monotone interpolation, Fritsch and Carlson 1980): it never overshoots. Before
 /// the first keyframe and after the last one the body rests, and it comes to rest there smoothly; with `loop` the first
 /// follows the last without a stop, and they should be alike (rotations up to whole turns).
 struct BodyMotion {
