@@ -1,5 +1,7 @@
 #include "render/framebuffer.hpp"
 
+#include <algorithm>
+
 namespace drape {
 
 void Framebuffer::begin(int width, int height) {
@@ -13,20 +15,30 @@ void Framebuffer::begin(int width, int height) {
 }
 
 void Framebuffer::allocate() {
-  glBindRenderbuffer(GL_RENDERBUFFER, sampledColour_.name());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width_, height_);
-  glBindRenderbuffer(GL_RENDERBUFFER, sampledDepth_.name());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width_, height_);
+  while (!allocateSamples() && samples_ > 0) {
+    samples_ = samples_ > 2 ? samples_ / 2 : 0;
+  }
+  requireCompleteFramebuffer("the picture's samples");
   glBindRenderbuffer(GL_RENDERBUFFER, colour_.name());
   glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_, height_);
-
-  glBindFramebuffer(GL_FRAMEBUFFER, multisampled_.name());
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, sampledColour_.name());
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sampledDepth_.name());
-  requireCompleteFramebuffer("the picture's samples");
   glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.name());
   requireCompleteFramebuffer("the picture");
+}
+
+/// Binds the multisampled part with `samples_` samples a pixel, 0 for none. False when the driver refuses that.
+bool Framebuffer::allocateSamples() {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  samples_ = std::clamp(samples_, 0, std::max(most, 0));
+  glBindRenderbuffer(GL_RENDERBUFFER, sampledColour_.name());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, width_, height_);
+  glBindRenderbuffer(GL_RENDERBUFFER, sampledDepth_.name());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, width_, height_);
+  glBindFramebuffer(GL_FRAMEBUFFER, multisampled_.name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, sampledColour_.name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sampledDepth_.name());
+  return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 void Framebuffer::resolve() {
