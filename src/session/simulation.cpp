@@ -3,6 +3,7 @@
 #include "scene/mass.hpp"
 #include "settings/surface_fields.hpp"
 #include "sim/error.hpp"
+#include "sim/hand_limit.hpp"
 #include "sim/unfolding.hpp"
 
 #include <algorithm>
@@ -329,7 +330,9 @@ std::optional<Grab> Simulation::grabInForce() const {
   if (!grab_) {
     return std::nullopt;
   }
-  return Grab{grab_->triangle, grab_->barycentric, grab_->target, settings_.hand.stiffness, settings_.hand.maxForce};
+  const double borne = forceThatClothBears(*model_, settings_.step, grab_->triangle, grab_->barycentric);
+  return Grab{grab_->triangle, grab_->barycentric, grab_->target, settings_.hand.stiffness,
+              std::min(settings_.hand.maxForce, borne)};
 }
 
 Vec3 Simulation::grabbedPoint() const {

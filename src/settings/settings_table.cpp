@@ -320,7 +320,7 @@ const std::array table{
         "Stiffness of the spring by which the mouse pulls at the cloth."},
     SettingInfo{"hand.max_force", "Hand force", "N", Scene, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.hand.maxForce; }, 0.01, 1000.0, true},
-        "The mouse never pulls harder than this."},
+        "The mouse never pulls harder than this, nor harder than stretches the cloth around it by about a fifth."},
 
     SettingInfo{"view.wireframe", "Wireframe", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](Settings& s) -> bool& { return s.view.wireframe; }},
