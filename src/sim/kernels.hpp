@@ -4,6 +4,7 @@
 #include "sim/vector.hpp"
 
 #include <cmath>
+#include <numbers>
 
 /// The formulas of the method, as pure functions: one vertex or one spring at a time, no model and no state. Equation
 /// numbers are those of the paper on the one-iteration implicit mass-spring step (docs/method.md tells which paper, and
@@ -76,12 +77,32 @@ inline constexpr double shortestLength = 1e-9;
 }
 
 /// Lift (eqs. 19, 20): K (1 - |n.v^|) |v|^2 U [N] with U = (n x v^) x v^, where n is turned to face v^. The print lacks
-/// the absolute value; without it a vertex seen from behind would be lifted twice.
+/// the absolute value; without it a vertex seen from behind would be lifted twice. None where neither side faces v^.
 [[nodiscard]] inline Vec3 liftForce(const Vec3& normal, double speed, const Vec3& heading, double liftFactor) {
   const double facing = normal.dot(heading);
+  if (facing == 0.0) {
+    return Vec3::Zero();
+  }
   const Vec3 front = facing < 0.0 ? Vec3(-normal) : normal;
   const Vec3 direction = front.cross(heading).cross(heading);
   return (liftFactor * (1.0 - std::abs(facing)) * speed * speed) * direction;
+}
+
+/// How steeply the lift of a thin plate rises from none where it lies along the wind: the force is at most
+/// R S |n.v| |v| with R = 1/2 rho 2 pi (thin aerofoils: Anderson, Fundamentals of Aerodynamics, eq. 4.33).
+/// @param airDensity rho [kg/m^3]  @return R [kg/m^3]
+[[nodiscard]] inline double liftRise(double airDensity) {
+  return std::numbers::pi * airDensity;
+}
+
+/// The lift above, but no more than that of a thin plate: continuous where the surface lies along v^ [N].
+/// @param riseFactor R S [kg/m]
+[[nodiscard]] inline Vec3 risingLiftForce(const Vec3& normal, double speed, const Vec3& heading, double liftFactor,
+                                          double riseFactor) {
+  const Vec3 force = liftForce(normal, speed, heading, liftFactor);
+  const double most = riseFactor * std::abs(normal.dot(heading)) * speed * speed;
+  const double size = force.norm();
+  return size > most ? Vec3(force * (most / size)) : force;
 }
 
 /// The air's force on a vertex [N], held back to what would stop it against the air within one step. Evaluated at the

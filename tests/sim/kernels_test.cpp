@@ -166,6 +166,25 @@ TEST(Lift, isAcrossTheVelocityAndTheSameFromEitherSide) {
   EXPECT_GT(force.norm(), 0.0);
 }
 
+TEST(Lift, isNoneWhereNeitherSideFacesTheWind) {
+  EXPECT_EQ(kernels::liftForce(Vec3::UnitY(), 2.0, Vec3::UnitX(), 0.1), Vec3(Vec3::Zero()));
+  EXPECT_EQ(kernels::liftForce(-Vec3::UnitY(), 2.0, Vec3::UnitX(), 0.1), Vec3(Vec3::Zero()));
+}
+
+TEST(RisingLift, growsFromNoneAsAThinPlatesAndBecomesTheLiftOfThePrint) {
+  constexpr double speed = 3.0;
+  constexpr double lift = 0.1;
+  constexpr double rise = 0.7;
+  for (const double incidence : {-0.5, -0.01, -1e-6, 1e-6, 0.02, 0.9}) {
+    const Vec3 normal(incidence, std::sqrt(1.0 - incidence * incidence), 0.0);
+    const Vec3 force = kernels::risingLiftForce(normal, speed, Vec3::UnitX(), lift, rise);
+    const Vec3 printed = kernels::liftForce(normal, speed, Vec3::UnitX(), lift);
+    EXPECT_NEAR(force.norm(), std::min(printed.norm(), rise * std::abs(incidence) * speed * speed), 1e-12) << incidence;
+    EXPECT_LT(force.cross(printed).norm(), 1e-12) << "the same direction";
+    EXPECT_GE(force.dot(printed), 0.0);
+  }
+}
+
 TEST(Lift, raisesAPlateThatIsTiltedUpAgainstTheWind) {
   // The plate moves to +x with its leading edge up, so that its underside meets the air.
   const Vec3 underside = Vec3(1.0, -1.0, 0.0).normalized();

@@ -2,6 +2,7 @@
 
 #include "sim/adaptive/lane_sum.hpp"
 #include "sim/adaptive/slot_stiffness.hpp"
+#include "sim/kernels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,7 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
                                EnergyLooks looks) {
   cloth_ = &cloths_.get(model);
   step_ = sliceStepOf<T>(parameters);
-  step_.holdsLift = true;
+  step_.liftRise = static_cast<T>(kernels::liftRise(parameters.airDensity));
   const double substep = parameters.timeStep / plan.substeps;
   damping_ = {.timedDamping = static_cast<T>(substep * parameters.damping), .stages = plan.dampingStages};
   if (plan.dampingStages > 0) {

@@ -3,12 +3,15 @@
 #include "sim/contact/body.hpp"
 #include "sim/contact/contact_stage.hpp"
 #include "sim/diagnostics.hpp"
+#include "sim/kernels.hpp"
+#include "sim/normals.hpp"
 #include "sim/pieces.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <initializer_list>
+#include <span>
 
 namespace drape {
 namespace {
@@ -55,6 +58,49 @@ bool areNear(const std::vector<Vec3>& places, const std::vector<Vec3>& before, d
                     [&](const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() <= distance * distance; });
 }
 
+/// Weight and the air's force on a vertex that does not move [N].
+Vec3 pushOn(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& positions,
+            std::size_t vertex) {
+  const Vec3 weight(0.0, -model.vertexMass[vertex] * parameters.gravity, 0.0);
+  const double speed = parameters.wind.norm();
+  if (speed == 0.0 || (parameters.drag == 0.0 && parameters.lift == 0.0)) {
+    return weight;
+  }
+  const double area = model.vertexArea[vertex];
+  const double pressureArea = 0.5 * parameters.airDensity * area;
+  const Vec3 normal = vertexNormal(model, positions, static_cast<int>(vertex));
+  const Vec3 heading = -parameters.wind / speed;
+  return weight + kernels::dragForce(normal, speed, heading, pressureArea * parameters.drag) +
+         kernels::risingLiftForce(normal, speed, heading, pressureArea * parameters.lift,
+                                  kernels::liftRise(parameters.airDensity) * area);
+}
+
+/// Where weight and air take a piece as a whole in a hundredth of a second: 0.5 mm down in still air [m].
+Vec3 moveOf(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& positions,
+            const std::vector<std::size_t>& piece) {
+  constexpr double seconds = 0.01;
+  Vec3 force = Vec3::Zero();
+  double mass = 0.0;
+  for (const std::size_t v : piece) {
+    force += pushOn(model, parameters, positions, v);
+    mass += model.vertexMass[v];
+  }
+  return 0.5 * seconds * seconds / mass * force;
+}
+
+struct PushedPiece {
+  const std::vector<std::size_t>* vertices = nullptr;
+  Vec3 move = Vec3::Zero();  ///< [m]
+};
+
+/// Whether contact took a tenth of a piece's move back at one of its vertices at least.
+bool isTakenBack(const PushedPiece& piece, const std::vector<Vec3>& before, const std::vector<Vec3>& after) {
+  constexpr double left = 0.9;
+  return std::any_of(piece.vertices->begin(), piece.vertices->end(), [&](std::size_t v) {
+    return (after[v] - before[v]).dot(piece.move) < left * piece.move.squaredNorm();
+  });
+}
+
 bool isAsLeft(const ClothState& state) {
   return state.positions == *state.memory.anchor &&
          std::all_of(state.velocities.begin(), state.velocities.end(), [](const Vec3& v) { return v.isZero(0.0); });
@@ -90,23 +136,57 @@ bool RestWatch::holds(const ClothModel& model, const StepParameters& parameters,
   if (state.time < memory.anchorTime + restingTime) {
     return false;
   }
+  if (!isCarried(model, facts, parameters, inputs, state)) {
+    memory.anchor.reset();
+    return false;
+  }
   std::fill(state.velocities.begin(), state.velocities.end(), Vec3::Zero());
   memory.anchor = std::make_shared<const std::vector<Vec3>>(state.positions);
   memory.restsWith = markOf(facts, parameters, inputs);
   return true;
 }
 
-/// Free cloth stays in one place only where something carries it.
+/// Free cloth stays in one place only where there is something that may carry it.
 bool RestWatch::canRest(const Facts& facts, const StepParameters& parameters, const StepInputs& inputs) {
   const bool fades = parameters.damping > 0.0 || parameters.drag > 0.0;
-  const bool carried = facts.held || (parameters.gravity > 0.0 && meetsBodies(parameters, inputs));
+  const bool held = facts.freePieces.empty() || meetsBodies(parameters, inputs);
   const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), standsStill);
-  return fades && carried && still && !inputs.grab;
+  return fades && held && still && !inputs.grab;
+}
+
+/// A trial: free pieces are moved a little to where weight and air push them. A piece is carried when contact takes
+/// that back. Where all of them move at once, one that lies on another does not meet it; so it is then moved by itself.
+bool RestWatch::isCarried(const ClothModel& model, const Facts& facts, const StepParameters& parameters,
+                          const StepInputs& inputs, const ClothState& state) {
+  if (facts.freePieces.empty()) {
+    return true;
+  }
+  std::vector<PushedPiece> pieces;
+  for (const std::vector<std::size_t>& piece : facts.freePieces) {
+    pieces.push_back({&piece, moveOf(model, parameters, state.positions, piece)});
+  }
+  const auto placesAfter = [&](std::span<const PushedPiece> pushed) {
+    ClothState trial = state;
+    for (const PushedPiece& each : pushed) {
+      for (const std::size_t v : *each.vertices) {
+        trial.positions[v] += each.move;
+        trial.velocities[v] = each.move / parameters.timeStep;
+      }
+    }
+    contact_.begin(parameters, inputs, state);
+    static_cast<void>(contact_.resolve(model, parameters, inputs, trial));
+    return trial.positions;
+  };
+  const std::vector<Vec3> together = placesAfter(pieces);
+  return std::all_of(pieces.begin(), pieces.end(), [&](const PushedPiece& piece) {
+    return isTakenBack(piece, state.positions, together) ||
+           isTakenBack(piece, state.positions, placesAfter(std::span(&piece, 1)));
+  });
 }
 
 RestWatch::Facts RestWatch::factsOf(const ClothModel& model) {
   Facts facts;
-  facts.held = freePieces(model).empty();
+  facts.freePieces = freePieces(model);
   facts.meanEdge = meanEdge(model);
   Mark mark;
   for (std::size_t i = 0; i < model.vertexMass.size(); ++i) {

@@ -74,7 +74,8 @@ HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTe
 
 /// force + drag and lift (eqs. 18-20), held to what would stop the vertex against the air within the step, as
 /// kernels::airForce. With w the velocity relative to the air, s = |w|, the unit normal n turned to face w, and q = n .
-/// w: drag = -K_D q w, and as (n x u) x u = (q/s) u - n for u = w/s, lift = K_L s (s - q) ((q/s^2) w - n).
+/// w: drag = -K_D q w, and as (n x u) x u = (q/s) u - n for u = w/s, lift = K_L s (s - q) ((q/s^2) w - n). Where cloth
+/// lies along w exactly, no side faces w, and there is no lift.
 template <class D, typename T>
 HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step, const SpringTerms<T>* terms,
                             int slice, int lane, const Lanes3<D>& force) {
@@ -96,13 +97,17 @@ HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>
   auto lift = hn::Mul(hn::Mul(surface, hn::Set(d, step.lift)), hn::Sub(speed, q));  // K_L (s - q)
   const auto drag = hn::Mul(hn::Mul(surface, hn::Set(d, step.drag)), q);
   auto side = facing;
-  if (step.holdsLift) {
-    // The side, and the force that would stop the vertex across itself, are those of where all else takes it.
+  if (step.liftRise > T(0)) {
+    // Lift of at most R q', implicit in q' = p + h/m (f - R q'), where the kick takes q; p + h/m f is the side that all
+    // other forces take the vertex to.
     const auto push = hn::Div(hn::Set(d, step.timeStep), mass);
     side = hn::MulAdd(push, hn::NegMulAdd(drag, facing, dot(normal, force)), facing);
-    const auto strength = hn::Mul(lift, speed);
-    const auto held = hn::Div(hn::Div(hn::Abs(side), push), strength);
-    lift = hn::IfThenElseZero(hn::Gt(strength, zero), hn::Mul(lift, hn::Min(held, hn::Set(d, T(1)))));
+    const auto rise = hn::Mul(hn::Mul(surface, hn::Set(d, step.liftRise)), speed);
+    const auto full = hn::Mul(lift, speed);
+    const auto share = hn::Div(hn::Mul(hn::Abs(side), rise), hn::MulAdd(hn::Mul(push, rise), full, full));
+    lift = hn::IfThenElseZero(hn::Gt(full, zero), hn::Mul(lift, hn::Min(share, hn::Set(d, T(1)))));
+  } else {
+    lift = hn::IfThenElseZero(hn::Gt(q, zero), lift);
   }
   const auto along = hn::MulSub(hn::Mul(lift, q), hn::Mul(inverse, size), drag);
   Lanes3<D> air = scaled(relative, along);

@@ -99,9 +99,9 @@ struct SliceStep {
   /// Of Verlet: the velocity after the kick takes the place of the one before, and vertices drift on. Else it is left
   /// in `start`, for strong damping to be dealt with (damping_stages.hpp).
   bool settles = true;
-  /// Lift never turns the side that a vertex faces the air with (addAir): eq. 19 jumps where the cloth lies along the
-  /// wind, and would kick it to and fro there by as much as the step is long.
-  bool holdsLift = false;
+  /// How lift rises with the incidence [kg/m^3] (kernels::liftRise), taken implicitly, so that it never turns the side
+  /// that a vertex faces the air with (addAir). 0: eq. 19 as printed, which jumps where the cloth lies along the wind.
+  T liftRise = T(0);
   /// Of Verlet: the share of its stiffness that each spring keeps, one number a slot and lane. Null: all of it.
   const SliceNumbers<T>* shares = nullptr;
   /// Of Verlet: the group that each place belongs to, and the acceleration [m/s^2] of each group that comes on top of

@@ -143,6 +143,67 @@ TEST_F(Resting, comesToClothOfAnySize) {
   }
 }
 
+/// Free cloth rests on a body, and on cloth that rests there; a body elsewhere carries nothing.
+TEST_F(Resting, needsABodyBelowFreeClothAndNotJustSomewhere) {
+  model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
+  state = stateAtRest(model->restPositions);
+  parameters.gravity = 0.0;
+  Body ground;
+  ground.shape = PlaneShape{};
+  BodyStep place;
+  place.body = &ground;
+  place.start.position.y() = place.end.position.y() = -1.0;
+  std::vector<BodyStep> bodies{place};
+  inputs.bodies = &bodies;
+  EXPECT_EQ(rest(450), 0) << "it floats above the ground without weight";
+  parameters.gravity = 9.81;
+  settle();
+  EXPECT_LT(state.positions[12].y(), -0.99);
+}
+
+TEST_F(Resting, doesNotComeToClothThatTheAirCarries) {
+  // A wind from below that carries the sheet exactly, while it lies flat.
+  model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
+  state = stateAtRest(model->restPositions);
+  parameters.drag = 1.0;
+  parameters.lift = 0.0;
+  Body ground;
+  ground.shape = PlaneShape{};
+  BodyStep place;
+  place.body = &ground;
+  place.start.position.y() = place.end.position.y() = -1.0;
+  std::vector<BodyStep> bodies{place};
+  inputs.bodies = &bodies;
+  parameters.gravity = 0.5 * parameters.airDensity * 4.0 / 0.1;
+  parameters.wind = Vec3(0.0, 2.0, 0.0);
+  model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Area, {});
+  EXPECT_EQ(rest(600), 0);
+}
+
+TEST_F(Resting, comesToClothThatLiesOnClothThatLiesOnABody) {
+  ClothMesh mesh = testing::sheet(5);
+  const auto vertices = static_cast<int>(mesh.positions.size());
+  for (int v = 0; v < vertices; ++v) {
+    const Vec3 below = mesh.positions[static_cast<std::size_t>(v)];
+    mesh.positions.emplace_back(0.3 + 0.4 * below.x(), 0.02, 0.3 + 0.4 * below.z());
+  }
+  for (std::size_t t = 0, count = mesh.triangles.size(); t < count; ++t) {
+    const Triangle& below = mesh.triangles[t];
+    mesh.triangles.push_back({below[0] + vertices, below[1] + vertices, below[2] + vertices});
+  }
+  model = buildClothModel(mesh, 0.1, MassLumping::Area, {});
+  state = stateAtRest(model->restPositions);
+  parameters.contact.self = SelfCollision::Hash;
+  Body ground;
+  ground.shape = PlaneShape{};
+  BodyStep place;
+  place.body = &ground;
+  place.start.position.y() = place.end.position.y() = -0.02;
+  std::vector<BodyStep> bodies{place};
+  inputs.bodies = &bodies;
+  settle();
+}
+
 TEST_F(Resting, isNotForClothThatNothingBringsToRestOrNothingHolds) {
   parameters.gravity = 0.0;
   parameters.damping = 0.0;

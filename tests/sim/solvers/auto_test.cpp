@@ -243,6 +243,49 @@ TEST(Auto, doesNotLetLiftTurnTheSideThatClothFacesTheWindWith) {
   }
 }
 
+/// A free flat sheet that lies along the wind sinks and is carried away. Lift that at once has its full size on either
+/// side of the wind would hold it where it is.
+TEST(Auto, doesNotLetAFlatSheetHoverInTheWind) {
+  const auto model = buildClothModel(testing::sheet(17), 0.15, MassLumping::Area, {});
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    for (const Vec3& wind : {Vec3(5, 0, 0), Vec3(-3, 0, 4), Vec3(10, 0, 0), Vec3(0, 0, 20)}) {
+      for (const double lift : {0.2, 1.0}) {
+        StepParameters parameters;
+        parameters.timeStep = frame;
+        parameters.damping = 0.01;
+        parameters.drag = 0.5;
+        parameters.lift = lift;
+        parameters.wind = wind;
+        parameters.precision = precision;
+        ClothState state = stateAtRest(model->restPositions);
+        Stepper stepper("auto");
+        for (int step = 0; step < 300; ++step) {
+          EXPECT_FALSE(stepper.step(*model, parameters, {}, state).choice->resting);
+        }
+        const Vec3 velocity = linearMomentum(*model, state) / model->totalMass();
+        EXPECT_GT(velocity.dot(wind.normalized()), 0.3) << wind.transpose() << ", lift " << lift;
+      }
+    }
+  }
+}
+
+/// While it still lies flat it sinks as fast as a thin plate's lift, pi rho |w| S times its speed, asks.
+TEST(Auto, letsAFlatSheetSinkThroughTheWindAsFastAsAThinPlate) {
+  const auto model = buildClothModel(testing::sheet(9), 0.15, MassLumping::Area, {});
+  StepParameters parameters;
+  parameters.timeStep = frame;
+  parameters.lift = 0.4;
+  parameters.wind = Vec3(8.0, 0.0, 0.0);
+  parameters.precision = Precision::Double;
+  ClothState state = stateAtRest(model->restPositions);
+  Stepper stepper("auto");
+  for (int step = 0; step < 15; ++step) {
+    stepper.step(*model, parameters, {}, state);
+  }
+  const double sinking = 0.15 * parameters.gravity / (M_PI * parameters.airDensity * 8.0);
+  EXPECT_NEAR(linearMomentum(*model, state).y() / model->totalMass(), -sinking, 0.01 * sinking);
+}
+
 TEST(Auto, isNearTheConvergedMotionOfAFlagInHeavyAir) {
   ClothMesh mesh = testing::sheet(9);
   for (Vec3& position : mesh.positions) {

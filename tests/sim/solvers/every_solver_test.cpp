@@ -134,6 +134,102 @@ struct Oscillator {
   }
 };
 
+/// Weight and the air's force on a whole cloth [N], written down here once more from eqs. 18-20: sums over triangles,
+/// no function of the library. `auto` has the lift of a thin plate where it is less than eq. 19 (docs/auto.md).
+Vec3 weightAndAir(const ClothModel& model, const StepParameters& p, const ClothState& state, bool thinPlate) {
+  std::vector<Vec3> normals(state.positions.size(), Vec3::Zero());
+  for (const Triangle& t : model.triangles) {
+    const auto corner = [&](std::size_t c) { return state.positions[static_cast<std::size_t>(t[c])]; };
+    const Vec3 area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    for (const int v : t) {
+      normals[static_cast<std::size_t>(v)] += area;
+    }
+  }
+  Vec3 sum(0.0, -p.gravity * model.totalMass(), 0.0);
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const Vec3 wind = state.velocities[v] - p.wind;
+    const double pressure = 0.5 * p.airDensity * wind.squaredNorm() * model.vertexArea[v];
+    const Vec3 u = wind.normalized();
+    const double incidence = normals[v].normalized().dot(u);
+    sum -= pressure * p.drag * std::abs(incidence) * u;
+    if (incidence != 0.0) {
+      const Vec3 front = (incidence > 0.0 ? 1.0 : -1.0) * normals[v].normalized();
+      const double full = p.lift * (1.0 - std::abs(incidence));
+      const Vec3 across = front.cross(u).cross(u);
+      const double plate = 2.0 * M_PI * std::abs(incidence) / across.norm();
+      sum += pressure * (thinPlate ? std::min(full, plate) : full) * across;
+    }
+  }
+  return sum;
+}
+
+/// Sheets of 9 x 9 vertices that nothing holds: flat or wavy, lying or tilted.
+std::vector<std::shared_ptr<const ClothModel>> freeSheets() {
+  std::vector<std::shared_ptr<const ClothModel>> models;
+  for (const double wave : {0.0, 0.05}) {
+    for (const double tilt : {0.0, 0.3}) {
+      ClothMesh mesh = testing::sheet(9);
+      for (Vec3& place : mesh.positions) {
+        place.y() = wave * std::sin(7.0 * place.x() + 2.0 * place.z()) + tilt * place.z();
+      }
+      models.push_back(buildClothModel(mesh, 0.15, MassLumping::Area, {}));
+    }
+  }
+  return models;
+}
+
+/// What moves free cloth as a whole is its weight and the air, whatever the springs do. Flat sheets along the wind are
+/// among the cases: there no side faces the wind, and nothing but the weight acts.
+TEST_P(EverySolver, acceleratesFreeClothAsItsWeightAndTheAirAsk) {
+  const bool chooses = findSolver(GetParam().name)->choosesSubsteps;
+  const double allowed = std::max(2e-3, GetParam().lostMomentum);
+  for (const auto& model : freeSheets()) {
+    for (const Vec3& wind : {Vec3(5, 0, 0), Vec3(10, 0, 0), Vec3(0, 0, -7), Vec3(0, 6, 0), Vec3(3, -2, 8)}) {
+      for (const auto& [drag, lift] : {std::pair(0.5, 0.2), std::pair(1.0, 0.5), std::pair(0.0, 1.0)}) {
+        for (const Precision precision : {Precision::Float, Precision::Double}) {
+          StepParameters parameters = calm();
+          parameters.timeStep = 1e-5;
+          parameters.wind = wind;
+          parameters.drag = drag;
+          parameters.lift = lift;
+          parameters.precision = precision;
+          ClothState state = stateAtRest(model->restPositions);
+          const Vec3 expected = weightAndAir(*model, parameters, state, chooses) / model->totalMass();
+          make()->step(*model, parameters, {}, state);
+          const Vec3 acceleration = linearMomentum(*model, state) / (model->totalMass() * parameters.timeStep);
+          EXPECT_LT((acceleration - expected).norm(), allowed * (parameters.gravity + expected.norm()))
+              << "wind " << wind.transpose() << ", drag " << drag << ", lift " << lift << ": "
+              << acceleration.transpose() << " in place of " << expected.transpose();
+        }
+      }
+    }
+  }
+}
+
+/// The same all along a motion, as the mean of each step's two ends: cloth must not come to hang in the air.
+TEST_P(EverySolver, goesOnAcceleratingFreeClothAsItsWeightAndTheAirAsk) {
+  const bool chooses = findSolver(GetParam().name)->choosesSubsteps;
+  const auto model = freeSheets()[3];
+  StepParameters parameters = calm();
+  parameters.wind = Vec3(6, 0, 1);
+  parameters.drag = 0.5;
+  parameters.lift = 0.3;
+  const auto solver = make();
+  ClothState state = stateAtRest(model->restPositions);
+  Vec3 impulse = Vec3::Zero();
+  double size = 0.0;
+  for (int step = 0; step < 300; ++step) {
+    const Vec3 before = weightAndAir(*model, parameters, state, chooses);
+    solver->step(*model, parameters, {}, state);
+    const Vec3 after = weightAndAir(*model, parameters, state, chooses);
+    impulse += 0.5 * parameters.timeStep * (before + after);
+    size += 0.5 * parameters.timeStep * (before.norm() + after.norm());
+  }
+  const double allowed = std::max(0.02, GetParam().lostMomentum);
+  EXPECT_LT((linearMomentum(*model, state) - impulse).norm(), allowed * size)
+      << linearMomentum(*model, state).transpose() << " in place of " << impulse.transpose();
+}
+
 TEST_P(EverySolver, convergesToTheHangingSpringsClosedFormWithItsOrder) {
   const Oscillator oscillator;
   const auto solver = make();
