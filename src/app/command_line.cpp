@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 
+#include "app/standard_streams.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/error.hpp"
 
@@ -18,15 +19,33 @@ int fail(const CLI::App& app, ExitStatus status, const std::string& message) {
   return static_cast<int>(status);
 }
 
+/// Parses the command line, which runs a subcommand as well. Returns false when it asked for help or the version, which
+/// are then printed.
+bool parseOrHelp(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return true;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) {
+      throw;
+    }
+    static_cast<void>(app.exit(error));
+    return false;
+  }
+}
+
 }  // namespace
 
 void SceneArguments::addTo(CLI::App& app) {
-  app.add_option("scene", scene, "A built-in scene, a scene file (.toml) or a mesh file")->type_name("SCENE|MESH");
+  app.add_option("scene", scene, "A built-in scene, a scene file (.toml) or a mesh file")
+      ->type_name("SCENE|MESH")
+      ->check(notEmpty());
   app.add_option("--set", settings, "Set a setting; may be repeated ('drape-headless list settings' shows them)")
       ->type_name("KEY=VALUE")
       ->take_all()
       ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(notEmpty());
 }
 
 std::shared_ptr<const Scene> SceneArguments::load() const {
@@ -53,15 +72,19 @@ CLI::Validator numberFrom(double min, double max) {
           "FLOAT in [" + formatValue(min) + " - " + formatValue(max) + "]"};
 }
 
+CLI::Validator notEmpty() {
+  return {[](std::string& text) { return text.empty() ? std::string("must not be empty") : std::string(); }, ""};
+}
+
 int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& body) {
+  occupyStandardStreams();
   try {
-    app.parse(argc, argv);
-    body();
+    if (parseOrHelp(app, argc, argv)) {
+      body();
+    }
+    flushStandardOutput();
     return static_cast<int>(ExitStatus::Ok);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {
-      return app.exit(error);  // --help or --version
-    }
     return fail(app, ExitStatus::WrongUsage, error.what());
   } catch (const UsageError& error) {
     return fail(app, ExitStatus::WrongUsage, error.what());

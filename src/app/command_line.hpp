@@ -28,8 +28,12 @@ struct SceneArguments {
 /// Accepts a number from min to max, both included, and nothing that is not a number.
 [[nodiscard]] CLI::Validator numberFrom(double min, double max);
 
+/// Accepts any text but the empty one, which a script passes where a variable is not set.
+[[nodiscard]] CLI::Validator notEmpty();
+
 /// Parses the command line and runs `body`. Help is printed; wrong usage and errors become one message on standard
-/// error, starting with the program's name, and the exit status that main() returns.
+/// error, starting with the program's name, and the exit status that main() returns. That standard output could not be
+/// written is such an error.
 [[nodiscard]] int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& body);
 
 }  // namespace drape

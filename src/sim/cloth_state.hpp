@@ -51,7 +51,7 @@ struct ClothState {
 /// Moves what is pinned (one entry a vertex) by `by` [m], and nothing else.
 void movePins(const std::vector<bool>& pinned, const Vec3& by, ClothState& state);
 
-/// True when every position and velocity is a finite number.
+/// True when every position [m] and velocity [m/s] is a number of at most 1e15, so that its square is finite in float.
 [[nodiscard]] bool isFinite(const ClothState& state);
 
 /// A 64-bit FNV-1a hash over the bits of positions and velocities: equal states have equal hashes, and two runs agree

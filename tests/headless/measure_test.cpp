@@ -84,8 +84,9 @@ TEST(Measure, saysWhenTheClothBlowsUpAndReportsWhatCameBefore) {
   const Outcome outcome = headless(
       "measure grid --set stiffness=1e7 --set derivative=axial --seconds 1 --against one_iteration "
       "--reference-set derivative=stabilised");
-  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.status, 1) << outcome.errors;
   EXPECT_NE(outcome.errors.find("the cloth blew up after"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.output.find("eps"), std::string::npos) << outcome.output;
 }
 
 TEST(Measure, saysWhenTheClothIsStretchedBeyondAllMeasureThoughFinite) {

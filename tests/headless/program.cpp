@@ -24,10 +24,11 @@ std::filesystem::path testFolder() {
 
 namespace {
 
-Outcome runProgram(const std::string& program, const std::string& arguments) {
+Outcome runProgram(const std::string& program, const std::string& arguments, const std::string& redirection = "") {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
   const std::string base = ::testing::TempDir() + "drape_" + test->test_suite_name() + "_" + test->name();
-  const std::string command = program + " " + arguments + " >" + base + ".out 2>" + base + ".err </dev/null";
+  const std::string output = redirection.empty() ? ">" + base + ".out" : redirection;
+  const std::string command = program + " " + arguments + " " + output + " 2>" + base + ".err </dev/null";
   const int status = std::system(command.c_str());  // NOLINT(concurrency-mt-unsafe): the test has one thread
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, readFile(base + ".out"), readFile(base + ".err")};
   std::filesystem::remove(base + ".out");
@@ -39,6 +40,14 @@ Outcome runProgram(const std::string& program, const std::string& arguments) {
 
 Outcome headless(const std::string& arguments) {
   return runProgram(DRAPE_HEADLESS, arguments);
+}
+
+Outcome headlessInto(const std::string& redirection, const std::string& arguments) {
+  return runProgram(DRAPE_HEADLESS, arguments, redirection);
+}
+
+Outcome reportInto(const std::string& redirection, const std::string& arguments) {
+  return runProgram(DRAPE_REPORT, arguments, redirection);
 }
 
 Outcome report(const std::string& arguments) {

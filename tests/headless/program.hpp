@@ -15,6 +15,12 @@ struct Outcome {
 /// Runs drape-headless with arguments as a shell splits them.
 [[nodiscard]] Outcome headless(const std::string& arguments);
 
+/// The same with standard output redirected as a shell has it: ">/dev/full", ">&-". `output` stays empty.
+[[nodiscard]] Outcome headlessInto(const std::string& redirection, const std::string& arguments);
+
+/// The same for drape-report.
+[[nodiscard]] Outcome reportInto(const std::string& redirection, const std::string& arguments);
+
 /// Runs drape-report, as above.
 [[nodiscard]] Outcome report(const std::string& arguments);
 

@@ -31,6 +31,10 @@ TEST(IsFinite, noticesOneBadNumberAnywhere) {
   state.velocities[1].y() = 0.0;
   state.positions[0].x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(isFinite(state));
+  state.positions[0].x() = -1e14;
+  EXPECT_TRUE(isFinite(state));
+  state.positions[0].x() = -1e16;
+  EXPECT_FALSE(isFinite(state)) << "the cloth blew up";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 #include "app/headless/commands.hpp"
 #include "app/headless/frame_name.hpp"
+#include "app/headless/intact.hpp"
 #include "app/headless/picture_maker.hpp"
 #include "app/headless/progress_bar.hpp"
 #include "app/headless/solver_notes.hpp"
@@ -77,7 +78,7 @@ void capture(const CaptureArguments& arguments) {
       progress.show(frame + 1);
     }
   }
-  if (!simulation.message().empty()) {
+  if (!simulation.message().empty() && !simulation.blewUp()) {
     std::cerr << "warning: " << simulation.message() << '\n';
   }
   std::cout << arguments.frames << (arguments.frames == 1 ? " picture: " : " pictures: ") << pattern.name(0);
@@ -85,6 +86,7 @@ void capture(const CaptureArguments& arguments) {
     std::cout << " to " << pattern.name(arguments.frames - 1);
   }
   std::cout << '\n';
+  requireIntact(simulation);
 }
 
 }  // namespace
@@ -101,7 +103,8 @@ void addCaptureCommand(CLI::App& app) {
       ->check(CLI::Range(1, 1000000));
   command
       ->add_option("--output", arguments->output, "Name of the pictures, with a place for the number: f_{frame:4}.png")
-      ->required();
+      ->required()
+      ->check(notEmpty());
   command->add_option("--resolution", arguments->resolution, "Width and height [pixels]")
       ->delimiter(',')
       ->expected(2)

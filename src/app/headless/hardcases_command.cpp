@@ -1,14 +1,15 @@
 #include "app/command_line.hpp"
 #include "app/headless/commands.hpp"
+#include "app/output_file.hpp"
 #include "report/hardcases/hard_case_rows.hpp"
 #include "settings/settings.hpp"
 #include "sim/error.hpp"
 #include "sim/solver.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace drape {
 namespace {
@@ -75,12 +76,9 @@ int runSolver(const HardCasesArguments& arguments, const std::vector<const HardC
 
 void run(const HardCasesArguments& arguments) {
   const auto cases = casesOf(arguments);
-  std::ofstream file;
+  std::optional<OutputFile> file;
   if (!arguments.json.empty()) {
-    file.open(arguments.json);
-    if (!file) {
-      throw InputError("cannot write to " + arguments.json + "; check that its folder exists and can be written to");
-    }
+    file.emplace(arguments.json, "the results");
   }
   ReportRows rows;
   std::string failures;
@@ -93,12 +91,8 @@ void run(const HardCasesArguments& arguments) {
   if (arguments.markdown) {
     std::cout << hardCaseMarkdown(rows);
   }
-  if (!arguments.json.empty()) {
-    file << ReportRow{{"hard_cases", rows}}.dump(2) << '\n';
-    file.close();
-    if (!file) {
-      throw InputError("the results could not be written to " + arguments.json);
-    }
+  if (file) {
+    file->write(ReportRow{{"hard_cases", rows}});
   }
   if (!failures.empty()) {
     throw InputError("hard cases that were not passed, of " + std::to_string(cases.size()) + ": " + failures);
@@ -127,7 +121,9 @@ void addHardCasesCommand(CLI::App& app) {
   command->add_flag("--markdown", arguments->markdown, "Print one table of all solvers (Markdown)");
   command->add_option("--most-seconds", arguments->mostSeconds, "Give a case up that takes longer by the clock [s]")
       ->check(numberFrom(0.01, longest));
-  command->add_option("--json", arguments->json, "Write everything to this file (JSON)")->type_name("FILE");
+  command->add_option("--json", arguments->json, "Write everything to this file (JSON)")
+      ->type_name("FILE")
+      ->check(notEmpty());
   command->callback([arguments] { run(*arguments); });
 }
 

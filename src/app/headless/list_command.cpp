@@ -1,4 +1,5 @@
 #include "app/headless/commands.hpp"
+#include "app/output_file.hpp"
 #include "report/hardcases/hard_case_rows.hpp"
 #include "scene/scene.hpp"
 #include "settings/settings_table.hpp"
@@ -128,7 +129,7 @@ void list(const ListArguments& arguments) {
   const Listing& listing =
       *std::find_if(listings.begin(), listings.end(), [&](const Listing& one) { return one.what == arguments.what; });
   if (arguments.json) {
-    std::cout << listing.json().dump(2) << '\n';
+    std::cout << jsonText(listing.json(), 2) << '\n';
   } else if (arguments.markdown) {
     if (listing.markdown == nullptr) {
       throw UsageError("list " + arguments.what + " has no --markdown");

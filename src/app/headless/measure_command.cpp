@@ -2,6 +2,7 @@
 #include "app/headless/commands.hpp"
 #include "app/headless/progress_bar.hpp"
 #include "app/headless/solver_notes.hpp"
+#include "app/output_file.hpp"
 #include "report/error_table.hpp"
 #include "report/measurement.hpp"
 #include "report/report_json.hpp"
@@ -9,7 +10,6 @@
 #include "sim/error.hpp"
 #include "sim/solver.hpp"
 
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -94,10 +94,6 @@ Measurement measureWithProgress(const Scene& scene, const MeasurementPlan& plan)
 }
 
 void warn(const Measurement& measurement) {
-  if (!measurement.own.finite) {
-    std::cerr << "warning: the cloth blew up after " << measurement.report.checkpoints.back().time
-              << " s; what is reported ends there\n";
-  }
   constexpr double implausible = 2.0;  // no cloth stretches to three times its length
   if (!measurement.report.checkpoints.empty()) {
     const CheckpointReport& last = measurement.report.checkpoints.back();
@@ -121,23 +117,20 @@ void run(const MeasureArguments& arguments) {
   plan.restarted = arguments.restarted;
   plan.tolerance.absolute = arguments.referenceTolerance;
   plan.summaryTimes = arguments.summaries;
-  std::ofstream file;
+  std::optional<OutputFile> file;
   if (!arguments.json.empty()) {
-    file.open(arguments.json);
-    if (!file) {
-      throw InputError("cannot write to " + arguments.json + "; check that its folder exists and can be written to");
-    }
+    file.emplace(arguments.json, "the measurement");
   }
   printSolverWarnings(scene->settings, *scene->model);
   const Measurement measurement = measureWithProgress(*scene, plan);
   warn(measurement);
   std::cout << errorTable(measurement);
-  if (!arguments.json.empty()) {
-    file << measurementJson(measurement).dump(2) << '\n';
-    file.close();
-    if (!file) {
-      throw InputError("the measurement could not be written to " + arguments.json);
-    }
+  if (file) {
+    file->write(measurementJson(measurement));
+  }
+  if (!measurement.own.finite) {
+    throw InputError("the cloth blew up after " + std::to_string(measurement.report.checkpoints.back().time) +
+                     " s; what is reported ends there. Try a smaller time step or a lower stiffness.");
   }
 }
 
@@ -154,7 +147,8 @@ void addMeasureCommand(CLI::App& app) {
       ->add_option("--against", arguments->against,
                    "same_step (this step solved to the end), converged (the limit of small steps) or a solver's name")
       ->required()
-      ->type_name("REFERENCE");
+      ->type_name("REFERENCE")
+      ->check(notEmpty());
   command->add_flag("--restarted", arguments->restarted, "Begin each checkpoint's interval where the reference was");
   command
       ->add_option("--reference-set", arguments->referenceSettings, "Set a setting of the reference; may be repeated")
@@ -169,7 +163,9 @@ void addMeasureCommand(CLI::App& app) {
       ->delimiter(',')
       ->type_name("T,...")
       ->check(numberFrom(0.0, mostMeasuredSeconds));
-  command->add_option("--json", arguments->json, "Write everything to this file (JSON)")->type_name("FILE");
+  command->add_option("--json", arguments->json, "Write everything to this file (JSON)")
+      ->type_name("FILE")
+      ->check(notEmpty());
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -27,13 +27,21 @@ void PositionWriter::sample(const ClothState& state) {
     const Vec3& position = state.positions[v];
     std::fprintf(file_.get(), "%.9g,%zu,%.9g,%.9g,%.9g\n", state.time, v, position.x(), position.y(), position.z());
   }
+  if (std::ferror(file_.get()) != 0) {
+    fail(errno);  // at once: a full disk should not cost the rest of a long run
+  }
 }
 
 void PositionWriter::close() {
-  const bool written = std::ferror(file_.get()) == 0;
+  const bool written = std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0;
+  const int reason = errno;
   if (std::fclose(file_.release()) != 0 || !written) {
-    throw InputError("positions could not be written completely to " + name_ + ": " + std::strerror(errno));
+    fail(reason);
   }
+}
+
+void PositionWriter::fail(int reason) const {
+  throw InputError("positions could not be written completely to " + name_ + ": " + std::strerror(reason));
 }
 
 }  // namespace drape

@@ -16,13 +16,15 @@ class PositionWriter {
   /// Throws InputError when the file cannot be written.
   PositionWriter(const std::string& file, double every, double timeStep);
 
-  /// Writes the state when a sample is due.
+  /// Writes the state when a sample is due. Throws InputError when what came before could not be written.
   void sample(const ClothState& state);
 
   /// Flushes and closes. Throws InputError when not everything could be written.
   void close();
 
  private:
+  [[noreturn]] void fail(int reason) const;
+
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };

@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 #include "app/headless/commands.hpp"
+#include "app/headless/intact.hpp"
 #include "app/headless/intersection_watch.hpp"
 #include "app/headless/position_writer.hpp"
 #include "app/headless/progress_bar.hpp"
@@ -73,6 +74,15 @@ void printSummary(const Simulation& simulation, const nlohmann::ordered_json& js
   printStabilityLimit(json["stability_limit"]);
 }
 
+/// A cloth that blew up is an error, which is told at the end.
+void warn(const Simulation& simulation) {
+  Snapshot end;
+  simulation.capture(end);
+  if (!end.message.empty() && !simulation.blewUp()) {
+    std::cerr << "warning: " << end.message << '\n';
+  }
+}
+
 void run(RunArguments arguments) {
   arguments.scene.settings.push_back("threads=" + std::to_string(arguments.threads));
   if (!arguments.positions.empty() && !(arguments.every > 0.0)) {
@@ -107,11 +117,7 @@ void run(RunArguments arguments) {
       progress.show(i + 1);
     }
   }
-  Snapshot end;
-  simulation.capture(end);
-  if (!end.message.empty()) {
-    std::cerr << "warning: " << end.message << '\n';
-  }
+  warn(simulation);
   auto figures = stats.toJson(simulation);
   if (intersections) {
     intersections->finish(simulation);
@@ -125,6 +131,7 @@ void run(RunArguments arguments) {
   if (intersections) {
     std::cout << intersections->summary() << '\n';
   }
+  requireIntact(simulation);
 }
 
 }  // namespace
@@ -137,8 +144,12 @@ void addRunCommand(CLI::App& app) {
       ->required()
       ->check(numberFrom(0.0, mostSeconds));
   command->add_option("--threads", arguments->threads, "Threads a step may use; the result does not depend on it");
-  command->add_option("--stats", arguments->stats, "Write the run's figures to this file (JSON)")->type_name("FILE");
-  command->add_option("--positions", arguments->positions, "Write positions to this file (CSV)")->type_name("FILE");
+  command->add_option("--stats", arguments->stats, "Write the run's figures to this file (JSON)")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->add_option("--positions", arguments->positions, "Write positions to this file (CSV)")
+      ->type_name("FILE")
+      ->check(notEmpty());
   command->add_option("--every", arguments->every, "Simulated time between two samples of positions [s]")
       ->check(numberFrom(1e-6, mostSeconds));
   command

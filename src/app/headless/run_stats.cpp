@@ -3,7 +3,6 @@
 #include "app/choice_json.hpp"
 #include "report/settings_json.hpp"
 #include "sim/diagnostics.hpp"
-#include "sim/error.hpp"
 #include "sim/measures.hpp"
 #include "sim/solver.hpp"
 
@@ -41,12 +40,9 @@ nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& s
 
 }  // namespace
 
-RunStats::RunStats(const std::string& file, std::int64_t steps) : name_(file) {
+RunStats::RunStats(const std::string& file, std::int64_t steps) {
   if (!file.empty()) {
-    file_.open(file);
-    if (!file_) {
-      throw InputError("cannot write statistics to " + file + "; check that its folder exists and can be written to");
-    }
+    file_.emplace(file, "statistics");
   }
   seconds_.reserve(static_cast<std::size_t>(std::min<std::int64_t>(steps, 1 << 20)));
 }
@@ -119,13 +115,8 @@ nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
 }
 
 void RunStats::write(const nlohmann::ordered_json& figures) {
-  if (name_.empty()) {
-    return;
-  }
-  file_ << figures.dump(2) << '\n';
-  file_.close();
-  if (!file_) {
-    throw InputError("statistics could not be written to " + name_);
+  if (file_) {
+    file_->write(figures);
   }
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "app/output_file.hpp"
 #include "session/simulation.hpp"
 
 #include <cstdint>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,7 @@ class RunStats {
   [[nodiscard]] nlohmann::ordered_json contactJson(const ContactReport& last) const;
   [[nodiscard]] nlohmann::ordered_json choiceJson(const std::optional<StepChoice>& last) const;
 
-  std::string name_;
-  std::ofstream file_;
+  std::optional<OutputFile> file_;
   std::vector<float> seconds_;
   std::vector<float> bodySeconds_;
   std::vector<float> selfSeconds_;

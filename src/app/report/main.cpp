@@ -46,19 +46,23 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
   app.add_option("--only", arguments.options.only, "Measure this section alone (" + sections + "); may be repeated")
       ->type_name("SECTION")
       ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(notEmpty());
   app.add_option("--scene", arguments.options.scene,
                  "Compare methods on this scene alone: hang, flag, crush, twist or any scene with a grid")
-      ->type_name("NAME");
+      ->type_name("NAME")
+      ->check(notEmpty());
   app.add_option("--threads", arguments.options.threads, "Threads a step may use where methods are not compared (1)")
       ->check(CLI::Range(1, mostThreads));
   app.add_flag("--resume", arguments.resume, "Go on with the report.json that is in the folder");
   app.add_option("--compare", arguments.compare,
                  "Tell what moved beyond noise since this earlier report.json; exit status 3 when something did")
-      ->type_name("OLD.json");
+      ->type_name("OLD.json")
+      ->check(notEmpty());
   app.add_option("--output", arguments.output, "The folder to write report.html, report.md and report.json to")
       ->type_name("DIR")
-      ->required();
+      ->required()
+      ->check(notEmpty());
 }
 
 /// Keeps what has been measured on disk, every few seconds: the program may be ended by force.

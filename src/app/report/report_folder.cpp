@@ -1,5 +1,6 @@
 #include "app/report/report_folder.hpp"
 
+#include "app/output_file.hpp"
 #include "sim/error.hpp"
 
 #include <fstream>
@@ -66,7 +67,7 @@ void ReportFolder::write(const std::filesystem::path& name, const std::string& t
 }
 
 void ReportFolder::writeJson(const Report& report) const {
-  write(jsonName, reportJson(report).dump(1) + "\n");
+  write(jsonName, jsonText(reportJson(report), 1) + "\n");
 }
 
 void ReportFolder::writeAll(const Report& report) const {

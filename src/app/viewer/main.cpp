@@ -36,9 +36,12 @@ int main(int argc, char** argv) {
   drape::ViewerOptions options;
   std::string windowSize;
   app.add_flag("--paused", options.paused, "Start with the clock standing still");
-  app.add_option("--window-size", windowSize, "Size of the window")->type_name("WIDTH,HEIGHT");
+  app.add_option("--window-size", windowSize, "Size of the window")
+      ->type_name("WIDTH,HEIGHT")
+      ->check(drape::notEmpty());
   app.add_option("--status", options.statusFile, "Write the viewer's state to this file, for scripts (see below)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(drape::notEmpty());
   app.set_version_flag("--version", std::string("drape ") + DRAPE_VERSION);
   app.footer(drape::StatusFile::help);
   return drape::runProgram(app, argc, argv, [&] {

@@ -1,6 +1,7 @@
 #include "app/viewer/status_file.hpp"
 
 #include "app/choice_json.hpp"
+#include "app/output_file.hpp"
 #include "render/picking.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
@@ -238,8 +239,7 @@ void StatusFile::update(const ViewerStatus& status) {
   std::filesystem::path draft = file_;
   draft += ".part";
   std::ofstream stream(draft);
-  // Paths may hold bytes that are no UTF-8; a status with a replaced letter is better than none.
-  stream << json.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+  stream << jsonText(json, 1) << '\n';
   stream.close();
   std::error_code error;
   std::filesystem::rename(draft, file_, error);

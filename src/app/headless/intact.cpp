@@ -1,0 +1,16 @@
+#include "app/headless/intact.hpp"
+
+#include "sim/error.hpp"
+
+#include <string>
+
+namespace drape {
+
+void requireIntact(const Simulation& simulation) {
+  if (simulation.blewUp()) {
+    throw InputError("the cloth blew up at " + std::to_string(simulation.state().time) +
+                     " s; what was written ends there. Try a smaller time step or a lower stiffness.");
+  }
+}
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+#include "app/output_file.hpp"
+
+#include "sim/error.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+namespace drape {
+namespace {
+
+/// Everybody may read and write, less what the user's umask takes away.
+constexpr mode_t usualMode = 0666;
+
+/// Returns false, with errno, when not everything could be written.
+bool writeAll(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(file, text.data(), text.size());
+    if (count < 0 && errno != EINTR) {
+      return false;
+    }
+    text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  }
+  return true;
+}
+
+/// Pipes and devices have nothing to empty.
+bool makeEmpty(int file) {
+  struct stat status {};
+  return fstat(file, &status) == 0 && (!S_ISREG(status.st_mode) || ftruncate(file, 0) == 0);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::string name, std::string what) : name_(std::move(name)), what_(std::move(what)) {
+  file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, usualMode);
+  isOurs_ = file_ >= 0;
+  if (!isOurs_ && errno == EEXIST) {
+    file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, usualMode);
+  }
+  if (file_ < 0) {
+    throw InputError("cannot write " + what_ + " to " + name_ + ": " + std::strerror(errno) +
+                     ". Check that the folder exists and that you may write to it.");
+  }
+}
+
+OutputFile::~OutputFile() {
+  if (file_ >= 0) {
+    ::close(file_);
+    if (isOurs_ && !written_) {
+      ::unlink(name_.c_str());
+    }
+  }
+}
+
+void OutputFile::write(const nlohmann::ordered_json& figures) {
+  const std::string text = jsonText(figures, 2) + '\n';
+  written_ = true;
+  const bool complete = makeEmpty(file_) && writeAll(file_, text);
+  const int reason = errno;
+  const bool closed = ::close(std::exchange(file_, -1)) == 0;
+  if (!complete || !closed) {
+    throw InputError(what_ + " could not be written completely to " + name_ + ": " +
+                     std::strerror(complete ? errno : reason));
+  }
+}
+
+std::string jsonText(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace drape

@@ -1,0 +1,39 @@
+#include "app/standard_streams.hpp"
+
+#include "sim/error.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <cerrno>
+#include <cstring>
+#include <iostream>
+#include <string>
+
+namespace drape {
+namespace {
+
+bool isClosed(int descriptor) {
+  return fcntl(descriptor, F_GETFD) < 0 && errno == EBADF;
+}
+
+}  // namespace
+
+void occupyStandardStreams() {
+  // The lowest free descriptor is the one that `open` takes. What is open for reading only refuses to be written.
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (isClosed(descriptor)) {
+      static_cast<void>(::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY));
+    }
+  }
+}
+
+void flushStandardOutput() {
+  errno = 0;
+  std::cout.flush();
+  if (!std::cout) {
+    const std::string reason = errno == EBADF ? "it is closed" : errno != 0 ? std::strerror(errno) : "a write failed";
+    throw InputError("standard output could not be written completely: " + reason);
+  }
+}
+
+}  // namespace drape
