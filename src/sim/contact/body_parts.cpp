@@ -3,14 +3,19 @@
 namespace drape {
 namespace {
 
-/// The ends of the step are its ends to the last bit, so that one step goes on where the one before it ended.
+/// The ends of the step are its ends to the last bit, so that one step goes on where the one before it ended. A body
+/// that stands still is not moved by rounding either.
 Pose poseAt(const BodyStep& whole, double share) {
   if (share == 0.0 || share == 1.0) {
     return share == 0.0 ? whole.start : whole.end;
   }
-  Pose pose;
-  pose.position = (1.0 - share) * whole.start.position + share * whole.end.position;
-  pose.rotation = whole.start.rotation.slerp(share, whole.end.rotation);
+  Pose pose = whole.start;
+  if (whole.start.position != whole.end.position) {
+    pose.position = (1.0 - share) * whole.start.position + share * whole.end.position;
+  }
+  if (whole.start.rotation.coeffs() != whole.end.rotation.coeffs()) {
+    pose.rotation = whole.start.rotation.slerp(share, whole.end.rotation);
+  }
   return pose;
 }
 

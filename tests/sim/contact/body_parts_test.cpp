@@ -14,6 +14,20 @@ BodyStep turningStep() {
   return whole;
 }
 
+TEST(BodyParts, leaveABodyThatStandsStillWhereItIsToTheLastBit) {
+  BodyStep whole;
+  whole.start.position = whole.end.position = Vec3(-0.02, 0.1, 0.7);
+  whole.start.rotation = whole.end.rotation = Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized());
+  BodyParts parts;
+  for (int part = 0; part < 7; ++part) {
+    const BodyStep step = parts.between({whole}, part / 7.0, (part + 1) / 7.0).front();
+    EXPECT_EQ(step.start.position, whole.start.position) << part;
+    EXPECT_EQ(step.end.position, whole.start.position) << part;
+    EXPECT_EQ(step.start.rotation.coeffs(), whole.start.rotation.coeffs()) << part;
+    EXPECT_EQ(step.end.rotation.coeffs(), whole.start.rotation.coeffs()) << part;
+  }
+}
+
 TEST(BodyParts, beginAndEndWithTheStepAndMeetInBetweenToTheLastBit) {
   const std::vector<BodyStep> whole{turningStep()};
   BodyParts parts;
