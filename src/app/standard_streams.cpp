@@ -30,10 +30,14 @@ void occupyStandardStreams() {
 void flushStandardOutput() {
   errno = 0;
   std::cout.flush();
-  if (!std::cout) {
-    const std::string reason = errno == EBADF ? "it is closed" : errno != 0 ? std::strerror(errno) : "a write failed";
-    throw InputError("standard output could not be written completely: " + reason);
+  if (std::cout) {
+    return;
   }
+  if (errno == 0) {
+    static_cast<void>(::write(STDOUT_FILENO, "", 0));  // an earlier write failed: ask once more for the reason
+  }
+  const std::string reason = errno == EBADF ? "it is closed" : errno != 0 ? std::strerror(errno) : "a write failed";
+  throw InputError("standard output could not be written completely: " + reason);
 }
 
 }  // namespace drape
