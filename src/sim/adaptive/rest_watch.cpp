@@ -11,7 +11,6 @@
 #include <bit>
 #include <cmath>
 #include <initializer_list>
-#include <span>
 
 namespace drape {
 namespace {
@@ -88,17 +87,12 @@ Vec3 moveOf(const ClothModel& model, const StepParameters& parameters, const std
   return 0.5 * seconds * seconds / mass * force;
 }
 
-struct PushedPiece {
-  const std::vector<std::size_t>* vertices = nullptr;
-  Vec3 move = Vec3::Zero();  ///< [m]
-};
-
 /// Whether contact took a tenth of a piece's move back at one of its vertices at least.
-bool isTakenBack(const PushedPiece& piece, const std::vector<Vec3>& before, const std::vector<Vec3>& after) {
+bool isTakenBack(const std::vector<std::size_t>& piece, const Vec3& move, const std::vector<Vec3>& before,
+                 const std::vector<Vec3>& after) {
   constexpr double left = 0.9;
-  return std::any_of(piece.vertices->begin(), piece.vertices->end(), [&](std::size_t v) {
-    return (after[v] - before[v]).dot(piece.move) < left * piece.move.squaredNorm();
-  });
+  return std::any_of(piece.begin(), piece.end(),
+                     [&](std::size_t v) { return (after[v] - before[v]).dot(move) < left * move.squaredNorm(); });
 }
 
 bool isAsLeft(const ClothState& state) {
@@ -154,34 +148,32 @@ bool RestWatch::canRest(const Facts& facts, const StepParameters& parameters, co
   return fades && held && still && !inputs.grab;
 }
 
-/// A trial: free pieces are moved a little to where weight and air push them. A piece is carried when contact takes
-/// that back. Where all of them move at once, one that lies on another does not meet it; so it is then moved by itself.
+/// A trial: every free piece is moved a little to where weight and air push it. It is carried when contact with bodies
+/// takes that back. Cloth that lies on other cloth counts as moving: self-collision never lets it lie quite still.
 bool RestWatch::isCarried(const ClothModel& model, const Facts& facts, const StepParameters& parameters,
                           const StepInputs& inputs, const ClothState& state) {
   if (facts.freePieces.empty()) {
     return true;
   }
-  std::vector<PushedPiece> pieces;
+  ClothState trial = state;
+  std::vector<Vec3> moves;
   for (const std::vector<std::size_t>& piece : facts.freePieces) {
-    pieces.push_back({&piece, moveOf(model, parameters, state.positions, piece)});
-  }
-  const auto placesAfter = [&](std::span<const PushedPiece> pushed) {
-    ClothState trial = state;
-    for (const PushedPiece& each : pushed) {
-      for (const std::size_t v : *each.vertices) {
-        trial.positions[v] += each.move;
-        trial.velocities[v] = each.move / parameters.timeStep;
-      }
+    moves.push_back(moveOf(model, parameters, state.positions, piece));
+    for (const std::size_t v : piece) {
+      trial.positions[v] += moves.back();
+      trial.velocities[v] = moves.back() / parameters.timeStep;
     }
-    contact_.begin(parameters, inputs, state);
-    static_cast<void>(contact_.resolve(model, parameters, inputs, trial));
-    return trial.positions;
-  };
-  const std::vector<Vec3> together = placesAfter(pieces);
-  return std::all_of(pieces.begin(), pieces.end(), [&](const PushedPiece& piece) {
-    return isTakenBack(piece, state.positions, together) ||
-           isTakenBack(piece, state.positions, placesAfter(std::span(&piece, 1)));
-  });
+  }
+  StepParameters withBodies = parameters;
+  withBodies.contact.self = SelfCollision::Off;
+  contact_.begin(withBodies, inputs, state);
+  static_cast<void>(contact_.resolve(model, withBodies, inputs, trial));
+  std::size_t carried = 0;
+  while (carried < moves.size() &&
+         isTakenBack(facts.freePieces[carried], moves[carried], state.positions, trial.positions)) {
+    ++carried;
+  }
+  return carried == moves.size();
 }
 
 RestWatch::Facts RestWatch::factsOf(const ClothModel& model) {

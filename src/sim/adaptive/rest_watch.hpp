@@ -16,8 +16,8 @@ namespace drape {
 ///
 /// It has come to rest when in a whole second none of its vertices left the place where it was by more than a tenth
 /// of the tolerance, or a thousandth of an edge. Only cloth that loses energy to damping or drag does, with no hand on
-/// it, and every piece of which pins or contacts hold: a piece without pins must lie against a body, or a piece that
-/// does, in the direction in which its weight and the air push it. Then its velocities are set to zero, and it rests
+/// it, and every piece of which pins or bodies hold: a piece without pins must lie against a body in the direction
+/// in which its weight and the air push it. Then its velocities are set to zero, and it rests
 /// for as long as its state and all that acts on it are what they were, to the last bit: settings, pins, masses,
 /// bodies.
 class RestWatch {

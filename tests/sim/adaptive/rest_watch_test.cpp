@@ -143,7 +143,7 @@ TEST_F(Resting, comesToClothOfAnySize) {
   }
 }
 
-/// Free cloth rests on a body, and on cloth that rests there; a body elsewhere carries nothing.
+/// A body elsewhere carries nothing.
 TEST_F(Resting, needsABodyBelowFreeClothAndNotJustSomewhere) {
   model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
   state = stateAtRest(model->restPositions);
@@ -180,28 +180,20 @@ TEST_F(Resting, doesNotComeToClothThatTheAirCarries) {
   EXPECT_EQ(rest(600), 0);
 }
 
-TEST_F(Resting, comesToClothThatLiesOnClothThatLiesOnABody) {
-  ClothMesh mesh = testing::sheet(5);
-  const auto vertices = static_cast<int>(mesh.positions.size());
-  for (int v = 0; v < vertices; ++v) {
-    const Vec3 below = mesh.positions[static_cast<std::size_t>(v)];
-    mesh.positions.emplace_back(0.3 + 0.4 * below.x(), 0.02, 0.3 + 0.4 * below.z());
-  }
-  for (std::size_t t = 0, count = mesh.triangles.size(); t < count; ++t) {
-    const Triangle& below = mesh.triangles[t];
-    mesh.triangles.push_back({below[0] + vertices, below[1] + vertices, below[2] + vertices});
-  }
-  model = buildClothModel(mesh, 0.1, MassLumping::Area, {});
-  state = stateAtRest(model->restPositions);
-  parameters.contact.self = SelfCollision::Hash;
+TEST_F(Resting, comesToFreeClothOnABodyThatStandsAnywhere) {
+  // At such heights parts of a step would place the body a little off by rounding.
+  model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
   Body ground;
   ground.shape = PlaneShape{};
-  BodyStep place;
-  place.body = &ground;
-  place.start.position.y() = place.end.position.y() = -0.02;
-  std::vector<BodyStep> bodies{place};
-  inputs.bodies = &bodies;
-  settle();
+  for (const double height : {-0.02, -0.1, -0.07}) {
+    state = stateAtRest(model->restPositions);
+    BodyStep place;
+    place.body = &ground;
+    place.start.position.y() = place.end.position.y() = height;
+    std::vector<BodyStep> bodies{place};
+    inputs.bodies = &bodies;
+    settle();
+  }
 }
 
 TEST_F(Resting, isNotForClothThatNothingBringsToRestOrNothingHolds) {

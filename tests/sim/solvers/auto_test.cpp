@@ -309,7 +309,7 @@ TEST(Auto, isNearTheConvergedMotionOfAFlagInHeavyAir) {
   };
   const ClothState converged = after("verlet", 10000);
   const double error = meanDistanceOf(after("auto", 1), converged);
-  EXPECT_LT(error, 2e-3);
+  EXPECT_LT(error, 3e-3) << "with a thin plate's lift at small incidence";
   EXPECT_LT(error, 0.1 * meanDistanceOf(after("verlet", 64), converged)) << "as many substeps as auto takes at most";
 }
 

@@ -206,28 +206,35 @@ TEST_P(EverySolver, acceleratesFreeClothAsItsWeightAndTheAirAsk) {
   }
 }
 
-/// The same all along a motion, as the mean of each step's two ends: cloth must not come to hang in the air.
+/// The same all along a motion, as the mean of each step's two ends: cloth must not come to hang in the air. The wind
+/// comes from above, so that no vertex passes the incidence at which eq. 20 jumps; a method without that jump also
+/// meets wind along the sheet.
 TEST_P(EverySolver, goesOnAcceleratingFreeClothAsItsWeightAndTheAirAsk) {
   const bool chooses = findSolver(GetParam().name)->choosesSubsteps;
   const auto model = freeSheets()[3];
-  StepParameters parameters = calm();
-  parameters.wind = Vec3(6, 0, 1);
-  parameters.drag = 0.5;
-  parameters.lift = 0.3;
-  const auto solver = make();
-  ClothState state = stateAtRest(model->restPositions);
-  Vec3 impulse = Vec3::Zero();
-  double size = 0.0;
-  for (int step = 0; step < 300; ++step) {
-    const Vec3 before = weightAndAir(*model, parameters, state, chooses);
-    solver->step(*model, parameters, {}, state);
-    const Vec3 after = weightAndAir(*model, parameters, state, chooses);
-    impulse += 0.5 * parameters.timeStep * (before + after);
-    size += 0.5 * parameters.timeStep * (before.norm() + after.norm());
+  for (const Vec3& wind : {Vec3(1, -6, 2), Vec3(6, 0, 1)}) {
+    if (wind.y() == 0.0 && !chooses) {
+      continue;
+    }
+    StepParameters parameters = calm();
+    parameters.wind = wind;
+    parameters.drag = 0.5;
+    parameters.lift = 0.3;
+    const auto solver = make();
+    ClothState state = stateAtRest(model->restPositions);
+    Vec3 impulse = Vec3::Zero();
+    double size = 0.0;
+    for (int step = 0; step < 300; ++step) {
+      const Vec3 before = weightAndAir(*model, parameters, state, chooses);
+      solver->step(*model, parameters, {}, state);
+      const Vec3 after = weightAndAir(*model, parameters, state, chooses);
+      impulse += 0.5 * parameters.timeStep * (before + after);
+      size += 0.5 * parameters.timeStep * (before.norm() + after.norm());
+    }
+    const double allowed = std::max(0.01, GetParam().lostMomentum);
+    EXPECT_LT((linearMomentum(*model, state) - impulse).norm(), allowed * size)
+        << linearMomentum(*model, state).transpose() << " in place of " << impulse.transpose();
   }
-  const double allowed = std::max(0.02, GetParam().lostMomentum);
-  EXPECT_LT((linearMomentum(*model, state) - impulse).norm(), allowed * size)
-      << linearMomentum(*model, state).transpose() << " in place of " << impulse.transpose();
 }
 
 TEST_P(EverySolver, convergesToTheHangingSpringsClosedFormWithItsOrder) {
