@@ -67,6 +67,16 @@ TEST(Capture, drawsThePanelsWhenAsked) {
   EXPECT_GT(panels.pixels, 960 * 600 / 10);
 }
 
+TEST(Capture, drawsWhereTheDriverHasNoMultisampling) {
+  const auto folder = testFolder();
+  const std::string start = "capture grid --frames 1 --resolution 160,120 --output ";
+  const Outcome outcome = headlessOnSoftpipe(start + (folder / "a.png").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  ASSERT_EQ(headless(start + (folder / "b.png").string()).status, 0);
+  const auto difference = compareImages(readPng(folder / "a.png"), readPng(folder / "b.png"), 32);
+  EXPECT_LT(difference.pixels, 160 * 120 / 10) << "the same picture but for its edges";
+}
+
 TEST(Capture, refusesWrongUsageWithStatusTwo) {
   for (const char* arguments :
        {"capture grid --frames 2", "capture grid --frames 2 --output f.png", "capture grid --frames 0 --output f.png",

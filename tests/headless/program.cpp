@@ -46,6 +46,10 @@ Outcome headlessInto(const std::string& redirection, const std::string& argument
   return runProgram(DRAPE_HEADLESS, arguments, redirection);
 }
 
+Outcome headlessOnSoftpipe(const std::string& arguments) {
+  return runProgram("GALLIUM_DRIVER=softpipe " DRAPE_HEADLESS, arguments);
+}
+
 Outcome reportInto(const std::string& redirection, const std::string& arguments) {
   return runProgram(DRAPE_REPORT, arguments, redirection);
 }

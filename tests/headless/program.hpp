@@ -21,6 +21,9 @@ struct Outcome {
 /// The same for drape-report.
 [[nodiscard]] Outcome reportInto(const std::string& redirection, const std::string& arguments);
 
+/// Runs drape-headless with Mesa's softpipe, a graphics driver without multisampling.
+[[nodiscard]] Outcome headlessOnSoftpipe(const std::string& arguments);
+
 /// Runs drape-report, as above.
 [[nodiscard]] Outcome report(const std::string& arguments);
 
