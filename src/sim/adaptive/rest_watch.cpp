@@ -60,7 +60,7 @@ bool areNear(const std::vector<Vec3>& places, const std::vector<Vec3>& before, d
 /// Weight and the air's force on a vertex that does not move [N].
 Vec3 pushOn(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& positions,
             std::size_t vertex) {
-  const Vec3 weight(0.0, -model.vertexMass[vertex] * parameters.gravity, 0.0);
+  Vec3 weight(0.0, -model.vertexMass[vertex] * parameters.gravity, 0.0);
   const double speed = parameters.wind.norm();
   if (speed == 0.0 || (parameters.drag == 0.0 && parameters.lift == 0.0)) {
     return weight;
