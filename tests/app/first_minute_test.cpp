@@ -116,12 +116,24 @@ TEST(FirstMinute, ARightClickAndResetAllRestoreWhatTheSceneSays) {
   EXPECT_EQ(restored["message"], "");
 }
 
-TEST(FirstMinute, PinsAreNotInThePicturesOfF12) {
-  ViewerDriver viewer({"grid", "--paused", "--set", "pins=none"});
+/// The bytes of the picture that F12 saves.
+std::string pictureOf(const std::vector<std::string>& arguments) {
+  ViewerDriver viewer(arguments);
+  EXPECT_GT(viewer.state()["pins"], 0);
   viewer.key("F12");
   viewer.waitUntil("the picture",
                    [](const Json& s) { return s["message"].get<std::string>().find("grid-001") != std::string::npos; });
-  EXPECT_TRUE(viewer.state()["settings"]["view.pins"].get<bool>()) << "the window goes on showing them";
+  std::ifstream stream(viewer.folder() / "grid-001.png", std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return bytes.str();
+}
+
+TEST(FirstMinute, PinsAreNotInThePicturesOfF12) {
+  const std::string shown = pictureOf({"grid", "--paused"});
+  const std::string hidden = pictureOf({"grid", "--paused", "--set", "view.pins=off"});
+  EXPECT_FALSE(shown.empty());
+  EXPECT_TRUE(shown == hidden) << "the two pictures differ";
 }
 
 TEST(FirstMinute, TheCameraStaysAboveTheGroundAndNearTheCloth) {
