@@ -176,6 +176,9 @@ TEST(FirstMinute, ADragGoesOnBeyondTheWindowAndEndsThere) {
   // A window that is smaller than the display.
   ViewerDriver viewer({"grid", "--paused"});
   viewer.resize(900, 600);
+  // Without a window manager the keyboard follows the mouse, unless somebody gives it to a window.
+  viewer.send({"search", "--onlyvisible", "--name", "Drape", "windowfocus"});
+  viewer.frames();
   const Place place = viewer.onCloth();
   drag(viewer, place, {1250.0, 780.0});
   const Json outside =

@@ -131,6 +131,7 @@ void WindowEvents::installPointer() {
     of(window).onMouseButton(button, action, modifiers);
   });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+    of(window).pointer_ = RawMove{x, y};
     of(window).queue_.push(RawMove{x, y});
   });
   glfwSetCursorEnterCallback(window_, ImGui_ImplGlfw_CursorEnterCallback);
@@ -145,7 +146,13 @@ void WindowEvents::onMouseButton(int button, int action, int modifiers) {
                   .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
                   .control = (modifiers & GLFW_MOD_CONTROL) != 0,
                   .time = glfwGetTime()};
-  glfwGetCursorPos(window_, &press.x, &press.y);
+  // Where the mouse was at the click: asking now would tell where it is by now, which may be elsewhere.
+  if (!pointer_) {
+    pointer_ = RawMove{};
+    glfwGetCursorPos(window_, &pointer_->x, &pointer_->y);
+  }
+  press.x = pointer_->x;
+  press.y = pointer_->y;
   queue_.push(press);
 }
 

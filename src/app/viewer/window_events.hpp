@@ -4,6 +4,7 @@
 #include "ui/interaction_controller.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,7 @@ class WindowEvents {
 
   GLFWwindow* window_;
   InputQueue queue_;
+  std::optional<RawMove> pointer_;  // where the mouse was last reported to be
   Batch batch_;
   Vec2 mouse_ = Vec2::Zero();          // as of the events that were fed [window units]
   std::array<bool, 5> buttonsDown_{};  // as of the events that were fed
