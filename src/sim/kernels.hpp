@@ -77,12 +77,9 @@ inline constexpr double shortestLength = 1e-9;
 }
 
 /// Lift (eqs. 19, 20): K (1 - |n.v^|) |v|^2 U [N] with U = (n x v^) x v^, where n is turned to face v^. The print lacks
-/// the absolute value; without it a vertex seen from behind would be lifted twice. None where neither side faces v^.
+/// the absolute value; without it a vertex seen from behind would be lifted twice.
 [[nodiscard]] inline Vec3 liftForce(const Vec3& normal, double speed, const Vec3& heading, double liftFactor) {
   const double facing = normal.dot(heading);
-  if (facing == 0.0) {
-    return Vec3::Zero();
-  }
   const Vec3 front = facing < 0.0 ? Vec3(-normal) : normal;
   const Vec3 direction = front.cross(heading).cross(heading);
   return (liftFactor * (1.0 - std::abs(facing)) * speed * speed) * direction;

@@ -166,9 +166,9 @@ TEST(Lift, isAcrossTheVelocityAndTheSameFromEitherSide) {
   EXPECT_GT(force.norm(), 0.0);
 }
 
-TEST(Lift, isNoneWhereNeitherSideFacesTheWind) {
-  EXPECT_EQ(kernels::liftForce(Vec3::UnitY(), 2.0, Vec3::UnitX(), 0.1), Vec3(Vec3::Zero()));
-  EXPECT_EQ(kernels::liftForce(-Vec3::UnitY(), 2.0, Vec3::UnitX(), 0.1), Vec3(Vec3::Zero()));
+TEST(RisingLift, isNoneWhereNeitherSideFacesTheWind) {
+  EXPECT_EQ(kernels::risingLiftForce(Vec3::UnitY(), 2.0, Vec3::UnitX(), 0.1, 0.7).norm(), 0.0);
+  EXPECT_EQ(kernels::risingLiftForce(-Vec3::UnitY(), 2.0, Vec3::UnitX(), 0.1, 0.7).norm(), 0.0);
 }
 
 TEST(RisingLift, growsFromNoneAsAThinPlatesAndBecomesTheLiftOfThePrint) {

@@ -86,9 +86,6 @@ void addGravityAndAir(const ClothModel& model, const StepParameters& p, const Cl
     }
     const Vec3 heading = relative / speed;
     Vec3 n = normalAt(model, state, i);
-    if (n.dot(heading) == 0.0) {
-      continue;  // along the wind: no drag, and lift has no side to point to
-    }
     n = n.dot(heading) < 0.0 ? Vec3(-n) : n;
     const double K = 0.5 * p.airDensity * model.vertexArea[v];
     const double facing = n.dot(heading);

@@ -74,8 +74,7 @@ HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTe
 
 /// force + drag and lift (eqs. 18-20), held to what would stop the vertex against the air within the step, as
 /// kernels::airForce. With w the velocity relative to the air, s = |w|, the unit normal n turned to face w, and q = n .
-/// w: drag = -K_D q w, and as (n x u) x u = (q/s) u - n for u = w/s, lift = K_L s (s - q) ((q/s^2) w - n). Where cloth
-/// lies along w exactly, no side faces w, and there is no lift.
+/// w: drag = -K_D q w, and as (n x u) x u = (q/s) u - n for u = w/s, lift = K_L s (s - q) ((q/s^2) w - n).
 template <class D, typename T>
 HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step, const SpringTerms<T>* terms,
                             int slice, int lane, const Lanes3<D>& force) {
@@ -106,8 +105,6 @@ HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>
     const auto full = hn::Mul(lift, speed);
     const auto share = hn::Div(hn::Mul(hn::Abs(side), rise), hn::MulAdd(hn::Mul(push, rise), full, full));
     lift = hn::IfThenElseZero(hn::Gt(full, zero), hn::Mul(lift, hn::Min(share, hn::Set(d, T(1)))));
-  } else {
-    lift = hn::IfThenElseZero(hn::Gt(q, zero), lift);
   }
   const auto along = hn::MulSub(hn::Mul(lift, q), hn::Mul(inverse, size), drag);
   Lanes3<D> air = scaled(relative, along);
