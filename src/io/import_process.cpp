@@ -145,8 +145,8 @@ bool isPassing(int error) {
 /// The conversation with a child over a socket that is its standard input and output.
 class Conversation {
  public:
-  Conversation(int channel, std::string_view input, std::size_t outputLimit)
-      : channel_(channel), input_(input), outputLimit_(outputLimit) {}
+  Conversation(int channel, std::string_view input, std::size_t outputLimit, const OutputListener& listener)
+      : channel_(channel), input_(input), outputLimit_(outputLimit), listener_(listener) {}
 
   enum class State { Talking, Ended, TooMuch };
 
@@ -157,10 +157,11 @@ class Conversation {
   }
 
   /// Waits until there is something to send or receive, but no longer than to the deadline.
-  void waitForTurn(Clock::time_point deadline) const {
+  void waitForTurn(Clock::time_point deadline, bool canBeStopped) const {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count() + 1;
+    const long long longest = canBeStopped ? 50 : 1000;
     pollfd entry{channel_, static_cast<short>(closed_ ? POLLIN : POLLIN | POLLOUT), 0};
-    poll(&entry, 1, static_cast<int>(std::clamp<long long>(left, 0, 1000)));
+    poll(&entry, 1, static_cast<int>(std::clamp<long long>(left, 0, longest)));
   }
 
   std::string takeOutput() { return std::move(output_); }
@@ -195,6 +196,9 @@ class Conversation {
         return State::Ended;
       }
       output_.append(buffer.data(), static_cast<std::size_t>(got));
+      if (listener_) {
+        listener_(std::string_view(buffer.data(), static_cast<std::size_t>(got)));
+      }
       if (output_.size() > outputLimit_) {
         return State::TooMuch;
       }
@@ -205,18 +209,23 @@ class Conversation {
   int channel_;
   std::string_view input_;
   std::size_t outputLimit_;
+  const OutputListener& listener_;
   std::string output_;
   bool closed_ = false;
 };
 
-ProcessOutcome converse(Child& child, Conversation& conversation, Clock::time_point deadline) {
+ProcessOutcome converse(Child& child, Conversation& conversation, Clock::time_point deadline,
+                        const std::stop_token& stop) {
   ProcessOutcome outcome;
   auto state = Conversation::State::Talking;
-  while ((state = conversation.exchange()) == Conversation::State::Talking && Clock::now() < deadline) {
-    conversation.waitForTurn(deadline);
+  while ((state = conversation.exchange()) == Conversation::State::Talking && Clock::now() < deadline &&
+         !stop.stop_requested()) {
+    conversation.waitForTurn(deadline, stop.stop_possible());
   }
   int status = 0;
-  if (state == Conversation::State::TooMuch) {
+  if (stop.stop_requested()) {
+    outcome.end = ProcessOutcome::End::Cancelled;
+  } else if (state == Conversation::State::TooMuch) {
     outcome.end = ProcessOutcome::End::TooMuch;
   } else if (state == Conversation::State::Talking || !child.waitUntil(deadline, status)) {
     outcome.end = ProcessOutcome::End::TimedOut;
@@ -233,7 +242,7 @@ ProcessOutcome converse(Child& child, Conversation& conversation, Clock::time_po
 }  // namespace
 
 ProcessOutcome runProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                          std::string_view input, const ProcessLimits& limits) {
+                          std::string_view input, const ProcessLimits& limits, const OutputListener& listener) {
   const Clock::time_point deadline = Clock::now() + limits.wallClock;
   // A socket and not two pipes: sending to a child that has died can then be told to raise no SIGPIPE.
   std::array<int, 2> ends{};
@@ -244,8 +253,8 @@ ProcessOutcome runProcess(const std::filesystem::path& program, const std::vecto
   Descriptor theirs(ends[1]);
   Child child(SpawnSetup(theirs.number()).spawn(program, arguments));
   theirs.close();
-  Conversation conversation(ours.number(), input, limits.outputBytes);
-  return converse(child, conversation, deadline);
+  Conversation conversation(ours.number(), input, limits.outputBytes, listener);
+  return converse(child, conversation, deadline, limits.stop);
 }
 
 }  // namespace drape

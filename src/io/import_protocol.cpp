@@ -2,7 +2,9 @@
 
 #include "sim/error.hpp"
 
+#include <algorithm>
 #include <climits>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -99,6 +101,20 @@ std::string encodeReply(const ImportReply& reply) {
   append(bytes, reply.error.data(), reply.error.size());
   append(bytes, &closingMark, sizeof(closingMark));
   return bytes;
+}
+
+char progressByte(double share) {
+  return static_cast<char>(0x80U | static_cast<unsigned>(std::lround(100.0 * std::clamp(share, 0.0, 1.0))));
+}
+
+std::optional<double> progressOf(char byte) {
+  const auto value = static_cast<unsigned char>(byte);
+  return value >= 0x80U ? std::optional(std::min(1.0, (value & 0x7fU) / 100.0)) : std::nullopt;
+}
+
+std::string_view withoutProgress(std::string_view output) {
+  const auto* const start = std::find_if_not(output.begin(), output.end(), progressOf);
+  return output.substr(static_cast<std::size_t>(start - output.begin()));
 }
 
 ImportReply decodeReply(std::string_view bytes) {

@@ -1,16 +1,22 @@
 #include "io/mesh_import.hpp"
 
+#include "io/gltf_check.hpp"
 #include "io/import_process.hpp"
 #include "io/import_protocol.hpp"
-#include "io/obj_diagnosis.hpp"
+#include "io/obj_check.hpp"
+#include "io/off_check.hpp"
 #include "io/ply_check.hpp"
+#include "io/stl_check.hpp"
+#include "io/text_input.hpp"
 #include "sim/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -27,6 +33,29 @@ constexpr std::size_t largestFile = 512 * mebibyte;
 double defaultTimeLimit(std::size_t bytes) {
   return 10.0 + static_cast<double>(bytes) / static_cast<double>(2 * mebibyte);
 }
+
+/// A format that is not read, and where its files come from.
+struct OtherFormat {
+  std::string_view ending;
+  std::string_view cure;
+};
+
+constexpr std::string_view fromAnyProgram = "Open it in Blender (File > Import) and export the garment as glTF or OBJ";
+constexpr std::string_view fromItsProgram = "Open it in the program that made it and export the garment as glTF or OBJ";
+constexpr std::string_view fromBlender = "Open it in Blender and export the garment as glTF or OBJ";
+constexpr std::string_view fromClo = "Open it in CLO or Marvelous Designer and export the garment as OBJ, unit m";
+constexpr std::string_view fromCad = "Open it in a CAD program or in FreeCAD and export a mesh as OBJ or STL";
+
+constexpr std::array<OtherFormat, 29> otherFormats{{
+    {".fbx", fromAnyProgram},  {".dae", fromAnyProgram},  {".usd", fromAnyProgram}, {".usda", fromAnyProgram},
+    {".usdc", fromAnyProgram}, {".usdz", fromAnyProgram}, {".abc", fromAnyProgram}, {".x3d", fromAnyProgram},
+    {".wrl", fromAnyProgram},  {".bvh", fromAnyProgram},  {".dxf", fromAnyProgram}, {".3ds", fromItsProgram},
+    {".max", fromItsProgram},  {".ma", fromItsProgram},   {".mb", fromItsProgram},  {".c4d", fromItsProgram},
+    {".lwo", fromItsProgram},  {".3mf", fromItsProgram},  {".skp", fromItsProgram}, {".3dm", fromItsProgram},
+    {".vrm", fromAnyProgram},  {".blend", fromBlender},   {".zprj", fromClo},       {".zpac", fromClo},
+    {".avt", fromClo},         {".step", fromCad},        {".stp", fromCad},        {".iges", fromCad},
+    {".igs", fromCad},
+}};
 
 std::string formatList() {
   std::string list;
@@ -48,9 +77,12 @@ std::string endingOf(const fs::path& file) {
 std::string formatOf(std::string_view name) {
   const std::string ending = endingOf(name);
   if (!isMeshFile(name)) {
-    throw InputError(std::string(name) + ": " + (ending.empty() ? "no ending" : "'" + ending + "' is not an ending") +
-                     " that tells a mesh format. Meshes are read from " + formatList() +
-                     ": export the mesh in one of these.");
+    const std::string advice = adviceForFormat(name);
+    throw InputError(std::string(name) + ": " +
+                     (advice.empty() ? (ending.empty() ? "no ending" : "'" + ending + "' is not an ending") +
+                                           " that tells a mesh format. Meshes are read from " + formatList() +
+                                           ": export the mesh in one of these."
+                                     : advice));
   }
   return ending.substr(1);
 }
@@ -100,6 +132,12 @@ fs::path importProgram() {
   return program;
 }
 
+std::string shortNumber(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
 std::string secondsText(double seconds) {
   const std::string text = std::to_string(std::round(seconds * 10.0) / 10.0);
   return text.substr(0, text.find('.') + 2) + " s";
@@ -120,47 +158,106 @@ std::string describeFailure(const ProcessOutcome& outcome, double timeLimit) {
   return "the mesh reader failed on it (exit status " + std::to_string(outcome.code) + ")";
 }
 
-RawMesh readInChild(const std::string& format, std::string_view bytes, double timeLimit) {
+/// Runs the import program. Throws Cancelled when the watch asks for it.
+RawMesh readInChild(const std::string& format, std::string_view bytes, double timeLimit, const ImportWatch& watch) {
   ProcessLimits limits;
   limits.wallClock = std::chrono::milliseconds(static_cast<long long>(std::ceil(timeLimit * 1000.0)));
   limits.outputBytes = std::min(64 * mebibyte + 64 * bytes.size(), 4096 * mebibyte);
+  limits.stop = watch.stop;
   const auto cpuSeconds = static_cast<long long>(std::ceil(timeLimit)) + 1;
-  const ProcessOutcome outcome = runProcess(importProgram(), {format, std::to_string(cpuSeconds)}, bytes, limits);
+  bool replying = false;
+  const auto listen = [&](std::string_view piece) {
+    for (std::size_t i = 0; i < piece.size() && !replying; ++i) {
+      const auto share = progressOf(piece[i]);
+      replying = !share;
+      if (share && watch.progress) {
+        watch.progress(*share, "Reading");
+      }
+    }
+  };
+  const ProcessOutcome outcome =
+      runProcess(importProgram(), {format, std::to_string(cpuSeconds)}, bytes, limits, listen);
+  if (outcome.end == ProcessOutcome::End::Cancelled) {
+    throw Cancelled();
+  }
   if (outcome.end != ProcessOutcome::End::Exited || outcome.code != 0) {
     throw InputError(describeFailure(outcome, timeLimit) +
                      ". The file is probably damaged: export it again, or in another format (" + formatList() + ").");
   }
-  ImportReply reply = decodeReply(outcome.output);
+  ImportReply reply = decodeReply(withoutProgress(outcome.output));
   if (!reply.error.empty()) {
     throw InputError(reply.error);
   }
   return std::move(reply.mesh);
 }
 
-}  // namespace
+/// A file that was found to be in order, as the import program is to get it.
+struct CheckedFile {
+  std::string storage;  ///< holds the bytes when they are not those of the file
+  std::string_view bytes;
+  int facesSkipped = 0;
+  int unusedVertices = 0;
+  std::vector<std::string> warnings;
+};
 
-std::vector<std::string> meshFormats() {
-  return {"obj", "ply", "stl", "glb"};
+/// Fills in `checked` from a file of any format. Throws InputError when the file is not in order.
+void checkFile(const std::string& format, std::string_view bytes, const fs::path& folder, const ImportWatch& watch,
+               CheckedFile& checked) {
+  if (format == "glb") {
+    checkGlb(bytes);
+    checked.bytes = bytes;
+    return;
+  }
+  std::string textStorage;
+  const std::string_view text = plainText(bytes, textStorage);
+  if (format == "obj") {
+    ObjText obj = checkObj(text, watch);
+    checked = {std::move(obj.text), {}, obj.facesSkipped, obj.unusedVertices, std::move(obj.warnings)};
+    checked.bytes = checked.storage;
+  } else if (format == "off") {
+    OffText off = checkOff(text);
+    checked = {std::move(off.text), {}, off.facesSkipped, 0, std::move(off.warnings)};
+    checked.bytes = checked.storage;
+  } else if (format == "gltf") {
+    checked.storage = gltfWithBuffers(text, folder);
+    checked.bytes = checked.storage;
+  } else {
+    if (format == "ply") {
+      PlyBytes ply = checkPly(text, bytes, checked.storage);
+      checked.bytes = ply.bytes;
+      checked.warnings = std::move(ply.warnings);
+    } else {
+      StlBytes stl = checkStl(text, bytes);
+      checked.bytes = stl.bytes;
+      checked.warnings = std::move(stl.warnings);
+    }
+    if (!textStorage.empty() && checked.bytes.data() != checked.storage.data()) {
+      const std::string kept(checked.bytes);
+      checked.storage = kept;
+      checked.bytes = checked.storage;
+    }
+  }
 }
 
-bool isMeshFile(const fs::path& file) {
-  const std::string ending = endingOf(file);
-  const std::vector<std::string> formats = meshFormats();
-  return !ending.empty() && std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end();
+/// Welds, and names the vertex that lies far from all others as the file numbers it.
+ImportedMesh weldNamed(const RawMesh& raw, const std::string& name, std::string_view bytes, const std::string& format,
+                       const ImportOptions& options) {
+  try {
+    return weldMesh(raw, name, options);
+  } catch (const OutlierError& error) {
+    const Vec3& place = raw.positions[static_cast<std::size_t>(error.rawVertex())];
+    std::string vertex = "the vertex at (" + shortNumber(place.x()) + ", " + shortNumber(place.y()) + ", " +
+                         shortNumber(place.z()) + ")";
+    if (format == "obj") {
+      std::string storage;
+      vertex = nameObjVertex(plainText(bytes, storage), place);
+    }
+    throw InputError(name + ": " + vertex + " " + error.what());
+  }
 }
 
-FormatFacts factsOfFormat(std::string_view format) {
-  // glTF 2.0, section 3.4: "The units for all linear distances are meters", "+Y as up".
-  return format == "glb" || format == "gltf" ? FormatFacts{1.0, 'y'} : FormatFacts{};
-}
-
-ImportedMesh importMesh(const std::filesystem::path& file, const ImportOptions& options) {
-  const std::string bytes = readWholeFile(file);
-  return importMeshFromMemory(file.string(), bytes, options);
-}
-
-ImportedMesh importMeshFromMemory(std::string_view nameView, std::string_view bytes, const ImportOptions& options) {
-  const std::string name(nameView);
+ImportedMesh importBytes(const std::string& name, std::string_view bytes, const fs::path& folder,
+                         const ImportOptions& options) {
   const std::string format = formatOf(name);
   if (bytes.empty()) {
     throw InputError(name + ": the file is empty. Export the mesh again.");
@@ -172,20 +269,61 @@ ImportedMesh importMeshFromMemory(std::string_view nameView, std::string_view by
   constexpr double longestTime = 86400.0;
   const double timeLimit =
       options.timeLimit > 0.0 ? std::min(options.timeLimit, longestTime) : defaultTimeLimit(bytes.size());
+  CheckedFile checked;
   RawMesh raw;
   try {
-    if (format == "ply") {
-      checkPly(bytes);
-    }
-    raw = readInChild(format, bytes, timeLimit);
+    checkFile(format, bytes, folder, options.watch.part(0.0, 0.2), checked);
+    raw = readInChild(format, checked.bytes, timeLimit, options.watch.part(0.2, 0.7));
   } catch (const InputError& error) {
-    const std::string problem = format == "obj" ? diagnoseObj(bytes) : "";
-    throw InputError(name + ": " +
-                     (problem.empty() ? error.what() : problem + ". Correct it, or export the mesh again."));
+    throw InputError(name + ": " + error.what());
   }
-  ImportedMesh mesh = weldMesh(raw, name, options);
+  raw.facesSkipped += checked.facesSkipped;
+  raw.unusedVertices += checked.unusedVertices;
+  ImportOptions welding = options;
+  welding.watch = options.watch.part(0.7, 1.0);
+  ImportedMesh mesh = weldNamed(raw, name, bytes, format, welding);
   mesh.format = factsOfFormat(format);
+  mesh.summary.warnings.insert(mesh.summary.warnings.begin(), checked.warnings.begin(), checked.warnings.end());
   return mesh;
+}
+
+}  // namespace
+
+std::vector<std::string> meshFormats() {
+  return {"obj", "ply", "stl", "off", "glb", "gltf"};
+}
+
+bool isMeshFile(const fs::path& file) {
+  const std::string ending = endingOf(file);
+  const std::vector<std::string> formats = meshFormats();
+  return !ending.empty() && std::find(formats.begin(), formats.end(), ending.substr(1)) != formats.end();
+}
+
+std::string adviceForFormat(const fs::path& file) {
+  const std::string ending = endingOf(file);
+  const auto* const found = std::find_if(otherFormats.begin(), otherFormats.end(),
+                                         [&ending](const OtherFormat& format) { return format.ending == ending; });
+  if (found == otherFormats.end()) {
+    return "";
+  }
+  return "'" + ending + "' files are not read. " + std::string(found->cure) + ". (Meshes are read from " +
+         formatList() + ".)";
+}
+
+FormatFacts factsOfFormat(std::string_view format) {
+  // glTF 2.0, section 3.4: "The units for all linear distances are meters", "+Y as up".
+  return format == "glb" || format == "gltf" ? FormatFacts{1.0, 'y'} : FormatFacts{};
+}
+
+ImportedMesh importMesh(const std::filesystem::path& file, const ImportOptions& options) {
+  options.watch.tell(0.0, "Reading");
+  const std::string bytes = readWholeFile(file);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  return importBytes(file.string(), bytes, folder, options);
+}
+
+ImportedMesh importMeshFromMemory(std::string_view name, std::string_view bytes, const ImportOptions& options) {
+  return importBytes(std::string(name), bytes, {}, options);
 }
 
 }  // namespace drape

@@ -60,9 +60,30 @@ void warnAboutFaces(MeshSummary& summary) {
     summary.warnings.push_back(counted(summary.isolatedVertices, "vertex belongs", "vertices belong") +
                                " to no face: left out.");
   }
+  if (summary.outliers > 0) {
+    summary.warnings.push_back(counted(summary.outliers, "vertex lies", "vertices lie") +
+                               " far from all others: left out, with the faces that use it.");
+  }
 }
 
-void warnAboutTopology(MeshSummary& summary) {
+void warnAboutShortEdges(MeshSummary& summary) {
+  const std::string place = formatted("(%.6g, ", summary.shortEdge[0]) + formatted("%.6g, ", summary.shortEdge[1]) +
+                            formatted("%.6g)", summary.shortEdge[2]);
+  if (summary.shortEdges > 0) {
+    summary.warnings.push_back(counted(summary.shortEdges, "edge was", "edges were") +
+                               " less than a thousandth of the median edge long (slivers): merged to one vertex each. "
+                               "The shortest is at " +
+                               place + " in the file.");
+  }
+  if (summary.shortEdgesKept > 0) {
+    summary.warnings.push_back(counted(summary.shortEdgesKept, "edge is", "edges are") +
+                               " less than a thousandth of the median edge long and cannot be merged; they need small "
+                               "time steps. Repair the mesh near " +
+                               place + " (in the file's coordinates).");
+  }
+}
+
+void warnAboutTopology(MeshUse use, MeshSummary& summary) {
   if (summary.nonManifoldEdges > 0) {
     summary.warnings.push_back(counted(summary.nonManifoldEdges, "edge has", "edges have") +
                                " more than two faces (layers sewn together?): simulated as it is.");
@@ -71,7 +92,7 @@ void warnAboutTopology(MeshSummary& summary) {
     summary.warnings.push_back("Across " + counted(summary.misorientedEdges, "edge", "edges") +
                                " the faces point to opposite sides: shading and wind may look wrong there.");
   }
-  if (summary.components > 1) {
+  if (use == MeshUse::Cloth && summary.components > 1) {
     summary.warnings.push_back("It falls into " + std::to_string(summary.components) +
                                " separate pieces: each needs its own pins to stay up.");
   }
@@ -79,7 +100,7 @@ void warnAboutTopology(MeshSummary& summary) {
 
 }  // namespace
 
-void summarise(const ClothMesh& cloth, MeshSummary& summary) {
+void summarise(const ClothMesh& cloth, MeshUse use, MeshSummary& summary) {
   const MeshTopology topology = measureTopology(static_cast<int>(cloth.positions.size()), cloth.triangles);
   summary.vertices = static_cast<int>(cloth.positions.size());
   summary.triangles = static_cast<int>(cloth.triangles.size());
@@ -90,9 +111,12 @@ void summarise(const ClothMesh& cloth, MeshSummary& summary) {
   summary.misorientedEdges = topology.misorientedEdges;
   const Vec3 size = boundsOf(cloth.positions).sizes();
   summary.size = {size.x(), size.y(), size.z()};
-  warnAboutSize(summary);
+  if (use == MeshUse::Cloth) {
+    warnAboutSize(summary);
+  }
   warnAboutFaces(summary);
-  warnAboutTopology(summary);
+  warnAboutShortEdges(summary);
+  warnAboutTopology(use, summary);
 }
 
 std::vector<std::string> describe(const MeshSummary& summary) {

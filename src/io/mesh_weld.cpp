@@ -1,16 +1,19 @@
 #include "io/chained_index.hpp"
 #include "io/mesh_import.hpp"
+#include "io/mesh_outliers.hpp"
 #include "io/mesh_summary.hpp"
-#include "io/mesh_topology.hpp"
 #include "io/planar_uvs.hpp"
+#include "io/short_edges.hpp"
 #include "sim/error.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 
 namespace drape {
@@ -21,6 +24,20 @@ constexpr double largestCoordinate = 1e30;
 
 /// A triangle lower than this part of the bounding box's diagonal has no area that float coordinates could tell from 0.
 constexpr double flatHeight = 1e-7;
+
+/// But in a mesh of very many triangles, or of parts far apart, no triangle counts as flat that is higher than this
+/// part of the median edge.
+constexpr double flatHeightOfEdge = 1e-4;
+
+/// Points are not welded over more than this part of the median edge, however large the mesh is.
+constexpr double longestWeldOfEdge = 0.5;
+
+/// Edges shorter than this part of the median edge are merged: springs so short force tiny time steps, and nobody
+/// models with them on purpose.
+constexpr double shortestEdge = 1e-3;
+
+/// Smaller cloth is not simulated [m]: the file's unit is certainly another one.
+constexpr double smallestCloth = 1e-3;
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
@@ -151,15 +168,26 @@ struct Weld {
   std::vector<int> particle;    ///< one a raw vertex; -1 for a vertex that no face uses
 };
 
-Weld weldPositions(const RawMesh& raw, const Bounds& bounds, double tolerance) {
+/// Lengths that tolerances are measured by, in the file's unit.
+struct Scale {
+  Bounds bounds;
+  double medianEdge = 0.0;
+
+  [[nodiscard]] double weldDistance(double tolerance) const {
+    return std::min(tolerance * bounds.diagonal(), longestWeldOfEdge * medianEdge);
+  }
+  [[nodiscard]] double flat() const { return std::min(flatHeight * bounds.diagonal(), flatHeightOfEdge * medianEdge); }
+};
+
+Weld weldPositions(const RawMesh& raw, const Scale& scale, double tolerance) {
   std::vector<bool> used(raw.positions.size(), false);
   for (const Triangle& triangle : raw.triangles) {
     for (const int vertex : triangle) {
       used[at(vertex)] = true;
     }
   }
-  const double diagonal = bounds.diagonal();
-  PointWelder welder(bounds.min, diagonal, tolerance * diagonal, raw.positions.size());
+  const double diagonal = scale.bounds.diagonal();
+  PointWelder welder(scale.bounds.min, diagonal, scale.weldDistance(tolerance), raw.positions.size());
   Weld weld;
   weld.particle.assign(raw.positions.size(), -1);
   for (std::size_t i = 0; i < raw.positions.size(); ++i) {
@@ -193,12 +221,12 @@ Triangle sorted(Triangle face) {
   return face;
 }
 
-Faces cleanFaces(const RawMesh& raw, const Weld& weld, double diagonal, MeshSummary& summary) {
+Faces cleanFaces(const RawMesh& raw, const Weld& weld, double flat, MeshSummary& summary) {
   Faces kept;
   ChainedIndex index(raw.triangles.size());
   for (const Triangle& source : raw.triangles) {
     const Triangle face{weld.particle[at(source[0])], weld.particle[at(source[1])], weld.particle[at(source[2])]};
-    if (isDegenerate(face, weld.positions, flatHeight * diagonal)) {
+    if (isDegenerate(face, weld.positions, flat)) {
       ++summary.degenerateFaces;
       continue;
     }
@@ -284,34 +312,135 @@ RenderMesh renderMeshFromUvs(const RawMesh& raw, const Weld& weld, const Faces& 
   return render;
 }
 
+std::string lengthText(double metres) {
+  struct Unit {
+    double metres;
+    const char* name;
+  };
+  constexpr std::array<Unit, 5> units{{{1e3, "km"}, {1.0, "m"}, {1e-3, "mm"}, {1e-6, "um"}, {0.0, "m"}}};
+  const auto* const unit =
+      std::find_if(units.begin(), units.end(), [metres](const Unit& each) { return metres >= each.metres; });
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.3g %s", unit->metres > 0.0 ? metres / unit->metres : metres, unit->name);
+  return text.data();
+}
+
+/// Takes the faces of vertices that lie far from all others out of the mesh, or throws when they are not to be taken
+/// out.
+RawMesh withoutOutliers(const RawMesh& raw, const std::vector<int>& outliers, const std::string& name,
+                        const ImportOptions& options) {
+  std::vector<bool> isOutlier(raw.positions.size(), false);
+  for (const int vertex : outliers) {
+    isOutlier[at(vertex)] = true;
+  }
+  RawMesh rest = raw;
+  std::erase_if(rest.triangles, [&isOutlier](const Triangle& face) {
+    return std::any_of(face.begin(), face.end(), [&isOutlier](int vertex) { return isOutlier[at(vertex)]; });
+  });
+  if (options.outliers == OutlierRule::Refuse) {
+    const Bounds bounds = boundsOf(rest.positions, rest.triangles);
+    const Vec3& place = raw.positions[at(outliers.front())];
+    const double away = (place - place.cwiseMax(bounds.min).cwiseMin(bounds.max)).norm() * options.metresPerUnit;
+    const std::string others =
+        outliers.size() == 1 ? "" : " (and " + std::to_string(outliers.size() - 1) + " more like it)";
+    throw OutlierError("lies " + lengthText(away) + " from the rest of the mesh" + others +
+                           ". Repair the mesh, or leave such vertices out with --set outliers=leave_out.",
+                       outliers.front());
+  }
+  if (rest.triangles.size() * 2 < raw.triangles.size()) {
+    throw InputError(name + ": " + std::to_string(raw.triangles.size() - rest.triangles.size()) + " of its " +
+                     std::to_string(raw.triangles.size()) +
+                     " faces use a vertex that lies far from all others, so "
+                     "most of the mesh would be left out. Repair the mesh.");
+  }
+  return rest;
+}
+
+/// Merges the ends of edges that are far too short. Faces and particles are renumbered; positions stay.
+void repairShortEdges(double limit, Weld& weld, Faces& faces, MeshSummary& summary) {
+  const ShortEdges edges = collapseShortEdges(weld.positions, faces.particles, limit);
+  if (!edges.where) {
+    return;
+  }
+  summary.shortEdges = edges.collapsed;
+  summary.shortEdgesKept = edges.kept;
+  summary.shortEdge = {edges.where->x(), edges.where->y(), edges.where->z()};
+  for (int& particle : weld.particle) {
+    particle = particle < 0 ? -1 : edges.replacement[at(particle)];
+  }
+  Faces kept;
+  for (std::size_t i = 0; i < faces.particles.size(); ++i) {
+    Triangle face = faces.particles[i];
+    for (int& particle : face) {
+      particle = edges.replacement[at(particle)];
+    }
+    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) {
+      kept.particles.push_back(face);
+      kept.rawVertices.push_back(faces.rawVertices[i]);
+    }
+  }
+  faces = std::move(kept);
+}
+
+void requireMostFaces(const RawMesh& raw, const MeshSummary& summary) {
+  const auto dropped = static_cast<std::size_t>(summary.degenerateFaces);
+  if (2 * dropped > raw.triangles.size()) {
+    const std::string all = std::to_string(raw.triangles.size());
+    throw InputError(summary.source + ": " +
+                     (dropped == raw.triangles.size() ? "none of its " + all + " faces has an area."
+                                                      : std::to_string(dropped) + " of its " + all +
+                                                            " faces have no area, so most of the mesh would be lost.") +
+                     " Repair or export the mesh again, or lower weld_tolerance if it is not the default.");
+  }
+}
+
+void requireVisibleSize(const MeshSummary& summary, const ImportOptions& options) {
+  const double largest = *std::max_element(summary.size.begin(), summary.size.end());
+  if (options.use == MeshUse::Cloth && largest < smallestCloth) {
+    throw InputError(
+        summary.source + ": it is " + lengthText(largest) +
+        " large, and cloth below 1 mm is not simulated. Say which unit the file is in (--set unit=...), or "
+        "scale the mesh to metres.");
+  }
+}
+
 }  // namespace
 
-ImportedMesh weldMesh(const RawMesh& raw, std::string_view nameView, const ImportOptions& options) {
+ImportedMesh weldMesh(const RawMesh& source, std::string_view nameView, const ImportOptions& options) {
   const std::string name(nameView);
-  requireUsable(raw, name, options);
-  if (raw.triangles.empty()) {
-    throw InputError(name + ": there are no faces in it" + (raw.facesSkipped > 0 ? " but lines and points. " : ". ") +
+  requireUsable(source, name, options);
+  if (source.triangles.empty()) {
+    throw InputError(name + ": there are no faces in it" +
+                     (source.facesSkipped > 0 ? " but lines and points. " : ". ") +
                      "A cloth needs a mesh of triangles or polygons.");
   }
   ImportedMesh mesh;
   mesh.summary.source = name;
-  mesh.summary.verticesInFile = static_cast<int>(raw.positions.size());
-  mesh.summary.facesSkipped = raw.facesSkipped;
-  const Bounds bounds = boundsOf(raw.positions, raw.triangles);
-  Weld weld = weldPositions(raw, bounds, options.weldTolerance);
-  Faces faces = cleanFaces(raw, weld, bounds.diagonal(), mesh.summary);
-  if (faces.particles.empty()) {
-    throw InputError(name + ": none of its " + std::to_string(raw.triangles.size()) +
-                     " faces has an area. Repair or export the mesh again.");
-  }
+  mesh.summary.verticesInFile = static_cast<int>(source.positions.size());
+  mesh.summary.facesSkipped = source.facesSkipped;
+  const std::vector<int> outliers = findOutliers(source.positions, source.triangles);
+  mesh.summary.outliers = static_cast<int>(outliers.size());
+  const RawMesh cleaned = outliers.empty() ? RawMesh{} : withoutOutliers(source, outliers, name, options);
+  const RawMesh& raw = outliers.empty() ? source : cleaned;
+  const Scale scale{boundsOf(raw.positions, raw.triangles), medianEdge(raw.positions, raw.triangles)};
+  options.watch.tell(0.3, "Joining vertices");
+  Weld weld = weldPositions(raw, scale, options.weldTolerance);
+  options.watch.tell(0.5, "Joining vertices");
+  Faces faces = cleanFaces(raw, weld, scale.flat(), mesh.summary);
+  requireMostFaces(raw, mesh.summary);
+  repairShortEdges(shortestEdge * scale.medianEdge, weld, faces, mesh.summary);
   dropIsolated(weld, faces, mesh.summary);
+  mesh.summary.isolatedVertices += raw.unusedVertices - mesh.summary.outliers - mesh.summary.shortEdges;
   for (Vec3& position : weld.positions) {
     position *= options.metresPerUnit;
   }
   mesh.cloth.positions = weld.positions;
   mesh.cloth.triangles = faces.particles;
+  options.watch.tell(0.7, "Joining vertices");
   mesh.render = raw.uvs.empty() ? renderMeshFromPlanes(mesh.cloth) : renderMeshFromUvs(raw, weld, faces);
-  summarise(mesh.cloth, mesh.summary);
+  options.watch.tell(0.8, "Measuring");
+  summarise(mesh.cloth, options.use, mesh.summary);
+  requireVisibleSize(mesh.summary, options);
   return mesh;
 }
 

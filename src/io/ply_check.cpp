@@ -2,12 +2,12 @@
 
 #include "io/ply_header.hpp"
 #include "io/quoted_text.hpp"
+#include "io/text_input.hpp"
 #include "sim/error.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -37,7 +37,7 @@ struct Place {
 /// The numbers of a text file, one after the other.
 class TextNumbers {
  public:
-  explicit TextNumbers(std::string_view rest) : rest_(rest) {}
+  TextNumbers(std::string_view text, std::size_t start) : text_(text), rest_(text.substr(start)) {}
 
   double next(const PlyNumber&, const Place& place) {
     const std::size_t begin = rest_.find_first_not_of(blanks);
@@ -47,11 +47,11 @@ class TextNumbers {
     rest_.remove_prefix(begin);
     std::string_view word = rest_.substr(0, rest_.find_first_of(blanks));
     rest_.remove_prefix(word.size());
-    const std::string_view digits = word.substr(word[0] == '+' ? 1 : 0);
     double value = 0.0;
-    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (result.ec != std::errc() || result.ptr != digits.data() + digits.size() || !std::isfinite(value)) {
-      fail(place, "has " + quoted(word) + " where a finite number should be. Repair the file.");
+    if (!readNumber(word, value)) {
+      const std::size_t line = lineAt(text_, text_.size() - rest_.size());
+      fail(place, "has " + quoted(word) + " where a finite number should be (line " + std::to_string(line) +
+                      "). Repair the file.");
     }
     return value;
   }
@@ -61,6 +61,7 @@ class TextNumbers {
 
  private:
   static constexpr std::string_view blanks = " \t\r\n";
+  std::string_view text_;
   std::string_view rest_;
 };
 
@@ -167,19 +168,54 @@ void checkElements(const PlyHeader& header, Numbers numbers) {
   }
 }
 
+/// assimp 5.2 drops a line break at the start of binary numbers, unless the header ends in "\r\n".
+std::string withLongLineBreak(std::string_view bytes, std::size_t headerSize) {
+  std::string text(bytes.substr(0, headerSize));
+  text.resize(text.find_last_not_of("\r\n") + 1);
+  text += "\r\n";
+  return text.append(bytes.substr(headerSize));
+}
+
+void requireCoordinates(const PlyHeader& header) {
+  std::string found;
+  for (const PlyElement& element : header.elements) {
+    for (const PlyProperty& property : element.properties) {
+      found += element.name == "vertex" && !property.isList && isCoordinate(property.name) ? property.name : "";
+    }
+  }
+  for (const char axis : {'x', 'y', 'z'}) {
+    if (found.find(axis) == std::string::npos) {
+      throw InputError(std::string("its vertices have no '") + axis + "'. Export the mesh again.");
+    }
+  }
+}
+
 }  // namespace
 
-void checkPly(std::string_view bytes) {
-  const PlyHeader header = readPlyHeader(bytes);
+PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& storage) {
+  const PlyHeader header = readPlyHeader(text);
   if (countOf(header, "vertex") == 0 || countOf(header, "face") == 0) {
     throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons, not a cloud of points.");
   }
-  const std::string_view numbers = bytes.substr(header.size);
+  requireCoordinates(header);
+  PlyBytes result{bytes, {}};
   if (header.format == PlyHeader::Format::Text) {
-    checkElements(header, TextNumbers(numbers));
-  } else {
-    checkElements(header, BinaryNumbers(numbers, header.format == PlyHeader::Format::BigEndian));
+    requireNoZeroBytes(text);
+    checkElements(header, TextNumbers(text, header.size));
+    result.bytes = text;
+    if (text.back() != '\n') {
+      result.warnings.push_back(endsWithoutBreak(lineAt(text, text.size())));
+    }
+    return result;
   }
+  const PlyHeader binary = readPlyHeader(bytes);
+  const std::string_view numbers = bytes.substr(binary.size);
+  checkElements(binary, BinaryNumbers(numbers, header.format == PlyHeader::Format::BigEndian));
+  if (!numbers.empty() && numbers.front() == '\n') {
+    storage = withLongLineBreak(bytes, binary.size);
+    result.bytes = storage;
+  }
+  return result;
 }
 
 }  // namespace drape

@@ -1,12 +1,19 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace drape {
 
 /// Walks through a PLY file and throws InputError when it does not hold what its header promises: when it is cut off,
 /// has a coordinate that is not a finite number, or a face with a vertex that is not there. The parsing library
-/// crashes on such files, stalls, or makes up vertices.
-void checkPly(std::string_view bytes);
+/// crashes on such files, stalls, or makes up vertices. Returns the file in a form that the library does not misread.
+/// `text` is the file as plainText, and `bytes` the file itself, which counts when it is binary.
+struct PlyBytes {
+  std::string_view bytes;             ///< the file; points into what was given, or into `storage`
+  std::vector<std::string> warnings;  ///< that the text may be cut off
+};
+[[nodiscard]] PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& storage);
 
 }  // namespace drape

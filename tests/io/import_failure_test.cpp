@@ -5,10 +5,13 @@
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <stop_token>
+#include <thread>
 
 namespace drape {
 namespace {
@@ -105,8 +108,14 @@ TEST_F(ImportFailure, namesAFileThatIsTooLargeWithoutReadingIt) {
 TEST_F(ImportFailure, listsTheFormatsForAnUnknownEnding) {
   for (const std::string name : {"shirt.xyz", "shirt", "shirt."}) {
     const std::string message = problemOfFile(write(name, fourCorners));
-    EXPECT_TRUE(contains(message, ".obj, .ply, .stl, .glb")) << message;
+    EXPECT_TRUE(contains(message, ".obj, .ply, .stl, .off, .glb, .gltf")) << message;
   }
+}
+
+TEST_F(ImportFailure, saysWhatToExportInsteadOfAFormatThatIsNotRead) {
+  EXPECT_TRUE(contains(problemOfFile(write("a.fbx", "x")), "a.fbx: '.fbx' files are not read. Open it in Blender"));
+  EXPECT_TRUE(contains(problemOfFile(write("a.DAE", "x")), "'.dae' files are not read"));
+  EXPECT_TRUE(contains(problemOfFile(write("a.zprj", "x")), "Marvelous Designer and export the garment as OBJ"));
 }
 
 TEST_F(ImportFailure, namesAnEmptyFile) {
@@ -142,7 +151,8 @@ TEST_F(ImportFailure, refusesRandomBytesInEveryFormat) {
 }
 
 TEST_F(ImportFailure, readsAFileOnlyAsWhatItsNameSays) {
-  EXPECT_TRUE(contains(problemOf("really_obj.stl", fourCorners + "f 1 2 3\n"), "cannot be read as .stl"));
+  EXPECT_TRUE(contains(problemOf("really_obj.stl", fourCorners + "f 1 2 3\n"), "it is too short for an STL file"));
+  EXPECT_TRUE(contains(problemOf("really_stl.obj", "solid x\nendsolid x\n"), "it is not an OBJ file"));
 }
 
 TEST_F(ImportFailure, survivesObjFilesCutOffAnywhere) {
@@ -152,6 +162,69 @@ TEST_F(ImportFailure, survivesObjFilesCutOffAnywhere) {
       (void)importMeshFromMemory("cut.obj", whole.substr(0, size), {});
     } catch (const InputError& error) {
       EXPECT_TRUE(contains(error.what(), "cut.obj: ")) << error.what();
+    }
+  }
+}
+
+TEST_F(ImportFailure, namesTheVertexThatLiesFarFromTheRest) {
+  std::string obj = "# sheet\n";
+  for (int i = 0; i < 25; ++i) {
+    obj += "v " + std::to_string(i % 5) + (i == 16 ? " 1e5" : " 0") + " " + std::to_string(i / 5) + "\n";
+  }
+  for (int i = 1; i < 20; ++i) {
+    obj +=
+        i % 5 == 0 ? "" : "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 5) + "\n";
+  }
+  EXPECT_TRUE(contains(problemOf("far.obj", obj), "far.obj: vertex 17 (line 18) lies 100 km from the rest"));
+}
+
+TEST_F(ImportFailure, cancelsWhileTheReaderWorks) {
+  pretendReader("exec sleep 60");
+  std::stop_source source;
+  ImportOptions options;
+  options.watch.stop = source.get_token();
+  options.watch.progress = [&source](double share, std::string_view) {
+    if (share >= 0.2) {
+      source.request_stop();
+    }
+  };
+  std::thread later([&source] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    source.request_stop();
+  });
+  EXPECT_THROW((void)importMeshFromMemory("sound.obj", fourCorners + "f 1 2 3\n", options), Cancelled);
+  later.join();
+}
+
+/// No message is long, has control characters, or comes without the name of the file.
+void expectGoodMessage(const std::string& name, const std::string& message) {
+  EXPECT_LT(message.size(), 400U) << message;
+  EXPECT_TRUE(contains(message, name + ": ")) << message;
+  EXPECT_TRUE(std::none_of(message.begin(), message.end(), [](char letter) { return letter >= 0 && letter < ' '; }))
+      << message;
+}
+
+TEST_F(ImportFailure, hasAGoodMessageForEveryDamagedFile) {
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"a.obj", fourCorners + "vt 0 0\nf 1/1 2/1 3/1\nf 2 4 3\n"},
+      {"a.stl", "solid x\n" + facet + "endsolid x\n"},
+      {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+      {"a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+       "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+      {"a.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"a.bin"}],"meshes":[{}]})"}};
+  const std::string bytes = noise(200);
+  for (const auto& [name, whole] : files) {
+    for (std::size_t i = 0; i < 24; ++i) {
+      std::string damaged = whole;
+      damaged[i * 37 % whole.size()] = bytes[2 * i];
+      try {
+        (void)importMeshFromMemory(name, damaged, {});
+      } catch (const InputError& error) {
+        expectGoodMessage(name, error.what());
+      }
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include <gtest/gtest.h>
+#include <stop_token>
 
 namespace drape {
 namespace {
@@ -18,7 +19,7 @@ ProcessOutcome runShell(const std::string& script, std::string_view input, Proce
 }
 
 ProcessLimits withinSeconds(int seconds) {
-  return {std::chrono::seconds(seconds), 4 * manyBytes};
+  return {std::chrono::seconds(seconds), 4 * manyBytes, {}};
 }
 
 TEST(ImportProcess, echoesMoreThanAPipeHoldsWithoutStalling) {
@@ -50,7 +51,7 @@ TEST(ImportProcess, reportsTheSignalThatKilledTheChild) {
 
 TEST(ImportProcess, stopsAChildThatTakesTooLong) {
   const auto start = std::chrono::steady_clock::now();
-  const ProcessLimits limits{std::chrono::milliseconds(200), manyBytes};
+  const ProcessLimits limits{std::chrono::milliseconds(200), manyBytes, {}};
   EXPECT_EQ(runShell("exec sleep 60", "", limits).end, End::TimedOut);
   EXPECT_EQ(runShell("exec sleep 60", std::string(manyBytes, 'x'), limits).end, End::TimedOut);
   EXPECT_EQ(runShell("exec sleep 60 >&-", "", limits).end, End::TimedOut) << "even when it has closed its output";
@@ -58,7 +59,21 @@ TEST(ImportProcess, stopsAChildThatTakesTooLong) {
 }
 
 TEST(ImportProcess, stopsAChildThatWritesWithoutEnd) {
-  EXPECT_EQ(runShell("exec yes", "", {std::chrono::seconds(60), manyBytes}).end, End::TooMuch);
+  EXPECT_EQ(runShell("exec yes", "", {std::chrono::seconds(60), manyBytes, {}}).end, End::TooMuch);
+}
+
+TEST(ImportProcess, stopsAChildWhenAsked) {
+  std::stop_source source;
+  ProcessLimits limits = withinSeconds(60);
+  limits.stop = source.get_token();
+  std::string heard;
+  const ProcessOutcome outcome =
+      runProcess("/bin/sh", {"-c", "echo hello; exec sleep 60"}, "", limits, [&heard, &source](std::string_view piece) {
+        heard += piece;
+        source.request_stop();
+      });
+  EXPECT_EQ(outcome.end, End::Cancelled);
+  EXPECT_EQ(heard, "hello\n");
 }
 
 TEST(ImportProcess, saysWhichProgramCannotBeStarted) {

@@ -32,6 +32,15 @@ TEST(ImportProtocol, bringsAnErrorAcross) {
   EXPECT_EQ(decodeReply(encodeReply(reply)).error, reply.error);
 }
 
+TEST(ImportProtocol, tellsProgressBeforeTheReply) {
+  const std::string reply = encodeReply(someReply());
+  const std::string output = std::string(1, progressByte(0.0)) + progressByte(0.37) + progressByte(1.0) + reply;
+  EXPECT_EQ(progressOf(output[1]), 0.37);
+  EXPECT_EQ(progressOf(output[2]), 1.0);
+  EXPECT_FALSE(progressOf(reply[0]).has_value());
+  EXPECT_EQ(withoutProgress(output), reply);
+}
+
 TEST(ImportProtocol, refusesEveryTruncation) {
   const std::string whole = encodeReply(someReply());
   for (std::size_t size = 0; size < whole.size(); ++size) {

@@ -1,8 +1,12 @@
 #include "io/mesh_import.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 namespace drape {
 namespace {
@@ -129,6 +133,88 @@ TEST(MeshImport, scalesToMetres) {
   ImportOptions options;
   options.metresPerUnit = 0.01;
   EXPECT_NEAR(importMeshFromMemory("a.obj", fourCorners + "f 1 2 3\n", options).summary.size[0], 0.01, 1e-12);
+}
+
+TEST(MeshImport, readsAnOffFile) {
+  const ImportedMesh mesh =
+      import("a.off", "OFF\n# square\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2 255 0 0\n");
+  EXPECT_EQ(mesh.summary.vertices, 4);
+  EXPECT_EQ(mesh.summary.springs, 5);
+}
+
+/// The square of glbSquare as text, its buffer under the name `uri`.
+std::string gltfSquare(const std::string& uri) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{"byteLength":72,"uri":")" +
+         uri +
+         R"("}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},)"
+         R"({"bufferView":1,"componentType":5125,"count":6,"type":"SCALAR"}]})";
+}
+
+TEST(MeshImport, readsGltfWithItsBufferInside) {
+  const ImportedMesh mesh =
+      import("a.gltf", gltfSquare("data:application/octet-stream;base64,"
+                                  "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAAA"
+                                  "AAAAAAEAAAACAAAAAQAAAAMAAAACAAAA"));
+  EXPECT_EQ(mesh.summary.vertices, 4);
+  EXPECT_EQ(mesh.summary.springs, 5);
+  EXPECT_EQ(mesh.format.metresPerUnit, 1.0);
+}
+
+TEST(MeshImport, readsGltfWithItsBufferBesideIt) {
+  std::string pattern = (std::filesystem::temp_directory_path() / "drape-gltf-XXXXXX").string();
+  ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+  const std::filesystem::path folder = pattern;
+  const std::string glb = glbSquare();
+  std::ofstream(folder / "the buffer.bin", std::ios::binary) << glb.substr(glb.size() - 72);
+  std::ofstream(folder / "a.gltf") << gltfSquare("the%20buffer.bin");
+  EXPECT_EQ(importMesh(folder / "a.gltf", {}).summary.springs, 5);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(MeshImport, readsTextWithAByteOrderMarkWideLettersOrIndentation) {
+  const std::string plain = fourCorners + "f 1 2 3\nf 2 4 3\n";
+  std::string wide = "\xff\xfe";
+  std::string indented;
+  for (const char letter : plain) {
+    (wide += letter) += '\0';
+    indented += letter == '\n' ? std::string("\r\n \t") : std::string(1, letter);
+  }
+  for (const std::string& text : {"\xef\xbb\xbf" + plain, wide, indented}) {
+    EXPECT_EQ(import("a.obj", text).summary.triangles, 2);
+  }
+}
+
+TEST(MeshImport, readsABinaryPlyWhoseNumbersBeginWithABlank) {
+  for (int first = 0; first < 256; ++first) {
+    std::string bytes =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    bytes += little((std::bit_cast<std::uint32_t>(0.25F) & ~0xffU) | static_cast<std::uint32_t>(first));
+    for (const float value : {0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F}) {
+      bytes += little(value);
+    }
+    bytes += '\3' + little(0U) + little(1U) + little(2U);
+    const bool slow = first > 13 && first != ' ' && first % 16 != 0;
+    if (!slow) {
+      EXPECT_EQ(import("a.ply", bytes).summary.triangles, 1) << "first byte " << first;
+    }
+  }
+}
+
+TEST(MeshImport, tellsItsProgress) {
+  std::vector<double> shares;
+  ImportOptions options;
+  options.watch.progress = [&shares](double share, std::string_view stage) {
+    shares.push_back(share);
+    EXPECT_FALSE(stage.empty());
+  };
+  (void)importMeshFromMemory("a.obj", fourCorners + "f 1 2 3\n", options);
+  EXPECT_GE(shares.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.back(), 0.9);
+  EXPECT_LE(shares.back(), 1.0);
 }
 
 TEST(MeshImport, tellsTheUnitAndTheUpAxisThatTheFormatPrescribes) {

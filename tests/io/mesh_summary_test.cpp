@@ -64,6 +64,40 @@ TEST(MeshSummary, warnsOfMeshesThatDoNotHangTogetherWell) {
   EXPECT_TRUE(warns(mesh, "2 separate pieces"));
 }
 
+TEST(MeshSummary, warnsOfSliversWithTheirPlace) {
+  RawMesh raw;
+  for (int i = 0; i < 25; ++i) {
+    raw.positions.emplace_back(10 * (i % 5), 10 * (i / 5), 0.0);
+  }
+  raw.positions[12] = Vec3(20, 10.001, 0);
+  for (int i = 0; i < 20; ++i) {
+    if (i % 5 < 4) {
+      raw.triangles.push_back({i, i + 1, i + 5});
+      raw.triangles.push_back({i + 1, i + 6, i + 5});
+    }
+  }
+  ImportOptions options;
+  options.metresPerUnit = 0.1;
+  const ImportedMesh mesh = weldMesh(raw, "mesh.obj", options);
+  EXPECT_EQ(mesh.summary.shortEdges, 1);
+  EXPECT_EQ(mesh.summary.isolatedVertices, 0);
+  EXPECT_EQ(mesh.summary.vertices, 24);
+  EXPECT_EQ(mesh.summary.triangles, 30);
+  EXPECT_EQ(mesh.summary.nonManifoldEdges, 0);
+  EXPECT_EQ(mesh.summary.boundaryLoops, 1);
+  EXPECT_TRUE(warns(mesh, "1 edge was less than a thousandth"));
+  EXPECT_TRUE(warns(mesh, "at (20, 10, 0) in the file"));
+}
+
+TEST(MeshSummary, doesNotWarnABodyOfItsSizeOrItsPieces) {
+  RawMesh raw = square(63.0);
+  raw.positions.insert(raw.positions.end(), {{200, 0, 0}, {300, 0, 0}, {200, 10, 0}});
+  raw.triangles.push_back({4, 5, 6});
+  ImportOptions options;
+  options.use = MeshUse::Body;
+  EXPECT_TRUE(weldMesh(raw, "mesh.obj", options).summary.warnings.empty());
+}
+
 TEST(MeshSummary, isDescribedLineByLineWithItsWarnings) {
   const std::vector<std::string> lines = describe(weldMesh(square(63.0), "big.obj", {}).summary);
   EXPECT_NE(lines.front().find("big.obj"), std::string::npos);

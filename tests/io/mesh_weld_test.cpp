@@ -209,6 +209,39 @@ TEST(MeshWeld, refusesAMeshWithoutAnyArea) {
   EXPECT_TRUE(contains(inputErrorOf([&] { (void)weld(raw); }), "area"));
 }
 
+TEST(MeshWeld, refusesAMeshThatWouldLoseMostOfItsFaces) {
+  RawMesh raw = seamSquare();
+  for (int i = 0; i < 3; ++i) {
+    raw.triangles.push_back({0, 0, 1});
+  }
+  EXPECT_TRUE(contains(inputErrorOf([&] { (void)weld(raw); }), "3 of its 5 faces have no area"));
+}
+
+TEST(MeshWeld, refusesClothBelowAMillimetreAndTakesASmallBody) {
+  ImportOptions options;
+  options.metresPerUnit = 1.6e-6;
+  const std::string message = inputErrorOf([&] { (void)weldMesh(seamSquare(), "mesh.obj", options); });
+  EXPECT_TRUE(contains(message, "it is 1.6 um large, and cloth below 1 mm is not simulated")) << message;
+  EXPECT_TRUE(contains(message, "--set unit"));
+  options.use = MeshUse::Body;
+  EXPECT_NO_THROW((void)weldMesh(seamSquare(), "mesh.obj", options));
+}
+
+TEST(MeshWeld, keepsTextureCoordinatesWhereAShortEdgeIsMerged) {
+  RawMesh raw = seamSquare();
+  raw.positions.emplace_back(1, 1e-5, 0);  // next to vertex 1, with texture coordinates of its own
+  raw.uvs.emplace_back(7, 7);
+  raw.triangles = {{0, 1, 2}, {1, 6, 2}, {6, 4, 2}};
+  ImportOptions options;
+  options.weldTolerance = 0.0;
+  const ImportedMesh mesh = weldMesh(raw, "mesh.obj", options);
+  EXPECT_EQ(mesh.summary.shortEdges, 1);
+  ASSERT_EQ(mesh.cloth.triangles.size(), 2U);
+  const auto corner = static_cast<std::size_t>(mesh.render.triangles[1][0]);
+  EXPECT_EQ(mesh.render.uvs[corner], Vec2(7, 7));
+  EXPECT_EQ(mesh.render.particle[corner], mesh.cloth.triangles[1][0]);
+}
+
 TEST(MeshWeld, refusesAUnitThatIsNoLength) {
   for (const double unit : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
     ImportOptions options;

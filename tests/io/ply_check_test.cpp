@@ -37,26 +37,31 @@ std::string binaryPly(bool bigEndian, int lastIndex = 2, float lastCoordinate = 
   return bytes;
 }
 
+PlyBytes check(const std::string& bytes) {
+  static std::string storage;
+  return checkPly(bytes, bytes, storage);
+}
+
 std::string problemOf(const std::string& bytes) {
-  return inputErrorOf([&bytes] { checkPly(bytes); });
+  return inputErrorOf([&bytes] { (void)check(bytes); });
 }
 
 TEST(PlyCheck, acceptsWholeFilesOfAllThreeFormats) {
-  EXPECT_NO_THROW(checkPly(textPly("0 0 0\n1 0 0\n0 +1e-3 0\n3 0 1 2\n")));
-  EXPECT_NO_THROW(checkPly(binaryPly(false)));
-  EXPECT_NO_THROW(checkPly(binaryPly(true)));
+  EXPECT_NO_THROW((void)check(textPly("0 0 0\n1 0 0\n0 +1e-3 0\n3 0 1 2\n")));
+  EXPECT_NO_THROW((void)check(binaryPly(false)));
+  EXPECT_NO_THROW((void)check(binaryPly(true)));
 }
 
 TEST(PlyCheck, refusesEveryTruncation) {
   for (const bool bigEndian : {false, true}) {
     const std::string whole = binaryPly(bigEndian);
     for (std::size_t size = 0; size < whole.size(); ++size) {
-      EXPECT_THROW(checkPly(whole.substr(0, size)), InputError) << size << " bytes";
+      EXPECT_THROW((void)check(whole.substr(0, size)), InputError) << size << " bytes";
     }
   }
   const std::string whole = textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 2");
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    EXPECT_THROW(checkPly(whole.substr(0, size)), InputError) << size << " bytes";
+    EXPECT_THROW((void)check(whole.substr(0, size)), InputError) << size << " bytes";
   }
 }
 
@@ -64,10 +69,22 @@ TEST(PlyCheck, saysWhichElementIsWrong) {
   EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 0 0\n")), "vertex 3 of 3 is missing"));
   EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n")), "vertex 2 of 3 has 'nan'"));
   EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n")), "vertex 2 of 3 has 'x'"));
+  EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 1.#QNAN 0\n0 1 0\n3 0 1 2\n")), "(line 12)"));
   EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")), "face 1 of 1 uses a vertex"));
   EXPECT_TRUE(contains(problemOf(binaryPly(false, -1)), "face 1 of 1 uses a vertex"));
   EXPECT_TRUE(contains(problemOf(binaryPly(true, 3)), "face 1 of 1 uses a vertex"));
   EXPECT_TRUE(contains(problemOf(binaryPly(true, 2, HUGE_VALF)), "vertex 3 of 3 has a coordinate"));
+}
+
+TEST(PlyCheck, warnsOfATextWithoutALineBreakAtTheEnd) {
+  EXPECT_TRUE(check(textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")).warnings.empty());
+  EXPECT_EQ(check(textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 2")).warnings.size(), 1U);
+}
+
+TEST(PlyCheck, saysWhichCoordinateTheVerticesLack) {
+  std::string bytes = textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  bytes.replace(bytes.find("float y"), 7, "float w");
+  EXPECT_TRUE(contains(problemOf(bytes), "its vertices have no 'y'"));
 }
 
 TEST(PlyCheck, doesNotBelieveHugeCounts) {

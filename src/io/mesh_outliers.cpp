@@ -1,0 +1,106 @@
+#include "io/mesh_outliers.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace drape {
+namespace {
+
+/// At most this part of the vertices can be outliers. More are a second object.
+constexpr std::size_t verticesPerOutlier = 20;
+
+/// Outliers are this many times farther from the middle than all other vertices.
+constexpr double leastGap = 20.0;
+
+/// With fewer vertices than this a long thin mesh cannot be told from an outlier.
+constexpr std::size_t fewestOthers = 10;
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+std::vector<int> usedVertices(std::size_t count, const std::vector<Triangle>& triangles) {
+  std::vector<bool> used(count, false);
+  for (const Triangle& triangle : triangles) {
+    for (const int vertex : triangle) {
+      used[at(vertex)] = true;
+    }
+  }
+  std::vector<int> vertices;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (used[i]) {
+      vertices.push_back(static_cast<int>(i));
+    }
+  }
+  return vertices;
+}
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Vec3 medianPosition(const std::vector<Vec3>& positions, const std::vector<int>& vertices) {
+  Vec3 middle;
+  std::vector<double> values(vertices.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    std::transform(vertices.begin(), vertices.end(), values.begin(),
+                   [&](int vertex) { return positions[at(vertex)][axis]; });
+    middle[axis] = median(values);
+  }
+  return middle;
+}
+
+/// The first distance, of those in ascending order, that leaves the one before it far behind; 0 when none does.
+double firstFarDistance(const std::vector<double>& ascending, std::size_t most) {
+  for (std::size_t i = ascending.size() - most; i < ascending.size(); ++i) {
+    if (i > 0 && ascending[i] > leastGap * ascending[i - 1] && ascending[i - 1] > 0.0) {
+      return ascending[i];
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+std::vector<int> findOutliers(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
+  const std::vector<int> vertices = usedVertices(positions.size(), triangles);
+  if (vertices.size() <= fewestOthers) {
+    return {};
+  }
+  const Vec3 middle = medianPosition(positions, vertices);
+  std::vector<double> distances(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), distances.begin(),
+                 [&](int vertex) { return (positions[at(vertex)] - middle).norm(); });
+  std::vector<double> ascending = distances;
+  const std::size_t most = std::max<std::size_t>(1, vertices.size() / verticesPerOutlier);
+  // Only the farthest and the one before them have to be in order.
+  const auto kept = ascending.end() - static_cast<std::ptrdiff_t>(most + 1);
+  std::nth_element(ascending.begin(), kept, ascending.end());
+  std::sort(kept, ascending.end());
+  const double far = firstFarDistance(ascending, most);
+  std::vector<int> outliers;
+  for (std::size_t i = 0; far > 0.0 && i < vertices.size(); ++i) {
+    if (distances[i] >= far) {
+      outliers.push_back(vertices[i]);
+    }
+  }
+  return outliers;
+}
+
+double medianEdge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
+  std::vector<double> lengths;
+  lengths.reserve(3 * triangles.size());
+  for (const Triangle& triangle : triangles) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const double length = (positions[at(triangle[corner])] - positions[at(triangle[(corner + 1) % 3])]).norm();
+      if (length > 0.0) {
+        lengths.push_back(length);
+      }
+    }
+  }
+  return lengths.empty() ? 0.0 : median(lengths);
+}
+
+}  // namespace drape

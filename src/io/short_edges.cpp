@@ -1,0 +1,199 @@
+#include "io/short_edges.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace drape {
+namespace {
+
+std::size_t at(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+struct Edge {
+  double length = 0.0;
+  int low = 0;
+  int high = 0;
+
+  bool operator<(const Edge& other) const {
+    return std::tie(length, low, high) < std::tie(other.length, other.low, other.high);
+  }
+  bool operator==(const Edge& other) const { return low == other.low && high == other.high; }
+};
+
+/// The edges below the limit, shortest first, each once.
+std::vector<Edge> shortEdges(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles, double limit) {
+  std::vector<Edge> edges;
+  for (const Triangle& triangle : triangles) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const auto [low, high] = std::minmax({triangle[corner], triangle[(corner + 1) % 3]});
+      const double length = (positions[at(high)] - positions[at(low)]).norm();
+      if (length < limit) {
+        edges.push_back({length, low, high});
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+bool hasCorner(const Triangle& face, int vertex) {
+  return std::find(face.begin(), face.end(), vertex) != face.end();
+}
+
+/// A mesh while its edges collapse.
+class Collapser {
+ public:
+  Collapser(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles)
+      : positions_(positions), faces_(triangles), facesOf_(positions.size()), replacement_(positions.size()) {
+    for (std::size_t i = 0; i < replacement_.size(); ++i) {
+      replacement_[i] = static_cast<int>(i);
+    }
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      for (const int vertex : faces_[f]) {
+        facesOf_[at(vertex)].push_back(f);
+      }
+    }
+  }
+
+  /// The vertex that now stands for this one.
+  [[nodiscard]] int standIn(int vertex) const {
+    while (replacement_[at(vertex)] != vertex) {
+      vertex = replacement_[at(vertex)];
+    }
+    return vertex;
+  }
+
+  [[nodiscard]] double distance(int a, int b) const { return (positions_[at(a)] - positions_[at(b)]).norm(); }
+
+  /// Whether the two are still the ends of an edge.
+  [[nodiscard]] bool joined(int a, int b) const { return !facesAt(a, b).empty(); }
+
+  [[nodiscard]] bool canCollapse(int low, int high) const { return keepsTopology(low, high) && turnsNoFace(low, high); }
+
+  void collapse(int low, int high) {
+    for (const std::size_t face : facesOf_[at(high)]) {
+      if (hasCorner(faces_[face], low)) {
+        removeFace(face, high);
+      } else {
+        std::replace(faces_[face].begin(), faces_[face].end(), high, low);
+        facesOf_[at(low)].push_back(face);
+      }
+    }
+    facesOf_[at(high)].clear();
+    replacement_[at(high)] = low;
+  }
+
+  std::vector<int> takeReplacements() {
+    for (std::size_t i = 0; i < replacement_.size(); ++i) {
+      replacement_[i] = standIn(static_cast<int>(i));
+    }
+    return std::move(replacement_);
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> facesAt(int a, int b) const {
+    std::vector<std::size_t> faces;
+    for (const std::size_t face : facesOf_[at(a)]) {
+      if (hasCorner(faces_[face], b)) {
+        faces.push_back(face);
+      }
+    }
+    return faces;
+  }
+
+  [[nodiscard]] std::set<int> neighbours(int vertex) const {
+    std::set<int> all;
+    for (const std::size_t face : facesOf_[at(vertex)]) {
+      all.insert(faces_[face].begin(), faces_[face].end());
+    }
+    all.erase(vertex);
+    return all;
+  }
+
+  [[nodiscard]] bool onBoundary(int vertex) const {
+    const std::set<int> around = neighbours(vertex);
+    return std::any_of(around.begin(), around.end(), [&](int other) { return facesAt(vertex, other).size() == 1; });
+  }
+
+  /// The ends have no neighbours in common but the third corners of the edge's own faces; an inner edge does not join
+  /// two places of the border; and some face remains.
+  [[nodiscard]] bool keepsTopology(int low, int high) const {
+    const std::size_t own = facesAt(low, high).size();
+    const std::set<int> around = neighbours(low);
+    std::size_t common = 0;
+    for (const int other : neighbours(high)) {
+      common += around.count(other);
+    }
+    if (own > 2 || common != own) {
+      return false;
+    }
+    if (own == 2 && onBoundary(low) && onBoundary(high)) {
+      return false;
+    }
+    return facesOf_[at(low)].size() + facesOf_[at(high)].size() > 2 * own;
+  }
+
+  [[nodiscard]] Vec3 normalOf(const Triangle& face) const {
+    const Vec3& a = positions_[at(face[0])];
+    return (positions_[at(face[1])] - a).cross(positions_[at(face[2])] - a);
+  }
+
+  [[nodiscard]] bool turnsNoFace(int low, int high) const {
+    return std::all_of(facesOf_[at(high)].begin(), facesOf_[at(high)].end(), [&](std::size_t face) {
+      if (hasCorner(faces_[face], low)) {
+        return true;  // It vanishes.
+      }
+      Triangle moved = faces_[face];
+      std::replace(moved.begin(), moved.end(), high, low);
+      return normalOf(faces_[face]).dot(normalOf(moved)) > 0.0;
+    });
+  }
+
+  void removeFace(std::size_t face, int exceptFrom) {
+    for (const int vertex : faces_[face]) {
+      if (vertex != exceptFrom) {
+        std::vector<std::size_t>& list = facesOf_[at(vertex)];
+        list.erase(std::find(list.begin(), list.end(), face));
+      }
+    }
+  }
+
+  const std::vector<Vec3>& positions_;
+  std::vector<Triangle> faces_;
+  std::vector<std::vector<std::size_t>> facesOf_;
+  std::vector<int> replacement_;
+};
+
+}  // namespace
+
+ShortEdges collapseShortEdges(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
+                              double limit) {
+  ShortEdges result;
+  const std::vector<Edge> edges = shortEdges(positions, triangles, limit);
+  if (edges.empty()) {
+    return result;
+  }
+  result.where = positions[at(edges.front().low)];
+  Collapser collapser(positions, triangles);
+  for (const Edge& edge : edges) {
+    const auto [low, high] = std::minmax({collapser.standIn(edge.low), collapser.standIn(edge.high)});
+    if (low == high || !collapser.joined(low, high) || collapser.distance(low, high) >= limit) {
+      continue;
+    }
+    const bool possible = collapser.canCollapse(low, high);
+    ++(possible ? result.collapsed : result.kept);
+    if (possible) {
+      collapser.collapse(low, high);
+    }
+  }
+  result.replacement = collapser.takeReplacements();
+  return result;
+}
+
+}  // namespace drape

@@ -1,0 +1,143 @@
+#include "io/stl_check.hpp"
+
+#include "io/quoted_text.hpp"
+#include "io/text_input.hpp"
+#include "sim/error.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace drape {
+namespace {
+
+constexpr std::size_t headerSize = 84;
+constexpr std::size_t triangleSize = 50;
+
+std::size_t promisedTriangles(std::string_view bytes) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + headerSize - sizeof(count), sizeof(count));
+  return count;
+}
+
+void checkTriangle(std::string_view bytes, std::size_t index, std::size_t count) {
+  std::array<float, 12> numbers{};  // normal, then three corners
+  std::memcpy(numbers.data(), bytes.data() + headerSize + index * triangleSize, sizeof(numbers));
+  for (std::size_t i = 3; i < numbers.size(); ++i) {
+    if (!std::isfinite(numbers[i])) {
+      throw InputError("triangle " + std::to_string(index + 1) + " of " + std::to_string(count) +
+                       " has a coordinate that is not a finite number (nan or inf). Repair the mesh.");
+    }
+  }
+}
+
+StlBytes checkBinary(std::string_view bytes) {
+  if (bytes.size() < headerSize) {
+    throw InputError("it is too short for an STL file: it was cut off. Export or copy it again.");
+  }
+  const std::size_t promised = promisedTriangles(bytes);
+  const std::size_t held = (bytes.size() - headerSize) / triangleSize;
+  if (held < promised) {
+    throw InputError("it holds " + std::to_string(held) + " of the " + std::to_string(promised) +
+                     " triangles that it promises: it was cut off, or it is not an STL file. Export or copy it again.");
+  }
+  for (std::size_t i = 0; i < promised; ++i) {
+    checkTriangle(bytes, i, promised);
+  }
+  if (promised == 0) {
+    throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
+  }
+  return {bytes.substr(0, headerSize + promised * triangleSize), {}};
+}
+
+bool fitsBinary(std::string_view bytes) {
+  return bytes.size() >= headerSize && bytes.size() == headerSize + promisedTriangles(bytes) * triangleSize;
+}
+
+/// Goes through the lines of a text file.
+class TextChecker {
+ public:
+  explicit TextChecker(std::string_view text) : rest_(text) {}
+
+  std::vector<std::string> check() {
+    while (!rest_.empty()) {
+      ++line_;
+      const std::size_t end = rest_.find('\n');
+      broken_ = end == std::string_view::npos;
+      std::string_view line = rest_.substr(0, end);
+      rest_.remove_prefix(broken_ ? rest_.size() : end + 1);
+      checkLine(line);
+    }
+    if (open_) {
+      throw InputError("it ends in the middle of a solid, after line " + std::to_string(line_) +
+                       ", without 'endsolid': it was cut off. Export or copy it again.");
+    }
+    if (facets_ == 0) {
+      throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
+    }
+    return {};
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    throw InputError(broken_ ? endsInLine(line_)
+                             : "line " + std::to_string(line_) + ": " + problem +
+                                   ". Correct it, or export the mesh again.");
+  }
+
+  void checkLine(std::string_view line) {
+    const std::string_view keyword = takeWord(line);
+    if (keyword == "solid") {
+      open_ = true;
+    } else if (keyword == "endsolid") {
+      open_ = false;
+    } else if (keyword == "facet") {
+      corners_ = 0;
+      ++facets_;
+    } else if (keyword == "vertex") {
+      ++corners_;
+      checkVertex(line);
+    } else if (keyword == "endfacet") {
+      if (corners_ != 3) {
+        fail("the facet before it has " + std::to_string(corners_) + " corners, and not 3");
+      }
+    } else if (!keyword.empty() && keyword != "outer" && keyword != "endloop" && keyword != "end") {
+      fail(quoted(keyword) + " is not a word of an STL file");
+    }
+  }
+
+  void checkVertex(std::string_view line) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view word = takeWord(line);
+      double value = 0.0;
+      if (!readNumber(word, value)) {
+        fail(word.empty() ? "a vertex needs three coordinates" : quoted(word) + " is not a finite number");
+      }
+    }
+  }
+
+  std::string_view rest_;
+  std::size_t line_ = 0;
+  std::size_t facets_ = 0;
+  int corners_ = 0;
+  bool broken_ = false;
+  bool open_ = false;
+};
+
+}  // namespace
+
+StlBytes checkStl(std::string_view text, std::string_view bytes) {
+  std::string_view start = text.substr(0, headerSize);
+  if (fitsBinary(bytes) || takeWord(start) != "solid") {
+    return checkBinary(bytes);
+  }
+  // Some programs begin binary files with "solid" too.
+  if (text.find("facet") == std::string_view::npos && bytes.find('\0') != std::string_view::npos) {
+    return checkBinary(bytes);
+  }
+  requireNoZeroBytes(text);
+  return {text, TextChecker(text).check()};
+}
+
+}  // namespace drape

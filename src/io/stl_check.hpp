@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drape {
+
+/// An STL file that holds what it promises.
+struct StlBytes {
+  std::string_view bytes;             ///< without what follows a binary file's last triangle
+  std::vector<std::string> warnings;  ///< that the text may be cut off
+};
+
+/// Walks through an STL file and throws InputError when it does not hold what it promises: when it is cut off, has a
+/// coordinate that is not a finite number, or a line that STL does not know. It is binary when its size fits the number
+/// of triangles in its header, or when it does not begin with "solid".
+/// `text` is the file as plainText, and `bytes` the file itself.
+/// Source: 3D Systems, StereoLithography Interface Specification, 1989.
+[[nodiscard]] StlBytes checkStl(std::string_view text, std::string_view bytes);
+
+}  // namespace drape

@@ -1,0 +1,82 @@
+#include "io/stl_check.hpp"
+
+#include "input_error.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <cstring>
+
+namespace drape {
+namespace {
+
+const std::string textStl =
+    "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
+    "x\n";
+
+std::string binaryStl(std::uint32_t promised, int held, float last = 1.0F) {
+  std::string bytes(84, ' ');
+  std::memcpy(bytes.data() + 80, &promised, sizeof(promised));
+  for (int i = 0; i < held; ++i) {
+    const std::array<float, 12> numbers{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, last, 0};
+    bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers));
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+std::string problemOf(const std::string& bytes) {
+  return inputErrorOf([&bytes] { (void)checkStl(bytes, bytes); });
+}
+
+TEST(StlCheck, acceptsWholeFiles) {
+  EXPECT_EQ(checkStl(textStl, textStl).bytes, textStl);
+  const std::string binary = binaryStl(2, 2);
+  EXPECT_EQ(checkStl(binary, binary).bytes, binary);
+}
+
+TEST(StlCheck, takesABinaryFileThatBeginsWithSolid) {
+  std::string bytes = binaryStl(2, 2);
+  bytes.replace(0, 5, "solid");
+  EXPECT_EQ(checkStl(bytes, bytes).bytes, bytes);
+}
+
+TEST(StlCheck, leavesOutWhatFollowsTheLastTriangle) {
+  const std::string bytes = binaryStl(2, 2) + "made by hand";
+  EXPECT_EQ(checkStl(bytes, bytes).bytes.size(), 84U + 100U);
+}
+
+TEST(StlCheck, refusesEveryTruncation) {
+  const std::string binary = binaryStl(2, 2);
+  for (std::size_t size = 1; size < binary.size(); ++size) {
+    EXPECT_TRUE(contains(problemOf(binary.substr(0, size)), "cut off")) << size << " bytes";
+  }
+  // The name after the last "endsolid" may be missing.
+  for (std::size_t size = 6; size < textStl.find("endsolid x") + 8; ++size) {
+    EXPECT_TRUE(contains(problemOf(textStl.substr(0, size)), "cut off") ||
+                contains(problemOf(textStl.substr(0, size)), "there are no faces"))
+        << size << " bytes";
+  }
+}
+
+TEST(StlCheck, namesTheLineOfADamagedByte) {
+  std::string bytes = textStl;
+  bytes[bytes.find("vertex 1")] = '\x07';
+  EXPECT_TRUE(contains(problemOf(bytes), "line 5: '?ertex' is not a word of an STL file"));
+  bytes = textStl;
+  bytes[bytes.find("1 0 0")] = 'x';
+  EXPECT_TRUE(contains(problemOf(bytes), "line 5: 'x' is not a finite number"));
+  EXPECT_TRUE(contains(problemOf("solid x\nfacet\nouter loop\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n"),
+                       "line 6: the facet before it has 1 corners"));
+}
+
+TEST(StlCheck, namesTheTriangleOfACoordinateThatIsNotFinite) {
+  EXPECT_TRUE(contains(problemOf(binaryStl(2, 2, NAN)), "triangle 1 of 2 has a coordinate"));
+}
+
+TEST(StlCheck, saysThatThereAreNoFaces) {
+  EXPECT_TRUE(contains(problemOf(binaryStl(0, 0)), "there are no faces"));
+  EXPECT_TRUE(contains(problemOf("solid empty\nendsolid empty\n"), "there are no faces"));
+}
+
+}  // namespace
+}  // namespace drape
