@@ -1,12 +1,17 @@
 #include "app/command_line.hpp"
 
+#include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/error.hpp"
 
+#include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 
 namespace drape {
 namespace {
@@ -34,6 +39,24 @@ bool parseOrHelp(CLI::App& app, int argc, char** argv) {
   }
 }
 
+/// Builds a scene with a progress bar on the terminal, when it takes longer than half a second.
+std::shared_ptr<const Scene> buildWithProgress(const SceneDescription& description, const Settings& settings) {
+  constexpr std::chrono::milliseconds patience(500);
+  constexpr std::int64_t whole = 100;
+  const auto start = std::chrono::steady_clock::now();
+  std::optional<ProgressBar> bar;
+  ImportWatch watch;
+  watch.progress = [&](double share, std::string_view) {
+    if (!bar && std::chrono::steady_clock::now() - start > patience) {
+      bar.emplace("opening " + description.name, whole);
+    }
+    if (bar) {
+      bar->show(std::lround(share * static_cast<double>(whole)));
+    }
+  };
+  return buildScene(description, settings, watch);
+}
+
 }  // namespace
 
 void SceneArguments::addTo(CLI::App& app) {
@@ -55,7 +78,7 @@ std::shared_ptr<const Scene> SceneArguments::load() const {
     assignSettingExpression(inForce, expression);
   }
   requireConsistent(inForce);
-  auto built = buildScene(description, inForce);
+  auto built = buildWithProgress(description, inForce);
   for (const std::string& warning : built->summary.warnings) {
     std::cerr << "warning: " << warning << '\n';
   }

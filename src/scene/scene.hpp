@@ -133,7 +133,9 @@ struct SceneInfo {
 /// Reads a built-in scene ("flag"), a scene file ("mine.toml") or a mesh file ("shirt.obj"). Throws InputError.
 [[nodiscard]] SceneDescription openScene(const std::string& nameOrPath);
 
-/// Builds mesh, model and start from a description under the given settings. Throws InputError.
-[[nodiscard]] std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const Settings& settings);
+/// Builds mesh, model and start from a description under the given settings. Throws InputError; and Cancelled when the
+/// watch asks for it.
+[[nodiscard]] std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const Settings& settings,
+                                                      const ImportWatch& watch = {});
 
 }  // namespace drape

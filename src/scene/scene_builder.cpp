@@ -19,8 +19,17 @@ double metresPerUnit(const std::string& unit) {
   return unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1.0;
 }
 
-ImportOptions importOptions(const Settings& settings) {
-  return {metresPerUnit(settings.mesh.unit), settings.mesh.weldTolerance};
+OutlierRule outlierRule(const Settings& settings) {
+  return settings.mesh.outliers == "leave_out" ? OutlierRule::LeaveOut : OutlierRule::Refuse;
+}
+
+ImportOptions importOptions(const Settings& settings, const ImportWatch& watch) {
+  ImportOptions options;
+  options.metresPerUnit = metresPerUnit(settings.mesh.unit);
+  options.weldTolerance = settings.mesh.weldTolerance;
+  options.outliers = outlierRule(settings);
+  options.watch = watch;
+  return options;
 }
 
 ImportedMesh readMesh(const MeshFileSource& source, const ImportOptions& options) {
@@ -49,19 +58,44 @@ PinSelection pinsInForce(const SceneDescription& description, const Settings& se
   return pins;
 }
 
-std::optional<Decor> readStand(const std::optional<StandDescription>& stand) {
+/// How the meshes of bodies and stands are read: in metres, and their progress is not told.
+ImportOptions bodyOptions(const Settings& settings, const ImportWatch& watch) {
+  ImportOptions options;
+  options.use = MeshUse::Body;
+  options.outliers = outlierRule(settings);
+  options.watch.stop = watch.stop;
+  return options;
+}
+
+/// Reads the mesh of a body or a stand. What is to be told about it is added to `warnings`; a built-in mesh is as it
+/// should be.
+ImportedMesh readBodyMesh(const MeshFileSource& source, const ImportOptions& options,
+                          std::vector<std::string>& warnings) {
+  ImportedMesh mesh = readMesh(source, options);
+  for (const std::string& warning : mesh.summary.warnings) {
+    if (!source.builtIn) {
+      warnings.push_back(source.path + ": " + warning);
+    }
+  }
+  return mesh;
+}
+
+std::optional<Decor> readStand(const std::optional<StandDescription>& stand, const ImportOptions& options,
+                               std::vector<std::string>& warnings) {
   if (!stand) {
     return std::nullopt;
   }
-  ImportedMesh mesh = readMesh(stand->mesh, ImportOptions{});
+  ImportedMesh mesh = readBodyMesh(stand->mesh, options, warnings);
   return Decor{std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles)};
 }
 
 /// One mesh from several files, which must all have the same triangles.
-std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& description) {
+std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& description, const ImportOptions& options,
+                                               std::vector<std::string>& warnings) {
   auto shape = std::make_shared<MeshShape>();
   for (const MeshFileSource& source : description.meshes) {
-    ImportedMesh mesh = readMesh(source, ImportOptions{});
+    std::vector<std::string> others;  // Of many frames the first speaks for all.
+    ImportedMesh mesh = readBodyMesh(source, options, shape->frames.empty() ? warnings : others);
     for (Vec3& position : mesh.cloth.positions) {
       position *= description.scale;
     }
@@ -105,13 +139,14 @@ Body bodyOf(const Body& stand, const Decor& surface) {
 
 /// The scene's own bodies, then its stand, then its ground.
 std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& description, const Settings& settings,
-                                               const std::optional<Decor>& stand, double groundHeight) {
+                                               const std::optional<Decor>& stand, double groundHeight,
+                                               const ImportOptions& options, std::vector<std::string>& warnings) {
   auto bodies = std::make_shared<std::vector<Body>>();
   for (const BodyDescription& written : description.bodies) {
     const BodyDescription each = inMetres(written, settings);
     bodies->push_back(each.body);
     if (!each.meshes.empty()) {
-      bodies->back().shape = readMeshShape(each);
+      bodies->back().shape = readMeshShape(each, options, warnings);
     }
   }
   if (stand && description.stand->body) {
@@ -160,12 +195,12 @@ struct Source {
   std::optional<GridLayout> grid;
 };
 
-Source makeSource(const SceneDescription& description, const Settings& settings) {
+Source makeSource(const SceneDescription& description, const Settings& settings, const ImportWatch& watch) {
   if (const auto* grid = std::get_if<GridSource>(&description.source)) {
     const GridLayout layout = layoutOf(settings.grid);
     return {makeGrid(layout, grid->plane), layout};
   }
-  Source source{readMesh(std::get<MeshFileSource>(description.source), importOptions(settings)), std::nullopt};
+  Source source{readMesh(std::get<MeshFileSource>(description.source), importOptions(settings, watch)), std::nullopt};
   if (settings.mesh.up == "z") {
     turnUpright(source.mesh);
   }
@@ -191,25 +226,30 @@ std::vector<Vec3> startPositions(const SceneDescription& description, const Sour
 
 }  // namespace
 
-std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const Settings& settings) {
+std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const Settings& settings,
+                                        const ImportWatch& watch) {
   auto scene = std::make_shared<Scene>();
   scene->description = description;
   scene->settings = settings;
 
-  Source source = makeSource(description, settings);
+  constexpr double meshIsRead = 0.7;  // of the time that it takes to build a scene from a large file
+  Source source = makeSource(description, settings, watch.part(0.0, meshIsRead));
+  watch.tell(meshIsRead, "Building");
   scene->start = stateAtRest(startPositions(description, source));
   placeCloth(description, source.mesh.cloth.positions);
   const std::vector<int> pins = selectPins(pinsInForce(description, settings), source.mesh.cloth.positions,
                                            source.grid ? &*source.grid : nullptr);
   scene->model = buildClothModel(source.mesh.cloth, totalMassOf(settings, restAreaOf(source.mesh.cloth)),
                                  lumpingOf(settings), pins);
+  watch.tell(0.95, "Building");
   scene->renderMesh = std::move(source.mesh.render);
   scene->summary = std::move(source.mesh.summary);
-  scene->stand = readStand(description.stand);
+  scene->stand = readStand(description.stand, bodyOptions(settings, watch), scene->summary.warnings);
 
   const Eigen::AlignedBox3d box = boundsOf(scene->start.positions);
   scene->groundHeight = groundHeightOf(description, scene->start.positions, pins);
-  const auto bodies = buildBodies(description, settings, scene->stand, scene->groundHeight);
+  const auto bodies = buildBodies(description, settings, scene->stand, scene->groundHeight,
+                                  bodyOptions(settings, watch), scene->summary.warnings);
   carryPins(description, pins, scene->start, *bodies);
   scene->bodies = bodies;
   constexpr double usualAspect = 16.0 / 9.0;

@@ -78,6 +78,9 @@ SceneDescription openFile(const std::filesystem::path& file) {
   if (isMeshFile(file)) {
     return sceneOfMesh(file);
   }
+  if (const std::string advice = adviceForFormat(file); !advice.empty()) {
+    throw InputError(file.string() + ": " + advice);
+  }
   std::string formats;
   for (const std::string& format : meshFormats()) {
     formats += ", ." + format;

@@ -3,6 +3,7 @@
 #include "sim/error.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <new>
 #include <utility>
@@ -22,31 +23,43 @@ std::string reasonOf(const std::exception_ptr& failure) {
 
 }  // namespace
 
+SceneLoader::~SceneLoader() {
+  stop_.request_stop();
+}
+
+std::string SceneLoader::activity() const {
+  const int percent = percent_;
+  const bool shown = percent > 0 && !activity_.empty() && !waiting_;
+  return activity_ + (shown ? ": " + std::to_string(percent) + " %" : activity_.empty() ? "" : " \u2026");
+}
+
 void SceneLoader::open(const std::string& nameOrPath, std::function<void(Settings&)> adjust) {
   open(SceneParts{.scene = nameOrPath}, std::move(adjust));
 }
 
 void SceneLoader::open(const SceneParts& parts, std::function<void(Settings&)> adjust) {
-  submit({.activity = "Opening " + (parts.cloth.empty() ? parts.scene : parts.cloth) + " \u2026",
+  submit({.activity = "Opening " + (parts.cloth.empty() ? parts.scene : parts.cloth),
           .build =
-              [parts, adjust = std::move(adjust)] {
+              [parts, adjust = std::move(adjust)](const ImportWatch& watch) {
                 const SceneDescription description = openParts(parts);
                 Settings settings = description.settings;
                 adjust(settings);
-                return buildScene(description, settings);
+                return buildScene(description, settings, watch);
               },
           .kind = Kind::Opened});
 }
 
 void SceneLoader::rebuild(const SceneDescription& description, const Settings& settings) {
-  submit({.activity = "Building " + description.name + " \u2026",
-          .build = [description, settings] { return buildScene(description, settings); },
-          .kind = Kind::Rebuilt});
+  submit(
+      {.activity = "Building " + description.name,
+       .build = [description, settings](const ImportWatch& watch) { return buildScene(description, settings, watch); },
+       .kind = Kind::Rebuilt});
 }
 
 void SceneLoader::restore(const SceneDescription& description) {
-  submit({.activity = "Building " + description.name + " \u2026",
-          .build = [description] { return buildScene(description, description.settings); },
+  submit({.activity = "Building " + description.name,
+          .build =
+              [description](const ImportWatch& watch) { return buildScene(description, description.settings, watch); },
           .kind = Kind::Restored});
 }
 
@@ -55,6 +68,7 @@ bool SceneLoader::cancel() {
   activity_.clear();
   waiting_.reset();
   cancelled_ = running_.valid();
+  stop_.request_stop();
   return any;
 }
 
@@ -62,6 +76,7 @@ void SceneLoader::submit(Job job) {
   if (running_.valid()) {
     activity_ = job.activity;
     waiting_ = std::move(job);
+    stop_.request_stop();
   } else {
     start(std::move(job));
   }
@@ -70,9 +85,15 @@ void SceneLoader::submit(Job job) {
 void SceneLoader::start(Job job) {
   activity_ = job.activity;
   cancelled_ = false;
-  running_ = std::async(std::launch::async, [job = std::move(job)]() -> Outcome {
+  percent_ = 0;
+  stop_ = std::stop_source();
+  constexpr double whole = 100.0;
+  const ImportWatch watch{
+      [this](double share, std::string_view) { percent_ = static_cast<int>(std::lround(whole * share)); },
+      stop_.get_token()};
+  running_ = std::async(std::launch::async, [job = std::move(job), watch]() -> Outcome {
     try {
-      return {.scene = job.build(), .error = {}, .kind = job.kind};
+      return {.scene = job.build(watch), .error = {}, .kind = job.kind};
     } catch (...) {
       return {.scene = nullptr, .error = reasonOf(std::current_exception()), .kind = job.kind};
     }

@@ -4,17 +4,20 @@
 #include "scene/scene_parts.hpp"
 #include "session/command.hpp"
 
+#include <atomic>
 #include <functional>
 #include <future>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 namespace drape {
 
 /// Opens and builds scenes beside the running program. One at a time; of those that wait only the newest is kept,
-/// because it is what the user wants in the end. Destruction waits for the one in progress.
+/// because it is what the user wants in the end. Destruction cancels the one in progress and waits for its end, which
+/// takes a fraction of a second.
 class SceneLoader {
  public:
   /// What a job was for.
@@ -34,7 +37,7 @@ class SceneLoader {
   SceneLoader() = default;
   SceneLoader(const SceneLoader&) = delete;
   SceneLoader& operator=(const SceneLoader&) = delete;
-  ~SceneLoader() = default;
+  ~SceneLoader();
 
   /// Opens another scene. `adjust` may change the scene's own settings before it is built.
   void open(const std::string& nameOrPath, std::function<void(Settings&)> adjust);
@@ -51,13 +54,13 @@ class SceneLoader {
   /// The outcome of a job that has ended since the last call. Never waits.
   [[nodiscard]] std::optional<Outcome> poll();
 
-  /// What is being built, for the user to read; empty when nothing is.
-  [[nodiscard]] const std::string& activity() const { return activity_; }
+  /// What is being built and how far it is, for the user to read; empty when nothing is.
+  [[nodiscard]] std::string activity() const;
 
  private:
   struct Job {
     std::string activity;
-    std::function<std::shared_ptr<const Scene>()> build;
+    std::function<std::shared_ptr<const Scene>(const ImportWatch& watch)> build;
     Kind kind = Kind::Opened;
   };
 
@@ -67,7 +70,9 @@ class SceneLoader {
   std::string activity_;
   bool cancelled_ = false;  // the running job is: nobody wants its outcome
   std::optional<Job> waiting_;
-  std::future<Outcome> running_;
+  std::atomic<int> percent_ = 0;  // of the running job
+  std::stop_source stop_;         // of the running job
+  std::future<Outcome> running_;  // last, because its end is waited for while the others are still there
 };
 
 /// Another scene keeps what the user changed about the view: `target`, the next scene's settings, takes each view

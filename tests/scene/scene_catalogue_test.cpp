@@ -282,6 +282,59 @@ TEST(Scenes, sayWhatIsWrongWithAFileThatCannotBeOpened) {
   EXPECT_NE(refusal(folder.write("empty.toml", "")).find("[cloth]"), std::string::npos);
 }
 
+TEST(Scenes, sayWhatToExportInsteadOfAFormatThatIsNotRead) {
+  const Folder folder;
+  EXPECT_NE(refusal(folder.write("shirt.fbx", "x")).find("'.fbx' files are not read. Open it in Blender"),
+            std::string::npos);
+}
+
+TEST(Scenes, tellWhatIsWrongWithTheMeshOfABody) {
+  const Folder folder;
+  folder.write("body.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nf 1 3 2\nf 2 3 4\nf 1 1 2\n");
+  const SceneDescription description =
+      openScene(folder.write("body.toml",
+                             "[cloth]\ngrid = \"vertical\"\n[[bodies]]\nname = \"b\"\nshape = \"mesh\"\n"
+                             "mesh = \"body.obj\"\n"));
+  const auto scene = buildScene(description, description.settings);
+  ASSERT_EQ(scene->summary.warnings.size(), 1U);
+  EXPECT_NE(scene->summary.warnings[0].find("body.obj: 1 face has no area"), std::string::npos);
+}
+
+TEST(Scenes, leaveOutFarVerticesWhenAsked) {
+  const Folder folder;
+  std::string mesh;
+  for (int i = 0; i < 25; ++i) {
+    mesh += "v " + std::to_string(i % 5) + (i == 24 ? " 1e5 " : " 0 ") + std::to_string(i / 5) + "\n";
+  }
+  for (int i = 1; i < 20; ++i) {
+    if (i % 5 != 0) {
+      mesh += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 6) + " " +
+              std::to_string(i + 5) + "\n";
+    }
+  }
+  const SceneDescription description = openScene(folder.write("far.obj", mesh));
+  EXPECT_THROW(static_cast<void>(buildScene(description, description.settings)), InputError);
+  Settings settings = description.settings;
+  settings.mesh.outliers = "leave_out";
+  EXPECT_EQ(buildScene(description, settings)->summary.outliers, 1);
+}
+
+TEST(Scenes, tellTheirProgressAndCanBeCancelled) {
+  const SceneDescription description = openScene("skirt");
+  double last = 0.0;
+  std::stop_source stop;
+  const ImportWatch watch{[&](double share, std::string_view) {
+                            last = share;
+                            if (share > 0.5) {
+                              stop.request_stop();
+                            }
+                          },
+                          stop.get_token()};
+  EXPECT_THROW(static_cast<void>(buildScene(description, description.settings, watch)), Cancelled);
+  EXPECT_GT(last, 0.5);
+  EXPECT_LT(last, 1.0);
+}
+
 TEST(Scenes, sayWhichBuiltInMeshesThereAre) {
   const Folder folder;
   const auto file = folder.write("mine.toml", "[cloth]\nmesh = \"builtin:hat.obj\"\n");

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <set>
 #include <thread>
 
 namespace drape {
@@ -74,6 +78,34 @@ TEST(SceneLoader, WhatIsCancelledNeverArrives) {
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
   EXPECT_EQ(outcome.scene->description.name, "flag");
+}
+
+TEST(SceneLoader, TellsHowFarItIs) {
+  constexpr int side = 150;
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "drape-scene-loader-test.obj";
+  std::ofstream mesh(file);
+  for (int i = 0; i < side * side; ++i) {
+    mesh << "v " << 0.01 * (i % side) << ' ' << 0.01 * (i / side) << " 0\n";
+  }
+  for (int i = 1; i + side < side * side; ++i) {
+    if (i % side != 0) {
+      mesh << "f " << i << ' ' << i + 1 << ' ' << i + side << '\n';
+    }
+  }
+  mesh.close();
+  SceneLoader loader;
+  loader.open(file.string(), [](Settings&) {});
+  std::set<std::string> told;
+  std::optional<SceneLoader::Outcome> outcome;
+  while (!outcome) {
+    told.insert(loader.activity());
+    outcome = loader.poll();
+  }
+  EXPECT_NE(outcome->scene, nullptr) << outcome->error;
+  EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const std::string& text) {
+    return text.find("drape-scene-loader-test.obj: ") != std::string::npos && text.find(" %") != std::string::npos;
+  }));
+  std::filesystem::remove(file);
 }
 
 TEST(CarryViewSettings, TakesOnlyWhatTheUserChangedAboutTheView) {

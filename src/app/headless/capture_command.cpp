@@ -3,8 +3,8 @@
 #include "app/headless/frame_name.hpp"
 #include "app/headless/intact.hpp"
 #include "app/headless/picture_maker.hpp"
-#include "app/headless/progress_bar.hpp"
 #include "app/headless/solver_notes.hpp"
+#include "app/progress_bar.hpp"
 #include "session/simulation.hpp"
 #include "sim/error.hpp"
 
