@@ -57,6 +57,22 @@ std::shared_ptr<const Scene> buildWithProgress(const SceneDescription& descripti
   return buildScene(description, settings, watch);
 }
 
+/// How a mesh file was read, and pins that hold all or nothing, each with the option that changes it.
+void printNotes(const Scene& scene) {
+  if (scene.reading && scene.reading->asks()) {
+    std::string options;
+    for (const ReadingAlternative& other : scene.reading->alternatives) {
+      const std::string option = "--set " + other.key + "=";
+      options += options.find(option) != std::string::npos ? "" : (options.empty() ? "" : ", ") + option + other.value;
+    }
+    std::cerr << "note: " << inWords(*scene.reading) << " To change it: " << options << '\n';
+  }
+  if (scene.pinAdvice) {
+    std::cerr << "warning: " << scene.pinAdvice->text << " Use --set " << scene.pinAdvice->key << '='
+              << scene.pinAdvice->value << '\n';
+  }
+}
+
 }  // namespace
 
 void SceneArguments::addTo(CLI::App& app) {
@@ -82,6 +98,7 @@ std::shared_ptr<const Scene> SceneArguments::load() const {
   for (const std::string& warning : built->summary.warnings) {
     std::cerr << "warning: " << warning << '\n';
   }
+  printNotes(*built);
   return built;
 }
 

@@ -27,6 +27,7 @@ struct RawMesh {
 struct RenderMesh {
   std::vector<int> particle;        ///< for each render vertex the cloth vertex that carries it
   std::vector<Vec2> uvs;            ///< one a render vertex
+  bool uvsInMetres = false;         ///< the file had none: these are lengths [m]
   std::vector<Triangle> triangles;  ///< indices into `particle`; triangle t is the cloth's triangle t
 };
 

@@ -9,10 +9,6 @@
 namespace drape {
 namespace {
 
-/// Nothing that people wear or hang up is larger or smaller than this [m].
-constexpr double largestGarment = 5.0;
-constexpr double smallestGarment = 0.05;
-
 std::string formatted(const char* pattern, double value) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), pattern, value);
@@ -21,27 +17,6 @@ std::string formatted(const char* pattern, double value) {
 
 std::string counted(int count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-/// "63 m tall", "12 m wide" or "7 m deep", whichever is largest.
-std::string largestExtent(const std::array<double, 3>& size) {
-  constexpr std::array<const char*, 3> words{"wide", "tall", "deep"};
-  const auto largest = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
-  return formatted("%.3g m ", size[largest]) + words[largest];
-}
-
-void warnAboutSize(MeshSummary& summary) {
-  const double largest = *std::max_element(summary.size.begin(), summary.size.end());
-  const std::string start =
-      "It is " + largestExtent(summary.size) + ", which is much for a garment: if the file is in ";
-  if (largest > 100.0 * largestGarment) {
-    summary.warnings.push_back(start + "millimetres, use --set unit=mm.");
-  } else if (largest > largestGarment) {
-    summary.warnings.push_back(start + "centimetres, use --set unit=cm.");
-  } else if (largest < smallestGarment) {
-    summary.warnings.push_back("It is " + largestExtent(summary.size) +
-                               ", which is little for a garment: see --set unit for files in larger units.");
-  }
 }
 
 void warnAboutFaces(MeshSummary& summary) {
@@ -111,9 +86,6 @@ void summarise(const ClothMesh& cloth, MeshUse use, MeshSummary& summary) {
   summary.misorientedEdges = topology.misorientedEdges;
   const Vec3 size = boundsOf(cloth.positions).sizes();
   summary.size = {size.x(), size.y(), size.z()};
-  if (use == MeshUse::Cloth) {
-    warnAboutSize(summary);
-  }
   warnAboutFaces(summary);
   warnAboutShortEdges(summary);
   warnAboutTopology(use, summary);

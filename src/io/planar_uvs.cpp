@@ -33,6 +33,7 @@ Vec2 seenAlong(std::size_t axis, const Vec3& position) {
 
 RenderMesh renderMeshFromPlanes(const ClothMesh& cloth) {
   RenderMesh render;
+  render.uvsInMetres = true;
   std::vector<std::array<int, 3>> byAxis(cloth.positions.size(), {-1, -1, -1});
   for (const Triangle& face : cloth.triangles) {
     const std::size_t axis = mainAxis(cloth, face);

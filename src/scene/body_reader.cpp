@@ -1,6 +1,7 @@
 #include "scene/body_reader.hpp"
 
 #include "settings/surface_fields.hpp"
+#include "sim/error.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double smallest = 1e-4;  // [m] of a body
 constexpr double longTime = 1e6;   // [s]
+constexpr double manyTurns = 1e6;  // [degrees], or degrees a second
 
 /// What belongs to a shape, besides what every body has.
 struct ShapeKeys {
@@ -66,36 +68,42 @@ BodyShape readShape(const TomlReader& table, const std::string& shape) {
   return BoxShape{0.5 * size};
 }
 
-void readMesh(const TomlReader& table, const std::filesystem::path& folder, BodyDescription& body) {
-  const auto mesh = table.text("mesh");
-  if (!mesh) {
-    table.fail("a body of shape \"mesh\" needs mesh = \"file.obj\"");
-  }
-  body.scale = table.number("scale", 1e-6, 1e6).value_or(1.0);
-  const auto frames = table.table("frames");
-  if (!frames) {
-    body.meshes.push_back(meshSource(*mesh, folder));
-    return;
-  }
-  frames->allowOnly({"first", "last", "rate", "loop"});
-  const std::size_t digits = mesh->find('#');
-  const std::size_t end = mesh->find_first_not_of('#', digits);
+/// One file for each frame: "walk_####.obj" becomes "walk_0001.obj" and so on.
+void readFrames(const TomlReader& frames, const MeshFileSource& pattern, BodyDescription& body) {
+  frames.allowOnly({"first", "last", "rate", "loop"});
+  const std::size_t digits = pattern.path.find('#', pattern.path.find_last_of('/') + 1);
+  const std::size_t end = pattern.path.find_first_not_of('#', digits);
   if (digits == std::string::npos) {
-    frames->fail("the mesh of a body with frames names them by number: mesh = \"walk_####.obj\"");
+    frames.fail("the mesh of a body with frames names them by number: mesh = \"walk_####.obj\"");
   }
-  const int first = frames->integer("first", 0, 1'000'000).value_or(1);
-  const auto last = frames->integer("last", first + 1, first + 10'000);
+  const int first = frames.integer("first", 0, 1'000'000).value_or(1);
+  const auto last = frames.integer("last", first + 1, first + 10'000);
   if (!last) {
-    frames->fail("bodies.frames needs last, the number of the last file");
+    frames.fail("bodies.frames needs last, the number of the last file");
   }
-  const std::size_t width = (end == std::string::npos ? mesh->size() : end) - digits;
+  const std::size_t width = (end == std::string::npos ? pattern.path.size() : end) - digits;
   for (int frame = first; frame <= *last; ++frame) {
     std::string number = std::to_string(frame);
     number.insert(0, width > number.size() ? width - number.size() : 0, '0');
-    body.meshes.push_back(meshSource(std::string(*mesh).replace(digits, width, number), folder));
+    MeshFileSource source = pattern;
+    source.path.replace(digits, width, number);
+    body.meshes.push_back(std::move(source));
   }
-  body.frameTime = 1.0 / frames->number("rate", 0.001, 1e4).value_or(30.0);
-  body.frameLoop = frames->flag("loop").value_or(false);
+  body.frameTime = 1.0 / frames.number("rate", 0.001, 1e4).value_or(30.0);
+  body.frameLoop = frames.flag("loop").value_or(false);
+}
+
+void readMesh(const TomlReader& table, const std::filesystem::path& folder, BodyDescription& body) {
+  if (!table.has("mesh")) {
+    table.fail("a body of shape \"mesh\" needs mesh = \"file.obj\"");
+  }
+  const MeshFileSource mesh = meshSource(table, folder);
+  body.scale = table.number("scale", 1e-6, 1e6).value_or(1.0);
+  if (const auto frames = table.table("frames")) {
+    readFrames(*frames, mesh, body);
+  } else {
+    body.meshes.push_back(mesh);
+  }
 }
 
 Keyframe readKeyframe(const TomlReader& table, const Keyframe& usual) {
@@ -107,7 +115,7 @@ Keyframe readKeyframe(const TomlReader& table, const Keyframe& usual) {
   }
   key.time = *time;
   key.position = table.vector("position").value_or(usual.position);
-  if (const auto rotation = table.vector("rotation")) {
+  if (const auto rotation = table.vector("rotation", manyTurns)) {
     key.rotation = degree * *rotation;
   }
   return key;
@@ -116,8 +124,8 @@ Keyframe readKeyframe(const TomlReader& table, const Keyframe& usual) {
 BodyMotion readMotion(const TomlReader& table) {
   BodyMotion motion;
   const Keyframe start{0.0, table.vector("position").value_or(Vec3::Zero()),
-                       degree * table.vector("rotation").value_or(Vec3::Zero())};
-  motion.spin = degree * table.vector("spin").value_or(Vec3::Zero());
+                       degree * table.vector("rotation", manyTurns).value_or(Vec3::Zero())};
+  motion.spin = degree * table.vector("spin", manyTurns).value_or(Vec3::Zero());
   for (const TomlReader& key : table.tables("keyframes")) {
     const Keyframe next = readKeyframe(key, motion.keyframes.empty() ? start : motion.keyframes.back());
     if (!motion.keyframes.empty() && !(next.time > motion.keyframes.back().time)) {
@@ -154,12 +162,17 @@ BodyDescription readBody(const TomlReader& table, const std::filesystem::path& f
 
 }  // namespace
 
-MeshFileSource meshSource(const std::string& name, const std::filesystem::path& folder) {
+MeshFileSource meshSource(const TomlReader& table, const std::filesystem::path& folder) {
   constexpr std::string_view builtin = "builtin:";
-  if (name.starts_with(builtin)) {
-    return {name.substr(builtin.size()), true};
+  const std::string name = table.text("mesh").value_or("");
+  const std::string place = table.place("mesh");
+  if (name.empty() || name == builtin) {
+    throw InputError(place + ": mesh has no name; write mesh = \"file.obj\" or mesh = \"builtin:skirt.obj\"");
   }
-  return {(folder / name).string(), false};
+  if (name.starts_with(builtin)) {
+    return {name.substr(builtin.size()), true, place};
+  }
+  return {(folder / name).string(), false, place};
 }
 
 void readSurface(const TomlReader& table, Body& body) {

@@ -11,9 +11,6 @@
 
 namespace drape {
 
-/// Beyond this a coordinate in a scene is a slip [m].
-inline constexpr double farAway = 1e4;
-
 /// Reads the tables [[bodies]] of a scene (docs/scenes.md). Throws InputError with file and line.
 /// @param folder that the names of mesh files are relative to
 [[nodiscard]] std::vector<BodyDescription> readBodies(const TomlReader& scene, const std::filesystem::path& folder);
@@ -24,7 +21,8 @@ void readSurface(const TomlReader& table, Body& body);
 /// The keys that readSurface reads.
 inline constexpr std::array<std::string_view, 3> surfaceKeys{"static_friction", "kinetic_friction", "thickness"};
 
-/// "builtin:table.obj", or a file relative to the folder.
-[[nodiscard]] MeshFileSource meshSource(const std::string& name, const std::filesystem::path& folder);
+/// The mesh file that a table names under `mesh`: "builtin:table.obj", or a file relative to the folder. Throws
+/// InputError with file and line when there is no name.
+[[nodiscard]] MeshFileSource meshSource(const TomlReader& table, const std::filesystem::path& folder);
 
 }  // namespace drape

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/mesh_import.hpp"
+#include "scene/mesh_reading.hpp"
 #include "settings/settings.hpp"
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
@@ -32,6 +33,7 @@ struct GridSource {
 struct MeshFileSource {
   std::string path;  ///< as given; for a built-in file its name below assets
   bool builtIn = false;
+  std::string where = {};  ///< file and line that name it, for messages; empty when no scene file does
 };
 
 /// Pleats: the start is pressed together along x to `gather` of its width, in `count` folds.
@@ -57,6 +59,7 @@ struct PinSelection {
   std::vector<std::string> edges;    ///< of a grid: "top", "bottom", "left", "right"
   int every = 1;                     ///< along edges only every n-th vertex, and the last
   std::string body;                  ///< that carries them along; empty: they stay where they are
+  std::string where;                 ///< file and line of the table, for messages; empty when no scene file has it
 };
 
 /// A body as it is written down: all but its mesh, which is still in files.
@@ -97,6 +100,7 @@ struct SceneDescription {
   std::optional<double> groundHeight;            ///< absent: groundHeightOf chooses [m]
   bool groundBelowCloth = false;                 ///< an absent height is always below the cloth
   std::optional<Body> ground = groundToTouch();  ///< absent: the cloth falls through the ground
+  bool opened = false;                           ///< a mesh file that was opened by itself, without a scene
   Settings settings;                             ///< the defaults with the scene's own values
 };
 
@@ -104,6 +108,14 @@ struct SceneDescription {
 struct Decor {
   std::vector<Vec3> positions;  ///< [m]
   std::vector<Triangle> triangles;
+};
+
+/// Something that a user should know, and the change of a setting that would help.
+struct Advice {
+  std::string text;  ///< what is the matter and what helps, one or two sentences
+  std::string key;   ///< of the setting; empty when no setting helps
+  std::string value;
+  std::string button;  ///< what a button that makes the change says: "Pin by shape"
 };
 
 /// A scene that is ready to run. Immutable; shared by the simulation, the renderer and the panels.
@@ -114,6 +126,8 @@ struct Scene {
   ClothState start;
   RenderMesh renderMesh;
   MeshSummary summary;
+  std::optional<MeshReading> reading;  ///< of a mesh file that is not built in
+  std::optional<Advice> pinAdvice;     ///< when the pins leave nothing to move, or hold nothing
   std::optional<Decor> stand;
   std::shared_ptr<const std::vector<Body>> bodies = std::make_shared<std::vector<Body>>();  ///< never null
   CameraPose camera;

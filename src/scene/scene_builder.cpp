@@ -3,20 +3,22 @@
 #include "scene/grid_mesh.hpp"
 #include "scene/ground.hpp"
 #include "scene/mass.hpp"
+#include "scene/pin_advice.hpp"
 #include "scene/pin_selection.hpp"
 #include "scene/scene.hpp"
+#include "scene/shape_pins.hpp"
 #include "sim/bounds.hpp"
 #include "sim/error.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 namespace drape {
 namespace {
 
-double metresPerUnit(const std::string& unit) {
-  return unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : 1.0;
+/// A message with the place in a scene file that it is about, where there is one.
+std::string placed(const std::string& where, const std::string& message) {
+  return where.empty() ? message : where + ": " + message;
 }
 
 OutlierRule outlierRule(const Settings& settings) {
@@ -25,26 +27,21 @@ OutlierRule outlierRule(const Settings& settings) {
 
 ImportOptions importOptions(const Settings& settings, const ImportWatch& watch) {
   ImportOptions options;
-  options.metresPerUnit = metresPerUnit(settings.mesh.unit);
+  options.metresPerUnit = metresPerUnitOf(settings.mesh);
   options.weldTolerance = settings.mesh.weldTolerance;
   options.outliers = outlierRule(settings);
   options.watch = watch;
   return options;
 }
 
+/// A message about a mesh begins with the place in the scene file that names it.
 ImportedMesh readMesh(const MeshFileSource& source, const ImportOptions& options) {
-  if (!source.builtIn) {
-    return importMesh(source.path, options);
+  try {
+    return source.builtIn ? importMeshFromMemory(source.path, builtinMesh(source.path), options)
+                          : importMesh(source.path, options);
+  } catch (const InputError& error) {
+    throw InputError(placed(source.where, error.what()));
   }
-  return importMeshFromMemory(source.path, builtinMesh(source.path), options);
-}
-
-/// Turns a mesh whose z points up by a quarter around x.
-void turnUpright(ImportedMesh& mesh) {
-  for (Vec3& position : mesh.cloth.positions) {
-    position = Vec3(position.x(), position.z(), -position.y());
-  }
-  std::swap(mesh.summary.size[1], mesh.summary.size[2]);
 }
 
 PinSelection pinsInForce(const SceneDescription& description, const Settings& settings) {
@@ -103,8 +100,9 @@ std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& descriptio
       shape->triangles = mesh.cloth.triangles;
     } else if (shape->triangles != mesh.cloth.triangles ||
                shape->frames.front().size() != mesh.cloth.positions.size()) {
-      throw InputError(source.path + " does not have the same triangles as " + description.meshes.front().path +
-                       "; the frames of a body are one mesh with other positions");
+      throw InputError(placed(source.where, source.path + " does not have the same triangles as " +
+                                                description.meshes.front().path +
+                                                "; the frames of a body are one mesh with other positions"));
     }
     shape->frames.push_back(std::move(mesh.cloth.positions));
   }
@@ -118,12 +116,10 @@ std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& descriptio
 }
 
 /// The body in metres and with y up, when its files are like the cloth's.
-BodyDescription inMetres(BodyDescription body, const Settings& settings) {
-  if (body.readLikeCloth) {
-    body.scale *= metresPerUnit(settings.mesh.unit);
-    if (settings.mesh.up == "z") {
-      body.body.motion.keyframes.front().rotation = Vec3(-0.5 * std::numbers::pi, 0.0, 0.0);
-    }
+BodyDescription inMetres(BodyDescription body, const std::optional<MeshReading>& reading) {
+  if (body.readLikeCloth && reading) {
+    body.scale *= reading->metresPerUnit;
+    body.body.motion.keyframes.front().rotation = rotationToY(reading->up);
   }
   return body;
 }
@@ -138,12 +134,13 @@ Body bodyOf(const Body& stand, const Decor& surface) {
 }
 
 /// The scene's own bodies, then its stand, then its ground.
-std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& description, const Settings& settings,
+std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& description,
+                                               const std::optional<MeshReading>& reading,
                                                const std::optional<Decor>& stand, double groundHeight,
                                                const ImportOptions& options, std::vector<std::string>& warnings) {
   auto bodies = std::make_shared<std::vector<Body>>();
   for (const BodyDescription& written : description.bodies) {
-    const BodyDescription each = inMetres(written, settings);
+    const BodyDescription each = inMetres(written, reading);
     bodies->push_back(each.body);
     if (!each.meshes.empty()) {
       bodies->back().shape = readMeshShape(each, options, warnings);
@@ -189,22 +186,34 @@ void carryPins(const SceneDescription& description, const std::vector<int>& pins
   }
 }
 
-/// Where the mesh comes from, and the layout when it is a grid.
+/// Where the mesh comes from, the layout when it is a grid, and how it was read when it is a file.
 struct Source {
   ImportedMesh mesh;
   std::optional<GridLayout> grid;
+  std::optional<MeshReading> reading;
 };
 
 Source makeSource(const SceneDescription& description, const Settings& settings, const ImportWatch& watch) {
   if (const auto* grid = std::get_if<GridSource>(&description.source)) {
     const GridLayout layout = layoutOf(settings.grid);
-    return {makeGrid(layout, grid->plane), layout};
+    return {makeGrid(layout, grid->plane), layout, std::nullopt};
   }
-  Source source{readMesh(std::get<MeshFileSource>(description.source), importOptions(settings, watch)), std::nullopt};
-  if (settings.mesh.up == "z") {
-    turnUpright(source.mesh);
-  }
+  const auto& file = std::get<MeshFileSource>(description.source);
+  Source source{readMesh(file, importOptions(settings, watch)), std::nullopt, std::nullopt};
+  source.reading = readUpright(settings.mesh, source.mesh);
   return source;
+}
+
+std::vector<int> choosePins(const SceneDescription& description, const Settings& settings, const Source& source) {
+  if (settings.mesh.pins == "shape") {
+    return pinsByShape(source.mesh.cloth);
+  }
+  const PinSelection pins = pinsInForce(description, settings);
+  try {
+    return selectPins(pins, source.mesh.cloth.positions, source.grid ? &*source.grid : nullptr);
+  } catch (const InputError& error) {
+    throw InputError(placed(pins.where, error.what()));
+  }
 }
 
 /// From the mesh's own coordinates to where the scene wants it.
@@ -237,18 +246,22 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   watch.tell(meshIsRead, "Building");
   scene->start = stateAtRest(startPositions(description, source));
   placeCloth(description, source.mesh.cloth.positions);
-  const std::vector<int> pins = selectPins(pinsInForce(description, settings), source.mesh.cloth.positions,
-                                           source.grid ? &*source.grid : nullptr);
+  const std::vector<int> pins = choosePins(description, settings, source);
   scene->model = buildClothModel(source.mesh.cloth, totalMassOf(settings, restAreaOf(source.mesh.cloth)),
                                  lumpingOf(settings), pins);
   watch.tell(0.95, "Building");
   scene->renderMesh = std::move(source.mesh.render);
   scene->summary = std::move(source.mesh.summary);
+  const auto* file = std::get_if<MeshFileSource>(&description.source);
+  if (file != nullptr && !file->builtIn) {
+    scene->reading = source.reading;
+  }
+  scene->pinAdvice = adviceOnPins(description, settings, pins.size(), scene->start.positions.size());
   scene->stand = readStand(description.stand, bodyOptions(settings, watch), scene->summary.warnings);
 
   const Eigen::AlignedBox3d box = boundsOf(scene->start.positions);
   scene->groundHeight = groundHeightOf(description, scene->start.positions, pins);
-  const auto bodies = buildBodies(description, settings, scene->stand, scene->groundHeight,
+  const auto bodies = buildBodies(description, source.reading, scene->stand, scene->groundHeight,
                                   bodyOptions(settings, watch), scene->summary.warnings);
   carryPins(description, pins, scene->start, *bodies);
   scene->bodies = bodies;

@@ -56,11 +56,15 @@ SceneDescription sceneOfMesh(const std::filesystem::path& file) {
   SceneDescription scene;
   scene.name = file.filename().string();
   scene.title = scene.name;
-  scene.help = "A mesh that hangs by its top.";
+  scene.help = "A mesh file that was opened by itself.";
   scene.source = MeshFileSource{file.string(), false};
   scene.pins.top = topOfBareMesh;
   scene.groundBelowCloth = true;
   scene.settings = openedMeshSettings();
+  scene.opened = true;
+  scene.settings.mesh.unit = "auto";
+  scene.settings.mesh.up = "auto";
+  scene.settings.mesh.pins = "shape";
   return scene;
 }
 

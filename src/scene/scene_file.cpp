@@ -1,6 +1,7 @@
 #include "scene/scene_file.hpp"
 
 #include "scene/body_reader.hpp"
+#include "scene/framing.hpp"
 #include "scene/toml_reader.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/error.hpp"
@@ -11,22 +12,24 @@
 namespace drape {
 namespace {
 
+constexpr double manyDegrees = 1e6;
+
 void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, SceneDescription& scene) {
   cloth.allowOnly({"mesh", "grid", "position", "rotation", "pleats"});
-  const auto mesh = cloth.text("mesh");
+  const bool mesh = cloth.has("mesh");
   const auto plane = cloth.text("grid");
-  if (mesh.has_value() == plane.has_value()) {
+  if (mesh == plane.has_value()) {
     cloth.fail("[cloth] needs either mesh = \"file.obj\" or grid = \"horizontal\" or \"vertical\"");
   }
   if (mesh) {
-    scene.source = meshSource(*mesh, folder);
+    scene.source = meshSource(cloth, folder);
   } else if (*plane == "horizontal" || *plane == "vertical") {
     scene.source = GridSource{*plane == "vertical" ? GridSource::Plane::Vertical : GridSource::Plane::Horizontal};
   } else {
     cloth.fail("cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
   }
   scene.position = cloth.vector("position").value_or(Vec3::Zero());
-  scene.rotation = degree * cloth.vector("rotation").value_or(Vec3::Zero());
+  scene.rotation = degree * cloth.vector("rotation", manyDegrees).value_or(Vec3::Zero());
   if (const auto pleats = cloth.table("pleats")) {
     pleats->allowOnly({"count", "gather"});
     scene.pleats = Pleats{pleats->integer("count", 1, 1000).value_or(Pleats{}.count),
@@ -37,6 +40,7 @@ void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, Sce
 PinSelection readPins(const TomlReader& reader) {
   reader.allowOnly({"vertices", "nearest", "boxes", "top", "corners", "edges", "every", "body"});
   PinSelection pins;
+  pins.where = reader.place();
   pins.vertices = reader.integers("vertices");
   pins.nearest = reader.vectors("nearest");
   for (const TomlReader& box : reader.tables("boxes")) {
@@ -77,11 +81,7 @@ void readGround(const TomlReader& ground, SceneDescription& scene) {
 
 StandDescription readStand(const TomlReader& reader, const std::filesystem::path& folder) {
   reader.allowOnly(withSurfaceKeys({"mesh", "solid"}));
-  const auto mesh = reader.text("mesh");
-  if (!mesh) {
-    reader.fail("[stand] needs mesh = \"file.obj\"");
-  }
-  StandDescription stand{meshSource(*mesh, folder)};
+  StandDescription stand{meshSource(reader, folder)};
   readSolidity(reader, "stand", stand.body);
   return stand;
 }
@@ -92,6 +92,10 @@ CameraPose readCamera(const TomlReader& reader) {
   pose.position = reader.vector("position").value_or(pose.position);
   pose.focalPoint = reader.vector("focal_point").value_or(pose.focalPoint);
   pose.viewAngle = reader.number("view_angle", 1.0, 150.0).value_or(pose.viewAngle);
+  if ((pose.position - pose.focalPoint).norm() < nearestView) {
+    reader.fail("camera.position and camera.focal_point must be at least " + std::to_string(nearestView).substr(0, 4) +
+                " m apart");
+  }
   return pose;
 }
 

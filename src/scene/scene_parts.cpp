@@ -66,6 +66,9 @@ SceneDescription openParts(const SceneParts& parts) {
   for (const std::string& body : parts.bodies) {
     addBody(scene, body);
   }
+  if (!parts.bodies.empty() && scene.opened) {
+    scene.settings.mesh.pins = "none";  // it lies on the body
+  }
   if (!parts.bodies.empty() && scene.groundBelowCloth) {
     // Bodies stand on the ground of their files, and that is where the cloth was made for them.
     scene.groundBelowCloth = false;

@@ -32,7 +32,16 @@ TomlReader::TomlReader(const TomlReader& parent, std::string where, const toml::
     : file_(parent.file_), where_(std::move(where)), document_(parent.document_), table_(&table) {}
 
 void TomlReader::fail(const toml::node& node, const std::string& message) const {
-  throw InputError(file_ + ":" + std::to_string(node.source().begin.line) + ": " + message);
+  throw InputError(placeOf(node) + ": " + message);
+}
+
+std::string TomlReader::placeOf(const toml::node& node) const {
+  return file_ + ":" + std::to_string(node.source().begin.line);
+}
+
+std::string TomlReader::place(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return placeOf(node == nullptr ? static_cast<const toml::node&>(*table_) : *node);
 }
 
 std::string TomlReader::nameOf(std::string_view key) const {
@@ -97,7 +106,7 @@ std::optional<int> TomlReader::integer(std::string_view key, int min, int max) c
   return static_cast<int>(value->get());
 }
 
-Vec3 TomlReader::asVector(const toml::node& node, std::string_view key) const {
+Vec3 TomlReader::asVector(const toml::node& node, std::string_view key, double limit) const {
   const toml::array* array = node.as_array();
   Vec3 vector = Vec3::Zero();
   const bool three = array != nullptr && array->size() == 3;
@@ -109,12 +118,15 @@ Vec3 TomlReader::asVector(const toml::node& node, std::string_view key) const {
   if (!three || !vector.allFinite()) {
     fail(node, nameOf(key) + " must be three finite numbers: [x, y, z]");
   }
+  if (vector.cwiseAbs().maxCoeff() > limit) {
+    fail(node, nameOf(key) + " must be three numbers from " + toText(-limit) + " to " + toText(limit));
+  }
   return vector;
 }
 
-std::optional<Vec3> TomlReader::vector(std::string_view key) const {
+std::optional<Vec3> TomlReader::vector(std::string_view key, double limit) const {
   const toml::node* node = table_->get(key);
-  return node == nullptr ? std::nullopt : std::optional(asVector(*node, key));
+  return node == nullptr ? std::nullopt : std::optional(asVector(*node, key, limit));
 }
 
 std::optional<TomlReader> TomlReader::table(std::string_view key) const {
@@ -165,7 +177,7 @@ std::vector<int> TomlReader::integers(std::string_view key) const {
 
 std::vector<Vec3> TomlReader::vectors(std::string_view key) const {
   return list<Vec3>(key, "points [x, y, z]",
-                    [&](const toml::node& entry) { return std::optional(asVector(entry, key)); });
+                    [&](const toml::node& entry) { return std::optional(asVector(entry, key, farAway)); });
 }
 
 std::vector<TomlReader> TomlReader::tables(std::string_view key) const {

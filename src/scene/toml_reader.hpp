@@ -13,6 +13,9 @@
 
 namespace drape {
 
+/// Beyond this a coordinate in a scene is a slip [m].
+inline constexpr double farAway = 1e4;
+
 /// Angles are in degrees in scene files [rad].
 inline constexpr double degree = std::numbers::pi / 180.0;
 
@@ -31,7 +34,8 @@ class TomlReader {
   [[nodiscard]] std::optional<bool> flag(std::string_view key) const;
   [[nodiscard]] std::optional<double> number(std::string_view key, double min, double max) const;
   [[nodiscard]] std::optional<int> integer(std::string_view key, int min, int max) const;
-  [[nodiscard]] std::optional<Vec3> vector(std::string_view key) const;
+  /// Three numbers, none of which is farther from zero than `limit`.
+  [[nodiscard]] std::optional<Vec3> vector(std::string_view key, double limit = farAway) const;
   [[nodiscard]] std::optional<TomlReader> table(std::string_view key) const;
 
   /// Lists; empty when the key is absent.
@@ -43,6 +47,9 @@ class TomlReader {
   /// Visits every value below the table with its dotted key.
   void forEachValue(const std::function<void(const std::string& key, const toml::node& node)>& visit) const;
 
+  /// "file:line" where the key stands, or where this table begins when there is no such key.
+  [[nodiscard]] std::string place(std::string_view key = {}) const;
+
   /// Throws InputError "file:line: message".
   [[noreturn]] void fail(const toml::node& node, const std::string& message) const;
   /// The same, at the line where this table begins.
@@ -52,7 +59,8 @@ class TomlReader {
   TomlReader(const TomlReader& parent, std::string where, const toml::table& table);
 
   [[nodiscard]] std::string nameOf(std::string_view key) const;
-  [[nodiscard]] Vec3 asVector(const toml::node& node, std::string_view key) const;
+  [[nodiscard]] Vec3 asVector(const toml::node& node, std::string_view key, double limit) const;
+  [[nodiscard]] std::string placeOf(const toml::node& node) const;
   void visitBelow(const std::string& prefix, const toml::table& table,
                   const std::function<void(const std::string& key, const toml::node& node)>& visit) const;
 

@@ -128,8 +128,12 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.stepSeconds = stepSeconds_;
   snapshot.stepReport = stepReport_;
   snapshot.message = message();
-  if (snapshot.message.empty() && snapshot.maxStretch > implausibleStretch) {
-    snapshot.message = "Overstretched: this cloth needs a smaller time step. Change it, then reset.";
+  snapshot.overstretched.reset();
+  if (snapshot.maxStretch > implausibleStretch) {
+    snapshot.overstretched = diagnoseStretch(*scene_, settings_, *model_, state_, grab_.has_value());
+    if (snapshot.message.empty()) {
+      snapshot.message = snapshot.overstretched->advice.text;
+    }
   }
   if (!ghost_) {
     snapshot.ghost.reset();

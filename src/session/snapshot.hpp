@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "session/stretch_cause.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/energy_balance.hpp"
 #include "sim/solver.hpp"
@@ -12,9 +13,6 @@
 #include <vector>
 
 namespace drape {
-
-/// No cloth stretches to three times its length. Where springs do, the step is beyond what the solver can carry.
-inline constexpr double implausibleStretch = 2.0;
 
 /// The hand, as it is.
 struct GrabStatus {
@@ -53,10 +51,11 @@ struct Snapshot {
   Settings settings;                        ///< in force
   bool paused = false;
   Energy energy;
-  std::optional<EnergyBalance> balance;  ///< of the steps since it was asked for or the cloth was reset
-  double maxStretch = 0.0;               ///< largest (L - l0) / l0 [-]
-  double stepSeconds = 0.0;              ///< what the last step cost, without the ghost's [s]
-  StepReport stepReport;                 ///< how the last step went
+  std::optional<EnergyBalance> balance;           ///< of the steps since it was asked for or the cloth was reset
+  double maxStretch = 0.0;                        ///< largest (L - l0) / l0 [-]
+  std::optional<StretchDiagnosis> overstretched;  ///< why, when maxStretch is beyond implausibleStretch
+  double stepSeconds = 0.0;                       ///< what the last step cost, without the ghost's [s]
+  StepReport stepReport;                          ///< how the last step went
   double realTimeFactor = 0.0;  ///< simulated time over wall-clock time, lately [-]; 0 while paused or not timed
   std::optional<GrabStatus> grab;
   std::optional<GhostStatus> ghost;

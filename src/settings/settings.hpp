@@ -43,11 +43,11 @@ struct Settings {
   } playback;
 
   struct Mesh {
-    std::string unit = "m";           ///< of the file's coordinates
-    std::string up = "y";             ///< the file's axis that points up
+    std::string unit = "m";           ///< of the file's coordinates: a word, metres per unit, or "auto": it is guessed
+    std::string up = "y";             ///< the file's axis that points up, or "auto": it is guessed
     double weldTolerance = 1e-6;      ///< relative to the bounding box's diagonal [-]
     std::string outliers = "refuse";  ///< vertices far from all others: "refuse" or "leave_out"
-    std::string pins = "scene";       ///< "scene", "top" or "none"
+    std::string pins = "scene";       ///< "scene", "shape", "top" or "none"
   } mesh;
 
   struct Grid {

@@ -1,9 +1,11 @@
 #include "settings/settings_table.hpp"
-
+#include "settings/number_text.hpp"
 #include "sim/solver.hpp"
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 namespace drape {
 namespace {
@@ -73,6 +75,38 @@ constexpr std::array selfCollisions{
          "hash",
          {"Hashed vertices",
           "The paper's: vertex to vertex, about as dear as the step; sharp folds and slack meshes leak."}}};
+
+std::vector<std::string> unitWords() {
+  return {"auto", "m", "dm", "cm", "mm", "inch"};
+}
+
+/// Metres per unit, as a number.
+bool isUnitFactor(std::string_view text) {
+  const std::optional<double> factor = parseNumber(text);
+  return factor && *factor >= 1e-6 && *factor <= 1e3;
+}
+
+ChoiceLabel unitLabel(std::string_view word) {
+  static constexpr std::array<std::pair<std::string_view, ChoiceLabel>, 6> labels{
+      {{"auto", {"Guessed", "The unit in which the mesh has the size of something that people wear."}},
+       {"m", {"Metres", "One unit of the file is a metre."}},
+       {"dm", {"Decimetres", "One unit of the file is a tenth of a metre."}},
+       {"cm", {"Centimetres", "One unit of the file is a hundredth of a metre."}},
+       {"mm", {"Millimetres", "One unit of the file is a thousandth of a metre."}},
+       {"inch", {"Inches", "One unit of the file is 0.0254 m."}}}};
+  const auto found = std::find_if(labels.begin(), labels.end(), [&](const auto& entry) { return entry.first == word; });
+  return found == labels.end() ? ChoiceLabel{} : found->second;
+}
+
+ChoiceLabel pinsLabel(std::string_view word) {
+  static constexpr std::array<std::pair<std::string_view, ChoiceLabel>, 4> labels{
+      {{"scene", {"As the scene says", "What the scene file names."}},
+       {"shape", {"By shape", "The neck, the waist or the shoulders of a garment, two corners of a flat sheet."}},
+       {"top", {"Top", "The topmost 3 % of the height."}},
+       {"none", {"None", "Nothing is held: the cloth falls until it lands on something solid."}}}};
+  const auto found = std::find_if(labels.begin(), labels.end(), [&](const auto& entry) { return entry.first == word; });
+  return found == labels.end() ? ChoiceLabel{} : found->second;
+}
 
 /// A choice between the values of an enumeration, each with its word.
 template <const auto& words, auto ref>
@@ -293,12 +327,16 @@ const std::array table{
 
     SettingInfo{"unit", "Mesh unit", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.unit; }, [](Settings& s, const std::string& word) { s.mesh.unit = word; },
-            +[] { return std::vector<std::string>{"m", "cm", "mm"}; }},
-        "Unit of the coordinates in a mesh file.", {}, {}, SettingScope::MeshFile},
+            unitWords, unitLabel, isUnitFactor, "metres per unit from 1e-06 to 1000"},
+        "Unit of the coordinates in a mesh file: a word, or metres per unit such as 0.0254. auto, which a mesh file that is "
+        "opened by itself starts with, guesses it from the size; a scene file means metres.",
+        {}, {}, SettingScope::MeshFile},
     SettingInfo{"up", "Mesh up axis", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.up; }, [](Settings& s, const std::string& word) { s.mesh.up = word; },
-            +[] { return std::vector<std::string>{"y", "z"}; }},
-        "The axis that points up in a mesh file. Some programs write z; the mesh is then turned upright.", {}, {}, SettingScope::MeshFile},
+            +[] { return std::vector<std::string>{"auto", "y", "z", "x", "-y", "-z"}; }},
+        "The axis that points up in a mesh file; the mesh is turned so that it is y. auto, which a mesh file that is opened "
+        "by itself starts with, guesses y or z from the shape; a scene file means y.",
+        {}, {}, SettingScope::MeshFile},
     SettingInfo{"weld_tolerance", "Weld tolerance", "-", Advanced, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.mesh.weldTolerance; }, 0.0, 0.01, false},
         "Vertices of a mesh that are nearer to each other than this share of its diagonal become one.", {}, {}, SettingScope::MeshFile},
@@ -309,8 +347,9 @@ const std::array table{
         {}, {}, SettingScope::MeshFile},
     SettingInfo{"pins", "Pins", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.pins; }, [](Settings& s, const std::string& word) { s.mesh.pins = word; },
-            +[] { return std::vector<std::string>{"scene", "top", "none"}; }},
-        "What holds the cloth: what the scene says (a bare mesh hangs by its top), its topmost vertices, or nothing."},
+            +[] { return std::vector<std::string>{"scene", "shape", "top", "none"}; }, pinsLabel},
+        "What holds the cloth: what the scene says, what its shape suggests (a mesh file that is opened by itself starts with "
+        "that), its topmost vertices, or nothing."},
     SettingInfo{"grid.resolution", "Grid resolution", "-", Scene, SettingEffect::Scene,
         IntegerField{[](Settings& s) -> int& { return s.grid.resolution; }, 2, 1025},
         "Vertices along the shorter side of a grid.", {}, {}, SettingScope::Grid},

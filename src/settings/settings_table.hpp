@@ -39,12 +39,14 @@ struct ChoiceLabel {
   std::string_view help;
 };
 
-/// One of a list of words.
+/// One of a list of words, or another text that `accepts` takes.
 struct ChoiceField {
   std::string (*get)(const Settings&);
   void (*set)(Settings&, const std::string&);  ///< of one of the choices
   std::vector<std::string> (*choices)();
   ChoiceLabel (*label)(std::string_view word) = nullptr;  ///< of one of the choices; null: words speak for themselves
+  bool (*accepts)(std::string_view text) = nullptr;  ///< takes texts that are none of the words; null: there are none
+  std::string_view otherTexts = {};                  ///< what `accepts` takes, for messages
 };
 
 using SettingField = std::variant<NumberField, IntegerField, FlagField, ChoiceField>;

@@ -81,12 +81,15 @@ void assignInteger(Settings& settings, const SettingInfo& info, const IntegerFie
 }
 
 void assignChoice(Settings& settings, const SettingInfo& info, const ChoiceField& field, const SettingValue& value) {
-  const auto* word = std::get_if<std::string>(&value);
+  const std::string text = formatValue(value);
   const auto choices = field.choices();
-  if (word == nullptr || std::find(choices.begin(), choices.end(), *word) == choices.end()) {
-    refuse(info, quoted(formatValue(value)));
+  const bool isWord =
+      std::holds_alternative<std::string>(value) && std::find(choices.begin(), choices.end(), text) != choices.end();
+  const bool isOther = !std::holds_alternative<bool>(value) && field.accepts != nullptr && field.accepts(text);
+  if (!isWord && !isOther) {
+    refuse(info, quoted(text));
   }
-  field.set(settings, *word);
+  field.set(settings, text);
 }
 
 void assignFlag(Settings& settings, const SettingInfo& info, const FlagField& field, const SettingValue& value) {
@@ -135,6 +138,24 @@ int editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// The setting that a mistyped key was probably meant for: the one that it begins, or one that differs in a few
+/// letters. Empty when none is near.
+std::string_view nearestKey(std::string_view key) {
+  constexpr std::size_t fewLetters = 3;
+  const auto table = settingsTable();
+  const auto begun = std::find_if(table.begin(), table.end(), [&](const SettingInfo& info) {
+    return key.size() >= fewLetters && info.key.starts_with(key);
+  });
+  if (begun != table.end()) {
+    return begun->key;
+  }
+  const auto nearest = std::min_element(table.begin(), table.end(), [&](const auto& a, const auto& b) {
+    return editDistance(key, a.key) < editDistance(key, b.key);
+  });
+  const int allowed = key.size() <= fewLetters ? 1 : std::max(2, static_cast<int>(key.size()) / 3);
+  return editDistance(key, nearest->key) <= allowed ? nearest->key : std::string_view();
+}
+
 }  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -154,12 +175,10 @@ const SettingInfo& requireSetting(std::string_view key) {
   if (const SettingInfo* info = findSetting(key)) {
     return *info;
   }
-  const auto table = settingsTable();
-  const auto nearest = std::min_element(table.begin(), table.end(), [&](const auto& a, const auto& b) {
-    return editDistance(key, a.key) < editDistance(key, b.key);
-  });
-  throw UsageError("there is no setting " + quoted(key) + "; did you mean " + quoted(nearest->key) +
-                   "? 'drape-headless list settings' shows them all");
+  const std::string_view meant = nearestKey(key);
+  throw UsageError("there is no setting " + quoted(key) + "; " +
+                   (meant.empty() ? "" : "did you mean " + quoted(meant) + "? ") +
+                   "'drape-headless list settings' shows them all");
 }
 
 SettingValue settingValue(const Settings& settings, const SettingInfo& info) {
@@ -200,7 +219,10 @@ std::string describeRange(const SettingInfo& info) {
                                                            std::to_string(field.max));
                                },
                                [](const FlagField&) { return std::string("on or off"); },
-                               [](const ChoiceField& field) { return listWords(field.choices()); }},
+                               [](const ChoiceField& field) {
+                                 return listWords(field.choices()) +
+                                        (field.otherTexts.empty() ? "" : ", or " + std::string(field.otherTexts));
+                               }},
                     info.field);
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,7 @@ struct PanelMemory {
   MeasureHistory measures;
   std::map<std::string, float> textHeights;  ///< of the texts that come and go
   std::int64_t lastStep = -1;                ///< the step that the history's last entry belongs to
+  std::set<std::string> accepted;            ///< lines of the notice that the user has answered
   std::string openSurface;                   ///< the body whose surface is shown
   std::string openPath;                      ///< what is typed in the open field
   std::vector<SceneInfo> scenes;             ///< the built-in ones

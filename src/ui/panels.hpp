@@ -33,6 +33,10 @@ void loadingNotice(PanelContext& context, OverlayStack& stack);
 /// What to do first.
 void dragHint(OverlayStack& stack);
 
+/// What wants an answer, a line each until it has one: how a mesh file was read, pins that hold all or nothing, and
+/// cloth that is overstretched. Each line has a button for what would help and one that accepts.
+void readingNotice(PanelContext& context, OverlayStack& stack);
+
 /// The list of keys and mouse gestures over the picture. Gives back false once the user has closed it.
 [[nodiscard]] bool helpOverlay(PanelContext& context, const UiRect& view);
 

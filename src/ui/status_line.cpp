@@ -69,7 +69,7 @@ Message messageOf(const PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
   if (!snapshot.message.empty()) {
     return {snapshot.message, palette().warning,
-            snapshot.maxStretch > implausibleStretch ? WayOut::Auto : WayOut::None};
+            snapshot.overstretched && snapshot.overstretched->advice.key == "solver" ? WayOut::Auto : WayOut::None};
   }
   if (!context.stats.notice.empty()) {
     return {context.stats.notice, palette().text};

@@ -107,6 +107,7 @@ void UserInterface::Parts::column(PanelContext& panel, const UiRect& place) {
 void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   // What stays comes first, so that a message which appears moves nothing that is about to be clicked.
   OverlayStack stack(panel, view);
+  readingNotice(panel, stack);
   if (!shownError.empty() && !errorNotice(panel, stack)) {
     closedError = shownError;
     shownError.clear();

@@ -379,14 +379,41 @@ TEST(Window, ASceneIsBuiltAgainWhenItsMeshChanges) {
   });
 }
 
+/// Opens the list of a choice and clicks on one of its words.
+void pickFromList(ViewerDriver& viewer, const std::string& key, const std::string& word) {
+  const std::string entry = key + "=" + word;
+  viewer.click(viewer.find(key));
+  viewer.waitUntil("the list", [&](const Json& s) { return s["buttons"].contains(entry); });
+  const Json rect = viewer.frames()["buttons"][entry];  // a list finds its place in its second frame
+  viewer.click({rect["x"].get<double>() + 10.0, rect["y"].get<double>() + rect["height"].get<double>() / 2.0});
+}
+
 TEST(Window, AMeshInAnotherUnitIsLookedAtFromWhereItFillsTheView) {
   ViewerDriver viewer({"skirt", "--paused"});
   const Json metres = viewer.state();
-  viewer.click(viewer.find("unit=cm"));
+  pickFromList(viewer, "unit", "cm");
   const Json centimetres =
       viewer.waitUntil("another unit", [](const Json& s) { return s["settings"]["unit"] == "cm"; });
   viewer.waitUntil("a nearer camera", [&](const Json& s) { return cameraDistance(s) < 0.2 * cameraDistance(metres); });
   EXPECT_EQ(centimetres["vertices"], metres["vertices"]);
+}
+
+TEST(Window, AMeshFileAsksHowItWasReadAndOneClickChangesThat) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "towel.obj";
+  std::ofstream(file) << "v 0 0 0\nv 60 0 0\nv 60 90 0\nv 0 90 0\nf 1 2 3 4\n";
+  ViewerDriver viewer({file.string(), "--paused"});
+  EXPECT_EQ(viewer.state()["settings"]["unit"], "auto");
+  viewer.click(viewer.find("reading.unit=m"));
+  viewer.waitUntil("metres", [](const Json& s) {
+    return s["settings"]["unit"] == "m" && s["loading"] == "" && s["buttons"].contains("reading.unit=cm");
+  });
+  viewer.click(viewer.find("reading.unit=cm"));
+  viewer.waitUntil("centimetres again", [](const Json& s) {
+    return s["settings"]["unit"] == "cm" && s["loading"] == "" && s["buttons"].contains("reading.up=z");
+  });
+  viewer.click(viewer.find("reading.accept"));
+  viewer.waitUntil("no line", [](const Json& s) { return !s["buttons"].contains("overlay.reading"); });
 }
 
 TEST(Window, AnotherSceneIsOpenedFromTheList) {
@@ -399,15 +426,6 @@ TEST(Window, AnotherSceneIsOpenedFromTheList) {
   const Json flag = viewer.waitUntil("the flag", [](const Json& s) { return s["scene"] == "flag"; });
   EXPECT_TRUE(flag["paused"]) << "the clock stays as it was";
   EXPECT_NE(flag["camera"], list["camera"]);
-}
-
-/// Opens the list of a choice and clicks on one of its words.
-void pickFromList(ViewerDriver& viewer, const std::string& key, const std::string& word) {
-  const std::string entry = key + "=" + word;
-  viewer.click(viewer.find(key));
-  viewer.waitUntil("the list", [&](const Json& s) { return s["buttons"].contains(entry); });
-  const Json rect = viewer.frames()["buttons"][entry];  // a list finds its place in its second frame
-  viewer.click({rect["x"].get<double>() + 10.0, rect["y"].get<double>() + rect["height"].get<double>() / 2.0});
 }
 
 TEST(Window, AnotherSolverIsPickedFromTheListWhileTheClothMoves) {

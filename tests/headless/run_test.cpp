@@ -166,13 +166,40 @@ TEST(Run, failsWithStatusOneWhenInputOrOutputCannotBeHad) {
 TEST(Run, tellsWhatWasFoundInAMeshFile) {
   const auto mesh = testFolder() / "sheet.obj";
   std::ofstream(mesh) << "v 0 0 0\nv 100 0 0\nv 100 200 0\nv 0 200 0\nf 1 2 3 4\nf 1 2 3\n";
-  const Outcome metres = headless("run " + mesh.string() + " --seconds 0.01");
-  EXPECT_EQ(metres.status, 0) << metres.errors;
-  EXPECT_NE(metres.errors.find("--set unit=cm"), std::string::npos) << metres.errors;
-  const Outcome centimetres = headless("run " + mesh.string() + " --set unit=cm --seconds 0.01");
-  EXPECT_EQ(centimetres.errors.find("--set unit=cm"), std::string::npos) << centimetres.errors;
+  const Outcome centimetres = headless("run " + mesh.string() + " --set unit=cm --set up=y --seconds 0.01");
+  EXPECT_EQ(centimetres.status, 0) << centimetres.errors;
+  EXPECT_EQ(centimetres.errors.find("note: read as"), std::string::npos) << centimetres.errors;
   EXPECT_NE(centimetres.output.find("triangles:   2"), std::string::npos) << centimetres.output;
   EXPECT_NE(centimetres.output.find("1 x 2 x 0 m"), std::string::npos) << centimetres.output;
+}
+
+TEST(Run, tellsHowAMeshFileWasRead) {
+  const auto mesh = testFolder() / "towel.obj";
+  std::ofstream(mesh) << "v 0 0 0\nv 60 0 0\nv 60 90 0\nv 0 90 0\nf 1 2 3 4\n";
+  const auto stats = testFolder() / "towel.json";
+  const Outcome outcome = headless("run " + mesh.string() + " --seconds 0.01 --stats " + stats.string());
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("note: Read as centimetres, y up: 0.90 m tall. To change it: --set unit="),
+            std::string::npos)
+      << outcome.errors;
+  EXPECT_NE(outcome.errors.find("--set up=z"), std::string::npos) << outcome.errors;
+  const auto reading = nlohmann::json::parse(std::ifstream(stats))["reading"];
+  EXPECT_EQ(reading["unit"], "cm");
+  EXPECT_EQ(reading["metres_per_unit"], 0.01);
+  EXPECT_EQ(reading["unit_guessed"], true);
+  EXPECT_EQ(reading["up"], "y");
+  EXPECT_NEAR(reading["size"][1].get<double>(), 0.9, 1e-9);
+  EXPECT_TRUE(statsOf("grid --seconds 0.01")["reading"].is_null());
+}
+
+TEST(Run, tellsOfPinsThatHoldEverythingWithTheOptionThatHelps) {
+  const auto mesh = testFolder() / "level.obj";
+  std::ofstream(mesh) << "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 4 3 2 1\n";
+  const Outcome outcome = headless("run " + mesh.string() + " --set pins=top --seconds 0.01");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.errors.find("All 4 vertices are pinned, so nothing can move. Use --set pins=shape"),
+            std::string::npos)
+      << outcome.errors;
 }
 
 TEST(Run, countsIntersectingTrianglesOnlyWhenAsked) {

@@ -22,20 +22,6 @@ TEST(MeshSummary, hasNothingToWarnAboutOnACleanGarment) {
   EXPECT_TRUE(weldMesh(square(1.0), "mesh.obj", {}).summary.warnings.empty());
 }
 
-TEST(MeshSummary, warnsOfASizeInCentimetres) {
-  const ImportedMesh mesh = weldMesh(square(63.0), "mesh.obj", {});
-  EXPECT_TRUE(warns(mesh, "63 m tall"));
-  EXPECT_TRUE(warns(mesh, "--set unit=cm"));
-}
-
-TEST(MeshSummary, warnsOfASizeInMillimetres) {
-  EXPECT_TRUE(warns(weldMesh(square(630.0), "mesh.obj", {}), "--set unit=mm"));
-}
-
-TEST(MeshSummary, warnsOfASizeForDolls) {
-  EXPECT_TRUE(warns(weldMesh(square(0.02), "mesh.obj", {}), "--set unit"));
-}
-
 TEST(MeshSummary, warnsOfWhatWasLeftOut) {
   RawMesh raw = square(1.0);
   raw.positions.emplace_back(0.3, 0.3, 0.0);

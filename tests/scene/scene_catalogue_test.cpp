@@ -335,6 +335,32 @@ TEST(Scenes, tellTheirProgressAndCanBeCancelled) {
   EXPECT_LT(last, 1.0);
 }
 
+TEST(Scenes, sayTheLineOfTheSceneFileWhosePinsOrMeshAreWrong) {
+  const Folder folder;
+  folder.write("sheet.obj", quad);
+  const auto failure = [&](const std::string& text) -> std::string {
+    const SceneDescription description = openScene(folder.write("mine.toml", text));
+    try {
+      static_cast<void>(buildScene(description, description.settings));
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  const std::string cloth = "[cloth]\nmesh = \"sheet.obj\"\n";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {cloth + "[pins]\nvertices = [4]\n", "mine.toml:3: pins.vertices names vertex 4"},
+      {cloth + "[pins]\nedges = [\"left\"]\n", "mine.toml:3: pins.corners and pins.edges belong to a grid"},
+      {"[cloth]\ngrid = \"vertical\"\n\n[pins]\nedges = [\"front\"]\n", "mine.toml:4: "},
+      {"[cloth]\nmesh = \"none.obj\"\n", "mine.toml:2: "},
+      {"[cloth]\nmesh = \"builtin:none.obj\"\n", "mine.toml:2: there is no built-in mesh 'none.obj'"},
+      {cloth + "[stand]\nmesh = \"stand.obj\"\n", "mine.toml:4: "},
+      {cloth + "[[bodies]]\nshape = \"mesh\"\nmesh = \"body.obj\"\n", "mine.toml:5: "}};
+  for (const auto& [text, message] : cases) {
+    EXPECT_NE(failure(text).find(message), std::string::npos) << text << failure(text);
+  }
+}
+
 TEST(Scenes, sayWhichBuiltInMeshesThereAre) {
   const Folder folder;
   const auto file = folder.write("mine.toml", "[cloth]\nmesh = \"builtin:hat.obj\"\n");

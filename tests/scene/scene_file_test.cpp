@@ -100,6 +100,35 @@ TEST(SceneFile, holdsSettingsToTheirRangesWithFileAndLine) {
   EXPECT_NE(refusal("[cloth]\ngrid = \"vertical\"\n[settings]\nstiffness = nan\n"), "");
 }
 
+TEST(SceneFile, namesTheTrueCauseWithFileAndLine) {
+  const std::string sheet = "[cloth]\ngrid = \"vertical\"\n";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"[cloth]\ngrid = \"vertical\"\nposition = [1e30, 0, 0]",
+       "test.toml:3: cloth.position must be three numbers from"},
+      {"[cloth]\nmesh = \"\"", "test.toml:2: mesh has no name"},
+      {"[cloth]\nmesh = \"builtin:\"", "test.toml:2: mesh has no name"},
+      {sheet + "[stand]", "test.toml:3: mesh has no name"},
+      {sheet + "[stand]\nmesh = \"\"", "test.toml:4: mesh has no name"},
+      {sheet + "[[bodies]]\nshape = \"mesh\"\nmesh = \"\"", "test.toml:5: mesh has no name"},
+      {sheet + "[camera]\nposition = [1, 2, 3]\nfocal_point = [1, 2, 3]",
+       "test.toml:3: camera.position and camera.focal_point must be at least 0.01 m apart"},
+      {sheet + "[pins]\nnearest = [[0, 0, 1e9]]", "test.toml:4: pins.nearest must be three numbers from"},
+      {sheet + "rotation = [0, 1e7, 0]", "test.toml:3: cloth.rotation must be three numbers from"},
+      {sheet + "[settings]\nfoo = 1", "test.toml:4: there is no setting 'foo'; 'drape-headless list settings'"},
+      {sheet + "[settings]\nunit = \"foot\"", "test.toml:4: unit must be auto, m, dm, cm, mm or inch, or metres per"},
+      {sheet + "[settings]\nunit = true", "test.toml:4: unit must be"},
+      {sheet + "[settings]\nup = \"w\"", "test.toml:4: up must be auto, y, z, x, -y or -z"}};
+  for (const auto& [text, message] : cases) {
+    EXPECT_TRUE(refusal(text).starts_with(message)) << text << "\n" << refusal(text);
+  }
+}
+
+TEST(SceneFile, takesAFactorAsUnitOfTheMesh) {
+  EXPECT_EQ(parse("[cloth]\nmesh = \"a.obj\"\n[settings]\nunit = 0.0254\n").settings.mesh.unit, "0.0254");
+  EXPECT_EQ(parse("[cloth]\nmesh = \"a.obj\"\n[settings]\nunit = \"inch\"\n").settings.mesh.unit, "inch");
+  EXPECT_EQ(parse("[cloth]\nmesh = \"a.obj\"\n").settings.mesh.unit, "m") << "a scene is in metres";
+}
+
 TEST(SceneFile, refusesWrongTypesAndMissingParts) {
   for (const char* text :
        {"", "[cloth]", "[cloth]\ngrid = \"round\"", "[cloth]\ngrid = 3",

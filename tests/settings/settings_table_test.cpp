@@ -170,6 +170,29 @@ TEST(SolverTable, namesOnlySettingsThatExist) {
 TEST(SettingsTable, namesTheNearestKeyForAMistypedOne) {
   EXPECT_NE(refusal("stifness=10").find("did you mean 'stiffness'"), std::string::npos);
   EXPECT_NE(refusal("wind=3").find("wind.x"), std::string::npos);
+  EXPECT_NE(refusal("stif=3").find("did you mean 'stiffness'"), std::string::npos);
+}
+
+TEST(SettingsTable, suggestsNothingForAWordThatIsLikeNoKey) {
+  for (const char* word : {"foo=1", "x=1", "qqqq=1", "colour_of_the_sky=1"}) {
+    EXPECT_EQ(refusal(word).find("did you mean"), std::string::npos) << refusal(word);
+    EXPECT_NE(refusal(word).find("list settings"), std::string::npos) << refusal(word);
+  }
+}
+
+TEST(SettingsTable, takesAFactorAsTheUnitOfAMesh) {
+  Settings settings;
+  for (const auto& [text, value] : {std::pair("0.0254", "0.0254"), std::pair("1/3", "1/3"), std::pair("1e-6", "1e-6"),
+                                    std::pair("1000", "1000"), std::pair("inch", "inch"), std::pair("auto", "auto")}) {
+    assignSettingExpression(settings, std::string("unit=") + text);
+    EXPECT_EQ(settings.mesh.unit, value);
+  }
+  assignSetting(settings, requireSetting("unit"), 0.3048);
+  EXPECT_EQ(settings.mesh.unit, "0.3048") << "a number in a scene file";
+  for (const char* wrong :
+       {"unit=0", "unit=-1", "unit=1e-7", "unit=1001", "unit=nan", "unit=inf", "unit=", "unit=1 cm"}) {
+    EXPECT_NE(refusal(wrong).find("metres per unit from 1e-06 to 1000"), std::string::npos) << wrong;
+  }
 }
 
 TEST(SettingsTable, refusesAnExpressionWithoutKeyOrValue) {
@@ -178,7 +201,9 @@ TEST(SettingsTable, refusesAnExpressionWithoutKeyOrValue) {
 }
 
 TEST(SettingsTable, listsTheChoicesWhenAWordIsNone) {
-  EXPECT_NE(refusal("unit=inch").find("m, cm or mm"), std::string::npos);
+  EXPECT_NE(refusal("unit=foot").find("cm, mm or inch, or metres per unit from 1e-06 to 1000; 'foot' is not"),
+            std::string::npos)
+      << refusal("unit=foot");
   EXPECT_NE(refusal("solver=magic").find("one_iteration"), std::string::npos);
 }
 

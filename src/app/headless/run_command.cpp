@@ -81,6 +81,10 @@ void warn(const Simulation& simulation) {
   if (!end.message.empty() && !simulation.blewUp()) {
     std::cerr << "warning: " << end.message << '\n';
   }
+  if (end.overstretched && !end.overstretched->advice.key.empty()) {
+    const Advice& advice = end.overstretched->advice;
+    std::cerr << "note: --set " << advice.key << '=' << advice.value << " would help\n";
+  }
 }
 
 void run(RunArguments arguments) {

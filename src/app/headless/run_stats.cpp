@@ -38,6 +38,25 @@ nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& s
   return std::isfinite(limit) ? nlohmann::ordered_json(limit) : nlohmann::ordered_json(nullptr);
 }
 
+/// How a mesh file was read, or null where there is none.
+nlohmann::ordered_json readingJson(const std::optional<MeshReading>& reading) {
+  if (!reading) {
+    return nullptr;
+  }
+  nlohmann::ordered_json others = nlohmann::ordered_json::array();
+  for (const ReadingAlternative& other : reading->alternatives) {
+    others.push_back(other.key + "=" + other.value);
+  }
+  return {{"unit", reading->unit},
+          {"metres_per_unit", reading->metresPerUnit},
+          {"unit_guessed", reading->unitGuessed},
+          {"up", reading->up},
+          {"up_guessed", reading->upGuessed},
+          {"size", reading->size},
+          {"alternatives", std::move(others)},
+          {"in_words", inWords(*reading)}};
+}
+
 }  // namespace
 
 RunStats::RunStats(const std::string& file, std::int64_t steps) {
@@ -89,6 +108,7 @@ nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
   const Energy energy = energyOf(model, simulation.settings().step, simulation.state());
   nlohmann::ordered_json json;
   json["scene"] = simulation.scene().description.name;
+  json["reading"] = readingJson(simulation.scene().reading);
   json["vertices"] = model.vertexCount();
   json["springs"] = model.springs.size();
   json["triangles"] = model.triangles.size();

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+
+#include <vector>
+
+namespace drape {
+
+/// A closed chain of edges that have one face each: an opening of a garment, or the outline of a sheet.
+struct BoundaryLoop {
+  std::vector<int> vertices;   ///< in the order of the walk
+  double length = 0.0;         ///< [m]
+  Vec3 centre = Vec3::Zero();  ///< mean over its length [m]
+  Vec3 area = Vec3::Zero();    ///< the area that it encloses times its normal [m^2]; the sign has no meaning
+  int piece = 0;               ///< index into ClothPieces::pieces
+};
+
+/// A connected part of a mesh.
+struct ClothPiece {
+  double area = 0.0;          ///< [m^2]
+  int loops = 0;              ///< boundary loops
+  int eulerNumber = 0;        ///< vertices - edges + triangles; 1 for a disc, 0 for a tube
+  std::vector<int> vertices;  ///< ascending
+};
+
+/// The connected parts of a mesh and their boundaries.
+struct ClothPieces {
+  std::vector<ClothPiece> pieces;   ///< ordered by their lowest vertex
+  std::vector<BoundaryLoop> loops;  ///< ordered by their lowest vertex
+
+  /// True when the loop goes around a sheet, false when it is an opening of something hollow. A disc that can be laid
+  /// flat has at most the area of the circle with its circumference; a sock or a cap has more.
+  [[nodiscard]] bool isOutline(const BoundaryLoop& loop) const;
+};
+
+/// Finds the parts and the boundary loops of a mesh. Cost: sorting the edges.
+[[nodiscard]] ClothPieces findPieces(const ClothMesh& mesh);
+
+}  // namespace drape

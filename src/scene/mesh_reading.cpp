@@ -1,0 +1,152 @@
+#include "scene/mesh_reading.hpp"
+
+#include "scene/boundary_loops.hpp"
+#include "scene/unit_guess.hpp"
+#include "scene/up_guess.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string_view>
+
+namespace drape {
+namespace {
+
+constexpr std::string_view guessed = "auto";
+
+double largestOf(const std::array<double, 3>& size) {
+  return *std::max_element(size.begin(), size.end());
+}
+
+/// Whether cloth of that size may well be meant, if it is no garment: a curtain, a patch.
+bool isUsualSize(double metres) {
+  return metres >= 0.25 * smallestGarment && metres <= 2.0 * largestGarment;
+}
+
+/// Where a point goes when the named axis is turned to y.
+Vec3 turned(const Vec3& p, std::string_view up) {
+  if (up == "z") {
+    return {p.x(), p.z(), -p.y()};
+  }
+  if (up == "x") {
+    return {-p.y(), p.x(), p.z()};
+  }
+  if (up == "-y") {
+    return {p.x(), -p.y(), -p.z()};
+  }
+  if (up == "-z") {
+    return {p.x(), -p.z(), p.y()};
+  }
+  return p;
+}
+
+void scale(ImportedMesh& mesh, double factor) {
+  for (Vec3& position : mesh.cloth.positions) {
+    position *= factor;
+  }
+  if (mesh.render.uvsInMetres) {
+    for (Vec2& uv : mesh.render.uvs) {
+      uv *= factor;
+    }
+  }
+  for (double& extent : mesh.summary.size) {
+    extent *= factor;
+  }
+}
+
+void turn(ImportedMesh& mesh, std::string_view up) {
+  for (Vec3& position : mesh.cloth.positions) {
+    position = turned(position, up);
+  }
+  const Vec3 size = turned(Vec3(mesh.summary.size[0], mesh.summary.size[1], mesh.summary.size[2]), up).cwiseAbs();
+  mesh.summary.size = {size.x(), size.y(), size.z()};
+}
+
+/// The unit of the reading, and the units that could be meant instead.
+void readUnit(const Settings::Mesh& settings, const FormatFacts& format, double largestExtent, MeshReading& reading) {
+  const UnitGuess guess = guessUnit(largestExtent);
+  const bool open = settings.unit == guessed;
+  reading.unitGuessed = open && !format.metresPerUnit;
+  reading.unit = !open ? settings.unit : format.metresPerUnit ? wordForUnit(*format.metresPerUnit) : guess.unit;
+  reading.metresPerUnit = metresPerUnit(reading.unit);
+  if (!reading.unitGuessed && isUsualSize(reading.metresPerUnit * largestExtent)) {
+    return;
+  }
+  constexpr std::size_t most = 3;
+  std::vector<std::string> others{guess.unit};
+  others.insert(others.end(), guess.others.begin(), guess.others.end());
+  others.emplace_back("m");  // what the file says if its coordinates are taken as they are
+  for (const std::string& unit : others) {
+    const bool known = std::any_of(reading.alternatives.begin(), reading.alternatives.end(),
+                                   [&](const ReadingAlternative& each) { return each.value == unit; });
+    if (!known && unit != reading.unit && reading.alternatives.size() < most) {
+      reading.alternatives.push_back({"unit", unit});
+    }
+  }
+}
+
+void readUp(const Settings::Mesh& settings, const FormatFacts& format, const ClothMesh& mesh, MeshReading& reading) {
+  const bool open = settings.up == guessed;
+  reading.upGuessed = open && !format.up;
+  reading.up = open && format.up ? std::string(1, *format.up) : settings.up;
+  if (reading.upGuessed) {
+    constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+    reading.up = axes[static_cast<std::size_t>(guessUp(mesh, findPieces(mesh)).axis)];
+    for (const char* axis : {"y", "z"}) {
+      if (reading.up != axis) {
+        reading.alternatives.push_back({"up", axis});
+      }
+    }
+  }
+}
+
+std::string formatted(const char* pattern, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), pattern, value);
+  return text.data();
+}
+
+/// Two digits behind the point for garments, three digits in all for what is larger or smaller.
+std::string lengthText(double metres) {
+  const bool usual = metres >= 0.1 && metres < 10.0;
+  return formatted(usual ? "%.2f m" : "%.3g m", metres);
+}
+
+}  // namespace
+
+double metresPerUnitOf(const Settings::Mesh& settings) {
+  return settings.unit == guessed ? 1.0 : metresPerUnit(settings.unit);
+}
+
+MeshReading readUpright(const Settings::Mesh& settings, ImportedMesh& mesh) {
+  MeshReading reading;
+  readUnit(settings, mesh.format, largestOf(mesh.summary.size) / metresPerUnitOf(settings), reading);
+  readUp(settings, mesh.format, mesh.cloth, reading);
+  if (settings.unit == guessed) {
+    scale(mesh, reading.metresPerUnit);
+  }
+  if (reading.up != "y") {
+    turn(mesh, reading.up);
+  }
+  reading.size = mesh.summary.size;
+  return reading;
+}
+
+Vec3 rotationToY(std::string_view up) {
+  constexpr double quarter = 0.5 * std::numbers::pi;
+  if (up == "x") {
+    return {0.0, 0.0, quarter};
+  }
+  return {up == "z" ? -quarter : up == "-z" ? quarter : up == "-y" ? 2.0 * quarter : 0.0, 0.0, 0.0};
+}
+
+std::string inWords(const MeshReading& reading) {
+  // A sheet that lies flat is not tall; its larger side says more.
+  const bool flat = reading.size[1] < 0.05 * largestOf(reading.size);
+  const std::string size =
+      flat ? lengthText(reading.size[0]) + " x " + lengthText(reading.size[2]) : lengthText(reading.size[1]) + " tall";
+  return "Read as " + unitInWords(reading.unit) + ", " + reading.up + " up: " + size + ".";
+}
+
+}  // namespace drape

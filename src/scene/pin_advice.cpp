@@ -1,0 +1,37 @@
+#include "scene/pin_advice.hpp"
+
+namespace drape {
+namespace {
+
+/// Whether a scene names any vertices that are to be held.
+bool namesPins(const PinSelection& pins) {
+  return !pins.vertices.empty() || !pins.nearest.empty() || !pins.boxes.empty() || pins.top || !pins.corners.empty() ||
+         !pins.edges.empty();
+}
+
+}  // namespace
+
+std::optional<Advice> adviceOnPins(const SceneDescription& description, const Settings& settings, std::size_t pinned,
+                                   std::size_t vertices) {
+  const bool byShape = settings.mesh.pins == "shape";
+  const std::string cure = byShape ? "none" : "shape";
+  const std::string button = byShape ? "Pin nothing" : "Pin by shape";
+  if (pinned > 0 && pinned == vertices) {
+    return Advice{"All " + std::to_string(vertices) + " vertices are pinned, so nothing can move.", "pins", cure,
+                  button};
+  }
+  if (pinned > 0) {
+    return std::nullopt;
+  }
+  if (settings.mesh.pins == "scene" && namesPins(description.pins)) {
+    const std::string& where = description.pins.where;
+    return Advice{(where.empty() ? "" : where + ": ") + "[pins] holds no vertex of this cloth, so it falls.", "pins",
+                  "shape", "Pin by shape"};
+  }
+  if (description.opened && description.bodies.empty()) {
+    return Advice{"Nothing is pinned, so the cloth falls.", "pins", "shape", "Pin by shape"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace drape

@@ -1,0 +1,102 @@
+#include "scene/unit_guess.hpp"
+
+#include "settings/number_text.hpp"
+#include "settings/settings_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace drape {
+namespace {
+
+/// A unit, and how many of a hundred files are written in it, roughly.
+struct UsualUnit {
+  LengthUnit unit;
+  double files = 0.0;
+};
+
+constexpr std::array<UsualUnit, 5> usualUnits{{{{"m", "metres", 1.0}, 40.0},
+                                               {{"cm", "centimetres", 0.01}, 35.0},
+                                               {{"mm", "millimetres", 0.001}, 12.0},
+                                               {{"inch", "inches", 0.0254}, 8.0},
+                                               {{"dm", "decimetres", 0.1}, 5.0}}};
+
+/// A kind of thing and how large it is: a normal distribution of the logarithm.
+struct UsualSize {
+  double metres;
+  double spread;  ///< of the logarithm [-]
+  double share;   ///< of all files [-]
+};
+
+constexpr std::array<UsualSize, 4> usualSizes{{{0.75, 0.25, 0.45},   // T-shirts, skirts, trousers
+                                               {1.2, 0.2, 0.2},      // dresses
+                                               {1.7, 0.1, 0.2},      // bodies
+                                               {0.35, 0.4, 0.15}}};  // socks, caps, handkerchiefs
+
+/// How common things of that size are; only ratios mean something.
+double frequency(double metres) {
+  double sum = 0.0;
+  for (const UsualSize& size : usualSizes) {
+    const double apart = std::log(metres / size.metres) / size.spread;
+    sum += size.share / size.spread * std::exp(-0.5 * apart * apart);
+  }
+  return sum;
+}
+
+/// By what factor a size is outside of what garments are [-]; 1 inside.
+double misfit(double metres) {
+  return std::max({1.0, smallestGarment / metres, metres / largestGarment});
+}
+
+const LengthUnit* findUnit(std::string_view word) {
+  const auto found =
+      std::find_if(usualUnits.begin(), usualUnits.end(), [&](const auto& entry) { return entry.unit.word == word; });
+  return found == usualUnits.end() ? nullptr : &found->unit;
+}
+
+}  // namespace
+
+double metresPerUnit(std::string_view unit) {
+  const LengthUnit* known = findUnit(unit);
+  return known != nullptr ? known->metres : parseNumber(unit).value_or(1.0);
+}
+
+std::string wordForUnit(double metres) {
+  const auto found =
+      std::find_if(usualUnits.begin(), usualUnits.end(), [&](const auto& each) { return each.unit.metres == metres; });
+  return found != usualUnits.end() ? std::string(found->unit.word) : formatValue(metres);
+}
+
+std::string unitInWords(std::string_view unit) {
+  const LengthUnit* known = findUnit(unit);
+  return known != nullptr ? std::string(known->plural) : "units of " + std::string(unit) + " m";
+}
+
+UnitGuess guessUnit(double largestExtent) {
+  struct Candidate {
+    const LengthUnit* unit;
+    double misfit;
+    double likelihood;
+  };
+  UnitGuess guess;
+  if (!(largestExtent > 0.0)) {
+    return guess;
+  }
+  std::vector<Candidate> candidates;
+  for (const UsualUnit& each : usualUnits) {
+    const double metres = each.unit.metres * largestExtent;
+    candidates.push_back({&each.unit, misfit(metres), each.files * frequency(metres)});
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::pair(a.misfit, -a.likelihood) < std::pair(b.misfit, -b.likelihood);
+  });
+  guess.unit = candidates.front().unit->word;
+  for (std::size_t i = 1; i < candidates.size() && candidates[i].misfit <= 1.0; ++i) {
+    guess.others.emplace_back(candidates[i].unit->word);
+  }
+  return guess;
+}
+
+}  // namespace drape

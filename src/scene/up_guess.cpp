@@ -1,0 +1,157 @@
+#include "scene/up_guess.hpp"
+
+#include "sim/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace drape {
+namespace {
+
+constexpr int cells = 16;  // of a silhouette along each axis
+constexpr int finest = 5;  // a triangle is quartered at most that often
+
+/// How much of a surface lies where, seen along one axis: two of the three axes, each in `cells` cells.
+class Silhouette {
+ public:
+  Silhouette(int across, int along) : across_(across), along_(along) {}
+
+  /// Adds an amount at a point of the unit cube, shared among the four nearest cells.
+  void add(const Vec3& point, double amount) {
+    const double u = std::clamp(point[across_] * cells - 0.5, 0.0, cells - 1.001);
+    const double v = std::clamp(point[along_] * cells - 0.5, 0.0, cells - 1.001);
+    const int column = static_cast<int>(u);
+    const int row = static_cast<int>(v);
+    const double right = u - column;
+    const double up = v - row;
+    cell(column, row) += amount * (1.0 - right) * (1.0 - up);
+    cell(column + 1, row) += amount * right * (1.0 - up);
+    cell(column, row + 1) += amount * (1.0 - right) * up;
+    cell(column + 1, row + 1) += amount * right * up;
+  }
+
+  /// 0: the same as its mirror image across the first axis; 1: nothing is where the image is.
+  [[nodiscard]] double asymmetry() const {
+    double apart = 0.0;
+    double total = 0.0;
+    for (int row = 0; row < cells; ++row) {
+      for (int column = 0; column < cells; ++column) {
+        apart += std::abs(amount(column, row) - amount(cells - 1 - column, row));
+        total += 2.0 * amount(column, row);
+      }
+    }
+    return total > 0.0 ? apart / total : 0.0;
+  }
+
+ private:
+  double& cell(int column, int row) { return amounts_[static_cast<std::size_t>(row * cells + column)]; }
+  [[nodiscard]] double amount(int column, int row) const {
+    return amounts_[static_cast<std::size_t>(row * cells + column)];
+  }
+
+  int across_;
+  int along_;
+  std::array<double, static_cast<std::size_t>(cells* cells)> amounts_{};
+};
+
+/// Hands out points of a triangle with the area that each stands for: its centre, or those of its quarters where it is
+/// larger than a cell.
+template <typename Visit>
+void spread(const Vec3& a, const Vec3& b, const Vec3& c, int depth, const Visit& visit) {
+  constexpr double small = 0.7 / cells;
+  const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  if (depth == 0 || longest < small) {
+    visit((a + b + c) / 3.0, std::pow(0.25, finest - depth));
+    return;
+  }
+  const Vec3 ab = 0.5 * (a + b);
+  const Vec3 bc = 0.5 * (b + c);
+  const Vec3 ca = 0.5 * (c + a);
+  spread(a, ab, ca, depth - 1, visit);
+  spread(ab, b, bc, depth - 1, visit);
+  spread(ca, bc, c, depth - 1, visit);
+  spread(ab, bc, ca, depth - 1, visit);
+}
+
+std::array<double, 3> asymmetries(const ClothMesh& mesh, const Eigen::AlignedBox3d& box) {
+  const Vec3 size = box.sizes().cwiseMax(1e-3 * box.sizes().maxCoeff());
+  const auto within = [&](int vertex) -> Vec3 {
+    const Vec3 fromMiddle = mesh.positions[static_cast<std::size_t>(vertex)] - box.center();
+    return fromMiddle.cwiseQuotient(size) + Vec3::Constant(0.5);
+  };
+  std::array<double, 3> result{};
+  for (int axis = 0; axis < 3; ++axis) {
+    std::array<Silhouette, 2> views{Silhouette(axis, (axis + 1) % 3), Silhouette(axis, (axis + 2) % 3)};
+    for (const Triangle& triangle : mesh.triangles) {
+      const auto corner = [&](std::size_t i) -> const Vec3& {
+        return mesh.positions[static_cast<std::size_t>(triangle[i])];
+      };
+      const double area = (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+      spread(within(triangle[0]), within(triangle[1]), within(triangle[2]), finest,
+             [&](const Vec3& point, double share) {
+               views[0].add(point, share * area);
+               views[1].add(point, share * area);
+             });
+    }
+    result[static_cast<std::size_t>(axis)] = 0.5 * (views[0].asymmetry() + views[1].asymmetry());
+  }
+  return result;
+}
+
+/// Openings that face along each axis, as shares of all of them; all zero when there is none worth the name.
+std::array<double, 3> openingShares(const ClothPieces& pieces, const Eigen::AlignedBox3d& box) {
+  constexpr double smallest = 1e-3;  // of the square over the box's diagonal; less is a slit or a damage
+  std::array<double, 3> shares{};
+  double total = 0.0;
+  for (const BoundaryLoop& loop : pieces.loops) {
+    const double area = loop.area.norm();
+    if (pieces.isOutline(loop) || area < smallest * box.diagonal().squaredNorm()) {
+      continue;
+    }
+    total += area;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double facing = loop.area[axis] / area;
+      shares[static_cast<std::size_t>(axis)] += area * facing * facing;
+    }
+  }
+  for (double& share : shares) {
+    share = total > 0.0 ? share / total : 0.0;
+  }
+  return shares;
+}
+
+}  // namespace
+
+UpGuess guessUp(const ClothMesh& mesh, const ClothPieces& pieces) {
+  constexpr std::array<double, 3> usual{-0.6, 0.15, 0.0};  // files with y up are the most common, with x up the least
+  constexpr double openingWeight = 1.5;
+  constexpr double asymmetryWeight = 1.0;
+  constexpr double extentWeight = 0.8;
+  constexpr double extentWeightAlone = 1.3;  // of a shape without openings
+  UpGuess guess;
+  const Eigen::AlignedBox3d box = boundsOf(mesh.positions);
+  UpEvidence& evidence = guess.evidence;
+  evidence.openings = openingShares(pieces, box);
+  evidence.asymmetry = asymmetries(mesh, box);
+  const bool open = std::any_of(evidence.openings.begin(), evidence.openings.end(), [](double s) { return s > 0.0; });
+  const double largest = std::max(std::numeric_limits<double>::min(), box.sizes().maxCoeff());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    evidence.extent[axis] = box.sizes()[static_cast<Eigen::Index>(axis)] / largest;
+    evidence.score[axis] = usual[axis] + openingWeight * evidence.openings[axis] +
+                           asymmetryWeight * evidence.asymmetry[axis] +
+                           (open ? extentWeight : extentWeightAlone) * evidence.extent[axis];
+  }
+  constexpr double flatness = 0.02;
+  if (!open && box.sizes().minCoeff() < flatness * largest) {
+    return guess;  // a flat sheet may lie or hang: what is usual decides
+  }
+  guess.axis =
+      static_cast<int>(std::max_element(evidence.score.begin(), evidence.score.end()) - evidence.score.begin());
+  std::array<double, 3> sorted = evidence.score;
+  std::sort(sorted.begin(), sorted.end());
+  guess.margin = sorted[2] - sorted[1];
+  return guess;
+}
+
+}  // namespace drape

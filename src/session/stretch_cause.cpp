@@ -1,0 +1,183 @@
+#include "session/stretch_cause.hpp"
+
+#include "scene/unit_guess.hpp"
+#include "session/solver_warning.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/hanging_load.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iomanip>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace drape {
+namespace {
+
+constexpr double muchByWeight = 0.5;    // strain by the weight alone that explains the rest [-]
+constexpr double wantedStrain = 0.1;    // what the advice aims at [-]
+constexpr double heaviestFabric = 2.0;  // leather, carpets [kg/m^2]
+constexpr double usualFabric = 0.2;     // [kg/m^2]
+constexpr double sliverRatio = 0.02;    // of the median edge
+
+std::string inFigures(double value, int digits = 2) {
+  std::ostringstream text;
+  if (std::abs(value) >= 100.0 && std::abs(value) < 1e7) {
+    text << std::fixed << std::setprecision(0);
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - digits + 1);
+    text << std::round(value / unit) * unit;
+  } else {
+    text << std::setprecision(digits) << value;
+  }
+  return text.str();
+}
+
+std::string place(const Vec3& point) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << '(' << point.x() << ", " << point.y() << ", " << point.z() << ") m";
+  return text.str();
+}
+
+/// The next larger of 1, 2, 5, 10, 20, 50 ...
+double roundedUp(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (step * decade >= value) {
+      return step * decade;
+    }
+  }
+  return 10.0 * decade;
+}
+
+std::vector<std::size_t> overstretched(const ClothModel& model, const ClothState& state) {
+  std::vector<std::size_t> springs;
+  for (std::size_t i = 0; i < model.springs.size(); ++i) {
+    const Spring& spring = model.springs[i];
+    const double length =
+        (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
+            .norm();
+    if (length > (1.0 + implausibleStretch) * spring.restLength) {
+      springs.push_back(i);
+    }
+  }
+  return springs;
+}
+
+double medianLength(const ClothModel& model) {
+  std::vector<double> lengths;
+  lengths.reserve(model.springs.size());
+  for (const Spring& spring : model.springs) {
+    lengths.push_back(spring.restLength);
+  }
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+/// When all that is overstretched is far shorter than the other springs.
+std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel& model, const ClothState& state) {
+  const std::vector<std::size_t> springs = overstretched(model, state);
+  const double median = model.springs.empty() ? 0.0 : medianLength(model);
+  double shortest = median;
+  for (const std::size_t i : springs) {
+    shortest = std::min(shortest, model.springs[i].restLength);
+    if (model.springs[i].restLength > sliverRatio * median) {
+      return std::nullopt;
+    }
+  }
+  if (springs.empty()) {
+    return std::nullopt;
+  }
+  const Spring& first = model.springs[springs.front()];
+  const Vec3 at = 0.5 * (model.restPositions[static_cast<std::size_t>(first.a)] +
+                         model.restPositions[static_cast<std::size_t>(first.b)]);
+  StretchDiagnosis found{StretchCause::Slivers, {}};
+  found.advice.text = "Slivers: " + std::to_string(springs.size()) + (springs.size() == 1 ? " edge is" : " edges are") +
+                      " overstretched, the shortest of them 1/" + inFigures(median / shortest, 1) +
+                      " of the usual length; the first is at " + place(at) +
+                      ". Merge their ends with a larger weld_tolerance, or repair the mesh.";
+  const Vec3 size(scene.summary.size[0], scene.summary.size[1], scene.summary.size[2]);
+  const double tolerance = 2.0 * sliverRatio * median / std::max(size.norm(), 1e-12);
+  const auto& field = std::get<NumberField>(requireSetting("weld_tolerance").field);
+  if (std::holds_alternative<MeshFileSource>(scene.description.source) && tolerance <= field.max) {
+    found.advice.key = "weld_tolerance";
+    found.advice.value = inFigures(tolerance, 1);
+    found.advice.button = "Merge them";
+  }
+  return found;
+}
+
+/// The stiffness under which the weight would stretch the cloth by no more than is wanted [N/m].
+double helpfulStiffness(const ClothModel& model, StepParameters parameters) {
+  const auto& field = std::get<NumberField>(requireSetting("stiffness").field);
+  parameters.stiffness = 1.0;
+  return std::min(field.max, roundedUp(strainByWeight(model, parameters) / wantedStrain));
+}
+
+StretchDiagnosis explainByWeight(double strain, const Scene& scene, const Settings& settings, const ClothModel& model) {
+  const double largest = *std::max_element(scene.summary.size.begin(), scene.summary.size.end());
+  const double density = model.totalMass() / std::max(model.restArea(), 1e-12);
+  const std::string weight =
+      "Its weight of " + inFigures(model.totalMass()) + " kg alone stretches it by " + inFigures(100.0 * strain) + " %";
+  const bool file = std::holds_alternative<MeshFileSource>(scene.description.source);
+  if (file && largest > 2.0 * largestGarment && scene.reading) {
+    const double inFile = largest / scene.reading->metresPerUnit;
+    const std::string unit = guessUnit(inFile).unit;
+    return {StretchCause::Unit,
+            {"The cloth is " + inFigures(largest) + " m large. " + weight + ". The file is probably in " +
+                 unitInWords(unit) + ": read it so.",
+             "unit", unit, "Read as " + unitInWords(unit)}};
+  }
+  if (density > heaviestFabric) {
+    return {StretchCause::Heavy,
+            {"Too heavy: a square metre weighs " + inFigures(density) + " kg, and fabrics weigh 0.05 to 1 kg. " +
+                 weight + ". Lower the density.",
+             "density", inFigures(usualFabric), "Density " + inFigures(usualFabric) + " kg/m\u00B2"}};
+  }
+  const std::string stiffness = inFigures(helpfulStiffness(model, settings.step));
+  const std::string soft = settings.step.stiffness > 0.0
+                               ? weight + " at a stiffness of " + inFigures(settings.step.stiffness) + " N/m"
+                               : "at a stiffness of 0 nothing carries it";
+  return {StretchCause::Soft,
+          {"Too soft: " + soft + ". A stiffness of " + stiffness + " N/m carries it.", "stiffness", stiffness,
+           "Stiffness " + stiffness + " N/m"}};
+}
+
+StretchDiagnosis explainBySolver(const Settings& settings, const ClothModel& model) {
+  const bool chooses = settings.solver.name == "auto";
+  const Advice toAuto{"", "solver", "auto", "Use auto"};
+  if (const std::string warning = solverWarning(settings, model); !chooses && !warning.empty()) {
+    StretchDiagnosis found{StretchCause::TimeStep, toAuto};
+    found.advice.text = "The time step is too long for the solver " + settings.solver.name + ": " + warning;
+    return found;
+  }
+  StretchDiagnosis found{StretchCause::Solver, chooses ? Advice{} : toAuto};
+  found.advice.text =
+      "Overstretched: springs are more than three times their length, which neither the weight nor the "
+      "hand explains. The solver " +
+      settings.solver.name + " failed here; " +
+      (chooses ? "take a shorter time step" : "use auto or a shorter time step") + ", then reset.";
+  return found;
+}
+
+}  // namespace
+
+StretchDiagnosis diagnoseStretch(const Scene& scene, const Settings& settings, const ClothModel& model,
+                                 const ClothState& state, bool pulled) {
+  if (auto slivers = findSlivers(scene, model, state)) {
+    return *std::move(slivers);
+  }
+  if (const double strain = strainByWeight(model, settings.step); strain > muchByWeight) {
+    return explainByWeight(strain, scene, settings, model);
+  }
+  if (pulled) {
+    return {StretchCause::Hand,
+            {"The hand pulls harder than this cloth can bear: let go, lower the hand's force, or raise the stiffness.",
+             "", "", ""}};
+  }
+  return explainBySolver(settings, model);
+}
+
+}  // namespace drape

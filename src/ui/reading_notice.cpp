@@ -1,0 +1,140 @@
+#include "scene/unit_guess.hpp"
+#include "ui/panels.hpp"
+#include "ui/setting_widget.hpp"
+#include "ui/widgets.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace drape {
+namespace {
+
+/// A change that a line offers.
+struct Offer {
+  std::string name;   ///< of the button: "reading.unit=m"
+  std::string label;  ///< what the button says
+  std::string help;   ///< what it does
+  const SettingInfo* setting = nullptr;
+  std::string value;
+};
+
+/// A line that stays until it is answered.
+struct Line {
+  std::string name;  ///< of its button that accepts: "reading.accept"
+  std::string text;
+  ImVec4 colour;
+  std::vector<Offer> offers;
+};
+
+Line readingLine(const MeshReading& reading) {
+  Line line{"reading.accept", inWords(reading), palette().text, {}};
+  for (const ReadingAlternative& other : reading.alternatives) {
+    const bool unit = other.key == "unit";
+    line.offers.push_back(
+        {"reading." + other.key + "=" + other.value, unit ? other.value : other.value + " up",
+         unit ? "Reads the file in " + unitInWords(other.value) + "." : "Reads the file with " + other.value + " up.",
+         findSetting(other.key), other.value});
+  }
+  return line;
+}
+
+Line adviceLine(const std::string& name, const Advice& advice) {
+  Line line{name + ".accept", advice.text, palette().warning, {}};
+  if (const SettingInfo* setting = findSetting(advice.key)) {
+    line.offers.push_back({name + "." + advice.key, advice.button, "Sets " + advice.key + " to " + advice.value + ".",
+                           setting, advice.value});
+  }
+  return line;
+}
+
+/// Under which name it is remembered that a line was answered: another scene, or another reading, asks again.
+std::string keyOf(const PanelContext& context, const Line& line) {
+  return context.snapshot.scene->description.name + '\n' + line.text;
+}
+
+std::vector<Line> linesOf(const PanelContext& context) {
+  const Scene& scene = *context.snapshot.scene;
+  std::vector<Line> lines;
+  if (scene.reading && scene.reading->asks()) {
+    lines.push_back(readingLine(*scene.reading));
+  }
+  if (scene.pinAdvice) {
+    lines.push_back(adviceLine("pins", *scene.pinAdvice));
+  }
+  if (context.snapshot.overstretched && findSetting(context.snapshot.overstretched->advice.key) != nullptr) {
+    lines.push_back(adviceLine("stretch", context.snapshot.overstretched->advice));
+  }
+  std::erase_if(lines, [&](const Line& line) { return context.memory.accepted.contains(keyOf(context, line)); });
+  return lines;
+}
+
+/// The value of a setting that a text stands for.
+SettingValue valueOf(const SettingInfo& setting, const std::string& text) {
+  Settings settings;
+  assignSettingText(settings, setting, text);
+  return settingValue(settings, setting);
+}
+
+bool button(PanelContext& context, const std::string& name, const std::string& label, const std::string& help) {
+  ImGui::PushID(name.c_str());
+  const bool pressed = ImGui::SmallButton(label.c_str());
+  ImGui::PopID();
+  context.buttons[name] = lastItemRect();
+  explainItem(context, name, help);
+  return pressed;
+}
+
+void drawLine(PanelContext& context, const Line& line, float width) {
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+  ImGui::PushStyleColor(ImGuiCol_Text, line.colour);
+  ImGui::TextUnformatted(line.text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  ImGui::SameLine();
+  for (const Offer& offer : line.offers) {
+    if (button(context, offer.name, offer.label, offer.help)) {
+      changeSetting(context, *offer.setting, valueOf(*offer.setting, offer.value));
+    }
+    ImGui::SameLine();
+  }
+  ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
+  if (button(context, line.name, "OK", "Leaves it as it is and takes this line away.")) {
+    context.memory.accepted.insert(keyOf(context, line));
+  }
+  ImGui::PopStyleColor();
+}
+
+/// How wide the widest line's buttons are [pixels].
+float widthOfButtons(const std::vector<Line>& lines) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float widest = 0.0F;
+  for (const Line& line : lines) {
+    const auto widthOf = [&](const std::string& label) {
+      return ImGui::CalcTextSize(label.c_str()).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+    };
+    float width = widthOf("OK");
+    for (const Offer& offer : line.offers) {
+      width += widthOf(offer.label);
+    }
+    widest = std::max(widest, width);
+  }
+  return widest;
+}
+
+}  // namespace
+
+void readingNotice(PanelContext& context, OverlayStack& stack) {
+  const std::vector<Line> lines = linesOf(context);
+  if (lines.empty() || !context.stats.loading.empty()) {
+    return;  // while a scene is being built the answer has been given
+  }
+  stack.begin("reading");
+  const float room = std::max(10.0F * ImGui::GetFontSize(), stack.textWidth() - widthOfButtons(lines));
+  for (const Line& line : lines) {
+    drawLine(context, line, room);
+  }
+  stack.end();
+}
+
+}  // namespace drape

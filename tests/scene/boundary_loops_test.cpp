@@ -1,0 +1,79 @@
+#include "scene/boundary_loops.hpp"
+
+#include "garment_shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace drape {
+namespace {
+
+TEST(BoundaryLoops, goAroundASheetAsItsOutline) {
+  const ClothPieces found = findPieces(testing::sheet(0, 1, 2.0, 1.0, 9));
+  ASSERT_EQ(found.pieces.size(), 1U);
+  ASSERT_EQ(found.loops.size(), 1U);
+  EXPECT_NEAR(found.pieces[0].area, 2.0, 1e-12);
+  EXPECT_EQ(found.pieces[0].eulerNumber, 1);
+  EXPECT_NEAR(found.loops[0].length, 6.0, 1e-12);
+  EXPECT_NEAR(found.loops[0].area.norm(), 2.0, 1e-12);
+  EXPECT_NEAR((found.loops[0].centre - Vec3(1.0, 0.5, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(found.loops[0].vertices.size(), 32U);
+  EXPECT_TRUE(found.isOutline(found.loops[0]));
+}
+
+TEST(BoundaryLoops, areTheTwoOpeningsOfATube) {
+  const ClothPieces found = findPieces(testing::tube(0.6, 0.3, 0.2, 1.0));
+  ASSERT_EQ(found.loops.size(), 2U);
+  EXPECT_EQ(found.pieces[0].eulerNumber, 0);
+  const double polygon = 18.0 * std::sin(std::numbers::pi / 18.0);  // of 36 corners, in the unit circle
+  for (const BoundaryLoop& loop : found.loops) {
+    const double radius = loop.centre.y() > 0.3 ? 0.2 : 0.3;
+    EXPECT_NEAR(loop.area.norm(), polygon * radius * radius, 1e-9);
+    EXPECT_FALSE(found.isOutline(loop));
+  }
+}
+
+TEST(BoundaryLoops, takeTheOpeningOfASockForAnOpening) {
+  const ClothPieces found = findPieces(testing::sock());
+  ASSERT_EQ(found.loops.size(), 1U);
+  EXPECT_FALSE(found.isOutline(found.loops[0]));
+}
+
+TEST(BoundaryLoops, tellWhichPieceTheyBelongTo) {
+  ClothMesh mesh = testing::sheet(0, 1, 1.0, 1.0, 3);
+  const ClothMesh other = testing::sheet(0, 1, 1.0, 1.0, 2);
+  for (const Vec3& position : other.positions) {
+    mesh.positions.emplace_back(position + Vec3(5.0, 0.0, 0.0));
+  }
+  for (const Triangle& triangle : other.triangles) {
+    mesh.triangles.push_back({triangle[0] + 9, triangle[1] + 9, triangle[2] + 9});
+  }
+  const ClothPieces found = findPieces(mesh);
+  ASSERT_EQ(found.pieces.size(), 2U);
+  ASSERT_EQ(found.loops.size(), 2U);
+  EXPECT_EQ(found.loops[0].piece, 0);
+  EXPECT_EQ(found.loops[1].piece, 1);
+  EXPECT_EQ(found.pieces[1].vertices, (std::vector<int>{9, 10, 11, 12}));
+}
+
+TEST(BoundaryLoops, areToldApartWhereTwoOfThemTouch) {
+  // Two triangles that share one vertex.
+  ClothMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 4, 3}};
+  const ClothPieces found = findPieces(mesh);
+  double length = 0.0;
+  for (const BoundaryLoop& loop : found.loops) {
+    length += loop.length;
+  }
+  EXPECT_EQ(found.loops.size(), 2U);
+  EXPECT_NEAR(length, 4.0 * std::sqrt(2.0) + 4.0, 1e-12);
+}
+
+TEST(BoundaryLoops, areNoneOnAClosedSurface) {
+  EXPECT_TRUE(findPieces(testing::figure(60.0)).loops.empty());
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,139 @@
+#include "session/stretch_cause.hpp"
+
+#include "session/simulation.hpp"
+#include "sim/hanging_load.hpp"
+#include "test_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// A scene that was simulated for a while, and what was captured of it.
+struct Outcome {
+  Simulation simulation;
+  Snapshot snapshot;
+};
+
+Outcome simulated(const std::shared_ptr<const Scene>& scene, double seconds) {
+  Outcome outcome{Simulation(scene), {}};
+  while (outcome.simulation.state().time < seconds && !outcome.simulation.blewUp()) {
+    outcome.simulation.step();
+  }
+  outcome.simulation.capture(outcome.snapshot);
+  return outcome;
+}
+
+/// What is said of a small grid with these settings after that time; Solver and no words when nothing is.
+StretchDiagnosis causeFor(const std::vector<std::string>& settings, double seconds = 1.0) {
+  const Outcome outcome = simulated(testing::smallGrid(9, settings), seconds);
+  EXPECT_TRUE(outcome.snapshot.overstretched.has_value()) << "stretch " << outcome.snapshot.maxStretch;
+  return outcome.snapshot.overstretched.value_or(StretchDiagnosis{});
+}
+
+TEST(StretchCause, ClothThatHangsAsItShouldHasNone) {
+  const Outcome outcome = simulated(testing::smallGrid(9, {"solver=auto", "stiffness=200"}), 0.5);
+  EXPECT_FALSE(outcome.snapshot.overstretched.has_value());
+  EXPECT_EQ(outcome.snapshot.message, "");
+}
+
+TEST(StretchCause, SoftClothIsToldItsStretchAndTheStiffnessThatHelps) {
+  const StretchDiagnosis found = causeFor({"solver=auto", "stiffness=0.5", "damping=0.05"});
+  EXPECT_EQ(found.cause, StretchCause::Soft);
+  EXPECT_NE(found.advice.text.find("Too soft"), std::string::npos) << found.advice.text;
+  EXPECT_NE(found.advice.text.find("% at a stiffness of 0.5 N/m"), std::string::npos) << found.advice.text;
+  EXPECT_EQ(found.advice.text.find("time step"), std::string::npos) << found.advice.text;
+  ASSERT_EQ(found.advice.key, "stiffness");
+  const Outcome cured =
+      simulated(testing::smallGrid(9, {"solver=auto", "damping=0.05", "stiffness=" + found.advice.value}), 1.0);
+  EXPECT_LT(cured.snapshot.maxStretch, 0.6) << "what is advised helps";
+}
+
+TEST(StretchCause, HeavyClothIsToldItsDensity) {
+  const StretchDiagnosis found = causeFor({"solver=auto", "density=80", "stiffness=200", "damping=1"});
+  EXPECT_EQ(found.cause, StretchCause::Heavy);
+  EXPECT_NE(found.advice.text.find("a square metre weighs 80 kg"), std::string::npos) << found.advice.text;
+  EXPECT_EQ(found.advice.key, "density");
+}
+
+TEST(StretchCause, TheStretchThatTheWeightImpliesIsNearTheOneThatComesOut) {
+  SceneDescription description = openScene("grid");
+  description.source = GridSource{GridSource::Plane::Vertical};
+  description.pins.corners.clear();
+  description.pins.edges = {"top"};
+  description.settings.grid.resolution = 9;
+  for (const char* setting : {"solver=auto", "stiffness=2", "damping=0.1", "drag=1"}) {
+    assignSettingExpression(description.settings, setting);
+  }
+  const Outcome outcome = simulated(buildScene(description, description.settings), 6.0);
+  const double expected = strainByWeight(outcome.simulation.model(), outcome.simulation.settings().step);
+  EXPECT_GT(outcome.snapshot.maxStretch, 0.5 * expected);
+  EXPECT_LT(outcome.snapshot.maxStretch, 2.0 * expected);
+}
+
+TEST(StretchCause, ASolverBeyondItsStepIsToldSo) {
+  const auto scene = testing::smallGrid(9, {"solver=xpbd", "iterations=1", "stiffness=1e5", "time_step=0.02"});
+  ClothState pulled = scene->start;
+  for (Vec3& position : pulled.positions) {
+    position *= 4.0;
+  }
+  const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
+  EXPECT_EQ(found.cause, StretchCause::TimeStep);
+  EXPECT_NE(found.advice.text.find("The time step is too long for the solver xpbd"), std::string::npos);
+  EXPECT_EQ(found.advice.value, "auto");
+}
+
+TEST(StretchCause, OnlyAFailedSolverIsCalledOverstretched) {
+  const auto scene = testing::smallGrid(9, {"solver=auto", "stiffness=500"});
+  ClothState pulled = scene->start;
+  for (Vec3& position : pulled.positions) {
+    position *= 4.0;
+  }
+  const StretchDiagnosis failed = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
+  EXPECT_EQ(failed.cause, StretchCause::Solver);
+  EXPECT_TRUE(failed.advice.text.starts_with("Overstretched")) << failed.advice.text;
+  const StretchDiagnosis hand = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, true);
+  EXPECT_EQ(hand.cause, StretchCause::Hand);
+  EXPECT_EQ(hand.advice.text.find("Overstretched"), std::string::npos);
+}
+
+TEST(StretchCause, SliversAreToldWithTheirPlace) {
+  const auto grid = testing::smallGrid(9, {"solver=auto", "stiffness=500"});
+  auto scene = std::make_shared<Scene>(*grid);
+  ClothMesh mesh{grid->model->restPositions, grid->model->triangles};
+  const Triangle first = mesh.triangles.front();
+  const auto a = static_cast<std::size_t>(first[0]);
+  const auto b = static_cast<std::size_t>(first[1]);
+  mesh.positions[b] = mesh.positions[a] + (mesh.positions[b] - mesh.positions[a]) / 6000.0;
+  scene->model = buildClothModel(mesh, 0.1, MassLumping::Area, {0, 8});
+  ClothState state = stateAtRest(mesh.positions);
+  state.positions[b] = mesh.positions[a] + 5.0 * (mesh.positions[b] - mesh.positions[a]);
+  const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, state, false);
+  EXPECT_EQ(found.cause, StretchCause::Slivers);
+  EXPECT_NE(found.advice.text.find("1 edge is overstretched, the shortest of them 1/6000"), std::string::npos)
+      << found.advice.text;
+  EXPECT_NE(found.advice.text.find("the first is at ("), std::string::npos) << found.advice.text;
+}
+
+TEST(StretchCause, ClothOfTheWrongUnitIsToldTheUnit) {
+  const auto grid = testing::smallGrid(9, {"solver=auto", "grid.width=75", "grid.height=75", "stiffness=50"});
+  auto scene = std::make_shared<Scene>(*grid);
+  scene->description.source = MeshFileSource{"shirt.obj", false};
+  scene->reading = MeshReading{};
+  scene->summary.size = {75.0, 0.0, 75.0};
+  scene->model = withMass(*grid->model, 0.15 * 75.0 * 75.0, MassLumping::Area);
+  ClothState pulled = scene->start;
+  for (Vec3& position : pulled.positions) {
+    position *= 4.0;
+  }
+  const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
+  EXPECT_EQ(found.cause, StretchCause::Unit);
+  EXPECT_NE(found.advice.text.find("probably in centimetres"), std::string::npos) << found.advice.text;
+  EXPECT_EQ(found.advice.key + "=" + found.advice.value, "unit=cm");
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,97 @@
+#include "panel_fixture.hpp"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+/// A scene as it comes from a file in centimetres with z up, small enough to be laid out quickly.
+std::shared_ptr<const Scene> withReading(const Scene& from) {
+  auto scene = std::make_shared<Scene>(from);
+  MeshReading reading;
+  reading.unit = "cm";
+  reading.metresPerUnit = 0.01;
+  reading.unitGuessed = true;
+  reading.up = "z";
+  reading.upGuessed = true;
+  reading.size = {0.6, 0.77, 0.2};
+  reading.alternatives = {{"unit", "m"}, {"unit", "inch"}, {"up", "y"}};
+  scene->reading = reading;
+  return scene;
+}
+
+class ReadingNotice : public PanelFixture {
+ protected:
+  ReadingNotice() {
+    simulation_.apply(LoadSceneCommand{withReading(simulation_.scene())});
+    simulation_.apply(PauseCommand{true});
+    settle();
+  }
+
+  /// The settings with which a click asks for the scene to be built again.
+  Settings rebuiltBy(const std::string& name) {
+    const UiOutput output = click(button(name));
+    if (output.requests.size() != 1 || !std::holds_alternative<RebuildSceneRequest>(output.requests.front())) {
+      ADD_FAILURE() << name << " does not build the scene again";
+      return {};
+    }
+    return std::get<RebuildSceneRequest>(output.requests.front()).settings;
+  }
+};
+
+TEST_F(ReadingNotice, OneClickChangesTheUnit) {
+  EXPECT_EQ(rebuiltBy("reading.unit=m").mesh.unit, "m");
+}
+
+TEST_F(ReadingNotice, OneClickChangesTheAxis) {
+  const Settings settings = rebuiltBy("reading.up=y");
+  EXPECT_EQ(settings.mesh.up, "y");
+  EXPECT_EQ(settings.mesh.unit, simulation_.settings().mesh.unit) << "the unit stays as it is";
+}
+
+TEST_F(ReadingNotice, StaysUntilItIsAccepted) {
+  for (int i = 0; i < 700; ++i) {  // more than ten seconds of frames
+    frame();
+  }
+  ASSERT_TRUE(panels_.buttons().contains("reading.accept"));
+  EXPECT_TRUE(click(button("reading.accept")).requests.empty());
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("reading.accept"));
+  simulation_.apply(ResetCommand{});
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("reading.accept")) << "a reset is no reason to ask again";
+}
+
+TEST_F(ReadingNotice, CoversThePictureBelowIt) {
+  const UiRect& rect = button("overlay.reading");
+  EXPECT_TRUE(panels_.covers({rect.x + rect.width / 2.0, rect.y + rect.height / 2.0}));
+  EXPECT_GE(rect.x, panels_.view().x) << "beside the panels";
+  EXPECT_LE(rect.x + rect.width, panels_.view().x + panels_.view().width);
+}
+
+TEST_F(ReadingNotice, FitsIntoANarrowWindow) {
+  panels_.setDisplay({.width = 700, .height = 600, .density = 1.0F, .scale = 1.0F});
+  settle();
+  const UiRect& rect = button("overlay.reading");
+  EXPECT_GE(rect.x, panels_.view().x - 1.0);
+  EXPECT_LE(rect.x + rect.width, 701.0);
+}
+
+TEST_F(ReadingNotice, HasOneClickForPinsThatHoldEverything) {
+  auto scene = std::make_shared<Scene>(simulation_.scene());
+  scene->reading.reset();
+  scene->pinAdvice = Advice{"All 81 vertices are pinned, so nothing can move.", "pins", "shape", "Pin by shape"};
+  simulation_.apply(LoadSceneCommand{scene});
+  settle();
+  EXPECT_EQ(rebuiltBy("pins.pins").mesh.pins, "shape");
+}
+
+TEST_F(ReadingNotice, IsNotThereForABuiltInScene) {
+  const SceneDescription grid = openScene("grid");
+  simulation_.apply(LoadSceneCommand{buildScene(grid, grid.settings)});
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("overlay.reading"));
+}
+
+}  // namespace
+}  // namespace drape
