@@ -142,14 +142,14 @@ int editDistance(std::string_view a, std::string_view b) {
 /// letters. Empty when none is near.
 std::string_view nearestKey(std::string_view key) {
   constexpr std::size_t fewLetters = 3;
-  const auto table = settingsTable();
-  const auto begun = std::find_if(table.begin(), table.end(), [&](const SettingInfo& info) {
+  const auto rows = settingsTable();
+  const auto begun = std::find_if(rows.begin(), table.end(), [&](const SettingInfo& info) {
     return key.size() >= fewLetters && info.key.starts_with(key);
   });
-  if (begun != table.end()) {
+  if (begun != rows.end()) {
     return begun->key;
   }
-  const auto nearest = std::min_element(table.begin(), table.end(), [&](const auto& a, const auto& b) {
+  const auto nearest = std::min_element(rows.begin(), table.end(), [&](const auto& a, const auto& b) {
     return editDistance(key, a.key) < editDistance(key, b.key);
   });
   const int allowed = key.size() <= fewLetters ? 1 : std::max(2, static_cast<int>(key.size()) / 3);
@@ -241,12 +241,12 @@ bool isRelevant(const SettingInfo& info, const Settings& settings) {
   const auto lists = [&](const SolverInfo& solver) {
     return std::find(solver.settings.begin(), solver.settings.end(), info.key) != solver.settings.end();
   };
-  const auto table = solverTable();
+  const auto solvers = solverTable();
   const auto read = [&](const std::string& name) {
     const SolverInfo* chosen = findSolver(name);
     return chosen != nullptr && lists(*chosen);
   };
-  const bool special = std::any_of(table.begin(), table.end(), lists);
+  const bool special = std::any_of(solvers.begin(), table.end(), lists);
   return (!special || read(settings.solver.name) || read(settings.ghost.solver)) &&
          (info.relevant == nullptr || info.relevant(settings));
 }
