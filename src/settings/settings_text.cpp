@@ -246,7 +246,7 @@ bool isRelevant(const SettingInfo& info, const Settings& settings) {
     const SolverInfo* chosen = findSolver(name);
     return chosen != nullptr && lists(*chosen);
   };
-  const bool special = std::any_of(solvers.begin(), table.end(), lists);
+  const bool special = std::any_of(solvers.begin(), solvers.end(), lists);
   return (!special || read(settings.solver.name) || read(settings.ghost.solver)) &&
          (info.relevant == nullptr || info.relevant(settings));
 }
