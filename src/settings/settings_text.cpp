@@ -143,13 +143,13 @@ int editDistance(std::string_view a, std::string_view b) {
 std::string_view nearestKey(std::string_view key) {
   constexpr std::size_t fewLetters = 3;
   const auto rows = settingsTable();
-  const auto begun = std::find_if(rows.begin(), table.end(), [&](const SettingInfo& info) {
+  const auto begun = std::find_if(rows.begin(), rows.end(), [&](const SettingInfo& info) {
     return key.size() >= fewLetters && info.key.starts_with(key);
   });
   if (begun != rows.end()) {
     return begun->key;
   }
-  const auto nearest = std::min_element(rows.begin(), table.end(), [&](const auto& a, const auto& b) {
+  const auto nearest = std::min_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
     return editDistance(key, a.key) < editDistance(key, b.key);
   });
   const int allowed = key.size() <= fewLetters ? 1 : std::max(2, static_cast<int>(key.size()) / 3);
