@@ -170,7 +170,7 @@ TEST(Simulation, saysWhenSpringsAreStretchedBeyondAllMeasure) {
     position *= 3.5;
   }
   Simulation(scene).capture(snapshot);
-  EXPECT_NE(snapshot.message.find("smaller time step"), std::string::npos) << snapshot.message;
+  EXPECT_NE(snapshot.message.find("time step is too long"), std::string::npos) << snapshot.message;
 }
 
 TEST(Simulation, keepsTheEnergyBalanceWhileItIsAskedFor) {
