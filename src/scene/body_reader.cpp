@@ -164,10 +164,12 @@ BodyDescription readBody(const TomlReader& table, const std::filesystem::path& f
 
 MeshFileSource meshSource(const TomlReader& table, const std::filesystem::path& folder) {
   constexpr std::string_view builtin = "builtin:";
-  const std::string name = table.text("mesh").value_or("");
+  const std::optional<std::string> written = table.text("mesh");
+  const std::string name = written.value_or("");
   const std::string place = table.place("mesh");
   if (name.empty() || name == builtin) {
-    throw InputError(place + ": mesh has no name; write mesh = \"file.obj\" or mesh = \"builtin:skirt.obj\"");
+    throw InputError(place + ": mesh " + (written ? "has no name" : "is missing") +
+                     "; write mesh = \"file.obj\" or mesh = \"builtin:skirt.obj\"");
   }
   if (name.starts_with(builtin)) {
     return {name.substr(builtin.size()), true, place};

@@ -85,7 +85,9 @@ TEST(MeshSummary, doesNotWarnABodyOfItsSizeOrItsPieces) {
 }
 
 TEST(MeshSummary, isDescribedLineByLineWithItsWarnings) {
-  const std::vector<std::string> lines = describe(weldMesh(square(63.0), "big.obj", {}).summary);
+  RawMesh raw = square(63.0);
+  raw.positions.emplace_back(30.0, 30.0, 0.0);
+  const std::vector<std::string> lines = describe(weldMesh(raw, "big.obj", {}).summary);
   EXPECT_NE(lines.front().find("big.obj"), std::string::npos);
   EXPECT_NE(lines.back().find("warning"), std::string::npos);
 }

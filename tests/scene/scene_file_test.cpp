@@ -234,7 +234,7 @@ TEST(SceneFile, hasASolidStandUnlessItSaysOtherwise) {
   EXPECT_EQ(parse(stand + "thickness = 0.004").stand->body->surface.thickness, 0.004);
   EXPECT_NE(refusal(stand + "solid = false\nthickness = 0.004").find("need solid = true"), std::string::npos);
   const std::string noMesh = refusal(std::string(sheetText) + "[stand]\nsolid = true");
-  EXPECT_NE(noMesh.find("toml:3: [stand] needs mesh"), std::string::npos) << noMesh;
+  EXPECT_NE(noMesh.find("toml:3: mesh is missing"), std::string::npos) << noMesh;
 }
 
 TEST(SceneFile, takesAsCarrierOfThePinsOnlyABodyThatThereIs) {
