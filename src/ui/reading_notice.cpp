@@ -85,13 +85,16 @@ bool button(PanelContext& context, const std::string& name, const std::string& l
   return pressed;
 }
 
-void drawLine(PanelContext& context, const Line& line, float width) {
+/// The text, and its buttons beside it or, in a narrow window, below it.
+void drawLine(PanelContext& context, const Line& line, float width, bool beside) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   ImGui::PushStyleColor(ImGuiCol_Text, line.colour);
   ImGui::TextUnformatted(line.text.c_str());
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
-  ImGui::SameLine();
+  if (beside) {
+    ImGui::SameLine();
+  }
   for (const Offer& offer : line.offers) {
     if (button(context, offer.name, offer.label, offer.help)) {
       changeSetting(context, *offer.setting, valueOf(*offer.setting, offer.value));
@@ -130,9 +133,10 @@ void readingNotice(PanelContext& context, OverlayStack& stack) {
     return;  // while a scene is being built the answer has been given
   }
   stack.begin("reading");
-  const float room = std::max(10.0F * ImGui::GetFontSize(), stack.textWidth() - widthOfButtons(lines));
+  const float room = stack.textWidth() - widthOfButtons(lines);
+  const bool beside = room > 12.0F * ImGui::GetFontSize();
   for (const Line& line : lines) {
-    drawLine(context, line, room);
+    drawLine(context, line, beside ? room : stack.textWidth(), beside);
   }
   stack.end();
 }

@@ -107,7 +107,7 @@ TEST(SceneFile, namesTheTrueCauseWithFileAndLine) {
        "test.toml:3: cloth.position must be three numbers from"},
       {"[cloth]\nmesh = \"\"", "test.toml:2: mesh has no name"},
       {"[cloth]\nmesh = \"builtin:\"", "test.toml:2: mesh has no name"},
-      {sheet + "[stand]", "test.toml:3: mesh has no name"},
+      {sheet + "[stand]", "test.toml:3: mesh is missing"},
       {sheet + "[stand]\nmesh = \"\"", "test.toml:4: mesh has no name"},
       {sheet + "[[bodies]]\nshape = \"mesh\"\nmesh = \"\"", "test.toml:5: mesh has no name"},
       {sheet + "[camera]\nposition = [1, 2, 3]\nfocal_point = [1, 2, 3]",

@@ -41,11 +41,12 @@ const std::vector<Meeting>& meetings(bool quick) {
   return quick ? few : all;
 }
 
-/// Which kinds of contact a scene has under its settings.
+/// Which kinds of contact a scene has under its settings. The ground and the stand, which most scenes have, are not
+/// told.
 std::string modeOf(const Scene& scene) {
   const ContactParameters& contact = scene.settings.step.contact;
   std::string mode = contact.self == SelfCollision::Hash ? "hash" : "";
-  if (contact.bodies && !scene.bodies->empty()) {
+  if (contact.bodies && !scene.description.bodies.empty()) {
     mode = mode.empty() ? "bodies" : "bodies+" + mode;
   }
   return mode.empty() ? "off" : mode;
