@@ -174,7 +174,7 @@ TEST(FirstMinute, AClickBetweenTwoFramesCounts) {
 
 TEST(FirstMinute, ADragGoesOnBeyondTheWindowAndEndsThere) {
   // A window that is smaller than the display.
-  ViewerDriver viewer({"grid", "--paused"});
+  ViewerDriver viewer({"curtain", "--paused"});
   viewer.resize(900, 600);
   // Without a window manager the keyboard follows the mouse, unless somebody gives it to a window.
   viewer.send({"search", "--onlyvisible", "--name", "Drape", "windowfocus"});
