@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 namespace drape {
 namespace {
@@ -50,7 +51,18 @@ class Resting : public ::testing::Test {
     ASSERT_EQ(rest(10), 10) << "it does not come to rest";
   }
 
+  /// Puts a level plane, the only body, at that height [m].
+  void placeGround(double height) {
+    ground.shape = PlaneShape{};
+    bodies.assign(1, BodyStep{});
+    bodies.front().body = &ground;
+    bodies.front().start.position.y() = bodies.front().end.position.y() = height;
+    inputs.bodies = &bodies;
+  }
+
   std::shared_ptr<const ClothModel> model = hangingSheet(1.0);
+  Body ground;
+  std::vector<BodyStep> bodies;
   StepParameters parameters = dampedParameters();
   StepInputs inputs;
   ClothState state = stateAtRest(model->restPositions);
@@ -105,13 +117,8 @@ TEST_F(Resting, endsWhenAnythingChanges) {
 }
 
 TEST_F(Resting, endsWhenABodyMovesOrIsTakenAway) {
-  Body ground;
-  ground.shape = PlaneShape{};
-  BodyStep place;
-  place.body = &ground;
-  place.start.position.y() = place.end.position.y() = -1.004;  // so that the sheet's lower edge stands on it
-  std::vector<BodyStep> bodies{place};
-  inputs.bodies = &bodies;
+  placeGround(-1.004);  // so that the sheet's lower edge stands on it
+  const BodyStep place = bodies.front();
   settle();
   const ClothState atRest = state;
   bodies[0].end.position.y() += 1e-6;
@@ -148,13 +155,7 @@ TEST_F(Resting, needsABodyBelowFreeClothAndNotJustSomewhere) {
   model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
   state = stateAtRest(model->restPositions);
   parameters.gravity = 0.0;
-  Body ground;
-  ground.shape = PlaneShape{};
-  BodyStep place;
-  place.body = &ground;
-  place.start.position.y() = place.end.position.y() = -1.0;
-  std::vector<BodyStep> bodies{place};
-  inputs.bodies = &bodies;
+  placeGround(-1.0);
   EXPECT_EQ(rest(450), 0) << "it floats above the ground without weight";
   parameters.gravity = 9.81;
   settle();
@@ -163,35 +164,22 @@ TEST_F(Resting, needsABodyBelowFreeClothAndNotJustSomewhere) {
 
 TEST_F(Resting, doesNotComeToClothThatTheAirCarries) {
   // A wind from below that carries the sheet exactly, while it lies flat.
-  model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
+  model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Area, {});
   state = stateAtRest(model->restPositions);
   parameters.drag = 1.0;
   parameters.lift = 0.0;
-  Body ground;
-  ground.shape = PlaneShape{};
-  BodyStep place;
-  place.body = &ground;
-  place.start.position.y() = place.end.position.y() = -1.0;
-  std::vector<BodyStep> bodies{place};
-  inputs.bodies = &bodies;
+  placeGround(-1.0);
   parameters.gravity = 0.5 * parameters.airDensity * 4.0 / 0.1;
   parameters.wind = Vec3(0.0, 2.0, 0.0);
-  model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Area, {});
   EXPECT_EQ(rest(600), 0);
 }
 
 TEST_F(Resting, comesToFreeClothOnABodyThatStandsAnywhere) {
   // At such heights parts of a step would place the body a little off by rounding.
   model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
-  Body ground;
-  ground.shape = PlaneShape{};
   for (const double height : {-0.02, -0.1, -0.07}) {
     state = stateAtRest(model->restPositions);
-    BodyStep place;
-    place.body = &ground;
-    place.start.position.y() = place.end.position.y() = height;
-    std::vector<BodyStep> bodies{place};
-    inputs.bodies = &bodies;
+    placeGround(height);
     settle();
   }
 }
