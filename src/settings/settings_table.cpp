@@ -328,14 +328,14 @@ const std::array table{
     SettingInfo{"unit", "Mesh unit", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.unit; }, [](Settings& s, const std::string& word) { s.mesh.unit = word; },
             unitWords, unitLabel, isUnitFactor, "metres per unit from 1e-06 to 1000"},
-        "Unit of the coordinates in a mesh file: a word, or metres per unit such as 0.0254. auto, which a mesh file that is "
-        "opened by itself starts with, guesses it from the size; a scene file means metres.",
+        "Unit of the coordinates in a mesh file: a word, or metres per unit such as 0.0254. auto guesses it from the "
+        "size. Opened mesh files start with auto, scene files with m.",
         {}, {}, SettingScope::MeshFile},
     SettingInfo{"up", "Mesh up axis", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.up; }, [](Settings& s, const std::string& word) { s.mesh.up = word; },
             +[] { return std::vector<std::string>{"auto", "y", "z", "x", "-y", "-z"}; }},
-        "The axis that points up in a mesh file; the mesh is turned so that it is y. auto, which a mesh file that is opened "
-        "by itself starts with, guesses y or z from the shape; a scene file means y.",
+        "The axis of a mesh file that points up. The mesh is turned so that this axis becomes y. auto guesses y or z "
+        "from the shape. Opened mesh files start with auto, scene files with y.",
         {}, {}, SettingScope::MeshFile},
     SettingInfo{"weld_tolerance", "Weld tolerance", "-", Advanced, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.mesh.weldTolerance; }, 0.0, 0.01, false},
@@ -343,13 +343,14 @@ const std::array table{
     SettingInfo{"outliers", "Far vertices", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.outliers; }, [](Settings& s, const std::string& word) { s.mesh.outliers = word; },
             +[] { return std::vector<std::string>{"refuse", "leave_out"}; }},
-        "Vertices of a mesh file that lie far from all others, by damage mostly: an error, or left out with their faces.",
+        "What happens when vertices of a mesh file lie far from all others: the file is refused, or they are left out "
+        "with their faces.",
         {}, {}, SettingScope::MeshFile},
     SettingInfo{"pins", "Pins", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.pins; }, [](Settings& s, const std::string& word) { s.mesh.pins = word; },
             +[] { return std::vector<std::string>{"scene", "shape", "top", "none"}; }, pinsLabel},
-        "What holds the cloth: what the scene says, what its shape suggests (a mesh file that is opened by itself starts with "
-        "that), its topmost vertices, or nothing."},
+        "What holds the cloth: the pins of the scene, pins chosen from its shape, its topmost vertices, or nothing. "
+        "Opened mesh files start with shape."},
     SettingInfo{"grid.resolution", "Grid resolution", "-", Scene, SettingEffect::Scene,
         IntegerField{[](Settings& s) -> int& { return s.grid.resolution; }, 2, 1025},
         "Vertices along the shorter side of a grid.", {}, {}, SettingScope::Grid},
@@ -364,7 +365,8 @@ const std::array table{
         "Stiffness of the spring by which the mouse pulls at the cloth."},
     SettingInfo{"hand.max_force", "Hand force", "N", Scene, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.hand.maxForce; }, 0.01, 1000.0, true},
-        "The mouse never pulls harder than this, nor harder than stretches the cloth around it by about a fifth."},
+        "The largest force of the mouse. The force also stays below what stretches the cloth around the held point by "
+        "about a fifth."},
 
     SettingInfo{"view.wireframe", "Wireframe", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](Settings& s) -> bool& { return s.view.wireframe; }},
