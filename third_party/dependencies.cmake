@@ -1,4 +1,4 @@
-# How each dependency is found. All are Debian packages (docs/building.md says which and why); no sources are copied here.
+# How each dependency is found. All are Debian packages (docs/guide/building.md says which and why); no sources are copied here.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)

@@ -15,7 +15,7 @@ struct Momentum {
   Vec3 angular = Vec3::Zero();  ///< about the barycentre [kg m^2/s]
 };
 
-/// A method at one checkpoint, held against a reference (docs/measures.md).
+/// A method at one checkpoint, held against a reference (docs/theory/measures.md).
 struct CheckpointReport {
   double time = 0.0;               ///< [s]
   DisplacementError displacement;  ///< of the interval that ends here

@@ -18,7 +18,7 @@ struct Report {
 };
 
 /// Everything as one JSON object: machine, settings, complete, and an array for each section, empty where it was not
-/// measured. assets/report.schema.json tells what is in it.
+/// measured. docs/guide/report.schema.json tells what is in it.
 [[nodiscard]] nlohmann::ordered_json reportJson(const Report& report);
 
 /// The rows of an earlier report that was made with the same options on the same build and machine, to go on with.

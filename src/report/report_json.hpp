@@ -6,7 +6,8 @@
 
 namespace drape {
 
-/// A measurement with everything in it; docs/headless.md says what each entry means. What is not a number is null.
+/// A measurement with everything in it; docs/guide/headless.md says what each entry means. What is not a number is
+/// null.
 [[nodiscard]] nlohmann::ordered_json measurementJson(const Measurement& measurement);
 
 }  // namespace drape

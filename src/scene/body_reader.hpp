@@ -11,7 +11,7 @@
 
 namespace drape {
 
-/// Reads the tables [[bodies]] of a scene (docs/scenes.md). Throws InputError with file and line.
+/// Reads the tables [[bodies]] of a scene (docs/guide/scenes.md). Throws InputError with file and line.
 /// @param folder that the names of mesh files are relative to
 [[nodiscard]] std::vector<BodyDescription> readBodies(const TomlReader& scene, const std::filesystem::path& folder);
 

@@ -84,7 +84,7 @@ struct StandDescription {
   std::optional<Body> body = standToTouch();  ///< absent: it is drawn, and the cloth passes through it
 };
 
-/// A scene as it is written down (docs/scenes.md), before anything is built.
+/// A scene as it is written down (docs/guide/scenes.md), before anything is built.
 struct SceneDescription {
   std::string name;   ///< "flag", or the file's name
   std::string title;  ///< "A flag in the wind"

@@ -12,7 +12,7 @@ namespace drape {
 /// documentation are made.
 struct Settings {
   /// The library calculates in double unless told otherwise; the programs in float, where a method has it, which is at
-  /// least as fast and in what one sees as accurate (docs/performance.md).
+  /// least as fast and in what one sees as accurate (docs/guide/performance.md).
   Settings() { step.precision = Precision::Float; }
 
   StepParameters step;

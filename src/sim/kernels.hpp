@@ -7,8 +7,8 @@
 #include <numbers>
 
 /// The formulas of the method, as pure functions: one vertex or one spring at a time, no model and no state. Equation
-/// numbers are those of the paper on the one-iteration implicit mass-spring step (docs/method.md tells which paper, and
-/// where its print is departed from).
+/// numbers are those of the paper on the one-iteration implicit mass-spring step (docs/theory/method.md tells which
+/// paper, and where its print is departed from).
 ///
 /// | symbol | meaning                                         | unit   |
 /// |--------|-------------------------------------------------|--------|

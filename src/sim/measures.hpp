@@ -8,7 +8,7 @@
 
 namespace drape {
 
-/// How one motion of a cloth differs from another, the reference. docs/measures.md tells what each is good for.
+/// How one motion of a cloth differs from another, the reference. docs/theory/measures.md tells what each is good for.
 
 /// Mean distance between two sets of positions [m], over all vertices, pinned ones too. Both have the same size; 0 for
 /// none.

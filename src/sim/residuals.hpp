@@ -17,7 +17,7 @@ namespace drape {
 
 /// |M (v1 - v0) - h f(x1, v1)| / |h f(x0 + h v0, v0)|: the residual of the equations themselves [-], related to that of
 /// coasting on with the old velocity. Springs, damping and the hand stand at the end of the step; gravity and air at
-/// its start, as everywhere (docs/method.md).
+/// its start, as everywhere (docs/theory/method.md).
 [[nodiscard]] double nonlinearResidual(const ClothModel& model, const StepParameters& parameters,
                                        const StepInputs& inputs, const ClothState& before, const ClothState& after);
 

@@ -9,7 +9,8 @@
 
 namespace drape {
 
-/// Which derivative of a spring's force the implicit methods put into their matrix (docs/method.md compares them).
+/// Which derivative of a spring's force the implicit methods put into their matrix (docs/theory/method.md compares
+/// them).
 enum class ForceDerivative {
   Stabilised,  ///< the paper's eq. 16: exact when stretched, k (l0/L) d d^T when compressed
   Exact,       ///< the paper's eq. 15: k [(1 - l0/L) I + (l0/L) d d^T]; indefinite when compressed

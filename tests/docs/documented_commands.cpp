@@ -108,9 +108,12 @@ std::vector<DocumentedCommand> commandsIn(const std::string& page, const std::st
 
 std::vector<DocumentedCommand> documentedCommands(const std::filesystem::path& root) {
   std::vector<std::filesystem::path> pages{root / "README.md", root / "CONTRIBUTING.md"};
-  for (const auto& entry : std::filesystem::directory_iterator(root / "docs")) {
-    if (entry.path().extension() == ".md") {
-      pages.push_back(entry.path());
+  // The records in docs/experiments keep the commands of their day.
+  for (const char* folder : {"docs", "docs/guide", "docs/theory"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(root / folder)) {
+      if (entry.path().extension() == ".md") {
+        pages.push_back(entry.path());
+      }
     }
   }
   std::sort(pages.begin(), pages.end());

@@ -22,8 +22,8 @@ struct DocumentedCommand {
 /// For Google Test's messages: page, line and text.
 std::ostream& operator<<(std::ostream& stream, const DocumentedCommand& command);
 
-/// The commands of README.md, CONTRIBUTING.md and docs/*.md that call one of the project's programs or scripts, cmake
-/// or ctest, with at least one argument: lines of code blocks and code spans.
+/// The commands of README.md, CONTRIBUTING.md, the guide and the theory that call one of the project's programs or
+/// scripts, cmake or ctest, with at least one argument: lines of code blocks and code spans.
 [[nodiscard]] std::vector<DocumentedCommand> documentedCommands(const std::filesystem::path& root);
 
 /// The commands of one page's text.

@@ -88,7 +88,8 @@ std::string faultsOf(const Json& json, const Json& schemaJson) {
 }
 
 TEST_F(QuickReport, holdsToItsSchema) {
-  const Json schema = Json::parse(readFile(std::filesystem::path(DRAPE_SOURCE) / "docs" / "report.schema.json"));
+  const Json schema =
+      Json::parse(readFile(std::filesystem::path(DRAPE_SOURCE) / "docs" / "guide" / "report.schema.json"));
   EXPECT_EQ(faultsOf(json_, schema), "");
   for (const auto& [name, value] : json_.items()) {
     if (value.is_array()) {

@@ -22,7 +22,7 @@ class IntersectionWatch {
   /// Call at the end: counts there too, unless the last step has been counted.
   void finish(const Simulation& simulation);
 
-  /// Adds `intersecting_pairs_...` and `intersection_check_us` to a run's figures (docs/headless.md).
+  /// Adds `intersecting_pairs_...` and `intersection_check_us` to a run's figures (docs/guide/headless.md).
   void addTo(nlohmann::ordered_json& json) const;
 
   /// For the terminal: "intersecting triangle pairs: at most 12 (step 40), 3 at the end".

@@ -91,7 +91,7 @@ void printSettings() {
   }
 }
 
-/// A Markdown table, from which docs/settings.md is made.
+/// A Markdown table, from which docs/guide/settings.md is made.
 void printSettingsMarkdown() {
   std::cout << "| key | unit | range | default | meaning |\n|---|---|---|---|---|\n";
   for (const SettingInfo& info : settingsTable()) {

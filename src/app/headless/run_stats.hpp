@@ -20,7 +20,7 @@ class RunStats {
   /// Adds what the last step cost by the clock, and what it met.
   void add(const Simulation& simulation);
 
-  /// docs/headless.md says what each entry means.
+  /// docs/guide/headless.md says what each entry means.
   [[nodiscard]] nlohmann::ordered_json toJson(const Simulation& simulation) const;
 
   /// Throws InputError when the file could not be written.

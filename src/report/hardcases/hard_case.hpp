@@ -55,7 +55,7 @@ struct HardCase {
   int number = 0;
   std::string_view name;       ///< "random_start"
   std::string_view statement;  ///< what is asked, in one sentence
-  std::string_view rule;       ///< what is measured beside what every case is (docs/hardcases.md)
+  std::string_view rule;       ///< what is measured beside what every case is (docs/guide/hardcases.md)
   void (*run)(CaseTrial&) = nullptr;
 };
 

@@ -140,7 +140,7 @@ std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
   const auto methods = methodsIn(rows);
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      std::string("Cases that are hard for cloth solvers (docs/hardcases.md), in their short form") +
+      std::string("Cases that are hard for cloth solvers (docs/guide/hardcases.md), in their short form") +
       (options.quick ? "" : ", for 'auto' in the full one") +
       ". Every method has its default settings; the explicit ones take as many substeps as keep them at half of "
       "their stability limit. In every case the numbers stay finite, no vertex goes farther than 1e5 m, and the energy "

@@ -128,7 +128,7 @@ std::string inPlainWords(const ReportRows& rows) {
          "steps falls (5 + 1) / 5 as far as the true motion, which is an eps of 0.04 whatever the cloth; pcg, which "
          "solves each step's system, shows what is backward Euler's own. What one sweep adds to that is the "
          "sluggishness "
-         "that docs/method.md tells of.";
+         "that docs/theory/method.md tells of.";
 }
 
 std::string referenceText(const ReportRows& rows) {
@@ -141,7 +141,8 @@ std::string referenceText(const ReportRows& rows) {
   }
   std::string text =
       "The reference is the paper's, explicit Euler with 1/30000 s. It gains energy at every step of an undamped cloth "
-      "(docs/method.md): the last column tells how far it is, at its last checkpoint, from Verlet with the same step, "
+      "(docs/theory/method.md): the last column tells how far it is, at its last checkpoint, from Verlet with the same "
+      "step, "
       "which is nearly exact.";
   if (!lost.empty()) {
     text += " It blew up before the last checkpoint with";
@@ -160,7 +161,8 @@ std::vector<Block> showTable2(const ReportOptions&, const ReportRows& rows) {
   blocks.emplace_back(Paragraph{
       "eps (relative squared displacement error) and S (squared cosine) from checkpoint to checkpoint, 25 of them 1/30 "
       "s "
-      "apart, steps of 1/150 s, in double (docs/measures.md). Free-running is a run of its own; restarted begins each "
+      "apart, steps of 1/150 s, in double (docs/theory/measures.md). Free-running is a run of its own; restarted "
+      "begins each "
       "interval where the reference is. Damping is 0.01 N s/m, air a drag of 0.5 and a lift of 0.3."});
   std::string starts = "The starts:";
   for (const Table2Start& start : table2Starts()) {

@@ -20,7 +20,7 @@ struct CoarseLevel {
 /// Levels from fine to coarse, from the rest shape and the pins alone; the last one has no more than a few groups.
 /// A quarter to a third of the members are seeds, a maximal independent set that is begun along the rim, and every
 /// other goes with the nearest seed next to it. Along a free edge the groups so stand in a row: tension in a row that
-/// goes to and fro would find the slack in it (docs/auto.md).
+/// goes to and fro would find the slack in it (docs/theory/auto.md).
 [[nodiscard]] std::vector<CoarseLevel> buildCoarseLevels(const ClothModel& model);
 
 }  // namespace drape

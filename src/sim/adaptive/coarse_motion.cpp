@@ -48,7 +48,7 @@ void CoarseMotion<T>::addLevel(const CoarseLevel& source, const ClothModel& belo
 template <typename T>
 int CoarseMotion<T>::setStiffness(double stiffness, double missing, double carried, double timeStep) {
   constexpr double nothing = 1e-6;  // of the stiffness: not worth a level
-  // All levels move the same vertices, so that the squares of what they carry add up (docs/auto.md).
+  // All levels move the same vertices, so that the squares of what they carry add up (docs/theory/auto.md).
   constexpr double mostPart = 0.85;
   constexpr double allParts = 2.9;
   active_ = 0;

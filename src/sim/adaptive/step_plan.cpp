@@ -21,7 +21,7 @@ constexpr double heldTo = 1.8;
 constexpr double passesOfFourthOrder = 2.0;
 /// Held springs that keep at least so much do without coarse levels.
 constexpr double enoughStiffness = 0.5;
-/// So do those that the load stretches by less than so much next to the pins (docs/auto.md).
+/// So do those that the load stretches by less than so much next to the pins (docs/theory/auto.md).
 constexpr double smallStrain = 0.001;
 /// The same where damping is taken by itself: its stages bear h omega = 1.62 at the worst of all rates.
 constexpr double heldBeside = 1.5;

@@ -77,7 +77,7 @@ struct StepPlan {
 [[nodiscard]] double passesInBudget(const ClothModel& model, const StepParameters& parameters);
 
 /// The cheapest plan that is expected to hold `errorTolerance`, as far as the budget goes. With B passes and the
-/// frame's hardness H = timeStep omega (docs/auto.md derives the bounds):
+/// frame's hardness H = timeStep omega (docs/theory/auto.md derives the bounds):
 /// - B >= 2 H: the fourth order, where nothing but positions matters (no damping, air or hand);
 /// - B >= H / 2.04: Verlet; also where that takes up to 1.6 times the budget;
 /// - less, and cloth may not be softened: as many substeps as all but the fastest hundredth of the vertices need;
@@ -95,16 +95,17 @@ struct StepPlan {
 [[nodiscard]] double mostForceOfWind(const LocalRates& rates, const StepParameters& parameters);
 
 /// True when rounding to float would warm the cloth up noticeably. A substep h rounds each place by up to
-/// d = 2^-24 |x|, which is worth about c m omega^2 d^2 / 2 on stiff springs; c = 0.02 was measured (docs/auto.md).
-/// Noticeable is a five-hundredth of the energy that falling by its own size gives the cloth, in a second; for cloth
-/// that damping or still air bring to rest it is what keeps vertices moving by some tenths of a millimetre a second.
+/// d = 2^-24 |x|, which is worth about c m omega^2 d^2 / 2 on stiff springs; c = 0.02 was measured
+/// (docs/theory/auto.md). Noticeable is a five-hundredth of the energy that falling by its own size gives the cloth, in
+/// a second; for cloth that damping or still air bring to rest it is what keeps vertices moving by some tenths of a
+/// millimetre a second.
 /// @param farthest the largest coordinate [m]
 [[nodiscard]] bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                  double farthest);
 
 /// True when rounding to float would by itself build up more error than the tolerance, and the work allowed has room
 /// for a step in double, which costs twice as much. N passes that each round places x to float leave a mean error of
-/// about c 2^-24 |x| sqrt(N); c = 0.25 was measured (docs/auto.md).
+/// about c 2^-24 |x| sqrt(N); c = 0.25 was measured (docs/theory/auto.md).
 /// @param farthest the largest coordinate [m]
 [[nodiscard]] bool roundingShows(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                  const StepMemory& memory, double farthest);

@@ -18,7 +18,7 @@
 
 namespace drape {
 
-/// Keeps a cloth out of bodies (docs/contact.md).
+/// Keeps a cloth out of bodies (docs/theory/contact.md).
 ///
 /// A step is judged in the frame of each body, in which its start is where the body carries it. There every triangle of
 /// the cloth has a plane between itself and each part of the body that it could reach. Impulses with friction move the

@@ -17,10 +17,10 @@ class SelfContact;
 /// Whether there is a body that the cloth meets.
 [[nodiscard]] bool meetsBodies(const StepParameters& parameters, const StepInputs& inputs);
 
-/// Contact around a step of any solver (docs/contact.md). The solver moves the cloth as if nothing were in its way;
-/// then positions and velocities are corrected, so that the next step begins outside of everything and with no velocity
-/// into it. It is done once a round of the step, not once a substep: a method that takes many small parts is not made
-/// dearer by it, and what crosses a body within a step is found all the same.
+/// Contact around a step of any solver (docs/theory/contact.md). The solver moves the cloth as if nothing were in its
+/// way; then positions and velocities are corrected, so that the next step begins outside of everything and with no
+/// velocity into it. It is done once a round of the step, not once a substep: a method that takes many small parts is
+/// not made dearer by it, and what crosses a body within a step is found all the same.
 ///
 /// Positions and velocities are corrected each by itself: what pushes the cloth out of something leaves no velocity
 /// behind, and what is done to velocities only takes kinetic energy away, as seen from the body that is touched.

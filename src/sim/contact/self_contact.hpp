@@ -23,7 +23,7 @@ namespace drape {
 
 /// Self-collision by the paper's scheme (sec. 5.2), vertex to vertex: collision-free sub-surfaces (ChartGrower), near
 /// pairs of different ones by a hash over two grids (PointHash), and a response with thickness and friction
-/// (SelfResponse). docs/contact.md tells what it lets through.
+/// (SelfResponse). docs/theory/contact.md tells what it lets through.
 ///
 /// Pairs are looked for within the thickness and a margin, and the list of them serves until two vertices have moved
 /// against each other by that margin; then the charts are checked, grown anew where they hold no longer, and the pairs

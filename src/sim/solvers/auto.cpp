@@ -293,7 +293,7 @@ SolverInfo solvers::adaptive() {
               "tolerance need; an energy guard takes a step again that would explode. Where the work allowed does not "
               "suffice for cloth so stiff and fine, the clock falls behind, or, if that is wished, springs keep what a "
               "substep carries and coarse groups of vertices carry the tension. What is the case is said.",
-          .source = "Drape (docs/auto.md), on Stoermer-Verlet and Omelyan, Mryglod and Folk, 2002",
+          .source = "Drape (docs/theory/auto.md), on Stoermer-Verlet and Omelyan, Mryglod and Folk, 2002",
           .backwardEuler = false,
           .choosesSubsteps = true,
           .settings = {"precision", "auto.work", "auto.soften", "auto.budget", "auto.tolerance"},

@@ -135,7 +135,7 @@ struct Oscillator {
 };
 
 /// Weight and the air's force on a whole cloth [N], written down here once more from eqs. 18-20: sums over triangles,
-/// no function of the library. `auto` has the lift of a thin plate where it is less than eq. 19 (docs/auto.md).
+/// no function of the library. `auto` has the lift of a thin plate where it is less than eq. 19 (docs/theory/auto.md).
 Vec3 weightAndAir(const ClothModel& model, const StepParameters& p, const ClothState& state, bool thinPlate) {
   std::vector<Vec3> normals(state.positions.size(), Vec3::Zero());
   for (const Triangle& t : model.triangles) {
