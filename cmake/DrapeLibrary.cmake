@@ -28,10 +28,11 @@ function(drape_library name)
   endif()
 endfunction()
 
-# drape_program(<name> SOURCES <files> LINKS <targets>): an executable in <build>/bin.
+# drape_program(<name> SOURCES <files> LINKS <targets>): an executable in <build>/bin. Every program gets large blocks of
+# memory in huge pages (src/app/operator_new.cpp).
 function(drape_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
+  add_executable(${name} ${ARG_SOURCES} "${PROJECT_SOURCE_DIR}/src/app/operator_new.cpp")
   target_link_libraries(${name} PRIVATE drape_compiler ${ARG_LINKS})
   drape_unity(${name})
 endfunction()
