@@ -227,7 +227,7 @@ void checkFile(const std::string& format, std::string_view bytes, const fs::path
       checked.bytes = ply.bytes;
       checked.warnings = std::move(ply.warnings);
     } else {
-      StlBytes stl = checkStl(text, bytes);
+      StlBytes stl = checkStl(text, bytes, checked.storage);
       checked.bytes = stl.bytes;
       checked.warnings = std::move(stl.warnings);
     }
