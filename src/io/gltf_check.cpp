@@ -1,16 +1,21 @@
 #include "io/gltf_check.hpp"
 
-#include "io/message_text.hpp"
+#include "io/gltf_content.hpp"
 #include "io/quoted_text.hpp"
+#include "io/text_input.hpp"
 #include "sim/error.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace drape {
 namespace {
@@ -20,6 +25,10 @@ using Json = nlohmann::json;
 
 /// All buffers of a file together [bytes].
 constexpr std::uintmax_t largestBuffers = std::uintmax_t{512} << 20;
+
+/// The kinds of the two parts of a binary file.
+constexpr std::uint32_t jsonChunk = 0x4e4f534a;
+constexpr std::uint32_t binaryMark = 0x4e4942;
 
 constexpr const char* again = " Export or copy it again.";
 
@@ -53,7 +62,22 @@ void checkContent(const Json& json) {
   }
 }
 
+/// Where the parser stopped, as the rest of a sentence.
+std::string placeOf(std::string_view text, const Json::exception& error) {
+  const auto* const stopped = dynamic_cast<const Json::parse_error*>(&error);
+  if (stopped == nullptr) {
+    return "";
+  }
+  const std::size_t offset = std::min(stopped->byte, text.size());
+  const std::size_t lineStart = text.substr(0, offset).find_last_of('\n') + 1;
+  return " after line " + std::to_string(lineAt(text, offset)) + ", column " + std::to_string(offset - lineStart);
+}
+
 Json parseJson(std::string_view text) {
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string_view::npos || (text[start] != '{' && text[start] != '[')) {
+    throw InputError("it is not a glTF file: it does not begin with '{'. Check what it is, or export it again.");
+  }
   try {
     // Writing JSON goes into depth by recursion, so the depth is limited here.
     Json json = Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
@@ -68,8 +92,7 @@ Json parseJson(std::string_view text) {
     }
     return json;
   } catch (const Json::exception& error) {
-    throw InputError("its JSON cannot be read: " + oneLine(error.what()) + ". The file was cut off or damaged." +
-                     again);
+    throw InputError("its JSON cannot be read" + placeOf(text, error) + ": it was cut off or damaged." + again);
   }
 }
 
@@ -113,8 +136,9 @@ fs::path fileOf(const std::string& uri, const fs::path& folder) {
 }
 
 /// RFC 4648, section 4.
+constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
@@ -129,6 +153,49 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
+[[noreturn]] void failBase64(const std::string& what) {
+  throw InputError("the data of its buffer " + what + ": the file is cut off or damaged." + again);
+}
+
+std::string fromBase64(std::string_view text) {
+  std::array<int, 256> values{};
+  values.fill(-1);
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    values[static_cast<unsigned char>(letters[i])] = static_cast<int>(i);
+  }
+  if (text.size() % 4 != 0) {
+    failBase64("is base64 of " + std::to_string(text.size()) + " letters, which is not a multiple of 4");
+  }
+  text.remove_suffix(text.size() >= 2 && text.substr(text.size() - 2) == "==" ? 2 : text.ends_with('=') ? 1 : 0);
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  std::uint32_t group = 0;
+  unsigned bits = 0;
+  for (const char letter : text) {
+    const int value = values[static_cast<unsigned char>(letter)];
+    if (value < 0) {
+      failBase64("holds " + drape::quoted(std::string_view(&letter, 1)) + ", which is no letter of base64");
+    }
+    group = (group << 6U | static_cast<std::uint32_t>(value)) & 0xffffffU;
+    bits += 6;
+    if (bits >= 8) {
+      bits -= 8;
+      bytes += static_cast<char>(group >> bits & 0xffU);
+    }
+  }
+  return bytes;
+}
+
+/// The bytes of a "data:" URI.
+std::string dataOf(std::string_view uri) {
+  constexpr std::string_view mark = ";base64,";
+  const std::size_t found = uri.substr(0, 200).find(mark);
+  if (found == std::string_view::npos) {
+    failBase64("is not written as base64");
+  }
+  return fromBase64(uri.substr(found + mark.size()));
+}
+
 std::string readBuffer(const fs::path& file, std::uint64_t promised, std::uintmax_t room) {
   const std::uintmax_t size = fs::file_size(file);
   const std::string name = drape::quoted(file.filename().string());
@@ -140,7 +207,8 @@ std::string readBuffer(const fs::path& file, std::uint64_t promised, std::uintma
     throw InputError("its buffers are larger than " + std::to_string(largestBuffers >> 20U) +
                      " MiB together. Reduce the mesh first.");
   }
-  std::string bytes(static_cast<std::size_t>(size), '\0');
+  // The file may hold more than the buffer.
+  std::string bytes(static_cast<std::size_t>(promised > 0 ? promised : size), '\0');
   std::ifstream stream(file, std::ios::binary);
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) && !bytes.empty()) {
     throw InputError("its buffer " + name + " cannot be read. Check that file's permissions.");
@@ -148,11 +216,93 @@ std::string readBuffer(const fs::path& file, std::uint64_t promised, std::uintma
   return bytes;
 }
 
+/// The data of a binary file's second part; empty when there is none.
+std::string_view binaryChunk(std::string_view rest) {
+  constexpr std::size_t headerSize = 8;
+  if (rest.size() < headerSize) {
+    return {};
+  }
+  const std::size_t length = wordAt(rest, 0);
+  if (wordAt(rest, 4) != binaryMark) {
+    throw InputError("its second part is not the binary data that should follow the JSON: it is damaged." +
+                     std::string(again));
+  }
+  if (length > rest.size() - headerSize) {
+    throw InputError("its binary data has " + std::to_string(rest.size() - headerSize) + " of the " +
+                     std::to_string(length) + " bytes that it promises: it was cut off or damaged." + again);
+  }
+  return rest.substr(headerSize, length);
+}
+
+/// The contents of one buffer. `binary` is the data inside a binary file.
+std::string bufferOf(const Json& buffer, const fs::path& folder, std::optional<std::string_view> binary,
+                     std::uintmax_t room) {
+  const bool hasUri = buffer.is_object() && buffer.contains("uri") && buffer["uri"].is_string();
+  if (!hasUri && binary) {
+    return std::string(*binary);
+  }
+  const std::string uri = hasUri ? buffer["uri"].get<std::string>() : "";
+  const std::uint64_t promised = countOf(buffer, "byteLength");
+  if (uri.rfind("data:", 0) != 0) {
+    return readBuffer(fileOf(uri, folder), promised, room);
+  }
+  std::string bytes = dataOf(uri);
+  if (bytes.size() < promised) {
+    failBase64("holds " + std::to_string(bytes.size()) + " of " + std::to_string(promised) + " bytes");
+  }
+  return bytes;
+}
+
+std::vector<std::string> buffersOf(const Json& json, const fs::path& folder, std::optional<std::string_view> binary) {
+  if (arrayOf(json, "buffers").empty()) {
+    throw InputError("it has no buffers, and so no vertices. Export the mesh again.");
+  }
+  std::uintmax_t room = largestBuffers;
+  std::vector<std::string> buffers;
+  for (const Json& buffer : arrayOf(json, "buffers")) {
+    buffers.push_back(bufferOf(buffer, folder, buffers.empty() ? binary : std::nullopt, room));
+    room -= std::min<std::uintmax_t>(room, buffers.back().size());
+  }
+  return buffers;
+}
+
+void appendWord(std::string& bytes, std::size_t value) {
+  for (unsigned shift = 0; shift < 32; shift += 8) {
+    bytes += static_cast<char>(value >> shift & 0xffU);
+  }
+}
+
+void appendChunk(std::string& bytes, std::uint32_t mark, std::string_view data, char filler) {
+  const std::size_t padding = (4 - data.size() % 4) % 4;
+  appendWord(bytes, data.size() + padding);
+  appendWord(bytes, mark);
+  bytes.append(data).append(padding, filler);
+}
+
+/// A binary file whose first buffer is inside, and all others as text.
+std::string joinGlb(Json parts, std::vector<std::string>& buffers) {
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    Json buffer{{"byteLength", buffers[i].size()}};
+    if (i > 0) {
+      buffer["uri"] = "data:application/octet-stream;base64," + base64(buffers[i]);
+    }
+    parts["buffers"].push_back(std::move(buffer));
+  }
+  const std::string text = parts.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string chunks;
+  chunks.reserve(text.size() + buffers.front().size() + 32);
+  appendChunk(chunks, jsonChunk, text, ' ');
+  appendChunk(chunks, binaryMark, buffers.front(), '\0');
+  std::string bytes = "glTF";
+  appendWord(bytes, 2);
+  appendWord(bytes, chunks.size() + 12);
+  return bytes += chunks;
+}
+
 }  // namespace
 
-void checkGlb(std::string_view bytes) {
+std::string glbWithMesh(std::string_view bytes) {
   constexpr std::size_t headerSize = 20;  // that of the file and that of the first chunk
-  constexpr std::uint32_t jsonChunk = 0x4e4f534a;
   if (bytes.substr(0, 4) != std::string_view("glTF").substr(0, bytes.size())) {
     throw InputError(
         "it is not a binary glTF file: it does not begin with 'glTF'. Check what it is, or export it again.");
@@ -160,8 +310,13 @@ void checkGlb(std::string_view bytes) {
   if (bytes.size() < headerSize) {
     throw InputError("it ends in its header: it was cut off." + std::string(again));
   }
-  if (wordAt(bytes, 4) != 2) {
-    return;  // The parsing library reads version 1 too, and refuses others.
+  const std::uint32_t version = wordAt(bytes, 4);
+  if (version == 1 && wordAt(bytes, 16) == 0) {
+    return std::string(bytes);  // The parsing library reads this version too.
+  }
+  if (version != 2) {
+    throw InputError("it is binary glTF of version " + std::to_string(version) +
+                     ", and version 2 is read. Export it as glTF 2.0.");
   }
   if (wordAt(bytes, 8) > bytes.size()) {
     throw InputError("it holds " + std::to_string(bytes.size()) + " of the " + std::to_string(wordAt(bytes, 8)) +
@@ -172,28 +327,23 @@ void checkGlb(std::string_view bytes) {
     throw InputError("its first part is not the JSON that a binary glTF file begins with: it is damaged." +
                      std::string(again));
   }
-  checkContent(parseJson(bytes.substr(headerSize, length)));
+  Json json = parseJson(bytes.substr(headerSize, length));
+  checkContent(json);
+  std::vector<std::string> buffers = buffersOf(json, {}, binaryChunk(bytes.substr(headerSize + length)));
+  Json parts = meshPartsOf(json, buffers);
+  return joinGlb(std::move(parts), buffers);
 }
 
 std::string gltfWithBuffers(std::string_view text, const fs::path& folder) {
-  Json json = parseJson(text);
+  const Json json = parseJson(text);
   checkContent(json);
-  if (!json.contains("buffers") || !json["buffers"].is_array()) {
-    throw InputError("it has no buffers, and so no vertices. Export the mesh again.");
+  const std::vector<std::string> buffers = buffersOf(json, folder, std::nullopt);
+  Json parts = meshPartsOf(json, buffers);
+  for (const std::string& buffer : buffers) {
+    parts["buffers"].push_back(
+        Json{{"byteLength", buffer.size()}, {"uri", "data:application/octet-stream;base64," + base64(buffer)}});
   }
-  std::uintmax_t room = largestBuffers;
-  for (Json& buffer : json["buffers"]) {
-    const std::string uri = buffer.is_object() && buffer.contains("uri") && buffer["uri"].is_string()
-                                ? buffer["uri"].get<std::string>()
-                                : "";
-    if (uri.rfind("data:", 0) == 0) {
-      continue;
-    }
-    const std::string bytes = readBuffer(fileOf(uri, folder), countOf(buffer, "byteLength"), room);
-    room -= bytes.size();
-    buffer["uri"] = "data:application/octet-stream;base64," + base64(bytes);
-  }
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return parts.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace drape

@@ -6,10 +6,10 @@
 
 namespace drape {
 
-/// Checks a binary glTF file and throws InputError when it is cut off, is not what its header says, its JSON cannot be
-/// read, or its vertices are stored in a way that is not read (Draco and meshopt compression).
-/// Source: glTF 2.0 specification, section 4.4 (GLB) and section 3.
-void checkGlb(std::string_view bytes);
+/// A binary glTF file with only the parts that its mesh is made of (meshPartsOf). Throws InputError when it is cut off,
+/// is not what its header says, its JSON cannot be read, or its vertices are stored in a way that is not read (Draco
+/// and meshopt compression, other files). Source: glTF 2.0 specification, section 4.4 (GLB) and section 3.
+[[nodiscard]] std::string glbWithMesh(std::string_view bytes);
 
 /// The same for a glTF file of text (plainText), and the text with all buffers inside. Buffers in other files are read
 /// from `folder`, and only from there: a name that leads elsewhere is refused, and so is one that the file system

@@ -204,8 +204,8 @@ struct CheckedFile {
 void checkFile(const std::string& format, std::string_view bytes, const fs::path& folder, const ImportWatch& watch,
                CheckedFile& checked) {
   if (format == "glb") {
-    checkGlb(bytes);
-    checked.bytes = bytes;
+    checked.storage = glbWithMesh(bytes);
+    checked.bytes = checked.storage;
     return;
   }
   std::string textStorage;
@@ -227,7 +227,7 @@ void checkFile(const std::string& format, std::string_view bytes, const fs::path
       checked.bytes = ply.bytes;
       checked.warnings = std::move(ply.warnings);
     } else {
-      StlBytes stl = checkStl(text, bytes);
+      StlBytes stl = checkStl(text, bytes, checked.storage);
       checked.bytes = stl.bytes;
       checked.warnings = std::move(stl.warnings);
     }

@@ -39,8 +39,24 @@ constexpr double shortestEdge = 1e-3;
 /// Smaller cloth is not simulated [m]: the file's unit is certainly another one.
 constexpr double smallestCloth = 1e-3;
 
+/// Larger meshes are not simulated [m]: no unit makes a garment or a body of them.
+constexpr double largestMesh = 1e9;
+
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
+}
+
+std::string coordinateText(double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+/// The coordinate that is farthest from 0.
+double largestOf(const Vec3& position) {
+  Eigen::Index axis = 0;
+  position.cwiseAbs().maxCoeff(&axis);
+  return position[axis];
 }
 
 void requireUsable(const RawMesh& raw, const std::string& name, const ImportOptions& options) {
@@ -64,9 +80,13 @@ void requireUsable(const RawMesh& raw, const std::string& name, const ImportOpti
     }
   }
   for (std::size_t i = 0; i < raw.positions.size(); ++i) {
-    if (!(raw.positions[i].cwiseAbs().maxCoeff() <= largestCoordinate) || !raw.positions[i].allFinite()) {
+    if (!raw.positions[i].allFinite()) {
       throw InputError(name + ": the position of vertex " + std::to_string(i) +
-                       " is not a finite number or far too large. Repair or export the mesh again.");
+                       " is not a finite number. Repair or export the mesh again.");
+    }
+    if (raw.positions[i].cwiseAbs().maxCoeff() > largestCoordinate) {
+      throw InputError(name + ": a vertex has the coordinate " + coordinateText(largestOf(raw.positions[i])) +
+                       ", which is far too large. Repair or export the mesh again.");
     }
   }
 }
@@ -401,6 +421,11 @@ void requireVisibleSize(const MeshSummary& summary, const ImportOptions& options
         summary.source + ": it is " + lengthText(largest) +
         " large, and cloth below 1 mm is not simulated. Say which unit the file is in (--set unit=...), or "
         "scale the mesh to metres.");
+  }
+  if (largest > largestMesh) {
+    throw InputError(summary.source + ": it is " + lengthText(largest) +
+                     " large, and meshes above 1e+06 km are not simulated. Its coordinates are damaged, or it is in "
+                     "another unit (--set unit=...). Repair or export the mesh again.");
   }
 }
 

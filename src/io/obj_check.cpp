@@ -231,6 +231,9 @@ class Checker {
       ++result_.facesSkipped;
       return;
     }
+    if (corners_.size() > mostCorners) {
+      fail("the face " + tooManyCorners(corners_.size()));
+    }
     ++faces_;
     result_.text += 'f';
     for (const Corner& corner : corners_) {

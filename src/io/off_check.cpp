@@ -34,6 +34,9 @@ class OffChecker {
     if (broken_) {
       result_.warnings.push_back(endsWithoutBreak(number_));
     }
+    if (nextLine()) {
+      result_.warnings.push_back(moreThanPromised("Line " + std::to_string(number_) + " and what follows it are"));
+    }
     return std::move(result_);
   }
 
@@ -134,6 +137,9 @@ class OffChecker {
     const auto corners = wholeNumber(word);
     if (!corners) {
       fail(quoted(word) + " is not a number of corners");
+    }
+    if (*corners > mostCorners) {
+      fail("the face " + tooManyCorners(*corners));
     }
     std::string face = std::to_string(*corners);
     for (std::size_t i = 0; i < *corners; ++i) {

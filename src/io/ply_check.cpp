@@ -59,6 +59,10 @@ class TextNumbers {
   /// At least two characters a number.
   [[nodiscard]] bool canHold(std::uint64_t count, std::size_t) const { return count <= rest_.size() / 2 + 1; }
 
+  [[nodiscard]] std::size_t left() const {
+    return rest_.size() - std::min(rest_.find_first_not_of(blanks), rest_.size());
+  }
+
  private:
   static constexpr std::string_view blanks = " \t\r\n";
   std::string_view text_;
@@ -87,6 +91,8 @@ class BinaryNumbers {
     return count <= rest_.size() / std::max<std::size_t>(1, bytesEach);
   }
 
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
+
  private:
   using Raw = std::array<unsigned char, 8>;
 
@@ -110,6 +116,10 @@ class BinaryNumbers {
   bool bigEndian_;
 };
 
+bool isIndices(const PlyProperty& property) {
+  return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
 bool isCoordinate(std::string_view name) {
   return name == "x" || name == "y" || name == "z";
 }
@@ -131,6 +141,16 @@ std::size_t leastSize(const PlyElement& element) {
   return size;
 }
 
+/// The parsing library stops at a face without corners.
+void requireCorners(std::size_t corners, const Place& place) {
+  if (corners == 0) {
+    fail(place, "has no corners: the file is damaged, or its header promises other numbers. Export or copy it again.");
+  }
+  if (corners > mostCorners) {
+    fail(place, tooManyCorners(corners) + ". Export the mesh again.");
+  }
+}
+
 template <typename Numbers>
 void checkList(const PlyProperty& property, const Place& place, std::uint64_t vertices, Numbers& numbers) {
   const double length = numbers.next(property.length, place);
@@ -138,17 +158,20 @@ void checkList(const PlyProperty& property, const Place& place, std::uint64_t ve
       !numbers.canHold(static_cast<std::uint64_t>(length), property.value.bytes)) {
     failCutOff(place);
   }
-  const bool isIndices = property.name == "vertex_indices" || property.name == "vertex_index";
+  if (isIndices(property)) {
+    requireCorners(static_cast<std::size_t>(length), place);
+  }
   for (double i = 0.0; i < length; i += 1.0) {
     const double value = numbers.next(property.value, place);
-    if (isIndices && !(value >= 0.0 && value < static_cast<double>(vertices))) {
+    if (isIndices(property) && !(value >= 0.0 && value < static_cast<double>(vertices))) {
       fail(place, "uses a vertex that is not there. Export the mesh again.");
     }
   }
 }
 
+/// Returns how many bytes follow the last element.
 template <typename Numbers>
-void checkElements(const PlyHeader& header, Numbers numbers) {
+std::size_t checkElements(const PlyHeader& header, Numbers numbers) {
   const std::uint64_t vertices = countOf(header, "vertex");
   for (const PlyElement& element : header.elements) {
     Place place{&element, 0};
@@ -166,6 +189,7 @@ void checkElements(const PlyHeader& header, Numbers numbers) {
       }
     }
   }
+  return numbers.left();
 }
 
 /// assimp 5.2 drops a line break at the start of binary numbers, unless the header ends in "\r\n".
@@ -190,6 +214,15 @@ void requireCoordinates(const PlyHeader& header) {
   }
 }
 
+void requireIndices(const PlyHeader& header) {
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "face" && std::any_of(element.properties.begin(), element.properties.end(), isIndices)) {
+      return;
+    }
+  }
+  throw InputError("its faces have no list 'vertex_indices' or 'vertex_index'. Export the mesh again.");
+}
+
 }  // namespace
 
 PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& storage) {
@@ -198,10 +231,15 @@ PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& st
     throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons, not a cloud of points.");
   }
   requireCoordinates(header);
+  requireIndices(header);
   PlyBytes result{bytes, {}};
   if (header.format == PlyHeader::Format::Text) {
     requireNoZeroBytes(text);
-    checkElements(header, TextNumbers(text, header.size));
+    const std::size_t left = checkElements(header, TextNumbers(text, header.size));
+    if (left > 0) {
+      const std::size_t line = lineAt(text, text.size() - left);
+      result.warnings.push_back(moreThanPromised("Line " + std::to_string(line) + " and what follows it are"));
+    }
     result.bytes = text;
     if (text.back() != '\n') {
       result.warnings.push_back(endsWithoutBreak(lineAt(text, text.size())));
@@ -210,7 +248,12 @@ PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& st
   }
   const PlyHeader binary = readPlyHeader(bytes);
   const std::string_view numbers = bytes.substr(binary.size);
-  checkElements(binary, BinaryNumbers(numbers, header.format == PlyHeader::Format::BigEndian));
+  const bool bigEndian = header.format == PlyHeader::Format::BigEndian;
+  // Some programs end binary files with a line break too.
+  constexpr std::size_t lineBreak = 2;
+  if (const std::size_t left = checkElements(binary, BinaryNumbers(numbers, bigEndian)); left > lineBreak) {
+    result.warnings.push_back(moreThanPromised("The last " + std::to_string(left) + " bytes are"));
+  }
   if (!numbers.empty() && numbers.front() == '\n') {
     storage = withLongLineBreak(bytes, binary.size);
     result.bytes = storage;

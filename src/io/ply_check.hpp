@@ -12,7 +12,7 @@ namespace drape {
 /// `text` is the file as plainText, and `bytes` the file itself, which counts when it is binary.
 struct PlyBytes {
   std::string_view bytes;             ///< the file; points into what was given, or into `storage`
-  std::vector<std::string> warnings;  ///< that the text may be cut off
+  std::vector<std::string> warnings;  ///< that the file may be cut off, or holds more than it promises
 };
 [[nodiscard]] PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& storage);
 

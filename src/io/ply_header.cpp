@@ -56,6 +56,9 @@ class HeaderReader {
     while (true) {
       const std::vector<std::string> words = wordsOf(nextLine());
       if (!words.empty() && words[0] == "end_header") {
+        if (!hasFormat_) {
+          throw InputError("its header has no line 'format'. Export the mesh again.");
+        }
         header_.size = position_;
         return header_;
       }
@@ -95,6 +98,9 @@ class HeaderReader {
   }
 
   void readFormat(const std::string& word) {
+    if (std::exchange(hasFormat_, true)) {
+      fail("names a second format, " + quoted(word));
+    }
     if (word == "ascii") {
       header_.format = PlyHeader::Format::Text;
     } else if (word == "binary_little_endian") {
@@ -146,6 +152,7 @@ class HeaderReader {
   std::string_view bytes_;
   std::size_t position_ = 0;
   int line_ = 0;
+  bool hasFormat_ = false;
   PlyHeader header_;
 };
 

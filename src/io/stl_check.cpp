@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace drape {
 namespace {
@@ -48,19 +49,25 @@ StlBytes checkBinary(std::string_view bytes) {
   if (promised == 0) {
     throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
   }
-  return {bytes.substr(0, headerSize + promised * triangleSize), {}};
+  StlBytes stl{bytes.substr(0, headerSize + promised * triangleSize), {}};
+  // Some programs end the file with a remark.
+  if (const std::size_t left = bytes.size() - stl.bytes.size(); left >= triangleSize) {
+    stl.warnings.push_back(moreThanPromised("The last " + std::to_string(left) + " bytes are"));
+  }
+  return stl;
 }
 
 bool fitsBinary(std::string_view bytes) {
   return bytes.size() >= headerSize && bytes.size() == headerSize + promisedTriangles(bytes) * triangleSize;
 }
 
-/// Goes through the lines of a text file.
+/// Goes through the lines of a text file and writes its facets anew.
 class TextChecker {
  public:
   explicit TextChecker(std::string_view text) : rest_(text) {}
 
-  std::vector<std::string> check() {
+  std::string check() {
+    text_ = "solid\n";
     while (!rest_.empty()) {
       ++line_;
       const std::size_t end = rest_.find('\n');
@@ -76,7 +83,7 @@ class TextChecker {
     if (facets_ == 0) {
       throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
     }
-    return {};
+    return std::move(text_) + "endsolid\n";
   }
 
  private:
@@ -93,28 +100,49 @@ class TextChecker {
     } else if (keyword == "endsolid") {
       open_ = false;
     } else if (keyword == "facet") {
-      corners_ = 0;
-      ++facets_;
+      endFacet();
+      beginFacet();
     } else if (keyword == "vertex") {
-      ++corners_;
-      checkVertex(line);
+      addVertex(line);
     } else if (keyword == "endfacet") {
-      if (corners_ != 3) {
-        fail("the facet before it has " + std::to_string(corners_) + " corners, and not 3");
-      }
+      endFacet();
     } else if (!keyword.empty() && keyword != "outer" && keyword != "endloop" && keyword != "end") {
       fail(quoted(keyword) + " is not a word of an STL file");
     }
   }
 
-  void checkVertex(std::string_view line) const {
+  void beginFacet() {
+    corners_ = 0;
+    inFacet_ = true;
+    ++facets_;
+    text_ += "facet normal 0 0 0\nouter loop\n";
+  }
+
+  void endFacet() {
+    if (!std::exchange(inFacet_, false)) {
+      return;
+    }
+    if (corners_ != 3) {
+      fail("the facet before it has " + std::to_string(corners_) + " corners, and not 3");
+    }
+    text_ += "endloop\nendfacet\n";
+  }
+
+  void addVertex(std::string_view line) {
+    if (!inFacet_) {
+      fail("a vertex stands outside of a facet");
+    }
+    ++corners_;
+    text_ += "vertex";
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = takeWord(line);
       double value = 0.0;
       if (!readNumber(word, value)) {
         fail(word.empty() ? "a vertex needs three coordinates" : quoted(word) + " is not a finite number");
       }
+      (text_ += ' ') += word;
     }
+    text_ += '\n';
   }
 
   std::string_view rest_;
@@ -123,11 +151,13 @@ class TextChecker {
   int corners_ = 0;
   bool broken_ = false;
   bool open_ = false;
+  bool inFacet_ = false;
+  std::string text_;
 };
 
 }  // namespace
 
-StlBytes checkStl(std::string_view text, std::string_view bytes) {
+StlBytes checkStl(std::string_view text, std::string_view bytes, std::string& storage) {
   std::string_view start = text.substr(0, headerSize);
   if (fitsBinary(bytes) || takeWord(start) != "solid") {
     return checkBinary(bytes);
@@ -137,7 +167,8 @@ StlBytes checkStl(std::string_view text, std::string_view bytes) {
     return checkBinary(bytes);
   }
   requireNoZeroBytes(text);
-  return {text, TextChecker(text).check()};
+  storage = TextChecker(text).check();
+  return {storage, {}};
 }
 
 }  // namespace drape

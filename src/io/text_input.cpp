@@ -176,4 +176,13 @@ std::string endsWithoutBreak(std::size_t line) {
          ", has no line break at its end. If the file was cut off there, faces are missing: export it again.";
 }
 
+std::string tooManyCorners(std::size_t corners) {
+  return "has " + std::to_string(corners) + " corners, and faces of at most " + std::to_string(mostCorners) +
+         " are read";
+}
+
+std::string moreThanPromised(const std::string& where) {
+  return where + " more than its header promises: left out. If faces are missing, export it again.";
+}
+
 }  // namespace drape

@@ -30,4 +30,13 @@ void requireNoZeroBytes(std::string_view text);
 /// The warning for a file whose last line has no line break, though it can be read.
 [[nodiscard]] std::string endsWithoutBreak(std::size_t line);
 
+/// A face may have this many corners. The time of triangulation grows with their square.
+inline constexpr std::size_t mostCorners = 20000;
+
+/// What is wrong with a face that has more.
+[[nodiscard]] std::string tooManyCorners(std::size_t corners);
+
+/// A warning about what follows the last element that the header promises.
+[[nodiscard]] std::string moreThanPromised(const std::string& where);
+
 }  // namespace drape

@@ -217,6 +217,15 @@ TEST(MeshWeld, refusesAMeshThatWouldLoseMostOfItsFaces) {
   EXPECT_TRUE(contains(inputErrorOf([&] { (void)weld(raw); }), "3 of its 5 faces have no area"));
 }
 
+TEST(MeshWeld, refusesMeshesThatNoUnitMakesSoLarge) {
+  ImportOptions options;
+  options.metresPerUnit = 1e15;
+  EXPECT_TRUE(contains(inputErrorOf([&] { (void)weldMesh(seamSquare(), "mesh.obj", options); }),
+                       "large, and meshes above 1e+06 km are not simulated"));
+  options.metresPerUnit = 1e6;
+  EXPECT_NO_THROW((void)weldMesh(seamSquare(), "mesh.obj", options));
+}
+
 TEST(MeshWeld, refusesClothBelowAMillimetreAndTakesASmallBody) {
   ImportOptions options;
   options.metresPerUnit = 1.6e-6;

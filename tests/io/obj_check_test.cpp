@@ -146,5 +146,14 @@ TEST(ObjCheck, canBeCancelled) {
   EXPECT_THROW((void)checkObj(vertices + "f 1 2 3\n", ImportWatch{{}, source.get_token()}), Cancelled);
 }
 
+TEST(ObjCheck, refusesAFaceOfVeryManyCorners) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+  for (int i = 0; i < 20001; ++i) {
+    text += " 1";
+  }
+  EXPECT_TRUE(
+      contains(inputErrorOf([&text] { (void)checkObj(text + "\n", {}); }), "line 4: the face has 20001 corners"));
+}
+
 }  // namespace
 }  // namespace drape

@@ -53,5 +53,10 @@ TEST(OffCheck, saysWhichKindsAreNotRead) {
   EXPECT_TRUE(contains(problemOf("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), "there are no faces"));
 }
 
+TEST(OffCheck, warnsOfWhatTheHeaderDoesNotPromise) {
+  EXPECT_TRUE(checkOff(square + "\n# end\n").warnings.empty());
+  EXPECT_TRUE(contains(checkOff(square + "3 0 1 3\n").warnings.at(0), "Line 11 and what follows it are more"));
+}
+
 }  // namespace
 }  // namespace drape

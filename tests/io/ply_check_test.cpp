@@ -111,5 +111,36 @@ TEST(PlyCheck, saysThatAPointCloudHasNoFaces) {
   EXPECT_TRUE(contains(problemOf(header("ascii", "3", "0") + "0 0 0 1 0 0 0 1 0"), "cloud of points"));
 }
 
+TEST(PlyCheck, refusesAFaceWithoutCorners) {
+  EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 0 0\n0 1 0\n0\n")), "face 1 of 1 has no corners"));
+  std::string bytes = binaryPly(false);
+  bytes[bytes.size() - 13] = '\0';
+  EXPECT_TRUE(contains(problemOf(bytes), "face 1 of 1 has no corners"));
+}
+
+TEST(PlyCheck, refusesAFaceOfVeryManyCorners) {
+  std::string face = "20001";
+  for (int i = 0; i < 20001; ++i) {
+    face += " 0";
+  }
+  EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 0 0\n0 1 0\n" + face + "\n")), "face 1 of 1 has 20001 corners"));
+}
+
+TEST(PlyCheck, warnsOfWhatTheHeaderDoesNotPromise) {
+  EXPECT_TRUE(contains(check(textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n")).warnings.at(0),
+                       "Line 15 and what follows it are more than its header promises"));
+  EXPECT_TRUE(contains(check(binaryPly(true) + std::string(13, '\0')).warnings.at(0), "The last 13 bytes are more"));
+  EXPECT_TRUE(check(binaryPly(true) + "\r\n").warnings.empty());
+}
+
+TEST(PlyCheck, namesWhatItsHeaderLacks) {
+  std::string bytes = textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  bytes.erase(bytes.find("format"), std::string("format ascii 1.0\n").size());
+  EXPECT_TRUE(contains(problemOf(bytes), "its header has no line 'format'"));
+  bytes = binaryPly(false);
+  bytes[bytes.find("vertex_indices")] = 'w';
+  EXPECT_TRUE(contains(problemOf(bytes), "its faces have no list 'vertex_indices'"));
+}
+
 }  // namespace
 }  // namespace drape

@@ -24,25 +24,49 @@ std::string binaryStl(std::uint32_t promised, int held, float last = 1.0F) {
   return bytes;
 }
 
+StlBytes check(const std::string& bytes) {
+  static std::string storage;
+  return checkStl(bytes, bytes, storage);
+}
+
 std::string problemOf(const std::string& bytes) {
-  return inputErrorOf([&bytes] { (void)checkStl(bytes, bytes); });
+  return inputErrorOf([&bytes] { (void)check(bytes); });
 }
 
 TEST(StlCheck, acceptsWholeFiles) {
-  EXPECT_EQ(checkStl(textStl, textStl).bytes, textStl);
+  EXPECT_TRUE(contains(std::string(check(textStl).bytes), "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"));
   const std::string binary = binaryStl(2, 2);
-  EXPECT_EQ(checkStl(binary, binary).bytes, binary);
+  EXPECT_EQ(check(binary).bytes, binary);
 }
 
 TEST(StlCheck, takesABinaryFileThatBeginsWithSolid) {
   std::string bytes = binaryStl(2, 2);
   bytes.replace(0, 5, "solid");
-  EXPECT_EQ(checkStl(bytes, bytes).bytes, bytes);
+  EXPECT_EQ(check(bytes).bytes, bytes);
 }
 
 TEST(StlCheck, leavesOutWhatFollowsTheLastTriangle) {
   const std::string bytes = binaryStl(2, 2) + "made by hand";
-  EXPECT_EQ(checkStl(bytes, bytes).bytes.size(), 84U + 100U);
+  EXPECT_EQ(check(bytes).bytes.size(), 84U + 100U);
+}
+
+TEST(StlCheck, warnsOfTrianglesThatTheHeaderDoesNotPromise) {
+  EXPECT_TRUE(check(binaryStl(2, 2) + "made by hand").warnings.empty());
+  EXPECT_TRUE(contains(check(binaryStl(1, 3)).warnings.at(0), "The last 100 bytes are more than its header promises"));
+}
+
+TEST(StlCheck, needsNeitherNormalsNorShortNames) {
+  std::string bytes = textStl;
+  bytes.replace(bytes.find("0 0 1"), 5, "x nan");
+  bytes.replace(0, 7, "solid " + std::string(100000, 'x'));
+  const std::string written(check(bytes).bytes);
+  EXPECT_EQ(written, check(textStl).bytes);
+}
+
+TEST(StlCheck, refusesACornerOutsideOfAFacet) {
+  std::string bytes = textStl;
+  bytes.erase(bytes.find("facet"), std::string("facet normal 0 0 1\n").size());
+  EXPECT_TRUE(contains(problemOf(bytes), "line 3: a vertex stands outside of a facet"));
 }
 
 TEST(StlCheck, refusesEveryTruncation) {
