@@ -74,6 +74,9 @@ SceneDescription openFile(const std::filesystem::path& file) {
     throw InputError(file.string() + " is a folder; name a scene (.toml) or a mesh file inside it");
   }
   if (!std::filesystem::exists(file, error)) {
+    if (file.has_parent_path() || file.has_extension()) {
+      throw InputError("there is no file '" + file.string() + "'");
+    }
     throw InputError("there is no scene and no file '" + file.string() + "'; the built-in scenes are " + sceneNames());
   }
   if (file.extension() == sceneEnding) {

@@ -4,22 +4,62 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace drape {
 namespace {
 
-/// One line for each file that can be the cloth; gives back the one that is chosen now.
-std::size_t clothChoice(PanelContext& context, const DroppedFiles& files, std::size_t chosen) {
-  const std::size_t count = files.meshes.size() + (files.scenes.empty() ? 0 : 1);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string word =
-        i < files.meshes.size() ? shortName(files.meshes[i]) : "the cloth of " + shortName(files.scenes.back());
+constexpr const char* explanation =
+    "The other meshes become bodies that the cloth meets.\n"
+    "They are read in the unit of the cloth and stay where their files put them.";
+
+/// What can be the cloth, in words.
+std::vector<std::string> namesOfChoices(const DroppedFiles& files) {
+  std::vector<std::string> choices = distinctNames(files.meshes);
+  if (!files.scenes.empty()) {
+    choices.push_back("the cloth of " + shortName(files.scenes.back()));
+  }
+  return choices;
+}
+
+/// One line for each; gives back the one that is chosen now.
+std::size_t radioButtons(PanelContext& context, const std::vector<std::string>& choices, std::size_t chosen,
+                         float textWidth) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.5F * context.scale);
+  ImGui::PushStyleColor(ImGuiCol_Border, palette().muted);
+  for (std::size_t i = 0; i < choices.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::RadioButton(word.c_str(), i == chosen)) {
+    if (ImGui::RadioButton(fitted(choices[i], textWidth).c_str(), i == chosen)) {
       chosen = i;
     }
     context.buttons["cloth." + std::to_string(i)] = lastItemRect();
     ImGui::PopID();
   }
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  return chosen;
+}
+
+/// The choices in a box that scrolls where the picture has not room for all of them.
+std::size_t clothChoice(PanelContext& context, const UiRect& view, const std::vector<std::string>& choices,
+                        std::size_t chosen) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float row = ImGui::GetFrameHeightWithSpacing();
+  const float button = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x;
+  float textWidth = 0.0F;
+  for (const std::string& choice : choices) {
+    textWidth = std::max(textWidth, ImGui::CalcTextSize(choice.c_str()).x);
+  }
+  const float widest = static_cast<float>(view.width) - button - style.ScrollbarSize - 6.0F * style.WindowPadding.x;
+  textWidth = std::min(textWidth, std::max(widest, 12.0F * ImGui::GetFontSize())) + 1.0F;
+  const float room = std::max(2.0F * row, static_cast<float>(view.height) - 9.0F * row);
+  const float height = std::min(room, row * static_cast<float>(choices.size()));
+  // As wide as what stands below it, so that the bar which scrolls it is at the edge of the dialog.
+  const float below = std::min(ImGui::CalcTextSize(explanation).x, ImGui::GetIO().DisplaySize.x - 3.0F * button);
+  ImGui::BeginChild("choices", {std::max(below, textWidth + button + style.ScrollbarSize), height});
+  chosen = radioButtons(context, choices, chosen, textWidth);
+  ImGui::EndChild();
   return chosen;
 }
 
@@ -27,13 +67,10 @@ std::size_t clothChoice(PanelContext& context, const DroppedFiles& files, std::s
 
 bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles& files, std::size_t& cloth) {
   beginDialog(context, view, "drop", "Which one is the cloth?");
-  cloth = clothChoice(context, files, cloth);
+  cloth = clothChoice(context, view, namesOfChoices(files), cloth);
   ImGui::Spacing();
   ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
-  ImGui::TextUnformatted(
-      "The other meshes become bodies that the cloth meets.\nThey are read in the unit of the cloth and stay where "
-      "their "
-      "files put them.");
+  ImGui::TextUnformatted(explanation);
   ImGui::PopStyleColor();
   ImGui::Spacing();
   const float width = 130.0F * context.scale;

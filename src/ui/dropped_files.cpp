@@ -43,6 +43,18 @@ std::string shortName(const std::string& file) {
   return std::filesystem::path(file).filename().string();
 }
 
+std::vector<std::string> distinctNames(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  for (const std::string& file : files) {
+    const std::string name = shortName(file);
+    const auto same =
+        std::count_if(files.begin(), files.end(), [&](const std::string& other) { return shortName(other) == name; });
+    const std::string folder = std::filesystem::path(file).parent_path().filename().string();
+    names.push_back(same > 1 && !folder.empty() ? name + " (" + folder + ")" : name);
+  }
+  return names;
+}
+
 DroppedFiles sortDropped(const std::vector<std::string>& files) {
   DroppedFiles sorted;
   for (const std::string& file : files) {

@@ -40,4 +40,7 @@ struct DropDecision {
 /// The file's name without its folder, for people.
 [[nodiscard]] std::string shortName(const std::string& file);
 
+/// The same for several files. Where two have the same name, the folder follows: "coat.obj (summer)".
+[[nodiscard]] std::vector<std::string> distinctNames(const std::vector<std::string>& files);
+
 }  // namespace drape

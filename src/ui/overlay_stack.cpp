@@ -2,9 +2,10 @@
 
 #include "ui/theme.hpp"
 
-#include <imgui.h>
+#include <imgui_internal.h>  // for the size that a window had
 
 #include <algorithm>
+#include <cmath>
 
 namespace drape {
 namespace {
@@ -24,8 +25,21 @@ void remember(PanelContext& context, const std::string& name) {
 void pushStyle(float padding, float opacity) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, padding * 0.5F);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding, padding * 0.7F));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(std::round(padding), std::round(padding * 0.7F)));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.13F, 0.145F, 0.18F, opacity));
+}
+
+/// Puts the next window, which is a dialog, into the middle of the view, but never beyond the edges of the window:
+/// where it is wider than the view it covers some of the panels, and where it is higher it scrolls.
+void placeDialog(const UiRect& view, const char* name) {
+  const ImGuiWindow* before = ImGui::FindWindowByName(name);
+  const float half = before == nullptr ? 0.0F : 0.5F * before->Size.x;
+  const float width = ImGui::GetIO().DisplaySize.x;
+  const float middle = static_cast<float>(view.x + view.width * 0.5);
+  ImGui::SetNextWindowPos(
+      {std::max(half, std::min(middle, width - half)), static_cast<float>(view.y + view.height * 0.5)},
+      ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, static_cast<float>(view.height)});
 }
 
 void popStyle() {
@@ -66,11 +80,11 @@ void OverlayStack::end() {
 
 void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const std::string& title) {
   const float padding = 18.0F * context.scale;
-  ImGui::SetNextWindowPos(
-      {static_cast<float>(view.x + view.width * 0.5), static_cast<float>(view.y + view.height * 0.5)}, ImGuiCond_Always,
-      {0.5F, 0.5F});
+  const std::string window = "dialog." + name;
+  placeDialog(view, window.c_str());
   pushStyle(padding, 0.97F);
-  ImGui::Begin(("dialog." + name).c_str(), nullptr, overlayFlags);
+  ImGui::Begin(window.c_str(), nullptr, overlayFlags & ~ImGuiWindowFlags_NoScrollbar);
+  ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - padding);
   remember(context, "overlay." + name);
   ImGui::PushFont(context.fonts.title);
   ImGui::TextUnformatted(title.c_str());
@@ -79,6 +93,7 @@ void beginDialog(PanelContext& context, const UiRect& view, const std::string& n
 }
 
 void endDialog() {
+  ImGui::PopTextWrapPos();
   ImGui::End();
   popStyle();
 }

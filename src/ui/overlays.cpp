@@ -126,7 +126,7 @@ void dragHint(OverlayStack& stack) {
 
 bool quitQuestion(PanelContext& context, const UiRect& view) {
   beginDialog(context, view, "quit", "Quit?");
-  ImGui::TextUnformatted("Your changes to this scene are lost.");
+  ImGui::TextUnformatted("Your changes to this scene would be lost.");
   ImGui::Spacing();
   const bool quit = iconButton(context, "quit", Icon::None, "Quit (Enter)", 130.0F * context.scale, true) ||
                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||

@@ -90,10 +90,11 @@ Message messageOf(const PanelContext& context) {
   return {"F1: help", palette().muted};
 }
 
-/// The cloth and its pace.
+/// The cloth and its pace. A long name leaves room for the rest.
 std::vector<std::pair<std::string, ImVec4>> factsOf(const Snapshot& snapshot) {
   const SceneDescription& scene = snapshot.scene->description;
-  return {{scene.title.empty() ? scene.name : scene.title, palette().text},
+  const float widestName = 0.4F * ImGui::GetIO().DisplaySize.x;
+  return {{fitted(scene.title.empty() ? scene.name : scene.title, widestName), palette().text},
           {formatCount(snapshot.model->vertexCount()) + " vertices", palette().text},
           {describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text}};
 }

@@ -59,6 +59,7 @@ enum class UiAction {
   ViewTop,
   ResetAll,           ///< settings, pins, bodies and the cloth, as the scene has them
   Quit,               ///< or stop reading a file; asks first where changes would be lost
+  CloseWindow,        ///< quit, also while a file is read; asks first where changes would be lost
   QuitAndLoseChanges  ///< without a question
 };
 
@@ -77,6 +78,7 @@ struct UiStats {
   std::string loading;         ///< what is being built in the background, or empty
   double loadingShare = -1.0;  ///< how much of it is done, from 0 to 1; negative: not known
   std::string error;           ///< the last thing that failed, in words, or empty
+  int failures = 0;            ///< how many things have failed; tells two errors of the same words apart
   std::string notice;          ///< the last thing worth telling, or empty
 };
 

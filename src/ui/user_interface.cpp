@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace drape {
 namespace {
@@ -44,11 +45,13 @@ struct UserInterface::Parts {
   std::size_t chosenCloth = 0;          ///< among them
   std::string closedError;              ///< the error that the user has seen and closed
   std::string shownError;
+  int failures = 0;  ///< as of the last frame
 
   void makeFonts();
   void remember(const Snapshot& snapshot, const UiStats& stats);
   void column(PanelContext& panel, const UiRect& place);
   void overlays(PanelContext& panel, const UiRect& view);
+  void dialog(PanelContext& panel, const UiRect& view);
   [[nodiscard]] float width() const {
     return std::round(std::min(columnWidth * display.scale, columnShare * static_cast<float>(display.width)));
   }
@@ -83,9 +86,10 @@ void UserInterface::Parts::remember(const Snapshot& snapshot, const UiStats& sta
     memory.hoveredRow.clear();
   }
   memory.hoveredThisFrame = false;
-  if (stats.error.empty()) {
+  if (stats.error.empty() || stats.failures != failures) {
     closedError.clear();
   }
+  failures = stats.failures;
   shownError = stats.error == closedError ? std::string() : stats.error;
 }
 
@@ -118,14 +122,19 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   if (!memory.hasDragged) {
     dragHint(stack);
   }
-  if (help && !helpOverlay(panel, view)) {
-    help = false;
-  }
-  if (dropped && !dropQuestion(panel, view, *dropped, chosenCloth)) {
-    dropped.reset();
-  }
-  if (asksToQuit && !quitQuestion(panel, view)) {
-    asksToQuit = false;
+  dialog(panel, view);
+}
+
+/// One at a time: they share their place and their keys. closeOverlay() has the same order.
+void UserInterface::Parts::dialog(PanelContext& panel, const UiRect& view) {
+  if (asksToQuit) {
+    asksToQuit = quitQuestion(panel, view);
+  } else if (dropped) {
+    if (!dropQuestion(panel, view, *dropped, chosenCloth)) {
+      dropped.reset();
+    }
+  } else if (help) {
+    help = helpOverlay(panel, view);
   }
 }
 
@@ -252,15 +261,15 @@ bool UserInterface::closeOverlay() {
     ImGui::ClosePopupToLevel(0, true);
     return true;
   }
+  if (std::exchange(parts_->asksToQuit, false)) {
+    return true;
+  }
   if (parts_->dropped) {
     parts_->dropped.reset();
     return true;
   }
-  for (bool* question : {&parts_->asksToQuit, &parts_->help}) {
-    if (*question) {
-      *question = false;
-      return true;
-    }
+  if (std::exchange(parts_->help, false)) {
+    return true;
   }
   if (!parts_->shownError.empty()) {
     parts_->closedError = parts_->shownError;
@@ -277,6 +286,11 @@ void UserInterface::askWhichIsTheCloth(const DroppedFiles& files) {
 
 void UserInterface::askToQuit() {
   parts_->asksToQuit = true;
+}
+
+void UserInterface::forgetQuestions() {
+  parts_->asksToQuit = false;
+  parts_->dropped.reset();
 }
 
 const std::string& UserInterface::status() const {

@@ -58,8 +58,12 @@ class UserInterface {
   /// Asks which of these files is the cloth; the answer is an OpenPartsRequest.
   void askWhichIsTheCloth(const DroppedFiles& files);
 
-  /// Asks whether to quit although changes are lost; the answer yes is UiAction::QuitAndLoseChanges.
+  /// Asks whether to quit although changes are lost; the answer yes is UiAction::QuitAndLoseChanges. Hides another
+  /// question until this one is answered.
   void askToQuit();
+
+  /// Takes the questions away without an answer.
+  void forgetQuestions();
 
   /// What the status line said in the last frame, in full.
   [[nodiscard]] const std::string& status() const;

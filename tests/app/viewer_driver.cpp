@@ -1,5 +1,7 @@
 #include "viewer_driver.hpp"
 
+#include "desktop.hpp"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -132,6 +134,13 @@ void ViewerDriver::betweenTwoFrames(const std::vector<std::vector<std::string>>&
   }
   viewer_->resume();
   frames();
+}
+
+bool ViewerDriver::drop(const std::vector<std::string>& files) {
+  const Json view = state()["view"];
+  const double x = view["x"].get<double>() + 0.5 * view["width"].get<double>();
+  const double y = view["y"].get<double>() + 0.5 * view["height"].get<double>();
+  return dropFiles(display(), static_cast<int>(x), static_cast<int>(y), files);
 }
 
 void ViewerDriver::resize(int width, int height) {

@@ -75,6 +75,8 @@ class ViewerDriver {
   void send(const std::vector<std::string>& arguments) { xdotool(arguments); }
   /// Sends xdotool commands while the viewer stands still, as if they came between two frames of a very slow machine.
   void betweenTwoFrames(const std::vector<std::vector<std::string>>& commands);
+  /// Drops files into the middle of the picture, and gives back whether the window took them.
+  [[nodiscard]] bool drop(const std::vector<std::string>& files);
   /// Gives the window another size.
   void resize(int width, int height);
   /// Text and Enter into a field that has the keyboard.

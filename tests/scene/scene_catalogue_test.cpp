@@ -277,6 +277,7 @@ TEST(Scenes, sayWhichFrameOfABodyIsMissingOrDoesNotFit) {
 TEST(Scenes, sayWhatIsWrongWithAFileThatCannotBeOpened) {
   const Folder folder;
   EXPECT_NE(refusal("no_such_scene").find("built-in scenes are"), std::string::npos);
+  EXPECT_EQ(refusal("no_such_shirt.obj"), "there is no file 'no_such_shirt.obj'");
   EXPECT_NE(refusal(folder.string()).find("is a folder"), std::string::npos);
   EXPECT_NE(refusal(folder.write("picture.png", "x")).find("known endings"), std::string::npos);
   EXPECT_NE(refusal(folder.write("empty.toml", "")).find("[cloth]"), std::string::npos);

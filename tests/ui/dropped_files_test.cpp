@@ -66,5 +66,10 @@ TEST(DroppedFiles, ASceneAndAMeshRaiseTheQuestionAndKeepTheScenesCloth) {
   EXPECT_EQ(partsWithCloth(files, 0).cloth, "/a/table.obj");
 }
 
+TEST(DroppedFiles, OfTheSameNameAreToldApartByTheirFolders) {
+  EXPECT_EQ(distinctNames({"/a/summer/coat.obj", "/a/winter/coat.obj", "/a/body.obj"}),
+            (std::vector<std::string>{"coat.obj (summer)", "coat.obj (winter)", "body.obj"}));
+}
+
 }  // namespace
 }  // namespace drape

@@ -179,6 +179,18 @@ TEST_F(UserInterfaceTest, AnErrorStaysUntilItIsClosed) {
   EXPECT_TRUE(panels_.buttons().contains("button.close")) << "the same thing went wrong again";
 }
 
+TEST_F(UserInterfaceTest, TheSameErrorIsToldAgain) {
+  stats_.error = "there is no file 'shirt.obj'";
+  stats_.failures = 1;
+  settle();
+  click(button("button.close"));
+  settle();
+  ASSERT_FALSE(panels_.buttons().contains("overlay.error"));
+  stats_.failures = 2;
+  settle();
+  EXPECT_TRUE(panels_.buttons().contains("overlay.error"));
+}
+
 TEST_F(UserInterfaceTest, ALongErrorScrollsInsideThePicture) {
   std::string text = "garment.obj cannot be read.";
   for (int line = 0; line < 300; ++line) {
@@ -252,6 +264,39 @@ TEST_F(UserInterfaceTest, QuittingIsAskedAndAnswered) {
   const UiOutput output = click(button("button.quit"));
   ASSERT_EQ(output.requests.size(), 1U);
   EXPECT_EQ(std::get<UiAction>(output.requests.front()), UiAction::QuitAndLoseChanges);
+}
+
+TEST_F(UserInterfaceTest, OneQuestionIsAskedAtATime) {
+  panels_.askWhichIsTheCloth({.scenes = {}, .meshes = {"/a/coat.obj", "/a/body.obj"}, .others = {}});
+  panels_.askToQuit();
+  panels_.showHelp(true);
+  for (const char* name : {"overlay.quit", "overlay.drop", "overlay.help"}) {
+    settle();
+    for (const char* other : {"overlay.quit", "overlay.drop", "overlay.help"}) {
+      EXPECT_EQ(panels_.buttons().contains(other), std::string(name) == other) << other << " beside " << name;
+    }
+    EXPECT_TRUE(panels_.closeOverlay());
+  }
+  EXPECT_FALSE(panels_.closeOverlay());
+}
+
+TEST_F(UserInterfaceTest, TheQuestionAboutManyFilesFitsIntoASmallWindow) {
+  DroppedFiles files;
+  for (int i = 0; i < 40; ++i) {
+    files.meshes.push_back("/a/" + std::string(200, 'w') + std::to_string(i) + ".obj");
+  }
+  panels_.askWhichIsTheCloth(files);
+  for (const auto& [width, height] : {std::pair(1280, 720), std::pair(640, 400)}) {
+    panels_.setDisplay({.width = width, .height = height, .density = 1.0F, .scale = 1.0F});
+    settle();
+    for (const char* name : {"overlay.drop", "button.drop.open", "button.drop.cancel"}) {
+      const UiRect& rect = button(name);
+      EXPECT_GE(rect.x, 0.0) << name;
+      EXPECT_GE(rect.y, 0.0) << name;
+      EXPECT_LE(rect.x + rect.width, width) << name;
+      EXPECT_LE(rect.y + rect.height, height) << name;
+    }
+  }
 }
 
 TEST_F(UserInterfaceTest, TheStatusLineSpeaksOfTheClothFirst) {

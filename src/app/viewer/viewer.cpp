@@ -195,7 +195,7 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
     return;
   }
   if (!outcome->scene) {
-    stats_.error = outcome->error;
+    complain(outcome->error);
     return;
   }
   simulation_.post(LoadSceneCommand{outcome->scene});
@@ -266,6 +266,9 @@ void Viewer::handleInput(const Snapshot& snapshot, UiOutput& output) {
   if (!batch.droppedFiles.empty()) {
     output.requests.emplace_back(DroppedRequest{batch.droppedFiles});
   }
+  if (batch.closes) {
+    output.requests.emplace_back(UiAction::CloseWindow);
+  }
 }
 
 void Viewer::carryOut(UiOutput& output, const Snapshot& snapshot) {
@@ -281,6 +284,7 @@ void Viewer::carryOut(UiOutput& output, const Snapshot& snapshot) {
 }
 
 void Viewer::on(const OpenSceneRequest& request, const Snapshot& snapshot) {
+  notOpened_.clear();  // of files that were dropped earlier and came to nothing
   on(OpenPartsRequest{{.scene = request.nameOrPath}}, snapshot);
 }
 
@@ -290,6 +294,7 @@ void Viewer::on(const DroppedRequest& request, const Snapshot& snapshot) {
   if (decision.open) {
     on(OpenPartsRequest{*decision.open}, snapshot);
   }
+  panels_.forgetQuestions();
   if (decision.ask) {
     panels_.askWhichIsTheCloth(files);
   }
@@ -339,6 +344,9 @@ void Viewer::on(UiAction action, const Snapshot& snapshot) {
     case UiAction::Quit:
       stopLoadingOrQuit(snapshot);
       break;
+    case UiAction::CloseWindow:
+      quitOrAsk(snapshot);
+      break;
     case UiAction::QuitAndLoseChanges:
       glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
       break;
@@ -362,7 +370,13 @@ void Viewer::resetAll(const Snapshot& snapshot) {
 void Viewer::stopLoadingOrQuit(const Snapshot& snapshot) {
   if (loader_.cancel()) {
     tell("Stopped. The scene stays as it was");
-  } else if (openedScene_ && hasChanges(snapshot, *openedScene_)) {
+  } else {
+    quitOrAsk(snapshot);
+  }
+}
+
+void Viewer::quitOrAsk(const Snapshot& snapshot) {
+  if (openedScene_ && hasChanges(snapshot, *openedScene_)) {
     panels_.askToQuit();
   } else {
     glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
@@ -381,13 +395,18 @@ void Viewer::saveScreenshot(const Snapshot& snapshot) {
     writePng(renderer_.read(), file);
     tell("Saved " + file.string());
   } catch (const std::exception& error) {
-    stats_.error = error.what();
+    complain(error.what());
   }
 }
 
 void Viewer::tell(const std::string& notice) {
   stats_.notice = notice;
   noticeEnds_ = Clock::now() + noticeTime;
+}
+
+void Viewer::complain(const std::string& error) {
+  stats_.error = error;
+  ++stats_.failures;
 }
 
 }  // namespace drape

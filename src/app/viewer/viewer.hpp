@@ -53,8 +53,10 @@ class Viewer {
   void on(UiAction action, const Snapshot& snapshot);
   void resetAll(const Snapshot& snapshot);
   void stopLoadingOrQuit(const Snapshot& snapshot);
+  void quitOrAsk(const Snapshot& snapshot);
   void saveScreenshot(const Snapshot& snapshot);
   void tell(const std::string& notice);
+  void complain(const std::string& error);
   [[nodiscard]] UiDisplay measureDisplay(double fontScaleSetting) const;
   void updateStats(Clock::time_point now);
 

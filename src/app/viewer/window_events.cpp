@@ -93,6 +93,7 @@ WindowEvents::WindowEvents(GLFWwindow* window) : window_(window) {
   ImGui_ImplGlfw_InitForOpenGL(window, false);
   install();
   installPointer();
+  installClose();
 }
 
 WindowEvents::~WindowEvents() {
@@ -104,6 +105,7 @@ WindowEvents::~WindowEvents() {
   glfwSetCharCallback(window_, nullptr);
   glfwSetWindowFocusCallback(window_, nullptr);
   glfwSetDropCallback(window_, nullptr);
+  glfwSetWindowCloseCallback(window_, nullptr);
   ImGui_ImplGlfw_Shutdown();
 }
 
@@ -137,6 +139,17 @@ void WindowEvents::installPointer() {
   glfwSetCursorEnterCallback(window_, ImGui_ImplGlfw_CursorEnterCallback);
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
     of(window).queue_.push(RawScroll{x, y});
+  });
+}
+
+/// The window stays open until the viewer has asked about changes. A minimised window comes back for that question.
+void WindowEvents::installClose() {
+  glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) {
+    glfwSetWindowShouldClose(window, GLFW_FALSE);
+    of(window).batch_.closes = true;
+    if (glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE) {
+      glfwRestoreWindow(window);
+    }
   });
 }
 

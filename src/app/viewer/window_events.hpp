@@ -16,10 +16,11 @@ namespace drape {
 /// faster than frames are drawn is spread over several of them, so that no short tap is lost.
 class WindowEvents {
  public:
-  /// What may happen: input, or files that are dropped on the window.
+  /// What may happen: input, files that are dropped on the window, or a click on the button that closes it.
   struct Batch {
     std::vector<InputEvent> input;
     std::vector<std::string> droppedFiles;
+    bool closes = false;
   };
 
   /// Needs a UserInterface. Takes over the window's callbacks until destruction.
@@ -31,7 +32,7 @@ class WindowEvents {
   /// Tells ImGui what belongs to this frame, and the time that has passed; before UserInterface::build().
   void beginFrame();
 
-  /// The input of this frame, and the files that were dropped since the last call.
+  /// The input of this frame, and what else happened since the last call.
   [[nodiscard]] Batch take();
 
   /// True while input waits for a later frame.
@@ -41,6 +42,7 @@ class WindowEvents {
   static WindowEvents& of(GLFWwindow* window);
   void install();
   void installPointer();
+  void installClose();
   void onMouseButton(int button, int action, int modifiers);
   void onKey(int key, int scancode, int action, int modifiers);
   void feed(const RawMove& move);
