@@ -1,7 +1,7 @@
 #include "sim/stepper.hpp"
 
 #include "sim/adaptive/step_plan.hpp"
-#include "sim/contact/body.hpp"
+#include "sim/contact/bodies/body.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
 #include "sim/moving_frame.hpp"

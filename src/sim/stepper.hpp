@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/contact/body_parts.hpp"
+#include "sim/contact/bodies/substeps.hpp"
 #include "sim/contact/contact_stage.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/momentum.hpp"

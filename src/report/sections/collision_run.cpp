@@ -1,6 +1,6 @@
 #include "report/sections/collision_run.hpp"
 
-#include "judge/intersections.hpp"
+#include "intersection/intersections.hpp"
 #include "report/body_intersections.hpp"
 #include "report/timing.hpp"
 #include "sim/stepper.hpp"

@@ -1,0 +1,143 @@
+#include "sim/contact/broad_phase/mesh_clearance.hpp"
+
+#include "sim/contact/closest_features/mesh_in_step.hpp"
+#include "sim/contact/closest_features/nearest_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// Distances that are tried first: a cluster that has nothing within one of them may go so far [m].
+constexpr std::array wideSlacks{0.16, 0.04};
+constexpr double narrowSlack = 0.01;  // the most that is allowed where a patch is nearer than all of them [m]
+
+bool isPinned(const ClothModel& model, int vertex) {
+  return model.pinned[static_cast<std::size_t>(vertex)];
+}
+
+bool isPinned(const ClothModel& model, const Triangle& triangle) {
+  return std::all_of(triangle.begin(), triangle.end(), [&](int v) { return isPinned(model, v); });
+}
+
+Eigen::AlignedBox3d boxOf(std::span<const int> vertices, std::span<const Vec3> places) {
+  Eigen::AlignedBox3d box;
+  for (const int v : vertices) {
+    box.extend(vectorAt(places, v));
+  }
+  return box;
+}
+
+bool hasLeaf(const MeshTree& tree, const Eigen::AlignedBox3d& box) {
+  bool any = false;
+  tree.forEachLeafIn(box, [&](std::size_t) { any = true; });
+  return any;
+}
+
+/// How far two intervals are apart; negative: they overlap.
+double gapBetween(double low, double high, const Extent& other) {
+  return std::max(low - other.high, other.low - high);
+}
+
+/// The farthest that a cluster is from `reference` [m^2].
+double squaredMove(std::span<const int> vertices, std::span<const Vec3> places, const std::vector<Vec3>& reference) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    most = std::max(most, (vectorAt(places, vertices[i]) - reference[i]).squaredNorm());
+  }
+  return most;
+}
+
+}  // namespace
+
+/// How far the cluster may move from where it starts [m]; negative: a triangle of it is too near already. Between a
+/// triangle and a patch there is at least the gap along any direction; two of them are tried besides the axes.
+double MeshClearance::slackOf(const SearchableMesh& mesh, const ClothWay& way, std::size_t cluster, double keep) {
+  const Eigen::AlignedBox3d box = boxOf(way.clusters.vertices(cluster), way.start);
+  for (const double slack : wideSlacks) {
+    if (!hasLeaf(mesh.tree, inflated(box, keep + slack))) {
+      return slack;
+    }
+  }
+  leaves_.clear();
+  mesh.tree.forEachLeafIn(inflated(box, keep + narrowSlack),
+                          [&](std::size_t leaf) { leaves_.push_back(static_cast<std::int32_t>(leaf)); });
+  double slack = narrowSlack;
+  leaf_.resize(1);
+  for (const int t : way.clusters.triangles(cluster)) {
+    const Triangle& triangle = way.model.triangles[static_cast<std::size_t>(t)];
+    if (isPinned(way.model, triangle)) {
+      continue;
+    }
+    const Corners corners = cornersOf(way.start, triangle);
+    const Eigen::AlignedBox3d around = boxAround(corners);
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    for (const std::int32_t leaf : leaves_) {
+      const Eigen::AlignedBox3d& patch = mesh.tree.leafBox(static_cast<std::size_t>(leaf));
+      double gap = around.exteriorDistance(patch);
+      leaf_[0] = leaf;
+      for (const Vec3& direction : {faceNormal(corners), Vec3((middle - patch.center()).normalized())}) {
+        if (gap < keep + slack) {
+          gap = std::max(gap, gapBetween(lowestAlong(direction, corners), highestAlong(direction, corners),
+                                         mesh.extentsAlong(direction, leaf_, false, extents_)));
+        }
+      }
+      slack = std::min(slack, gap - keep);
+      if (slack < 0.0) {
+        return slack;
+      }
+    }
+  }
+  return slack;
+}
+
+bool MeshClearance::couldMeet(const SearchableMesh& mesh, const ClothWay& way, double keep, std::uint64_t models) {
+  if (models != models_ || keep != keep_ || known_.size() != way.clusters.count()) {
+    known_.assign(way.clusters.count(), {});
+    models_ = models;
+    keep_ = keep;
+  }
+  for (std::size_t c = 0; c < known_.size(); ++c) {
+    const std::span<const int> vertices = way.clusters.vertices(c);
+    Known& known = known_[c];
+    const auto isWithin = [&] {
+      const double squared = known.slack * known.slack;
+      return known.slack >= 0.0 && squaredMove(vertices, way.start, known.reference) <= squared &&
+             squaredMove(vertices, way.end, known.reference) <= squared;
+    };
+    if (isWithin()) {
+      continue;
+    }
+    known.reference.clear();
+    for (const int v : vertices) {
+      known.reference.push_back(vectorAt(way.start, v));
+    }
+    known.slack = slackOf(mesh, way, c, keep);
+    if (!isWithin()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool freeClothIsNear(const SearchableMesh& mesh, const ClothWay& way, double far) {
+  const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions};
+  NearestSearch nearest(inStep);
+  const auto isNear = [&](int v) {
+    const Vec3& end = vectorAt(way.end, v);
+    const double reach = far + (end - vectorAt(way.start, v)).norm();
+    return !isPinned(way.model, v) && nearest.anywhere(end, reach).triangle >= 0;
+  };
+  for (std::size_t c = 0; c < way.clusters.count(); ++c) {
+    const std::span<const int> vertices = way.clusters.vertices(c);
+    const Eigen::AlignedBox3d box = boxOf(vertices, way.start).merged(boxOf(vertices, way.end));
+    if (hasLeaf(mesh.tree, inflated(box, far)) && std::any_of(vertices.begin(), vertices.end(), isNear)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace drape

@@ -1,0 +1,242 @@
+#include "sim/contact/broad_phase/searchable_mesh.hpp"
+
+#include "sim/contact/constraints/constraint_builder.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr double sharpAngle = 0.02;  // edges of a body that stick out by less count as flat [rad, sine]
+
+std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
+  struct Side {
+    int a, b;
+    std::size_t triangle, side;
+  };
+  std::vector<std::array<bool, 3>> sharp(mesh.triangles.size(), {true, true, true});
+  if (mesh.frames.size() > 1) {
+    return sharp;  // what is flat now may stick out later
+  }
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = mesh.triangles[t][k];
+      const int b = mesh.triangles[t][(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), t, k});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return std::tie(x.a, x.b, x.triangle) < std::tie(y.a, y.b, y.triangle);
+  });
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const bool pair = sides[i].a == sides[i + 1].a && sides[i].b == sides[i + 1].b;
+    const bool more = i + 2 < sides.size() && sides[i + 2].a == sides[i].a && sides[i + 2].b == sides[i].b;
+    if (!pair || more) {
+      continue;
+    }
+    const Triangle& other = mesh.triangles[sides[i + 1].triangle];
+    const Corners first = cornersOf(mesh.positions, mesh.triangles[sides[i].triangle]);
+    const Vec3 apex =
+        vectorAt(mesh.positions, other[(sides[i + 1].side + 2) % 3]) - vectorAt(mesh.positions, sides[i].a);
+    const double rise = faceNormal(first).dot(apex);
+    const bool flat = rise > -sharpAngle * apex.norm();
+    sharp[sides[i].triangle][sides[i].side] = !flat;
+    sharp[sides[i + 1].triangle][sides[i + 1].side] = !flat;
+  }
+  return sharp;
+}
+
+bool isClosed(const MeshShape& mesh) {
+  std::vector<std::array<int, 3>> sides;  // both ends ascending, and which way it runs
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = t[k];
+      const int b = t[(k + 1) % 3];
+      if (a != b) {
+        sides.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+      }
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i < sides.size();) {
+    int sum = 0;
+    const std::size_t first = i;
+    for (; i < sides.size() && sides[i][0] == sides[first][0] && sides[i][1] == sides[first][1]; ++i) {
+      sum += sides[i][2];
+    }
+    if (sum != 0) {
+      return false;
+    }
+  }
+  return !sides.empty();
+}
+
+/// Turns the triangles of a closed mesh over when they face inwards.
+MeshShape facingOutwards(MeshShape mesh) {
+  double volume = 0.0;  // six times
+  for (const Triangle& t : mesh.triangles) {
+    const Corners at = cornersOf(mesh.positions, t);
+    const Vec3& origin = mesh.positions.front();
+    volume += (at[0] - origin).dot((at[1] - origin).cross(at[2] - origin));
+  }
+  if (volume < 0.0 && isClosed(mesh)) {
+    for (Triangle& t : mesh.triangles) {
+      std::swap(t[1], t[2]);
+    }
+  }
+  return mesh;
+}
+
+void fill(PatchLanes& lanes, std::span<const int> vertices, std::span<const Vec3> positions) {
+  lanes.x.resize(vertices.size());
+  lanes.y.resize(vertices.size());
+  lanes.z.resize(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3 position = vertices[i] >= 0 ? vectorAt(positions, vertices[i])
+                                           : Vec3(Vec3::Constant(std::numeric_limits<double>::infinity()));
+    lanes.x[i] = position.x();
+    lanes.y[i] = position.y();
+    lanes.z[i] = position.z();
+  }
+}
+
+}  // namespace
+
+Vec3 faceNormal(const Corners& corners) {
+  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double length = normal.norm();
+  return length > 0.0 ? Vec3(normal / length) : Vec3(Vec3::UnitY());
+}
+
+SearchableMesh::SearchableMesh(MeshShape mesh)
+    : shape(facingOutwards(std::move(mesh))),
+      closed(isClosed(shape)),
+      tree(shape.positions, shape.triangles, trianglesOfPatch),
+      owned(ownedFeatures(shape.triangles, static_cast<int>(shape.positions.size()))),
+      sharp(sharpSides(shape)) {
+  gatherPatches();
+  fill(start_, patchVertices_, shape.positions);
+  fillEdges(shape.positions, startEdges_);
+  fillBoxes(shape.positions, startBoxes_);
+}
+
+void SearchableMesh::fillBoxes(std::span<const Vec3> positions, std::vector<TriangleBoxes>& boxes) const {
+  boxes.resize(tree.leafCount());
+  for (std::size_t leaf = 0; leaf < boxes.size(); ++leaf) {
+    const std::span<const int> triangles = tree.leaf(leaf);
+    for (std::size_t k = 0; k < trianglesOfPatch; ++k) {
+      Eigen::AlignedBox3d box;
+      if (k < triangles.size()) {
+        for (const int v : shape.triangles[static_cast<std::size_t>(triangles[k])]) {
+          box.extend(vectorAt(positions, v));
+        }
+      } else {
+        box.min().setConstant(std::numeric_limits<double>::infinity());
+        box.max() = -box.min();
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        boxes[leaf].low[axis][k] = box.min()[static_cast<Eigen::Index>(axis)];
+        boxes[leaf].high[axis][k] = box.max()[static_cast<Eigen::Index>(axis)];
+      }
+    }
+  }
+}
+
+void SearchableMesh::fillEdges(std::span<const Vec3> positions, EdgeLanes& edges) const {
+  std::vector<int> ends(patchEdges_.size());
+  for (const std::size_t end : {0U, 1U}) {
+    std::transform(patchEdges_.begin(), patchEdges_.end(), ends.begin(), [&](const auto& edge) { return edge[end]; });
+    fill(end == 0 ? edges.from : edges.to, ends, positions);
+  }
+}
+
+void SearchableMesh::gatherPatches() {
+  patchBegin_.push_back(0);
+  edgeBegin_.push_back(0);
+  for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
+    gatherPoints(tree.leaf(leaf));
+    gatherEdges(tree.leaf(leaf));
+    patchBegin_.push_back(patchVertices_.size());
+    edgeBegin_.push_back(patchEdges_.size());
+  }
+  patchFeatures_.resize(patchVertices_.size());
+}
+
+/// Adds the vertices of a leaf, first those that are its own.
+void SearchableMesh::gatherPoints(std::span<const int> triangles) {
+  const std::size_t begin = patchVertices_.size();
+  patchFeatures_.resize(begin);
+  for (const bool own : {true, false}) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto t = static_cast<std::size_t>(triangles[i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int v = shape.triangles[t][k];
+        const auto first = patchVertices_.begin() + static_cast<std::ptrdiff_t>(begin);
+        if (owned[t].corners[k] == own && (own || std::find(first, patchVertices_.end(), v) == patchVertices_.end())) {
+          patchVertices_.push_back(v);
+          if (own) {
+            patchFeatures_.push_back({triangles[i], k, static_cast<int>(i)});
+          }
+        }
+      }
+    }
+  }
+  ownPoints_.push_back(static_cast<std::uint32_t>(patchFeatures_.size() - begin));
+  while ((patchVertices_.size() - begin) % mostDoubles != 0) {
+    patchVertices_.push_back(patchVertices_.back());
+  }
+}
+
+/// Adds the edges of a leaf that are its own and stick out.
+void SearchableMesh::gatherEdges(std::span<const int> triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto t = static_cast<std::size_t>(triangles[i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (owned[t].sides[k] && sharp[t][k]) {
+        patchEdges_.push_back({shape.triangles[t][k], shape.triangles[t][(k + 1) % 3]});
+        edgeFeatures_.push_back({triangles[i], k, static_cast<int>(i)});
+      }
+    }
+  }
+  while (patchEdges_.size() % mostDoubles != 0) {
+    patchEdges_.push_back({-1, -1});
+    edgeFeatures_.emplace_back();
+  }
+}
+
+void SearchableMesh::follow(std::span<const Vec3> before, std::span<const Vec3> after) {
+  tree.refit(before, after, shape.triangles);
+  fill(start_, patchVertices_, before);
+  fill(end_, patchVertices_, after);
+  fillEdges(before, startEdges_);
+  fillEdges(after, endEdges_);
+  fillBoxes(before, startBoxes_);
+  fillBoxes(after, endBoxes_);
+  moves_.assign(tree.leafCount(), 0.0);
+  for (std::size_t leaf = 0; leaf < moves_.size(); ++leaf) {
+    for (std::size_t i = patchBegin_[leaf]; i < patchBegin_[leaf + 1]; ++i) {
+      const int v = patchVertices_[i];
+      moves_[leaf] = std::max(moves_[leaf], (vectorAt(after, v) - vectorAt(before, v)).norm());
+    }
+  }
+}
+
+int SearchableMesh::farthestAlong(const Vec3& direction, std::size_t leaf, bool atEnd) const {
+  const PatchLanes& at = lanes(atEnd);
+  double most = -std::numeric_limits<double>::infinity();
+  std::size_t farthest = patchBegin_[leaf];
+  for (std::size_t i = patchBegin_[leaf]; i < patchBegin_[leaf + 1]; ++i) {
+    const double along = direction.x() * at.x[i] + direction.y() * at.y[i] + direction.z() * at.z[i];
+    if (along > most) {
+      most = along;
+      farthest = i;
+    }
+  }
+  return patchVertices_[farthest];
+}
+
+}  // namespace drape

@@ -1,0 +1,160 @@
+// What BodyContact does about cloth that is inside a body where a step begins.
+#include "sim/contact/solve/body_contact.hpp"
+#include "sim/disjoint_sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr double calmSpeed = 1.0;  // the most that cloth which is inside a body has against it [m/s]
+constexpr int calmRings = 3;       // of triangles around it, which stretched springs draw along, and ...
+constexpr double moreRings = 1.0;  // ... as many times its own width
+
+/// A vector made as short as that where it is longer.
+Vec3 shortened(const Vec3& vector, double most) {
+  const double length = vector.norm();
+  return length > most ? Vec3(most / length * vector) : vector;
+}
+
+/// The first vertex of each piece of a cloth that triangles connect.
+std::vector<int> firstOfPieces(const ClothModel& model) {
+  DisjointSets sets(model.vertexCount());
+  for (const Triangle& t : model.triangles) {
+    sets.join(t[0], t[1]);
+    sets.join(t[0], t[2]);
+  }
+  std::vector<int> first;
+  for (int v = 0; v < model.vertexCount(); ++v) {
+    if (sets.root(v) == v) {
+      first.push_back(v);
+    }
+  }
+  return first;
+}
+
+}  // namespace
+
+const std::vector<int>& BodyContact::piecesOf(const ClothModel& model) {
+  return pieces_.get(model, firstOfPieces);
+}
+
+/// @return true when that is news
+bool BodyContact::findRoundOverlap(const Cloth& cloth, NearBody& near, RoundSolid&& solid) {
+  if (near.overlaps) {
+    return false;
+  }
+  std::vector<char> inside(near.base.size());
+  std::transform(near.base.begin(), near.base.end(), inside.begin(),
+                 [&](const Vec3& point) { return static_cast<char>(solid.contains(point)); });
+  near.overlap.find(solid, std::move(inside), near.base, cloth.model.triangles,
+                    near.step->end.rotation.conjugate() * Vec3::UnitY());
+  near.overlaps = true;
+  return near.overlap.any();
+}
+
+/// Finds what is inside closed meshes: whole pieces of cloth at first, by one vertex of each, and when it is known
+/// what pierces them each vertex.
+void BodyContact::findOverlaps(const Cloth& cloth, bool settled, bool first) {
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    NearBody& near = near_[b];
+    near.overlaps = near.overlaps && !first;
+    if (near.mesh != nullptr && near.mesh->closed) {
+      const MeshInStep mesh = near.meshInStep(settled);
+      MeshSolid solid(mesh);
+      const std::vector<int>& pieces = piecesOf(cloth.model);
+      near.overlaps = first ? std::any_of(pieces.begin(), pieces.end(),
+                                          [&](int v) { return solid.contains(vectorAt(near.base, v)); })
+                            : near.overlaps || near.meshSearch.pierced();
+      if (near.overlaps) {
+        const std::vector<bool> pierces = near.meshSearch.pierces(cloth.model.triangles.size());
+        near.overlap.find(solid, verticesInside(solid, near.base, cloth.model.triangles, pierces), near.base,
+                          cloth.model.triangles, near.step->end.rotation.conjugate() * Vec3::UnitY());
+      }
+    }
+  }
+}
+
+void BodyContact::makeRoomForExits() {
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    const NearBody& near = near_[b];
+    if (near.overlaps) {
+      const double most = near.reach.freedFrom(std::numeric_limits<double>::max());
+      for (const int v : near.overlap.members()) {
+        room_[static_cast<std::size_t>(v)] += most;
+      }
+    }
+  }
+}
+
+bool BodyContact::overlaps() const {
+  const auto last = near_.begin() + static_cast<std::ptrdiff_t>(nearCount_);
+  return std::any_of(near_.begin(), last, [](const NearBody& near) { return near.overlaps; });
+}
+
+/// For each vertex whether it is on a triangle that meets a body, or a few springs from such.
+std::vector<bool> BodyContact::besideOverlap(const Cloth& cloth, const NearBody& near) {
+  const std::vector<Triangle>& triangles = cloth.model.triangles;
+  const std::vector<bool> pierces = near.meshSearch.pierces(triangles.size());
+  std::vector<bool> beside(target_.size(), false);
+  std::vector<int> newest;
+  const auto mark = [&](int v, std::vector<int>& marked) {
+    if (!beside[static_cast<std::size_t>(v)]) {
+      beside[static_cast<std::size_t>(v)] = true;
+      marked.push_back(v);
+    }
+  };
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if ((near.mesh != nullptr && pierces[t]) ||
+        std::any_of(triangles[t].begin(), triangles[t].end(), [&](int v) { return near.overlap.inside(v); })) {
+      std::for_each(triangles[t].begin(), triangles[t].end(), [&](int v) { mark(v, newest); });
+    }
+  }
+  const double width = std::sqrt(static_cast<double>(near.overlap.members().size()));  // in triangles, about
+  const int rings = calmRings + static_cast<int>(moreRings * width);
+  std::vector<int> next;
+  for (int ring = 1; ring < rings && !newest.empty(); ++ring) {
+    next.clear();
+    for (const int v : newest) {
+      const RaggedRows<SpringEnd>& ends = cloth.model.springEnds;
+      const auto last = static_cast<std::size_t>(ends.begin[static_cast<std::size_t>(v) + 1]);
+      for (auto e = static_cast<std::size_t>(ends.begin[static_cast<std::size_t>(v)]); e < last; ++e) {
+        mark(ends.values[e].neighbour, next);
+      }
+    }
+    newest.swap(next);
+  }
+  return beside;
+}
+
+/// What comes out of a body tears at what is still inside. None of it may go off faster than that.
+void BodyContact::calmTargets(const Cloth& cloth) {
+  calmed_.clear();
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    const NearBody& near = near_[b];
+    if (!near.overlaps) {
+      continue;
+    }
+    const std::vector<bool> beside = besideOverlap(cloth, near);
+    for (std::size_t v = 0; v < target_.size(); ++v) {
+      if (beside[v] && !cloth.model.pinned[v]) {
+        const Vec3 carried = near.step->end.toWorld(near.base[v]);
+        calmed_.push_back({v, carried - cloth.start[v]});
+        target_[v] = carried + shortened(target_[v] - carried, calmSpeed * cloth.parameters.timeStep);
+      }
+    }
+  }
+}
+
+void BodyContact::calmVelocities(const Cloth& cloth, ClothState& state) const {
+  for (const Calmed& each : calmed_) {
+    const Vec3 still = each.move / cloth.parameters.timeStep;
+    Vec3& velocity = state.velocities[each.vertex];
+    velocity = still + shortened(velocity - still, calmSpeed);
+  }
+}
+
+}  // namespace drape

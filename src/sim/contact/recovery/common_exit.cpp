@@ -1,0 +1,105 @@
+#include "sim/contact/recovery/common_exit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+constexpr std::size_t mostAsked = 64;  // vertices by which directions are compared
+constexpr double better = 1.0 - 1e-6;  // by so much less a way must be to be taken instead of an earlier one [-]
+constexpr double steep = 3.0;          // as much nearer the body may be behind a vertex than behind its neighbour [-]
+constexpr double followersEach = 0.5;  // of what is inside, so many may follow ...
+constexpr double followersMore = 16;   // ... and some
+
+enum class Mark : char { Unknown, Leaves, Follows, Free };
+
+}  // namespace
+
+void CommonExit::begin(std::span<const int> vertices, const std::vector<Vec3>& directions) {
+  vertices_ = vertices;
+  directions_.clear();
+  const std::size_t every = 1 + vertices.size() / mostAsked;
+  for (const Vec3& along : directions) {
+    Direction direction{along, 0.0};
+    for (std::size_t i = 0; i < vertices.size(); i += every) {
+      direction.farthest =
+          std::max(direction.farthest, -solid_.exitAlong(vectorAt(base_, vertices[i]), direction.along).gap);
+    }
+    // Before those that are worse, behind those that are as good.
+    const auto place = std::find_if(directions_.begin(), directions_.end(), [&](const Direction& other) {
+      return direction.farthest < better * other.farthest;
+    });
+    directions_.insert(place, direction);
+  }
+}
+
+std::vector<CommonExit::Way> CommonExit::find(double farthest, bool follow,
+                                              const std::function<bool(const std::vector<Way>&)>& suits) {
+  std::vector<Way> ways;
+  for (const Direction& direction : directions_) {
+    ways.clear();
+    if (!(direction.farthest < farthest)) {
+      break;
+    }
+    if (!follow || findFollowers(direction, ways)) {
+      for (const int v : vertices_) {
+        ways.emplace_back(v, solid_.exitAlong(vectorAt(base_, v), direction.along));
+      }
+      if (suits(ways)) {
+        return ways;
+      }
+    }
+  }
+  return {};
+}
+
+/// Goes from what leaves to its neighbours, as far as the body is in front of them.
+/// @return false when that does not end near it
+bool CommonExit::findFollowers(const Direction& direction, std::vector<Way>& followers) {
+  const auto most = static_cast<std::size_t>(followersEach * static_cast<double>(vertices_.size()) + followersMore);
+  std::vector<Mark> marks(base_.size(), Mark::Unknown);
+  std::vector<double> enters(base_.size(), 0.0);
+  for (const int v : vertices_) {
+    marks[static_cast<std::size_t>(v)] = Mark::Leaves;
+  }
+  const auto goesAlong = [&](int v) {
+    const Mark mark = marks[static_cast<std::size_t>(v)];
+    return mark == Mark::Leaves || mark == Mark::Follows;
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (const Triangle& t : triangles_) {
+      const auto from = std::find_if(t.begin(), t.end(), goesAlong);
+      if (from == t.end()) {
+        continue;
+      }
+      for (const int v : t) {
+        const auto at = static_cast<std::size_t>(v);
+        if (marks[at] != Mark::Unknown || inside_[at] != 0) {
+          continue;
+        }
+        marks[at] = Mark::Free;
+        const std::optional<Passage> passage = solid_.passageAlong(base_[at], direction.along);
+        if (!passage) {
+          continue;
+        }
+        if (passage->enter <= direction.farthest) {
+          marks[at] = Mark::Follows;
+          enters[at] = passage->enter;
+          followers.emplace_back(v, passage->exit);
+          more = true;
+        } else if (passage->enter - enters[static_cast<std::size_t>(*from)] <
+                   steep * (base_[at] - vectorAt(base_, *from)).norm()) {
+          return false;
+        }
+        if (followers.size() > most) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace drape

@@ -1,0 +1,293 @@
+#include "sim/contact/recovery/overlap.hpp"
+
+#include "sim/disjoint_sets.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr double tearing = 3.0;  // times its length: how far the ends of a side may come out from each other [-]
+constexpr double pulled = 3.0;   // times as far as it would be torn apart a piece may go in one direction [-]
+constexpr double straight =
+    1.5;  // times as far as the nearest ways out all of a piece may always go in one direction [-]
+constexpr double fewTorn =
+    0.2;  // of the sides between a part and the rest may still be torn when it joins the rest [-]
+constexpr double mainShare = 0.6;  // of a piece: from then on a part of it counts as what the others join [-]
+
+/// Calls visit(a, b) for the sides of all triangles, triangle by triangle.
+template <typename Visit>
+void forEachSide(std::span<const Triangle> triangles, Visit&& visit) {
+  for (const Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      visit(static_cast<std::size_t>(t[k]), static_cast<std::size_t>(t[(k + 1) % 3]));
+    }
+  }
+}
+
+/// Calls visit(a, b) for those whose both ends are inside.
+template <typename Visit>
+void forEachSideInside(const std::vector<char>& inside, std::span<const Triangle> triangles, Visit&& visit) {
+  forEachSide(triangles, [&](std::size_t a, std::size_t b) {
+    if (inside[a] != 0 && inside[b] != 0) {
+      visit(a, b);
+    }
+  });
+}
+
+/// Calls visit(a, b) for those of which a is inside and b is not.
+template <typename Visit>
+void forEachSideThrough(const std::vector<char>& inside, std::span<const Triangle> triangles, Visit&& visit) {
+  forEachSide(triangles, [&](std::size_t a, std::size_t b) {
+    if ((inside[a] != 0) != (inside[b] != 0)) {
+      inside[a] != 0 ? visit(a, b) : visit(b, a);
+    }
+  });
+}
+
+/// How far the ends of a side, which lead to two places, would be torn apart [m]; 0 where they go on together.
+double tearOf(double length, const NearPoint& a, const NearPoint& b) {
+  const double apart = (a.startPoint - b.startPoint).norm();
+  const bool opposite = a.normal.dot(b.normal) < 0.0 && apart > length;  // as through a limb not much thicker than that
+  return opposite || apart > tearing * length ? apart - length : 0.0;
+}
+
+/// The directions in which a piece could leave, the preferred ones first.
+std::vector<Vec3> directionsOf(const Vec3& up, const Vec3& across) {
+  std::vector<Vec3> directions{
+      up, Vec3::UnitY(), -Vec3::UnitY(), Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitZ()};
+  const double length = across.norm();
+  if (length > 0.0) {
+    directions.emplace_back(across / length);
+    directions.emplace_back(-across / length);
+  }
+  return directions;
+}
+
+}  // namespace
+
+/// Vertices that hang together, and how far their nearest ways out would tear them apart.
+struct Overlap::Piece {
+  std::vector<int> vertices;
+  Vec3 across = Vec3::Zero();  // sum of its triangles' normals times twice their areas [m^2]
+  double tear = 0.0;           // [m]; 0 where it is not too far
+  double depth = 0.0;          // of the deepest [m]
+};
+
+std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> base, std::span<const Triangle> triangles,
+                                 const std::vector<bool>& pierces) {
+  DisjointSets pieces(static_cast<int>(base.size()));
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!pierces[t]) {
+      pieces.join(triangles[t][0], triangles[t][1]);
+      pieces.join(triangles[t][0], triangles[t][2]);
+    }
+  }
+  std::vector<char> inside(base.size(), 0);
+  for (std::size_t v = 0; v < base.size(); ++v) {
+    const auto root = static_cast<std::size_t>(pieces.root(static_cast<int>(v)));
+    inside[v] = root == v ? static_cast<char>(solid.contains(base[v])) : inside[root];
+  }
+  return inside;
+}
+
+void Overlap::clear() {
+  inside_.clear();
+  members_.clear();
+  followers_.clear();
+}
+
+void Overlap::find(Solid& solid, std::vector<char> inside, std::span<const Vec3> base,
+                   std::span<const Triangle> triangles, const Vec3& up) {
+  clear();
+  inside_ = std::move(inside);
+  exits_.resize(base.size());
+  depths_.assign(base.size(), 0.0);
+  for (std::size_t v = 0; v < base.size(); ++v) {
+    if (inside_[v] != 0) {
+      members_.push_back(static_cast<int>(v));
+      exits_[v] = solid.nearestExit(base[v]);
+      depths_[v] = -exits_[v].gap;
+    }
+  }
+  const Cloth cloth{base, triangles};
+  findOutsides(solid, cloth);
+  for (const Piece& piece : piecesOf(cloth)) {
+    const std::size_t before = followers_.size();
+    if (piece.tear > 0.0) {
+      leadOut(solid, cloth, piece, up);
+    }
+    // All of it goes as fast: what is less deep must not run away from the rest.
+    double depth = 0.0;
+    for (const int v : piece.vertices) {
+      depth = std::max(depth, -exitOf(v).gap);
+    }
+    for (const int v : piece.vertices) {
+      exits_[static_cast<std::size_t>(v)].depth = depth;
+    }
+    for (std::size_t i = before; i < followers_.size(); ++i) {
+      followers_[i].second.depth = depth;
+    }
+  }
+  addFollowers();
+}
+
+/// Finds where the surface is nearest to what is outside beside a piece, and faces there.
+void Overlap::findOutsides(Solid& solid, const Cloth& cloth) {
+  std::vector<bool> found(cloth.base.size(), false);
+  forEachSideThrough(inside_, cloth.triangles, [&](std::size_t /*inside*/, std::size_t v) {
+    if (!found[v]) {
+      found[v] = true;
+      exits_[v] = solid.nearestSurface(cloth.base[v]);
+    }
+  });
+}
+
+/// The pieces, by their first vertices.
+std::vector<Overlap::Piece> Overlap::piecesOf(const Cloth& cloth) const {
+  DisjointSets sets(static_cast<int>(cloth.base.size()));
+  forEachSideInside(inside_, cloth.triangles,
+                    [&](std::size_t a, std::size_t b) { sets.join(static_cast<int>(a), static_cast<int>(b)); });
+  std::map<int, Piece> pieces;
+  for (const int v : members_) {
+    Piece& piece = pieces[sets.root(v)];
+    piece.vertices.push_back(v);
+    piece.depth = std::max(piece.depth, depthOf(v));
+  }
+  const auto tear = [&](std::size_t a, std::size_t b) {
+    Piece& piece = pieces[sets.root(static_cast<int>(a))];
+    piece.tear = std::max(piece.tear, tearOf((cloth.base[a] - cloth.base[b]).norm(), exits_[a], exits_[b]));
+  };
+  forEachSideInside(inside_, cloth.triangles, tear);
+  forEachSideThrough(inside_, cloth.triangles, tear);
+  for (const Triangle& t : cloth.triangles) {
+    if (inside(t[0]) && inside(t[1]) && inside(t[2])) {
+      const Corners at = cornersOf(cloth.base, t);
+      pieces[sets.root(t[0])].across += (at[1] - at[0]).cross(at[2] - at[0]);
+    }
+  }
+  std::vector<Piece> found;
+  for (auto& [root, piece] : pieces) {
+    found.push_back(std::move(piece));
+  }
+  return found;
+}
+
+/// Sends a piece that would be torn out in one direction, if there is one in which none of it has too far to go.
+void Overlap::leadOut(Solid& solid, const Cloth& cloth, const Piece& piece, const Vec3& up) {
+  const std::vector<Vec3> directions = directionsOf(up, piece.across);
+  CommonExit exit(solid, cloth.base, cloth.triangles, inside_);
+  exit.begin(piece.vertices, directions);
+  auto ways = exit.find(straight * piece.depth, true);
+  if (ways.empty() && joinParts(solid, cloth, piece, directions)) {
+    return;
+  }
+  if (ways.empty()) {
+    ways = exit.find(pulled * std::max(piece.tear, 2.0 * piece.depth), true);
+  }
+  if (ways.empty()) {
+    ways = exit.find(pulled * piece.tear, false);
+  }
+  take(ways);
+}
+
+/// Where most of a piece is not torn, sends the rest of it where that goes.
+/// @return false when there is no such part
+bool Overlap::joinParts(Solid& solid, const Cloth& cloth, const Piece& piece, const std::vector<Vec3>& directions) {
+  DisjointSets sets(static_cast<int>(cloth.base.size()));
+  forEachSideInside(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
+    if (!tears(cloth, a, b)) {
+      sets.join(static_cast<int>(a), static_cast<int>(b));
+    }
+  });
+  std::map<int, std::vector<int>> parts;
+  for (const int v : piece.vertices) {
+    parts[sets.root(v)].push_back(v);
+  }
+  const auto main = std::max_element(parts.begin(), parts.end(),
+                                     [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+  if (parts.size() == 1 ||
+      static_cast<double>(main->second.size()) < mainShare * static_cast<double>(piece.vertices.size())) {
+    return false;
+  }
+  int through = 0;
+  int torn = 0;
+  forEachSideThrough(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
+    if (sets.root(static_cast<int>(a)) == main->first) {
+      ++through;
+      torn += tears(cloth, a, b) ? 1 : 0;
+    }
+  });
+  if (torn > fewTorn * through) {
+    return false;  // it cannot stay there itself
+  }
+  for (const auto& [root, part] : parts) {
+    if (root != main->first) {
+      joinPart(solid, cloth, part, pulled * piece.tear, directions);
+    }
+  }
+  return true;
+}
+
+/// Sends a part of a piece where what it hangs on goes, or in one of the other directions if that suits, and at most so
+/// far [m].
+void Overlap::joinPart(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double farthest,
+                       std::vector<Vec3> directions) {
+  const std::set<std::size_t> members(part.begin(), part.end());
+  std::vector<std::pair<std::size_t, std::size_t>> sides;  // from the part to what is not of it
+  Vec3 where = Vec3::Zero();
+  forEachSideInside(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
+    const bool first = members.count(a) > 0;
+    if (first != (members.count(b) > 0)) {
+      sides.emplace_back(first ? a : b, first ? b : a);
+      where += exits_[first ? b : a].normal;
+    }
+  });
+  if (where.norm() > 0.0) {
+    directions.insert(directions.begin(), where.normalized());
+  }
+  CommonExit exit(solid, cloth.base, cloth.triangles, inside_);
+  exit.begin(part, directions);
+  take(exit.find(farthest, true, [&](const std::vector<CommonExit::Way>& ways) {
+    std::map<std::size_t, const NearPoint*> of;
+    for (const CommonExit::Way& way : ways) {
+      of[static_cast<std::size_t>(way.first)] = &way.second;
+    }
+    const auto torn = std::count_if(sides.begin(), sides.end(), [&](const auto& side) {
+      const double length = (cloth.base[side.first] - cloth.base[side.second]).norm();
+      return tearOf(length, *of.at(side.first), exits_[side.second]) > 0.0;
+    });
+    return static_cast<double>(torn) <= fewTorn * static_cast<double>(sides.size());
+  }));
+}
+
+bool Overlap::tears(const Cloth& cloth, std::size_t a, std::size_t b) const {
+  return tearOf((cloth.base[a] - cloth.base[b]).norm(), exits_[a], exits_[b]) > 0.0;
+}
+
+void Overlap::take(const std::vector<CommonExit::Way>& ways) {
+  for (const CommonExit::Way& way : ways) {
+    if (inside(way.first)) {
+      exits_[static_cast<std::size_t>(way.first)] = way.second;
+    } else {
+      followers_.push_back(way);
+    }
+  }
+}
+
+void Overlap::addFollowers() {
+  for (const auto& [v, exit] : followers_) {
+    exits_[static_cast<std::size_t>(v)] = exit;
+    if (!inside(v)) {
+      inside_[static_cast<std::size_t>(v)] = 1;
+      members_.push_back(v);
+    }
+  }
+  std::sort(members_.begin(), members_.end());
+}
+
+}  // namespace drape

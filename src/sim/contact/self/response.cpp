@@ -1,0 +1,146 @@
+#include "sim/contact/self/response.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+namespace drape {
+namespace {
+
+constexpr int mostColours = 64;
+
+std::vector<float> inverseMassesOf(const ClothModel& model) {
+  std::vector<float> inverse(model.vertexMass.size() + 1 + mostLanes, 0.0F);
+  for (std::size_t v = 0; v < model.vertexMass.size(); ++v) {
+    inverse[v] = model.pinned[v] ? 0.0F : static_cast<float>(1.0 / model.vertexMass[v]);
+  }
+  return inverse;
+}
+
+/// Nothing moved yet, and the inverse masses beside it.
+void prepareMoves(const std::vector<float>& inverseMasses, std::vector<float>& moves) {
+  moves.resize(4 * inverseMasses.size());
+  for (std::size_t v = 0; v < inverseMasses.size(); ++v) {
+    moves[4 * v] = 0.0F;
+    moves[4 * v + 1] = 0.0F;
+    moves[4 * v + 2] = 0.0F;
+    moves[4 * v + 3] = inverseMasses[v];
+  }
+}
+
+/// Hands every move of a vertex of some contact over, once, and forgets it.
+template <typename Visit>
+void handOver(const ContactLanes& contacts, std::vector<float>& moves, const Visit& visit) {
+  for (const std::vector<std::int32_t>* ends : {&contacts.a, &contacts.b}) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.count); ++i) {
+      const auto v = static_cast<std::size_t>((*ends)[i]);
+      float* const move = moves.data() + 4 * v;
+      if (move[0] != 0.0F || move[1] != 0.0F || move[2] != 0.0F) {
+        visit(v, Vec3(static_cast<double>(move[0]), static_cast<double>(move[1]), static_cast<double>(move[2])));
+        move[0] = move[1] = move[2] = 0.0F;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void colourPairs(int vertices, const std::vector<VertexPair>& pairs, std::vector<std::uint64_t>& scratch,
+                 ColouredPairs& coloured) {
+  scratch.assign(static_cast<std::size_t>(vertices) + pairs.size(), 0);
+  std::uint64_t* const taken = scratch.data();
+  std::uint64_t* const colours = taken + vertices;
+  coloured.begin.assign(mostColours + 1, 0);
+  std::size_t left = 0;  // pairs for which all colours are taken
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const VertexPair& pair = pairs[i];
+    const int colour = std::countr_one(taken[pair.a] | taken[pair.b]);
+    colours[i] = static_cast<std::uint64_t>(colour);
+    if (colour == mostColours) {
+      ++left;
+      continue;
+    }
+    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(colour);
+    taken[pair.a] |= bit;
+    taken[pair.b] |= bit;
+    ++coloured.begin[static_cast<std::size_t>(colour) + 1];
+  }
+  for (std::size_t c = 0; c < mostColours; ++c) {
+    coloured.begin[c + 1] += coloured.begin[c];
+  }
+  std::array<int, mostColours + 1> next{};
+  std::copy(coloured.begin.begin(), coloured.begin.end(), next.begin());
+  coloured.pairs.resize(pairs.size() + mostLanes);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    coloured.pairs[static_cast<std::size_t>(next[colours[i]]++)] = pairs[i];
+  }
+  for (std::size_t i = 0; i < left; ++i) {  // each by itself
+    coloured.begin.push_back(coloured.begin.back() + 1);
+  }
+  while (coloured.begin.size() > 1 && coloured.begin[coloured.begin.size() - 2] == coloured.begin.back()) {
+    coloured.begin.pop_back();
+  }
+}
+
+void ContactLanes::resize(std::size_t room) {
+  if (a.size() >= room) {
+    return;
+  }
+  for (std::vector<std::int32_t>* part : {&a, &b}) {
+    part->resize(room);
+  }
+  for (std::vector<float>* part : {&nx, &ny, &nz, &ox, &oy, &oz, &apart, &mass, &press, &rubX, &rubY, &rubZ}) {
+    part->resize(room);
+  }
+}
+
+int SelfResponse::report(const Inputs& inputs, const ClothState& state, std::vector<ContactPoint>& points) const {
+  const auto outside = static_cast<std::int32_t>(state.positions.size());
+  int touching = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts_.count); ++i) {
+    const bool pressed = contacts_.press[i] > 0.0F;
+    if (contacts_.a[i] != outside && (pressed || contacts_.apart[i] < static_cast<float>(inputs.thickness))) {
+      const Vec3& a = state.positions[static_cast<std::size_t>(contacts_.a[i])];
+      const Vec3& b = state.positions[static_cast<std::size_t>(contacts_.b[i])];
+      const Vec3 normal(static_cast<double>(contacts_.nx[i]), static_cast<double>(contacts_.ny[i]),
+                        static_cast<double>(contacts_.nz[i]));
+      points.push_back({0.5 * (a + b), normal});
+      ++touching;
+    }
+  }
+  return touching;
+}
+
+int SelfResponse::resolve(const ClothModel& model, const Inputs& inputs, const ColouredPairs& pairs,
+                          const PlaceLanes& before, const PlaceLanes& places, ClothState& state,
+                          std::vector<ContactPoint>& points) {
+  Moves& moves = moves_.get(model, [](const ClothModel& m) {
+    Moves made;
+    made.inverseMasses = inverseMassesOf(m);
+    prepareMoves(made.inverseMasses, made.moves);
+    prepareMoves(made.inverseMasses, made.pushes);
+    return made;
+  });
+  const auto thickness = static_cast<float>(inputs.thickness);
+  const bool overlap = collectContacts(pairs, before, places, moves.inverseMasses, thickness, contacts_);
+  if (contacts_.count == 0) {
+    return 0;
+  }
+  for (int sweep = 0; sweep < mostSweeps; ++sweep) {
+    if (sweepContacts(inputs.friction, contacts_, moves.moves) <= tolerance * thickness) {
+      break;
+    }
+  }
+  if (overlap) {
+    pushContacts(thickness, inputs.pushOut, contacts_, moves.moves, moves.pushes);
+    handOver(contacts_, moves.pushes, [&](std::size_t v, const Vec3& push) { state.positions[v] += push; });
+  }
+  const double perTime = 1.0 / inputs.timeStep;
+  handOver(contacts_, moves.moves, [&](std::size_t v, const Vec3& move) {
+    state.positions[v] += move;
+    state.velocities[v] += perTime * move;
+  });
+  return report(inputs, state, points);
+}
+
+}  // namespace drape
