@@ -6,11 +6,11 @@
 namespace drape {
 namespace {
 
-constexpr int sectors = 64;  // around a sphere or a capsule
+constexpr int sectors = 64;  // around the axis of a sphere or a capsule
 constexpr int rings = 32;    // from pole to pole
 
-/// A surface of revolution around y with a pole at either end. `ring(k)` gives the radius and the height of ring k,
-/// from 1 to count - 1, from the top down.
+/// A surface of revolution around the y axis with a pole at each end. `ring(k)` returns the radius and the height of
+/// ring k, 1 to count - 1, from the top down.
 template <typename Ring>
 BodySurface revolve(int count, double top, double bottom, const Ring& ring) {
   BodySurface surface;
@@ -53,7 +53,7 @@ BodySurface surface(const CapsuleShape& capsule) {
   const double r = capsule.radius;
   const double end = capsule.halfLength;
   constexpr int half = rings / 2;
-  // The equator comes twice, at either end of the cylinder.
+  // The equator appears twice, once at each end of the cylinder.
   return revolve(rings + 1, end + r, -end - r, [r, end](int k) {
     const double angle = std::numbers::pi * (k <= half ? k : k - 1) / rings;
     return std::pair(r * std::sin(angle), r * std::cos(angle) + (k <= half ? end : -end));
@@ -81,8 +81,8 @@ BodySurface surfaceOf(const BodyShape& shape) {
   return std::visit([](const auto& each) { return surface(each); }, shape);
 }
 
-Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& place) {
-  Vec3 local = body.start.toLocal(place);
+Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& position) {
+  Vec3 local = body.start.toLocal(position);
   if (pin.anchor >= 0) {
     const auto anchor = static_cast<std::size_t>(pin.anchor);
     local += body.endVertices[anchor] - body.startVertices[anchor];

@@ -12,7 +12,7 @@
 
 namespace drape {
 
-/// The half-space y <= 0. What is drawn of it is a square.
+/// The half-space y <= 0, drawn as a square.
 struct PlaneShape {
   double halfSize = 1.0;  ///< of the drawn square [m]
 };
@@ -20,65 +20,66 @@ struct PlaneShape {
 struct SphereShape {
   double radius = 0.5;  ///< [m]
 };
-/// All that is nearer than the radius to the segment from (0, -halfLength, 0) to (0, halfLength, 0).
+/// All points closer than the radius to the segment from (0, -halfLength, 0) to (0, halfLength, 0).
 struct CapsuleShape {
   double radius = 0.1;      ///< [m]
   double halfLength = 0.5;  ///< [m]
 };
-/// Around the origin, along the axes.
+/// Around the origin, parallel to the axes.
 struct BoxShape {
   Vec3 half = Vec3::Constant(0.5);  ///< half of its extents [m]
 };
-/// A triangle mesh, closed or not: the cloth is kept out of its triangles.
+/// A triangle mesh, closed or open. The cloth may not pass through its triangles.
 struct MeshShape {
   std::vector<Vec3> positions;      ///< [m]
   std::vector<Triangle> triangles;  ///< counter-clockwise from outside
-  /// The positions at equal distances in time, when the mesh moves in itself; empty: it does not. `positions` is the
-  /// first of them.
+  /// The positions of a deforming mesh, at equal time intervals; empty for a rigid mesh. `positions` equals the first
+  /// frame.
   std::vector<std::vector<Vec3>> frames;
-  double frameTime = 1.0 / 30.0;  ///< from one frame to the next [s]
-  bool loop = false;              ///< after the last frame comes the first one
+  double frameTime = 1.0 / 30.0;  ///< time between two frames [s]
+  bool loop = false;              ///< the first frame follows the last
 };
 
 using BodyShape = std::variant<PlaneShape, SphereShape, CapsuleShape, BoxShape, std::shared_ptr<const MeshShape>>;
 
-/// A vertex of the cloth that goes along with a body while it is pinned.
+/// A pinned vertex of the cloth that moves with a body.
 struct CarriedPin {
   int vertex = 0;
-  int anchor = -1;  ///< of a mesh that moves in itself the vertex whose motion it shares; -1: none
+  int anchor = -1;  ///< on a deforming mesh, the vertex whose motion it follows; -1: none
 };
 
-/// How a body meets cloth.
+/// Contact properties of a body.
 struct SurfaceProperties {
-  double staticFriction = 0.5;   ///< of cloth on it, at rest [-]
-  double kineticFriction = 0.4;  ///< of cloth on it, sliding [-]; what is above the static one counts as that
-  double thickness = 0.002;      ///< the cloth is kept that far away, and half of its own thickness [m]
+  double staticFriction = 0.5;   ///< coefficient of static friction with cloth [-]
+  double kineticFriction = 0.4;  ///< coefficient of kinetic friction with cloth [-]; at most the static one
+  double thickness = 0.002;      ///< the contact offset is this plus half of the cloth's thickness [m]
 
   bool operator==(const SurfaceProperties&) const = default;
 };
 
-/// A solid thing that the cloth meets. It pushes the cloth and does not feel it.
+/// A solid that the cloth collides with. The cloth does not act on it.
 struct Body {
   std::string name;
   BodyShape shape = SphereShape{};
   BodyMotion motion;
-  SurfaceProperties surface;  ///< at first
+  SurfaceProperties surface;  ///< initial
   bool drawn = true;
-  std::vector<CarriedPin> pins;  ///< what it carries along
+  std::vector<CarriedPin> pins;  ///< vertices of the cloth that move with it
 };
 
-/// Where a body is when a step begins and when it ends. Cloth that rests on it goes along.
+/// The motion of a body over a step.
 struct BodyStep {
   const Body* body = nullptr;
   Pose start;
   Pose end;
-  std::span<const Vec3> startVertices;  ///< of a mesh, in its own frame [m]; empty for other shapes
-  std::span<const Vec3> endVertices;    ///< the same at the end of the step
+  std::span<const Vec3>
+      startVertices;  ///< of a mesh at the start of the step, in its own frame [m]; empty for other shapes
+  std::span<const Vec3> endVertices;  ///< the same at the end of the step
   SurfaceProperties surface;
 };
 
-/// A body's surface as it is drawn, in its own frame. A sphere's or a capsule's lies within the true one, so what does
-/// not touch the true one does not touch what is drawn.
+/// The drawn surface of a body, in its own frame. The drawn surface of a sphere or a capsule lies inside the true one.
+/// So cloth that does not intersect the true surface does not intersect the drawn one.
 struct BodySurface {
   std::vector<Vec3> positions;      ///< [m]
   std::vector<Triangle> triangles;  ///< counter-clockwise from outside
@@ -86,7 +87,7 @@ struct BodySurface {
 
 [[nodiscard]] BodySurface surfaceOf(const BodyShape& shape);
 
-/// Where a body takes something that it carries: what is at `place` [m] when the step begins is there when it ends.
-[[nodiscard]] Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& place);
+/// The position at the end of the step of a pin that the body carries. `position` is that at the start [m].
+[[nodiscard]] Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& position);
 
 }  // namespace drape

@@ -14,12 +14,12 @@ Eigen::Quaterniond turnBy(const Vec3& axisTimesAngle) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axisTimesAngle / angle));
 }
 
-/// The slope at a keyframe between two intervals, of one component. It is that of the chord between the neighbours,
-/// limited so that the cubic curve does not leave the range of the two values at the ends of either interval: zero
-/// where the value turns back or stays the same on one side, and at most three times the smaller of the two slopes
+/// The slope of one component at a keyframe between two intervals. It is the slope of the chord between the neighbours,
+/// limited so that the cubic curve stays within the range of the two values at the ends of either interval: zero where
+/// the direction reverses or the value is constant on one side, and at most three times the smaller of the two slopes
 /// (Fritsch and Carlson 1980; the bound is that of de Boor and Swartz 1977).
-/// @param before, after the value's change over the interval before the keyframe and over the one after it
-/// @param timeBefore, timeAfter how long they last [s]
+/// @param before, after change of the value over the interval before and after the keyframe
+/// @param timeBefore, timeAfter lengths of these intervals [s]
 double monotoneSlope(double before, double timeBefore, double after, double timeAfter) {
   constexpr double steepest = 3.0;
   if (!(before * after > 0.0)) {
@@ -30,7 +30,7 @@ double monotoneSlope(double before, double timeBefore, double after, double time
   return std::clamp(chord, -bound, bound);
 }
 
-/// The velocity at keyframe k [1/s]. A motion that does not loop rests at its ends.
+/// The derivative at keyframe k [1/s]. It is zero at the ends of a motion that does not loop.
 template <typename Member>
 Vec3 tangent(const BodyMotion& motion, std::size_t k, Member member) {
   const std::vector<Keyframe>& keys = motion.keyframes;
@@ -39,8 +39,8 @@ Vec3 tangent(const BodyMotion& motion, std::size_t k, Member member) {
   if (atEnd && !motion.loop) {
     return Vec3::Zero();
   }
-  const std::size_t before = atEnd ? last : k;  // the keyframe that ends the interval before
-  const std::size_t after = atEnd ? 0 : k;      // and the one that begins the interval after
+  const std::size_t before = atEnd ? last : k;  // the end of the interval before
+  const std::size_t after = atEnd ? 0 : k;      // the start of the interval after
   const Vec3 changeBefore = keys[before].*member - keys[before - 1].*member;
   const Vec3 changeAfter = keys[after + 1].*member - keys[after].*member;
   const double timeBefore = keys[before].time - keys[before - 1].time;
@@ -59,7 +59,8 @@ Vec3 along(const BodyMotion& motion, std::size_t k, double s, Member member) {
   const Keyframe& to = motion.keyframes[k + 1];
   const double length = to.time - from.time;
   const double rest = 1.0 - s;
-  const Vec3 change = to.*member - from.*member;  // added to the start, so that equal keyframes give it to the last bit
+  const Vec3 change =
+      to.*member - from.*member;  // added to the start, so that equal keyframes give exactly their value
   return from.*member + s * s * (3.0 - 2.0 * s) * change +
          length * s * rest * (rest * tangent(motion, k, member) - s * tangent(motion, k + 1, member));
 }
@@ -75,7 +76,7 @@ double wrapped(const BodyMotion& motion, double time) {
   return first + (into < 0.0 ? into + period : into);
 }
 
-/// The keyframes alone, without the spin.
+/// The interpolated keyframe, without the spin.
 Keyframe keyAt(const BodyMotion& motion, double time) {
   const std::vector<Keyframe>& keys = motion.keyframes;
   if (keys.empty()) {

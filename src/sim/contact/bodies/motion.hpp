@@ -7,26 +7,27 @@
 
 namespace drape {
 
-/// Where a body is at some time.
+/// The pose of a body at a given time.
 struct Keyframe {
   double time = 0.0;             ///< [s]
   Vec3 position = Vec3::Zero();  ///< [m]
   Vec3 rotation = Vec3::Zero();  ///< axis times angle [rad]; more than a turn is allowed
 };
 
-/// How a body moves by itself. Between keyframes each component follows a cubic curve whose velocity does not jump and
-/// which stays between the two values (monotone interpolation, Fritsch and Carlson 1980): it never overshoots. Before
-/// the first keyframe and after the last one the body rests, and it comes to rest there smoothly; with `loop` the first
-/// follows the last without a stop, and they should be alike (rotations up to whole turns).
+/// The prescribed motion of a body. Between keyframes each component follows a cubic curve with continuous velocity
+/// that stays between the two values (monotone interpolation, Fritsch and Carlson 1980): it never overshoots. Before
+/// the first keyframe and after the last one the body is at rest, and the velocity is zero at both. With `loop` the
+/// motion continues from the last keyframe to the first without a stop; the two should be equal (rotations up to whole
+/// turns).
 struct BodyMotion {
   std::vector<Keyframe> keyframes;  ///< at least one, times ascending
   bool loop = false;
-  Vec3 spin = Vec3::Zero();  ///< turns about its own centre as well: axis times angular velocity [rad/s]
+  Vec3 spin = Vec3::Zero();  ///< additional rotation about the origin of its frame: axis times angular velocity [rad/s]
 
   [[nodiscard]] bool moves() const { return keyframes.size() > 1 || !spin.isZero(0.0); }
 };
 
-/// Where a thing is that stands still there [m], turned by axis times angle [rad].
+/// The pose with this position [m] and rotation, axis times angle [rad].
 [[nodiscard]] Pose poseOf(const Vec3& position, const Vec3& rotation);
 
 [[nodiscard]] Pose poseAt(const BodyMotion& motion, double time);

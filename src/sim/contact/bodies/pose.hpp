@@ -4,7 +4,7 @@
 
 namespace drape {
 
-/// Where a rigid thing is: a point p of it is at rotation * p + position.
+/// A rigid transformation: a point p of the local frame is at rotation * p + position.
 struct Pose {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Vec3 position = Vec3::Zero();  ///< [m]

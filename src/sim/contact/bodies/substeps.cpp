@@ -3,32 +3,32 @@
 namespace drape {
 namespace {
 
-/// The ends of the step are its ends to the last bit, so that one step goes on where the one before it ended. A body
-/// that stands still is not moved by rounding either.
-Pose poseAt(const BodyStep& whole, double share) {
-  if (share == 0.0 || share == 1.0) {
-    return share == 0.0 ? whole.start : whole.end;
+/// Returns exactly the given poses at fractions 0 and 1, so that steps connect without rounding errors. A body that
+/// does not move keeps exactly its pose.
+Pose poseAt(const BodyStep& whole, double fraction) {
+  if (fraction == 0.0 || fraction == 1.0) {
+    return fraction == 0.0 ? whole.start : whole.end;
   }
   Pose pose = whole.start;
   if (whole.start.position != whole.end.position) {
-    pose.position = (1.0 - share) * whole.start.position + share * whole.end.position;
+    pose.position = (1.0 - fraction) * whole.start.position + fraction * whole.end.position;
   }
   if (whole.start.rotation.coeffs() != whole.end.rotation.coeffs()) {
-    pose.rotation = whole.start.rotation.slerp(share, whole.end.rotation);
+    pose.rotation = whole.start.rotation.slerp(fraction, whole.end.rotation);
   }
   return pose;
 }
 
-void verticesAt(const BodyStep& whole, double share, std::vector<Vec3>& vertices) {
+void verticesAt(const BodyStep& whole, double fraction, std::vector<Vec3>& vertices) {
   vertices.resize(whole.startVertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    vertices[v] = (1.0 - share) * whole.startVertices[v] + share * whole.endVertices[v];
+    vertices[v] = (1.0 - fraction) * whole.startVertices[v] + fraction * whole.endVertices[v];
   }
 }
 
 }  // namespace
 
-const std::vector<BodyStep>& BodyParts::between(const std::vector<BodyStep>& whole, double from, double to) {
+const std::vector<BodyStep>& BodySubsteps::between(const std::vector<BodyStep>& whole, double from, double to) {
   parts_ = whole;
   startVertices_.resize(whole.size());
   endVertices_.resize(whole.size());

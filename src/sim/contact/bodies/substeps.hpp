@@ -6,15 +6,15 @@
 
 namespace drape {
 
-/// What bodies do in a part of a step: places linear in time between the step's ends, rotations along the great circle.
-class BodyParts {
+/// The motion of bodies in a contact substep: positions are interpolated linearly, rotations by slerp.
+class BodySubsteps {
  public:
-  /// The bodies from one share of the step to another, 0 being its start and 1 its end. Good until the next call.
+  /// The motion from one fraction of the step to another; 0 is its start, 1 its end. Valid until the next call.
   [[nodiscard]] const std::vector<BodyStep>& between(const std::vector<BodyStep>& whole, double from, double to);
 
  private:
   std::vector<BodyStep> parts_;
-  std::vector<std::vector<Vec3>> startVertices_;  // of meshes that move in themselves
+  std::vector<std::vector<Vec3>> startVertices_;  // of deforming meshes
   std::vector<std::vector<Vec3>> endVertices_;
 };
 

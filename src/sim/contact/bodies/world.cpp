@@ -30,60 +30,61 @@ void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& posi
   at = mesh.loop ? at - last * std::floor(at / last) : std::clamp(at, 0.0, last);
   const double whole = std::min(std::floor(at), last - 1.0);
   const auto k = static_cast<std::size_t>(whole);
-  const double share = at - whole;
+  const double fraction = at - whole;
   const std::vector<Vec3>& from = mesh.frames[k];
   const std::vector<Vec3>& to = mesh.frames[(k + 1) % count];
   positions.resize(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
-    positions[i] = (1.0 - share) * from[i] + share * to[i];
+    positions[i] = (1.0 - fraction) * from[i] + fraction * to[i];
   }
 }
 
 BodyWorld::BodyWorld(std::shared_ptr<const std::vector<Body>> bodies, double time)
-    : bodies_(std::move(bodies)), places_(bodies_->size()) {
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    places_[i].surface = (*bodies_)[i].surface;
+    : bodies_(std::move(bodies)), states_(bodies_->size()) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    states_[i].surface = (*bodies_)[i].surface;
   }
   reset(time);
 }
 
 void BodyWorld::reset(double time) {
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    places_[i].wanted.setZero();
-    places_[i].shift.setZero();
-    place(i, time);
-    places_[i].start = places_[i].end;
-    places_[i].startVertices = places_[i].endVertices;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    states_[i].targetShift.setZero();
+    states_[i].shift.setZero();
+    updatePose(i, time);
+    states_[i].start = states_[i].end;
+    states_[i].startVertices = states_[i].endVertices;
   }
   collect();
 }
 
 void BodyWorld::switchOn(std::size_t body, bool on) {
-  places_[body].on = on;
+  states_[body].on = on;
   collect();
 }
 
 void BodyWorld::setSurface(std::size_t body, const SurfaceProperties& surface) {
-  places_[body].surface = surface;
+  states_[body].surface = surface;
   collect();
 }
 
 void BodyWorld::advance(double time, double timeStep) {
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    Place& each = places_[i];
-    const Vec3 way = each.wanted - each.shift;
-    const double most = handSpeed * timeStep;
-    each.shift = way.norm() <= most ? each.wanted : Vec3(each.shift + most / way.norm() * way);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    BodyState& each = states_[i];
+    const Vec3 remaining = each.targetShift - each.shift;
+    const double maxShift = maxDragSpeed * timeStep;
+    each.shift =
+        remaining.norm() <= maxShift ? each.targetShift : Vec3(each.shift + maxShift / remaining.norm() * remaining);
     each.start = each.end;
     each.startVertices.swap(each.endVertices);
-    place(i, time + timeStep);
+    updatePose(i, time + timeStep);
   }
   collect();
 }
 
-void BodyWorld::place(std::size_t body, double time) {
+void BodyWorld::updatePose(std::size_t body, double time) {
   const Body& shape = (*bodies_)[body];
-  Place& at = places_[body];
+  BodyState& at = states_[body];
   at.end = poseAt(shape.motion, time);
   at.end.position += at.shift;
   if (hasFrames(shape)) {
@@ -91,14 +92,14 @@ void BodyWorld::place(std::size_t body, double time) {
   }
 }
 
-bool BodyWorld::movesInItself(std::size_t body) const {
+bool BodyWorld::isDeforming(std::size_t body) const {
   return hasFrames((*bodies_)[body]);
 }
 
 std::span<const Vec3> BodyWorld::vertices(std::size_t body) const {
   const Body& shape = (*bodies_)[body];
   if (hasFrames(shape)) {
-    return places_[body].endVertices;
+    return states_[body].endVertices;
   }
   const MeshShape* mesh = meshOf(shape);
   return mesh == nullptr ? std::span<const Vec3>() : std::span<const Vec3>(mesh->positions);
@@ -106,8 +107,8 @@ std::span<const Vec3> BodyWorld::vertices(std::size_t body) const {
 
 void BodyWorld::collect() {
   steps_.clear();
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const Place& each = places_[i];
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const BodyState& each = states_[i];
     if (each.on) {
       const bool deforms = hasFrames((*bodies_)[i]);
       steps_.push_back({&(*bodies_)[i], each.start, each.end,

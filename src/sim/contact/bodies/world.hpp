@@ -8,67 +8,68 @@
 
 namespace drape {
 
-/// The bodies of a scene while it runs: where each is, from step to step. A body follows its own motion, and a hand can
-/// shift it from there; the shift goes towards its target at a bounded speed, so that cloth is swept along.
+/// The bodies of a running scene and their motion in each step. A body follows its prescribed motion; the user can
+/// shift it by dragging. The shift approaches its target at a bounded speed, so that the body pushes cloth and does not
+/// jump through it.
 class BodyWorld {
  public:
   BodyWorld() = default;
-  BodyWorld(const BodyWorld&) = delete;  // its steps point into itself
+  BodyWorld(const BodyWorld&) = delete;  // steps_ point into states_
   BodyWorld& operator=(const BodyWorld&) = delete;
   BodyWorld(BodyWorld&&) = default;
   BodyWorld& operator=(BodyWorld&&) = default;
   ~BodyWorld() = default;
-  /// Places every body where it is at that time [s].
+  /// Puts every body at its pose at that time [s].
   BodyWorld(std::shared_ptr<const std::vector<Body>> bodies, double time);
 
-  /// Back to the bodies' own motion at that time, without shifts. What is switched off stays off, and surfaces stay as
-  /// they are.
+  /// Puts every body at the pose of its prescribed motion at that time [s], without shift. Surfaces stay as they are,
+  /// and bodies that are off stay off.
   void reset(double time);
 
-  /// Where the hand wants a body to be shifted to from its own motion [m].
-  void shiftTowards(std::size_t body, const Vec3& shift) { places_[body].wanted = shift; }
+  /// Sets the shift that a dragged body approaches, relative to its prescribed motion [m].
+  void shiftTowards(std::size_t body, const Vec3& shift) { states_[body].targetShift = shift; }
   void switchOn(std::size_t body, bool on);
   void setSurface(std::size_t body, const SurfaceProperties& surface);
 
-  /// Takes the bodies along from `time` to `time + timeStep` [s].
+  /// Advances the bodies from `time` to `time + timeStep` [s].
   void advance(double time, double timeStep);
 
-  /// The bodies that are on, over the last step that was taken. Before the first one they stand still.
+  /// The motion over the last step of the bodies that are on. Before the first step they stand still.
   [[nodiscard]] const std::vector<BodyStep>& steps() const { return steps_; }
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return *bodies_; }
-  [[nodiscard]] const Pose& pose(std::size_t body) const { return places_[body].end; }
-  [[nodiscard]] bool isOn(std::size_t body) const { return places_[body].on; }
-  [[nodiscard]] const SurfaceProperties& surface(std::size_t body) const { return places_[body].surface; }
-  [[nodiscard]] const Vec3& shift(std::size_t body) const { return places_[body].shift; }
-  [[nodiscard]] bool movesInItself(std::size_t body) const;
-  /// Of a mesh, in its own frame [m]; empty for other shapes.
+  [[nodiscard]] const Pose& pose(std::size_t body) const { return states_[body].end; }
+  [[nodiscard]] bool isOn(std::size_t body) const { return states_[body].on; }
+  [[nodiscard]] const SurfaceProperties& surface(std::size_t body) const { return states_[body].surface; }
+  [[nodiscard]] const Vec3& shift(std::size_t body) const { return states_[body].shift; }
+  [[nodiscard]] bool isDeforming(std::size_t body) const;
+  /// The vertices of a mesh, in its own frame [m]; empty for other shapes.
   [[nodiscard]] std::span<const Vec3> vertices(std::size_t body) const;
 
-  /// The hand moves a body no faster than this [m/s].
-  static constexpr double handSpeed = 4.0;
+  /// Maximum speed at which a dragged body moves [m/s].
+  static constexpr double maxDragSpeed = 4.0;
 
  private:
-  struct Place {
+  struct BodyState {
     bool on = true;
     SurfaceProperties surface;
-    Vec3 wanted = Vec3::Zero();  // shift [m]
-    Vec3 shift = Vec3::Zero();   // as it is [m]
+    Vec3 targetShift = Vec3::Zero();  // shift to approach [m]
+    Vec3 shift = Vec3::Zero();        // current shift [m]
     Pose start;
     Pose end;
-    std::vector<Vec3> startVertices;  // of a mesh that moves in itself
+    std::vector<Vec3> startVertices;  // of a deforming mesh
     std::vector<Vec3> endVertices;
   };
 
-  void place(std::size_t body, double time);
+  void updatePose(std::size_t body, double time);
   void collect();
 
   std::shared_ptr<const std::vector<Body>> bodies_ = std::make_shared<const std::vector<Body>>();
-  std::vector<Place> places_;
+  std::vector<BodyState> states_;
   std::vector<BodyStep> steps_;
 };
 
-/// The positions of a mesh that moves in itself at that time [s], linear between its frames.
+/// The positions of a deforming mesh at that time [s], interpolated linearly between its frames.
 void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& positions);
 
 }  // namespace drape

@@ -12,7 +12,7 @@ namespace {
 
 /// Distances that are tried first: a cluster that has nothing within one of them may go so far [m].
 constexpr std::array wideSlacks{0.16, 0.04};
-constexpr double narrowSlack = 0.01;  // the most that is allowed where a patch is nearer than all of them [m]
+constexpr double narrowSlack = 0.01;  // the maximum that is allowed where a leaf is nearer than all of them [m]
 
 bool isPinned(const ClothModel& model, int vertex) {
   return model.pinned[static_cast<std::size_t>(vertex)];
@@ -22,10 +22,10 @@ bool isPinned(const ClothModel& model, const Triangle& triangle) {
   return std::all_of(triangle.begin(), triangle.end(), [&](int v) { return isPinned(model, v); });
 }
 
-Eigen::AlignedBox3d boxOf(std::span<const int> vertices, std::span<const Vec3> places) {
+Eigen::AlignedBox3d boxOf(std::span<const int> vertices, std::span<const Vec3> positions) {
   Eigen::AlignedBox3d box;
   for (const int v : vertices) {
-    box.extend(vectorAt(places, v));
+    box.extend(vectorAt(positions, v));
   }
   return box;
 }
@@ -42,49 +42,50 @@ double gapBetween(double low, double high, const Extent& other) {
 }
 
 /// The farthest that a cluster is from `reference` [m^2].
-double squaredMove(std::span<const int> vertices, std::span<const Vec3> places, const std::vector<Vec3>& reference) {
-  double most = 0.0;
+double squaredMove(std::span<const int> vertices, std::span<const Vec3> positions, const std::vector<Vec3>& reference) {
+  double maximum = 0.0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    most = std::max(most, (vectorAt(places, vertices[i]) - reference[i]).squaredNorm());
+    maximum = std::max(maximum, (vectorAt(positions, vertices[i]) - reference[i]).squaredNorm());
   }
-  return most;
+  return maximum;
 }
 
 }  // namespace
 
 /// How far the cluster may move from where it starts [m]; negative: a triangle of it is too near already. Between a
-/// triangle and a patch there is at least the gap along any direction; two of them are tried besides the axes.
-double MeshClearance::slackOf(const SearchableMesh& mesh, const ClothWay& way, std::size_t cluster, double keep) {
-  const Eigen::AlignedBox3d box = boxOf(way.clusters.vertices(cluster), way.start);
+/// triangle and a leaf there is at least the gap along any direction; two of them are tried besides the axes.
+double MeshClearance::slackOf(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster,
+                              double distance) {
+  const Eigen::AlignedBox3d box = boxOf(motion.clusters.vertices(cluster), motion.start);
   for (const double slack : wideSlacks) {
-    if (!hasLeaf(mesh.tree, inflated(box, keep + slack))) {
+    if (!hasLeaf(mesh.tree, inflated(box, distance + slack))) {
       return slack;
     }
   }
   leaves_.clear();
-  mesh.tree.forEachLeafIn(inflated(box, keep + narrowSlack),
+  mesh.tree.forEachLeafIn(inflated(box, distance + narrowSlack),
                           [&](std::size_t leaf) { leaves_.push_back(static_cast<std::int32_t>(leaf)); });
   double slack = narrowSlack;
   leaf_.resize(1);
-  for (const int t : way.clusters.triangles(cluster)) {
-    const Triangle& triangle = way.model.triangles[static_cast<std::size_t>(t)];
-    if (isPinned(way.model, triangle)) {
+  for (const int t : motion.clusters.triangles(cluster)) {
+    const Triangle& triangle = motion.model.triangles[static_cast<std::size_t>(t)];
+    if (isPinned(motion.model, triangle)) {
       continue;
     }
-    const Corners corners = cornersOf(way.start, triangle);
+    const Corners corners = cornersOf(motion.start, triangle);
     const Eigen::AlignedBox3d around = boxAround(corners);
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     for (const std::int32_t leaf : leaves_) {
-      const Eigen::AlignedBox3d& patch = mesh.tree.leafBox(static_cast<std::size_t>(leaf));
-      double gap = around.exteriorDistance(patch);
+      const Eigen::AlignedBox3d& leafBounds = mesh.tree.leafBox(static_cast<std::size_t>(leaf));
+      double gap = around.exteriorDistance(leafBounds);
       leaf_[0] = leaf;
-      for (const Vec3& direction : {faceNormal(corners), Vec3((middle - patch.center()).normalized())}) {
-        if (gap < keep + slack) {
+      for (const Vec3& direction : {faceNormal(corners), Vec3((middle - leafBounds.center()).normalized())}) {
+        if (gap < distance + slack) {
           gap = std::max(gap, gapBetween(lowestAlong(direction, corners), highestAlong(direction, corners),
                                          mesh.extentsAlong(direction, leaf_, false, extents_)));
         }
       }
-      slack = std::min(slack, gap - keep);
+      slack = std::min(slack, gap - distance);
       if (slack < 0.0) {
         return slack;
       }
@@ -93,28 +94,29 @@ double MeshClearance::slackOf(const SearchableMesh& mesh, const ClothWay& way, s
   return slack;
 }
 
-bool MeshClearance::couldMeet(const SearchableMesh& mesh, const ClothWay& way, double keep, std::uint64_t models) {
-  if (models != models_ || keep != keep_ || known_.size() != way.clusters.count()) {
-    known_.assign(way.clusters.count(), {});
+bool MeshClearance::couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
+                              std::uint64_t models) {
+  if (models != models_ || distance != distance_ || known_.size() != motion.clusters.count()) {
+    known_.assign(motion.clusters.count(), {});
     models_ = models;
-    keep_ = keep;
+    distance_ = distance;
   }
   for (std::size_t c = 0; c < known_.size(); ++c) {
-    const std::span<const int> vertices = way.clusters.vertices(c);
+    const std::span<const int> vertices = motion.clusters.vertices(c);
     Known& known = known_[c];
     const auto isWithin = [&] {
       const double squared = known.slack * known.slack;
-      return known.slack >= 0.0 && squaredMove(vertices, way.start, known.reference) <= squared &&
-             squaredMove(vertices, way.end, known.reference) <= squared;
+      return known.slack >= 0.0 && squaredMove(vertices, motion.start, known.reference) <= squared &&
+             squaredMove(vertices, motion.end, known.reference) <= squared;
     };
     if (isWithin()) {
       continue;
     }
     known.reference.clear();
     for (const int v : vertices) {
-      known.reference.push_back(vectorAt(way.start, v));
+      known.reference.push_back(vectorAt(motion.start, v));
     }
-    known.slack = slackOf(mesh, way, c, keep);
+    known.slack = slackOf(mesh, motion, c, distance);
     if (!isWithin()) {
       return true;
     }
@@ -122,17 +124,17 @@ bool MeshClearance::couldMeet(const SearchableMesh& mesh, const ClothWay& way, d
   return false;
 }
 
-bool freeClothIsNear(const SearchableMesh& mesh, const ClothWay& way, double far) {
+bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far) {
   const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions};
   NearestSearch nearest(inStep);
   const auto isNear = [&](int v) {
-    const Vec3& end = vectorAt(way.end, v);
-    const double reach = far + (end - vectorAt(way.start, v)).norm();
-    return !isPinned(way.model, v) && nearest.anywhere(end, reach).triangle >= 0;
+    const Vec3& end = vectorAt(motion.end, v);
+    const double radius = far + (end - vectorAt(motion.start, v)).norm();
+    return !isPinned(motion.model, v) && nearest.anywhere(end, radius).triangle >= 0;
   };
-  for (std::size_t c = 0; c < way.clusters.count(); ++c) {
-    const std::span<const int> vertices = way.clusters.vertices(c);
-    const Eigen::AlignedBox3d box = boxOf(vertices, way.start).merged(boxOf(vertices, way.end));
+  for (std::size_t c = 0; c < motion.clusters.count(); ++c) {
+    const std::span<const int> vertices = motion.clusters.vertices(c);
+    const Eigen::AlignedBox3d box = boxOf(vertices, motion.start).merged(boxOf(vertices, motion.end));
     if (hasLeaf(mesh.tree, inflated(box, far)) && std::any_of(vertices.begin(), vertices.end(), isNear)) {
       return true;
     }

@@ -11,7 +11,7 @@
 namespace drape {
 
 /// The way of a cloth over a step, in a body's frame.
-struct ClothWay {
+struct ClothMotion {
   const ClothModel& model;
   const ClothClusters& clusters;
   std::span<const Vec3> start;  ///< one place a vertex [m]
@@ -27,7 +27,8 @@ class MeshClearance {
   /// Whether any triangle could come nearer to the mesh's surface than `keep` [m]. True also where that is not known.
   /// Triangles whose corners are all pinned do not count.
   /// @param models a number that changes when the model does
-  [[nodiscard]] bool couldMeet(const SearchableMesh& mesh, const ClothWay& way, double keep, std::uint64_t models);
+  [[nodiscard]] bool couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
+                               std::uint64_t models);
 
  private:
   struct Known {
@@ -35,18 +36,19 @@ class MeshClearance {
     double slack = -1.0;          // how far each may be from there [m]
   };
 
-  [[nodiscard]] double slackOf(const SearchableMesh& mesh, const ClothWay& way, std::size_t cluster, double keep);
+  [[nodiscard]] double slackOf(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster,
+                               double distance);
 
   std::vector<Known> known_;  // one a cluster
   std::vector<std::int32_t> leaves_;
   std::vector<std::int32_t> leaf_;
   std::vector<Extent> extents_;
   std::uint64_t models_ = 0;
-  double keep_ = 0.0;
+  double distance_ = 0.0;
 };
 
 /// Whether a vertex that is not pinned comes within the distance `far` [m] of a mesh's surface. The number
 /// of rounds of a step follows from it, so the answer depends on nothing but the way.
-[[nodiscard]] bool freeClothIsNear(const SearchableMesh& mesh, const ClothWay& way, double far);
+[[nodiscard]] bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far);
 
 }  // namespace drape

@@ -15,7 +15,7 @@ namespace drape::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Doubles = hn::CappedTag<double, mostDoubles>;
+using Doubles = hn::CappedTag<double, maxDoubles>;
 using DoubleLanes = hn::Vec<Doubles>;
 
 /// The lanes of a mask as bits.
@@ -58,13 +58,13 @@ void distancesToList(const BoxList& boxes, const Vec3& point, double* squared) {
   }
 }
 
-void distances(const TriangleBoxes* boxes, const std::int32_t* patches, std::size_t count, const Vec3& point,
+void distances(const TriangleBoxes* boxes, const std::int32_t* leaves, std::size_t count, const Vec3& point,
                double* squared) {
-  const hn::CappedTag<double, trianglesOfPatch> d;
+  const hn::CappedTag<double, trianglesPerLeaf> d;
   const std::size_t lanes = hn::Lanes(d);
   for (std::size_t k = 0; k < count; ++k) {
-    const TriangleBoxes& box = boxes[patches[k]];
-    for (std::size_t i = 0; i < trianglesOfPatch; i += lanes) {
+    const TriangleBoxes& box = boxes[leaves[k]];
+    for (std::size_t i = 0; i < trianglesPerLeaf; i += lanes) {
       auto sum = hn::Zero(d);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto at = hn::Set(d, point[static_cast<Eigen::Index>(axis)]);
@@ -73,12 +73,12 @@ void distances(const TriangleBoxes* boxes, const std::int32_t* patches, std::siz
         const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
         sum = hn::Add(sum, hn::Mul(outside, outside));
       }
-      hn::StoreU(sum, d, squared + trianglesOfPatch * k + i);
+      hn::StoreU(sum, d, squared + trianglesPerLeaf * k + i);
     }
   }
 }
 
-Extent extents(const PatchLanes& lanes, const std::size_t* begin, const std::int32_t* patches, std::size_t count,
+Extent extents(const LeafLanes& lanes, const std::size_t* begin, const std::int32_t* leaves, std::size_t count,
                const Vec3& direction, Extent* result) {
   const Doubles d;
   const std::size_t step = hn::Lanes(d);
@@ -89,7 +89,7 @@ Extent extents(const PatchLanes& lanes, const std::size_t* begin, const std::int
   for (std::size_t k = 0; k < count; ++k) {
     auto low = hn::Set(d, Extent().low);
     auto high = hn::Set(d, Extent().high);
-    for (std::size_t i = begin[patches[k]]; i < begin[patches[k] + 1]; i += step) {
+    for (std::size_t i = begin[leaves[k]]; i < begin[leaves[k] + 1]; i += step) {
       const auto inPlane =
           hn::Add(hn::Mul(x, hn::LoadU(d, lanes.x.data() + i)), hn::Mul(y, hn::LoadU(d, lanes.y.data() + i)));
       const auto along = hn::Add(inPlane, hn::Mul(z, hn::LoadU(d, lanes.z.data() + i)));
@@ -102,17 +102,17 @@ Extent extents(const PatchLanes& lanes, const std::size_t* begin, const std::int
   return all;
 }
 
-Farthest farthest(const PatchLanes& lanes, const std::size_t* begin, const std::int32_t* patches, std::size_t count,
-                  const Vec3& direction) {
+SupportIndex support(const LeafLanes& lanes, const std::size_t* begin, const std::int32_t* leaves, std::size_t count,
+                     const Vec3& direction) {
   const Doubles d;
   const std::size_t step = hn::Lanes(d);
   const auto x = hn::Set(d, direction.x());
   const auto y = hn::Set(d, direction.y());
   const auto z = hn::Set(d, direction.z());
-  auto high = hn::Set(d, Farthest().height);
+  auto high = hn::Set(d, SupportIndex().height);
   auto where = hn::Zero(d);  // as doubles, which hold them exactly
   for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t i = begin[patches[k]]; i < begin[patches[k] + 1]; i += step) {
+    for (std::size_t i = begin[leaves[k]]; i < begin[leaves[k] + 1]; i += step) {
       const auto inPlane =
           hn::Add(hn::Mul(x, hn::LoadU(d, lanes.x.data() + i)), hn::Mul(y, hn::LoadU(d, lanes.y.data() + i)));
       const auto along = hn::Add(inPlane, hn::Mul(z, hn::LoadU(d, lanes.z.data() + i)));
@@ -120,12 +120,12 @@ Farthest farthest(const PatchLanes& lanes, const std::size_t* begin, const std::
       high = hn::Max(high, along);
     }
   }
-  const auto most = hn::MaxOfLanes(d, high);
-  const auto first = hn::IfThenElse(hn::Eq(high, most), where, hn::Set(d, std::numeric_limits<double>::infinity()));
+  const auto maximum = hn::MaxOfLanes(d, high);
+  const auto first = hn::IfThenElse(hn::Eq(high, maximum), where, hn::Set(d, std::numeric_limits<double>::infinity()));
   const double at = hn::GetLane(hn::MinOfLanes(d, first));
   // Along what is not a number nothing is farthest.
-  return {hn::GetLane(most),
-          at < std::numeric_limits<double>::infinity() ? static_cast<std::size_t>(at) : begin[patches[0]]};
+  return {hn::GetLane(maximum),
+          at < std::numeric_limits<double>::infinity() ? static_cast<std::size_t>(at) : begin[leaves[0]]};
 }
 
 /// Three coordinates of a vector of points.
@@ -139,7 +139,7 @@ struct PointLanes {
   }
 };
 
-HWY_INLINE PointLanes load(const PatchLanes& lanes, std::size_t at) {
+HWY_INLINE PointLanes load(const LeafLanes& lanes, std::size_t at) {
   const Doubles d;
   return {hn::LoadU(d, lanes.x.data() + at), hn::LoadU(d, lanes.y.data() + at), hn::LoadU(d, lanes.z.data() + at)};
 }
@@ -157,10 +157,10 @@ HWY_INLINE std::uint32_t pointsIn(const FaceRegion& region, const PointLanes& at
   in = hn::And(in, meets(at.x, at.x, region.box.min().x(), region.box.max().x()));
   in = hn::And(in, meets(at.y, at.y, region.box.min().y(), region.box.max().y()));
   in = hn::And(in, meets(at.z, at.z, region.box.min().z(), region.box.max().z()));
-  const PointLanes way{hn::Sub(at.x, hn::Set(d, region.corner.x())), hn::Sub(at.y, hn::Set(d, region.corner.y())),
+  const PointLanes fromCorner{hn::Sub(at.x, hn::Set(d, region.corner.x())), hn::Sub(at.y, hn::Set(d, region.corner.y())),
                        hn::Sub(at.z, hn::Set(d, region.corner.z()))};
-  const auto second = way.along(region.weights[0]);
-  const auto third = way.along(region.weights[1]);
+  const auto second = fromCorner.along(region.weights[0]);
+  const auto third = fromCorner.along(region.weights[1]);
   in = hn::And(in, hn::Ge(hn::Min(second, third), hn::Zero(d)));
   in = hn::And(in, hn::Le(hn::Add(second, third), hn::Set(d, 1.0)));
   return bitsOf(in);
@@ -174,18 +174,18 @@ HWY_INLINE std::uint32_t edgesIn(const FaceRegion& region, const PointLanes& fro
   return bitsOf(in);
 }
 
-void findInRegion(const PatchLanes& points, const std::size_t* begin, const EdgeLanes& edges,
-                  const std::size_t* edgeBegin, const std::int32_t* patches, std::size_t count,
-                  const FaceRegion& region, InRegion* found) {
+void findInRegion(const LeafLanes& points, const std::size_t* begin, const EdgeLanes& edges,
+                  const std::size_t* edgeBegin, const std::int32_t* leaves, std::size_t count, const FaceRegion& region,
+                  InRegion* found) {
   const std::size_t step = hn::Lanes(Doubles());
   for (std::size_t k = 0; k < count; ++k) {
-    const auto patch = static_cast<std::size_t>(patches[k]);
+    const auto leaf = static_cast<std::size_t>(leaves[k]);
     InRegion in;
-    for (std::size_t i = begin[patch]; i < begin[patch + 1]; i += step) {
-      in.points |= pointsIn(region, load(points, i)) << (i - begin[patch]);
+    for (std::size_t i = begin[leaf]; i < begin[leaf + 1]; i += step) {
+      in.points |= pointsIn(region, load(points, i)) << (i - begin[leaf]);
     }
-    for (std::size_t i = edgeBegin[patch]; i < edgeBegin[patch + 1]; i += step) {
-      in.edges |= edgesIn(region, load(edges.from, i), load(edges.to, i)) << (i - edgeBegin[patch]);
+    for (std::size_t i = edgeBegin[leaf]; i < edgeBegin[leaf + 1]; i += step) {
+      in.edges |= edgesIn(region, load(edges.from, i), load(edges.to, i)) << (i - edgeBegin[leaf]);
     }
     found[k] = in;
   }
@@ -201,14 +201,14 @@ HWY_EXPORT(meeting);
 HWY_EXPORT(distances);
 HWY_EXPORT(distancesToList);
 HWY_EXPORT(extents);
-HWY_EXPORT(farthest);
+HWY_EXPORT(support);
 HWY_EXPORT(findInRegion);
 
 void BoxList::add(const Eigen::AlignedBox3d& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (auto* bounds : {&low_[axis], &high_[axis]}) {
-      if (bounds->size() < size_ + 1 + mostDoubles) {
-        bounds->resize(2 * size_ + 1 + mostDoubles);
+      if (bounds->size() < size_ + 1 + maxDoubles) {
+        bounds->resize(2 * size_ + 1 + maxDoubles);
       }
     }
     low_[axis][size_] = box.min()[static_cast<Eigen::Index>(axis)];
@@ -223,34 +223,34 @@ void boxesMeeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::vec
 }
 
 void squaredDistances(const BoxList& boxes, const Vec3& point, std::vector<double>& squared) {
-  squared.resize(boxes.size() + mostDoubles);
+  squared.resize(boxes.size() + maxDoubles);
   HWY_DYNAMIC_DISPATCH(distancesToList)(boxes, point, squared.data());
   squared.resize(boxes.size());
 }
 
-void squaredDistances(const std::vector<TriangleBoxes>& boxes, const std::vector<std::int32_t>& patches,
+void squaredDistances(const std::vector<TriangleBoxes>& boxes, const std::vector<std::int32_t>& leaves,
                       const Vec3& point, std::vector<double>& squared) {
-  squared.resize(trianglesOfPatch * patches.size());
-  HWY_DYNAMIC_DISPATCH(distances)(boxes.data(), patches.data(), patches.size(), point, squared.data());
+  squared.resize(trianglesPerLeaf * leaves.size());
+  HWY_DYNAMIC_DISPATCH(distances)(boxes.data(), leaves.data(), leaves.size(), point, squared.data());
 }
 
-Extent extentsAlong(const PatchLanes& lanes, const std::vector<std::size_t>& begin,
-                    const std::vector<std::int32_t>& patches, const Vec3& direction, std::vector<Extent>& result) {
-  result.resize(patches.size());
-  return HWY_DYNAMIC_DISPATCH(extents)(lanes, begin.data(), patches.data(), patches.size(), direction, result.data());
+Extent extentsAlong(const LeafLanes& lanes, const std::vector<std::size_t>& begin,
+                    const std::vector<std::int32_t>& leaves, const Vec3& direction, std::vector<Extent>& result) {
+  result.resize(leaves.size());
+  return HWY_DYNAMIC_DISPATCH(extents)(lanes, begin.data(), leaves.data(), leaves.size(), direction, result.data());
 }
 
-Farthest farthestAlong(const PatchLanes& lanes, const std::vector<std::size_t>& begin,
-                       const std::vector<std::int32_t>& patches, const Vec3& direction) {
-  return HWY_DYNAMIC_DISPATCH(farthest)(lanes, begin.data(), patches.data(), patches.size(), direction);
+SupportIndex supportAlong(const LeafLanes& lanes, const std::vector<std::size_t>& begin,
+                          const std::vector<std::int32_t>& leaves, const Vec3& direction) {
+  return HWY_DYNAMIC_DISPATCH(support)(lanes, begin.data(), leaves.data(), leaves.size(), direction);
 }
 
-void inRegion(const PatchLanes& points, const std::vector<std::size_t>& begin, const EdgeLanes& edges,
-              const std::vector<std::size_t>& edgeBegin, const std::vector<std::int32_t>& patches,
+void inRegion(const LeafLanes& points, const std::vector<std::size_t>& begin, const EdgeLanes& edges,
+              const std::vector<std::size_t>& edgeBegin, const std::vector<std::int32_t>& leaves,
               const FaceRegion& region, std::vector<InRegion>& found) {
-  found.resize(patches.size());
+  found.resize(leaves.size());
   HWY_DYNAMIC_DISPATCH(findInRegion)
-  (points, begin.data(), edges, edgeBegin.data(), patches.data(), patches.size(), region, found.data());
+  (points, begin.data(), edges, edgeBegin.data(), leaves.data(), leaves.size(), region, found.data());
 }
 
 }  // namespace drape

@@ -6,7 +6,7 @@
 
 namespace drape {
 
-MeshTree::MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t most)
+MeshTree::MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t maxTriangles)
     : order_(triangles.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   std::vector<Vec3> middles;
@@ -16,14 +16,14 @@ MeshTree::MeshTree(std::span<const Vec3> positions, std::span<const Triangle> tr
                           positions[static_cast<std::size_t>(t[2])]) /
                          3.0);
   }
-  build(middles, 0, order_.size(), most);
+  build(middles, 0, order_.size(), maxTriangles);
   refit(positions, positions, triangles);
 }
 
-void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end, std::size_t most) {
+void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end, std::size_t maxTriangles) {
   const std::size_t self = nodes_.size();
   nodes_.emplace_back();
-  if (end - begin <= most) {
+  if (end - begin <= maxTriangles) {
     nodes_[self].begin = begin;
     nodes_[self].end = end;
     nodes_[self].leaf = leaves_.size();
@@ -43,8 +43,8 @@ void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t 
       return x != y ? x < y : a < b;
     });
     const std::size_t middle = begin + (end - begin) / 2;
-    build(middles, begin, middle, most);
-    build(middles, middle, end, most);
+    build(middles, begin, middle, maxTriangles);
+    build(middles, middle, end, maxTriangles);
   }
   nodes_[self].next = nodes_.size();
 }

@@ -8,12 +8,12 @@
 namespace drape {
 
 /// A tree of boxes over the triangles of a mesh, so that those near a place are found without looking at all. Its
-/// leaves are patches of a few triangles that lie next to each other.
+/// leaves are leaves of a few triangles that lie next to each other.
 class MeshTree {
  public:
   /// Splits at the median of the longest side, so that the same mesh gives the same tree.
   /// @param most triangles in a leaf
-  MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t most);
+  MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t maxTriangles);
 
   /// Fits the boxes around the triangles at both positions (of a mesh that moves in itself).
   void refit(std::span<const Vec3> before, std::span<const Vec3> after, std::span<const Triangle> triangles);
@@ -94,7 +94,7 @@ class MeshTree {
 
   [[nodiscard]] static bool meetsRay(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& direction);
 
-  void build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end, std::size_t most);
+  void build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end, std::size_t maxTriangles);
 
   std::vector<Node> nodes_;
   std::vector<std::size_t> leaves_;  // their nodes

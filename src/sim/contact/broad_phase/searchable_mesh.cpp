@@ -1,6 +1,6 @@
 #include "sim/contact/broad_phase/searchable_mesh.hpp"
 
-#include "sim/contact/constraints/constraint_builder.hpp"
+#include "sim/contact/closest_features/triangle_geometry.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -91,7 +91,7 @@ MeshShape facingOutwards(MeshShape mesh) {
   return mesh;
 }
 
-void fill(PatchLanes& lanes, std::span<const int> vertices, std::span<const Vec3> positions) {
+void fill(LeafLanes& lanes, std::span<const int> vertices, std::span<const Vec3> positions) {
   lanes.x.resize(vertices.size());
   lanes.y.resize(vertices.size());
   lanes.z.resize(vertices.size());
@@ -106,20 +106,14 @@ void fill(PatchLanes& lanes, std::span<const int> vertices, std::span<const Vec3
 
 }  // namespace
 
-Vec3 faceNormal(const Corners& corners) {
-  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  const double length = normal.norm();
-  return length > 0.0 ? Vec3(normal / length) : Vec3(Vec3::UnitY());
-}
-
 SearchableMesh::SearchableMesh(MeshShape mesh)
     : shape(facingOutwards(std::move(mesh))),
       closed(isClosed(shape)),
-      tree(shape.positions, shape.triangles, trianglesOfPatch),
+      tree(shape.positions, shape.triangles, trianglesPerLeaf),
       owned(ownedFeatures(shape.triangles, static_cast<int>(shape.positions.size()))),
       sharp(sharpSides(shape)) {
-  gatherPatches();
-  fill(start_, patchVertices_, shape.positions);
+  gatherLeaves();
+  fill(start_, leafVertices_, shape.positions);
   fillEdges(shape.positions, startEdges_);
   fillBoxes(shape.positions, startBoxes_);
 }
@@ -128,7 +122,7 @@ void SearchableMesh::fillBoxes(std::span<const Vec3> positions, std::vector<Tria
   boxes.resize(tree.leafCount());
   for (std::size_t leaf = 0; leaf < boxes.size(); ++leaf) {
     const std::span<const int> triangles = tree.leaf(leaf);
-    for (std::size_t k = 0; k < trianglesOfPatch; ++k) {
+    for (std::size_t k = 0; k < trianglesPerLeaf; ++k) {
       Eigen::AlignedBox3d box;
       if (k < triangles.size()) {
         for (const int v : shape.triangles[static_cast<std::size_t>(triangles[k])]) {
@@ -147,47 +141,47 @@ void SearchableMesh::fillBoxes(std::span<const Vec3> positions, std::vector<Tria
 }
 
 void SearchableMesh::fillEdges(std::span<const Vec3> positions, EdgeLanes& edges) const {
-  std::vector<int> ends(patchEdges_.size());
+  std::vector<int> ends(leafEdges_.size());
   for (const std::size_t end : {0U, 1U}) {
-    std::transform(patchEdges_.begin(), patchEdges_.end(), ends.begin(), [&](const auto& edge) { return edge[end]; });
+    std::transform(leafEdges_.begin(), leafEdges_.end(), ends.begin(), [&](const auto& edge) { return edge[end]; });
     fill(end == 0 ? edges.from : edges.to, ends, positions);
   }
 }
 
-void SearchableMesh::gatherPatches() {
-  patchBegin_.push_back(0);
+void SearchableMesh::gatherLeaves() {
+  vertexBegin_.push_back(0);
   edgeBegin_.push_back(0);
   for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
     gatherPoints(tree.leaf(leaf));
     gatherEdges(tree.leaf(leaf));
-    patchBegin_.push_back(patchVertices_.size());
-    edgeBegin_.push_back(patchEdges_.size());
+    vertexBegin_.push_back(leafVertices_.size());
+    edgeBegin_.push_back(leafEdges_.size());
   }
-  patchFeatures_.resize(patchVertices_.size());
+  vertexFeatures_.resize(leafVertices_.size());
 }
 
 /// Adds the vertices of a leaf, first those that are its own.
 void SearchableMesh::gatherPoints(std::span<const int> triangles) {
-  const std::size_t begin = patchVertices_.size();
-  patchFeatures_.resize(begin);
+  const std::size_t begin = leafVertices_.size();
+  vertexFeatures_.resize(begin);
   for (const bool own : {true, false}) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const auto t = static_cast<std::size_t>(triangles[i]);
       for (std::size_t k = 0; k < 3; ++k) {
         const int v = shape.triangles[t][k];
-        const auto first = patchVertices_.begin() + static_cast<std::ptrdiff_t>(begin);
-        if (owned[t].corners[k] == own && (own || std::find(first, patchVertices_.end(), v) == patchVertices_.end())) {
-          patchVertices_.push_back(v);
+        const auto first = leafVertices_.begin() + static_cast<std::ptrdiff_t>(begin);
+        if (owned[t].corners[k] == own && (own || std::find(first, leafVertices_.end(), v) == leafVertices_.end())) {
+          leafVertices_.push_back(v);
           if (own) {
-            patchFeatures_.push_back({triangles[i], k, static_cast<int>(i)});
+            vertexFeatures_.push_back({triangles[i], k, static_cast<int>(i)});
           }
         }
       }
     }
   }
-  ownPoints_.push_back(static_cast<std::uint32_t>(patchFeatures_.size() - begin));
-  while ((patchVertices_.size() - begin) % mostDoubles != 0) {
-    patchVertices_.push_back(patchVertices_.back());
+  ownPoints_.push_back(static_cast<std::uint32_t>(vertexFeatures_.size() - begin));
+  while ((leafVertices_.size() - begin) % maxDoubles != 0) {
+    leafVertices_.push_back(leafVertices_.back());
   }
 }
 
@@ -197,46 +191,46 @@ void SearchableMesh::gatherEdges(std::span<const int> triangles) {
     const auto t = static_cast<std::size_t>(triangles[i]);
     for (std::size_t k = 0; k < 3; ++k) {
       if (owned[t].sides[k] && sharp[t][k]) {
-        patchEdges_.push_back({shape.triangles[t][k], shape.triangles[t][(k + 1) % 3]});
+        leafEdges_.push_back({shape.triangles[t][k], shape.triangles[t][(k + 1) % 3]});
         edgeFeatures_.push_back({triangles[i], k, static_cast<int>(i)});
       }
     }
   }
-  while (patchEdges_.size() % mostDoubles != 0) {
-    patchEdges_.push_back({-1, -1});
+  while (leafEdges_.size() % maxDoubles != 0) {
+    leafEdges_.push_back({-1, -1});
     edgeFeatures_.emplace_back();
   }
 }
 
 void SearchableMesh::follow(std::span<const Vec3> before, std::span<const Vec3> after) {
   tree.refit(before, after, shape.triangles);
-  fill(start_, patchVertices_, before);
-  fill(end_, patchVertices_, after);
+  fill(start_, leafVertices_, before);
+  fill(end_, leafVertices_, after);
   fillEdges(before, startEdges_);
   fillEdges(after, endEdges_);
   fillBoxes(before, startBoxes_);
   fillBoxes(after, endBoxes_);
   moves_.assign(tree.leafCount(), 0.0);
   for (std::size_t leaf = 0; leaf < moves_.size(); ++leaf) {
-    for (std::size_t i = patchBegin_[leaf]; i < patchBegin_[leaf + 1]; ++i) {
-      const int v = patchVertices_[i];
+    for (std::size_t i = vertexBegin_[leaf]; i < vertexBegin_[leaf + 1]; ++i) {
+      const int v = leafVertices_[i];
       moves_[leaf] = std::max(moves_[leaf], (vectorAt(after, v) - vectorAt(before, v)).norm());
     }
   }
 }
 
-int SearchableMesh::farthestAlong(const Vec3& direction, std::size_t leaf, bool atEnd) const {
-  const PatchLanes& at = lanes(atEnd);
-  double most = -std::numeric_limits<double>::infinity();
-  std::size_t farthest = patchBegin_[leaf];
-  for (std::size_t i = patchBegin_[leaf]; i < patchBegin_[leaf + 1]; ++i) {
+int SearchableMesh::supportVertex(const Vec3& direction, std::size_t leaf, bool atEnd) const {
+  const LeafLanes& at = lanes(atEnd);
+  double maxHeight = -std::numeric_limits<double>::infinity();
+  std::size_t index = vertexBegin_[leaf];
+  for (std::size_t i = vertexBegin_[leaf]; i < vertexBegin_[leaf + 1]; ++i) {
     const double along = direction.x() * at.x[i] + direction.y() * at.y[i] + direction.z() * at.z[i];
-    if (along > most) {
-      most = along;
-      farthest = i;
+    if (along > maxHeight) {
+      maxHeight = along;
+      index = i;
     }
   }
-  return patchVertices_[farthest];
+  return leafVertices_[index];
 }
 
 }  // namespace drape

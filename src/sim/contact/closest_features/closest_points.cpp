@@ -73,9 +73,9 @@ void tryOtherPlanes(const Corners& first, const Corners& second, TriangleGap& ga
 }  // namespace
 
 double nearestOnSegment(const Vec3& point, const Vec3& a, const Vec3& b) {
-  const Vec3 way = b - a;
-  const double length = way.squaredNorm();
-  return length > 0.0 ? std::clamp((point - a).dot(way) / length, 0.0, 1.0) : 0.0;
+  const Vec3 direction = b - a;
+  const double length = direction.squaredNorm();
+  return length > 0.0 ? std::clamp((point - a).dot(direction) / length, 0.0, 1.0) : 0.0;
 }
 
 Vec3 nearestOnTriangle(const Vec3& point, const Corners& triangle) {
@@ -155,16 +155,16 @@ SegmentPair nearestOfSegments(const std::array<Vec3, 2>& first, const std::array
 }
 
 TriangleSegmentPair nearestOfTriangleAndSegment(const Corners& triangle, const std::array<Vec3, 2>& segment) {
-  // A segment that pierces the triangle touches it where it does.
+  // A segment that pierces the triangle contacts it where it does.
   const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double from = (segment[0] - triangle[0]).dot(normal);
   const double to = (segment[1] - triangle[0]).dot(normal);
   TriangleSegmentPair best;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   const auto offer = [&](const Vec3& weights, double along) {
     const double distance = (pointAt(triangle, weights) - segment[0] - along * (segment[1] - segment[0])).squaredNorm();
-    if (distance < least) {
-      least = distance;
+    if (distance < minimum) {
+      minimum = distance;
       best = {weights, along};
     }
   };
@@ -183,13 +183,13 @@ TriangleSegmentPair nearestOfTriangleAndSegment(const Corners& triangle, const s
 
 TriangleGap gapOfTriangles(const Corners& first, const Corners& second) {
   TriangleGap gap;
-  double least = std::numeric_limits<double>::infinity();
-  Vec3 way = Vec3::Zero();
+  double minimum = std::numeric_limits<double>::infinity();
+  Vec3 offset = Vec3::Zero();
   const auto offer = [&](const Vec3& firstWeights, const Vec3& secondWeights) {
     const Vec3 between = pointAt(first, firstWeights) - pointAt(second, secondWeights);
-    if (between.squaredNorm() < least) {
-      least = between.squaredNorm();
-      way = between;
+    if (between.squaredNorm() < minimum) {
+      minimum = between.squaredNorm();
+      offset = between;
       gap.firstWeights = firstWeights;
       gap.secondWeights = secondWeights;
     }
@@ -205,12 +205,12 @@ TriangleGap gapOfTriangles(const Corners& first, const Corners& second) {
       offer(onSide(a, pair.first), onSide(b, pair.second));
     }
   }
-  gap.distance = std::sqrt(least);
+  gap.distance = std::sqrt(minimum);
   if (!(gap.distance > 0.0)) {
     gap.distance = 0.0;
     return gap;
   }
-  gap.normal = way / gap.distance;
+  gap.normal = offset / gap.distance;
   // The nearest features of convex things that do not meet have a plane between them; of triangles that pierce each
   // other they do not. Of slivers the nearest features may come out so badly that another plane must be looked for.
   gap.distance = separationAlong(gap.normal, first, second);

@@ -1,17 +1,10 @@
 #pragma once
 
-#include "sim/vector.hpp"
+#include "sim/contact/closest_features/triangle_geometry.hpp"
 
 #include <array>
 
 namespace drape {
-
-/// The corners of a triangle in space [m].
-using Corners = std::array<Vec3, 3>;
-
-[[nodiscard]] inline Vec3 pointAt(const Corners& corners, const Vec3& weights) {
-  return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
-}
 
 /// The weights of the corners at the point of a triangle that is nearest to `point`; at least one is zero when it lies
 /// on the triangle's border. Triangles without area are treated as the segments that they are.

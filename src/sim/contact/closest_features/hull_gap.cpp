@@ -7,9 +7,9 @@
 namespace drape {
 namespace {
 
-constexpr int mostRounds = 16;
-constexpr double precise = 0.95;   // of the distance between the hulls: a gap that wide is as good [-]
-constexpr double touching = 1e-9;  // [m]
+constexpr int maxIterations = 16;
+constexpr double gapTolerance = 0.95;  // of the distance between the hulls: a gap that wide is as good [-]
+constexpr double touching = 1e-9;      // [m]
 
 /// The point of a triangle, of an edge or of a point that is nearest to the origin, and which corners it lies between.
 struct Nearest {
@@ -36,9 +36,9 @@ bool holdsOrigin(const std::array<Vec3, 4>& corners) {
 
 }  // namespace
 
-/// How high the points lie above the patches along a direction; returns what of these sticks out farthest.
-FarPoint HullGapSearch::measure(const Vec3& along) {
-  FarPoint far = mesh_.farthestOf(along, patches_, atEnd_);
+/// How high the points lie above the leaves along a direction; returns what of these sticks out farthest.
+SupportPoint HullGapSearch::measure(const Vec3& along) {
+  SupportPoint far = mesh_.supportPoint(along, leaves_, atEnd_);
   lowest_ = 0;
   double low = along.dot(points_[0]);
   for (std::size_t i = 1; i < points_.size(); ++i) {
@@ -58,15 +58,15 @@ FarPoint HullGapSearch::measure(const Vec3& along) {
 bool HullGapSearch::reduce() {
   const std::array<Vec3, 4> all = simplex_;
   const std::size_t count = count_;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   const auto offer = [&](const std::array<std::size_t, 3>& of) {
     const Nearest nearest = nearestToOrigin({all[of[0]], all[of[1]], all[of[2]]});
     const double distance = nearest.point.squaredNorm();
-    if (distance >= least) {
+    if (distance >= minimum) {
       return;
     }
-    least = distance;
-    way_ = nearest.point;
+    minimum = distance;
+    offset_ = nearest.point;
     count_ = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       if (nearest.uses[k]) {
@@ -85,28 +85,28 @@ bool HullGapSearch::reduce() {
   } else {
     offer({0, std::min<std::size_t>(1, count - 1), count - 1});
   }
-  return way_.norm() > touching;
+  return offset_.norm() > touching;
 }
 
 HullGap HullGapSearch::search(const Vec3& along, const Wanted& wanted) {
-  FarPoint far = measure(along);
+  SupportPoint far = measure(along);
   // Most often the points are a triangle and the direction is its normal: all of them are lowest.
   count_ = std::min<std::size_t>(points_.size(), 3);
   for (std::size_t i = 0; i < count_; ++i) {
     simplex_[i] = points_[i] - far.point;
   }
-  for (int round = 0; round < mostRounds && best_.atLeast < wanted.gap && reduce(); ++round) {
-    const double distance = way_.norm();
+  for (int iteration = 0; iteration < maxIterations && best_.atLeast < wanted.gap && reduce(); ++iteration) {
+    const double distance = offset_.norm();
     const bool isLess = distance < wanted.gap;
-    if (isLess && (best_.atLeast >= wanted.least || distance < wanted.least)) {
+    if (isLess && (best_.atLeast >= wanted.minimum || distance < wanted.minimum)) {
       break;
     }
-    if (best_.atLeast >= precise * distance) {
+    if (best_.atLeast >= gapTolerance * distance) {
       break;
     }
-    far = measure(way_ / distance);
+    far = measure(offset_ / distance);
     const Vec3 next = points_[lowest_] - far.point;
-    if (way_.dot(way_ - next) <= touching * distance) {
+    if (offset_.dot(offset_ - next) <= touching * distance) {
       break;  // nothing lies nearer
     }
     simplex_[count_++] = next;

@@ -12,7 +12,7 @@ namespace drape {
 /// Calls visit(begin, end, found) on pieces of 0 to count, each with a `Found` of its own, and gives these back in the
 /// pieces' order, whoever was first: the result must not depend on the threads.
 template <typename Found, typename Visit>
-[[nodiscard]] std::vector<Found> foundInOrder(Workers& workers, int threads, int count, Visit&& visit) {
+[[nodiscard]] std::vector<Found> collectInOrder(Workers& workers, int threads, int count, Visit&& visit) {
   std::mutex mutex;
   std::vector<std::pair<int, Found>> parts;
   workers.forRange(threads, count, [&](int begin, int end) {

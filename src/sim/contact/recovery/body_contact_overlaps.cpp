@@ -10,14 +10,14 @@
 namespace drape {
 namespace {
 
-constexpr double calmSpeed = 1.0;  // the most that cloth which is inside a body has against it [m/s]
-constexpr int calmRings = 3;       // of triangles around it, which stretched springs draw along, and ...
-constexpr double moreRings = 1.0;  // ... as many times its own width
+constexpr double maxSpeedAtOverlap = 1.0;  // the most that cloth which is inside a body has against it [m/s]
+constexpr int minRings = 3;                // of triangles around it, which stretched springs draw along, and ...
+constexpr double ringsPerWidth = 1.0;      // ... as many times its own width
 
 /// A vector made as short as that where it is longer.
-Vec3 shortened(const Vec3& vector, double most) {
+Vec3 shortened(const Vec3& vector, double maximum) {
   const double length = vector.norm();
-  return length > most ? Vec3(most / length * vector) : vector;
+  return length > maximum ? Vec3(maximum / length * vector) : vector;
 }
 
 /// The first vertex of each piece of a cloth that triangles connect.
@@ -43,14 +43,14 @@ const std::vector<int>& BodyContact::piecesOf(const ClothModel& model) {
 }
 
 /// @return true when that is news
-bool BodyContact::findRoundOverlap(const Cloth& cloth, NearBody& near, RoundSolid&& solid) {
+bool BodyContact::findPrimitiveOverlap(const Cloth& cloth, NearBody& near, CapsuleSolid&& solid) {
   if (near.overlaps) {
     return false;
   }
-  std::vector<char> inside(near.base.size());
-  std::transform(near.base.begin(), near.base.end(), inside.begin(),
+  std::vector<char> inside(near.start.size());
+  std::transform(near.start.begin(), near.start.end(), inside.begin(),
                  [&](const Vec3& point) { return static_cast<char>(solid.contains(point)); });
-  near.overlap.find(solid, std::move(inside), near.base, cloth.model.triangles,
+  near.overlap.find(solid, std::move(inside), near.start, cloth.model.triangles,
                     near.step->end.rotation.conjugate() * Vec3::UnitY());
   near.overlaps = true;
   return near.overlap.any();
@@ -58,33 +58,33 @@ bool BodyContact::findRoundOverlap(const Cloth& cloth, NearBody& near, RoundSoli
 
 /// Finds what is inside closed meshes: whole pieces of cloth at first, by one vertex of each, and when it is known
 /// what pierces them each vertex.
-void BodyContact::findOverlaps(const Cloth& cloth, bool settled, bool first) {
+void BodyContact::findOverlaps(const Cloth& cloth, bool atEnd, bool first) {
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
     near.overlaps = near.overlaps && !first;
     if (near.mesh != nullptr && near.mesh->closed) {
-      const MeshInStep mesh = near.meshInStep(settled);
+      const MeshInStep mesh = near.meshInStep(atEnd);
       MeshSolid solid(mesh);
       const std::vector<int>& pieces = piecesOf(cloth.model);
       near.overlaps = first ? std::any_of(pieces.begin(), pieces.end(),
-                                          [&](int v) { return solid.contains(vectorAt(near.base, v)); })
+                                          [&](int v) { return solid.contains(vectorAt(near.start, v)); })
                             : near.overlaps || near.meshSearch.pierced();
       if (near.overlaps) {
         const std::vector<bool> pierces = near.meshSearch.pierces(cloth.model.triangles.size());
-        near.overlap.find(solid, verticesInside(solid, near.base, cloth.model.triangles, pierces), near.base,
+        near.overlap.find(solid, verticesInside(solid, near.start, cloth.model.triangles, pierces), near.start,
                           cloth.model.triangles, near.step->end.rotation.conjugate() * Vec3::UnitY());
       }
     }
   }
 }
 
-void BodyContact::makeRoomForExits() {
+void BodyContact::extendBoundsForRecovery() {
   for (std::size_t b = 0; b < nearCount_; ++b) {
     const NearBody& near = near_[b];
     if (near.overlaps) {
-      const double most = near.reach.freedFrom(std::numeric_limits<double>::max());
+      const double maximum = near.offsets.recoveryStepAt(std::numeric_limits<double>::max());
       for (const int v : near.overlap.members()) {
-        room_[static_cast<std::size_t>(v)] += most;
+        displacementBounds_[static_cast<std::size_t>(v)] += maximum;
       }
     }
   }
@@ -96,10 +96,10 @@ bool BodyContact::overlaps() const {
 }
 
 /// For each vertex whether it is on a triangle that meets a body, or a few springs from such.
-std::vector<bool> BodyContact::besideOverlap(const Cloth& cloth, const NearBody& near) {
+std::vector<bool> BodyContact::verticesAtOverlap(const Cloth& cloth, const NearBody& near) {
   const std::vector<Triangle>& triangles = cloth.model.triangles;
   const std::vector<bool> pierces = near.meshSearch.pierces(triangles.size());
-  std::vector<bool> beside(target_.size(), false);
+  std::vector<bool> beside(predicted_.size(), false);
   std::vector<int> newest;
   const auto mark = [&](int v, std::vector<int>& marked) {
     if (!beside[static_cast<std::size_t>(v)]) {
@@ -114,7 +114,7 @@ std::vector<bool> BodyContact::besideOverlap(const Cloth& cloth, const NearBody&
     }
   }
   const double width = std::sqrt(static_cast<double>(near.overlap.members().size()));  // in triangles, about
-  const int rings = calmRings + static_cast<int>(moreRings * width);
+  const int rings = minRings + static_cast<int>(ringsPerWidth * width);
   std::vector<int> next;
   for (int ring = 1; ring < rings && !newest.empty(); ++ring) {
     next.clear();
@@ -131,29 +131,29 @@ std::vector<bool> BodyContact::besideOverlap(const Cloth& cloth, const NearBody&
 }
 
 /// What comes out of a body tears at what is still inside. None of it may go off faster than that.
-void BodyContact::calmTargets(const Cloth& cloth) {
-  calmed_.clear();
+void BodyContact::limitDisplacementsAtOverlap(const Cloth& cloth) {
+  slowed_.clear();
   for (std::size_t b = 0; b < nearCount_; ++b) {
     const NearBody& near = near_[b];
     if (!near.overlaps) {
       continue;
     }
-    const std::vector<bool> beside = besideOverlap(cloth, near);
-    for (std::size_t v = 0; v < target_.size(); ++v) {
+    const std::vector<bool> beside = verticesAtOverlap(cloth, near);
+    for (std::size_t v = 0; v < predicted_.size(); ++v) {
       if (beside[v] && !cloth.model.pinned[v]) {
-        const Vec3 carried = near.step->end.toWorld(near.base[v]);
-        calmed_.push_back({v, carried - cloth.start[v]});
-        target_[v] = carried + shortened(target_[v] - carried, calmSpeed * cloth.parameters.timeStep);
+        const Vec3 carried = near.step->end.toWorld(near.start[v]);
+        slowed_.push_back({v, carried - cloth.start[v]});
+        predicted_[v] = carried + shortened(predicted_[v] - carried, maxSpeedAtOverlap * cloth.parameters.timeStep);
       }
     }
   }
 }
 
-void BodyContact::calmVelocities(const Cloth& cloth, ClothState& state) const {
-  for (const Calmed& each : calmed_) {
+void BodyContact::limitVelocitiesAtOverlap(const Cloth& cloth, ClothState& state) const {
+  for (const SlowedVertex& each : slowed_) {
     const Vec3 still = each.move / cloth.parameters.timeStep;
     Vec3& velocity = state.velocities[each.vertex];
-    velocity = still + shortened(velocity - still, calmSpeed);
+    velocity = still + shortened(velocity - still, maxSpeedAtOverlap);
   }
 }
 

@@ -6,11 +6,12 @@
 namespace drape {
 namespace {
 
-constexpr std::size_t mostAsked = 64;  // vertices by which directions are compared
-constexpr double better = 1.0 - 1e-6;  // by so much less a way must be to be taken instead of an earlier one [-]
-constexpr double steep = 3.0;          // as much nearer the body may be behind a vertex than behind its neighbour [-]
-constexpr double followersEach = 0.5;  // of what is inside, so many may follow ...
-constexpr double followersMore = 16;   // ... and some
+constexpr std::size_t maxProbes = 64;  // vertices by which directions are compared
+constexpr double improvementRatio =
+    1.0 - 1e-6;                   // by so much less a way must be to be taken instead of an earlier one [-]
+constexpr double maxSlope = 3.0;  // as much nearer the body may be behind a vertex than behind its neighbour [-]
+constexpr double followersPerVertex = 0.5;  // of what is inside, so many may follow ...
+constexpr double extraFollowers = 16;       // ... and some
 
 enum class Mark : char { Unknown, Leaves, Follows, Free };
 
@@ -19,35 +20,35 @@ enum class Mark : char { Unknown, Leaves, Follows, Free };
 void CommonExit::begin(std::span<const int> vertices, const std::vector<Vec3>& directions) {
   vertices_ = vertices;
   directions_.clear();
-  const std::size_t every = 1 + vertices.size() / mostAsked;
+  const std::size_t every = 1 + vertices.size() / maxProbes;
   for (const Vec3& along : directions) {
     Direction direction{along, 0.0};
     for (std::size_t i = 0; i < vertices.size(); i += every) {
-      direction.farthest =
-          std::max(direction.farthest, -solid_.exitAlong(vectorAt(base_, vertices[i]), direction.along).gap);
+      direction.maxDistance =
+          std::max(direction.maxDistance, -solid_.exitAlong(vectorAt(start_, vertices[i]), direction.along).gap);
     }
     // Before those that are worse, behind those that are as good.
-    const auto place = std::find_if(directions_.begin(), directions_.end(), [&](const Direction& other) {
-      return direction.farthest < better * other.farthest;
+    const auto before = std::find_if(directions_.begin(), directions_.end(), [&](const Direction& other) {
+      return direction.maxDistance < improvementRatio * other.maxDistance;
     });
-    directions_.insert(place, direction);
+    directions_.insert(before, direction);
   }
 }
 
-std::vector<CommonExit::Way> CommonExit::find(double farthest, bool follow,
-                                              const std::function<bool(const std::vector<Way>&)>& suits) {
-  std::vector<Way> ways;
+std::vector<CommonExit::Exit> CommonExit::find(double maxDistance, bool follow,
+                                               const std::function<bool(const std::vector<Exit>&)>& suits) {
+  std::vector<Exit> exits;
   for (const Direction& direction : directions_) {
-    ways.clear();
-    if (!(direction.farthest < farthest)) {
+    exits.clear();
+    if (!(direction.maxDistance < maxDistance)) {
       break;
     }
-    if (!follow || findFollowers(direction, ways)) {
+    if (!follow || findFollowers(direction, exits)) {
       for (const int v : vertices_) {
-        ways.emplace_back(v, solid_.exitAlong(vectorAt(base_, v), direction.along));
+        exits.emplace_back(v, solid_.exitAlong(vectorAt(start_, v), direction.along));
       }
-      if (suits(ways)) {
-        return ways;
+      if (suits(exits)) {
+        return exits;
       }
     }
   }
@@ -56,10 +57,11 @@ std::vector<CommonExit::Way> CommonExit::find(double farthest, bool follow,
 
 /// Goes from what leaves to its neighbours, as far as the body is in front of them.
 /// @return false when that does not end near it
-bool CommonExit::findFollowers(const Direction& direction, std::vector<Way>& followers) {
-  const auto most = static_cast<std::size_t>(followersEach * static_cast<double>(vertices_.size()) + followersMore);
-  std::vector<Mark> marks(base_.size(), Mark::Unknown);
-  std::vector<double> enters(base_.size(), 0.0);
+bool CommonExit::findFollowers(const Direction& direction, std::vector<Exit>& followers) {
+  const auto maxFollowers =
+      static_cast<std::size_t>(followersPerVertex * static_cast<double>(vertices_.size()) + extraFollowers);
+  std::vector<Mark> marks(start_.size(), Mark::Unknown);
+  std::vector<double> enters(start_.size(), 0.0);
   for (const int v : vertices_) {
     marks[static_cast<std::size_t>(v)] = Mark::Leaves;
   }
@@ -80,20 +82,20 @@ bool CommonExit::findFollowers(const Direction& direction, std::vector<Way>& fol
           continue;
         }
         marks[at] = Mark::Free;
-        const std::optional<Passage> passage = solid_.passageAlong(base_[at], direction.along);
+        const std::optional<Passage> passage = solid_.passageAlong(start_[at], direction.along);
         if (!passage) {
           continue;
         }
-        if (passage->enter <= direction.farthest) {
+        if (passage->enter <= direction.maxDistance) {
           marks[at] = Mark::Follows;
           enters[at] = passage->enter;
           followers.emplace_back(v, passage->exit);
           more = true;
         } else if (passage->enter - enters[static_cast<std::size_t>(*from)] <
-                   steep * (base_[at] - vectorAt(base_, *from)).norm()) {
+                   maxSlope * (start_[at] - vectorAt(start_, *from)).norm()) {
           return false;
         }
-        if (followers.size() > most) {
+        if (followers.size() > maxFollowers) {
           return false;
         }
       }

@@ -18,12 +18,12 @@ namespace drape {
 class CommonExit {
  public:
   /// A vertex that is outside and follows, or one that is inside, and where it leaves.
-  using Way = std::pair<int, NearPoint>;
+  using Exit = std::pair<int, NearPoint>;
 
   /// @param inside one a vertex
-  CommonExit(Solid& solid, std::span<const Vec3> base, std::span<const Triangle> triangles,
+  CommonExit(Solid& solid, std::span<const Vec3> start, std::span<const Triangle> triangles,
              const std::vector<char>& inside)
-      : solid_(solid), base_(base), triangles_(triangles), inside_(inside) {}
+      : solid_(solid), start_(start), triangles_(triangles), inside_(inside) {}
 
   /// Takes what is to leave, and the directions that are tried, the preferred ones first.
   void begin(std::span<const int> vertices, const std::vector<Vec3>& directions);
@@ -32,19 +32,19 @@ class CommonExit {
   /// empty when there is none.
   /// @param follow whether directions count only in which the rest can follow
   /// @param suits asked about the ways in a direction, whether they will do
-  [[nodiscard]] std::vector<Way> find(
-      double farthest, bool follow,
-      const std::function<bool(const std::vector<Way>&)>& suits = [](const auto&) { return true; });
+  [[nodiscard]] std::vector<Exit> find(
+      double maxDistance, bool follow,
+      const std::function<bool(const std::vector<Exit>&)>& suits = [](const auto&) { return true; });
 
  private:
   struct Direction {
     Vec3 along = Vec3::Zero();
-    double farthest = 0.0;  // way out of it [m]
+    double maxDistance = 0.0;  // way out of it [m]
   };
-  [[nodiscard]] bool findFollowers(const Direction& direction, std::vector<Way>& followers);
+  [[nodiscard]] bool findFollowers(const Direction& direction, std::vector<Exit>& followers);
 
   Solid& solid_;
-  std::span<const Vec3> base_;
+  std::span<const Vec3> start_;
   std::span<const Triangle> triangles_;
   const std::vector<char>& inside_;
   std::span<const int> vertices_;

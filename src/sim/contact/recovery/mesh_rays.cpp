@@ -38,16 +38,16 @@ class Ray {
     Vec3 weights(cross(at[1], at[2]), cross(at[2], at[0]), cross(at[0], at[1]));
     const double sum = weights.sum();
     weights = sum != 0.0 ? Vec3(weights / sum) : Vec3(Vec3::Constant(1.0 / 3.0));
-    crossing.way = direction_.dot(pointAt(corners, weights) - from_);
+    crossing.distance = direction_.dot(pointAt(corners, weights) - from_);
     crossing.weights = weights;
     crossing.outwards = side > 0;
-    return crossing.way > 0.0;
+    return crossing.distance > 0.0;
   }
 
  private:
   [[nodiscard]] Vec2 across(const Vec3& point) const {
-    const Vec3 way = point - from_;
-    return {u_.dot(way), v_.dot(way)};
+    const Vec3 offset = point - from_;
+    return {u_.dot(offset), v_.dot(offset)};
   }
 
   Vec3 from_, direction_, u_, v_;
@@ -61,7 +61,7 @@ void crossingsAlong(const MeshInStep& mesh, const Vec3& from, const Vec3& direct
   mesh.mesh.tree.forEachLeafAlong(from, direction, [&](std::size_t leaf) {
     for (const int triangle : mesh.mesh.tree.leaf(leaf)) {
       Crossing crossing;
-      if (ray.meets(mesh.base(triangle), crossing)) {
+      if (ray.meets(mesh.corners(triangle), crossing)) {
         crossing.triangle = triangle;
         crossings.push_back(crossing);
       }

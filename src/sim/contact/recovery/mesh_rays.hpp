@@ -8,7 +8,7 @@ namespace drape {
 
 /// Where a ray passes through a mesh.
 struct Crossing {
-  double way = 0.0;  ///< from where the ray begins [m]
+  double distance = 0.0;  ///< from where the ray begins [m]
   int triangle = -1;
   Vec3 weights = Vec3::Zero();  ///< of the triangle's corners
   bool outwards = false;        ///< it goes from the triangle's back to its front

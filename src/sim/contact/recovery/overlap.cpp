@@ -11,13 +11,13 @@
 namespace drape {
 namespace {
 
-constexpr double tearing = 3.0;  // times its length: how far the ends of a side may come out from each other [-]
-constexpr double pulled = 3.0;   // times as far as it would be torn apart a piece may go in one direction [-]
-constexpr double straight =
+constexpr double tearRatio = 3.0;     // times its length: how far the ends of a side may come out from each other [-]
+constexpr double maxPullRatio = 3.0;  // times as far as it would be torn apart a piece may go in one direction [-]
+constexpr double directExitRatio =
     1.5;  // times as far as the nearest ways out all of a piece may always go in one direction [-]
-constexpr double fewTorn =
+constexpr double maxTornRatio =
     0.2;  // of the sides between a part and the rest may still be torn when it joins the rest [-]
-constexpr double mainShare = 0.6;  // of a piece: from then on a part of it counts as what the others join [-]
+constexpr double minMainRatio = 0.6;  // of a piece: from then on a part of it counts as what the others join [-]
 
 /// Calls visit(a, b) for the sides of all triangles, triangle by triangle.
 template <typename Visit>
@@ -53,7 +53,7 @@ void forEachSideThrough(const std::vector<char>& inside, std::span<const Triangl
 double tearOf(double length, const NearPoint& a, const NearPoint& b) {
   const double apart = (a.startPoint - b.startPoint).norm();
   const bool opposite = a.normal.dot(b.normal) < 0.0 && apart > length;  // as through a limb not much thicker than that
-  return opposite || apart > tearing * length ? apart - length : 0.0;
+  return opposite || apart > tearRatio * length ? apart - length : 0.0;
 }
 
 /// The directions in which a piece could leave, the preferred ones first.
@@ -78,19 +78,19 @@ struct Overlap::Piece {
   double depth = 0.0;          // of the deepest [m]
 };
 
-std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> base, std::span<const Triangle> triangles,
+std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> start, std::span<const Triangle> triangles,
                                  const std::vector<bool>& pierces) {
-  DisjointSets pieces(static_cast<int>(base.size()));
+  DisjointSets pieces(static_cast<int>(start.size()));
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (!pierces[t]) {
       pieces.join(triangles[t][0], triangles[t][1]);
       pieces.join(triangles[t][0], triangles[t][2]);
     }
   }
-  std::vector<char> inside(base.size(), 0);
-  for (std::size_t v = 0; v < base.size(); ++v) {
+  std::vector<char> inside(start.size(), 0);
+  for (std::size_t v = 0; v < start.size(); ++v) {
     const auto root = static_cast<std::size_t>(pieces.root(static_cast<int>(v)));
-    inside[v] = root == v ? static_cast<char>(solid.contains(base[v])) : inside[root];
+    inside[v] = root == v ? static_cast<char>(solid.contains(start[v])) : inside[root];
   }
   return inside;
 }
@@ -101,25 +101,25 @@ void Overlap::clear() {
   followers_.clear();
 }
 
-void Overlap::find(Solid& solid, std::vector<char> inside, std::span<const Vec3> base,
+void Overlap::find(Solid& solid, std::vector<char> inside, std::span<const Vec3> start,
                    std::span<const Triangle> triangles, const Vec3& up) {
   clear();
   inside_ = std::move(inside);
-  exits_.resize(base.size());
-  depths_.assign(base.size(), 0.0);
-  for (std::size_t v = 0; v < base.size(); ++v) {
+  exits_.resize(start.size());
+  depths_.assign(start.size(), 0.0);
+  for (std::size_t v = 0; v < start.size(); ++v) {
     if (inside_[v] != 0) {
       members_.push_back(static_cast<int>(v));
-      exits_[v] = solid.nearestExit(base[v]);
+      exits_[v] = solid.nearestExit(start[v]);
       depths_[v] = -exits_[v].gap;
     }
   }
-  const Cloth cloth{base, triangles};
+  const Cloth cloth{start, triangles};
   findOutsides(solid, cloth);
   for (const Piece& piece : piecesOf(cloth)) {
     const std::size_t before = followers_.size();
     if (piece.tear > 0.0) {
-      leadOut(solid, cloth, piece, up);
+      leadOutTogether(solid, cloth, piece, up);
     }
     // All of it goes as fast: what is less deep must not run away from the rest.
     double depth = 0.0;
@@ -138,18 +138,18 @@ void Overlap::find(Solid& solid, std::vector<char> inside, std::span<const Vec3>
 
 /// Finds where the surface is nearest to what is outside beside a piece, and faces there.
 void Overlap::findOutsides(Solid& solid, const Cloth& cloth) {
-  std::vector<bool> found(cloth.base.size(), false);
+  std::vector<bool> found(cloth.start.size(), false);
   forEachSideThrough(inside_, cloth.triangles, [&](std::size_t /*inside*/, std::size_t v) {
     if (!found[v]) {
       found[v] = true;
-      exits_[v] = solid.nearestSurface(cloth.base[v]);
+      exits_[v] = solid.nearestSurface(cloth.start[v]);
     }
   });
 }
 
 /// The pieces, by their first vertices.
 std::vector<Overlap::Piece> Overlap::piecesOf(const Cloth& cloth) const {
-  DisjointSets sets(static_cast<int>(cloth.base.size()));
+  DisjointSets sets(static_cast<int>(cloth.start.size()));
   forEachSideInside(inside_, cloth.triangles,
                     [&](std::size_t a, std::size_t b) { sets.join(static_cast<int>(a), static_cast<int>(b)); });
   std::map<int, Piece> pieces;
@@ -160,13 +160,13 @@ std::vector<Overlap::Piece> Overlap::piecesOf(const Cloth& cloth) const {
   }
   const auto tear = [&](std::size_t a, std::size_t b) {
     Piece& piece = pieces[sets.root(static_cast<int>(a))];
-    piece.tear = std::max(piece.tear, tearOf((cloth.base[a] - cloth.base[b]).norm(), exits_[a], exits_[b]));
+    piece.tear = std::max(piece.tear, tearOf((cloth.start[a] - cloth.start[b]).norm(), exits_[a], exits_[b]));
   };
   forEachSideInside(inside_, cloth.triangles, tear);
   forEachSideThrough(inside_, cloth.triangles, tear);
   for (const Triangle& t : cloth.triangles) {
     if (inside(t[0]) && inside(t[1]) && inside(t[2])) {
-      const Corners at = cornersOf(cloth.base, t);
+      const Corners at = cornersOf(cloth.start, t);
       pieces[sets.root(t[0])].across += (at[1] - at[0]).cross(at[2] - at[0]);
     }
   }
@@ -178,27 +178,28 @@ std::vector<Overlap::Piece> Overlap::piecesOf(const Cloth& cloth) const {
 }
 
 /// Sends a piece that would be torn out in one direction, if there is one in which none of it has too far to go.
-void Overlap::leadOut(Solid& solid, const Cloth& cloth, const Piece& piece, const Vec3& up) {
+void Overlap::leadOutTogether(Solid& solid, const Cloth& cloth, const Piece& piece, const Vec3& up) {
   const std::vector<Vec3> directions = directionsOf(up, piece.across);
-  CommonExit exit(solid, cloth.base, cloth.triangles, inside_);
+  CommonExit exit(solid, cloth.start, cloth.triangles, inside_);
   exit.begin(piece.vertices, directions);
-  auto ways = exit.find(straight * piece.depth, true);
-  if (ways.empty() && joinParts(solid, cloth, piece, directions)) {
+  auto exits = exit.find(directExitRatio * piece.depth, true);
+  if (exits.empty() && joinPartsToRest(solid, cloth, piece, directions)) {
     return;
   }
-  if (ways.empty()) {
-    ways = exit.find(pulled * std::max(piece.tear, 2.0 * piece.depth), true);
+  if (exits.empty()) {
+    exits = exit.find(maxPullRatio * std::max(piece.tear, 2.0 * piece.depth), true);
   }
-  if (ways.empty()) {
-    ways = exit.find(pulled * piece.tear, false);
+  if (exits.empty()) {
+    exits = exit.find(maxPullRatio * piece.tear, false);
   }
-  take(ways);
+  take(exits);
 }
 
 /// Where most of a piece is not torn, sends the rest of it where that goes.
 /// @return false when there is no such part
-bool Overlap::joinParts(Solid& solid, const Cloth& cloth, const Piece& piece, const std::vector<Vec3>& directions) {
-  DisjointSets sets(static_cast<int>(cloth.base.size()));
+bool Overlap::joinPartsToRest(Solid& solid, const Cloth& cloth, const Piece& piece,
+                              const std::vector<Vec3>& directions) {
+  DisjointSets sets(static_cast<int>(cloth.start.size()));
   forEachSideInside(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
     if (!tears(cloth, a, b)) {
       sets.join(static_cast<int>(a), static_cast<int>(b));
@@ -211,7 +212,7 @@ bool Overlap::joinParts(Solid& solid, const Cloth& cloth, const Piece& piece, co
   const auto main = std::max_element(parts.begin(), parts.end(),
                                      [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
   if (parts.size() == 1 ||
-      static_cast<double>(main->second.size()) < mainShare * static_cast<double>(piece.vertices.size())) {
+      static_cast<double>(main->second.size()) < minMainRatio * static_cast<double>(piece.vertices.size())) {
     return false;
   }
   int through = 0;
@@ -222,12 +223,12 @@ bool Overlap::joinParts(Solid& solid, const Cloth& cloth, const Piece& piece, co
       torn += tears(cloth, a, b) ? 1 : 0;
     }
   });
-  if (torn > fewTorn * through) {
+  if (torn > maxTornRatio * through) {
     return false;  // it cannot stay there itself
   }
   for (const auto& [root, part] : parts) {
     if (root != main->first) {
-      joinPart(solid, cloth, part, pulled * piece.tear, directions);
+      joinPartToRest(solid, cloth, part, maxPullRatio * piece.tear, directions);
     }
   }
   return true;
@@ -235,8 +236,8 @@ bool Overlap::joinParts(Solid& solid, const Cloth& cloth, const Piece& piece, co
 
 /// Sends a part of a piece where what it hangs on goes, or in one of the other directions if that suits, and at most so
 /// far [m].
-void Overlap::joinPart(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double farthest,
-                       std::vector<Vec3> directions) {
+void Overlap::joinPartToRest(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double maxDistance,
+                             std::vector<Vec3> directions) {
   const std::set<std::size_t> members(part.begin(), part.end());
   std::vector<std::pair<std::size_t, std::size_t>> sides;  // from the part to what is not of it
   Vec3 where = Vec3::Zero();
@@ -250,31 +251,31 @@ void Overlap::joinPart(Solid& solid, const Cloth& cloth, const std::vector<int>&
   if (where.norm() > 0.0) {
     directions.insert(directions.begin(), where.normalized());
   }
-  CommonExit exit(solid, cloth.base, cloth.triangles, inside_);
+  CommonExit exit(solid, cloth.start, cloth.triangles, inside_);
   exit.begin(part, directions);
-  take(exit.find(farthest, true, [&](const std::vector<CommonExit::Way>& ways) {
+  take(exit.find(maxDistance, true, [&](const std::vector<CommonExit::Exit>& exits) {
     std::map<std::size_t, const NearPoint*> of;
-    for (const CommonExit::Way& way : ways) {
-      of[static_cast<std::size_t>(way.first)] = &way.second;
+    for (const CommonExit::Exit& each : exits) {
+      of[static_cast<std::size_t>(each.first)] = &each.second;
     }
     const auto torn = std::count_if(sides.begin(), sides.end(), [&](const auto& side) {
-      const double length = (cloth.base[side.first] - cloth.base[side.second]).norm();
+      const double length = (cloth.start[side.first] - cloth.start[side.second]).norm();
       return tearOf(length, *of.at(side.first), exits_[side.second]) > 0.0;
     });
-    return static_cast<double>(torn) <= fewTorn * static_cast<double>(sides.size());
+    return static_cast<double>(torn) <= maxTornRatio * static_cast<double>(sides.size());
   }));
 }
 
 bool Overlap::tears(const Cloth& cloth, std::size_t a, std::size_t b) const {
-  return tearOf((cloth.base[a] - cloth.base[b]).norm(), exits_[a], exits_[b]) > 0.0;
+  return tearOf((cloth.start[a] - cloth.start[b]).norm(), exits_[a], exits_[b]) > 0.0;
 }
 
-void Overlap::take(const std::vector<CommonExit::Way>& ways) {
-  for (const CommonExit::Way& way : ways) {
-    if (inside(way.first)) {
-      exits_[static_cast<std::size_t>(way.first)] = way.second;
+void Overlap::take(const std::vector<CommonExit::Exit>& exits) {
+  for (const CommonExit::Exit& each : exits) {
+    if (inside(each.first)) {
+      exits_[static_cast<std::size_t>(each.first)] = each.second;
     } else {
-      followers_.push_back(way);
+      followers_.push_back(each);
     }
   }
 }

@@ -19,7 +19,7 @@ class Overlap {
 
   /// Finds the ways out of all vertices that are marked.
   /// @param inside one a vertex  @param base [m]  @param up preferred among directions that are as good
-  void find(Solid& solid, std::vector<char> inside, std::span<const Vec3> base, std::span<const Triangle> triangles,
+  void find(Solid& solid, std::vector<char> inside, std::span<const Vec3> start, std::span<const Triangle> triangles,
             const Vec3& up);
 
   /// Whether anything is inside. What follows it through the body counts as such.
@@ -37,30 +37,30 @@ class Overlap {
  private:
   struct Piece;
   struct Cloth {
-    std::span<const Vec3> base;
+    std::span<const Vec3> start;
     std::span<const Triangle> triangles;
   };
   void findOutsides(Solid& solid, const Cloth& cloth);
   [[nodiscard]] std::vector<Piece> piecesOf(const Cloth& cloth) const;
-  void leadOut(Solid& solid, const Cloth& cloth, const Piece& piece, const Vec3& up);
-  bool joinParts(Solid& solid, const Cloth& cloth, const Piece& piece, const std::vector<Vec3>& directions);
-  void joinPart(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double farthest,
-                std::vector<Vec3> directions);
+  void leadOutTogether(Solid& solid, const Cloth& cloth, const Piece& piece, const Vec3& up);
+  bool joinPartsToRest(Solid& solid, const Cloth& cloth, const Piece& piece, const std::vector<Vec3>& directions);
+  void joinPartToRest(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double maxDistance,
+                      std::vector<Vec3> directions);
   [[nodiscard]] bool tears(const Cloth& cloth, std::size_t a, std::size_t b) const;
-  void take(const std::vector<CommonExit::Way>& ways);
+  void take(const std::vector<CommonExit::Exit>& exits);
   void addFollowers();
 
   std::vector<char> inside_;
   std::vector<int> members_;
   std::vector<NearPoint> exits_;
   std::vector<double> depths_;
-  std::vector<CommonExit::Way> followers_;
+  std::vector<CommonExit::Exit> followers_;
 };
 
 /// Which vertices of a cloth are inside a solid: pieces of it that do not pierce the surface are inside or outside as a
 /// whole.
 /// @param pierces for each triangle whether it meets the surface
-[[nodiscard]] std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> base,
+[[nodiscard]] std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> start,
                                                std::span<const Triangle> triangles, const std::vector<bool>& pierces);
 
 }  // namespace drape

@@ -1,5 +1,7 @@
 #include "sim/contact/recovery/solid.hpp"
 
+#include "sim/contact/closest_features/closest_points.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -22,41 +24,41 @@ bool MeshSolid::contains(const Vec3& point) {
   return votes > 1;
 }
 
-NearVertex MeshSolid::nearestTo(const Vec3& point) {
+NearestMeshPoint MeshSolid::nearestTo(const Vec3& point) {
   double radius = std::numeric_limits<double>::infinity();
   if (last_.triangle >= 0) {
     constexpr double more = 1.0 + 1e-9;  // so that the point itself is found
-    radius = more * (pointAt(mesh_.base(last_.triangle), last_.weights) - point).norm() + 1e-12;
+    radius = more * (pointAt(mesh_.corners(last_.triangle), last_.weights) - point).norm() + 1e-12;
   }
-  NearVertex found = nearest_.anywhere(point, radius);
+  NearestMeshPoint found = nearest_.anywhere(point, radius);
   last_ = found.triangle < 0 ? last_ : found;
   return found;
 }
 
 NearPoint MeshSolid::nearestExit(const Vec3& point) {
-  const NearVertex found = nearestTo(point);
+  const NearestMeshPoint found = nearestTo(point);
   if (found.triangle < 0) {
     return {};
   }
-  const Vec3 normal = found.gap > 0.0 ? Vec3(-found.normal) : faceNormal(mesh_.base(found.triangle));
-  return {-found.gap, normal, pointAt(mesh_.start(found.triangle), found.weights),
-          pointAt(mesh_.end(found.triangle), found.weights)};
+  const Vec3 normal = found.gap > 0.0 ? Vec3(-found.normal) : faceNormal(mesh_.corners(found.triangle));
+  return {-found.gap, normal, pointAt(mesh_.startCorners(found.triangle), found.weights),
+          pointAt(mesh_.endCorners(found.triangle), found.weights)};
 }
 
 NearPoint MeshSolid::nearestSurface(const Vec3& point) {
-  const NearVertex found = nearestTo(point);
+  const NearestMeshPoint found = nearestTo(point);
   return found.triangle < 0 ? NearPoint() : pointOf(mesh_, found);
 }
 
 void MeshSolid::findCrossings(const Vec3& point, const Vec3& direction) {
   crossingsAlong(mesh_, point, direction, crossings_);
   std::stable_sort(crossings_.begin(), crossings_.end(),
-                   [](const Crossing& a, const Crossing& b) { return a.way < b.way; });
+                   [](const Crossing& a, const Crossing& b) { return a.distance < b.distance; });
 }
 
 NearPoint MeshSolid::exitAt(const Crossing& crossing, const Vec3& direction) const {
-  return {-crossing.way, direction, pointAt(mesh_.start(crossing.triangle), crossing.weights),
-          pointAt(mesh_.end(crossing.triangle), crossing.weights)};
+  return {-crossing.distance, direction, pointAt(mesh_.startCorners(crossing.triangle), crossing.weights),
+          pointAt(mesh_.endCorners(crossing.triangle), crossing.weights)};
 }
 
 NearPoint MeshSolid::exitAlong(const Vec3& point, const Vec3& direction) {
@@ -79,7 +81,7 @@ std::optional<Passage> MeshSolid::passageAlong(const Vec3& point, const Vec3& di
     const int before = level;
     level += crossing.outwards ? -1 : 1;
     if (before == 0 && level == 1) {
-      enter = crossing.way;
+      enter = crossing.distance;
     } else if (before == 1 && level == 0) {
       return Passage{enter, exitAt(crossing, direction)};
     }
@@ -87,25 +89,25 @@ std::optional<Passage> MeshSolid::passageAlong(const Vec3& point, const Vec3& di
   return std::nullopt;
 }
 
-Vec3 RoundSolid::fromCore(const Vec3& point) const {
+Vec3 CapsuleSolid::fromCore(const Vec3& point) const {
   return point - core_[0] - nearestOnSegment(point, core_[0], core_[1]) * (core_[1] - core_[0]);
 }
 
-bool RoundSolid::contains(const Vec3& point) {
+bool CapsuleSolid::contains(const Vec3& point) {
   return fromCore(point).norm() < radius_;
 }
 
-NearPoint RoundSolid::nearestExit(const Vec3& point) {
-  const Vec3 way = fromCore(point);
-  const double distance = way.norm();
+NearPoint CapsuleSolid::nearestExit(const Vec3& point) {
+  const Vec3 offset = fromCore(point);
+  const double distance = offset.norm();
   const Vec3 axis = core_[1] - core_[0];
   const Vec3 aside = axis.isZero(0.0) ? Vec3(Vec3::UnitY()) : Vec3(axis.unitOrthogonal());
-  const Vec3 normal = distance > 0.0 ? Vec3(way / distance) : aside;
+  const Vec3 normal = distance > 0.0 ? Vec3(offset / distance) : aside;
   const Vec3 exit = point + (radius_ - distance) * normal;
   return {distance - radius_, normal, exit, exit};
 }
 
-double RoundSolid::surfaceBetween(const Vec3& point, const Vec3& direction, double in, double out) {
+double CapsuleSolid::surfaceBetween(const Vec3& point, const Vec3& direction, double in, double out) {
   constexpr int halvings = 50;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (in + out);
@@ -114,14 +116,14 @@ double RoundSolid::surfaceBetween(const Vec3& point, const Vec3& direction, doub
   return out;
 }
 
-NearPoint RoundSolid::exitAlong(const Vec3& point, const Vec3& direction) {
+NearPoint CapsuleSolid::exitAlong(const Vec3& point, const Vec3& direction) {
   const double farther = 2.0 * radius_ + (core_[1] - core_[0]).norm();
   const double out = surfaceBetween(point, direction, 0.0, farther);
   const Vec3 exit = point + out * direction;
   return {-out, direction, exit, exit};
 }
 
-std::optional<Passage> RoundSolid::passageAlong(const Vec3& point, const Vec3& direction) {
+std::optional<Passage> CapsuleSolid::passageAlong(const Vec3& point, const Vec3& direction) {
   const double farther = fromCore(point).norm() + 2.0 * radius_ + 2.0 * (core_[1] - core_[0]).norm();
   const double nearest = farther * nearestOfSegments({point, point + farther * direction}, core_).first;
   if (!contains(point + nearest * direction)) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/contact/recovery/mesh_rays.hpp"
 #include "sim/contact/closest_features/nearest_search.hpp"
+#include "sim/contact/recovery/mesh_rays.hpp"
 
 #include <array>
 #include <optional>
@@ -50,20 +50,20 @@ class MeshSolid final : public Solid {
   [[nodiscard]] std::optional<Passage> passageAlong(const Vec3& point, const Vec3& direction) override;
 
  private:
-  [[nodiscard]] NearVertex nearestTo(const Vec3& point);
+  [[nodiscard]] NearestMeshPoint nearestTo(const Vec3& point);
   [[nodiscard]] NearPoint exitAt(const Crossing& crossing, const Vec3& direction) const;
   void findCrossings(const Vec3& point, const Vec3& direction);
 
   const MeshInStep& mesh_;
   NearestSearch nearest_;
-  NearVertex last_;                  // where to look first: points come in their neighbourhoods
+  NearestMeshPoint last_;            // where to look first: points come in their neighbourhoods
   std::vector<Crossing> crossings_;  // by their ways
 };
 
 /// All that is nearer than a radius to a segment or, where its ends are one, to a point: a capsule or a sphere.
-class RoundSolid final : public Solid {
+class CapsuleSolid final : public Solid {
  public:
-  RoundSolid(std::array<Vec3, 2> core, double radius) : core_(std::move(core)), radius_(radius) {}
+  CapsuleSolid(std::array<Vec3, 2> core, double radius) : core_(std::move(core)), radius_(radius) {}
 
   [[nodiscard]] bool contains(const Vec3& point) override;
   [[nodiscard]] NearPoint nearestExit(const Vec3& point) override;

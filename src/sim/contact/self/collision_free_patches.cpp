@@ -15,11 +15,11 @@ constexpr int freeTriangle = -1;
 constexpr int withoutArea = -2;
 constexpr int kept = -3;
 
-/// Triangles whose mean normal is a chart's axis.
+/// Triangles whose mean normal is a patch's axis.
 constexpr std::size_t trianglesForAxis = 24;
 
 /// Below this square of twice its area [m^4] a triangle has no normal that could be trusted in float.
-constexpr float leastSquaredNormal = 1e-20F;
+constexpr float minSquaredNormal = 1e-20F;
 
 float squaredCosine(double degrees) {
   const double cosine = std::cos(degrees * std::numbers::pi / 180.0);
@@ -41,15 +41,15 @@ Direction cross(const Direction& a, const Direction& b) {
 
 /// Appends as much of the last entry as fills a vector.
 void fillUp(std::vector<std::int32_t>& values) {
-  while (values.size() % mostLanes != 0) {
+  while (values.size() % maxLanes != 0) {
     values.push_back(values.back());
   }
 }
 
 }  // namespace
 
-ChartMesh chartMeshOf(const ClothModel& model) {
-  ChartMesh mesh;
+PatchMesh patchMeshOf(const ClothModel& model) {
+  PatchMesh mesh;
   mesh.triangles = model.triangles;
   mesh.across = trianglesAcross(model.triangles);
   mesh.vertices = model.vertexCount();
@@ -64,63 +64,63 @@ ChartMesh chartMeshOf(const ClothModel& model) {
   return mesh;
 }
 
-bool BorderCheck::simple(const int* border, int count, const PlaceLanes& places, const Direction& axis) {
+bool BorderCheck::simple(const int* border, int count, const PositionLanes& positions, const Direction& axis) {
   if (count < 4) {
     return true;  // a triangle that faces the axis
   }
   const Direction aside = std::abs(axis[0]) < 0.6F ? Direction{1.0F, 0.0F, 0.0F} : Direction{0.0F, 1.0F, 0.0F};
   const Direction u = unit(cross(aside, axis));
   const Direction w = cross(axis, u);
-  x_.resize(static_cast<std::size_t>(count) + mostLanes + 1);
-  y_.resize(static_cast<std::size_t>(count) + mostLanes + 1);
+  x_.resize(static_cast<std::size_t>(count) + maxLanes + 1);
+  y_.resize(static_cast<std::size_t>(count) + maxLanes + 1);
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     const auto v = static_cast<std::size_t>(border[i]);
-    const Direction place = {places.x[v], places.y[v], places.z[v]};
-    x_[i] = dot(place, u);
-    y_[i] = dot(place, w);
+    const Direction position = {positions.x[v], positions.y[v], positions.z[v]};
+    x_[i] = dot(position, u);
+    y_[i] = dot(position, w);
   }
   x_[static_cast<std::size_t>(count)] = x_[0];
   y_[static_cast<std::size_t>(count)] = y_[0];
   return isSimplePolygon(x_.data(), y_.data(), count);
 }
 
-void ChartGrower::begin(const ChartMesh& mesh, const PlaceLanes& places, SelfCharts& charts) {
+void PatchGrower::begin(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches) {
   const std::size_t triangles = mesh.triangles.size();
   normals_.resize(mesh.corners.a.size());
-  normalsOf(places, mesh.corners, static_cast<int>(mesh.corners.a.size()), normals_);
+  normalsOf(positions, mesh.corners, static_cast<int>(mesh.corners.a.size()), normals_);
   owner_.assign(triangles, freeTriangle);
   for (std::size_t t = 0; t < triangles; ++t) {
     const Direction n = normal(static_cast<int>(t));
-    if (!(dot(n, n) > leastSquaredNormal)) {
+    if (!(dot(n, n) > minSquaredNormal)) {
       owner_[t] = withoutArea;
     }
   }
-  place_.resize(triangles);
-  touched_.assign(static_cast<std::size_t>(mesh.vertices), -1);
+  orderIndex_.resize(triangles);
+  attemptOfVertex_.assign(static_cast<std::size_t>(mesh.vertices), -1);
   next_.resize(static_cast<std::size_t>(mesh.vertices));
   attempt_ = 0;
-  charts.charts.clear();
-  charts.border.clear();
-  charts.chartOfVertex.assign(static_cast<std::size_t>(mesh.vertices), -1);
-  charts.chartOfTriangle.assign(triangles, -1);
-  for (auto* part : {&charts.corners.a, &charts.corners.b, &charts.corners.c}) {
+  patches.patches.clear();
+  patches.border.clear();
+  patches.patchOfVertex.assign(static_cast<std::size_t>(mesh.vertices), -1);
+  patches.patchOfTriangle.assign(triangles, -1);
+  for (auto* part : {&patches.corners.a, &patches.corners.b, &patches.corners.c}) {
     part->clear();
   }
 }
 
-Direction ChartGrower::normal(int triangle) const {
+Direction PatchGrower::normal(int triangle) const {
   const auto t = static_cast<std::size_t>(triangle);
   return {normals_.x[t], normals_.y[t], normals_.z[t]};
 }
 
-bool ChartGrower::faces(int triangle, const Direction& axis) const {
-  static const float least = squaredCosine(growthAngle);
+bool PatchGrower::faces(int triangle, const Direction& axis) const {
+  static const float minimum = squaredCosine(growthAngle);
   const Direction n = normal(triangle);
   const float along = dot(n, axis);
-  return along > 0.0F && along * along >= least * dot(n, n);
+  return along > 0.0F && along * along >= minimum * dot(n, n);
 }
 
-bool ChartGrower::leavesDisc(const ChartMesh& mesh, int triangle) const {
+bool PatchGrower::keepsDisc(const PatchMesh& mesh, int triangle) const {
   const auto t = static_cast<std::size_t>(triangle);
   int shared = 0;
   std::size_t edge = 0;
@@ -132,16 +132,16 @@ bool ChartGrower::leavesDisc(const ChartMesh& mesh, int triangle) const {
     }
   }
   const int third = mesh.triangles[t][(edge + 2) % 3];
-  return shared == 2 || (shared == 1 && touched_[static_cast<std::size_t>(third)] != attempt_);
+  return shared == 2 || (shared == 1 && attemptOfVertex_[static_cast<std::size_t>(third)] != attempt_);
 }
 
-void ChartGrower::take(const ChartMesh& mesh, int triangle) {
+void PatchGrower::take(const PatchMesh& mesh, int triangle) {
   const auto t = static_cast<std::size_t>(triangle);
   owner_[t] = attempt_;
-  place_[t] = static_cast<int>(order_.size());
+  orderIndex_[t] = static_cast<int>(order_.size());
   order_.push_back(triangle);
   for (std::size_t c = 0; c < 3; ++c) {
-    touched_[static_cast<std::size_t>(mesh.triangles[t][c])] = attempt_;
+    attemptOfVertex_[static_cast<std::size_t>(mesh.triangles[t][c])] = attempt_;
     const int across = mesh.across[t][c];
     if (across >= 0 && owner_[static_cast<std::size_t>(across)] == freeTriangle) {
       queue_.push_back(across);
@@ -149,27 +149,27 @@ void ChartGrower::take(const ChartMesh& mesh, int triangle) {
   }
 }
 
-void ChartGrower::takeFrom(const ChartMesh& mesh, int seed, const Direction& axis, std::size_t most) {
+void PatchGrower::takeFrom(const PatchMesh& mesh, int seed, const Direction& axis, std::size_t maximum) {
   ++attempt_;
   order_.clear();
   queue_.clear();
   take(mesh, seed);
-  for (std::size_t i = 0; i < queue_.size() && order_.size() < most; ++i) {
+  for (std::size_t i = 0; i < queue_.size() && order_.size() < maximum; ++i) {
     const int t = queue_[i];
-    if (owner_[static_cast<std::size_t>(t)] == freeTriangle && faces(t, axis) && leavesDisc(mesh, t)) {
+    if (owner_[static_cast<std::size_t>(t)] == freeTriangle && faces(t, axis) && keepsDisc(mesh, t)) {
       take(mesh, t);
     }
   }
 }
 
-void ChartGrower::giveBack(std::size_t kept) {
+void PatchGrower::giveBack(std::size_t kept) {
   for (std::size_t i = kept; i < order_.size(); ++i) {
     owner_[static_cast<std::size_t>(order_[i])] = freeTriangle;
   }
   order_.resize(kept);
 }
 
-Direction ChartGrower::axisAround(const ChartMesh& mesh, int seed) {
+Direction PatchGrower::axisAround(const PatchMesh& mesh, int seed) {
   const Direction own = unit(normal(seed));
   takeFrom(mesh, seed, own, trianglesForAxis);
   Direction sum = {0.0F, 0.0F, 0.0F};
@@ -184,14 +184,14 @@ Direction ChartGrower::axisAround(const ChartMesh& mesh, int seed) {
   return faces(seed, mean) ? mean : own;
 }
 
-void ChartGrower::findBorder(const ChartMesh& mesh, std::size_t count) {
+void PatchGrower::findBorder(const PatchMesh& mesh, std::size_t count) {
   int start = -1;
   for (std::size_t i = 0; i < count; ++i) {
     const auto t = static_cast<std::size_t>(order_[i]);
     for (std::size_t c = 0; c < 3; ++c) {
       const int across = mesh.across[t][c];
       const bool inside = across >= 0 && owner_[static_cast<std::size_t>(across)] == attempt_ &&
-                          place_[static_cast<std::size_t>(across)] < static_cast<int>(count);
+                          orderIndex_[static_cast<std::size_t>(across)] < static_cast<int>(count);
       if (!inside) {
         start = mesh.triangles[t][c];
         next_[static_cast<std::size_t>(start)] = mesh.triangles[t][(c + 1) % 3];
@@ -204,10 +204,10 @@ void ChartGrower::findBorder(const ChartMesh& mesh, std::size_t count) {
   }
 }
 
-void ChartGrower::cutBack(const ChartMesh& mesh, const PlaceLanes& places, const Direction& axis) {
+void PatchGrower::cutBack(const PatchMesh& mesh, const PositionLanes& positions, const Direction& axis) {
   const auto simple = [&](std::size_t count) {
     findBorder(mesh, count);
-    return check_.simple(border_.data(), static_cast<int>(border_.size()), places, axis);
+    return check_.simple(border_.data(), static_cast<int>(border_.size()), positions, axis);
   };
   if (simple(order_.size())) {
     return;
@@ -222,130 +222,131 @@ void ChartGrower::cutBack(const ChartMesh& mesh, const PlaceLanes& places, const
   findBorder(mesh, good);
 }
 
-void ChartGrower::add(const ChartMesh& mesh, const Direction& axis, SelfCharts& charts) {
-  CollisionFreeChart chart;
-  chart.axis = axis;
-  chart.firstCorner = static_cast<int>(charts.corners.a.size());
-  chart.firstBorder = static_cast<int>(charts.border.size());
-  const int index = charts.count();
+void PatchGrower::add(const PatchMesh& mesh, const Direction& axis, CollisionFreePatches& patches) {
+  CollisionFreePatch patch;
+  patch.axis = axis;
+  patch.firstCorner = static_cast<int>(patches.corners.a.size());
+  patch.firstBorder = static_cast<int>(patches.border.size());
+  const int index = patches.count();
   for (const int t : order_) {
-    charts.chartOfTriangle[static_cast<std::size_t>(t)] = index;
+    patches.patchOfTriangle[static_cast<std::size_t>(t)] = index;
     const Triangle& triangle = mesh.triangles[static_cast<std::size_t>(t)];
-    charts.corners.a.push_back(triangle[0]);
-    charts.corners.b.push_back(triangle[1]);
-    charts.corners.c.push_back(triangle[2]);
+    patches.corners.a.push_back(triangle[0]);
+    patches.corners.b.push_back(triangle[1]);
+    patches.corners.c.push_back(triangle[2]);
     for (const int v : triangle) {
-      int& own = charts.chartOfVertex[static_cast<std::size_t>(v)];
+      int& own = patches.patchOfVertex[static_cast<std::size_t>(v)];
       own = own < 0 ? index : own;
     }
   }
-  for (auto* part : {&charts.corners.a, &charts.corners.b, &charts.corners.c}) {
+  for (auto* part : {&patches.corners.a, &patches.corners.b, &patches.corners.c}) {
     fillUp(*part);
   }
-  charts.border.insert(charts.border.end(), border_.begin(), border_.end());
-  chart.lastCorner = static_cast<int>(charts.corners.a.size());
-  chart.lastBorder = static_cast<int>(charts.border.size());
-  charts.charts.push_back(chart);
+  patches.border.insert(patches.border.end(), border_.begin(), border_.end());
+  patch.lastCorner = static_cast<int>(patches.corners.a.size());
+  patch.lastBorder = static_cast<int>(patches.border.size());
+  patches.patches.push_back(patch);
 }
 
-void ChartGrower::sortVertices(SelfCharts& charts) {
-  for (int& chart : charts.chartOfVertex) {
-    if (chart < 0) {
-      chart = charts.count();
-      CollisionFreeChart loose;
-      loose.firstCorner = loose.lastCorner = static_cast<int>(charts.corners.a.size());
-      loose.firstBorder = loose.lastBorder = static_cast<int>(charts.border.size());
-      charts.charts.push_back(loose);
+void PatchGrower::sortVertices(CollisionFreePatches& patches) {
+  for (int& patch : patches.patchOfVertex) {
+    if (patch < 0) {
+      patch = patches.count();
+      CollisionFreePatch loose;
+      loose.firstCorner = loose.lastCorner = static_cast<int>(patches.corners.a.size());
+      loose.firstBorder = loose.lastBorder = static_cast<int>(patches.border.size());
+      patches.patches.push_back(loose);
     }
-    ++charts.charts[static_cast<std::size_t>(chart)].lastVertex;
+    ++patches.patches[static_cast<std::size_t>(patch)].lastVertex;
   }
   int sum = 0;
-  for (CollisionFreeChart& chart : charts.charts) {
-    chart.firstVertex = sum;
-    sum += chart.lastVertex;
-    chart.lastVertex = chart.firstVertex;
+  for (CollisionFreePatch& patch : patches.patches) {
+    patch.firstVertex = sum;
+    sum += patch.lastVertex;
+    patch.lastVertex = patch.firstVertex;
   }
-  charts.vertices.resize(charts.chartOfVertex.size());
-  for (std::size_t v = 0; v < charts.vertices.size(); ++v) {
-    CollisionFreeChart& chart = charts.charts[static_cast<std::size_t>(charts.chartOfVertex[v])];
-    charts.vertices[static_cast<std::size_t>(chart.lastVertex++)] = static_cast<int>(v);
+  patches.vertices.resize(patches.patchOfVertex.size());
+  for (std::size_t v = 0; v < patches.vertices.size(); ++v) {
+    CollisionFreePatch& patch = patches.patches[static_cast<std::size_t>(patches.patchOfVertex[v])];
+    patches.vertices[static_cast<std::size_t>(patch.lastVertex++)] = static_cast<int>(v);
   }
 }
 
-void ChartGrower::keep(const SelfCharts& old, const std::vector<char>& holds, SelfCharts& charts) {
-  std::vector<int> indices(holds.size(), -1);
-  for (std::size_t c = 0; c < holds.size(); ++c) {
-    CollisionFreeChart chart = old.charts[c];
-    if (holds[c] == 0 || chart.firstCorner == chart.lastCorner) {
+void PatchGrower::keepPatches(const CollisionFreePatches& old, const std::vector<char>& valid, CollisionFreePatches& patches) {
+  std::vector<int> indices(valid.size(), -1);
+  for (std::size_t c = 0; c < valid.size(); ++c) {
+    CollisionFreePatch patch = old.patches[c];
+    if (valid[c] == 0 || patch.firstCorner == patch.lastCorner) {
       continue;
     }
-    indices[c] = charts.count();
+    indices[c] = patches.count();
     const auto copied = [&](const std::vector<int>& from, int first, int last, std::vector<int>& to) {
       to.insert(to.end(), from.begin() + first, from.begin() + last);
     };
-    const int firstCorner = static_cast<int>(charts.corners.a.size());
-    const int firstBorder = static_cast<int>(charts.border.size());
-    copied(old.corners.a, chart.firstCorner, chart.lastCorner, charts.corners.a);
-    copied(old.corners.b, chart.firstCorner, chart.lastCorner, charts.corners.b);
-    copied(old.corners.c, chart.firstCorner, chart.lastCorner, charts.corners.c);
-    copied(old.border, chart.firstBorder, chart.lastBorder, charts.border);
-    for (auto i = static_cast<std::size_t>(firstCorner); i < charts.corners.a.size(); ++i) {
-      for (const int v : {charts.corners.a[i], charts.corners.b[i], charts.corners.c[i]}) {
-        int& own = charts.chartOfVertex[static_cast<std::size_t>(v)];
+    const int firstCorner = static_cast<int>(patches.corners.a.size());
+    const int firstBorder = static_cast<int>(patches.border.size());
+    copied(old.corners.a, patch.firstCorner, patch.lastCorner, patches.corners.a);
+    copied(old.corners.b, patch.firstCorner, patch.lastCorner, patches.corners.b);
+    copied(old.corners.c, patch.firstCorner, patch.lastCorner, patches.corners.c);
+    copied(old.border, patch.firstBorder, patch.lastBorder, patches.border);
+    for (auto i = static_cast<std::size_t>(firstCorner); i < patches.corners.a.size(); ++i) {
+      for (const int v : {patches.corners.a[i], patches.corners.b[i], patches.corners.c[i]}) {
+        int& own = patches.patchOfVertex[static_cast<std::size_t>(v)];
         own = own < 0 ? indices[c] : own;
       }
     }
-    chart.firstCorner = firstCorner;
-    chart.lastCorner = static_cast<int>(charts.corners.a.size());
-    chart.firstBorder = firstBorder;
-    chart.lastBorder = static_cast<int>(charts.border.size());
-    chart.firstVertex = chart.lastVertex = 0;
-    charts.charts.push_back(chart);
+    patch.firstCorner = firstCorner;
+    patch.lastCorner = static_cast<int>(patches.corners.a.size());
+    patch.firstBorder = firstBorder;
+    patch.lastBorder = static_cast<int>(patches.border.size());
+    patch.firstVertex = patch.lastVertex = 0;
+    patches.patches.push_back(patch);
   }
   for (std::size_t t = 0; t < owner_.size(); ++t) {
-    const int was = old.chartOfTriangle[t];
+    const int was = old.patchOfTriangle[t];
     if (was >= 0 && indices[static_cast<std::size_t>(was)] >= 0) {
       owner_[t] = kept;
-      charts.chartOfTriangle[t] = indices[static_cast<std::size_t>(was)];
+      patches.patchOfTriangle[t] = indices[static_cast<std::size_t>(was)];
     }
   }
 }
 
-void ChartGrower::growRest(const ChartMesh& mesh, const PlaceLanes& places, SelfCharts& charts) {
+void PatchGrower::growRest(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (owner_[t] == freeTriangle) {
       const int seed = static_cast<int>(t);
       const Direction axis = axisAround(mesh, seed);
       takeFrom(mesh, seed, axis, mesh.triangles.size());
-      cutBack(mesh, places, axis);
-      add(mesh, axis, charts);
+      cutBack(mesh, positions, axis);
+      add(mesh, axis, patches);
     }
   }
-  sortVertices(charts);
+  sortVertices(patches);
 }
 
-void ChartGrower::grow(const ChartMesh& mesh, const PlaceLanes& places, SelfCharts& charts) {
-  begin(mesh, places, charts);
-  growRest(mesh, places, charts);
+void PatchGrower::grow(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches) {
+  begin(mesh, positions, patches);
+  growRest(mesh, positions, patches);
 }
 
-void ChartGrower::mend(const ChartMesh& mesh, const PlaceLanes& places, const SelfCharts& old,
-                       const std::vector<char>& holds, SelfCharts& charts) {
-  begin(mesh, places, charts);
-  keep(old, holds, charts);
-  growRest(mesh, places, charts);
+void PatchGrower::repair(const PatchMesh& mesh, const PositionLanes& positions, const CollisionFreePatches& old,
+                         const std::vector<char>& valid, CollisionFreePatches& patches) {
+  begin(mesh, positions, patches);
+  keepPatches(old, valid, patches);
+  growRest(mesh, positions, patches);
 }
 
-int ChartCheck::failures(const SelfCharts& charts, const PlaceLanes& places, std::vector<char>& holds) {
-  static const float least = squaredCosine(holdAngle);
-  holds.assign(charts.charts.size(), 1);
+int PatchCheck::failures(const CollisionFreePatches& patches, const PositionLanes& positions,
+                         std::vector<char>& valid) {
+  static const float minimum = squaredCosine(holdAngle);
+  valid.assign(patches.patches.size(), 1);
   int failed = 0;
-  for (std::size_t c = 0; c < holds.size(); ++c) {
-    const CollisionFreeChart& chart = charts.charts[c];
-    if (!normalsWithin(places, charts.corners, chart.firstCorner, chart.lastCorner, chart.axis, least) ||
-        !border_.simple(charts.border.data() + chart.firstBorder, chart.lastBorder - chart.firstBorder, places,
-                        chart.axis)) {
-      holds[c] = 0;
+  for (std::size_t c = 0; c < valid.size(); ++c) {
+    const CollisionFreePatch& patch = patches.patches[c];
+    if (!normalsWithin(positions, patches.corners, patch.firstCorner, patch.lastCorner, patch.axis, minimum) ||
+        !border_.simple(patches.border.data() + patch.firstBorder, patch.lastBorder - patch.firstBorder, positions,
+                        patch.axis)) {
+      valid[c] = 0;
       ++failed;
     }
   }

@@ -8,15 +8,15 @@
 namespace drape {
 
 /// Numbers in the widest vector that is used, and so the room that arrays have beyond their end.
-inline constexpr int mostLanes = 16;
+inline constexpr int maxLanes = 16;
 
 /// Places in float, one array a coordinate, with room at the end so that whole vectors can be loaded and stored.
-struct PlaceLanes {
+struct PositionLanes {
   std::vector<float> x, y, z;  ///< [m]
 
   void resize(std::size_t count) {
     for (std::vector<float>* part : {&x, &y, &z}) {
-      part->resize(count + mostLanes);
+      part->resize(count + maxLanes);
     }
   }
 };
@@ -47,7 +47,7 @@ inline bool operator<(const VertexPair& x, const VertexPair& y) {
 
 /// How far the first `count` places are from where they were: all displacements lie in the box that is returned, so
 /// that no two have moved against each other by more than its diagonal.
-LaneBox displacementsBetween(const PlaceLanes& places, const PlaceLanes& since, int count);
+LaneBox displacementsBetween(const PositionLanes& positions, const PositionLanes& since, int count);
 
 /// Corners of triangles, one array each; the ranges below begin and end at multiples of `mostLanes`.
 struct CornerLanes {
@@ -56,11 +56,11 @@ struct CornerLanes {
 
 /// True when every triangle of the range has its normal n within a cone around a unit vector: n.axis > 0 and
 /// (n.axis)^2 >= leastSquaredCosine n.n.
-bool normalsWithin(const PlaceLanes& places, const CornerLanes& corners, int begin, int end,
-                   const std::array<float, 3>& axis, float leastSquaredCosine);
+bool normalsWithin(const PositionLanes& positions, const CornerLanes& corners, int begin, int end,
+                   const std::array<float, 3>& axis, float minSquaredCosine);
 
 /// The normals of all triangles, as long as twice their areas [m^2].
-void normalsOf(const PlaceLanes& places, const CornerLanes& corners, int count, PlaceLanes& normals);
+void normalsOf(const PositionLanes& positions, const CornerLanes& corners, int count, PositionLanes& normals);
 
 /// True when no two sides of a closed polygon in the plane touch that are not next to each other.
 /// @param x, y its corners and, after them, the first corner again and room for a vector
@@ -70,10 +70,11 @@ bool isSimplePolygon(const float* x, const float* y, int corners);
 inline constexpr float closeMargin = 1.1F;
 
 /// The box around places begin to end - 1.
-LaneBox boxOf(const PlaceLanes& places, int begin, int end);
+LaneBox boxOf(const PositionLanes& positions, int begin, int end);
 
 /// Appends to `inside` the places begin to end - 1 that lie in a box, ascending.
 /// @param inside must have room for all of them and a vector more  @param count how many it holds
-void placesInside(const PlaceLanes& places, int begin, int end, const LaneBox& box, std::int32_t* inside, int& count);
+void positionsInside(const PositionLanes& positions, int begin, int end, const LaneBox& box, std::int32_t* inside,
+                     int& count);
 
 }  // namespace drape

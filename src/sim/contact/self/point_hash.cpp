@@ -18,8 +18,8 @@ int bitsFor(int values) {
 
 /// Indices that a box spans along an axis, at most [-].
 int cellsAlong(const LaneBox& box, std::size_t axis, float size) {
-  constexpr float most = 1e6F;
-  return static_cast<int>(std::min(most, (box.high[axis] - box.low[axis]) / size)) + 2;
+  constexpr float maximum = 1e6F;
+  return static_cast<int>(std::min(maximum, (box.high[axis] - box.low[axis]) / size)) + 2;
 }
 
 }  // namespace
@@ -60,10 +60,10 @@ void PointHash::sort(const SurfacePoints& points, const std::vector<std::int32_t
   sorted_.points.count = points.count;
   for (std::size_t i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(next_[static_cast<std::size_t>(bucket[i])]++);
-    sorted_.points.places.x[at] = points.places.x[i];
-    sorted_.points.places.y[at] = points.places.y[i];
-    sorted_.points.places.z[at] = points.places.z[i];
-    sorted_.points.chart[at] = points.chart[i];
+    sorted_.points.positions.x[at] = points.positions.x[i];
+    sorted_.points.positions.y[at] = points.positions.y[i];
+    sorted_.points.positions.z[at] = points.positions.z[i];
+    sorted_.points.patch[at] = points.patch[i];
     sorted_.points.vertex[at] = points.vertex[i];
     sorted_.bucket[at] = bucket[i];
     sorted_.other[at] = other[i];
@@ -72,15 +72,15 @@ void PointHash::sort(const SurfacePoints& points, const std::vector<std::int32_t
 
 void PointHash::findPairs(const SurfacePoints& points, float reach, const std::array<float, 3>& phase,
                           std::vector<VertexPair>& pairs) {
-  const auto room = static_cast<std::size_t>(points.count) + mostLanes;
-  if (first_.size() < room) {
-    first_.resize(room);
-    second_.resize(room);
-    sorted_.points.resize(room);
-    sorted_.bucket.resize(room);
-    sorted_.other.resize(room);
+  const auto capacity = static_cast<std::size_t>(points.count) + maxLanes;
+  if (first_.size() < capacity) {
+    first_.resize(capacity);
+    second_.resize(capacity);
+    sorted_.points.resize(capacity);
+    sorted_.bucket.resize(capacity);
+    sorted_.other.resize(capacity);
   }
-  const LaneBox box = boxOf(points.places, 0, points.count);
+  const LaneBox box = boxOf(points.positions, 0, points.count);
   const float size = cellsPerReach * reach;
   std::array<float, 3> origin{};
   std::array<float, 3> shifted{};
@@ -91,8 +91,8 @@ void PointHash::findPairs(const SurfacePoints& points, float reach, const std::a
   const int totalBits = bitsFor(points.count);
   const HashGrid fine = hashGridOver(box, origin, size, totalBits);
   const HashGrid coarse = hashGridOver(box, shifted, 2.0F * size, totalBits);
-  bucketsOf(points.places, points.count, fine, first_.data());
-  bucketsOf(points.places, points.count, coarse, second_.data());
+  bucketsOf(points.positions, points.count, fine, first_.data());
+  bucketsOf(points.positions, points.count, coarse, second_.data());
   sort(points, first_, fine.buckets(), second_);
   pairsWithinBuckets(sorted_, reach * reach, false, pairs);
   sort(points, second_, coarse.buckets(), first_);

@@ -10,15 +10,15 @@ namespace drape {
 
 /// Points that may meet: a place, the sub-surface and the vertex of each. Sub-surfaces ascend.
 struct SurfacePoints {
-  PlaceLanes places;
-  std::vector<std::int32_t> chart;
+  PositionLanes positions;
+  std::vector<std::int32_t> patch;
   std::vector<std::int32_t> vertex;
   int count = 0;
 
-  void resize(std::size_t room) {
-    places.resize(room);
-    chart.resize(room + mostLanes);
-    vertex.resize(room + mostLanes);
+  void resize(std::size_t capacity) {
+    positions.resize(capacity);
+    patch.resize(capacity + maxLanes);
+    vertex.resize(capacity + maxLanes);
   }
 };
 
@@ -40,7 +40,7 @@ struct HashGrid {
 [[nodiscard]] HashGrid hashGridOver(const LaneBox& box, const std::array<float, 3>& origin, float size, int totalBits);
 
 /// The bucket of every point, by vector instructions.
-void bucketsOf(const PlaceLanes& places, int count, const HashGrid& grid, std::int32_t* buckets);
+void bucketsOf(const PositionLanes& positions, int count, const HashGrid& grid, std::int32_t* buckets);
 
 /// Points sorted by their bucket, and within a bucket by sub-surface: run c of bucket b is bucket b of the set that
 /// belongs to sub-surface c, so that all m sets take the room of one.
@@ -53,7 +53,7 @@ struct SortedPoints {
 
 /// Appends the pairs of points that share a bucket but no sub-surface and are nearer than the root of
 /// `squaredReach` [m^2], in the order of the buckets; by vector instructions.
-void pairsWithinBuckets(const SortedPoints& sorted, float squaredReach, bool leaveOutOther,
+void pairsWithinBuckets(const SortedPoints& sorted, float squaredReach, bool skipSameOtherBucket,
                         std::vector<VertexPair>& pairs);
 
 /// Finds near points by the paper's scheme (sec. 5.2): mass points are hashed by the cell that they lie in, twice, in

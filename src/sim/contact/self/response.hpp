@@ -25,39 +25,39 @@ void colourPairs(int vertices, const std::vector<VertexPair>& pairs, std::vector
 
 /// What a step's response works on, one entry a contact, the contacts of a colour filled up to whole vectors.
 struct ContactLanes {
-  std::vector<std::int32_t> a, b;       ///< vertices; one past the last in what fills up
-  std::vector<float> nx, ny, nz;        ///< direction from a to b when the step began
-  std::vector<float> ox, oy, oz;        ///< offset from a to b as the solver left them [m]
-  std::vector<float> apart;             ///< T [m]
-  std::vector<float> mass;              ///< 1 / (1 / m_a + 1 / m_b) [kg]
-  std::vector<float> press;             ///< h times the impulse along n so far [kg m]
-  std::vector<float> rubX, rubY, rubZ;  ///< h times the impulse of friction on b so far [kg m]
-  std::vector<int> begin;               ///< of each colour
+  std::vector<std::int32_t> a, b;                      ///< vertices; one past the last in what fills up
+  std::vector<float> normalX, normalY, normalZ;        ///< direction from a to b when the step began
+  std::vector<float> offsetX, offsetY, offsetZ;        ///< offset from a to b as the solver left them [m]
+  std::vector<float> minDistance;                      ///< T [m]
+  std::vector<float> mass;                             ///< 1 / (1 / m_a + 1 / m_b) [kg]
+  std::vector<float> normalImpulse;                    ///< h times the impulse along n so far [kg m]
+  std::vector<float> frictionX, frictionY, frictionZ;  ///< h times the impulse of friction on b so far [kg m]
+  std::vector<int> begin;                              ///< of each colour
   int count = 0;
 
-  void resize(std::size_t room);
+  void resize(std::size_t capacity);
 };
 
 /// Takes in those pairs that are nearer than `closeMargin` times `thickness` [m], or that are on other sides of each
 /// other than when the step began. Returns true when one of them was nearer than the thickness then.
 /// @param inverseMasses [1/kg]; one more than there are vertices, which is 0
-bool collectContacts(const ColouredPairs& pairs, const PlaceLanes& before, const PlaceLanes& places,
+bool collectContacts(const ColouredPairs& pairs, const PositionLanes& startPositions, const PositionLanes& positions,
                      const std::vector<float>& inverseMasses, float thickness, ContactLanes& contacts);
 
 /// What friction there is [-].
 struct Friction {
-  float atRest = 0.0F;
-  float sliding = 0.0F;
+  float staticCoefficient = 0.0F;
+  float kineticCoefficient = 0.0F;
 };
 
 /// One sweep over all contacts. Returns the most [m] by which a pair was moved along its normal.
 /// @param moves by how much each vertex is moved [m], and its inverse mass [1/kg], side by side
-float sweepContacts(const Friction& friction, ContactLanes& contacts, std::vector<float>& moves);
+float sweepContacts(const Friction& friction, ContactLanes& contacts, std::vector<float>& displacements);
 
 /// Moves what was nearer than the thickness when the step began apart by a share of what is missing.
 /// @param pushes as moves, but of positions alone
-void pushContacts(float thickness, float share, const ContactLanes& contacts, const std::vector<float>& moves,
-                  std::vector<float>& pushes);
+void pushOutContacts(float thickness, float share, const ContactLanes& contacts,
+                     const std::vector<float>& displacements, std::vector<float>& pushOuts);
 
 /// Keeps pairs of vertices apart at the end of a step. With d the offset between a pair, d0 and n its length and
 /// direction when the step began, T = min(thickness, d0) and l the part of d across n, a pair must end with
@@ -78,7 +78,7 @@ void pushContacts(float thickness, float share, const ContactLanes& contacts, co
 /// backward-Euler steps. An impulse of friction turns it by at most its size times the thickness.
 class SelfResponse {
  public:
-  static constexpr int mostSweeps = 8;
+  static constexpr int maxSweeps = 8;
   static constexpr float tolerance = 0.01F;
   static constexpr float pushOut = 0.2F;
 
@@ -91,20 +91,21 @@ class SelfResponse {
 
   /// @param pairs that may be too near  @param before, places at the start of the step, and as the solver left them [m]
   /// @param points what is in contact is appended  @returns how many pairs
-  int resolve(const ClothModel& model, const Inputs& inputs, const ColouredPairs& pairs, const PlaceLanes& before,
-              const PlaceLanes& places, ClothState& state, std::vector<ContactPoint>& points);
+  int resolve(const ClothModel& model, const Inputs& inputs, const ColouredPairs& pairs,
+              const PositionLanes& startPositions, const PositionLanes& positions, ClothState& state,
+              std::vector<ContactPoint>& points);
 
  private:
   [[nodiscard]] int report(const Inputs& inputs, const ClothState& state, std::vector<ContactPoint>& points) const;
 
   /// Four numbers a vertex: how far it is moved, zero between steps, and its inverse mass.
-  struct Moves {
+  struct Buffers {
     std::vector<float> inverseMasses;  // [1/kg]; one more than there are vertices, which is 0, and room for a vector
-    std::vector<float> moves;
-    std::vector<float> pushes;
+    std::vector<float> displacements;
+    std::vector<float> pushOuts;
   };
 
-  ModelCache<Moves> moves_;
+  ModelCache<Buffers> buffers_;
   ContactLanes contacts_;
 };
 

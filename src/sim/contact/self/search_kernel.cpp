@@ -5,8 +5,8 @@
 
 #include <hwy/foreach_target.h>
 // Highway's own includes have to come first.
-#include "sim/contact/self/point_hash.hpp"
 #include "sim/contact/self/float_lanes.hpp"
+#include "sim/contact/self/point_hash.hpp"
 
 #include <hwy/highway.h>
 #include <array>
@@ -17,7 +17,7 @@ namespace drape::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Floats = hn::CappedTag<float, mostLanes>;
+using Floats = hn::CappedTag<float, maxLanes>;
 using Numbers = hn::Rebind<std::int32_t, Floats>;
 using FloatLanes = hn::Vec<Floats>;
 using FloatMask = hn::Mask<Floats>;
@@ -26,16 +26,17 @@ struct Lanes {
   FloatLanes x, y, z;
 };
 
-HWY_INLINE Lanes load(const PlaceLanes& places, int at) {
+HWY_INLINE Lanes load(const PositionLanes& positions, int at) {
   const Floats d;
-  return {hn::LoadU(d, places.x.data() + at), hn::LoadU(d, places.y.data() + at), hn::LoadU(d, places.z.data() + at)};
+  return {hn::LoadU(d, positions.x.data() + at), hn::LoadU(d, positions.y.data() + at),
+          hn::LoadU(d, positions.z.data() + at)};
 }
 
-HWY_INLINE Lanes gather(const PlaceLanes& places, const std::int32_t* indices) {
+HWY_INLINE Lanes gather(const PositionLanes& positions, const std::int32_t* indices) {
   const Floats d;
   const auto at = hn::LoadU(Numbers(), indices);
-  return {hn::GatherIndex(d, places.x.data(), at), hn::GatherIndex(d, places.y.data(), at),
-          hn::GatherIndex(d, places.z.data(), at)};
+  return {hn::GatherIndex(d, positions.x.data(), at), hn::GatherIndex(d, positions.y.data(), at),
+          hn::GatherIndex(d, positions.z.data(), at)};
 }
 
 HWY_INLINE Lanes subtract(const Lanes& a, const Lanes& b) {
@@ -102,50 +103,50 @@ class BoxLanes {
   Lanes low_, high_;
 };
 
-LaneBox displacements(const PlaceLanes& places, const PlaceLanes& since, int count) {
+LaneBox displacements(const PositionLanes& positions, const PositionLanes& since, int count) {
   const int lanes = static_cast<int>(hn::Lanes(Floats()));
   BoxLanes box;
   for (int i = 0; i < count; i += lanes) {
-    box.take(subtract(load(places, i), load(since, i)), firstLanes(count - i));
+    box.take(subtract(load(positions, i), load(since, i)), firstLanes(count - i));
   }
   return box.box();
 }
 
-LaneBox boxAround(const PlaceLanes& places, int begin, int end) {
+LaneBox boxAround(const PositionLanes& positions, int begin, int end) {
   const int lanes = static_cast<int>(hn::Lanes(Floats()));
   BoxLanes box;
   for (int i = begin; i < end; i += lanes) {
-    box.take(load(places, i), firstLanes(end - i));
+    box.take(load(positions, i), firstLanes(end - i));
   }
   return box.box();
 }
 
-void select(const PlaceLanes& places, int begin, int end, const LaneBox& box, std::int32_t* inside, int& count) {
+void select(const PositionLanes& positions, int begin, int end, const LaneBox& box, std::int32_t* inside, int& count) {
   const Floats d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto within = [&](FloatLanes value, std::size_t axis) {
     return hn::And(hn::Ge(value, hn::Set(d, box.low[axis])), hn::Le(value, hn::Set(d, box.high[axis])));
   };
   for (int i = begin; i < end; i += lanes) {
-    const Lanes at = load(places, i);
+    const Lanes at = load(positions, i);
     const auto mask = hn::And(hn::And(within(at.x, 0), within(at.y, 1)), hn::And(within(at.z, 2), firstLanes(end - i)));
     const auto indices = hn::Iota(Numbers(), static_cast<std::int32_t>(i));
     count += static_cast<int>(hn::CompressStore(indices, hn::RebindMask(Numbers(), mask), Numbers(), inside + count));
   }
 }
 
-bool within(const PlaceLanes& places, const CornerLanes& corners, int begin, int end, const std::array<float, 3>& axis,
-            float leastSquaredCosine) {
+bool within(const PositionLanes& positions, const CornerLanes& corners, int begin, int end,
+            const std::array<float, 3>& axis, float minSquaredCosine) {
   const Floats d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const Lanes direction = {hn::Set(d, axis[0]), hn::Set(d, axis[1]), hn::Set(d, axis[2])};
-  const auto least = hn::Set(d, leastSquaredCosine);
+  const auto minimum = hn::Set(d, minSquaredCosine);
   for (int i = begin; i < end; i += lanes) {
-    const Lanes a = gather(places, corners.a.data() + i);
-    const Lanes n =
-        cross(subtract(gather(places, corners.b.data() + i), a), subtract(gather(places, corners.c.data() + i), a));
+    const Lanes a = gather(positions, corners.a.data() + i);
+    const Lanes n = cross(subtract(gather(positions, corners.b.data() + i), a),
+                          subtract(gather(positions, corners.c.data() + i), a));
     const auto along = dot(n, direction);
-    const auto good = hn::And(hn::Gt(along, hn::Zero(d)), hn::Ge(hn::Mul(along, along), hn::Mul(least, dot(n, n))));
+    const auto good = hn::And(hn::Gt(along, hn::Zero(d)), hn::Ge(hn::Mul(along, along), hn::Mul(minimum, dot(n, n))));
     if (!hn::AllTrue(d, good)) {
       return false;
     }
@@ -153,13 +154,13 @@ bool within(const PlaceLanes& places, const CornerLanes& corners, int begin, int
   return true;
 }
 
-void normals(const PlaceLanes& places, const CornerLanes& corners, int count, PlaceLanes& result) {
+void normals(const PositionLanes& positions, const CornerLanes& corners, int count, PositionLanes& result) {
   const Floats d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int i = 0; i < count; i += lanes) {
-    const Lanes a = gather(places, corners.a.data() + i);
-    const Lanes n =
-        cross(subtract(gather(places, corners.b.data() + i), a), subtract(gather(places, corners.c.data() + i), a));
+    const Lanes a = gather(positions, corners.a.data() + i);
+    const Lanes n = cross(subtract(gather(positions, corners.b.data() + i), a),
+                          subtract(gather(positions, corners.c.data() + i), a));
     hn::StoreU(n.x, d, result.x.data() + i);
     hn::StoreU(n.y, d, result.y.data() + i);
     hn::StoreU(n.z, d, result.z.data() + i);
@@ -205,16 +206,17 @@ bool isSimple(const float* x, const float* y, int corners) {
   return true;
 }
 
-void hash(const PlaceLanes& places, int count, const HashGrid& grid, std::int32_t* buckets) {
+void hash(const PositionLanes& positions, int count, const HashGrid& grid, std::int32_t* buckets) {
   const Floats d;
   const Numbers di;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const auto index = [&](FloatLanes place, std::size_t axis) {
-    const auto cell = hn::Floor(hn::Mul(hn::Sub(place, hn::Set(d, grid.origin[axis])), hn::Set(d, grid.inverseSize)));
+  const auto index = [&](FloatLanes position, std::size_t axis) {
+    const auto cell =
+        hn::Floor(hn::Mul(hn::Sub(position, hn::Set(d, grid.origin[axis])), hn::Set(d, grid.inverseSize)));
     return hn::And(hn::ConvertTo(di, cell), hn::Set(di, (1 << grid.bits[axis]) - 1));
   };
   for (int i = 0; i < count; i += lanes) {
-    const Lanes at = load(places, i);
+    const Lanes at = load(positions, i);
     const auto xy = hn::Or(index(at.x, 0), hn::ShiftLeftSame(index(at.y, 1), grid.bits[0]));
     hn::StoreU(hn::Or(xy, hn::ShiftLeftSame(index(at.z, 2), grid.bits[0] + grid.bits[1])), di, buckets + i);
   }
@@ -226,20 +228,20 @@ struct Run {
   int end = 0;
 };
 
-void pairsOfPoint(const SortedPoints& sorted, int i, Run run, float squaredReach, bool leaveOutOther,
+void pairsOfPoint(const SortedPoints& sorted, int i, Run run, float squaredReach, bool skipSameOtherBucket,
                   std::vector<VertexPair>& pairs) {
   const Floats d;
   const Numbers di;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const SurfacePoints& points = sorted.points;
   const auto at = static_cast<std::size_t>(i);
-  const Lanes here = {hn::Set(d, points.places.x[at]), hn::Set(d, points.places.y[at]),
-                      hn::Set(d, points.places.z[at])};
+  const Lanes here = {hn::Set(d, points.positions.x[at]), hn::Set(d, points.positions.y[at]),
+                      hn::Set(d, points.positions.z[at])};
   const auto other = hn::Set(di, sorted.other[at]);
   for (int j = run.begin; j < run.end; j += lanes) {
-    const Lanes offset = subtract(load(points.places, j), here);
+    const Lanes offset = subtract(load(points.positions, j), here);
     auto near = hn::And(hn::Lt(dot(offset, offset), hn::Set(d, squaredReach)), firstLanes(run.end - j));
-    if (leaveOutOther) {
+    if (skipSameOtherBucket) {
       near = hn::AndNot(hn::RebindMask(d, hn::Eq(hn::LoadU(di, sorted.other.data() + j), other)), near);
     }
     if (hn::AllFalse(d, near)) {
@@ -253,18 +255,18 @@ void pairsOfPoint(const SortedPoints& sorted, int i, Run run, float squaredReach
   }
 }
 
-void pairs(const SortedPoints& sorted, float squaredReach, bool leaveOutOther, std::vector<VertexPair>& found) {
+void pairs(const SortedPoints& sorted, float squaredReach, bool skipSameOtherBucket, std::vector<VertexPair>& found) {
   const SurfacePoints& points = sorted.points;
   int end = 0;
   for (int begin = 0; begin < points.count; begin = end) {
     end = sorted.begin[static_cast<std::size_t>(sorted.bucket[static_cast<std::size_t>(begin)]) + 1];
-    const std::int32_t last = points.chart[static_cast<std::size_t>(end) - 1];
+    const std::int32_t last = points.patch[static_cast<std::size_t>(end) - 1];
     int nextRun = begin;
-    for (int i = begin; points.chart[static_cast<std::size_t>(i)] != last; ++i) {
-      while (points.chart[static_cast<std::size_t>(nextRun)] == points.chart[static_cast<std::size_t>(i)]) {
+    for (int i = begin; points.patch[static_cast<std::size_t>(i)] != last; ++i) {
+      while (points.patch[static_cast<std::size_t>(nextRun)] == points.patch[static_cast<std::size_t>(i)]) {
         ++nextRun;
       }
-      pairsOfPoint(sorted, i, {nextRun, end}, squaredReach, leaveOutOther, found);
+      pairsOfPoint(sorted, i, {nextRun, end}, squaredReach, skipSameOtherBucket, found);
     }
   }
 }
@@ -284,38 +286,39 @@ HWY_EXPORT(isSimple);
 HWY_EXPORT(hash);
 HWY_EXPORT(pairs);
 
-LaneBox displacementsBetween(const PlaceLanes& places, const PlaceLanes& since, int count) {
-  return HWY_DYNAMIC_DISPATCH(displacements)(places, since, count);
+LaneBox displacementsBetween(const PositionLanes& positions, const PositionLanes& since, int count) {
+  return HWY_DYNAMIC_DISPATCH(displacements)(positions, since, count);
 }
 
-LaneBox boxOf(const PlaceLanes& places, int begin, int end) {
-  return HWY_DYNAMIC_DISPATCH(boxAround)(places, begin, end);
+LaneBox boxOf(const PositionLanes& positions, int begin, int end) {
+  return HWY_DYNAMIC_DISPATCH(boxAround)(positions, begin, end);
 }
 
-void placesInside(const PlaceLanes& places, int begin, int end, const LaneBox& box, std::int32_t* inside, int& count) {
-  HWY_DYNAMIC_DISPATCH(select)(places, begin, end, box, inside, count);
+void positionsInside(const PositionLanes& positions, int begin, int end, const LaneBox& box, std::int32_t* inside,
+                     int& count) {
+  HWY_DYNAMIC_DISPATCH(select)(positions, begin, end, box, inside, count);
 }
 
-bool normalsWithin(const PlaceLanes& places, const CornerLanes& corners, int begin, int end,
-                   const std::array<float, 3>& axis, float leastSquaredCosine) {
-  return HWY_DYNAMIC_DISPATCH(within)(places, corners, begin, end, axis, leastSquaredCosine);
+bool normalsWithin(const PositionLanes& positions, const CornerLanes& corners, int begin, int end,
+                   const std::array<float, 3>& axis, float minSquaredCosine) {
+  return HWY_DYNAMIC_DISPATCH(within)(positions, corners, begin, end, axis, minSquaredCosine);
 }
 
-void normalsOf(const PlaceLanes& places, const CornerLanes& corners, int count, PlaceLanes& result) {
-  HWY_DYNAMIC_DISPATCH(normals)(places, corners, count, result);
+void normalsOf(const PositionLanes& positions, const CornerLanes& corners, int count, PositionLanes& result) {
+  HWY_DYNAMIC_DISPATCH(normals)(positions, corners, count, result);
 }
 
 bool isSimplePolygon(const float* x, const float* y, int corners) {
   return HWY_DYNAMIC_DISPATCH(isSimple)(x, y, corners);
 }
 
-void bucketsOf(const PlaceLanes& places, int count, const HashGrid& grid, std::int32_t* buckets) {
-  HWY_DYNAMIC_DISPATCH(hash)(places, count, grid, buckets);
+void bucketsOf(const PositionLanes& positions, int count, const HashGrid& grid, std::int32_t* buckets) {
+  HWY_DYNAMIC_DISPATCH(hash)(positions, count, grid, buckets);
 }
 
-void pairsWithinBuckets(const SortedPoints& sorted, float squaredReach, bool leaveOutOther,
+void pairsWithinBuckets(const SortedPoints& sorted, float squaredReach, bool skipSameOtherBucket,
                         std::vector<VertexPair>& found) {
-  HWY_DYNAMIC_DISPATCH(pairs)(sorted, squaredReach, leaveOutOther, found);
+  HWY_DYNAMIC_DISPATCH(pairs)(sorted, squaredReach, skipSameOtherBucket, found);
 }
 
 }  // namespace drape

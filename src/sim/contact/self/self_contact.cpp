@@ -15,17 +15,17 @@ namespace {
 constexpr double thicknessOfEdge = 0.75;
 
 /// The margin of a search in thicknesses, at least and at most, and the steps that it should last for.
-constexpr double leastMargin = 0.25;
-constexpr double mostMargin = 0.7;
+constexpr double minMargin = 0.25;
+constexpr double maxMargin = 0.7;
 constexpr double stepsOfMargin = 4.0;
 
-/// All charts are grown anew after so many searches even if they hold, since cloth that has become flat needs fewer;
+/// All patches are grown anew after so many searches even if they hold, since cloth that has become flat needs fewer;
 /// and when mending has left more than twice as many as there were, and these.
-constexpr int searchesOfCharts = 64;
-constexpr int mostMended = 4;
+constexpr int maxSearchesPerGrowth = 64;
+constexpr int extraRepairedPatches = 4;
 
-/// With more charts than these, what is near others is not sorted out by their boxes.
-constexpr int mostBoxes = 64;
+/// With more patches than these, what is near others is not sorted out by their boxes.
+constexpr int maxBoxes = 64;
 
 /// Each search moves the grids by these, modulo 1: the powers of the root of x^4 = x + 1, which fill space evenly.
 constexpr std::array<double, 3> phaseSteps = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
@@ -39,17 +39,17 @@ double diagonalOf(const LaneBox& box) {
   return std::sqrt(sum);
 }
 
-void takePlaces(const std::vector<Vec3>& positions, PlaceLanes& places) {
-  places.resize(positions.size());
-  splitCoordinates(positions.data()->data(), positions.size(), {places.x.data(), places.y.data(), places.z.data()});
+void copyPositions(const std::vector<Vec3>& from, PositionLanes& to) {
+  to.resize(from.size());
+  splitCoordinates(from.data()->data(), from.size(), {to.x.data(), to.y.data(), to.z.data()});
 }
 
-double squaredDistance(const PlaceLanes& places, const VertexPair& pair) {
+double squaredDistance(const PositionLanes& positions, const VertexPair& pair) {
   const auto a = static_cast<std::size_t>(pair.a);
   const auto b = static_cast<std::size_t>(pair.b);
   const auto square = [](float x, float y) { return (x - y) * (x - y); };
-  return static_cast<double>(square(places.x[a], places.x[b]) + square(places.y[a], places.y[b]) +
-                             square(places.z[a], places.z[b]));
+  return static_cast<double>(square(positions.x[a], positions.x[b]) + square(positions.y[a], positions.y[b]) +
+                             square(positions.z[a], positions.z[b]));
 }
 
 /// A state that is not finite is left to whoever looks after such states.
@@ -62,8 +62,8 @@ bool allFinite(const std::vector<float>& values, std::size_t count) {
   return bad == 0;
 }
 
-bool allFinite(const PlaceLanes& places, std::size_t count) {
-  return allFinite(places.x, count) && allFinite(places.y, count) && allFinite(places.z, count);
+bool allFinite(const PositionLanes& positions, std::size_t count) {
+  return allFinite(positions.x, count) && allFinite(positions.y, count) && allFinite(positions.z, count);
 }
 
 /// What two boxes have in common, where the second is made larger by `margin` on all sides.
@@ -92,11 +92,11 @@ double selfThicknessOf(const ClothModel& model, const ContactParameters& paramet
   return parameters.selfThickness > 0.0 ? parameters.selfThickness : thicknessOfEdge * meanEdge(model);
 }
 
-bool SelfContact::listServes(const ClothModel& model, double thickness, const ClothState& state) const {
+bool SelfContact::pairListIsValid(const ClothModel& model, double thickness, const ClothState& state) const {
   const SelfContactMemory* memory = state.selfContact.get();
   return memory != nullptr && memory->vertices == model.vertexCount() &&
          memory->triangles == static_cast<int>(model.triangles.size()) && memory->thickness == thickness &&
-         diagonalOf(displacementsBetween(places_, memory->places, model.vertexCount())) <=
+         diagonalOf(displacementsBetween(positions_, memory->positions, model.vertexCount())) <=
              memory->reach - memory->thickness;
 }
 
@@ -112,51 +112,53 @@ std::shared_ptr<SelfContactMemory> SelfContact::unusedMemory() {
   return std::make_shared<SelfContactMemory>();  // many states are kept
 }
 
-std::shared_ptr<const SelfCharts> SelfContact::chartsFor(const ClothModel& model, const SelfContactMemory* old,
-                                                         SelfContactMemory& next) {
-  const ChartMesh& mesh = mesh_.get(model, chartMeshOf);
-  const bool aged = old != nullptr && old->searchesOfCharts >= searchesOfCharts && old->charts->count() > 1;
+std::shared_ptr<const CollisionFreePatches> SelfContact::patchesFor(const ClothModel& model,
+                                                                    const SelfContactMemory* old,
+                                                                    SelfContactMemory& next) {
+  const PatchMesh& mesh = mesh_.get(model, patchMeshOf);
+  const bool aged = old != nullptr && old->searchesSinceGrowth >= maxSearchesPerGrowth && old->patches->count() > 1;
   if (old != nullptr && !aged) {
-    next.searchesOfCharts = old->searchesOfCharts + 1;
-    next.chartsGrown = old->chartsGrown;
-    if (check_.failures(*old->charts, places_, holds_) == 0) {
-      return old->charts;
+    next.searchesSinceGrowth = old->searchesSinceGrowth + 1;
+    next.patchesGrown = old->patchesGrown;
+    if (check_.failures(*old->patches, positions_, valid_) == 0) {
+      return old->patches;
     }
-    auto mended = std::make_shared<SelfCharts>();
-    grower_.mend(mesh, places_, *old->charts, holds_, *mended);
-    if (mended->count() <= 2 * next.chartsGrown + mostMended) {
-      return mended;
+    auto repaired = std::make_shared<CollisionFreePatches>();
+    grower_.repair(mesh, positions_, *old->patches, valid_, *repaired);
+    if (repaired->count() <= 2 * next.patchesGrown + extraRepairedPatches) {
+      return repaired;
     }
   }
-  auto charts = std::make_shared<SelfCharts>();
-  grower_.grow(mesh, places_, *charts);
-  next.searchesOfCharts = 0;
-  next.chartsGrown = charts->count();
-  return charts;
+  auto patches = std::make_shared<CollisionFreePatches>();
+  grower_.grow(mesh, positions_, *patches);
+  next.searchesSinceGrowth = 0;
+  next.patchesGrown = patches->count();
+  return patches;
 }
 
-void SelfContact::gatherNearOthers(const SelfCharts& charts, float reach) {
-  const std::size_t vertices = charts.vertices.size();
+void SelfContact::gatherPointsNearOtherPatches(const CollisionFreePatches& patches, float reach) {
+  const std::size_t vertices = patches.vertices.size();
   sorted_.resize(vertices);
   for (std::size_t i = 0; i < vertices; ++i) {
-    const auto v = static_cast<std::size_t>(charts.vertices[i]);
-    sorted_.x[i] = places_.x[v];
-    sorted_.y[i] = places_.y[v];
-    sorted_.z[i] = places_.z[v];
+    const auto v = static_cast<std::size_t>(patches.vertices[i]);
+    sorted_.x[i] = positions_.x[v];
+    sorted_.y[i] = positions_.y[v];
+    sorted_.z[i] = positions_.z[v];
   }
-  near_.assign(vertices, charts.count() > mostBoxes ? 1 : 0);
-  if (charts.count() <= mostBoxes) {
-    boxes_.resize(charts.charts.size());
-    inside_.resize(vertices + mostLanes);
+  near_.assign(vertices, patches.count() > maxBoxes ? 1 : 0);
+  if (patches.count() <= maxBoxes) {
+    boxes_.resize(patches.patches.size());
+    inside_.resize(vertices + maxLanes);
     for (std::size_t c = 0; c < boxes_.size(); ++c) {
-      boxes_[c] = boxOf(sorted_, charts.charts[c].firstVertex, charts.charts[c].lastVertex);
+      boxes_[c] = boxOf(sorted_, patches.patches[c].firstVertex, patches.patches[c].lastVertex);
     }
     for (std::size_t c = 0; c < boxes_.size(); ++c) {
       for (std::size_t other = 0; other < boxes_.size(); ++other) {
         const LaneBox box = common(boxes_[c], boxes_[other], reach);
         if (other != c && !isEmpty(box)) {
           int count = 0;
-          placesInside(sorted_, charts.charts[c].firstVertex, charts.charts[c].lastVertex, box, inside_.data(), count);
+          positionsInside(sorted_, patches.patches[c].firstVertex, patches.patches[c].lastVertex, box, inside_.data(),
+                          count);
           std::for_each(inside_.begin(), inside_.begin() + count,
                         [&](int i) { near_[static_cast<std::size_t>(i)] = 1; });
         }
@@ -168,33 +170,33 @@ void SelfContact::gatherNearOthers(const SelfCharts& charts, float reach) {
   pointOf_.assign(vertices, -1);
   for (std::size_t i = 0; i < vertices; ++i) {
     if (near_[i] != 0) {
-      const auto v = static_cast<std::size_t>(charts.vertices[i]);
+      const auto v = static_cast<std::size_t>(patches.vertices[i]);
       const auto at = static_cast<std::size_t>(points_.count);
-      points_.places.x[at] = sorted_.x[i];
-      points_.places.y[at] = sorted_.y[i];
-      points_.places.z[at] = sorted_.z[i];
-      points_.chart[at] = charts.chartOfVertex[v];
-      points_.vertex[at] = charts.vertices[i];
+      points_.positions.x[at] = sorted_.x[i];
+      points_.positions.y[at] = sorted_.y[i];
+      points_.positions.z[at] = sorted_.z[i];
+      points_.patch[at] = patches.patchOfVertex[v];
+      points_.vertex[at] = patches.vertices[i];
       pointOf_[v] = points_.count++;
     }
   }
 }
 
-void SelfContact::keepKnown(const SelfContactMemory& old, const SelfCharts& charts, double reach,
-                            std::vector<VertexPair>& pairs) const {
+void SelfContact::keepKnownPairs(const SelfContactMemory& old, const CollisionFreePatches& patches, double reach,
+                                 std::vector<VertexPair>& pairs) const {
   for (std::size_t i = 0; i < static_cast<std::size_t>(old.pairs.count()); ++i) {
     const VertexPair& pair = old.pairs.pairs[i];
     const int a = pointOf_[static_cast<std::size_t>(pair.a)];
     const int b = pointOf_[static_cast<std::size_t>(pair.b)];
-    const bool apart = charts.chartOfVertex[static_cast<std::size_t>(pair.a)] !=
-                       charts.chartOfVertex[static_cast<std::size_t>(pair.b)];
-    if (a >= 0 && b >= 0 && apart && !hash_.compared(a, b) && squaredDistance(places_, pair) < reach * reach) {
+    const bool apart = patches.patchOfVertex[static_cast<std::size_t>(pair.a)] !=
+                       patches.patchOfVertex[static_cast<std::size_t>(pair.b)];
+    if (a >= 0 && b >= 0 && apart && !hash_.compared(a, b) && squaredDistance(positions_, pair) < reach * reach) {
       pairs.push_back(pair);
     }
   }
 }
 
-void SelfContact::leaveOutConnected(const ClothModel& model, double thickness, std::vector<VertexPair>& pairs) {
+void SelfContact::removeConnectedPairs(const ClothModel& model, double thickness, std::vector<VertexPair>& pairs) {
   const auto joined = [&](const VertexPair& pair) {
     const Vec3 atRest =
         model.restPositions[static_cast<std::size_t>(pair.b)] - model.restPositions[static_cast<std::size_t>(pair.a)];
@@ -203,33 +205,34 @@ void SelfContact::leaveOutConnected(const ClothModel& model, double thickness, s
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(), joined), pairs.end());
 }
 
-void SelfContact::look(const ClothModel& model, double thickness, const std::vector<Vec3>& start, ClothState& state) {
+void SelfContact::updatePairs(const ClothModel& model, double thickness, const std::vector<Vec3>& start,
+                              ClothState& state) {
   const std::shared_ptr<const SelfContactMemory> last = state.selfContact;
   const bool same = last != nullptr && last->vertices == model.vertexCount() &&
                     last->triangles == static_cast<int>(model.triangles.size());
   const SelfContactMemory* old = same ? last.get() : nullptr;
   const std::shared_ptr<SelfContactMemory> memory = unusedMemory();
-  takePlaces(start, before_);
-  const double moved = diagonalOf(displacementsBetween(places_, before_, model.vertexCount()));
+  copyPositions(start, startPositions_);
+  const double moved = diagonalOf(displacementsBetween(positions_, startPositions_, model.vertexCount()));
   memory->thickness = thickness;
-  memory->reach = thickness + std::clamp(stepsOfMargin * moved, leastMargin * thickness, mostMargin * thickness);
+  memory->reach = thickness + std::clamp(stepsOfMargin * moved, minMargin * thickness, maxMargin * thickness);
   memory->vertices = model.vertexCount();
   memory->triangles = static_cast<int>(model.triangles.size());
   memory->searches = old != nullptr ? old->searches + 1 : 0;
-  memory->charts = chartsFor(model, old, *memory);
-  memory->places = places_;
+  memory->patches = patchesFor(model, old, *memory);
+  memory->positions = positions_;
   found_.clear();
-  if (memory->charts->count() > 1) {
-    gatherNearOthers(*memory->charts, static_cast<float>(memory->reach));
+  if (memory->patches->count() > 1) {
+    gatherPointsNearOtherPatches(*memory->patches, static_cast<float>(memory->reach));
     std::array<float, 3> phase{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double all = phaseSteps[axis] * memory->searches;
       phase[axis] = static_cast<float>(all - std::floor(all));
     }
     hash_.findPairs(points_, static_cast<float>(memory->reach), phase, found_);
-    leaveOutConnected(model, thickness, found_);
+    removeConnectedPairs(model, thickness, found_);
     if (old != nullptr && old->thickness == thickness) {
-      keepKnown(*old, *memory->charts, memory->reach, found_);
+      keepKnownPairs(*old, *memory->patches, memory->reach, found_);
     }
   }
   colourPairs(model.vertexCount(), found_, colours_, memory->pairs);
@@ -237,28 +240,28 @@ void SelfContact::look(const ClothModel& model, double thickness, const std::vec
 }
 
 int SelfContact::resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& start,
-                         ClothState& state, std::vector<ContactPoint>& points, double shareOfStep) {
+                         ClothState& state, std::vector<ContactPoint>& points, double stepFraction) {
   const double thickness =
       parameters.contact.selfThickness > 0.0
           ? parameters.contact.selfThickness
           : edge_.get(model, [&](const ClothModel& m) { return selfThicknessOf(m, parameters.contact); });
-  takePlaces(state.positions, places_);
-  if (!listServes(model, thickness, state)) {
-    if (!allFinite(places_, state.positions.size())) {
+  copyPositions(state.positions, positions_);
+  if (!pairListIsValid(model, thickness, state)) {
+    if (!allFinite(positions_, state.positions.size())) {
       return 0;
     }
-    look(model, thickness, start, state);
+    updatePairs(model, thickness, start, state);
   }
   const SelfContactMemory& memory = *state.selfContact;
   if (memory.pairs.count() == 0) {
     return 0;
   }
-  takePlaces(start, before_);
+  copyPositions(start, startPositions_);
   const Friction friction = {static_cast<float>(parameters.contact.staticFriction),
                              static_cast<float>(parameters.contact.kineticFriction)};
-  const auto pushOut = static_cast<float>(1.0 - std::pow(1.0 - SelfResponse::pushOut, shareOfStep));
-  return response_.resolve(model, {parameters.timeStep, thickness, friction, pushOut}, memory.pairs, before_, places_,
-                           state, points);
+  const auto pushOut = static_cast<float>(1.0 - std::pow(1.0 - SelfResponse::pushOut, stepFraction));
+  return response_.resolve(model, {parameters.timeStep, thickness, friction, pushOut}, memory.pairs, startPositions_,
+                           positions_, state, points);
 }
 
 }  // namespace drape

@@ -1,32 +1,34 @@
 #include "sim/contact/separating_planes/plane_search.hpp"
 
+#include "sim/contact/closest_features/closest_points.hpp"
+
 #include <algorithm>
 
 namespace drape {
 
-void PlaneSearch::place() {
+void PlaneSearch::prepare() {
   const Triangle& corners = cloth_.triangles[t_];
-  room_ = 0.0;
-  reach_.setEmpty();
+  maxBound_ = 0.0;
+  reachableBox_.setEmpty();
   for (std::size_t k = 0; k < 3; ++k) {
-    const double room = cloth_.room[static_cast<std::size_t>(corners[k])];
-    const double far = room + side_.reach().guard;
-    reach_.extend((base_[k].array() - far).matrix());
-    reach_.extend((base_[k].array() + far).matrix());
-    room_ = std::max(room_, room);
+    const double bound = cloth_.displacementBounds[static_cast<std::size_t>(corners[k])];
+    const double far = bound + builder_.offsets().minimumSeparation;
+    reachableBox_.extend((start_[k].array() - far).matrix());
+    reachableBox_.extend((start_[k].array() + far).matrix());
+    maxBound_ = std::max(maxBound_, bound);
   }
 }
 
-void PlaneSearch::look(int t, const std::vector<int>& patches, const BoxList& boxes) {
+void PlaneSearch::search(int t, const std::vector<int>& leaves, const BoxList& boxes) {
   t_ = static_cast<std::size_t>(t);
-  base_ = cornersOf(cloth_.base, cloth_.triangles[t_]);
-  target_ = cornersOf(cloth_.target, cloth_.triangles[t_]);
-  place();
-  boxesMeeting(boxes, reach_, patches_);
-  for (std::int32_t& each : patches_) {
-    each = patches[static_cast<std::size_t>(each)];
+  start_ = cornersOf(cloth_.start, cloth_.triangles[t_]);
+  predicted_ = cornersOf(cloth_.predicted, cloth_.triangles[t_]);
+  prepare();
+  boxesMeeting(boxes, reachableBox_, leaves_);
+  for (std::int32_t& each : leaves_) {
+    each = leaves[static_cast<std::size_t>(each)];
   }
-  if (patches_.empty()) {
+  if (leaves_.empty()) {
     return;
   }
   normals_.clear();
@@ -38,14 +40,14 @@ void PlaneSearch::look(int t, const std::vector<int>& patches, const BoxList& bo
 
 /// Tries what is cheap: one plane for all.
 bool PlaneSearch::separateAtOnce() {
-  std::array<const NearVertex*, 3> near{};
+  std::array<const NearestMeshPoint*, 3> near{};
   for (std::size_t k = 0; k < 3; ++k) {
     near[k] = &nearest_[static_cast<std::size_t>(cloth_.triangles[t_][k])];
   }
   std::stable_sort(near.begin(), near.end(), [](const auto* a, const auto* b) { return a->gap < b->gap; });
   if (!mesh_.moves()) {
-    const bool separate = offerWidestGap(near[0]->triangle >= 0 ? near[0]->normal : faceNormal(base_));
-    for (const NearVertex* each : near) {
+    const bool separate = offerWidestGap(near[0]->triangle >= 0 ? near[0]->normal : faceNormal(start_));
+    for (const NearestMeshPoint* each : near) {
       if (!separate && each->triangle >= 0) {
         normals_.push_back(each->normal);
       }
@@ -53,18 +55,19 @@ bool PlaneSearch::separateAtOnce() {
     return separate;
   }
   return std::any_of(near.begin(), near.end(),
-                     [&](const NearVertex* each) { return each->triangle >= 0 && offer(each->normal); }) ||
+                     [&](const NearestMeshPoint* each) { return each->triangle >= 0 && offer(each->normal); }) ||
          offerOwnPlane();
 }
 
 /// Looks for the direction in which a mesh that stands still is farthest from the triangle, at its base and where it
 /// goes. Where their hulls are apart there is one.
 bool PlaneSearch::offerWidestGap(const Vec3& along) {
-  const std::array<Vec3, 6> points{base_[0], base_[1], base_[2], target_[0], target_[1], target_[2]};
-  const double guard = side_.reach().guard;
-  const HullGap gap = HullGapSearch(mesh_.mesh, mesh_.settled, patches_, points).search(along, {guard, guard});
+  const std::array<Vec3, 6> points{start_[0], start_[1], start_[2], predicted_[0], predicted_[1], predicted_[2]};
+  const double minimumSeparation = builder_.offsets().minimumSeparation;
+  const HullGap gap =
+      HullGapSearch(mesh_.mesh, mesh_.atEnd, leaves_, points).search(along, {minimumSeparation, minimumSeparation});
   normals_.push_back(gap.normal);
-  if (gap.atLeast < guard) {
+  if (gap.atLeast < minimumSeparation) {
     return false;
   }
   Plane plane = planeAlong(gap.normal);
@@ -75,14 +78,14 @@ bool PlaneSearch::offerWidestGap(const Vec3& along) {
 
 /// Tries the plane in which the triangle lies, and the one across the way from it to what sticks out most.
 bool PlaneSearch::offerOwnPlane() {
-  const Vec3 across = (base_[1] - base_[0]).cross(base_[2] - base_[0]);
+  const Vec3 across = (start_[1] - start_[0]).cross(start_[2] - start_[0]);
   const double length = across.norm();
   if (!(length > 0.0)) {
     return false;
   }
   Vec3 normal = across / length;
-  const Extent all = mesh_.mesh.extentsAlong(normal, patches_, mesh_.settled, extents_);
-  if (all.low - highestAlong(normal, base_) > lowestAlong(normal, base_) - all.high) {
+  const Extent all = mesh_.mesh.extentsAlong(normal, leaves_, mesh_.atEnd, extents_);
+  if (all.low - highestAlong(normal, start_) > lowestAlong(normal, start_) - all.high) {
     normal = -normal;
   }
   if (offer(normal)) {
@@ -91,32 +94,32 @@ bool PlaneSearch::offerOwnPlane() {
   const auto highest = std::max_element(extents_.begin(), extents_.end(),
                                         [](const Extent& a, const Extent& b) { return a.high < b.high; });
   const auto top = static_cast<std::size_t>(highest - extents_.begin());
-  const int v = mesh_.mesh.farthestAlong(normal, static_cast<std::size_t>(patches_[top]), mesh_.settled);
-  const Vec3& point = vectorAt(mesh_.atBase(), v);
-  const Vec3 way = pointAt(base_, nearestOnTriangle(point, base_)) - point;
-  const double distance = way.norm();
-  return distance > 0.0 && offer(way / distance);
+  const int v = mesh_.mesh.supportVertex(normal, static_cast<std::size_t>(leaves_[top]), mesh_.atEnd);
+  const Vec3& point = vectorAt(mesh_.positions(), v);
+  const Vec3 offset = pointAt(start_, nearestOnTriangle(point, start_)) - point;
+  const double distance = offset.norm();
+  return distance > 0.0 && offer(offset / distance);
 }
 
 PlaneSearch::Plane PlaneSearch::planeAlong(const Vec3& normal) const {
   Plane plane;
   plane.normal = normal;
-  plane.baseLow = lowestAlong(normal, base_);
-  plane.endLow = lowestAlong(normal, target_);
+  plane.startLow = lowestAlong(normal, start_);
+  plane.predictedLow = lowestAlong(normal, predicted_);
   return plane;
 }
 
 /// Whether the cloth is, and goes on to be, so far above that a plane between needs not stop it.
-bool PlaneSearch::covers(const Plane& plane, double baseTop, double endTop) const {
-  const double guard = side_.reach().guard;
-  return plane.baseLow - baseTop >= guard && plane.endLow - endTop >= guard;
+bool PlaneSearch::covers(const Plane& plane, double startTop, double endTop) const {
+  const double minimumSeparation = builder_.offsets().minimumSeparation;
+  return plane.startLow - startTop >= minimumSeparation && plane.predictedLow - endTop >= minimumSeparation;
 }
 
-/// Finds how far the patches reach along a normal.
+/// Finds how far the leaves reach along a normal.
 void PlaneSearch::measure(const Vec3& normal) {
-  mesh_.mesh.extentsAlong(normal, patches_, mesh_.settled, extents_);
+  mesh_.mesh.extentsAlong(normal, leaves_, mesh_.atEnd, extents_);
   if (mesh_.moves()) {
-    mesh_.mesh.extentsAlong(normal, patches_, true, endExtents_);
+    mesh_.mesh.extentsAlong(normal, leaves_, true, endExtents_);
   } else {
     endExtents_ = extents_;
   }
@@ -126,10 +129,10 @@ bool PlaneSearch::offer(const Vec3& normal) {
   normals_.push_back(normal);
   measure(normal);
   Plane plane = planeAlong(normal);
-  for (std::size_t i = 0; i < patches_.size(); ++i) {
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
     plane.cover(extents_[i].high, endExtents_[i].high);
   }
-  if (covers(plane, plane.baseTop, plane.endTop)) {
+  if (covers(plane, plane.startTop, plane.endTop)) {
     raise(plane);
     return true;
   }
@@ -139,48 +142,48 @@ bool PlaneSearch::offer(const Vec3& normal) {
 /// Takes the plane that covers most, and leaves to `rest_` what it does not.
 void PlaneSearch::coverSome() {
   Plane best;
-  std::size_t most = 0;
+  std::size_t maxCovered = 0;
   for (const Vec3& normal : normals_) {
     const Plane plane = planeAlong(normal);
     measure(normal);
     std::size_t covered = 0;
-    for (std::size_t i = 0; i < patches_.size(); ++i) {
+    for (std::size_t i = 0; i < leaves_.size(); ++i) {
       covered += covers(plane, extents_[i].high, endExtents_[i].high) ? 1 : 0;
     }
-    if (covered > most) {
-      most = covered;
+    if (covered > maxCovered) {
+      maxCovered = covered;
       best = plane;
     }
   }
   rest_.clear();
-  for (const int patch : patches_) {
-    for (const int triangle : mesh_.mesh.tree.leaf(static_cast<std::size_t>(patch))) {
-      const double top = highestAlong(best.normal, mesh_.base(triangle));
-      const double endTop = mesh_.moves() ? highestAlong(best.normal, mesh_.end(triangle)) : top;
-      if (most > 0 && covers(best, top, endTop)) {
+  for (const int leaf : leaves_) {
+    for (const int triangle : mesh_.mesh.tree.leaf(static_cast<std::size_t>(leaf))) {
+      const double top = highestAlong(best.normal, mesh_.corners(triangle));
+      const double endTop = mesh_.moves() ? highestAlong(best.normal, mesh_.endCorners(triangle)) : top;
+      if (maxCovered > 0 && covers(best, top, endTop)) {
         best.cover(top, endTop);
       } else if (mesh_.moves() || !outOfReach(normals_, triangle)) {
         rest_.push_back({triangle, false});
       }
     }
   }
-  if (most > 0) {
+  if (maxCovered > 0) {
     raise(best);
   }
 }
 
 /// Whether one of the normals shows that a triangle of the body, which does not move, is too far away to be met.
 bool PlaneSearch::outOfReach(const std::vector<Vec3>& normals, int triangle) const {
-  const Corners at = mesh_.base(triangle);
-  const double far = room_ + side_.reach().guard;
+  const Corners at = mesh_.corners(triangle);
+  const double far = maxBound_ + builder_.offsets().minimumSeparation;
   return std::any_of(normals.begin(), normals.end(), [&](const Vec3& normal) {
-    return lowestAlong(normal, base_) - highestAlong(normal, at) > far ||
-           lowestAlong(normal, at) - highestAlong(normal, base_) > far;
+    return lowestAlong(normal, start_) - highestAlong(normal, at) > far ||
+           lowestAlong(normal, at) - highestAlong(normal, start_) > far;
   });
 }
 
 void PlaneSearch::raise(const Plane& plane) {
-  side_.addBarriers(cloth_, t_, plane.normal, plane.endTop, plane.baseLow - plane.baseTop, findings_);
+  builder_.addPlanes(cloth_, t_, plane.normal, plane.endTop, plane.startLow - plane.startTop, candidates_);
 }
 
 void PlaneSearch::separateRest() {
@@ -194,22 +197,22 @@ void PlaneSearch::separateRest() {
 /// Finds the plane through the nearest points of a triangle of the body, and covers with it what else it can.
 void PlaneSearch::separateOne(std::size_t first) {
   const int triangle = rest_[first].triangle;
-  const Corners at = mesh_.base(triangle);
-  const Corners end = mesh_.end(triangle);
-  if (!boxAround(at).merged(boxAround(end)).intersects(reach_)) {
+  const Corners at = mesh_.corners(triangle);
+  const Corners end = mesh_.endCorners(triangle);
+  if (!boxAround(at).merged(boxAround(end)).intersects(reachableBox_)) {
     return;
   }
   double far = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     far = std::max(far, (end[k] - at[k]).norm());
   }
-  far += room_ + side_.reach().guard;
+  far += maxBound_ + builder_.offsets().minimumSeparation;
   const Vec3 face = faceNormal(at);
   const double height = face.dot(at[0]);
-  if (lowestAlong(face, base_) - height > far || height - highestAlong(face, base_) > far) {
+  if (lowestAlong(face, start_) - height > far || height - highestAlong(face, start_) > far) {
     return;
   }
-  const TriangleGap gap = gapOfTriangles(base_, at);
+  const TriangleGap gap = gapOfTriangles(start_, at);
   if (gap.distance > far) {
     return;
   }
@@ -218,20 +221,20 @@ void PlaneSearch::separateOne(std::size_t first) {
     return;
   }
   Plane plane = planeAlong(gap.normal);
-  plane.cover(plane.baseLow - gap.distance, highestAlong(gap.normal, end));
-  if (!covers(plane, plane.baseTop, plane.endTop)) {
+  plane.cover(plane.startLow - gap.distance, highestAlong(gap.normal, end));
+  if (!covers(plane, plane.startTop, plane.endTop)) {
     // Where it would stop the cloth, the plane between where both go may do at the base as well.
-    Plane other = planeAlong(gapOfTriangles(target_, end).normal);
+    Plane other = planeAlong(gapOfTriangles(predicted_, end).normal);
     other.cover(highestAlong(other.normal, at), highestAlong(other.normal, end));
-    plane = covers(other, other.baseTop, other.endTop) ? other : plane;
+    plane = covers(other, other.startTop, other.endTop) ? other : plane;
   }
   for (std::size_t i = first + 1; i < rest_.size(); ++i) {
     if (rest_[i].done) {
       continue;
     }
-    const double top = highestAlong(plane.normal, mesh_.base(rest_[i].triangle));
-    const double endTop = mesh_.moves() ? highestAlong(plane.normal, mesh_.end(rest_[i].triangle)) : top;
-    if ((top <= plane.baseTop && endTop <= plane.endTop) || covers(plane, top, endTop)) {
+    const double top = highestAlong(plane.normal, mesh_.corners(rest_[i].triangle));
+    const double endTop = mesh_.moves() ? highestAlong(plane.normal, mesh_.endCorners(rest_[i].triangle)) : top;
+    if ((top <= plane.startTop && endTop <= plane.endTop) || covers(plane, top, endTop)) {
       plane.cover(top, endTop);
       rest_[i].done = true;
     }

@@ -2,6 +2,7 @@
 
 #include "sim/contact/closest_features/hull_gap.hpp"
 #include "sim/contact/closest_features/mesh_in_step.hpp"
+#include "sim/contact/constraints/constraint_builder.hpp"
 
 #include <span>
 #include <vector>
@@ -23,28 +24,28 @@ struct Piercing {
 class PlaneSearch {
  public:
   /// @param cloth its target is where it goes if no plane stops it
-  PlaneSearch(const BodySide& side, const MeshInStep& mesh, const ClothInBody& cloth,
-              std::span<const NearVertex> nearest, Findings& findings)
-      : side_(side), mesh_(mesh), cloth_(cloth), nearest_(nearest), findings_(findings) {}
+  PlaneSearch(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+              std::span<const NearestMeshPoint> nearest, Candidates& candidates)
+      : builder_(builder), mesh_(mesh), cloth_(cloth), nearest_(nearest), candidates_(candidates) {}
 
-  /// @param patches leaves of the mesh's tree, among them all that triangle t could reach  @param boxes theirs
-  void look(int t, const std::vector<int>& patches, const BoxList& boxes);
+  /// @param leaves leaves of the mesh's tree, among them all that triangle t could reach  @param boxes theirs
+  void search(int t, const std::vector<int>& leaves, const BoxList& boxes);
 
   /// The pairs without a plane between them.
   /// Takes in what is known to pierce, as if it had been found now.
-  void keep(const Piercing& piercing) { piercings_.push_back(piercing); }
+  void addPiercing(const Piercing& piercing) { piercings_.push_back(piercing); }
   [[nodiscard]] const std::vector<Piercing>& piercings() const { return piercings_; }
 
  private:
   struct Plane {
     Vec3 normal = Vec3::UnitY();
-    double baseLow = 0.0;                                       // of the cloth's triangle at its base ...
-    double endLow = 0.0;                                        // ... and where it goes [m]
-    double baseTop = -std::numeric_limits<double>::infinity();  // of what is covered, at the base ...
-    double endTop = -std::numeric_limits<double>::infinity();   // ... and at the end of the step [m]
+    double startLow = 0.0;                                       // of the cloth's triangle at its base ...
+    double predictedLow = 0.0;                                   // ... and where it goes [m]
+    double startTop = -std::numeric_limits<double>::infinity();  // of what is covered, at the base ...
+    double endTop = -std::numeric_limits<double>::infinity();    // ... and at the end of the step [m]
 
-    void cover(double base, double end) {
-      baseTop = std::max(baseTop, base);
+    void cover(double start, double end) {
+      startTop = std::max(startTop, start);
       endTop = std::max(endTop, end);
     }
   };
@@ -53,7 +54,7 @@ class PlaneSearch {
     bool done;
   };
 
-  void place();
+  void prepare();
   bool separateAtOnce();
   bool offerWidestGap(const Vec3& along);
   bool offerOwnPlane();
@@ -62,23 +63,23 @@ class PlaneSearch {
   void separateRest();
   void separateOne(std::size_t first);
   [[nodiscard]] Plane planeAlong(const Vec3& normal) const;
-  [[nodiscard]] bool covers(const Plane& plane, double baseTop, double endTop) const;
+  [[nodiscard]] bool covers(const Plane& plane, double startTop, double endTop) const;
   void measure(const Vec3& normal);
   [[nodiscard]] bool outOfReach(const std::vector<Vec3>& normals, int triangle) const;
   void raise(const Plane& plane);
 
-  const BodySide& side_;
+  const ConstraintBuilder& builder_;
   const MeshInStep& mesh_;
   const ClothInBody& cloth_;
-  std::span<const NearVertex> nearest_;
-  Findings& findings_;
+  std::span<const NearestMeshPoint> nearest_;
+  Candidates& candidates_;
 
   std::size_t t_ = 0;
-  Corners base_, target_;
-  double room_ = 0.0;          // the most of its vertices [m]
-  Eigen::AlignedBox3d reach_;  // where its vertices could come
-  std::vector<std::int32_t> patches_;
-  std::vector<Extent> extents_;     // of the patches along a normal, at the base ...
+  Corners start_, predicted_;
+  double maxBound_ = 0.0;             // the most of its vertices [m]
+  Eigen::AlignedBox3d reachableBox_;  // where its vertices could come
+  std::vector<std::int32_t> leaves_;
+  std::vector<Extent> extents_;     // of the leaves along a normal, at the base ...
   std::vector<Extent> endExtents_;  // ... and at the end of the step
   std::vector<Vec3> normals_;       // tried so far
   std::vector<Rest> rest_;

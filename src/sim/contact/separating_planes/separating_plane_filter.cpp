@@ -7,90 +7,91 @@
 namespace drape {
 namespace {
 
-constexpr int rounds = 8;
-constexpr int lastRounds = 64;      // of a vertex that has no place yet
-constexpr double rounding = 1e-10;  // [m] far below the guard that every barrier holds
+constexpr int maxIterations = 8;
+constexpr int maxFallbackIterations = 64;  // of a vertex that has no place yet
+constexpr double rounding = 1e-10;         // [m] far below the guard that every plane holds
 
-double slack(const Barrier& barrier, const Vec3& position) {
-  return barrier.normal.dot(position) - barrier.height;
+double slack(const SeparatingPlane& plane, const Vec3& position) {
+  return plane.normal.dot(position) - plane.height;
 }
 
-double leastSlack(std::span<const Barrier> barriers, const Vec3& position) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Barrier& barrier : barriers) {
-    least = std::min(least, slack(barrier, position));
+double minSlack(std::span<const SeparatingPlane> planes, const Vec3& position) {
+  double minimum = std::numeric_limits<double>::infinity();
+  for (const SeparatingPlane& plane : planes) {
+    minimum = std::min(minimum, slack(plane, position));
   }
-  return least;
+  return minimum;
 }
 
-/// Puts a vertex onto each barrier that it has crossed, one after the other.
-void project(std::span<const Barrier> barriers, int most, Vec3& position) {
+/// Puts a vertex onto each plane that it has crossed, one after the other.
+void project(std::span<const SeparatingPlane> planes, int iterations, Vec3& position) {
   bool moved = true;
-  for (int round = 0; round < most && moved; ++round) {
+  for (int iteration = 0; iteration < iterations && moved; ++iteration) {
     moved = false;
-    for (const Barrier& barrier : barriers) {
-      const double missing = -slack(barrier, position);
+    for (const SeparatingPlane& plane : planes) {
+      const double missing = -slack(plane, position);
       if (missing > 0.0) {
-        position += missing * barrier.normal;
+        position += missing * plane.normal;
         moved = true;
       }
     }
   }
 }
 
-/// How far from `base` towards `position` one can go with all barriers held, 0 to 1. Both are on the right side of
+/// How far from `base` towards `position` one can go with all planes held, 0 to 1. Both are on the right side of
 /// those that are met, or `base` is as far on the wrong side as one gets.
-double shareOfWay(std::span<const Barrier> barriers, const Vec3& base, const Vec3& position) {
-  double share = 1.0;
-  for (const Barrier& barrier : barriers) {
-    const double from = slack(barrier, base);
-    const double to = slack(barrier, position);
+double feasibleFraction(std::span<const SeparatingPlane> planes, const Vec3& start, const Vec3& position) {
+  double fraction = 1.0;
+  for (const SeparatingPlane& plane : planes) {
+    const double from = slack(plane, start);
+    const double to = slack(plane, position);
     if (to < 0.0 && to < from) {
-      share = std::min(share, std::clamp(from / (from - to), 0.0, 1.0));
+      fraction = std::min(fraction, std::clamp(from / (from - to), 0.0, 1.0));
     }
   }
-  return share;
+  return fraction;
 }
 
 /// A vertex with the places where it is safe.
 struct Vertex {
-  std::span<const Barrier> barriers;
-  double room;  // [m]
+  std::span<const SeparatingPlane> planes;
+  double displacementBound;  // [m]
   int bodies;
   int index;
 };
 
-/// Goes back towards a refuge until every barrier is held. With bodies that move differently there are several; the one
-/// that suits all barriers best is taken. Where none does, a place may be found from there.
-bool retreat(const Vertex& vertex, const BarrierFilter::ShelterOf& shelterOf, Vec3& position) {
+/// Goes back towards a fallback position until every plane is held. With bodies that move differently there are
+/// several; the one that suits all planes best is taken. Where none does, a place may be found from there.
+bool retreat(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fallbackOf, Vec3& position) {
   double best = -std::numeric_limits<double>::infinity();
-  BarrierFilter::Shelter from{position, position};
+  SeparatingPlaneFilter::Fallback from{position, position};
   for (int body = 0; body < vertex.bodies; ++body) {
-    const BarrierFilter::Shelter shelter = shelterOf(body, vertex.index);
-    const double least = leastSlack(vertex.barriers, shelter.refuge);
-    if (least > best) {
-      best = least;
-      from = shelter;
+    const SeparatingPlaneFilter::Fallback fallback = fallbackOf(body, vertex.index);
+    const double minimum = minSlack(vertex.planes, fallback.position);
+    if (minimum > best) {
+      best = minimum;
+      from = fallback;
     }
   }
   if (best < -rounding) {
-    Vec3 found = from.refuge;
-    project(vertex.barriers, lastRounds, found);
-    if (leastSlack(vertex.barriers, found) >= -rounding && (found - from.base).norm() <= vertex.room) {
+    Vec3 found = from.position;
+    project(vertex.planes, maxFallbackIterations, found);
+    if (minSlack(vertex.planes, found) >= -rounding && (found - from.start).norm() <= vertex.displacementBound) {
       position = found;
       return true;
     }
   }
-  const double way = (position - from.refuge).norm();
-  const double room = std::max(0.0, vertex.room - (from.refuge - from.base).norm());
-  const double share = std::min(shareOfWay(vertex.barriers, from.refuge, position), way > room ? room / way : 1.0);
-  position = from.refuge + share * (position - from.refuge);
+  const double distance = (position - from.position).norm();
+  const double remaining = std::max(0.0, vertex.displacementBound - (from.position - from.start).norm());
+  const double fraction = std::min(feasibleFraction(vertex.planes, from.position, position),
+                                   distance > remaining ? remaining / distance : 1.0);
+  position = from.position + fraction * (position - from.position);
   return best >= -rounding;
 }
 
-bool hasLeft(const Vertex& vertex, const BarrierFilter::ShelterOf& shelterOf, const Vec3& position) {
+bool hasLeft(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fallbackOf, const Vec3& position) {
   for (int body = 0; body < vertex.bodies; ++body) {
-    if ((position - shelterOf(body, vertex.index).base).norm() > vertex.room + rounding) {
+    if ((position - fallbackOf(body, vertex.index).start).norm() > vertex.displacementBound + rounding) {
       return true;
     }
   }
@@ -99,42 +100,42 @@ bool hasLeft(const Vertex& vertex, const BarrierFilter::ShelterOf& shelterOf, co
 
 }  // namespace
 
-void BarrierFilter::sortByVertex(std::span<const Barrier> barriers, std::size_t vertices) {
+void SeparatingPlaneFilter::sortByVertex(std::span<const SeparatingPlane> planes, std::size_t vertices) {
   begin_.assign(vertices + 1, 0);
-  for (const Barrier& barrier : barriers) {
-    ++begin_[static_cast<std::size_t>(barrier.vertex)];
+  for (const SeparatingPlane& plane : planes) {
+    ++begin_[static_cast<std::size_t>(plane.vertex)];
   }
   std::size_t sum = 0;
   for (std::size_t& each : begin_) {
     sum += each;
     each = sum;
   }
-  sorted_.resize(barriers.size());
-  for (std::size_t i = barriers.size(); i-- > 0;) {
-    sorted_[--begin_[static_cast<std::size_t>(barriers[i].vertex)]] = barriers[i];
+  sorted_.resize(planes.size());
+  for (std::size_t i = planes.size(); i-- > 0;) {
+    sorted_[--begin_[static_cast<std::size_t>(planes[i].vertex)]] = planes[i];
   }
 }
 
-int BarrierFilter::apply(std::span<const Barrier> barriers, std::span<const double> inverseMass,
-                         std::span<const double> room, int bodies, const ShelterOf& shelterOf,
-                         std::span<const Vec3> targets, std::span<Vec3> positions) {
-  sortByVertex(barriers, positions.size());
-  int squeezed = 0;
-  farthest_ = 0.0;
+int SeparatingPlaneFilter::apply(std::span<const SeparatingPlane> planes, std::span<const double> inverseMass,
+                                 std::span<const double> displacementBounds, int bodies, const FallbackOf& fallbackOf,
+                                 std::span<const Vec3> predicted, std::span<Vec3> positions) {
+  sortByVertex(planes, positions.size());
+  int infeasible = 0;
+  maxCorrection_ = 0.0;
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const Vertex vertex{barriersOf(v), room[v], bodies, static_cast<int>(v)};
+    const Vertex vertex{planesOf(v), displacementBounds[v], bodies, static_cast<int>(v)};
     const bool free = inverseMass[v] > 0.0;
     const Vec3 before = positions[v];
     if (free) {
-      project(vertex.barriers, rounds, positions[v]);
+      project(vertex.planes, maxIterations, positions[v]);
     }
-    const bool crossed = leastSlack(vertex.barriers, positions[v]) < -rounding;
-    if (crossed || (positions[v] != targets[v] && hasLeft(vertex, shelterOf, positions[v]))) {
-      squeezed += free && retreat(vertex, shelterOf, positions[v]) ? 0 : 1;
+    const bool crossed = minSlack(vertex.planes, positions[v]) < -rounding;
+    if (crossed || (positions[v] != predicted[v] && hasLeft(vertex, fallbackOf, positions[v]))) {
+      infeasible += free && retreat(vertex, fallbackOf, positions[v]) ? 0 : 1;
     }
-    farthest_ = std::max(farthest_, (positions[v] - before).norm());
+    maxCorrection_ = std::max(maxCorrection_, (positions[v] - before).norm());
   }
-  return squeezed;
+  return infeasible;
 }
 
 }  // namespace drape

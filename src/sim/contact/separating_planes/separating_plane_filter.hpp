@@ -8,35 +8,36 @@
 
 namespace drape {
 
-/// Brings every vertex to the right side of all its barriers, and no farther from where it is safe than was searched.
-class BarrierFilter {
+/// Brings every vertex to the right side of all its planes, and no farther from where it is safe than was searched.
+class SeparatingPlaneFilter {
  public:
   /// Where a vertex is safe from a body.
-  struct Shelter {
-    Vec3 base = Vec3::Zero();  ///< where the body carries the start of the step, or the result of the last pass [m]
-    Vec3 refuge =
+  struct Fallback {
+    Vec3 start = Vec3::Zero();  ///< where the body carries the start of the step, or the result of the last pass [m]
+    Vec3 position =
         Vec3::Zero();  ///< the same, carried along by what of the body is near, where that moves in itself [m]
   };
-  using ShelterOf = std::function<Shelter(int body, int vertex)>;
+  using FallbackOf = std::function<Fallback(int body, int vertex)>;
 
-  /// Changes `positions`. A vertex without a place that suits all its barriers is left where it violates them least.
-  /// @param bodies how many there are  @param room no vertex ends farther than this from any of its bases [m]
+  /// Changes `positions`. A vertex without a place that suits all its planes is left where it violates them least.
+  /// @param bodies how many there are  @param remaining no vertex ends farther than this from any of its bases [m]
   /// @param targets the positions before contact: a vertex that is still there has not left the place that was searched
   /// @return how many vertices found no such place
-  int apply(std::span<const Barrier> barriers, std::span<const double> inverseMass, std::span<const double> room,
-            int bodies, const ShelterOf& shelterOf, std::span<const Vec3> targets, std::span<Vec3> positions);
+  int apply(std::span<const SeparatingPlane> planes, std::span<const double> inverseMass,
+            std::span<const double> displacementBounds, int bodies, const FallbackOf& fallbackOf,
+            std::span<const Vec3> predicted, std::span<Vec3> positions);
 
   /// The farthest that the last call moved a vertex [m].
-  [[nodiscard]] double farthest() const { return farthest_; }
+  [[nodiscard]] double maxCorrection() const { return maxCorrection_; }
 
  private:
-  void sortByVertex(std::span<const Barrier> barriers, std::size_t vertices);
-  [[nodiscard]] std::span<const Barrier> barriersOf(std::size_t vertex) const {
+  void sortByVertex(std::span<const SeparatingPlane> planes, std::size_t vertices);
+  [[nodiscard]] std::span<const SeparatingPlane> planesOf(std::size_t vertex) const {
     return {sorted_.data() + begin_[vertex], begin_[vertex + 1] - begin_[vertex]};
   }
 
-  double farthest_ = 0.0;
-  std::vector<Barrier> sorted_;  // by vertex, those of one vertex in their own order
+  double maxCorrection_ = 0.0;
+  std::vector<SeparatingPlane> sorted_;  // by vertex, those of one vertex in their own order
   std::vector<std::size_t> begin_;
 };
 

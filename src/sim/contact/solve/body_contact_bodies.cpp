@@ -8,13 +8,13 @@
 namespace drape {
 namespace {
 
-constexpr double innerShare = 0.6;     // of the distance that is kept: at which edges and faces are stopped [-]
-constexpr double guardShare = 0.1;     // of the distance that is kept: what is never gone below [-]
-constexpr double clearShare = 1.25;    // of the distance that is kept: beyond that there is no touch [-]
-constexpr double overlapSpeed = 0.25;  // at which an overlap is undone, or up to four times that [m/s]
+constexpr double edgeOffsetRatio = 0.6;  // of the distance that is kept: at which edges and faces are stopped [-]
+constexpr double minimumSeparationRatio = 0.1;  // of the distance that is kept: what is never gone below [-]
+constexpr double clearanceRatio = 1.25;         // of the distance that is kept: beyond that there is no contact [-]
+constexpr double recoverySpeed = 0.25;          // at which an overlap is undone, or up to four times that [m/s]
 
 /// Half the extent of a body around its origin, as far as it is known without looking at its mesh [m].
-double roundRadius(const BodyShape& shape) {
+double boundingRadius(const BodyShape& shape) {
   if (const auto* sphere = std::get_if<SphereShape>(&shape)) {
     return sphere->radius;
   }
@@ -35,23 +35,23 @@ Eigen::AlignedBox3d inFrame(const Pose& pose, const Eigen::AlignedBox3d& box) {
 /// `far` meanwhile. As everything here, that is judged in the body's frame.
 bool couldMeet(const BodyStep& step, const SearchableMesh* mesh, const Eigen::AlignedBox3d& start,
                const Eigen::AlignedBox3d& end, double far) {
-  const Eigen::AlignedBox3d way = inFrame(step.start, start).merged(inFrame(step.end, end));
+  const Eigen::AlignedBox3d path = inFrame(step.start, start).merged(inFrame(step.end, end));
   if (std::holds_alternative<PlaneShape>(step.body->shape)) {
-    return way.min().y() < far;
+    return path.min().y() < far;
   }
-  const double radius = roundRadius(step.body->shape);
+  const double radius = boundingRadius(step.body->shape);
   const Eigen::AlignedBox3d body =
       mesh != nullptr ? mesh->tree.bounds() : Eigen::AlignedBox3d(Vec3::Constant(-radius), Vec3::Constant(radius));
-  return inflated(body, far).intersects(way);
+  return inflated(body, far).intersects(path);
 }
 
 /// Whether a body is a mesh that does not move in itself.
-bool keepsItsShape(const BodyStep& step, const SearchableMesh* mesh) {
-  return mesh != nullptr && !mesh->movesInItself() && !std::holds_alternative<BoxShape>(step.body->shape);
+bool isRigidMesh(const BodyStep& step, const SearchableMesh* mesh) {
+  return mesh != nullptr && !mesh->isDeforming() && !std::holds_alternative<BoxShape>(step.body->shape);
 }
 
 /// How far vertices are kept from a body [m].
-double keptFrom(const BodyStep& step, const StepParameters& parameters) {
+double contactOffsetOf(const BodyStep& step, const StepParameters& parameters) {
   return step.surface.thickness + 0.5 * parameters.contact.thickness;
 }
 
@@ -72,32 +72,32 @@ SearchableMesh* BodyContact::meshOf(const BodyStep& step) {
       mesh = std::make_unique<SearchableMesh>(**shape);
     }
   }
-  if (mesh->movesInItself()) {
+  if (mesh->isDeforming()) {
     mesh->follow(step.startVertices, step.endVertices);
   }
   return mesh.get();
 }
 
-ClothWay BodyContact::wayIn(const BodyStep& step, const ClothModel& model, const std::vector<Vec3>& start,
-                            const std::vector<Vec3>& end) {
-  const auto toFrame = [](const Pose& pose, const std::vector<Vec3>& places, std::vector<Vec3>& local) {
+ClothMotion BodyContact::motionIn(const BodyStep& step, const ClothModel& model, const std::vector<Vec3>& start,
+                                  const std::vector<Vec3>& end) {
+  const auto toFrame = [](const Pose& pose, const std::vector<Vec3>& positions, std::vector<Vec3>& local) {
     const Mat3 turn = pose.rotation.conjugate().toRotationMatrix();
-    local.resize(places.size());
-    std::transform(places.begin(), places.end(), local.begin(),
-                   [&](const Vec3& place) -> Vec3 { return turn * (place - pose.position); });
+    local.resize(positions.size());
+    std::transform(positions.begin(), positions.end(), local.begin(),
+                   [&](const Vec3& prepareBodyFrames) -> Vec3 { return turn * (prepareBodyFrames - pose.position); });
   };
   toFrame(step.start, start, localStart_);
   toFrame(step.end, end, localEnd_);
   return {model, clustersOf(model), localStart_, localEnd_};
 }
 
-/// Whether the cloth can be known not to touch a mesh on its way to where the solver, or another body, put it.
-bool BodyContact::staysClearOf(const Cloth& cloth, const BodyStep& step, const SearchableMesh& mesh,
-                               const std::vector<Vec3>& positions) {
-  const double keep = clearShare * keptFrom(step, cloth.parameters);
+/// Whether the cloth can be known not to contact a mesh on its way to where the solver, or another body, put it.
+bool BodyContact::isKnownClearOf(const Cloth& cloth, const BodyStep& step, const SearchableMesh& mesh,
+                                 const std::vector<Vec3>& positions) {
+  const double offset = clearanceRatio * contactOffsetOf(step, cloth.parameters);
   MeshClearance& clearance = clearances_[step.body];
-  for (const std::vector<Vec3>* ends : {&cloth.target, &positions}) {
-    if (clearance.couldMeet(mesh, wayIn(step, cloth.model, cloth.start, *ends), keep, models_)) {
+  for (const std::vector<Vec3>* ends : {&cloth.predicted, &positions}) {
+    if (clearance.couldMeet(mesh, motionIn(step, cloth.model, cloth.start, *ends), offset, models_)) {
       return false;
     }
   }
@@ -108,8 +108,8 @@ bool BodyContact::staysClearOf(const Cloth& cloth, const BodyStep& step, const S
   MeshSolid solid(inStep);
   const std::vector<int>& pieces = piecesOf(cloth.model);
   return std::none_of(pieces.begin(), pieces.end(), [&](int v) {
-    const Vec3& place = vectorAt(localStart_, v);
-    return mesh.tree.bounds().contains(place) && solid.contains(place);
+    const Vec3& prepareBodyFrames = vectorAt(localStart_, v);
+    return mesh.tree.bounds().contains(prepareBodyFrames) && solid.contains(prepareBodyFrames);
   });
 }
 
@@ -126,44 +126,44 @@ bool BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& 
       continue;
     }
     SearchableMesh* mesh = meshOf(step);
-    if (couldMeet(step, mesh, start, ends, 2.0 * keptFrom(step, cloth.parameters)) &&
-        !(keepsItsShape(step, mesh) && staysClearOf(cloth, step, *mesh, positions))) {
-      addNear(cloth, step, mesh);
+    if (couldMeet(step, mesh, start, ends, 2.0 * contactOffsetOf(step, cloth.parameters)) &&
+        !(isRigidMesh(step, mesh) && isKnownClearOf(cloth, step, *mesh, positions))) {
+      addNearBody(cloth, step, mesh);
     }
   }
   return nearCount_ > before;
 }
 
-bool BodyContact::couldMeetAny(const StepParameters& parameters, const std::vector<BodyStep>& bodies,
-                               const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end) {
+bool BodyContact::couldReachAnyBody(const StepParameters& parameters, const std::vector<BodyStep>& bodies,
+                                    const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end) {
   return std::any_of(bodies.begin(), bodies.end(), [&](const BodyStep& step) {
-    return couldMeet(step, meshOf(step), start, end, 2.0 * keptFrom(step, parameters));
+    return couldMeet(step, meshOf(step), start, end, 2.0 * contactOffsetOf(step, parameters));
   });
 }
 
-bool BodyContact::isNearAny(const ClothModel& model, const StepParameters& parameters,
-                            const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start,
-                            const std::vector<Vec3>& end, double spread) {
+bool BodyContact::isNearAnyBody(const ClothModel& model, const StepParameters& parameters,
+                                const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start,
+                                const std::vector<Vec3>& end, double spread) {
   const Eigen::AlignedBox3d startBox = boundsOf(start);
   const Eigen::AlignedBox3d endBox = inflated(boundsOf(end), spread);
   return std::any_of(bodies.begin(), bodies.end(), [&](const BodyStep& step) {
     const SearchableMesh* mesh = meshOf(step);
-    const double keep = keptFrom(step, parameters);
-    return couldMeet(step, mesh, startBox, endBox, 2.0 * keep) &&
-           (!keepsItsShape(step, mesh) || freeClothIsNear(*mesh, wayIn(step, model, start, end), keep + spread));
+    const double offset = contactOffsetOf(step, parameters);
+    return couldMeet(step, mesh, startBox, endBox, 2.0 * offset) &&
+           (!isRigidMesh(step, mesh) || freeClothIsNear(*mesh, motionIn(step, model, start, end), offset + spread));
   });
 }
 
-void BodyContact::addNear(const Cloth& cloth, const BodyStep& step, SearchableMesh* mesh) {
+void BodyContact::addNearBody(const Cloth& cloth, const BodyStep& step, SearchableMesh* mesh) {
   if (near_.size() == nearCount_) {
     near_.emplace_back();
   }
   NearBody& near = near_[nearCount_++];
   near.step = &step;
   near.mesh = mesh;
-  const double keep = keptFrom(step, cloth.parameters);
-  const double push = overlapSpeed * cloth.parameters.timeStep;
-  near.reach = {keep, innerShare * keep, guardShare * keep, push, push};
+  const double offset = contactOffsetOf(step, cloth.parameters);
+  const double recoveryStep = recoverySpeed * cloth.parameters.timeStep;
+  near.offsets = {offset, edgeOffsetRatio * offset, minimumSeparationRatio * offset, recoveryStep, recoveryStep};
 }
 
 }  // namespace drape

@@ -14,11 +14,11 @@ BodyStep turningStep() {
   return whole;
 }
 
-TEST(BodyParts, leaveABodyThatStandsStillWhereItIsToTheLastBit) {
+TEST(BodySubsteps, leaveABodyThatStandsStillWhereItIsToTheLastBit) {
   BodyStep whole;
   whole.start.position = whole.end.position = Vec3(-0.02, 0.1, 0.7);
   whole.start.rotation = whole.end.rotation = Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized());
-  BodyParts parts;
+  BodySubsteps parts;
   for (int part = 0; part < 7; ++part) {
     const BodyStep step = parts.between({whole}, part / 7.0, (part + 1) / 7.0).front();
     EXPECT_EQ(step.start.position, whole.start.position) << part;
@@ -28,9 +28,9 @@ TEST(BodyParts, leaveABodyThatStandsStillWhereItIsToTheLastBit) {
   }
 }
 
-TEST(BodyParts, beginAndEndWithTheStepAndMeetInBetweenToTheLastBit) {
+TEST(BodySubsteps, beginAndEndWithTheStepAndMeetInBetweenToTheLastBit) {
   const std::vector<BodyStep> whole{turningStep()};
-  BodyParts parts;
+  BodySubsteps parts;
   const Pose first = parts.between(whole, 0.0, 1.0 / 3.0).front().start;
   EXPECT_EQ(first.position, whole.front().start.position);
   EXPECT_EQ(first.rotation.coeffs(), whole.front().start.rotation.coeffs());
@@ -42,16 +42,16 @@ TEST(BodyParts, beginAndEndWithTheStepAndMeetInBetweenToTheLastBit) {
   EXPECT_EQ(last.end.rotation.coeffs(), whole.front().end.rotation.coeffs());
 }
 
-TEST(BodyParts, goAndTurnEvenly) {
+TEST(BodySubsteps, goAndTurnEvenly) {
   const std::vector<BodyStep> whole{turningStep()};
-  BodyParts parts;
+  BodySubsteps parts;
   const Pose half = parts.between(whole, 0.5, 1.0).front().start;
   EXPECT_LT((half.position - Vec3(0.2, 1.0, 0.4)).norm(), 1e-15);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.25 * std::numbers::pi, Vec3::UnitY()));
   EXPECT_LT(half.rotation.angularDistance(turn), 1e-12);
 }
 
-TEST(BodyParts, moveVerticesOfAMeshThatMovesInItself) {
+TEST(BodySubsteps, moveVerticesOfAMeshThatMovesInItself) {
   const std::vector<Vec3> start{Vec3::Zero(), Vec3::UnitX()};
   const std::vector<Vec3> end{Vec3::Zero(), Vec3(1.0, 0.8, 0.0)};
   BodyStep deforming = turningStep();
@@ -61,7 +61,7 @@ TEST(BodyParts, moveVerticesOfAMeshThatMovesInItself) {
   rigid.startVertices = start;
   rigid.endVertices = start;
   const std::vector<BodyStep> whole{deforming, rigid};
-  BodyParts parts;
+  BodySubsteps parts;
   const std::vector<BodyStep>& quarter = parts.between(whole, 0.25, 0.5);
   EXPECT_LT((quarter[0].startVertices[1] - Vec3(1.0, 0.2, 0.0)).norm(), 1e-15);
   EXPECT_LT((quarter[0].endVertices[1] - Vec3(1.0, 0.4, 0.0)).norm(), 1e-15);

@@ -11,7 +11,7 @@ namespace {
 using testing::RandomVectors;
 
 /// Random triangles, among them such without area, with corners on each other and with corners on a coarse lattice, so
-/// that things are parallel, in one plane or touch.
+/// that things are parallel, in one plane or contact.
 Corners anyTriangle(RandomVectors& random, int kind) {
   Corners corners{random.next(1.0), random.next(1.0), random.next(1.0)};
   switch (kind % 6) {
@@ -83,14 +83,14 @@ TEST(ClosestPoints, nearestOfSegmentsMeetsTheOptimalityConditionForAnyPair) {
 /// The distance of two triangles by brute force: the nearest of many points of the first, each exactly to the second.
 double sampledDistance(const Corners& first, const Corners& second) {
   constexpr int n = 40;
-  double least = 1e9;
+  double minimum = 1e9;
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; i + j <= n; ++j) {
       const Vec3 point = pointAt(first, Vec3(n - i - j, i, j) / n);
-      least = std::min(least, (pointAt(second, nearestOnTriangle(point, second)) - point).norm());
+      minimum = std::min(minimum, (pointAt(second, nearestOnTriangle(point, second)) - point).norm());
     }
   }
-  return least;
+  return minimum;
 }
 
 TEST(ClosestPoints, gapOfTrianglesHasAPlaneBetweenThemAndIsTheirDistance) {

@@ -18,19 +18,19 @@ SearchableMesh ball() {
   return SearchableMesh({surface.positions, surface.triangles, {}, 1.0, false});
 }
 
-std::vector<std::int32_t> allPatches(const SearchableMesh& mesh) {
-  std::vector<std::int32_t> patches(mesh.tree.leafCount());
-  std::iota(patches.begin(), patches.end(), 0);
-  return patches;
+std::vector<std::int32_t> allLeaves(const SearchableMesh& mesh) {
+  std::vector<std::int32_t> leaves(mesh.tree.leafCount());
+  std::iota(leaves.begin(), leaves.end(), 0);
+  return leaves;
 }
 
 /// Between a triangle and a mesh, pair by pair [m]; 0 or less where they meet.
 double distanceTo(const SearchableMesh& mesh, const Corners& corners) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const Triangle& triangle : mesh.shape.triangles) {
-    least = std::min(least, gapOfTriangles(corners, cornersOf(mesh.shape.positions, triangle)).distance);
+    minimum = std::min(minimum, gapOfTriangles(corners, cornersOf(mesh.shape.positions, triangle)).distance);
   }
-  return least;
+  return minimum;
 }
 
 Corners triangleAround(const Vec3& middle, double size, RandomVectors& random) {
@@ -49,7 +49,7 @@ void expectToBeMeasured(const HullGap& gap, const SearchableMesh& mesh, const Co
 
 TEST(HullGap, isTheDistanceToWhatIsConvexHoweverItBegins) {
   const SearchableMesh mesh = ball();
-  const std::vector<std::int32_t> patches = allPatches(mesh);
+  const std::vector<std::int32_t> leaves = allLeaves(mesh);
   RandomVectors random(3);
   int apart = 0;
   for (int i = 0; i < 60; ++i) {
@@ -61,7 +61,7 @@ TEST(HullGap, isTheDistanceToWhatIsConvexHoweverItBegins) {
     }
     ++apart;
     const Vec3 along = random.next(1.0).normalized();
-    const HullGap gap = HullGapSearch(mesh, false, patches, corners).search(along, {1.0, 0.9 * distance});
+    const HullGap gap = HullGapSearch(mesh, false, leaves, corners).search(along, {1.0, 0.9 * distance});
     expectToBeMeasured(gap, mesh, corners);
     EXPECT_LE(gap.atLeast, distance + 1e-12);
     EXPECT_GE(gap.atLeast, 0.9 * distance);
@@ -71,12 +71,12 @@ TEST(HullGap, isTheDistanceToWhatIsConvexHoweverItBegins) {
 
 TEST(HullGap, endsWhereItIsWideEnoughOrCannotBe) {
   const SearchableMesh mesh = ball();
-  const std::vector<std::int32_t> patches = allPatches(mesh);
+  const std::vector<std::int32_t> leaves = allLeaves(mesh);
   RandomVectors random(4);
   for (int i = 0; i < 40; ++i) {
     const Corners corners = triangleAround(0.33 * random.next(1.0).normalized(), 0.04, random);
     const double exact = distanceTo(mesh, corners);
-    const HullGap wide = HullGapSearch(mesh, false, patches, corners).search(Vec3::UnitX(), {0.005, 0.001});
+    const HullGap wide = HullGapSearch(mesh, false, leaves, corners).search(Vec3::UnitX(), {0.005, 0.001});
     expectToBeMeasured(wide, mesh, corners);
     EXPECT_LE(wide.atLeast, exact + 1e-12);
     if (exact > 0.0053) {  // it may end within a twentieth
@@ -89,11 +89,11 @@ TEST(HullGap, endsWhereItIsWideEnoughOrCannotBe) {
 
 TEST(HullGap, isNegativeWhereTheHullsMeet) {
   const SearchableMesh mesh = ball();
-  const std::vector<std::int32_t> patches = allPatches(mesh);
+  const std::vector<std::int32_t> leaves = allLeaves(mesh);
   RandomVectors random(5);
   for (int i = 0; i < 100; ++i) {
     const Corners corners = triangleAround(0.2 * random.next(1.0).normalized(), 0.05, random);
-    const HullGap gap = HullGapSearch(mesh, false, patches, corners).search(random.next(1.0).normalized(), {1.0, 0.0});
+    const HullGap gap = HullGapSearch(mesh, false, leaves, corners).search(random.next(1.0).normalized(), {1.0, 0.0});
     expectToBeMeasured(gap, mesh, corners);
     EXPECT_LT(gap.atLeast, 0.0);
   }
@@ -101,7 +101,7 @@ TEST(HullGap, isNegativeWhereTheHullsMeet) {
 
 TEST(HullGap, holdsForSliversPointsAndSegments) {
   const SearchableMesh mesh = ball();
-  const std::vector<std::int32_t> patches = allPatches(mesh);
+  const std::vector<std::int32_t> leaves = allLeaves(mesh);
   RandomVectors random(6);
   for (int i = 0; i < 60; ++i) {
     const Vec3 a = (0.31 + 0.001 * i) * random.next(1.0).normalized();
@@ -109,7 +109,7 @@ TEST(HullGap, holdsForSliversPointsAndSegments) {
     for (const Corners& corners :
          {Corners{a, a, a}, Corners{a, a + along, a}, Corners{a, a + along, a + 0.3 * along}}) {
       const double enough = 0.9 * distanceTo(mesh, corners);
-      const HullGap gap = HullGapSearch(mesh, false, patches, corners).search(a.normalized(), {1.0, enough});
+      const HullGap gap = HullGapSearch(mesh, false, leaves, corners).search(a.normalized(), {1.0, enough});
       expectToBeMeasured(gap, mesh, corners);
       EXPECT_GE(gap.atLeast, enough);
     }
@@ -118,11 +118,11 @@ TEST(HullGap, holdsForSliversPointsAndSegments) {
 
 TEST(HullGap, endsWithPointsThatAreNotFinite) {
   const SearchableMesh mesh = ball();
-  const std::vector<std::int32_t> patches = allPatches(mesh);
+  const std::vector<std::int32_t> leaves = allLeaves(mesh);
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     const Corners corners{Vec3(0.0, 0.31, 0.0), Vec3(0.01, 0.31, 0.0), Vec3(bad, 0.31, 0.01)};
-    EXPECT_FALSE(HullGapSearch(mesh, false, patches, corners).search(Vec3::UnitX(), {1.0, 0.1}).atLeast > 0.02);
-    (void)HullGapSearch(mesh, false, patches, corners).search(Vec3::Constant(bad), {1.0, 0.1});
+    EXPECT_FALSE(HullGapSearch(mesh, false, leaves, corners).search(Vec3::UnitX(), {1.0, 0.1}).atLeast > 0.02);
+    (void)HullGapSearch(mesh, false, leaves, corners).search(Vec3::Constant(bad), {1.0, 0.1});
   }
 }
 

@@ -24,16 +24,16 @@ MeshShape hills() {
 struct Leaves {
   explicit Leaves(const SearchableMesh& mesh) {
     for (std::size_t leaf = 0; leaf < mesh.tree.leafCount(); ++leaf) {
-      patches.push_back(static_cast<int>(leaf));
+      leaves.push_back(static_cast<int>(leaf));
       boxes.add(mesh.tree.leafBox(leaf));
     }
   }
 
-  std::vector<int> patches;
+  std::vector<int> leaves;
   BoxList boxes;
 };
 
-void expectSame(const NearVertex& a, const NearVertex& b) {
+void expectSame(const NearestMeshPoint& a, const NearestMeshPoint& b) {
   EXPECT_EQ(a.triangle, b.triangle);
   EXPECT_EQ(a.gap, b.gap);
   EXPECT_EQ(a.weights, b.weights);
@@ -55,17 +55,17 @@ TEST(NearestSearch, findsTheSameBitsByWhatItRemembersAsByLookingAnew) {
     if (i % 3 == 0) {
       point = mesh.shape.positions[static_cast<std::size_t>(i) % mesh.shape.positions.size()] + 0.02 * Vec3::UnitY();
     }
-    (void)search.among(all.patches, all.boxes, point, radius, within);
+    (void)search.among(all.leaves, all.boxes, point, radius, within);
     NearbyTriangles memory;
     search.remember(point, within, 1.0, memory);
-    if (memory.serves < 0.0) {
+    if (memory.validRadius < 0.0) {
       continue;
     }
     ++remembered;
     for (const Vec3& there : {point, Vec3(point + random.next(within / 2.0)), Vec3(point - within * Vec3::UnitX())}) {
       const double moved = (there - point).norm() + 1e-9;
       expectSame(search.amongRemembered(memory, there, radius, moved),
-                 search.among(all.patches, all.boxes, there, radius));
+                 search.among(all.leaves, all.boxes, there, radius));
     }
   }
   EXPECT_GT(remembered, 1000);
@@ -83,7 +83,7 @@ TEST(NearestSearch, findsTheSameBitsInTheWholeMeshAsAmongItsLeaves) {
     // Above a corner all of its triangles are as near.
     const Vec3 corner = mesh.shape.positions[static_cast<std::size_t>(i) % mesh.shape.positions.size()];
     const Vec3 point = i % 2 == 0 ? Vec3(corner + 0.01 * Vec3::UnitY()) : Vec3(corner + random.next(0.02));
-    expectSame(search.anywhere(point, 0.05), search.among(all.patches, all.boxes, point, 0.05));
+    expectSame(search.anywhere(point, 0.05), search.among(all.leaves, all.boxes, point, 0.05));
   }
 }
 
@@ -93,14 +93,14 @@ TEST(NearestSearch, remembersHowFarEverythingIsWhereNothingIsNear) {
   const Leaves all(mesh);
   NearestSearch search(inStep);
   const Vec3 far(0.5, 1.0, 0.5);
-  EXPECT_LT(search.among(all.patches, all.boxes, far, 0.1).triangle, 0);
+  EXPECT_LT(search.among(all.leaves, all.boxes, far, 0.1).triangle, 0);
   NearbyTriangles memory;
   search.remember(far, 0.01, 2.0, memory);
-  EXPECT_LT(memory.serves, 0.0);
-  EXPECT_GT(memory.clear, 0.8);
-  EXPECT_LE(memory.clear, NearestSearch(inStep).anywhere(far, 2.0).gap);
+  EXPECT_LT(memory.validRadius, 0.0);
+  EXPECT_GT(memory.clearRadius, 0.8);
+  EXPECT_LE(memory.clearRadius, NearestSearch(inStep).anywhere(far, 2.0).gap);
   search.remember(far, 0.01, 0.5, memory);  // beyond the leaves something may be nearer
-  EXPECT_EQ(memory.clear, 0.5);
+  EXPECT_EQ(memory.clearRadius, 0.5);
 }
 
 }  // namespace

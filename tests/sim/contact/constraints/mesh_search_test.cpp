@@ -75,65 +75,65 @@ struct Search {
   /// @param carry where the mesh takes a point
   void run(
       const Vec3& way, double spread, const std::function<Vec3(const Vec3&)>& carry = [](const Vec3& p) { return p; }) {
-    target.clear();
+    predicted.clear();
     room.clear();
     double move = 0.0;
     for (std::size_t v = 0; v < before.size(); ++v) {
       move = std::max(move, (after[v] - before[v]).norm());
     }
     for (const Vec3& position : start) {
-      target.emplace_back(carry(position) + way + random.next(spread));
-      room.push_back((target.back() - position).norm() + 2.0 * reach.keep + move);
+      predicted.emplace_back(carry(position) + way + random.next(spread));
+      room.push_back((predicted.back() - position).norm() + 2.0 * offsets.contactOffset + move);
     }
     const std::vector<OwnedFeatures> owned = ownedFeatures(model->triangles, model->vertexCount());
     const ClothClusters clusters(*model);
     found.clear();
     Workers workers;
-    const BodySide side(step, 0, reach);
+    const ConstraintBuilder builder(step, 0, offsets);
     const MeshInStep inStep{*mesh, before, after, false};
     const std::vector<double> inverseMass(start.size(), 1.0);
-    const ClothInBody cloth{start, target, room, model->triangles, owned, inverseMass};
-    meshSearch.findTouches(side, inStep, cloth, clusters, workers, 1, found);
-    meshSearch.findSharpTouches(side, inStep, cloth, clusters, workers, 1, found);
+    const ClothInBody cloth{start, predicted, room, model->triangles, owned, inverseMass};
+    meshSearch.findVertexContacts(builder, inStep, cloth, clusters, workers, 1, found);
+    meshSearch.findSharpFeatureContacts(builder, inStep, cloth, clusters, workers, 1, found);
     std::vector<double> ways;
     for (std::size_t v = 0; v < start.size(); ++v) {
-      ways.push_back((target[v] - start[v]).norm());
+      ways.push_back((predicted[v] - start[v]).norm());
     }
-    EXPECT_FALSE(meshSearch.findPlanes(side, inStep, cloth, clusters, ways, workers, 1, found));
-    planesAtFirst = found.barriers.size();
+    EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, ways, workers, 1, found));
+    planesAtFirst = found.planes.size();
     // Whatever may be moved anywhere needs all its planes.
-    found.barriers.clear();
-    meshSearch.askForAll();
-    EXPECT_FALSE(meshSearch.findPlanes(side, inStep, cloth, clusters, ways, workers, 1, found));
+    found.planes.clear();
+    meshSearch.requestAllPlanes();
+    EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, ways, workers, 1, found));
   }
 
   /// Goes with every vertex as far in any direction as its planes and its room allow.
   /// @return how many vertices found no place
   int goAnywhere(double spread, std::vector<Vec3>& positions) {
-    positions = target;
+    positions = predicted;
     for (std::size_t v = 0; v < positions.size(); ++v) {
       positions[v] += random.next(spread * room[v]);
     }
     const std::vector<double> inverseMass(positions.size(), 1.0);
     const MeshInStep inStep{*mesh, before, after, false};
-    const auto shelterOf = [&](int, int v) {
-      const Vec3& base = start[static_cast<std::size_t>(v)];
-      return BarrierFilter::Shelter{base, base + meshSearch.moveAt(inStep, v)};
+    const auto fallbackOf = [&](int, int v) {
+      const Vec3& start = start[static_cast<std::size_t>(v)];
+      return SeparatingPlaneFilter::Fallback{start, start + meshSearch.bodyDisplacementAt(inStep, v)};
     };
-    return BarrierFilter().apply(found.barriers, inverseMass, room, 1, shelterOf, start, positions);
+    return SeparatingPlaneFilter().apply(found.planes, inverseMass, room, 1, fallbackOf, start, positions);
   }
 
   RandomVectors random;
   Body body;
   std::shared_ptr<const ClothModel> model;
-  std::vector<Vec3> start, target;
+  std::vector<Vec3> start, predicted;
   std::vector<double> room;
   std::unique_ptr<SearchableMesh> mesh;
   std::vector<Vec3> before, after;
   BodyStep step;
-  ContactReach reach{0.004, 0.0024, 0.0004, 0.002};
+  ContactOffsets offsets{0.004, 0.0024, 0.0004, 0.002};
   MeshSearch meshSearch;
-  Findings found;
+  Candidates found;
   std::size_t planesAtFirst = 0;  // before all triangles were asked for
 };
 
@@ -142,7 +142,7 @@ TEST(MeshSearch, leavesNoWayIntoAMeshThatStandsStill) {
     for (const MeshShape& shape : {hills(21), ball(), box()}) {
       Search search(shape, 14, seed);
       search.run(Vec3(0.01 * seed, -0.03, 0.0), 0.02);
-      EXPECT_GT(search.found.barriers.size(), 100U);
+      EXPECT_GT(search.found.planes.size(), 100U);
       std::vector<Vec3> positions;
       EXPECT_EQ(search.goAnywhere(1.0, positions), 0);
       for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -155,7 +155,7 @@ TEST(MeshSearch, leavesNoWayIntoAMeshThatStandsStill) {
 }
 
 TEST(MeshSearch, leavesNoWayIntoAMeshThatMovesInItself) {
-  int squeezed = 0;
+  int infeasible = 0;
   for (unsigned seed = 0; seed < 6; ++seed) {
     MeshShape shape = hills(21);
     shape.frames = {shape.positions, shape.positions};
@@ -168,50 +168,50 @@ TEST(MeshSearch, leavesNoWayIntoAMeshThatMovesInItself) {
     search.run(Vec3::Zero(), 0.001, carry);
     std::vector<Vec3> positions;
     const int here = search.goAnywhere(0.3, positions);
-    squeezed += here;
+    infeasible += here;
     EXPECT_TRUE(here > 0 ||
                 testing::intersectingPairs(*search.model, positions, {search.after, shape.triangles}, Pose()) == 0)
         << "seed " << seed;
   }
-  EXPECT_LE(squeezed, 2);  // of 1176: planes of different triangles may leave no place although there is one
+  EXPECT_LE(infeasible, 2);  // of 1176: planes of different triangles may leave no place although there is one
 }
 
 TEST(MeshSearch, touchesEachVertexAtThePointOfTheMeshThatIsNearest) {
-  int touches = 0;
+  int contacts = 0;
   for (const MeshShape& shape : {hills(21), ball(), box()}) {
     Search search(shape, 14, 3);
     search.run(Vec3(0.0, -0.01, 0.0), 0.0);
-    for (const Touch& touch : search.found.touches) {
-      if (touch.weights.maxCoeff() < 1.0) {
+    for (const ContactConstraint& contact : search.found.contacts) {
+      if (contact.weights.maxCoeff() < 1.0) {
         continue;
       }
       Eigen::Index corner = 0;
-      touch.weights.maxCoeff(&corner);
-      const Vec3& point = search.start[static_cast<std::size_t>(touch.vertices[static_cast<std::size_t>(corner)])];
+      contact.weights.maxCoeff(&corner);
+      const Vec3& point = search.start[static_cast<std::size_t>(contact.vertices[static_cast<std::size_t>(corner)])];
       double least = 1e9;
       for (const Triangle& triangle : shape.triangles) {
         const Corners corners = cornersOf(shape.positions, triangle);
         least = std::min(least, (pointAt(corners, nearestOnTriangle(point, corners)) - point).norm());
       }
-      EXPECT_NEAR(touch.normal.dot(point) - touch.height, least, 1e-12);
-      ++touches;
+      EXPECT_NEAR(contact.normal.dot(point) - contact.height, least, 1e-12);
+      ++contacts;
     }
   }
-  EXPECT_GT(touches, 40);
+  EXPECT_GT(contacts, 40);
 }
 
 TEST(MeshSearch, needsNoMorePlanesThanTrianglesOverWhatIsConvex) {
   for (const MeshShape& shape : {ball(), box()}) {
     Search search(shape, 14, 5);
     search.run(Vec3(0.0, -0.01, 0.0), 0.0);
-    EXPECT_LE(search.found.barriers.size(), 3 * search.model->triangles.size());
+    EXPECT_LE(search.found.planes.size(), 3 * search.model->triangles.size());
   }
 }
 
 TEST(MeshSearch, sparesTrianglesThatGoNowhereNearUntilTheyAreAskedFor) {
   Search still(ball(), 14, 5);
   still.run(Vec3::Zero(), 0.0);
-  EXPECT_LT(still.planesAtFirst, still.found.barriers.size());
+  EXPECT_LT(still.planesAtFirst, still.found.planes.size());
   Search moving(ball(), 14, 5);
   moving.run(Vec3(0.0, -0.01, 0.0), 0.0);
   EXPECT_GT(moving.planesAtFirst, still.planesAtFirst);

@@ -5,14 +5,14 @@
 namespace drape {
 namespace {
 
-double gapTo(const BodyShape& shape, const Vec3& place) {
+double gapTo(const BodyShape& shape, const Vec3& position) {
   Body body;
   body.shape = shape;
   const BodyStep step{&body, {}, {}, {}, {}, {}};
-  return BodySearch(step, 0, ContactReach()).gapAt(place);
+  return PrimitiveSearch(step, 0, ContactOffsets()).gapAt(position);
 }
 
-TEST(BodySearch, knowsHowFarAPlaceIsFromWhatIsRoundOrFlat) {
+TEST(PrimitiveSearch, knowsHowFarAPlaceIsFromWhatIsRoundOrFlat) {
   EXPECT_DOUBLE_EQ(gapTo(PlaneShape{}, Vec3(3.0, 0.2, -1.0)), 0.2);
   EXPECT_DOUBLE_EQ(gapTo(PlaneShape{}, Vec3(3.0, -0.1, -1.0)), -0.1);
   EXPECT_DOUBLE_EQ(gapTo(SphereShape{0.5}, Vec3(0.0, 0.6, 0.8)), 0.5);

@@ -208,7 +208,7 @@ TEST(Overlap, aSleeveThatALimbPassesThroughComesAroundIt) {
 
 TEST(CommonExit, isOneOnlyWhereWhatHangsOnThePieceCanFollow) {
   // A sheet across a post can leave it at its ends only, one that ends soon behind it also sideways.
-  RoundSolid post({Vec3(0.0, -0.5, 0.0), Vec3(0.0, 0.5, 0.0)}, 0.1);
+  CapsuleSolid post({Vec3(0.0, -0.5, 0.0), Vec3(0.0, 0.5, 0.0)}, 0.1);
   const std::vector<Vec3> sideways{Vec3::UnitX()};
   for (const double size : {1.0, 0.3}) {
     const auto sheet = sheetAt(31, size, Vec3(0.05, 0.0, 0.0));
@@ -317,7 +317,7 @@ TEST(MeshSolid, countsARayThroughAnEdgeOrACornerOnce) {
 TEST(Solids, leadOutToTheirSurface) {
   const Still ball(surfaceOf(SphereShape{0.5}));
   MeshSolid mesh(ball.inStep);
-  RoundSolid round({Vec3(0.0, -0.1, 0.0), Vec3(0.0, 0.1, 0.0)}, 0.4);
+  CapsuleSolid round({Vec3(0.0, -0.1, 0.0), Vec3(0.0, 0.1, 0.0)}, 0.4);
   testing::RandomVectors random(9);
   for (Solid* solid : {static_cast<Solid*>(&mesh), static_cast<Solid*>(&round)}) {
     for (int i = 0; i < 100; ++i) {

@@ -18,20 +18,20 @@ namespace {
 using testing::lanesOf;
 using testing::sheet;
 
-/// A cloth in some shape with its charts.
-struct Charted {
+/// A cloth in some shape with its patches.
+struct PatchedCloth {
   ClothMesh mesh;
-  SelfCharts charts;
+  CollisionFreePatches patches;
 
-  explicit Charted(ClothMesh shape) : mesh(std::move(shape)) {
+  explicit PatchedCloth(ClothMesh shape) : mesh(std::move(shape)) {
     const auto model = buildClothModel(mesh, 1.0, MassLumping::Uniform, {});
-    ChartGrower().grow(chartMeshOf(*model), lanesOf(mesh.positions), charts);
+    PatchGrower().grow(patchMeshOf(*model), lanesOf(mesh.positions), patches);
   }
 
-  std::vector<Triangle> trianglesOf(const CollisionFreeChart& chart) const {
+  std::vector<Triangle> trianglesOf(const CollisionFreePatch& patch) const {
     std::vector<Triangle> triangles;
-    for (auto i = static_cast<std::size_t>(chart.firstCorner); i < static_cast<std::size_t>(chart.lastCorner); ++i) {
-      const Triangle t = {charts.corners.a[i], charts.corners.b[i], charts.corners.c[i]};
+    for (auto i = static_cast<std::size_t>(patch.firstCorner); i < static_cast<std::size_t>(patch.lastCorner); ++i) {
+      const Triangle t = {patches.corners.a[i], patches.corners.b[i], patches.corners.c[i]};
       if (triangles.empty() || triangles.back() != t) {
         triangles.push_back(t);
       }
@@ -55,8 +55,8 @@ Flat seenAlong(const ClothMesh& mesh, const Triangle& triangle, const Vec3& axis
   const Vec3 w = axis.cross(u);
   Flat flat;
   for (std::size_t c = 0; c < 3; ++c) {
-    const Vec3& place = mesh.positions[static_cast<std::size_t>(triangle[c])];
-    flat[c] = Vec2(place.dot(u), place.dot(w));
+    const Vec3& position = mesh.positions[static_cast<std::size_t>(triangle[c])];
+    flat[c] = Vec2(position.dot(u), position.dot(w));
   }
   return flat;
 }
@@ -80,13 +80,13 @@ bool overlap(const Flat& a, const Flat& b) {
   return true;
 }
 
-/// Every chart faces its axis and covers no point of the plane twice, by comparing all of its triangles.
-void expectCollisionFree(const Charted& cloth) {
-  for (const CollisionFreeChart& chart : cloth.charts.charts) {
-    const Vec3 axis(static_cast<double>(chart.axis[0]), static_cast<double>(chart.axis[1]),
-                    static_cast<double>(chart.axis[2]));
+/// Every patch faces its axis and covers no point of the plane twice, by comparing all of its triangles.
+void expectCollisionFree(const PatchedCloth& cloth) {
+  for (const CollisionFreePatch& patch : cloth.patches.patches) {
+    const Vec3 axis(static_cast<double>(patch.axis[0]), static_cast<double>(patch.axis[1]),
+                    static_cast<double>(patch.axis[2]));
     std::vector<Flat> flats;
-    for (const Triangle& t : cloth.trianglesOf(chart)) {
+    for (const Triangle& t : cloth.trianglesOf(patch)) {
       flats.push_back(seenAlong(cloth.mesh, t, axis));
       EXPECT_GT(turn(flats.back()[0], flats.back()[1], flats.back()[2]), 0.0);
     }
@@ -100,23 +100,23 @@ void expectCollisionFree(const Charted& cloth) {
   }
 }
 
-/// Every triangle in one chart, every vertex in one chart, each border a circle.
-void expectPartition(const Charted& cloth) {
+/// Every triangle in one patch, every vertex in one patch, each border a circle.
+void expectPartition(const PatchedCloth& cloth) {
   std::multiset<Triangle> seen;
-  for (const CollisionFreeChart& chart : cloth.charts.charts) {
-    for (const Triangle& t : cloth.trianglesOf(chart)) {
+  for (const CollisionFreePatch& patch : cloth.patches.patches) {
+    for (const Triangle& t : cloth.trianglesOf(patch)) {
       seen.insert(t);
     }
-    EXPECT_EQ(chart.firstCorner % mostLanes, 0);
+    EXPECT_EQ(patch.firstCorner % maxLanes, 0);
   }
   EXPECT_EQ(seen, std::multiset<Triangle>(cloth.mesh.triangles.begin(), cloth.mesh.triangles.end()));
-  std::vector<int> vertices = cloth.charts.vertices;
+  std::vector<int> vertices = cloth.patches.vertices;
   std::sort(vertices.begin(), vertices.end());
   for (std::size_t v = 0; v < cloth.mesh.positions.size(); ++v) {
     EXPECT_EQ(vertices[v], static_cast<int>(v));
-    const CollisionFreeChart& chart = cloth.charts.charts[static_cast<std::size_t>(cloth.charts.chartOfVertex[v])];
-    const auto first = cloth.charts.vertices.begin() + chart.firstVertex;
-    const auto last = cloth.charts.vertices.begin() + chart.lastVertex;
+    const CollisionFreePatch& patch = cloth.patches.patches[static_cast<std::size_t>(cloth.patches.patchOfVertex[v])];
+    const auto first = cloth.patches.vertices.begin() + patch.firstVertex;
+    const auto last = cloth.patches.vertices.begin() + patch.lastVertex;
     EXPECT_TRUE(std::binary_search(first, last, static_cast<int>(v)));
   }
 }
@@ -134,93 +134,93 @@ Vec3 ramp(const Vec3& p, double turns) {
   return {radius * std::cos(angle), 0.1 * turns * p.x(), radius * std::sin(angle)};
 }
 
-TEST(SelfCharts, AFlatSheetIsOne) {
+TEST(CollisionFreePatches, AFlatSheetIsOne) {
   for (const int n : {2, 5, 17, 33}) {
-    const Charted cloth(sheet(n));
-    EXPECT_EQ(cloth.charts.count(), 1);
-    EXPECT_EQ(cloth.charts.charts[0].lastBorder, 4 * (n - 1));
+    const PatchedCloth cloth(sheet(n));
+    EXPECT_EQ(cloth.patches.count(), 1);
+    EXPECT_EQ(cloth.patches.patches[0].lastBorder, 4 * (n - 1));
     expectPartition(cloth);
   }
 }
 
-TEST(SelfCharts, AGentlyWavingSheetIsOne) {
-  const Charted cloth(
+TEST(CollisionFreePatches, AGentlyWavingSheetIsOne) {
+  const PatchedCloth cloth(
       bent(17, [](const Vec3& p) { return Vec3(p.x(), 0.05 * std::sin(9.0 * p.x() + 5.0 * p.z()), p.z()); }));
-  EXPECT_EQ(cloth.charts.count(), 1);
+  EXPECT_EQ(cloth.patches.count(), 1);
   expectCollisionFree(cloth);
 }
 
-TEST(SelfCharts, ARolledUpSheetIsCutByItsNormals) {
-  const Charted cloth(bent(25, [](const Vec3& p) { return rolledUp(p, 2.5); }));
-  // Each chart spans 120 degrees of the roll at most.
-  EXPECT_GE(cloth.charts.count(), 7);
-  EXPECT_LE(cloth.charts.count(), 14);
-  expectCollisionFree(cloth);
-  expectPartition(cloth);
-}
-
-TEST(SelfCharts, ARampIsCutByItsBorderAlthoughAllItsNormalsAgree) {
-  const Charted whole(bent(25, [](const Vec3& p) { return ramp(p, 0.9); }));
-  EXPECT_EQ(whole.charts.count(), 1);
-  const Charted cloth(bent(25, [](const Vec3& p) { return ramp(p, 2.5); }));
-  EXPECT_GE(cloth.charts.count(), 3);
-  EXPECT_LE(cloth.charts.count(), 8);
+TEST(CollisionFreePatches, ARolledUpSheetIsCutByItsNormals) {
+  const PatchedCloth cloth(bent(25, [](const Vec3& p) { return rolledUp(p, 2.5); }));
+  // Each patch spans 120 degrees of the roll at most.
+  EXPECT_GE(cloth.patches.count(), 7);
+  EXPECT_LE(cloth.patches.count(), 14);
   expectCollisionFree(cloth);
   expectPartition(cloth);
 }
 
-TEST(SelfCharts, ACrumpledSheetIsCollisionFreeInEachOfThem) {
+TEST(CollisionFreePatches, ARampIsCutByItsBorderAlthoughAllItsNormalsAgree) {
+  const PatchedCloth whole(bent(25, [](const Vec3& p) { return ramp(p, 0.9); }));
+  EXPECT_EQ(whole.patches.count(), 1);
+  const PatchedCloth cloth(bent(25, [](const Vec3& p) { return ramp(p, 2.5); }));
+  EXPECT_GE(cloth.patches.count(), 3);
+  EXPECT_LE(cloth.patches.count(), 8);
+  expectCollisionFree(cloth);
+  expectPartition(cloth);
+}
+
+TEST(CollisionFreePatches, ACrumpledSheetIsCollisionFreeInEachOfThem) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     testing::RandomVectors random(seed);
     ClothMesh mesh = sheet(13);
     for (Vec3& position : mesh.positions) {
       position += random.next(0.03 * (seed + 1));
     }
-    const Charted cloth(std::move(mesh));
-    EXPECT_GT(cloth.charts.count(), 1);
+    const PatchedCloth cloth(std::move(mesh));
+    EXPECT_GT(cloth.patches.count(), 1);
     expectCollisionFree(cloth);
     expectPartition(cloth);
   }
 }
 
-TEST(SelfCharts, AreTheSameForTheSameShape) {
+TEST(CollisionFreePatches, AreTheSameForTheSameShape) {
   const auto shape = [](const Vec3& p) { return rolledUp(p, 1.7); };
-  EXPECT_EQ(Charted(bent(17, shape)).charts.chartOfVertex, Charted(bent(17, shape)).charts.chartOfVertex);
+  EXPECT_EQ(PatchedCloth(bent(17, shape)).patches.patchOfVertex, PatchedCloth(bent(17, shape)).patches.patchOfVertex);
 }
 
-TEST(SelfCharts, AClosedSurfaceNeedsAtLeastTwo) {
+TEST(CollisionFreePatches, AClosedSurfaceNeedsAtLeastTwo) {
   // A tetrahedron.
   ClothMesh mesh;
   mesh.positions = {Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)};
   mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
-  const Charted cloth(std::move(mesh));
-  EXPECT_GE(cloth.charts.count(), 2);
+  const PatchedCloth cloth(std::move(mesh));
+  EXPECT_GE(cloth.patches.count(), 2);
   expectCollisionFree(cloth);
 }
 
-TEST(SelfCharts, TakeMeshesThatAreNoSurface) {
+TEST(CollisionFreePatches, TakeMeshesThatAreNoSurface) {
   // Three triangles at one edge, one run through the wrong way round, one without area, and a vertex that none has.
   ClothMesh mesh;
   mesh.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
                     Vec3(0, 0, 1), Vec3(2, 0, 0), Vec3(1, 1, 0), Vec3(9, 9, 9)};
   mesh.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 2, 6}, {0, 1, 5}};
-  const Charted cloth(std::move(mesh));
+  const PatchedCloth cloth(std::move(mesh));
   expectCollisionFree(cloth);
-  EXPECT_EQ(cloth.charts.chartOfVertex.size(), 8u);
-  EXPECT_EQ(cloth.charts.vertices.size(), 8u);
-  const int loose = cloth.charts.chartOfVertex[7];
-  EXPECT_EQ(std::count(cloth.charts.chartOfVertex.begin(), cloth.charts.chartOfVertex.end(), loose), 1);
+  EXPECT_EQ(cloth.patches.patchOfVertex.size(), 8u);
+  EXPECT_EQ(cloth.patches.vertices.size(), 8u);
+  const int loose = cloth.patches.patchOfVertex[7];
+  EXPECT_EQ(std::count(cloth.patches.patchOfVertex.begin(), cloth.patches.patchOfVertex.end(), loose), 1);
 }
 
-bool hold(const Charted& cloth, const ClothMesh& shape) {
-  std::vector<char> holds;
-  return ChartCheck().failures(cloth.charts, lanesOf(shape.positions), holds) == 0;
+bool hold(const PatchedCloth& cloth, const ClothMesh& shape) {
+  std::vector<char> valid;
+  return PatchCheck().failures(cloth.patches, lanesOf(shape.positions), valid) == 0;
 }
 
-TEST(SelfCharts, AreMendedWhereTheyHoldNoLonger) {
+TEST(CollisionFreePatches, AreMendedWhereTheyHoldNoLonger) {
   // A roll; then one end of it is crumpled.
-  Charted cloth(bent(25, [](const Vec3& p) { return rolledUp(p, 1.5); }));
-  const SelfCharts before = cloth.charts;
+  PatchedCloth cloth(bent(25, [](const Vec3& p) { return rolledUp(p, 1.5); }));
+  const CollisionFreePatches before = cloth.patches;
   testing::RandomVectors random(5);
   for (std::size_t v = 0; v < cloth.mesh.positions.size(); ++v) {
     if (v % 25 < 6) {
@@ -228,18 +228,18 @@ TEST(SelfCharts, AreMendedWhereTheyHoldNoLonger) {
     }
   }
   const auto model = buildClothModel(cloth.mesh, 1.0, MassLumping::Uniform, {});
-  std::vector<char> holds;
-  const int failed = ChartCheck().failures(before, lanesOf(cloth.mesh.positions), holds);
+  std::vector<char> valid;
+  const int failed = PatchCheck().failures(before, lanesOf(cloth.mesh.positions), valid);
   EXPECT_GT(failed, 0);
   EXPECT_LT(failed, before.count());
-  ChartGrower().mend(chartMeshOf(*model), lanesOf(cloth.mesh.positions), before, holds, cloth.charts);
-  EXPECT_GT(cloth.charts.count(), before.count());
+  PatchGrower().repair(patchMeshOf(*model), lanesOf(cloth.mesh.positions), before, valid, cloth.patches);
+  EXPECT_GT(cloth.patches.count(), before.count());
   EXPECT_TRUE(hold(cloth, cloth.mesh));
   expectCollisionFree(cloth);
   expectPartition(cloth);
 }
 
-TEST(ChartCheck, HoldsUntilTheClothBendsOutOfTheCone) {
+TEST(PatchCheck, HoldsUntilTheClothBendsOutOfTheCone) {
   const auto bend = [](double degrees) {
     // A crease at x = 1/2; the axis is that of the flat sheet.
     const double angle = degrees * std::numbers::pi / 180.0;
@@ -248,29 +248,29 @@ TEST(ChartCheck, HoldsUntilTheClothBendsOutOfTheCone) {
       return Vec3(std::min(p.x(), 0.5) + over * std::cos(angle), over * std::sin(angle), p.z());
     });
   };
-  const Charted cloth(sheet(9));
+  const PatchedCloth cloth(sheet(9));
   EXPECT_TRUE(hold(cloth, bend(0.0)));
   EXPECT_TRUE(hold(cloth, bend(84.0)));
   EXPECT_FALSE(hold(cloth, bend(86.0)));
   EXPECT_FALSE(hold(cloth, bend(170.0)));
 }
 
-TEST(ChartCheck, HoldsUntilABorderCrossesItself) {
-  const Charted cloth(bent(17, [](const Vec3& p) { return ramp(p, 0.9); }));
-  ASSERT_EQ(cloth.charts.count(), 1);
+TEST(PatchCheck, HoldsUntilABorderCrossesItself) {
+  const PatchedCloth cloth(bent(17, [](const Vec3& p) { return ramp(p, 0.9); }));
+  ASSERT_EQ(cloth.patches.count(), 1);
   EXPECT_TRUE(hold(cloth, bent(17, [](const Vec3& p) { return ramp(p, 0.98); })));
   EXPECT_FALSE(hold(cloth, bent(17, [](const Vec3& p) { return ramp(p, 1.05); })));
 }
 
 TEST(BorderCheck, TellsSimplePolygonsFromOthers) {
   const auto simple = [](const std::vector<Vec2>& corners) {
-    std::vector<Vec3> places;
+    std::vector<Vec3> positions;
     std::vector<int> border;
     for (const Vec2& corner : corners) {
-      border.push_back(static_cast<int>(places.size()));
-      places.emplace_back(corner.x(), corner.y(), 0.3 * static_cast<double>(places.size()));
+      border.push_back(static_cast<int>(positions.size()));
+      positions.emplace_back(corner.x(), corner.y(), 0.3 * static_cast<double>(positions.size()));
     }
-    return BorderCheck().simple(border.data(), static_cast<int>(border.size()), lanesOf(places), {0.0F, 0.0F, 1.0F});
+    return BorderCheck().simple(border.data(), static_cast<int>(border.size()), lanesOf(positions), {0.0F, 0.0F, 1.0F});
   };
   EXPECT_TRUE(simple({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
   EXPECT_FALSE(simple({{0, 0}, {1, 1}, {1, 0}, {0, 1}}));                                 // a bow tie

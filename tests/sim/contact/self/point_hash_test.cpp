@@ -17,27 +17,27 @@ using Phase = std::array<float, 3>;
 
 constexpr Phase noPhase = {0.0F, 0.0F, 0.0F};
 
-/// Points in a box of so many metres, the charts ascending.
-SurfacePoints cloud(int count, int charts, double size, unsigned seed) {
+/// Points in a box of so many metres, the patches ascending.
+SurfacePoints cloud(int count, int patches, double size, unsigned seed) {
   testing::RandomVectors random(seed);
   SurfacePoints points;
   points.resize(static_cast<std::size_t>(count));
   points.count = count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const Vec3 place = random.next(size);
-    points.places.x[i] = static_cast<float>(place.x());
-    points.places.y[i] = static_cast<float>(place.y());
-    points.places.z[i] = static_cast<float>(place.z());
-    points.chart[i] = static_cast<std::int32_t>(i) * charts / count;
+    const Vec3 position = random.next(size);
+    points.positions.x[i] = static_cast<float>(position.x());
+    points.positions.y[i] = static_cast<float>(position.y());
+    points.positions.z[i] = static_cast<float>(position.z());
+    points.patch[i] = static_cast<std::int32_t>(i) * patches / count;
     points.vertex[i] = static_cast<std::int32_t>(i);
   }
   return points;
 }
 
-Vec3 placeOf(const SurfacePoints& points, int i) {
+Vec3 positionOf(const SurfacePoints& points, int i) {
   const auto at = static_cast<std::size_t>(i);
-  return Vec3(static_cast<double>(points.places.x[at]), static_cast<double>(points.places.y[at]),
-              static_cast<double>(points.places.z[at]));
+  return Vec3(static_cast<double>(points.positions.x[at]), static_cast<double>(points.positions.y[at]),
+              static_cast<double>(points.positions.z[at]));
 }
 
 std::vector<VertexPair> pairsOf(const SurfacePoints& points, float reach, const Phase& phase = noPhase) {
@@ -49,12 +49,12 @@ std::vector<VertexPair> pairsOf(const SurfacePoints& points, float reach, const 
 
 /// The cell of a point, worked out apart from the hash: `half` is by how much the grid is shifted, in cells.
 std::array<double, 3> cellOf(const SurfacePoints& points, int i, double size, double offset) {
-  const LaneBox box = boxOf(points.places, 0, points.count);
-  const Vec3 place = placeOf(points, i);
+  const LaneBox box = boxOf(points.positions, 0, points.count);
+  const Vec3 position = positionOf(points, i);
   std::array<double, 3> cell{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double from = static_cast<double>(box.low[axis]) - offset;
-    cell[axis] = std::floor((place[static_cast<Eigen::Index>(axis)] - from) / size);
+    cell[axis] = std::floor((position[static_cast<Eigen::Index>(axis)] - from) / size);
   }
   return cell;
 }
@@ -68,8 +68,8 @@ TEST(PointHash, FindsExactlyTheNearPairsOfDifferentChartsThatShareACellOfEitherG
   int missed = 0;
   for (int i = 0; i < points.count; ++i) {
     for (int j = i + 1; j < points.count; ++j) {
-      const bool other = points.chart[static_cast<std::size_t>(i)] != points.chart[static_cast<std::size_t>(j)];
-      if (!other || (placeOf(points, i) - placeOf(points, j)).norm() >= 0.03) {
+      const bool other = points.patch[static_cast<std::size_t>(i)] != points.patch[static_cast<std::size_t>(j)];
+      if (!other || (positionOf(points, i) - positionOf(points, j)).norm() >= 0.03) {
         continue;
       }
       const bool met = cellOf(points, i, size, 0.0) == cellOf(points, j, size, 0.0) ||
@@ -91,12 +91,12 @@ TEST(PointHash, FindsNoOtherPairsWhereManyCellsShareABucket) {
   const std::vector<VertexPair> pairs = pairsOf(points, 0.9F);
   ASSERT_FALSE(pairs.empty());
   for (const VertexPair& pair : pairs) {
-    EXPECT_LT((placeOf(points, pair.a) - placeOf(points, pair.b)).norm(), 0.9);
-    EXPECT_NE(points.chart[static_cast<std::size_t>(pair.a)], points.chart[static_cast<std::size_t>(pair.b)]);
+    EXPECT_LT((positionOf(points, pair.a) - positionOf(points, pair.b)).norm(), 0.9);
+    EXPECT_NE(points.patch[static_cast<std::size_t>(pair.a)], points.patch[static_cast<std::size_t>(pair.b)]);
   }
 }
 
-/// Pairs of points of two charts, a given way apart, each far from the other pairs.
+/// Pairs of points of two patches, a given way apart, each far from the other pairs.
 SurfacePoints lonelyPairs(const std::vector<Vec3>& offsets, unsigned seed) {
   testing::RandomVectors random(seed);
   SurfacePoints points;
@@ -104,15 +104,15 @@ SurfacePoints lonelyPairs(const std::vector<Vec3>& offsets, unsigned seed) {
   points.resize(2 * count);
   points.count = static_cast<int>(2 * count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 place =
+    const Vec3 position =
         Vec3(static_cast<double>(i % 20), static_cast<double>(i / 20 % 20), static_cast<double>(i / 400)) +
         random.next(0.4);
     for (std::size_t end = 0; end < 2; ++end) {
-      const Vec3 at = place + static_cast<double>(end) * offsets[i];
-      points.places.x[i + end * count] = static_cast<float>(at.x());
-      points.places.y[i + end * count] = static_cast<float>(at.y());
-      points.places.z[i + end * count] = static_cast<float>(at.z());
-      points.chart[i + end * count] = static_cast<std::int32_t>(end);
+      const Vec3 at = position + static_cast<double>(end) * offsets[i];
+      points.positions.x[i + end * count] = static_cast<float>(at.x());
+      points.positions.y[i + end * count] = static_cast<float>(at.y());
+      points.positions.z[i + end * count] = static_cast<float>(at.z());
+      points.patch[i + end * count] = static_cast<std::int32_t>(end);
       points.vertex[i + end * count] = static_cast<std::int32_t>(i + end * count);
     }
   }
@@ -161,8 +161,8 @@ TEST(PointHash, TellsWhatItHasCompared) {
   }
   for (int i = 0; i < points.count; ++i) {
     for (int j = i + 1; j < points.count; ++j) {
-      const bool near = (placeOf(points, i) - placeOf(points, j)).norm() < 0.03;
-      const bool other = points.chart[static_cast<std::size_t>(i)] != points.chart[static_cast<std::size_t>(j)];
+      const bool near = (positionOf(points, i) - positionOf(points, j)).norm() < 0.03;
+      const bool other = points.patch[static_cast<std::size_t>(i)] != points.patch[static_cast<std::size_t>(j)];
       if (near && other) {
         EXPECT_EQ(found.count({i, j}) > 0, hash.compared(i, j));
       }

@@ -7,16 +7,16 @@
 
 namespace drape::testing {
 
-/// Positions as self-collision takes them.
-inline PlaceLanes lanesOf(const std::vector<Vec3>& positions) {
-  PlaceLanes places;
-  places.resize(positions.size());
+/// Positions in the form that self-collision uses.
+inline PositionLanes lanesOf(const std::vector<Vec3>& positions) {
+  PositionLanes lanes;
+  lanes.resize(positions.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    places.x[v] = static_cast<float>(positions[v].x());
-    places.y[v] = static_cast<float>(positions[v].y());
-    places.z[v] = static_cast<float>(positions[v].z());
+    lanes.x[v] = static_cast<float>(positions[v].x());
+    lanes.y[v] = static_cast<float>(positions[v].y());
+    lanes.z[v] = static_cast<float>(positions[v].z());
   }
-  return places;
+  return lanes;
 }
 
 }  // namespace drape::testing

@@ -38,8 +38,8 @@ struct Flight {
   std::vector<Vec3> start;
   ClothState state;
 
-  Flight(std::shared_ptr<const ClothModel> cloth, std::vector<Vec3> places, std::vector<Vec3> velocities)
-      : model(std::move(cloth)), start(std::move(places)) {
+  Flight(std::shared_ptr<const ClothModel> cloth, std::vector<Vec3> positions, std::vector<Vec3> velocities)
+      : model(std::move(cloth)), start(std::move(positions)) {
     state.velocities = std::move(velocities);
     state.positions = start;
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -104,27 +104,27 @@ TEST(SelfResponse, HoldsAtTheThicknessOneThatWouldPassThroughTheOther) {
 
 TEST(SelfResponse, KeepsMomentumInACrowd) {
   testing::RandomVectors random(3);
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   std::vector<Vec3> velocities;
   std::vector<VertexPair> pairs;
   for (int i = 0; i < 30; ++i) {
-    places.push_back(random.next(0.05));
+    positions.push_back(random.next(0.05));
     velocities.push_back(random.next(4.0));
     for (int j = 0; j < i; ++j) {
-      if ((places[static_cast<std::size_t>(j)] - places[static_cast<std::size_t>(i)]).norm() > 0.02) {
+      if ((positions[static_cast<std::size_t>(j)] - positions[static_cast<std::size_t>(i)]).norm() > 0.02) {
         pairs.push_back({j, i});
       }
     }
   }
   for (const SelfResponse::Inputs& inputs : {smooth, rough}) {
-    Flight flight(loosePoints(30), places, velocities);
+    Flight flight(loosePoints(30), positions, velocities);
     const Vec3 linear = linearMomentum(*flight.model, flight.state);
     const Vec3 angular = angularMomentum(*flight.model, flight.state, Vec3(1.0, 2.0, 3.0));
     const double energy = flight.kineticEnergy();
     EXPECT_GT(flight.meet(inputs, pairs), 5);
     EXPECT_LT((linearMomentum(*flight.model, flight.state) - linear).norm(), 1e-6);
     EXPECT_LT(flight.kineticEnergy(), energy);
-    if (inputs.friction.atRest == 0.0F) {
+    if (inputs.friction.staticCoefficient == 0.0F) {
       EXPECT_LT((angularMomentum(*flight.model, flight.state, Vec3(1.0, 2.0, 3.0)) - angular).norm(), 1e-6);
     }
   }
@@ -161,7 +161,7 @@ TEST(SelfResponse, HoldsWithinTheConeOfStaticFrictionAndSlidesWithKineticBeyond)
     const double slide = slideAfter(down, 0.2);
     // What slides aside comes down a little around the other, which takes so much from the impulse.
     const double round = (0.02 - std::sqrt(0.02 * 0.02 - slide * h * slide * h)) / h;
-    EXPECT_NEAR(slide, 0.2 - static_cast<double>(rough.friction.sliding) * (down - round), 1e-4);
+    EXPECT_NEAR(slide, 0.2 - static_cast<double>(rough.friction.kineticCoefficient) * (down - round), 1e-4);
   }
 }
 
@@ -196,17 +196,17 @@ TEST(ColouredPairs, ShareNoVertexWithinAColourAndKeepAllPairs) {
 
 TEST(SelfResponse, HoldsAStackApart) {
   // Five in a row are pressed together from both ends.
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   std::vector<Vec3> velocities;
   std::vector<VertexPair> pairs;
   for (int i = 0; i < 5; ++i) {
-    places.emplace_back(0.02 * i, 0.0, 0.0);
+    positions.emplace_back(0.02 * i, 0.0, 0.0);
     velocities.emplace_back(i < 2 ? 0.3 : (i > 2 ? -0.3 : 0.0), 0.0, 0.0);
     if (i > 0) {
       pairs.push_back({i - 1, i});
     }
   }
-  Flight flight(loosePoints(5), places, velocities);
+  Flight flight(loosePoints(5), positions, velocities);
   flight.meet(smooth, pairs);
   for (std::size_t i = 1; i < 5; ++i) {
     EXPECT_GT(flight.distance(i - 1, i), 0.02 - 0.02 * 0.02);

@@ -64,12 +64,12 @@ struct Fold {
   }
 
   ContactReport run(int steps, const StepParameters& parameters, Stepper& stepper) {
-    ContactReport most;
+    ContactReport maximum;
     for (int i = 0; i < steps; ++i) {
       const ContactReport report = stepper.step(*model, parameters, {}, state).contact;
-      most.selfContacts = std::max(most.selfContacts, report.selfContacts);
+      maximum.selfContacts = std::max(maximum.selfContacts, report.selfContacts);
     }
-    return most;
+    return maximum;
   }
 };
 
@@ -226,8 +226,8 @@ TEST(SelfContact, HardlyMissesAPairOfDifferentChartsThatIsTooNear) {
       known.insert({memory.pairs.pairs[p].a, memory.pairs.pairs[p].b});
     }
     for (const auto& [a, b] : known) {
-      EXPECT_NE(memory.charts->chartOfVertex[static_cast<std::size_t>(a)],
-                memory.charts->chartOfVertex[static_cast<std::size_t>(b)]);
+      EXPECT_NE(memory.patches->patchOfVertex[static_cast<std::size_t>(a)],
+                memory.patches->patchOfVertex[static_cast<std::size_t>(b)]);
     }
     const std::vector<Vec3>& x = fold.state.positions;
     for (int a = 0; a < fold.model->vertexCount(); ++a) {
@@ -235,7 +235,7 @@ TEST(SelfContact, HardlyMissesAPairOfDifferentChartsThatIsTooNear) {
         const auto i1 = static_cast<std::size_t>(a);
         const auto i2 = static_cast<std::size_t>(b);
         const bool connected = (fold.model->restPositions[i2] - fold.model->restPositions[i1]).norm() < 0.09;
-        if (!connected && memory.charts->chartOfVertex[i1] != memory.charts->chartOfVertex[i2] &&
+        if (!connected && memory.patches->patchOfVertex[i1] != memory.patches->patchOfVertex[i2] &&
             (x[i2] - x[i1]).norm() < 1.01 * thickness) {
           ++near;
           missed += known.count({a, b}) == 0 ? 1 : 0;
@@ -255,14 +255,14 @@ TEST(SelfContact, GivesNoEnergyToStiffClothUnderASolverThatKeepsIt) {
   Fold fold(17);
   Stepper stepper("auto");
   int contacts = 0;
-  double most = 0.0;  // [J]; it starts with none, and falling by its own length sets 1 free
+  double maximum = 0.0;  // [J]; it starts with none, and falling by its own length sets 1 free
   for (int step = 0; step < 180; ++step) {
     contacts += fold.run(1, parameters, stepper).selfContacts;
-    most = std::max(most, energyOf(*fold.model, parameters, fold.state).total());
+    maximum = std::max(maximum, energyOf(*fold.model, parameters, fold.state).total());
   }
   EXPECT_GT(contacts, 100);
-  EXPECT_LT(most, 0.05);
-  EXPECT_GT(stepper.rounds(), 1);
+  EXPECT_LT(maximum, 0.05);
+  EXPECT_GT(stepper.contactSubsteps(), 1);
 }
 
 TEST(SelfContact, PairsThatTheRestShapeConnectsNeverCount) {
@@ -271,7 +271,7 @@ TEST(SelfContact, PairsThatTheRestShapeConnectsNeverCount) {
   parameters.gravity = 0.0;
   parameters.stiffness = 0.0;
   parameters.contact.selfThickness = 0.3;  // 2.4 edges
-  // Folded to a right angle in the middle, so that there are two charts and all are near the fold.
+  // Folded to a right angle in the middle, so that there are two patches and all are near the fold.
   ClothState state = stateAtRest(model->restPositions);
   for (Vec3& x : state.positions) {
     const double over = std::max(0.0, x.x() - 0.5);
@@ -279,7 +279,7 @@ TEST(SelfContact, PairsThatTheRestShapeConnectsNeverCount) {
   }
   Stepper stepper("one_iteration");
   stepper.step(*model, parameters, {}, state);
-  EXPECT_GT(state.selfContact->charts->count(), 1);
+  EXPECT_GT(state.selfContact->patches->count(), 1);
   const ColouredPairs& pairs = state.selfContact->pairs;
   EXPECT_GT(pairs.count(), 0);
   for (std::size_t i = 0; i < static_cast<std::size_t>(pairs.count()); ++i) {

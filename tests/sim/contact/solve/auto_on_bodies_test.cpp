@@ -68,7 +68,7 @@ TEST(AutoOnBodies, takesNoMoreRoundsForTheSakeOfASliver) {
     for (int step = 0; step < 15; ++step) {  // it falls by what it is above the box
       meeting.step();
     }
-    return meeting.stepper().rounds();
+    return meeting.stepper().contactSubsteps();
   };
   const int rounds = roundsNearIt(even);
   EXPECT_GT(rounds, 2);

@@ -40,19 +40,19 @@ TEST(Rounds, letNoSolverGainEnergyOnABallInLongSteps) {
 
 TEST(Rounds, areAsManyAsKeepThemShortAndShareTheSubsteps) {
   for (const auto& [timeStep, rounds] : {std::pair(1.0 / 60.0, 5), {1.0 / 150.0, 2}, {1.0 / 300.0, 1}, {1e-3, 1}}) {
-    constexpr double near = 0.307;  // and yet too far to touch within the step
+    constexpr double near = 0.307;  // and yet too far to contact within the step
     testing::Meeting meeting = sheetOverBall("xpbd", near);
     meeting.parameters.timeStep = timeStep;
     meeting.parameters.substeps = 10;
     meeting.step();
-    EXPECT_EQ(meeting.stepper().rounds(), rounds) << timeStep;
+    EXPECT_EQ(meeting.stepper().contactSubsteps(), rounds) << timeStep;
     EXPECT_EQ(meeting.state.time, timeStep);
     // In free fall nothing depends on the rounds but how long the substeps are: all are as long, 10 to a step.
     testing::Meeting alone = sheetOverBall("xpbd", near);
     alone.parameters = meeting.parameters;
     alone.parameters.contact.bodies = false;
     alone.step();
-    EXPECT_EQ(alone.stepper().rounds(), 1);
+    EXPECT_EQ(alone.stepper().contactSubsteps(), 1);
     EXPECT_LT((alone.state.positions[0] - meeting.state.positions[0]).norm(), 1e-6) << timeStep;
   }
 }
@@ -61,12 +61,12 @@ TEST(Rounds, areTakenOnlyWhereABodyIsNear) {
   for (const char* solver : {"xpbd", "auto"}) {
     testing::Meeting meeting = sheetOverBall(solver, 0.5);
     meeting.step();
-    EXPECT_EQ(meeting.stepper().rounds(), 1) << solver;
+    EXPECT_EQ(meeting.stepper().contactSubsteps(), 1) << solver;
     for (Vec3& velocity : meeting.state.velocities) {
       velocity.y() = -20.0;  // 0.33 m in a step
     }
     meeting.step();
-    EXPECT_GE(meeting.stepper().rounds(), 5) << solver;
+    EXPECT_GE(meeting.stepper().contactSubsteps(), 5) << solver;
   }
 }
 

@@ -92,7 +92,7 @@ void throwThrough(const char* name, const Body& body, const Pace& pace) {
   meeting.parameters.gravity = 0.0;
   meeting.run(flight, [&](const StepReport& report) {
     ASSERT_EQ(meeting.pairs(0), 0) << name << " at " << meeting.state.time << " s";
-    EXPECT_EQ(report.contact.squeezed, 0) << name << " at " << meeting.state.time << " s";
+    EXPECT_EQ(report.contact.infeasible, 0) << name << " at " << meeting.state.time << " s";
     EXPECT_EQ(report.contact.overlaps, 0) << name << " at " << meeting.state.time << " s";
   });
   // The body has passed the place where the sheet was and has taken it along.
@@ -144,7 +144,7 @@ void throwSheet(const char* name, const Body& body, const Eigen::Quaterniond& tu
   int contacts = 0;
   meeting.run(5.0 / pace.speed, [&](const StepReport& report) {
     ASSERT_EQ(meeting.pairs(0), 0) << name << " at " << meeting.state.time << " s";
-    EXPECT_EQ(report.contact.squeezed, 0) << name;
+    EXPECT_EQ(report.contact.infeasible, 0) << name;
     contacts += report.contact.bodyContacts;
   });
   EXPECT_GT(contacts, 0) << name;
@@ -195,7 +195,7 @@ TEST(FastMotion, keepsASheetOutOfWhatIsHollow) {
     int contacts = 0;
     meeting.run(6.0 / pace.speed, [&](const StepReport& report) {
       ASSERT_EQ(meeting.pairs(0), 0) << meeting.state.time;
-      EXPECT_EQ(report.contact.squeezed, 0);
+      EXPECT_EQ(report.contact.infeasible, 0);
       contacts = std::max(contacts, report.contact.bodyContacts);
     });
     EXPECT_GT(contacts, 100);
@@ -203,7 +203,7 @@ TEST(FastMotion, keepsASheetOutOfWhatIsHollow) {
 }
 
 /// A mesh that moves in itself meets a sheet that lies or falls on it.
-/// @param strained so much within a round that vertices may be counted as squeezed although there is room
+/// @param strained so much within a round that vertices may be counted as infeasible although there is room
 void meetLively(const char* name, const Body& body, double height, double fall, const Pace& pace, double seconds,
                 bool strained = false) {
   Meeting meeting(freeSheet(15, 0.7, Vec3(0.0, height, 0.0)), {body}, "xpbd");
@@ -215,7 +215,7 @@ void meetLively(const char* name, const Body& body, double height, double fall, 
   int contacts = 0;
   meeting.run(seconds, [&](const StepReport& report) {
     ASSERT_EQ(meeting.pairs(0), 0) << name << " at " << meeting.state.time;
-    EXPECT_TRUE(strained || report.contact.squeezed == 0) << name << " at " << meeting.state.time;
+    EXPECT_TRUE(strained || report.contact.infeasible == 0) << name << " at " << meeting.state.time;
     EXPECT_EQ(report.contact.overlaps, 0) << name << " at " << meeting.state.time;
     contacts += report.contact.bodyContacts;
   });
