@@ -9,8 +9,8 @@
 
 namespace drape {
 
-/// Calls visit(begin, end, found) on pieces of 0 to count, each with a `Found` of its own, and gives these back in the
-/// pieces' order, whoever was first: the result must not depend on the threads.
+/// Divides the range 0 to count - 1 among threads and calls visit(begin, end, found) for each part, each with its own
+/// `Found`. Returns these in the order of the parts, so that the result does not depend on the threads.
 template <typename Found, typename Visit>
 [[nodiscard]] std::vector<Found> collectInOrder(Workers& workers, int threads, int count, Visit&& visit) {
   std::mutex mutex;

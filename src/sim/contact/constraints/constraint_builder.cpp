@@ -7,18 +7,18 @@
 namespace drape {
 
 double ContactOffsets::recoveryStepAt(double depth) const {
-  constexpr double deep = 0.125;  // [m]
-  return recoveryStep * std::min(4.0, 1.0 + depth / deep);
+  constexpr double referenceDepth = 0.125;  // depth at which the step doubles [m]
+  return recoveryStep * std::min(4.0, 1.0 + depth / referenceDepth);
 }
 
 void ConstraintBuilder::addContact(const ClothInBody& cloth, std::size_t t, const Vec3& weights, const NearPoint& near,
                                    double wanted, Candidates& candidates) const {
   const double separationStep =
       near.gap < 0.0 ? offsets_.recoveryStepAt(std::max(near.depth, -near.gap)) : offsets_.separationStep;
-  const double contactOffset = std::min(wanted, near.gap + separationStep);
+  const double offset = std::min(wanted, near.gap + separationStep);
   const double height = near.normal.dot(near.endPoint);
   const Vec3 predicted = pointAt(cornersOf(cloth.predicted, cloth.triangles[t]), weights);
-  if (near.normal.dot(predicted) - height >= contactOffset) {
+  if (near.normal.dot(predicted) - height >= offset) {
     return;
   }
   ContactConstraint contact;
@@ -26,7 +26,7 @@ void ConstraintBuilder::addContact(const ClothInBody& cloth, std::size_t t, cons
   contact.weights = weights;
   contact.normal = step_.end.rotation * near.normal;
   contact.height = height + contact.normal.dot(step_.end.position);
-  contact.offset = contactOffset;
+  contact.offset = offset;
   contact.bodyDisplacement = step_.end.toWorld(near.endPoint) - step_.start.toWorld(near.startPoint);
   contact.staticFriction = step_.surface.staticFriction;
   contact.kineticFriction = std::min(step_.surface.kineticFriction, step_.surface.staticFriction);
@@ -36,8 +36,8 @@ void ConstraintBuilder::addContact(const ClothInBody& cloth, std::size_t t, cons
 
 void ConstraintBuilder::addPlanes(const ClothInBody& cloth, std::size_t t, const Vec3& normal, double height,
                                   double gap, Candidates& candidates) const {
-  const double limit =
-      height + std::min(offsets_.minimumSeparation, gap);  // what is nearer than the guard comes no nearer
+  const double limit = height + std::min(offsets_.minimumSeparation,
+                                         gap);  // vertices that are already closer must not come closer still
   const Vec3 world = step_.end.rotation * normal;
   const double origin = world.dot(step_.end.position);
   for (const int v : cloth.triangles[t]) {

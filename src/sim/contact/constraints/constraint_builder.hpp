@@ -7,41 +7,43 @@
 
 namespace drape {
 
-/// How near the cloth may come.
+/// Distances that contact keeps between the cloth and a body.
 struct ContactOffsets {
-  double contactOffset = 0.0;  ///< distance at which vertices of the cloth are stopped [m]
-  double edgeOffset = 0.0;  ///< the same of its edges and faces: nearer, so that on what is smooth vertices suffice [m]
-  double minimumSeparation = 0.0;  ///< distance that it never falls below [m]
-  double separationStep = 0.0;     ///< how far what is nearer than that goes away in a step [m]
-  double recoveryStep =
-      0.0;  ///< how far what is inside comes out in a step, or up to four times that where it is deep [m]
+  double contactOffset = 0.0;  ///< distance of the vertices of the cloth [m]
+  /// Distance of the edges and faces of the cloth [m]. It is less than that of the vertices, so that on smooth surfaces
+  /// contacts of vertices suffice.
+  double edgeOffset = 0.0;
+  double minimumSeparation = 0.0;  ///< minimum distance, enforced by separating planes [m]
+  double separationStep = 0.0;     ///< increase per step of a positive distance that is too small [m]
+  /// Decrease per step of the depth of cloth inside the body [m]; up to four times as much where it is deep.
+  double recoveryStep = 0.0;
 
-  /// How far something that is that deep inside comes out in a step [m].
+  /// Decrease per step of this depth [m].
   [[nodiscard]] double recoveryStepAt(double depth) const;
 };
 
-/// What is near one body in one step, written down in the world's frame.
+/// Creates the constraints of one body in one step. Input is in the body's frame, constraints are in the world frame.
 class ConstraintBuilder {
  public:
-  /// @param index of the body among the step's
+  /// @param index of the body in the step
   ConstraintBuilder(const BodyStep& step, int index, const ContactOffsets& offsets)
       : step_(step), index_(index), offsets_(offsets) {}
 
   [[nodiscard]] const ContactOffsets& offsets() const { return offsets_; }
   [[nodiscard]] const BodyStep& step() const { return step_; }
 
-  /// A point of triangle t is to stay `wanted` away from a point of the body [m]; nothing is added if it will anyway. A
-  /// point that already is nearer goes out gently.
+  /// Adds a contact that keeps a point of triangle t at the distance `wanted` from a point of the body [m], unless the
+  /// predicted position satisfies it. If the point is already closer, its distance grows by a bounded step.
   void addContact(const ClothInBody& cloth, std::size_t t, const Vec3& weights, const NearPoint& near, double wanted,
                   Candidates& candidates) const;
 
-  /// Keeps the vertices of triangle t above a plane, those that could come near it.
-  /// @param height of the body's highest point over the plane through the frame's origin, at the end of the step [m]
-  /// @param gap between triangle and body at the base [m]
+  /// Adds a separating plane for each vertex of triangle t that could reach it.
+  /// @param height maximum of normal . x over the body at the end of the step, in the body's frame [m]
+  /// @param gap between triangle and body at the start of the pass [m]
   void addPlanes(const ClothInBody& cloth, std::size_t t, const Vec3& normal, double height, double gap,
                  Candidates& candidates) const;
 
-  /// Keeps one vertex there.
+  /// Adds a separating plane for one vertex.
   void addPlane(int vertex, const Vec3& normal, double height, double gap, Candidates& candidates) const;
 
  private:

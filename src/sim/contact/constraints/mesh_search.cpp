@@ -13,26 +13,27 @@
 namespace drape {
 namespace {
 
-constexpr double listedRatio = 2.0;      // of the distance that is kept: leaves that near to a cluster are listed [-]
-constexpr double listMarginRatio = 1.0;  // of it: how much farther away what is listed may be [-]
-constexpr double knownRatio = 0.15;      // of it: how far a cluster may move before distances are found anew [-]
+// Ratios to the contact offset [-]:
+constexpr double listedRatio = 2.0;      // distance to a cluster up to which leaves are listed
+constexpr double listMarginRatio = 1.0;  // additional distance in cached lists
+constexpr double knownRatio = 0.15;      // displacement of a cluster up to which its distances are reused
+constexpr double closeRatio = 0.2;       // distance beyond the edge offset at which edges and faces get contacts
 constexpr double rounding = 1e-9;        // [m]
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double closeRatio = 0.2;  // of it: how much nearer than they may edges and faces come in a pass, at most [-]
 
-/// How near edges and faces have to be for contacts to be looked for [m].
+/// Distance below which edges and faces get contacts [m].
 double closeDistance(const ContactOffsets& offsets) {
   return offsets.edgeOffset + closeRatio * offsets.contactOffset;
 }
 
-/// What a thread found in its part of the clusters.
+/// The results of one part of the clusters.
 template <typename More>
 struct Part {
   Candidates found;
   std::vector<More> more;
 };
 
-/// Calls visit(first cluster, last cluster, part) on pieces of the clusters, and collects the parts in their order.
+/// Calls visit(first cluster, last cluster, part) for parts of the clusters, and returns the parts in order.
 template <typename More, typename Visit>
 std::vector<Part<More>> inParts(const ClothClusters& clusters, Workers& workers, int threads, std::size_t triangles,
                                 Visit&& visit) {
@@ -68,7 +69,7 @@ void MeshSearch::NearbyLeaves::list(const MeshTree& tree, const Eigen::AlignedBo
   });
 }
 
-/// Looks at what is near a cluster.
+/// Finds the leaves near a cluster and the closest points of its vertices.
 class MeshSearch::ClusterSearch {
  public:
   ClusterSearch(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth)
@@ -78,9 +79,8 @@ class MeshSearch::ClusterSearch {
         nearest_(mesh),
         radius_(listedRatio * builder.offsets().contactOffset) {}
 
-  /// Lists the leaves within the radius, when those that are listed may not do any more.
-  /// Says how far the cluster has moved since its distances were found, and remembers it when they have to be found
-  /// anew.
+  /// Lists the leaves within the radius if the cached list does not cover it. Computes how far the cluster has moved
+  /// since its distances were computed, and starts anew if that is too far.
   void list(std::span<const int> vertices, NearbyLeaves& nearby) const {
     Eigen::AlignedBox3d box;
     double squared = nearby.reference.size() == vertices.size() ? 0.0 : infinity;
@@ -114,7 +114,7 @@ class MeshSearch::ClusterSearch {
     }
   }
 
-  /// The mesh's point that is nearest to a vertex, as far as that is about to go.
+  /// The closest point of the mesh to a vertex, within its displacement.
   NearestMeshPoint nearestTo(int vertex, const NearbyLeaves& nearby, NearbyTriangles& memory) {
     const Vec3& point = vectorAt(cloth_.start, vertex);
     const double radius =
@@ -190,8 +190,7 @@ void MeshSearch::findSharpFeatureContacts(const ConstraintBuilder& builder, cons
   }
 }
 
-/// Looks for what contacts the triangles of a cluster, as far as they are not known to be too far away.
-/// Distances that are not known are found.
+/// Finds contacts of the edges and faces of a cluster's triangles that could be close enough. Updates their distances.
 void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> triangles, NearbyLeaves& nearby,
                                  const ContactOffsets& offsets, SharpFeatureSearch& sharp) {
   nearby.distances.resize(triangles.size(), -infinity);
@@ -216,7 +215,7 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
     const double longest =
         std::sqrt(std::max({displacement(corners[0]), displacement(corners[1]), displacement(corners[2])})) + rounding;
     if (distances_[t] >= offsets.edgeOffset + longest) {
-      continue;  // nothing of it is about to come near enough to contact
+      continue;  // it stays too far away
     }
     distances_[t] =
         std::max(distances_[t], sharp.search(triangles[i], nearby.leaves, nearby.boxes, longest, outwards_[t]));
@@ -241,7 +240,7 @@ void MeshSearch::addVertexContacts(const ConstraintBuilder& builder, const MeshI
       if (near.triangle < 0) {
         continue;
       }
-      // Of a mesh without an inside, what has pierced it and is behind it must not be held there.
+      // A vertex that has passed through an open mesh must not be held behind it.
       if (mesh.mesh.closed || !besidePenetrating_[v] ||
           faceNormal(mesh.corners(near.triangle)).dot(near.normal) > 0.0) {
         builder.addContact(cloth, t, onCorner(k), pointOf(mesh, near), builder.offsets().contactOffset, candidates);
@@ -250,8 +249,8 @@ void MeshSearch::addVertexContacts(const ConstraintBuilder& builder, const MeshI
   }
 }
 
-/// The leaves that a cluster could reach with the room that its vertices have.
-/// @param wider is used where what is listed is not enough
+/// The leaves that a cluster could reach within its displacement bounds.
+/// @param wider storage, used if the cached list is too short
 const MeshSearch::NearbyLeaves& MeshSearch::leavesWithinBound(const ConstraintBuilder& builder, const MeshInStep& mesh,
                                                               const ClothInBody& cloth, const ClothClusters& clusters,
                                                               std::size_t cluster, NearbyLeaves& wider) const {
@@ -268,7 +267,8 @@ const MeshSearch::NearbyLeaves& MeshSearch::leavesWithinBound(const ConstraintBu
   return nearby_[cluster];
 }
 
-/// Of one triangle. What is caught in a closed mesh gets none, and is only looked at for what it pierces.
+/// Finds the planes of one triangle. A triangle that penetrates a closed mesh gets none; the search only updates which
+/// triangles it pierces.
 void MeshSearch::findPlanesOf(int triangle, const MeshInStep& mesh, const NearbyLeaves& nearby, PlaneSearch& planes,
                               Candidates& candidates) const {
   const std::size_t before = candidates.planes.size();

@@ -11,63 +11,62 @@
 
 namespace drape {
 
-/// Looks for what is near a box or a mesh in one step: where vertices, edges and triangles of the cloth are about to
-/// come nearer than they may, and planes between every triangle and what of the body it could meet.
+/// Finds contacts and separating planes of a cloth with a box or a mesh in one step.
 ///
-/// Clusters of the cloth find the body's leaves near them. Vertices look for their nearest point as far as they are
-/// about to go; but edges and faces are looked at when it is known where contacts of vertices let the cloth go, and
-/// planes are looked for when all contacts are known. Then it mostly goes not far.
+/// Clusters of the cloth list the leaves of the mesh's tree near them. First each vertex finds its closest point within
+/// its displacement. Contacts of edges and faces are searched after those of vertices have been solved, and planes
+/// after all contacts have been solved, since the displacements are then small.
 ///
-/// What was found serves while a cluster hardly moves in the body's frame, where the mesh does not move in itself.
-/// Lists of leaves hold a little more than is near; whoever reads them takes what is near. Distances are known with
-/// the way that was gone since then: a triangle that by them goes nowhere near the mesh needs no plane, unless a plane
-/// of another one moves its vertices; then it is asked for. So results do not depend on when something was found.
+/// On rigid meshes results are cached while a cluster hardly moves in the body's frame. Cached lists of leaves cover a
+/// larger region and are filtered when used. Cached distances are reduced by the displacement since then: they are
+/// lower bounds. A triangle that stays clear of the mesh by them gets no plane, unless a plane of another triangle
+/// moves its vertices; then its planes are requested. So results do not depend on when something was cached.
 class MeshSearch {
  public:
-  /// A pass begins: what pierced the mesh is forgotten.
-  /// @param mesh to be searched, by address  @param model tells cloths apart
+  /// Starts a pass: forgets which triangles pierced the mesh.
+  /// @param mesh identified by its address  @param model a number that identifies the cloth
   void begin(const SearchableMesh& mesh, std::uint64_t model);
 
   /// Adds contacts of the cloth's vertices to `candidates`.
-  /// @param cloth with room for all the way to its target
+  /// @param cloth with displacement bounds that include the predicted positions
   void findVertexContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                           const ClothClusters& clusters, Workers& workers, int threads, Candidates& candidates);
 
   /// Adds contacts of its edges and faces, after findVertexContacts, in an order that does not depend on the threads.
-  /// @param cloth its target is where contacts of its vertices alone let it go
+  /// @param cloth its predicted positions are those with contacts of vertices only
   void findSharpFeatureContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                                 const ClothClusters& clusters, Workers& workers, int threads, Candidates& candidates);
 
-  /// Adds planes to `candidates`, after both.
-  /// @param cloth its target is where contacts let it go, with room for that
-  /// @param ways from bases to targets [m]
-  /// @return true when some of the cloth pierces the mesh of which findVertexContacts did not know: it should be asked
-  /// again
+  /// Adds separating planes to `candidates`, after both.
+  /// @param cloth its predicted positions are those with all contacts, within the displacement bounds
+  /// @param displacements of each vertex from start to predicted [m]
+  /// @return true if triangles pierce the mesh that findVertexContacts did not know of; the search must be repeated
   bool findPlanes(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                   const ClothClusters& clusters, std::span<const double> displacements, Workers& workers, int threads,
                   Candidates& candidates);
 
-  /// Whether some of the cloth is known to pierce the mesh in this pass, and for each triangle of it whether it does.
+  /// Whether some of the cloth is known to pierce the mesh in this pass; and the same for each triangle.
   [[nodiscard]] bool pierced() const { return !piercings_.empty(); }
   [[nodiscard]] std::vector<bool> pierces(std::size_t triangles) const;
 
-  /// Has findPlanes look at all triangles with a vertex that was moved from its target.
-  /// @return true when it did without one of these before
+  /// Requests planes for all triangles with a moved vertex.
+  /// @param moved per vertex, whether it was moved from its predicted position
+  /// @return true if findPlanes had skipped such a triangle
   bool requestPlanesAround(std::span<const Triangle> triangles, const std::vector<bool>& moved);
-  /// Has it look at all triangles.
+  /// Requests planes for all triangles.
   void requestAllPlanes() { requested_.assign(requested_.size(), 1); }
 
-  /// How far the mesh's nearest point to a vertex of the cloth moves in the body's frame [m]; zero where none is near.
+  /// Displacement over the step of the closest point to a vertex, in the body's frame [m]; zero if none is near.
   [[nodiscard]] Vec3 bodyDisplacementAt(const MeshInStep& mesh, int vertex) const;
 
  private:
   struct NearbyLeaves {
-    Eigen::AlignedBox3d covered;  // all leaves that meet it are listed
+    Eigen::AlignedBox3d covered;  // all leaves that intersect this box are listed
     std::vector<int> leaves;
     BoxList boxes;
-    std::vector<Vec3> reference;    // its vertices when distances were found [m]
-    std::vector<double> distances;  // between its triangles and the mesh then, at least [m]
-    double moved = 0.0;             // since then, at most [m]; infinite: distances have to be found
+    std::vector<Vec3> reference;    // positions of its vertices when distances were computed [m]
+    std::vector<double> distances;  // lower bounds between its triangles and the mesh then [m]
+    double moved = 0.0;             // maximum displacement since then [m]; infinite: distances are unknown
 
     void list(const MeshTree& tree, const Eigen::AlignedBox3d& box);
   };
@@ -93,21 +92,21 @@ class MeshSearch {
   void addPlanesAtOverlap(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                           Candidates& candidates) const;
 
-  const SearchableMesh* mesh_ = nullptr;    // that the lists are for ...
-  std::uint64_t model_ = 0;                 // ... and the cloth
-  std::vector<NearbyLeaves> nearby_;        // of each cluster
-  std::vector<NearestMeshPoint> nearest_;   // to each vertex
-  std::vector<NearbyTriangles> near_;       // the same: where to look for it
-  std::vector<double> distances_;           // of each triangle to the mesh, at least, at the base [m]
-  std::vector<Vec3> outwards_;              // of each triangle, where its distance was found: where to look first
-  std::vector<char> skipped_;               // for each triangle whether no plane was looked for ...
-  std::vector<char> requested_;             // ... and whether one has to be
-  std::vector<Piercing> piercings_;         // in the order of the cloth's triangles as clusters have them
-  bool piercingsKnown_ = false;             // of this pass: what pierces at the base goes on to
-  std::vector<std::size_t> firstPiercing_;  // of each triangle of the cloth
-  std::vector<bool> pierces_;               // for each triangle of the cloth
-  std::vector<bool> penetrating_;           // the same, or a vertex of it is inside
-  std::vector<bool> besidePenetrating_;     // for each vertex whether a triangle of it is caught
+  const SearchableMesh* mesh_ = nullptr;   // mesh of the cached data
+  std::uint64_t model_ = 0;                // cloth of the cached data
+  std::vector<NearbyLeaves> nearby_;       // per cluster
+  std::vector<NearestMeshPoint> nearest_;  // per vertex
+  std::vector<NearbyTriangles> near_;      // per vertex: cached triangles for that
+  std::vector<double> distances_;          // per triangle: lower bound to the mesh at the start of the pass [m]
+  std::vector<Vec3> outwards_;       // per triangle: direction of its widest gap, with which the next search starts
+  std::vector<char> skipped_;        // per triangle: no planes were searched
+  std::vector<char> requested_;      // per triangle: planes must be searched
+  std::vector<Piercing> piercings_;  // in the order of triangles by cluster
+  bool piercingsKnown_ = false;      // in this pass; they stay the same over the pass
+  std::vector<std::size_t> firstPiercing_;  // per triangle: index into piercings_
+  std::vector<bool> pierces_;               // per triangle: it pierces the mesh
+  std::vector<bool> penetrating_;           // per triangle: it pierces the mesh, or a vertex is inside
+  std::vector<bool> besidePenetrating_;     // per vertex: a triangle of it is penetrating
 };
 
 }  // namespace drape

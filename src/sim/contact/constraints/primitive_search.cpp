@@ -9,8 +9,8 @@ namespace drape {
 
 namespace {
 
-/// What hangs on a pin cannot come out, and is not counted.
-bool isFree(const ClothInBody& cloth, const Triangle& corners) {
+/// Whether no corner is pinned. Triangles with pinned corners cannot leave the body and do not count as overlaps.
+bool hasNoPin(const ClothInBody& cloth, const Triangle& corners) {
   return std::all_of(corners.begin(), corners.end(),
                      [&](int v) { return cloth.inverseMass[static_cast<std::size_t>(v)] > 0.0; });
 }
@@ -126,21 +126,21 @@ void PrimitiveSearch::searchCapsule(const ClothInBody& cloth, std::size_t t, Can
     return;
   }
   const Triangle& corners = cloth.triangles[t];
-  const bool leaves = cloth.overlap != nullptr &&
-                      std::any_of(corners.begin(), corners.end(), [&](int v) { return cloth.overlap->inside(v); });
-  if (distance > radius_ && !leaves) {
+  const bool isLeaving = cloth.overlap != nullptr &&
+                         std::any_of(corners.begin(), corners.end(), [&](int v) { return cloth.overlap->inside(v); });
+  if (distance > radius_ && !isLeaving) {
     const Vec3 normal = offset / distance;
     builder_.addPlanes(cloth, t, normal, normal.dot(onCore) + radius_, distance - radius_, candidates);
-  } else if (distance <= radius_ && isFree(cloth, corners)) {
+  } else if (distance <= radius_ && hasNoPin(cloth, corners)) {
     ++candidates.overlaps;
     candidates.deepestOverlap = std::max(candidates.deepestOverlap, radius_ - distance);
   }
   addCornerContacts(cloth, t, start, candidates);
-  if (leaves) {
-    return;  // its corners know the way out
+  if (isLeaving) {
+    return;  // its corners have their exits
   }
   if (distance - radius_ > builder_.offsets().edgeOffset + bound - 2.0 * builder_.offsets().contactOffset) {
-    return;  // edges and faces cannot come that near
+    return;  // edges and faces stay too far away
   }
   if (isInside(nearest.weights)) {
     addCapsuleContact(cloth, t, nearest.weights, onCore, builder_.offsets().edgeOffset, candidates);

@@ -6,7 +6,7 @@
 
 namespace drape {
 
-/// Finds what is near a triangle; false where nothing is.
+/// Finds the leaves near a triangle; false if there are none.
 bool SharpFeatureSearch::findNearbyLeaves(int t, const std::vector<int>& leaves, const BoxList& boxes) {
   t_ = static_cast<std::size_t>(t);
   start_ = cornersOf(cloth_.start, cloth_.triangles[t_]);
@@ -18,7 +18,7 @@ bool SharpFeatureSearch::findNearbyLeaves(int t, const std::vector<int>& leaves,
   return !leaves_.empty();
 }
 
-/// The triangle's normal, away from where the mesh is for the corner that is nearest to it.
+/// The triangle's normal, oriented away from the mesh at the corner that is closest to it.
 Vec3 SharpFeatureSearch::outwardNormal() const {
   const NearestMeshPoint* first = nullptr;
   for (const int v : cloth_.triangles[t_]) {
@@ -53,14 +53,15 @@ FaceRegion SharpFeatureSearch::region() const {
   const Vec3 ac = start_[2] - start_[0];
   const Vec3 across = ab.cross(ac);
   const double area = across.squaredNorm();
-  constexpr double thin = 1e-12;  // squared sine of the angle between two sides: of slivers all points count
+  constexpr double thin =
+      1e-12;  // squared sine of the angle between two sides; for slivers the weights are not checked
   if (area > thin * ab.squaredNorm() * ac.squaredNorm()) {
     region.weights = {ac.cross(across) / area, across.cross(ab) / area};
   }
   return region;
 }
 
-/// Looks at the points and edges that are close.
+/// Adds contacts of the vertices and edges that are close.
 void SharpFeatureSearch::searchFeatures(const std::vector<int>& leaves, const BoxList& boxes) {
   const FaceRegion close = region();
   boxesMeeting(boxes, close.box, leaves_);

@@ -9,12 +9,12 @@
 
 namespace drape {
 
-/// Looks for vertices and sharp edges of a mesh that are close to one triangle of the cloth: they contact its face and
-/// its edges. On what is smooth, as seen from the cloth, there are none, and its vertices suffice: then a plane is
-/// found.
+/// Finds contacts of one triangle of the cloth with vertices and sharp edges of a mesh: vertices of the mesh with its
+/// face, edges of the mesh with its edges. On surfaces that are smooth at the scale of the cloth there are none; then
+/// the search ends when it finds a plane with a wide enough gap.
 class SharpFeatureSearch {
  public:
-  /// @param close how near something must be to contact [m]  @param near how far away what is near may be, farther [m]
+  /// @param close distance below which features get contacts [m]  @param near distance up to which to search [m]
   SharpFeatureSearch(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                      std::span<const NearestMeshPoint> nearest, double close, double near, Candidates& candidates)
       : builder_(builder),
@@ -25,11 +25,10 @@ class SharpFeatureSearch {
         near_(near),
         candidates_(candidates) {}
 
-  /// @param leaves leaves of the mesh's tree, among them all that come near to triangle t  @param boxes theirs
-  /// @param way of its corners, at most [m]
-  /// @param outwards the direction of the widest gap that was found last, where to begin, or zero; changed to the new
-  /// one
-  /// @return how far it is from the mesh at least, at the base [m]; what is farther than near counts as near
+  /// @param leaves leaves of the mesh's tree, including all near triangle t  @param boxes of these leaves
+  /// @param maxDisplacement of its corners [m]
+  /// @param outwards direction in which the search starts: that of the widest gap found last, or zero; updated
+  /// @return lower bound of the distance to the mesh at the start of the pass [m], at most `near`
   double search(int t, const std::vector<int>& leaves, const BoxList& boxes, double maxDisplacement, Vec3& outwards);
 
  private:
@@ -52,8 +51,8 @@ class SharpFeatureSearch {
   std::size_t t_ = 0;
   Corners start_;
   Vec3 normal_ = Vec3::UnitY();
-  std::vector<std::int32_t> leaves_;  // that are near
-  std::vector<InRegion> found_;       // of these
+  std::vector<std::int32_t> leaves_;  // near the triangle
+  std::vector<InRegion> found_;       // features of these leaves
 };
 
 }  // namespace drape

@@ -38,7 +38,7 @@ void PlaneSearch::search(int t, const std::vector<int>& leaves, const BoxList& b
   }
 }
 
-/// Tries what is cheap: one plane for all.
+/// Tries to separate all leaves by one plane.
 bool PlaneSearch::separateAtOnce() {
   std::array<const NearestMeshPoint*, 3> near{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -59,8 +59,8 @@ bool PlaneSearch::separateAtOnce() {
          offerOwnPlane();
 }
 
-/// Looks for the direction in which a mesh that stands still is farthest from the triangle, at its base and where it
-/// goes. Where their hulls are apart there is one.
+/// Tries the plane in the widest gap between a rigid mesh and the triangle at its start and its predicted positions. It
+/// exists if their convex hulls are disjoint.
 bool PlaneSearch::offerWidestGap(const Vec3& along) {
   const std::array<Vec3, 6> points{start_[0], start_[1], start_[2], predicted_[0], predicted_[1], predicted_[2]};
   const double minimumSeparation = builder_.offsets().minimumSeparation;
@@ -72,11 +72,12 @@ bool PlaneSearch::offerWidestGap(const Vec3& along) {
   }
   Plane plane = planeAlong(gap.normal);
   plane.cover(gap.top, gap.top);
-  raise(plane);
+  addPlanes(plane);
   return true;
 }
 
-/// Tries the plane in which the triangle lies, and the one across the way from it to what sticks out most.
+/// Tries the plane of the triangle, and the plane normal to the offset from the vertex that protrudes most to the
+/// triangle.
 bool PlaneSearch::offerOwnPlane() {
   const Vec3 across = (start_[1] - start_[0]).cross(start_[2] - start_[0]);
   const double length = across.norm();
@@ -109,13 +110,13 @@ PlaneSearch::Plane PlaneSearch::planeAlong(const Vec3& normal) const {
   return plane;
 }
 
-/// Whether the cloth is, and goes on to be, so far above that a plane between needs not stop it.
+/// Whether the triangle is so far above, at its start and predicted positions, that the plane does not restrict it.
 bool PlaneSearch::covers(const Plane& plane, double startTop, double endTop) const {
   const double minimumSeparation = builder_.offsets().minimumSeparation;
   return plane.startLow - startTop >= minimumSeparation && plane.predictedLow - endTop >= minimumSeparation;
 }
 
-/// Finds how far the leaves reach along a normal.
+/// Computes the extents of the leaves along a normal.
 void PlaneSearch::measure(const Vec3& normal) {
   mesh_.mesh.extentsAlong(normal, leaves_, mesh_.atEnd, extents_);
   if (mesh_.moves()) {
@@ -133,13 +134,13 @@ bool PlaneSearch::offer(const Vec3& normal) {
     plane.cover(extents_[i].high, endExtents_[i].high);
   }
   if (covers(plane, plane.startTop, plane.endTop)) {
-    raise(plane);
+    addPlanes(plane);
     return true;
   }
   return false;
 }
 
-/// Takes the plane that covers most, and leaves to `rest_` what it does not.
+/// Uses the plane that covers most leaves, and collects in `rest_` the triangles that it does not cover.
 void PlaneSearch::coverSome() {
   Plane best;
   std::size_t maxCovered = 0;
@@ -168,11 +169,11 @@ void PlaneSearch::coverSome() {
     }
   }
   if (maxCovered > 0) {
-    raise(best);
+    addPlanes(best);
   }
 }
 
-/// Whether one of the normals shows that a triangle of the body, which does not move, is too far away to be met.
+/// Whether the extents along one of the normals show that a triangle of a rigid mesh is out of reach.
 bool PlaneSearch::outOfReach(const std::vector<Vec3>& normals, int triangle) const {
   const Corners at = mesh_.corners(triangle);
   const double far = maxBound_ + builder_.offsets().minimumSeparation;
@@ -182,7 +183,7 @@ bool PlaneSearch::outOfReach(const std::vector<Vec3>& normals, int triangle) con
   });
 }
 
-void PlaneSearch::raise(const Plane& plane) {
+void PlaneSearch::addPlanes(const Plane& plane) {
   builder_.addPlanes(cloth_, t_, plane.normal, plane.endTop, plane.startLow - plane.startTop, candidates_);
 }
 
@@ -194,7 +195,7 @@ void PlaneSearch::separateRest() {
   }
 }
 
-/// Finds the plane through the nearest points of a triangle of the body, and covers with it what else it can.
+/// Finds a plane at the closest points of a triangle of the mesh, and covers other triangles with it.
 void PlaneSearch::separateOne(std::size_t first) {
   const int triangle = rest_[first].triangle;
   const Corners at = mesh_.corners(triangle);
@@ -223,7 +224,7 @@ void PlaneSearch::separateOne(std::size_t first) {
   Plane plane = planeAlong(gap.normal);
   plane.cover(plane.startLow - gap.distance, highestAlong(gap.normal, end));
   if (!covers(plane, plane.startTop, plane.endTop)) {
-    // Where it would stop the cloth, the plane between where both go may do at the base as well.
+    // If it restricts the predicted motion, try the plane between both at the end of the step.
     Plane other = planeAlong(gapOfTriangles(predicted_, end).normal);
     other.cover(highestAlong(other.normal, at), highestAlong(other.normal, end));
     plane = covers(other, other.startTop, other.endTop) ? other : plane;
@@ -239,7 +240,7 @@ void PlaneSearch::separateOne(std::size_t first) {
       rest_[i].done = true;
     }
   }
-  raise(plane);
+  addPlanes(plane);
 }
 
 }  // namespace drape

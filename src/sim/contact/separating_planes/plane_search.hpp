@@ -9,40 +9,43 @@
 
 namespace drape {
 
-/// A triangle of the cloth and one of a mesh that intersect where the cloth should be safe.
+/// A triangle of the cloth and one of a mesh that intersect at the start of the pass.
 struct Piercing {
   int cloth = 0;
   int body = 0;
 };
 
-/// Puts planes between one triangle of the cloth and what of a mesh it could meet within its room.
+/// Finds planes that separate one triangle of the cloth from every triangle of a mesh that it could reach within its
+/// displacement bounds.
 ///
-/// Mostly one plane does for all: one in the gap between the hulls of what it could meet and of the triangle, at its
-/// base and where it is about to go. It stands in nobody's way. Of a mesh that moves in itself the triangle's own plane
-/// and those across the way from its corners to the mesh are tried.
-/// What is not on the other side of such a plane gets planes through the nearest points, triangle by triangle.
+/// Mostly one plane suffices. On a rigid mesh it lies in the gap between two convex hulls: that of the mesh's leaves
+/// within reach, and that of the triangle at its start and its predicted positions. Such a plane does not restrict the
+/// predicted motion. On a deforming mesh the candidates are the planes normal to the offsets from the closest points to
+/// the corners, and the plane of the triangle.
+/// Triangles of the mesh that no such plane separates get planes at the closest points, one by one.
 class PlaneSearch {
  public:
-  /// @param cloth its target is where it goes if no plane stops it
+  /// @param cloth its predicted positions are those without separating planes
   PlaneSearch(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
               std::span<const NearestMeshPoint> nearest, Candidates& candidates)
       : builder_(builder), mesh_(mesh), cloth_(cloth), nearest_(nearest), candidates_(candidates) {}
 
-  /// @param leaves leaves of the mesh's tree, among them all that triangle t could reach  @param boxes theirs
+  /// @param leaves leaves of the mesh's tree, including all that triangle t could reach  @param boxes of these leaves
   void search(int t, const std::vector<int>& leaves, const BoxList& boxes);
 
-  /// The pairs without a plane between them.
-  /// Takes in what is known to pierce, as if it had been found now.
+  /// Adds a pair that is known to intersect.
   void addPiercing(const Piercing& piercing) { piercings_.push_back(piercing); }
+  /// The pairs that intersect, so that no plane separates them.
   [[nodiscard]] const std::vector<Piercing>& piercings() const { return piercings_; }
 
  private:
   struct Plane {
     Vec3 normal = Vec3::UnitY();
-    double startLow = 0.0;                                       // of the cloth's triangle at its base ...
-    double predictedLow = 0.0;                                   // ... and where it goes [m]
-    double startTop = -std::numeric_limits<double>::infinity();  // of what is covered, at the base ...
-    double endTop = -std::numeric_limits<double>::infinity();    // ... and at the end of the step [m]
+    double startLow = 0.0;      // minimum over the triangle of the cloth at its start [m]
+    double predictedLow = 0.0;  // and at its predicted positions [m]
+    double startTop = -std::numeric_limits<double>::infinity();  // maximum over the covered part of the mesh, at the
+                                                                 // start of the pass [m]
+    double endTop = -std::numeric_limits<double>::infinity();    // and at the end of the step [m]
 
     void cover(double start, double end) {
       startTop = std::max(startTop, start);
@@ -66,7 +69,7 @@ class PlaneSearch {
   [[nodiscard]] bool covers(const Plane& plane, double startTop, double endTop) const;
   void measure(const Vec3& normal);
   [[nodiscard]] bool outOfReach(const std::vector<Vec3>& normals, int triangle) const;
-  void raise(const Plane& plane);
+  void addPlanes(const Plane& plane);
 
   const ConstraintBuilder& builder_;
   const MeshInStep& mesh_;
@@ -76,11 +79,11 @@ class PlaneSearch {
 
   std::size_t t_ = 0;
   Corners start_, predicted_;
-  double maxBound_ = 0.0;             // the most of its vertices [m]
-  Eigen::AlignedBox3d reachableBox_;  // where its vertices could come
+  double maxBound_ = 0.0;             // maximum displacement bound of its vertices [m]
+  Eigen::AlignedBox3d reachableBox_;  // region that its vertices could reach
   std::vector<std::int32_t> leaves_;
-  std::vector<Extent> extents_;     // of the leaves along a normal, at the base ...
-  std::vector<Extent> endExtents_;  // ... and at the end of the step
+  std::vector<Extent> extents_;     // of the leaves along a normal, at the start of the pass
+  std::vector<Extent> endExtents_;  // and at the end of the step
   std::vector<Vec3> normals_;       // tried so far
   std::vector<Rest> rest_;
   std::vector<Piercing> piercings_;

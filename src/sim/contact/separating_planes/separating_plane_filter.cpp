@@ -8,8 +8,8 @@ namespace drape {
 namespace {
 
 constexpr int maxIterations = 8;
-constexpr int maxFallbackIterations = 64;  // of a vertex that has no place yet
-constexpr double rounding = 1e-10;         // [m] far below the guard that every plane holds
+constexpr int maxFallbackIterations = 64;  // for a vertex without a feasible position so far
+constexpr double rounding = 1e-10;         // [m] far below the minimum separation
 
 double slack(const SeparatingPlane& plane, const Vec3& position) {
   return plane.normal.dot(position) - plane.height;
@@ -23,7 +23,7 @@ double minSlack(std::span<const SeparatingPlane> planes, const Vec3& position) {
   return minimum;
 }
 
-/// Puts a vertex onto each plane that it has crossed, one after the other.
+/// Projects a vertex onto each plane that it has crossed, one after the other.
 void project(std::span<const SeparatingPlane> planes, int iterations, Vec3& position) {
   bool moved = true;
   for (int iteration = 0; iteration < iterations && moved; ++iteration) {
@@ -38,8 +38,8 @@ void project(std::span<const SeparatingPlane> planes, int iterations, Vec3& posi
   }
 }
 
-/// How far from `base` towards `position` one can go with all planes held, 0 to 1. Both are on the right side of
-/// those that are met, or `base` is as far on the wrong side as one gets.
+/// The maximum fraction of the way from `start` to `position` on which no plane is violated more than at `start`, 0
+/// to 1.
 double feasibleFraction(std::span<const SeparatingPlane> planes, const Vec3& start, const Vec3& position) {
   double fraction = 1.0;
   for (const SeparatingPlane& plane : planes) {
@@ -52,7 +52,7 @@ double feasibleFraction(std::span<const SeparatingPlane> planes, const Vec3& sta
   return fraction;
 }
 
-/// A vertex with the places where it is safe.
+/// A vertex with its planes.
 struct Vertex {
   std::span<const SeparatingPlane> planes;
   double displacementBound;  // [m]
@@ -60,8 +60,10 @@ struct Vertex {
   int index;
 };
 
-/// Goes back towards a fallback position until every plane is held. With bodies that move differently there are
-/// several; the one that suits all planes best is taken. Where none does, a place may be found from there.
+/// Moves a vertex back towards a fallback position until it satisfies every plane. Each body has its own fallback
+/// position; the one with the maximum slack is used. If it violates planes, a projection from there may find a feasible
+/// position.
+/// @return whether the vertex is feasible
 bool retreat(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fallbackOf, Vec3& position) {
   double best = -std::numeric_limits<double>::infinity();
   SeparatingPlaneFilter::Fallback from{position, position};
@@ -89,6 +91,7 @@ bool retreat(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fall
   return best >= -rounding;
 }
 
+/// Whether a vertex exceeds its displacement bound.
 bool hasLeft(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fallbackOf, const Vec3& position) {
   for (int body = 0; body < vertex.bodies; ++body) {
     if ((position - fallbackOf(body, vertex.index).start).norm() > vertex.displacementBound + rounding) {

@@ -8,26 +8,28 @@
 
 namespace drape {
 
-/// Brings every vertex to the right side of all its planes, and no farther from where it is safe than was searched.
+/// Moves every vertex to the permitted side of all its planes and within its displacement bound, which limits the
+/// region that was searched.
 class SeparatingPlaneFilter {
  public:
-  /// Where a vertex is safe from a body.
+  /// Positions of a vertex outside a body, in the world frame at the end of the step.
   struct Fallback {
-    Vec3 start = Vec3::Zero();  ///< where the body carries the start of the step, or the result of the last pass [m]
-    Vec3 position =
-        Vec3::Zero();  ///< the same, carried along by what of the body is near, where that moves in itself [m]
+    Vec3 start = Vec3::Zero();     ///< start of the pass; displacement bounds are measured from here [m]
+    Vec3 position = Vec3::Zero();  ///< the same, moved along with the closest point of a deforming body [m]
   };
   using FallbackOf = std::function<Fallback(int body, int vertex)>;
 
-  /// Changes `positions`. A vertex without a place that suits all its planes is left where it violates them least.
-  /// @param bodies how many there are  @param remaining no vertex ends farther than this from any of its bases [m]
-  /// @param targets the positions before contact: a vertex that is still there has not left the place that was searched
-  /// @return how many vertices found no such place
+  /// Changes `positions`. A vertex without a position that satisfies all its planes gets the one that violates them
+  /// least.
+  /// @param displacementBounds maximum distance of each vertex from any of its starts [m]
+  /// @param bodies number of bodies
+  /// @param predicted positions before contact; a vertex that is still there is within the region that was searched
+  /// @return number of infeasible vertices
   int apply(std::span<const SeparatingPlane> planes, std::span<const double> inverseMass,
             std::span<const double> displacementBounds, int bodies, const FallbackOf& fallbackOf,
             std::span<const Vec3> predicted, std::span<Vec3> positions);
 
-  /// The farthest that the last call moved a vertex [m].
+  /// The maximum displacement of a vertex by the last call [m].
   [[nodiscard]] double maxCorrection() const { return maxCorrection_; }
 
  private:
@@ -37,7 +39,7 @@ class SeparatingPlaneFilter {
   }
 
   double maxCorrection_ = 0.0;
-  std::vector<SeparatingPlane> sorted_;  // by vertex, those of one vertex in their own order
+  std::vector<SeparatingPlane> sorted_;  // by vertex; planes of one vertex stay in order
   std::vector<std::size_t> begin_;
 };
 

@@ -11,7 +11,7 @@ namespace drape {
 namespace {
 
 constexpr int maxPasses = 4;
-constexpr int maxPartialPlaneSearches = 6;  // rounds in which planes are looked for only where vertices were moved
+constexpr int maxPartialPlaneSearches = 6;  // then planes are searched for all triangles, not only for moved ones
 constexpr int positionIterations = 6;
 constexpr int velocityIterations = 6;
 
@@ -23,12 +23,11 @@ std::vector<double> inverseMassOf(const ClothModel& model) {
   return inverse;
 }
 
-/// How far the point of a mesh that is nearest moves in the body's frame [m], however far away it is: a triangle can be
-/// stopped by what none of its vertices comes near to.
-Vec3 nearestDisplacement(const MeshInStep& mesh, const Vec3& prepareBodyFrames) {
-  NearestSearch searchVertexContacts(mesh);
-  const NearestMeshPoint near =
-      searchVertexContacts.anywhere(prepareBodyFrames, std::numeric_limits<double>::infinity());
+/// The displacement of the closest point of a mesh in the body's frame [m], at any distance: a triangle can be stopped
+/// by a part of the mesh that is far from all of its vertices.
+Vec3 nearestDisplacement(const MeshInStep& mesh, const Vec3& position) {
+  NearestSearch search(mesh);
+  const NearestMeshPoint near = search.anywhere(position, std::numeric_limits<double>::infinity());
   return near.triangle < 0 ? Vec3(Vec3::Zero())
                            : Vec3(pointAt(mesh.endCorners(near.triangle), near.weights) -
                                   pointAt(mesh.startCorners(near.triangle), near.weights));
@@ -42,9 +41,9 @@ MeshInStep BodyContact::NearBody::meshInStep(bool atEnd) const {
   return {*mesh, moves ? step->startVertices : own, moves ? step->endVertices : own, atEnd};
 }
 
-/// Brings the cloth into the frame of every body that is near, and says how far each vertex may go.
-/// @param safe positions at the end of the step that meet no body, or nullptr: the start, carried by each body
-void BodyContact::prepareBodyFrames(const Cloth& cloth, const std::vector<Vec3>* safe) {
+/// Transforms the cloth into the frame of every near body, and sets the displacement bound of each vertex.
+/// @param previous result of the pass before; nullptr in the first pass, which starts from the start of the step
+void BodyContact::prepareBodyFrames(const Cloth& cloth, const std::vector<Vec3>* previous) {
   const std::size_t count = cloth.start.size();
   displacementBounds_.assign(count, 0.0);
   for (std::size_t b = 0; b < nearCount_; ++b) {
@@ -52,19 +51,20 @@ void BodyContact::prepareBodyFrames(const Cloth& cloth, const std::vector<Vec3>*
     near.start.resize(count);
     near.predicted.resize(count);
     workers_.forEach(cloth.parameters.threads, count, [&](std::size_t v) {
-      near.start[v] = safe != nullptr ? near.step->end.toLocal((*safe)[v]) : near.step->start.toLocal(cloth.start[v]);
+      near.start[v] =
+          previous != nullptr ? near.step->end.toLocal((*previous)[v]) : near.step->start.toLocal(cloth.start[v]);
       near.predicted[v] = near.step->end.toLocal(cloth.predicted[v]);
       displacementBounds_[v] = std::max(displacementBounds_[v], (near.predicted[v] - near.start[v]).norm());
     });
   }
-  // Bodies that move differently carry a vertex to different places; all of them must have been searched.
-  const double apart = nearCount_ > 1 && safe == nullptr ? 2.0 : 1.0;
+  // In the frames of bodies that move differently a vertex has different starts; the bound must cover all of them.
+  const double apart = nearCount_ > 1 && previous == nullptr ? 2.0 : 1.0;
   const double offset = maxContactOffset();
   for (double& bound : displacementBounds_) {
     bound = apart * bound + 2.0 * offset;
   }
   deformations_.clear();
-  for (std::size_t b = 0; b < nearCount_ && safe == nullptr; ++b) {
+  for (std::size_t b = 0; b < nearCount_ && previous == nullptr; ++b) {
     if (near_[b].mesh != nullptr && near_[b].mesh->isDeforming()) {
       extendBoundsForDeformation(cloth, near_[b]);
     }
@@ -74,7 +74,7 @@ void BodyContact::prepareBodyFrames(const Cloth& cloth, const std::vector<Vec3>*
   }
 }
 
-/// What a mesh that moves in itself takes along goes as far as the mesh does there.
+/// Adds the displacement of a deforming mesh near each vertex, since the mesh can move the cloth that far.
 void BodyContact::extendBoundsForDeformation(const Cloth& cloth, const NearBody& near) {
   deformations_.resize(displacementBounds_.size(), 0.0);
   const ClothClusters& clusters = clustersOf(cloth.model);
@@ -104,11 +104,11 @@ ClothInBody BodyContact::clothIn(const Cloth& cloth, const NearBody& near, std::
           near.overlaps ? &near.overlap : nullptr};
 }
 
-/// Looks for contacts, of meshes those of vertices, and on planes, spheres and capsules for planes as well.
-/// @param settled the bases are at the end of the step
-/// @return true when some of the cloth is inside of what is round: it should be asked again
+/// Finds contacts: on meshes those of vertices; on planes, spheres and capsules all of them, and separating planes.
+/// @param atEnd the pass starts from positions at the end of the step
+/// @return true if cloth was found inside a sphere or capsule, so that the search must be repeated
 bool BodyContact::searchVertexContacts(const Cloth& cloth, bool atEnd) {
-  found_.clear();
+  candidates_.clear();
   bool newlyFound = false;
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
@@ -118,38 +118,38 @@ bool BodyContact::searchVertexContacts(const Cloth& cloth, bool atEnd) {
     if (near.mesh != nullptr) {
       near.meshSearch.findVertexContacts(ConstraintBuilder(*near.step, static_cast<int>(b), offsets),
                                          near.meshInStep(atEnd), inBody, clustersOf(cloth.model), workers_,
-                                         cloth.parameters.threads, found_);
+                                         cloth.parameters.threads, candidates_);
       continue;
     }
-    const int before = found_.overlaps;
+    const int before = candidates_.overlaps;
     const PrimitiveSearch body(*near.step, static_cast<int>(b), offsets);
     searchCapsule(cloth, inBody, body);
-    if (found_.overlaps > before && !std::holds_alternative<PlaneShape>(near.step->body->shape)) {
+    if (candidates_.overlaps > before && !std::holds_alternative<PlaneShape>(near.step->body->shape)) {
       newlyFound = findPrimitiveOverlap(cloth, near, body.solid()) || newlyFound;
     }
   }
-  firstOfMeshes_ = found_.planes.size();
+  firstOfMeshes_ = candidates_.planes.size();
   return newlyFound;
 }
 
-/// Looks for edges and faces that are about to contact meshes although vertices are held: on what is smooth as seen
-/// from the cloth there are none.
-/// @return true when there are some
+/// Finds contacts of edges and faces with meshes that remain when the contacts of vertices are satisfied. On surfaces
+/// that are smooth at the scale of the cloth there are none.
+/// @return true if there are some
 bool BodyContact::searchSharpFeatures(const Cloth& cloth, bool atEnd) {
-  const std::size_t before = found_.contacts.size();
+  const std::size_t before = candidates_.contacts.size();
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
     if (near.mesh != nullptr) {
-      near.meshSearch.findSharpFeatureContacts(ConstraintBuilder(*near.step, static_cast<int>(b), near.offsets),
-                                               near.meshInStep(atEnd), clothIn(cloth, near, near.solved),
-                                               clustersOf(cloth.model), workers_, cloth.parameters.threads, found_);
+      near.meshSearch.findSharpFeatureContacts(
+          ConstraintBuilder(*near.step, static_cast<int>(b), near.offsets), near.meshInStep(atEnd),
+          clothIn(cloth, near, near.solved), clustersOf(cloth.model), workers_, cloth.parameters.threads, candidates_);
     }
   }
-  return found_.contacts.size() > before;
+  return candidates_.contacts.size() > before;
 }
 
-/// Looks for planes of meshes between where the cloth is safe and where contacts let it go. That is less far than it
-/// was about to go, and what it cannot reach any more need not be looked at.
+/// Looks for planes of meshes between where the cloth is previous and where contacts let it go. That is less far than
+/// it was about to go, and what it cannot reach any more need not be looked at.
 /// @return true when the cloth pierces a mesh in places that the search for contacts did not know of
 bool BodyContact::searchPlanes(const Cloth& cloth, bool atEnd) {
   bool newlyFound = false;
@@ -159,15 +159,16 @@ bool BodyContact::searchPlanes(const Cloth& cloth, bool atEnd) {
       const ClothInBody inBody = clothIn(cloth, near, near.solved);
       newlyFound = near.meshSearch.findPlanes(ConstraintBuilder(*near.step, static_cast<int>(b), near.offsets),
                                               near.meshInStep(atEnd), inBody, clustersOf(cloth.model), displacements_,
-                                              workers_, cloth.parameters.threads, found_) ||
+                                              workers_, cloth.parameters.threads, candidates_) ||
                    newlyFound;
     }
   }
   return newlyFound;
 }
 
-/// True when vertices were moved from `solved_` whose triangles were spared the search for planes. They are not again.
-/// @param all whether no triangle is to be spared any more
+/// Requests planes for triangles that were skipped and have a vertex that planes moved from `solved_`.
+/// @param all whether to request planes for all triangles
+/// @return true if there are such triangles
 bool BodyContact::requestPlanesAround(const Cloth& cloth, bool all, const std::vector<Vec3>& positions) {
   if (!hasMeshes()) {
     return false;
@@ -194,8 +195,8 @@ bool BodyContact::requestPlanesAround(const Cloth& cloth, bool all, const std::v
   return newlyFound;
 }
 
-/// Has all planes held, those of meshes where it matters.
-/// @return how many vertices found no place
+/// Applies the separating planes. Searches the planes of skipped triangles when their vertices are moved.
+/// @return number of infeasible vertices
 int BodyContact::applySeparatingPlanes(const Cloth& cloth, bool atEnd, std::vector<Vec3>& positions) {
   const auto fallbackOf = [&](int body, int vertex) {
     const NearBody& near = near_[static_cast<std::size_t>(body)];
@@ -207,12 +208,12 @@ int BodyContact::applySeparatingPlanes(const Cloth& cloth, bool atEnd, std::vect
   solved_ = positions;
   for (int round = 1;; ++round) {
     const int infeasible =
-        filter_.apply(found_.planes, inverseMass_.get(cloth.model, inverseMassOf), displacementBounds_,
+        filter_.apply(candidates_.planes, inverseMass_.get(cloth.model, inverseMassOf), displacementBounds_,
                       static_cast<int>(nearCount_), fallbackOf, cloth.predicted, positions);
     if (!requestPlanesAround(cloth, round >= maxPartialPlaneSearches, positions)) {
       return infeasible;
     }
-    found_.planes.resize(firstOfMeshes_);
+    candidates_.planes.resize(firstOfMeshes_);
     searchPlanes(cloth, atEnd);
     positions = solved_;
   }
@@ -242,7 +243,7 @@ const ClothClusters& BodyContact::clustersOf(const ClothModel& model) {
   });
 }
 
-/// Brings what contacts let the cloth do into the frames of the bodies.
+/// Transforms the solved positions into the frames of the bodies.
 void BodyContact::transformSolved(const Cloth& cloth, const std::vector<Vec3>& positions) {
   displacements_.assign(positions.size(), 0.0);
   for (std::size_t b = 0; b < nearCount_; ++b) {
@@ -255,7 +256,7 @@ void BodyContact::transformSolved(const Cloth& cloth, const std::vector<Vec3>& p
   }
 }
 
-/// Leaves to each vertex the room that it needs to get there, and some to be put across planes.
+/// Reduces the displacement bounds to the displacement by the impulses and a margin for the correction by planes.
 void BodyContact::tightenBounds() {
   const double apart = nearCount_ > 1 ? 2.0 : 1.0;
   const double offset = maxContactOffset();
@@ -268,7 +269,7 @@ void BodyContact::tightenBounds() {
 void BodyContact::searchCapsule(const Cloth& cloth, const ClothInBody& inBody, const PrimitiveSearch& body) {
   const auto count = static_cast<int>(cloth.model.triangles.size());
   if (cloth.parameters.threads <= 1) {
-    body.search(inBody, 0, static_cast<std::size_t>(count), found_);
+    body.search(inBody, 0, static_cast<std::size_t>(count), candidates_);
     return;
   }
   const auto parts =
@@ -276,35 +277,36 @@ void BodyContact::searchCapsule(const Cloth& cloth, const ClothInBody& inBody, c
         body.search(inBody, static_cast<std::size_t>(begin), static_cast<std::size_t>(end), part);
       });
   for (const Candidates& part : parts) {
-    found_.append(part);
+    candidates_.append(part);
   }
 }
 
 void BodyContact::correctPositions(const Cloth& cloth, std::vector<Vec3>& positions) {
   goals_.clear();
-  for (const ContactConstraint& contact : found_.contacts) {
+  for (const ContactConstraint& contact : candidates_.contacts) {
     goals_.push_back({contact.height + contact.offset, pointOf(contact, cloth.start) + contact.bodyDisplacement});
   }
-  solver_.solve(found_.contacts, goals_, inverseMass_.get(cloth.model, inverseMassOf), positionIterations, positions);
+  solver_.solve(candidates_.contacts, goals_, inverseMass_.get(cloth.model, inverseMassOf), positionIterations,
+                positions);
 }
 
-/// One search and one correction. True when the contacts moved so far that they should be looked at again.
-bool BodyContact::runPass(const Cloth& cloth, const std::vector<Vec3>* safe, ContactReport& report,
+/// One search and one correction. Returns true if another pass is needed.
+bool BodyContact::runPass(const Cloth& cloth, const std::vector<Vec3>* previous, ContactReport& report,
                           std::vector<Vec3>& positions) {
-  const bool atEnd = safe != nullptr;
+  const bool atEnd = previous != nullptr;
   for (std::size_t b = 0; b < nearCount_; ++b) {
     if (near_[b].mesh != nullptr) {
-      clustersOf(cloth.model);  // counts models
+      clustersOf(cloth.model);  // updates models_
       near_[b].meshSearch.begin(*near_[b].mesh, models_);
     }
   }
   bool newlyFound = true;
   for (int i = 0; i < 2 && newlyFound; ++i) {
-    prepareBodyFrames(cloth, safe);
+    prepareBodyFrames(cloth, previous);
     findOverlaps(cloth, atEnd, i == 0);
     if (overlaps() && !atEnd) {
       limitDisplacementsAtOverlap(cloth);
-      prepareBodyFrames(cloth, safe);
+      prepareBodyFrames(cloth, previous);
     }
     extendBoundsForRecovery();
     newlyFound = searchVertexContacts(cloth, atEnd);
@@ -322,23 +324,23 @@ bool BodyContact::runPass(const Cloth& cloth, const std::vector<Vec3>* safe, Con
     }
   }
   if (!atEnd) {
-    report.overlaps = found_.overlaps;
-    report.deepestOverlap = found_.deepestOverlap;
+    report.overlaps = candidates_.overlaps;
+    report.deepestOverlap = candidates_.deepestOverlap;
   }
   const int infeasible = applySeparatingPlanes(cloth, atEnd, positions);
   report.infeasible = std::max(report.infeasible, infeasible);
-  if (found_.contacts.empty()) {
+  if (candidates_.contacts.empty()) {
     return filter_.maxCorrection() > 0.0;
   }
-  return needsAnotherPass(cloth, safe, positions);
+  return needsAnotherPass(cloth, previous, positions);
 }
 
-/// Takes the velocity into the bodies away where the cloth contacts them now, and slows down what slides.
+/// Removes the velocity into the bodies at active contacts, and applies friction.
 void BodyContact::correctVelocities(const Cloth& cloth, ClothState& state) {
   const double h = cloth.parameters.timeStep;
   active_.clear();
   goals_.clear();
-  for (const ContactConstraint& contact : found_.contacts) {
+  for (const ContactConstraint& contact : candidates_.contacts) {
     const double above = contact.normal.dot(pointOf(contact, state.positions)) - contact.height - contact.offset;
     constexpr double near = 0.1;
     if (above < near * contact.offset || contact.offset <= 0.0) {
@@ -354,8 +356,8 @@ void BodyContact::runPasses(const Cloth& cloth, ContactReport& report, std::vect
   report.infeasible = 0;
   bool again = runPass(cloth, nullptr, report, positions);
   for (int i = 1; i < maxPasses && again; ++i) {
-    safe_ = positions;
-    again = runPass(cloth, &safe_, report, positions);
+    previous_ = positions;
+    again = runPass(cloth, &previous_, report, positions);
   }
 }
 
@@ -369,7 +371,7 @@ void BodyContact::resolve(const ClothModel& model, const StepParameters& paramet
   nearCount_ = 0;
   while (chooseBodies(cloth, bodies, state.positions, ends)) {
     runPasses(cloth, report, state.positions);
-    ends.extend(boundsOf(state.positions));  // where bodies have taken it there may be others
+    ends.extend(boundsOf(state.positions));  // there may be other bodies
   }
   if (nearCount_ == 0) {
     return;

@@ -18,28 +18,35 @@
 
 namespace drape {
 
-/// Keeps a cloth out of bodies (docs/theory/contact.md).
+/// Contact of a cloth with bodies (docs/theory/contact.md).
 ///
-/// A step is judged in the frame of each body, in which its start is where the body carries it. There every triangle of
-/// the cloth has a plane between itself and each part of the body that it could reach. Impulses with friction move the
-/// cloth to where it should be; then no vertex is let across the planes of its triangles, so that whatever the impulses
-/// did, nothing intersects. Where the cloth went far the planes no longer lie well, and the search is done again from
-/// where it is now.
+/// Each step is considered in the frame of each body, in which a rigid body stands still. A pass has these stages:
+/// 1. Transform the cloth into the frames of the bodies and bound the displacement of each vertex.
+/// 2. Find the cloth that is inside bodies, and its exits.
+/// 3. Find contacts of vertices and solve for impulses with friction. On meshes also find contacts of edges and faces
+/// at
+///    the positions that result, and solve again.
+/// 4. Find planes that separate each triangle of the cloth from every part of the bodies that it could reach.
+/// 5. Project the vertices onto the permitted side of the planes of their triangles. So nothing intersects, whatever
+/// the
+///    impulses did.
+/// If this moved the cloth far, the constraints no longer fit the bodies well. Then another pass starts from the
+/// result. After the last pass the velocities are corrected.
 class BodyContact {
  public:
-  /// Corrects positions and velocities of `state`, which a solver has moved there from `start`.
-  /// @param points where there was contact; added to
+  /// Corrects positions and velocities of `state`, which a solver predicted from `start`.
+  /// @param points the active contacts are appended
   void resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<BodyStep>& bodies,
                const std::vector<Vec3>& start, ClothState& state, ContactReport& report,
                std::vector<ContactPoint>& points);
 
-  /// Whether a cloth that a step takes from one box into another could come near any of the bodies [m].
+  /// Whether cloth that moves from one box into another could come near any of the bodies.
   [[nodiscard]] bool couldReachAnyBody(const StepParameters& parameters, const std::vector<BodyStep>& bodies,
                                        const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end);
 
-  /// Whether cloth on its way from `start` to `end` is so near to a body that the step should be taken in rounds.
-  /// Follows from nothing but that.
-  /// @param spread how far from `end` it may arrive [m]
+  /// Whether cloth that moves from `start` to `end` comes so near to a body that the step needs contact substeps.
+  /// The result depends on these arguments only, not on earlier calls.
+  /// @param spread possible distance of the final positions from `end` [m]
   [[nodiscard]] bool isNearAnyBody(const ClothModel& model, const StepParameters& parameters,
                                    const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start,
                                    const std::vector<Vec3>& end, double spread);
@@ -48,19 +55,19 @@ class BodyContact {
   struct Cloth {
     const ClothModel& model;
     const StepParameters& parameters;
-    const std::vector<Vec3>& start;      // [m]
-    const std::vector<Vec3>& predicted;  // [m]
+    const std::vector<Vec3>& start;      // at the start of the step [m]
+    const std::vector<Vec3>& predicted;  // at its end, without contact [m]
   };
   struct NearBody {
     const BodyStep* step = nullptr;
     SearchableMesh* mesh = nullptr;  // of a box or a mesh
     ContactOffsets offsets;
-    std::vector<Vec3> start;      // in the body's frame [m]
+    std::vector<Vec3> start;      // of the pass, in the body's frame [m]
     std::vector<Vec3> predicted;  // in the body's frame [m]
-    std::vector<Vec3> solved;     // where contacts let it go, in the body's frame [m]
+    std::vector<Vec3> solved;     // after the impulses, in the body's frame [m]
     MeshSearch meshSearch;
     Overlap overlap;
-    bool overlaps = false;  // it has an inside, and something of the cloth meets it there
+    bool overlaps = false;  // `overlap` is valid: some of the cloth is inside the body or pierces it
 
     [[nodiscard]] MeshInStep meshInStep(bool atEnd) const;
   };
@@ -81,7 +88,7 @@ class BodyContact {
   [[nodiscard]] std::vector<bool> verticesAtOverlap(const Cloth& cloth, const NearBody& near);
   void limitDisplacementsAtOverlap(const Cloth& cloth);
   void limitVelocitiesAtOverlap(const Cloth& cloth, ClothState& state) const;
-  void prepareBodyFrames(const Cloth& cloth, const std::vector<Vec3>* safe);
+  void prepareBodyFrames(const Cloth& cloth, const std::vector<Vec3>* previous);
   void extendBoundsForDeformation(const Cloth& cloth, const NearBody& near);
   bool searchVertexContacts(const Cloth& cloth, bool atEnd);
   bool searchSharpFeatures(const Cloth& cloth, bool atEnd);
@@ -96,43 +103,45 @@ class BodyContact {
   const ClothClusters& clustersOf(const ClothModel& model);
   const std::vector<int>& piecesOf(const ClothModel& model);
   void searchCapsule(const Cloth& cloth, const ClothInBody& inBody, const PrimitiveSearch& body);
-  bool runPass(const Cloth& cloth, const std::vector<Vec3>* safe, ContactReport& report, std::vector<Vec3>& positions);
+  bool runPass(const Cloth& cloth, const std::vector<Vec3>* previous, ContactReport& report,
+               std::vector<Vec3>& positions);
   void correctPositions(const Cloth& cloth, std::vector<Vec3>& positions);
-  [[nodiscard]] bool needsAnotherPass(const Cloth& cloth, const std::vector<Vec3>* safe,
+  [[nodiscard]] bool needsAnotherPass(const Cloth& cloth, const std::vector<Vec3>* previous,
                                       const std::vector<Vec3>& positions) const;
-  [[nodiscard]] double gapTo(const NearBody& near, const Vec3& prepareBodyFrames, double maximum) const;
+  [[nodiscard]] double gapTo(const NearBody& near, const Vec3& position, double maximum) const;
   void correctVelocities(const Cloth& cloth, ClothState& state);
   SearchableMesh* meshOf(const BodyStep& step);
 
   ModelCache<std::vector<OwnedFeatures>> owned_;
   ModelCache<ClothClusters> clusters_;
-  ModelCache<std::vector<int>> pieces_;  // a vertex of each
-  std::uint64_t models_ = 0;             // for which there were clusters
+  ModelCache<std::vector<int>> pieces_;  // one vertex of each connected piece
+  std::uint64_t models_ = 0;             // number of models so far
   ModelCache<std::vector<double>> inverseMass_;
-  std::map<const Body*, std::unique_ptr<SearchableMesh>> meshes_;  // looked up, never gone through
-  std::map<const Body*, MeshClearance> clearances_;                // likewise
-  std::vector<Vec3> localStart_;                                   // of wayIn [m]
-  std::vector<Vec3> localEnd_;                                     // likewise
+  std::map<const Body*, std::unique_ptr<SearchableMesh>>
+      meshes_;                                       // never iterated over, since the order of addresses varies
+  std::map<const Body*, MeshClearance> clearances_;  // likewise
+  std::vector<Vec3> localStart_;                     // used by motionIn [m]
+  std::vector<Vec3> localEnd_;                       // likewise
   std::vector<NearBody> near_;
   std::size_t nearCount_ = 0;
-  std::vector<double> displacementBounds_;
-  std::vector<double> displacements_;
-  std::vector<Vec3> solved_;          // where contacts let the cloth go [m]
-  std::vector<bool> moved_;           // from there
-  std::size_t firstOfMeshes_ = 0;     // among the planes
-  std::vector<double> deformations_;  // of meshes that move in themselves, near each vertex [m]
-  Candidates found_;
+  std::vector<double> displacementBounds_;  // of each vertex from the start of the pass [m]
+  std::vector<double> displacements_;       // of each vertex by the impulses [m]
+  std::vector<Vec3> solved_;                // positions after the impulses [m]
+  std::vector<bool> moved_;                 // whether planes moved the vertex from there
+  std::size_t firstOfMeshes_ = 0;           // first of the planes that belong to meshes
+  std::vector<double> deformations_;        // maximum displacement of deforming meshes near each vertex [m]
+  Candidates candidates_;
   std::vector<ContactGoal> goals_;
   std::vector<ContactConstraint> active_;
   ContactSolver solver_;
   SeparatingPlaneFilter filter_;
   Workers workers_;
-  std::vector<Vec3> safe_;
-  std::vector<Vec3> predicted_;  // where the cloth is about to go [m]
-  /// Of a vertex that is inside a body or beside what is.
+  std::vector<Vec3> previous_;   // result of the pass before [m]
+  std::vector<Vec3> predicted_;  // [m]
+  /// A vertex inside a body or next to such cloth.
   struct SlowedVertex {
     std::size_t vertex = 0;
-    Vec3 move = Vec3::Zero();  // of the body there over the step [m]
+    Vec3 move = Vec3::Zero();  // displacement of the body there over the step [m]
   };
   std::vector<SlowedVertex> slowed_;
 };

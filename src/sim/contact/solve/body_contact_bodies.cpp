@@ -1,4 +1,4 @@
-// Which bodies BodyContact looks at in a step.
+// Broad phase of BodyContact: chooses the bodies that the cloth could reach in a step.
 #include "sim/bounds.hpp"
 #include "sim/contact/solve/body_contact.hpp"
 
@@ -8,12 +8,14 @@
 namespace drape {
 namespace {
 
-constexpr double edgeOffsetRatio = 0.6;  // of the distance that is kept: at which edges and faces are stopped [-]
-constexpr double minimumSeparationRatio = 0.1;  // of the distance that is kept: what is never gone below [-]
-constexpr double clearanceRatio = 1.25;         // of the distance that is kept: beyond that there is no contact [-]
-constexpr double recoverySpeed = 0.25;          // at which an overlap is undone, or up to four times that [m/s]
+// Ratios to the contact offset [-]:
+constexpr double edgeOffsetRatio = 0.6;         // distance of edges and faces
+constexpr double minimumSeparationRatio = 0.1;  // minimum separation
+constexpr double clearanceRatio = 1.25;         // distance beyond which there is no contact
+constexpr double recoverySpeed =
+    0.25;  // speed at which overlaps are resolved, up to four times as fast where deep [m/s]
 
-/// Half the extent of a body around its origin, as far as it is known without looking at its mesh [m].
+/// Radius of a sphere or a capsule around its origin [m]; 0 for other shapes.
 double boundingRadius(const BodyShape& shape) {
   if (const auto* sphere = std::get_if<SphereShape>(&shape)) {
     return sphere->radius;
@@ -22,7 +24,7 @@ double boundingRadius(const BodyShape& shape) {
   return capsule == nullptr ? 0.0 : capsule->radius + capsule->halfLength;
 }
 
-/// The box in a body's frame around what a box in the world holds.
+/// The bounding box in a body's frame of a box in the world frame.
 Eigen::AlignedBox3d inFrame(const Pose& pose, const Eigen::AlignedBox3d& box) {
   Eigen::AlignedBox3d local;
   for (int corner = 0; corner < 8; ++corner) {
@@ -31,26 +33,26 @@ Eigen::AlignedBox3d inFrame(const Pose& pose, const Eigen::AlignedBox3d& box) {
   return local;
 }
 
-/// Whether what is in one box when the step begins and in another when it ends could come nearer to the body than
-/// `far` meanwhile. As everything here, that is judged in the body's frame.
+/// Whether points that move from one box into another during the step could come closer to the body than `far` [m].
+/// Motion is straight in the body's frame.
 bool couldMeet(const BodyStep& step, const SearchableMesh* mesh, const Eigen::AlignedBox3d& start,
                const Eigen::AlignedBox3d& end, double far) {
-  const Eigen::AlignedBox3d path = inFrame(step.start, start).merged(inFrame(step.end, end));
+  const Eigen::AlignedBox3d sweep = inFrame(step.start, start).merged(inFrame(step.end, end));
   if (std::holds_alternative<PlaneShape>(step.body->shape)) {
-    return path.min().y() < far;
+    return sweep.min().y() < far;
   }
   const double radius = boundingRadius(step.body->shape);
   const Eigen::AlignedBox3d body =
       mesh != nullptr ? mesh->tree.bounds() : Eigen::AlignedBox3d(Vec3::Constant(-radius), Vec3::Constant(radius));
-  return inflated(body, far).intersects(path);
+  return inflated(body, far).intersects(sweep);
 }
 
-/// Whether a body is a mesh that does not move in itself.
+/// Whether a body is a rigid mesh.
 bool isRigidMesh(const BodyStep& step, const SearchableMesh* mesh) {
   return mesh != nullptr && !mesh->isDeforming() && !std::holds_alternative<BoxShape>(step.body->shape);
 }
 
-/// How far vertices are kept from a body [m].
+/// The contact offset of vertices from a body [m].
 double contactOffsetOf(const BodyStep& step, const StepParameters& parameters) {
   return step.surface.thickness + 0.5 * parameters.contact.thickness;
 }
@@ -84,14 +86,14 @@ ClothMotion BodyContact::motionIn(const BodyStep& step, const ClothModel& model,
     const Mat3 turn = pose.rotation.conjugate().toRotationMatrix();
     local.resize(positions.size());
     std::transform(positions.begin(), positions.end(), local.begin(),
-                   [&](const Vec3& prepareBodyFrames) -> Vec3 { return turn * (prepareBodyFrames - pose.position); });
+                   [&](const Vec3& position) -> Vec3 { return turn * (position - pose.position); });
   };
   toFrame(step.start, start, localStart_);
   toFrame(step.end, end, localEnd_);
   return {model, clustersOf(model), localStart_, localEnd_};
 }
 
-/// Whether the cloth can be known not to contact a mesh on its way to where the solver, or another body, put it.
+/// Whether the cloth certainly does not touch a mesh on its way to the predicted and to the current positions.
 bool BodyContact::isKnownClearOf(const Cloth& cloth, const BodyStep& step, const SearchableMesh& mesh,
                                  const std::vector<Vec3>& positions) {
   const double offset = clearanceRatio * contactOffsetOf(step, cloth.parameters);
@@ -108,14 +110,14 @@ bool BodyContact::isKnownClearOf(const Cloth& cloth, const BodyStep& step, const
   MeshSolid solid(inStep);
   const std::vector<int>& pieces = piecesOf(cloth.model);
   return std::none_of(pieces.begin(), pieces.end(), [&](int v) {
-    const Vec3& prepareBodyFrames = vectorAt(localStart_, v);
-    return mesh.tree.bounds().contains(prepareBodyFrames) && solid.contains(prepareBodyFrames);
+    const Vec3& position = vectorAt(localStart_, v);
+    return mesh.tree.bounds().contains(position) && solid.contains(position);
   });
 }
 
-/// Chooses the bodies that the cloth could meet on its way into the box `ends` [m], besides those already chosen.
-/// @param positions where the bodies that are chosen have put it [m]
-/// @return true when there are such
+/// Adds the bodies that the cloth could reach on its way into the box `ends`, besides those already chosen.
+/// @param positions current positions, corrected by the bodies already chosen [m]
+/// @return true if bodies were added
 bool BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& bodies,
                                const std::vector<Vec3>& positions, const Eigen::AlignedBox3d& ends) {
   const Eigen::AlignedBox3d start = boundsOf(cloth.start);

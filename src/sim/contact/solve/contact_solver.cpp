@@ -6,7 +6,7 @@
 namespace drape {
 namespace {
 
-constexpr double converged = 1e-9;  // changes of impulses that are smaller than this share of them end the rounds [-]
+constexpr double converged = 1e-9;  // relative change of an impulse below which it counts as converged [-]
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void ContactSolver::prepare(std::span<const ContactConstraint> contacts, std::sp
   }
 }
 
-/// A vertex with a single contact, of itself, is where it should be after one round, exactly.
+/// Finds the contacts that need iterations. A contact of one vertex without other contacts is exact after the first.
 void ContactSolver::findCoupled() {
   for (const Point& point : points_) {
     for (std::size_t c = 0; c < point.count; ++c) {
@@ -57,13 +57,13 @@ void ContactSolver::findCoupled() {
   }
 }
 
-/// @return whether the impulse changes
+/// @return whether the impulse has changed
 bool ContactSolver::solveOne(const ContactConstraint& contact, const ContactGoal& goal, std::size_t k,
                              std::span<Vec3> values) {
   const Point& point = points_[k];
   const double inverseMass = point.inverseMass;
   if (inverseMass <= 0.0) {
-    return false;  // nothing there can move
+    return false;  // all vertices are fixed
   }
   Impulse& impulse = impulses_[k];
   const Vec3 value = point.valueIn(values);

@@ -7,36 +7,35 @@
 
 namespace drape {
 
-/// What is asked of a contact: n . q must not be less than `least`, where q is the weighted sum of the vertices' values
-/// (positions or velocities), and friction draws q across n towards `still`.
+/// The right-hand side of a contact. q is the weighted sum of the vertices' values (positions or velocities).
 struct ContactGoal {
-  double minNormal = 0.0;
-  Vec3 sticking = Vec3::Zero();
+  double minNormal = 0.0;        ///< lower bound of n . q
+  Vec3 sticking = Vec3::Zero();  ///< q of a contact that sticks; friction acts on q towards it, across n
 };
 
-/// Solves for impulses at contacts, one after the other (projected Gauss-Seidel), under Coulomb's law: what acts across
-/// a contact is at most the static friction times what acts along its normal; where that does not suffice, it is the
-/// kinetic friction times it, against the sliding.
+/// Solves for contact impulses by projected Gauss-Seidel with Coulomb friction: the friction impulse that makes a
+/// contact stick is at most the static coefficient times the normal impulse. If that does not suffice, the contact
+/// slides, and the friction impulse is the kinetic coefficient times the normal impulse, against the slip.
 class ContactSolver {
  public:
-  /// Changes `values`, one a vertex.
-  /// @param inverseMass one a vertex [1/kg]; 0: does not move
+  /// Changes `values`, one per vertex.
+  /// @param inverseMass per vertex [1/kg]; 0: the vertex does not move
   void solve(std::span<const ContactConstraint> contacts, std::span<const ContactGoal> goals,
              std::span<const double> inverseMass, int iterations, std::span<Vec3> values);
 
  private:
   struct Impulse {
-    double normal = 0.0;  // [kg times the values' unit]
+    double normal = 0.0;  // [kg times the unit of the values]
     Vec3 friction = Vec3::Zero();
   };
 
-  /// A contact with only those of its vertices that have a weight.
+  /// A contact, reduced to the vertices with non-zero weights.
   struct Point {
     std::array<std::size_t, 3> vertices{};
     std::array<double, 3> weights{};
-    std::array<double, 3> responses{};  // weight over mass [1/kg]
+    std::array<double, 3> responses{};  // weight / mass [1/kg]
     std::size_t count = 0;
-    double inverseMass = 0.0;  // inverse mass [1/kg]
+    double inverseMass = 0.0;  // of the point [1/kg]
 
     [[nodiscard]] Vec3 valueIn(std::span<const Vec3> values) const;
     void apply(const Vec3& impulse, std::span<Vec3> values) const;
@@ -48,9 +47,8 @@ class ContactSolver {
 
   std::vector<Impulse> impulses_;
   std::vector<Point> points_;
-  std::vector<int> contactCount_;  // how many each vertex has
-  std::vector<std::size_t>
-      coupled_;  // contacts that share a vertex with others or have several: one round is not enough
+  std::vector<int> contactCount_;     // number of contacts per vertex
+  std::vector<std::size_t> coupled_;  // contacts that need several iterations: they share vertices, or have several
 };
 
 }  // namespace drape

@@ -1,5 +1,6 @@
 #include "sim/contact/closest_features/hull_gap.hpp"
 
+#include "sim/contact/closest_features/closest_points.hpp"
 #include "sim/contact/closest_features/mesh_in_step.hpp"
 #include "test_meshes.hpp"
 

@@ -1,6 +1,7 @@
 #include "sim/contact/constraints/mesh_search.hpp"
 
 #include "contact/meeting.hpp"
+#include "sim/contact/closest_features/closest_points.hpp"
 #include "sim/contact/separating_planes/separating_plane_filter.hpp"
 #include "test_meshes.hpp"
 
@@ -76,64 +77,65 @@ struct Search {
   void run(
       const Vec3& way, double spread, const std::function<Vec3(const Vec3&)>& carry = [](const Vec3& p) { return p; }) {
     predicted.clear();
-    room.clear();
+    displacementBounds.clear();
     double move = 0.0;
     for (std::size_t v = 0; v < before.size(); ++v) {
       move = std::max(move, (after[v] - before[v]).norm());
     }
     for (const Vec3& position : start) {
       predicted.emplace_back(carry(position) + way + random.next(spread));
-      room.push_back((predicted.back() - position).norm() + 2.0 * offsets.contactOffset + move);
+      displacementBounds.push_back((predicted.back() - position).norm() + 2.0 * offsets.contactOffset + move);
     }
     const std::vector<OwnedFeatures> owned = ownedFeatures(model->triangles, model->vertexCount());
     const ClothClusters clusters(*model);
-    found.clear();
+    candidates.clear();
     Workers workers;
     const ConstraintBuilder builder(step, 0, offsets);
     const MeshInStep inStep{*mesh, before, after, false};
     const std::vector<double> inverseMass(start.size(), 1.0);
-    const ClothInBody cloth{start, predicted, room, model->triangles, owned, inverseMass};
-    meshSearch.findVertexContacts(builder, inStep, cloth, clusters, workers, 1, found);
-    meshSearch.findSharpFeatureContacts(builder, inStep, cloth, clusters, workers, 1, found);
-    std::vector<double> ways;
+    const ClothInBody cloth{start, predicted, displacementBounds, model->triangles, owned, inverseMass};
+    meshSearch.findVertexContacts(builder, inStep, cloth, clusters, workers, 1, candidates);
+    meshSearch.findSharpFeatureContacts(builder, inStep, cloth, clusters, workers, 1, candidates);
+    std::vector<double> displacements;
     for (std::size_t v = 0; v < start.size(); ++v) {
-      ways.push_back((predicted[v] - start[v]).norm());
+      displacements.push_back((predicted[v] - start[v]).norm());
     }
-    EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, ways, workers, 1, found));
-    planesAtFirst = found.planes.size();
+    EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, displacements, workers, 1, candidates));
+    planesAtFirst = candidates.planes.size();
     // Whatever may be moved anywhere needs all its planes.
-    found.planes.clear();
+    candidates.planes.clear();
     meshSearch.requestAllPlanes();
-    EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, ways, workers, 1, found));
+    EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, displacements, workers, 1, candidates));
   }
 
-  /// Goes with every vertex as far in any direction as its planes and its room allow.
+  /// Goes with every vertex as far in any direction as its planes and its displacementBounds allow.
   /// @return how many vertices found no place
   int goAnywhere(double spread, std::vector<Vec3>& positions) {
     positions = predicted;
     for (std::size_t v = 0; v < positions.size(); ++v) {
-      positions[v] += random.next(spread * room[v]);
+      positions[v] += random.next(spread * displacementBounds[v]);
     }
     const std::vector<double> inverseMass(positions.size(), 1.0);
     const MeshInStep inStep{*mesh, before, after, false};
     const auto fallbackOf = [&](int, int v) {
-      const Vec3& start = start[static_cast<std::size_t>(v)];
-      return SeparatingPlaneFilter::Fallback{start, start + meshSearch.bodyDisplacementAt(inStep, v)};
+      const Vec3& from = start[static_cast<std::size_t>(v)];
+      return SeparatingPlaneFilter::Fallback{from, from + meshSearch.bodyDisplacementAt(inStep, v)};
     };
-    return SeparatingPlaneFilter().apply(found.planes, inverseMass, room, 1, fallbackOf, start, positions);
+    return SeparatingPlaneFilter().apply(candidates.planes, inverseMass, displacementBounds, 1, fallbackOf, start,
+                                         positions);
   }
 
   RandomVectors random;
   Body body;
   std::shared_ptr<const ClothModel> model;
   std::vector<Vec3> start, predicted;
-  std::vector<double> room;
+  std::vector<double> displacementBounds;
   std::unique_ptr<SearchableMesh> mesh;
   std::vector<Vec3> before, after;
   BodyStep step;
   ContactOffsets offsets{0.004, 0.0024, 0.0004, 0.002};
   MeshSearch meshSearch;
-  Candidates found;
+  Candidates candidates;
   std::size_t planesAtFirst = 0;  // before all triangles were asked for
 };
 
@@ -142,11 +144,11 @@ TEST(MeshSearch, leavesNoWayIntoAMeshThatStandsStill) {
     for (const MeshShape& shape : {hills(21), ball(), box()}) {
       Search search(shape, 14, seed);
       search.run(Vec3(0.01 * seed, -0.03, 0.0), 0.02);
-      EXPECT_GT(search.found.planes.size(), 100U);
+      EXPECT_GT(search.candidates.planes.size(), 100U);
       std::vector<Vec3> positions;
       EXPECT_EQ(search.goAnywhere(1.0, positions), 0);
       for (std::size_t v = 0; v < positions.size(); ++v) {
-        EXPECT_LE((positions[v] - search.start[v]).norm(), search.room[v] + 1e-9);
+        EXPECT_LE((positions[v] - search.start[v]).norm(), search.displacementBounds[v] + 1e-9);
       }
       EXPECT_EQ(testing::intersectingPairs(*search.model, positions, {search.after, shape.triangles}, Pose()), 0)
           << "seed " << seed;
@@ -177,11 +179,11 @@ TEST(MeshSearch, leavesNoWayIntoAMeshThatMovesInItself) {
 }
 
 TEST(MeshSearch, touchesEachVertexAtThePointOfTheMeshThatIsNearest) {
-  int contacts = 0;
+  int vertexContacts = 0;
   for (const MeshShape& shape : {hills(21), ball(), box()}) {
     Search search(shape, 14, 3);
     search.run(Vec3(0.0, -0.01, 0.0), 0.0);
-    for (const ContactConstraint& contact : search.found.contacts) {
+    for (const ContactConstraint& contact : search.candidates.contacts) {
       if (contact.weights.maxCoeff() < 1.0) {
         continue;
       }
@@ -194,24 +196,24 @@ TEST(MeshSearch, touchesEachVertexAtThePointOfTheMeshThatIsNearest) {
         least = std::min(least, (pointAt(corners, nearestOnTriangle(point, corners)) - point).norm());
       }
       EXPECT_NEAR(contact.normal.dot(point) - contact.height, least, 1e-12);
-      ++contacts;
+      ++vertexContacts;
     }
   }
-  EXPECT_GT(contacts, 40);
+  EXPECT_GT(vertexContacts, 40);
 }
 
 TEST(MeshSearch, needsNoMorePlanesThanTrianglesOverWhatIsConvex) {
   for (const MeshShape& shape : {ball(), box()}) {
     Search search(shape, 14, 5);
     search.run(Vec3(0.0, -0.01, 0.0), 0.0);
-    EXPECT_LE(search.found.planes.size(), 3 * search.model->triangles.size());
+    EXPECT_LE(search.candidates.planes.size(), 3 * search.model->triangles.size());
   }
 }
 
 TEST(MeshSearch, sparesTrianglesThatGoNowhereNearUntilTheyAreAskedFor) {
   Search still(ball(), 14, 5);
   still.run(Vec3::Zero(), 0.0);
-  EXPECT_LT(still.planesAtFirst, still.found.planes.size());
+  EXPECT_LT(still.planesAtFirst, still.candidates.planes.size());
   Search moving(ball(), 14, 5);
   moving.run(Vec3(0.0, -0.01, 0.0), 0.0);
   EXPECT_GT(moving.planesAtFirst, still.planesAtFirst);

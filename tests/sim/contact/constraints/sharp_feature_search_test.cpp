@@ -1,5 +1,6 @@
 #include "sim/contact/constraints/sharp_feature_search.hpp"
 
+#include "sim/contact/closest_features/closest_points.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -19,12 +20,14 @@ constexpr double near = 0.008;
 /// Triangles of a cloth that lie anywhere close to a mesh, each by itself.
 struct Cloth {
   std::vector<Vec3> start, predicted;
-  std::vector<double> room, inverseMass;
+  std::vector<double> displacementBounds, inverseMass;
   std::vector<Triangle> triangles;
   std::vector<OwnedFeatures> owned;
   std::vector<NearestMeshPoint> nearest;
 
-  [[nodiscard]] ClothInBody inBody() const { return {start, predicted, room, triangles, owned, inverseMass}; }
+  [[nodiscard]] ClothInBody inBody() const {
+    return {start, predicted, displacementBounds, triangles, owned, inverseMass};
+  }
 };
 
 Cloth strewnOver(const SearchableMesh& mesh, double size, unsigned seed) {
