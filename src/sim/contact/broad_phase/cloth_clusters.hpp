@@ -7,8 +7,7 @@
 
 namespace drape {
 
-/// A cloth in pieces of a few triangles that lie together at rest, so that what is far from all of a piece need not be
-/// looked at triangle by triangle.
+/// Clusters of a few triangles of a cloth that are close together at rest. The broad phase culls whole clusters.
 class ClothClusters {
  public:
   explicit ClothClusters(const ClothModel& model);
@@ -21,13 +20,13 @@ class ClothClusters {
   [[nodiscard]] std::span<const int> vertices(std::size_t cluster) const {
     return part(vertices_, vertexBegin_[cluster], vertexBegin_[cluster + 1]);
   }
-  /// Those of them that no earlier cluster has.
+  /// Those of them that belong to no earlier cluster.
   [[nodiscard]] std::span<const int> ownVertices(std::size_t cluster) const {
     return part(vertices_, vertexBegin_[cluster], ownEnd_[cluster]);
   }
 
-  /// Where clusters begin that begin among the triangles begin to end - 1 (counted cluster by cluster): loops over
-  /// triangles that are divided anywhere become loops over whole clusters.
+  /// The range of clusters whose first triangle is in begin to end - 1, counted cluster by cluster. It turns a division
+  /// of a loop over triangles into a division of a loop over clusters.
   [[nodiscard]] std::pair<std::size_t, std::size_t> clustersWithin(int begin, int end) const;
 
  private:

@@ -10,9 +10,9 @@
 namespace drape {
 namespace {
 
-/// Distances that are tried first: a cluster that has nothing within one of them may go so far [m].
+/// Slacks that are tried first: a cluster without leaves within such a distance has this slack [m].
 constexpr std::array wideSlacks{0.16, 0.04};
-constexpr double narrowSlack = 0.01;  // the maximum that is allowed where a leaf is nearer than all of them [m]
+constexpr double narrowSlack = 0.01;  // maximum slack of clusters with closer leaves [m]
 
 bool isPinned(const ClothModel& model, int vertex) {
   return model.pinned[static_cast<std::size_t>(vertex)];
@@ -36,12 +36,12 @@ bool hasLeaf(const MeshTree& tree, const Eigen::AlignedBox3d& box) {
   return any;
 }
 
-/// How far two intervals are apart; negative: they overlap.
+/// Gap between two intervals; negative: they overlap.
 double gapBetween(double low, double high, const Extent& other) {
   return std::max(low - other.high, other.low - high);
 }
 
-/// The farthest that a cluster is from `reference` [m^2].
+/// Maximum squared displacement of a cluster's vertices from `reference` [m^2].
 double squaredMove(std::span<const int> vertices, std::span<const Vec3> positions, const std::vector<Vec3>& reference) {
   double maximum = 0.0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -52,8 +52,8 @@ double squaredMove(std::span<const int> vertices, std::span<const Vec3> position
 
 }  // namespace
 
-/// How far the cluster may move from where it starts [m]; negative: a triangle of it is too near already. Between a
-/// triangle and a leaf there is at least the gap along any direction; two of them are tried besides the axes.
+/// The slack of a cluster at its start [m]; negative: a triangle of it is too close already. The distance of a triangle
+/// and a leaf is bounded by the gap along any direction; two directions are tried besides the axes.
 double MeshClearance::slackOf(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster,
                               double distance) {
   const Eigen::AlignedBox3d box = boxOf(motion.clusters.vertices(cluster), motion.start);

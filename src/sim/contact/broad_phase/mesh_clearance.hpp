@@ -10,36 +10,37 @@
 
 namespace drape {
 
-/// The way of a cloth over a step, in a body's frame.
+/// The motion of a cloth over a step, in a body's frame.
 struct ClothMotion {
   const ClothModel& model;
   const ClothClusters& clusters;
-  std::span<const Vec3> start;  ///< one place a vertex [m]
-  std::span<const Vec3> end;    ///< likewise; vertices go straight [m]
+  std::span<const Vec3> start;  ///< position of each vertex [m]
+  std::span<const Vec3> end;    ///< position of each vertex [m]; they move in straight lines
 };
 
-/// Tells cheaply that a cloth does not come near a mesh that keeps its shape, so that contact need not look at it. A
-/// skirt around a stand, or a flag beside its pole, is within the mesh's box all the time and seldom near its surface.
+/// Broad phase for rigid meshes: decides cheaply that a cloth does not come near the surface of a mesh. A skirt around
+/// a stand, or a flag beside its pole, is always inside the bounding box of the mesh, but rarely near its surface.
 ///
-/// Each cluster of triangles remembers where it was when its distance was measured, and how far it may go from there.
+/// Each cluster of triangles caches the positions at which its distance was measured, and a slack: the displacement
+/// from there up to which it stays clear of the mesh.
 class MeshClearance {
  public:
-  /// Whether any triangle could come nearer to the mesh's surface than `keep` [m]. True also where that is not known.
-  /// Triangles whose corners are all pinned do not count.
-  /// @param models a number that changes when the model does
+  /// Whether any triangle could come closer to the mesh's surface than `distance` [m]. Conservative: true if unknown.
+  /// Triangles with three pinned corners do not count.
+  /// @param models a number that identifies the model
   [[nodiscard]] bool couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
                                std::uint64_t models);
 
  private:
   struct Known {
-    std::vector<Vec3> reference;  // where the cluster's vertices were [m]
-    double slack = -1.0;          // how far each may be from there [m]
+    std::vector<Vec3> reference;  // positions of the cluster's vertices [m]
+    double slack = -1.0;          // permitted displacement of each from there [m]
   };
 
   [[nodiscard]] double slackOf(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster,
                                double distance);
 
-  std::vector<Known> known_;  // one a cluster
+  std::vector<Known> known_;  // per cluster
   std::vector<std::int32_t> leaves_;
   std::vector<std::int32_t> leaf_;
   std::vector<Extent> extents_;
@@ -47,8 +48,8 @@ class MeshClearance {
   double distance_ = 0.0;
 };
 
-/// Whether a vertex that is not pinned comes within the distance `far` [m] of a mesh's surface. The number
-/// of rounds of a step follows from it, so the answer depends on nothing but the way.
+/// Whether a vertex that is not pinned comes within the distance `far` [m] of a mesh's surface. The number of contact
+/// substeps depends on it, so the result depends on the motion only, not on cached data.
 [[nodiscard]] bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far);
 
 }  // namespace drape

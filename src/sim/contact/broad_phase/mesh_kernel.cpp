@@ -110,7 +110,7 @@ SupportIndex support(const LeafLanes& lanes, const std::size_t* begin, const std
   const auto y = hn::Set(d, direction.y());
   const auto z = hn::Set(d, direction.z());
   auto high = hn::Set(d, SupportIndex().height);
-  auto where = hn::Zero(d);  // as doubles, which hold them exactly
+  auto where = hn::Zero(d);  // indices as doubles, which hold them exactly
   for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t i = begin[leaves[k]]; i < begin[leaves[k] + 1]; i += step) {
       const auto inPlane =
@@ -123,12 +123,12 @@ SupportIndex support(const LeafLanes& lanes, const std::size_t* begin, const std
   const auto maximum = hn::MaxOfLanes(d, high);
   const auto first = hn::IfThenElse(hn::Eq(high, maximum), where, hn::Set(d, std::numeric_limits<double>::infinity()));
   const double at = hn::GetLane(hn::MinOfLanes(d, first));
-  // Along what is not a number nothing is farthest.
+  // Along NaN there is no maximum.
   return {hn::GetLane(maximum),
           at < std::numeric_limits<double>::infinity() ? static_cast<std::size_t>(at) : begin[leaves[0]]};
 }
 
-/// Three coordinates of a vector of points.
+/// A vector of points, one vector per coordinate.
 struct PointLanes {
   DoubleLanes x, y, z;
 
@@ -144,7 +144,7 @@ HWY_INLINE PointLanes load(const LeafLanes& lanes, std::size_t at) {
   return {hn::LoadU(d, lanes.x.data() + at), hn::LoadU(d, lanes.y.data() + at), hn::LoadU(d, lanes.z.data() + at)};
 }
 
-/// Whether what reaches from one place to another along an axis, or along the normal, meets a range.
+/// Whether the interval between two values overlaps a range.
 HWY_INLINE hn::Mask<Doubles> meets(DoubleLanes from, DoubleLanes to, double low, double high) {
   const Doubles d;
   return hn::And(hn::Ge(hn::Max(from, to), hn::Set(d, low)), hn::Le(hn::Min(from, to), hn::Set(d, high)));
@@ -157,8 +157,9 @@ HWY_INLINE std::uint32_t pointsIn(const FaceRegion& region, const PointLanes& at
   in = hn::And(in, meets(at.x, at.x, region.box.min().x(), region.box.max().x()));
   in = hn::And(in, meets(at.y, at.y, region.box.min().y(), region.box.max().y()));
   in = hn::And(in, meets(at.z, at.z, region.box.min().z(), region.box.max().z()));
-  const PointLanes fromCorner{hn::Sub(at.x, hn::Set(d, region.corner.x())), hn::Sub(at.y, hn::Set(d, region.corner.y())),
-                       hn::Sub(at.z, hn::Set(d, region.corner.z()))};
+  const PointLanes fromCorner{hn::Sub(at.x, hn::Set(d, region.corner.x())),
+                              hn::Sub(at.y, hn::Set(d, region.corner.y())),
+                              hn::Sub(at.z, hn::Set(d, region.corner.z()))};
   const auto second = fromCorner.along(region.weights[0]);
   const auto third = fromCorner.along(region.weights[1]);
   in = hn::And(in, hn::Ge(hn::Min(second, third), hn::Zero(d)));

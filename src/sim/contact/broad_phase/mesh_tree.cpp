@@ -49,7 +49,7 @@ void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t 
   nodes_[self].next = nodes_.size();
 }
 
-/// Whether a ray meets a box. What it only just misses counts as met.
+/// Whether a ray intersects a box, which is extended by the rounding error.
 bool MeshTree::meetsRay(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& direction) {
   constexpr double rounding = 1e-9;  // [m]
   double first = 0.0;
@@ -71,7 +71,7 @@ bool MeshTree::meetsRay(const Eigen::AlignedBox3d& box, const Vec3& from, const 
 }
 
 void MeshTree::refit(std::span<const Vec3> before, std::span<const Vec3> after, std::span<const Triangle> triangles) {
-  // Children come after their parents, so that from the back every child is done before its parent.
+  // Children follow their parents, so in reverse order every child comes before its parent.
   for (std::size_t n = nodes_.size(); n-- > 0;) {
     Node& node = nodes_[n];
     node.box.setEmpty();

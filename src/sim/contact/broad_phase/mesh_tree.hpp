@@ -7,15 +7,15 @@
 
 namespace drape {
 
-/// A tree of boxes over the triangles of a mesh, so that those near a place are found without looking at all. Its
-/// leaves are leaves of a few triangles that lie next to each other.
+/// A bounding volume hierarchy of axis-aligned boxes over the triangles of a mesh. Each leaf holds a few neighbouring
+/// triangles.
 class MeshTree {
  public:
-  /// Splits at the median of the longest side, so that the same mesh gives the same tree.
-  /// @param most triangles in a leaf
+  /// Splits at the median along the longest side, so that the same mesh gives the same tree.
+  /// @param maxTriangles in a leaf
   MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t maxTriangles);
 
-  /// Fits the boxes around the triangles at both positions (of a mesh that moves in itself).
+  /// Fits the boxes to the triangles at both positions, for a deforming mesh.
   void refit(std::span<const Vec3> before, std::span<const Vec3> after, std::span<const Triangle> triangles);
 
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
@@ -28,7 +28,7 @@ class MeshTree {
     return {order_.data() + node.begin, node.end - node.begin};
   }
 
-  /// Calls visit(leaf) for every leaf whose box meets `box`, in ascending order.
+  /// Calls visit(leaf) for every leaf whose box intersects `box`, in ascending order.
   template <typename Visit>
   void forEachLeafIn(const Eigen::AlignedBox3d& box, Visit&& visit) const {
     for (std::size_t at = 0; at < nodes_.size();) {
@@ -44,8 +44,8 @@ class MeshTree {
     }
   }
 
-  /// Calls visit(leaf) for every leaf whose box is nearer to a point than the root of `squaredRadius` [m^2], which the
-  /// visits may lower.
+  /// Calls visit(leaf) for every leaf whose box is closer to a point than the square root of `squaredRadius` [m^2]. The
+  /// calls may lower `squaredRadius`.
   template <typename Visit>
   void forEachLeafWithin(const Vec3& point, const double& squaredRadius, Visit&& visit) const {
     for (std::size_t at = 0; at < nodes_.size();) {
@@ -61,7 +61,8 @@ class MeshTree {
     }
   }
 
-  /// Calls visit(leaf) for every leaf whose box the ray from a point along a unit vector meets, in ascending order.
+  /// Calls visit(leaf) for every leaf whose box intersects the ray from a point along a unit vector, in ascending
+  /// order.
   template <typename Visit>
   void forEachLeafAlong(const Vec3& from, const Vec3& direction, Visit&& visit) const {
     for (std::size_t at = 0; at < nodes_.size();) {
@@ -77,7 +78,7 @@ class MeshTree {
     }
   }
 
-  /// From a point to a box, 0 inside [m^2].
+  /// Squared distance of a point and a box, 0 inside [m^2].
   [[nodiscard]] static double squaredDistance(const Eigen::AlignedBox3d& box, const Vec3& point) {
     const Eigen::Array3d outside = (box.min() - point).array().max((point - box.max()).array()).max(0.0);
     return outside.square().sum();
@@ -86,8 +87,8 @@ class MeshTree {
  private:
   struct Node {
     Eigen::AlignedBox3d box;
-    std::size_t next = 0;   // where to go on when the box is not met; a node's children follow it
-    std::size_t begin = 0;  // of a leaf's triangles in order_
+    std::size_t next = 0;   // node after this subtree; the children follow their parent
+    std::size_t begin = 0;  // range of a leaf's triangles in order_
     std::size_t end = 0;
     std::size_t leaf = 0;
   };
@@ -97,7 +98,7 @@ class MeshTree {
   void build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end, std::size_t maxTriangles);
 
   std::vector<Node> nodes_;
-  std::vector<std::size_t> leaves_;  // their nodes
+  std::vector<std::size_t> leaves_;  // node of each leaf
   std::vector<int> order_;
 };
 

@@ -10,7 +10,7 @@
 namespace drape {
 namespace {
 
-constexpr double sharpAngle = 0.02;  // edges of a body that stick out by less count as flat [rad, sine]
+constexpr double sharpAngle = 0.02;  // sine of the convex angle below which an edge counts as flat [-]
 
 std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
   struct Side {
@@ -19,7 +19,7 @@ std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
   };
   std::vector<std::array<bool, 3>> sharp(mesh.triangles.size(), {true, true, true});
   if (mesh.frames.size() > 1) {
-    return sharp;  // what is flat now may stick out later
+    return sharp;  // any edge of a deforming mesh may become sharp
   }
   std::vector<Side> sides;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -51,7 +51,7 @@ std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
 }
 
 bool isClosed(const MeshShape& mesh) {
-  std::vector<std::array<int, 3>> sides;  // both ends ascending, and which way it runs
+  std::vector<std::array<int, 3>> sides;  // both ends ascending, and the direction
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = t[k];
@@ -75,9 +75,9 @@ bool isClosed(const MeshShape& mesh) {
   return !sides.empty();
 }
 
-/// Turns the triangles of a closed mesh over when they face inwards.
+/// Flips the triangles of a closed mesh if they face inwards.
 MeshShape facingOutwards(MeshShape mesh) {
-  double volume = 0.0;  // six times
+  double volume = 0.0;  // times 6
   for (const Triangle& t : mesh.triangles) {
     const Corners at = cornersOf(mesh.positions, t);
     const Vec3& origin = mesh.positions.front();
@@ -160,7 +160,7 @@ void SearchableMesh::gatherLeaves() {
   vertexFeatures_.resize(leafVertices_.size());
 }
 
-/// Adds the vertices of a leaf, first those that are its own.
+/// Adds the vertices of a leaf, those that it owns first.
 void SearchableMesh::gatherPoints(std::span<const int> triangles) {
   const std::size_t begin = leafVertices_.size();
   vertexFeatures_.resize(begin);
@@ -185,7 +185,7 @@ void SearchableMesh::gatherPoints(std::span<const int> triangles) {
   }
 }
 
-/// Adds the edges of a leaf that are its own and stick out.
+/// Adds the sharp edges that a leaf owns.
 void SearchableMesh::gatherEdges(std::span<const int> triangles) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto t = static_cast<std::size_t>(triangles[i]);

@@ -13,37 +13,37 @@
 
 namespace drape {
 
-/// A corner or a side of a mesh's triangle.
+/// A corner or a side of a triangle of a mesh.
 struct MeshFeature {
   int triangle = -1;
-  std::size_t at = 0;      ///< which corner, or which side
-  int triangleInLeaf = 0;  ///< which triangle of the leaf
+  std::size_t at = 0;      ///< index of the corner or side
+  int triangleInLeaf = 0;  ///< index of the triangle in its leaf
 };
 
-/// What lies farthest along a direction [m].
+/// A point with the maximum coordinate along a direction [m].
 struct SupportPoint {
   double height = 0.0;
   Vec3 point = Vec3::Zero();
 };
 
-/// A mesh with what is worked out of it for the search: once, and for one that moves in itself at every step.
+/// A mesh with its search structures. They are built once, and updated in every step for a deforming mesh.
 class SearchableMesh {
  public:
   explicit SearchableMesh(MeshShape mesh);
 
-  /// Follows a mesh that moves in itself: its vertices when the step begins and when it ends [m].
+  /// Updates a deforming mesh to its vertices at the start and at the end of the step [m].
   void follow(std::span<const Vec3> before, std::span<const Vec3> after);
 
   [[nodiscard]] bool isDeforming() const { return shape.frames.size() > 1; }
 
-  /// The extents of some leaves of the tree along a unit vector; as they are when the step ends, or when it begins.
-  /// @return that of all together
+  /// The extents of some leaves of the tree along a unit vector, at the end or at the start of the step.
+  /// @return their union
   Extent extentsAlong(const Vec3& direction, const std::vector<std::int32_t>& leaves, bool atEnd,
                       std::vector<Extent>& extents) const {
     return drape::extentsAlong(lanes(atEnd), vertexBegin_, leaves, direction, extents);
   }
 
-  /// What of some leaves of the tree lies farthest along a unit vector.
+  /// The support point of some leaves of the tree along a unit vector.
   [[nodiscard]] SupportPoint supportPoint(const Vec3& direction, const std::vector<std::int32_t>& leaves,
                                           bool atEnd) const {
     const LeafLanes& at = lanes(atEnd);
@@ -51,20 +51,20 @@ class SearchableMesh {
     return {far.height, Vec3(at.x[far.at], at.y[far.at], at.z[far.at])};
   }
 
-  /// The boxes around the triangles of each leaf, triangle i of the leaf in lane i.
+  /// The bounding boxes of the triangles of each leaf; triangle i of the leaf is in lane i.
   [[nodiscard]] const std::vector<TriangleBoxes>& triangleBoxes(bool atEnd) const {
     return atEnd && isDeforming() ? endBoxes_ : startBoxes_;
   }
 
-  /// What of some leaves may contact a triangle of the cloth.
+  /// The features of some leaves in a region.
   void featuresIn(const FaceRegion& region, const std::vector<std::int32_t>& leaves, bool atEnd,
                   std::vector<InRegion>& found) const {
     const bool end = atEnd && isDeforming();
     inRegion(lanes(atEnd), vertexBegin_, end ? endEdges_ : startEdges_, edgeBegin_, leaves, region, found);
   }
 
-  /// Calls visit(feature, is an edge) for the points and edges that were found in a leaf, as far as they are its own:
-  /// triangle after triangle, points before edges.
+  /// Calls visit(feature, is an edge) for the points and edges found in a leaf that the leaf owns: triangle by
+  /// triangle, points before edges.
   template <typename Visit>
   void forEachFeature(std::size_t leaf, InRegion found, Visit&& visit) const {
     const MeshFeature* points = vertexFeatures_.data() + vertexBegin_[leaf];
@@ -83,17 +83,17 @@ class SearchableMesh {
     }
   }
 
-  /// The vertex of the leaf that lies farthest along a direction, by index.
+  /// The index of the vertex of the leaf with the maximum coordinate along a direction.
   [[nodiscard]] int supportVertex(const Vec3& direction, std::size_t leaf, bool atEnd) const;
 
-  /// How far the leaf's vertices move over the step at most [m].
+  /// Maximum displacement of the leaf's vertices over the step [m].
   [[nodiscard]] double moveOf(std::size_t leaf) const { return moves_.empty() ? 0.0 : moves_[leaf]; }
 
-  MeshShape shape;  ///< with its triangles facing outwards, where it is closed
-  bool closed;      ///< it has an inside: every side of a triangle is met by one that runs the other way
+  MeshShape shape;  ///< a closed mesh has its triangles facing outwards
+  bool closed;  ///< every side of a triangle is paired with one in the opposite direction, so the mesh has an inside
   MeshTree tree;
   std::vector<OwnedFeatures> owned;
-  std::vector<std::array<bool, 3>> sharp;  ///< for each triangle which of its sides stick out
+  std::vector<std::array<bool, 3>> sharp;  ///< per triangle: which of its sides are sharp
 
  private:
   void gatherLeaves();
@@ -103,14 +103,15 @@ class SearchableMesh {
   void fillBoxes(std::span<const Vec3> positions, std::vector<TriangleBoxes>& boxes) const;
   [[nodiscard]] const LeafLanes& lanes(bool atEnd) const { return atEnd && isDeforming() ? end_ : start_; }
 
-  std::vector<int> leafVertices_;         // of the leaves, each a multiple of the lanes; the last of a leaf is repeated
-  std::vector<std::size_t> vertexBegin_;  // in these
-  std::vector<MeshFeature> vertexFeatures_;  // for these as many, of the leaf's own, which come first in it
-  std::vector<std::uint32_t> ownPoints_;     // how many of each leaf
+  std::vector<int> leafVertices_;         // by leaf, padded by the last one to whole vectors
+  std::vector<std::size_t> vertexBegin_;  // of each leaf in leafVertices_
+  std::vector<MeshFeature>
+      vertexFeatures_;                    // of the same size; valid for vertices that the leaf owns, which come first
+  std::vector<std::uint32_t> ownPoints_;  // number of vertices that each leaf owns
   LeafLanes start_, end_;
-  std::vector<std::array<int, 2>> leafEdges_;  // of the leaves, each a multiple of the lanes; what is missing is -1
-  std::vector<std::size_t> edgeBegin_;         // in these
-  std::vector<MeshFeature> edgeFeatures_;      // as many
+  std::vector<std::array<int, 2>> leafEdges_;  // by leaf, padded by -1 to whole vectors
+  std::vector<std::size_t> edgeBegin_;         // of each leaf in leafEdges_
+  std::vector<MeshFeature> edgeFeatures_;      // of the same size as leafEdges_
   EdgeLanes startEdges_, endEdges_;
   std::vector<TriangleBoxes> startBoxes_, endBoxes_;
   std::vector<double> moves_;

@@ -36,7 +36,7 @@ Vec3 nearestOnBorder(const Vec3& point, const Corners& triangle) {
   return weights;
 }
 
-/// How far the first triangle lies above the second along a unit vector [m]; negative: they overlap there.
+/// Gap between the projections of two triangles onto a unit vector [m]; negative: they overlap.
 double separationAlong(const Vec3& normal, const Corners& first, const Corners& second) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -47,8 +47,8 @@ double separationAlong(const Vec3& normal, const Corners& first, const Corners& 
   return low - high;
 }
 
-/// Takes the plane with the widest gap among those along the faces and along pairs of edges: there is one between any
-/// two triangles that do not meet (the separating axis theorem).
+/// Takes the widest gap among the separating axes: the normals of the faces and the cross products of pairs of edges
+/// (separating axis theorem).
 void tryOtherPlanes(const Corners& first, const Corners& second, TriangleGap& gap) {
   const auto offer = [&](const Vec3& axis) {
     const double length = axis.norm();
@@ -83,7 +83,7 @@ Vec3 nearestOnTriangle(const Vec3& point, const Corners& triangle) {
   const Vec3 ac = triangle[2] - triangle[0];
   const Vec3 normal = ab.cross(ac);
   const double area = normal.squaredNorm();
-  // A sliver whose inside rounding would place badly is its border. Written so that a NaN goes there too.
+  // A sliver is treated as its border, since rounding spoils its normal. The comparison sends NaN there too.
   constexpr double thin = 1e-14;  // squared sine of the angle between two sides
   if (area > thin * ab.squaredNorm() * ac.squaredNorm()) {
     const Vec3 ap = point - triangle[0];
@@ -145,7 +145,7 @@ SegmentPair nearestOfSegments(const std::array<Vec3, 2>& first, const std::array
   const double b = d1.dot(d2);
   const double determinant = a * e - b * b;
   SegmentPair pair;
-  // Minimises over the first segment's line, then clamps one after the other; parallel ones start anywhere.
+  // Minimises over the line of the first segment, then clamps alternately. Parallel segments start at parameter 0.
   if (determinant > 1e-14 * a * e) {
     pair.first = std::clamp((b * d2.dot(between) - e * d1.dot(between)) / determinant, 0.0, 1.0);
   }
@@ -155,7 +155,7 @@ SegmentPair nearestOfSegments(const std::array<Vec3, 2>& first, const std::array
 }
 
 TriangleSegmentPair nearestOfTriangleAndSegment(const Corners& triangle, const std::array<Vec3, 2>& segment) {
-  // A segment that pierces the triangle contacts it where it does.
+  // Start with the point where the segment pierces the triangle.
   const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double from = (segment[0] - triangle[0]).dot(normal);
   const double to = (segment[1] - triangle[0]).dot(normal);
@@ -211,8 +211,8 @@ TriangleGap gapOfTriangles(const Corners& first, const Corners& second) {
     return gap;
   }
   gap.normal = offset / gap.distance;
-  // The nearest features of convex things that do not meet have a plane between them; of triangles that pierce each
-  // other they do not. Of slivers the nearest features may come out so badly that another plane must be looked for.
+  // The closest points of disjoint convex shapes define a separating plane; those of intersecting triangles do not. For
+  // slivers the closest points can be so inaccurate that another plane is needed.
   gap.distance = separationAlong(gap.normal, first, second);
   if (!(gap.distance > 0.0)) {
     tryOtherPlanes(first, second, gap);

@@ -8,10 +8,10 @@ namespace drape {
 namespace {
 
 constexpr int maxIterations = 16;
-constexpr double gapTolerance = 0.95;  // of the distance between the hulls: a gap that wide is as good [-]
-constexpr double touching = 1e-9;      // [m]
+constexpr double gapTolerance = 0.95;  // ratio of a sufficient gap to the distance of the hulls [-]
+constexpr double touching = 1e-9;      // distances below this count as zero [m]
 
-/// The point of a triangle, of an edge or of a point that is nearest to the origin, and which corners it lies between.
+/// The point of a triangle, edge or vertex that is closest to the origin, and the corners with non-zero weights.
 struct Nearest {
   Vec3 point = Vec3::Zero();
   std::array<bool, 3> uses{};
@@ -22,7 +22,7 @@ Nearest nearestToOrigin(const Corners& corners) {
   return {pointAt(corners, weights), {weights[0] > 0.0, weights[1] > 0.0, weights[2] > 0.0}};
 }
 
-/// Whether the origin is inside of a tetrahedron.
+/// Whether the origin is inside a tetrahedron.
 bool holdsOrigin(const std::array<Vec3, 4>& corners) {
   for (std::size_t k = 0; k < 4; ++k) {
     const Vec3& from = corners[(k + 1) % 4];
@@ -36,7 +36,7 @@ bool holdsOrigin(const std::array<Vec3, 4>& corners) {
 
 }  // namespace
 
-/// How high the points lie above the leaves along a direction; returns what of these sticks out farthest.
+/// Measures the gap along a direction. Returns the support point of the leaves.
 SupportPoint HullGapSearch::measure(const Vec3& along) {
   SupportPoint far = mesh_.supportPoint(along, leaves_, atEnd_);
   lowest_ = 0;
@@ -54,7 +54,7 @@ SupportPoint HullGapSearch::measure(const Vec3& along) {
   return far;
 }
 
-/// Keeps of the simplex what is nearest to the origin; false when that lies inside of it.
+/// Reduces the simplex to the feature that is closest to the origin; false if the origin is inside.
 bool HullGapSearch::reduce() {
   const std::array<Vec3, 4> all = simplex_;
   const std::size_t count = count_;
@@ -78,7 +78,7 @@ bool HullGapSearch::reduce() {
     if (holdsOrigin(all)) {
       return false;
     }
-    // The last one is new, and the face between the others was nearest before.
+    // The last corner is new. The face of the other three was the closest one before.
     offer({0, 1, 3});
     offer({1, 2, 3});
     offer({2, 0, 3});
@@ -90,7 +90,7 @@ bool HullGapSearch::reduce() {
 
 HullGap HullGapSearch::search(const Vec3& along, const Wanted& wanted) {
   SupportPoint far = measure(along);
-  // Most often the points are a triangle and the direction is its normal: all of them are lowest.
+  // Mostly the points are a triangle and the direction is its normal, so all corners are support points.
   count_ = std::min<std::size_t>(points_.size(), 3);
   for (std::size_t i = 0; i < count_; ++i) {
     simplex_[i] = points_[i] - far.point;
@@ -107,7 +107,7 @@ HullGap HullGapSearch::search(const Vec3& along, const Wanted& wanted) {
     far = measure(offset_ / distance);
     const Vec3 next = points_[lowest_] - far.point;
     if (offset_.dot(offset_ - next) <= touching * distance) {
-      break;  // nothing lies nearer
+      break;  // no point is closer
     }
     simplex_[count_++] = next;
   }

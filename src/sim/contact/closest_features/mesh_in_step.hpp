@@ -9,15 +9,16 @@
 
 namespace drape {
 
-/// A mesh in a step, as a pass of the search sees it, in the body's frame.
+/// A mesh in a pass of contact, in the body's frame.
 struct MeshInStep {
   const SearchableMesh& mesh;
-  std::span<const Vec3> startPositions;  ///< when the step begins [m]
-  std::span<const Vec3> endPositions;    ///< when it ends [m]
-  bool atEnd = false;  ///< the cloth's base is at the end of the step, and is judged against the mesh there
+  std::span<const Vec3> startPositions;  ///< at the start of the step [m]
+  std::span<const Vec3> endPositions;    ///< at the end of the step [m]
+  bool atEnd = false;                    ///< the cloth's start positions belong to the end of the step
 
+  /// The positions at the time of the cloth's start positions.
   [[nodiscard]] std::span<const Vec3> positions() const { return atEnd ? endPositions : startPositions; }
-  /// Whether it is elsewhere at the end of the step than at the cloth's base.
+  /// Whether its vertices move between the cloth's start positions and the end of the step.
   [[nodiscard]] bool moves() const { return !atEnd && mesh.isDeforming(); }
 
   [[nodiscard]] Corners corners(int triangle) const { return cornersOf(positions(), indices(triangle)); }
@@ -30,9 +31,10 @@ struct MeshInStep {
   }
 };
 
-/// The point of a mesh that is nearest to a vertex of the cloth.
+/// The point of a mesh that is closest to a vertex of the cloth.
 struct NearestMeshPoint {
-  double gap = std::numeric_limits<double>::infinity();  ///< at the base [m]; infinite: there is none within reach
+  double gap = std::numeric_limits<double>::infinity();  ///< at the start of the pass [m]; infinite: there is none
+                                                         ///< within the search radius
   int triangle = -1;
   Vec3 weights = Vec3::Zero();  ///< of the triangle's corners
   Vec3 normal = Vec3::UnitY();  ///< towards the cloth

@@ -8,9 +8,9 @@
 namespace drape {
 namespace {
 
-/// What rounding makes of squared distances that are equal, and more [-].
+/// Factor that exceeds the relative rounding error of squared distances [-].
 constexpr double roundedUp = 1.0 + 1e-12;
-constexpr float roundedDown = 1.0F - 1e-6F;  // the same of distances as floats [-]
+constexpr float roundedDown = 1.0F - 1e-6F;  // the same for distances as float [-]
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void NearestSearch::remember(const Vec3& point, double within, double beyond, Ne
     return;
   }
   memory.clearRadius = std::sqrt(minSquaredDistance_);
-  // What is nearest elsewhere is no farther from there than the triangle that is nearest here.
+  // After a displacement of `within`, the closest triangle is at most that much farther from there than now.
   const double far = memory.clearRadius + 2.0 * within;
   for (std::size_t i = 0; i < toBox_.size(); ++i) {
     if (toBox_[i] <= roundedUp * far * far) {
@@ -60,7 +60,7 @@ void NearestSearch::remember(const Vec3& point, double within, double beyond, Ne
       }
       memory.triangles[memory.count] = triangleAt(i);
       memory.toBox[memory.count] = roundedDown * static_cast<float>(std::sqrt(toBox_[i]));
-      if (memory.triangles[memory.count] == best_.triangle) {  // it comes first: that bounds what others can be
+      if (memory.triangles[memory.count] == best_.triangle) {  // first, since its distance bounds the others
         std::swap(memory.triangles[memory.count], memory.triangles[0]);
         std::swap(memory.toBox[memory.count], memory.toBox[0]);
       }
@@ -112,7 +112,7 @@ NearestMeshPoint NearestSearch::among(const std::vector<int>& leaves, const BoxL
 NearestMeshPoint NearestSearch::anywhere(const Vec3& point, double radius) {
   best_ = {};
   minSquaredDistance_ = radius * radius;
-  double limit = roundedUp * minSquaredDistance_;  // what is as near counts too: it may come first
+  double limit = roundedUp * minSquaredDistance_;  // includes equal distances, since the first triangle counts
   mesh_.mesh.tree.forEachLeafWithin(point, limit, [&](std::size_t leaf) {
     for (const int triangle : mesh_.mesh.tree.leaf(leaf)) {
       testTriangle(triangle, point);

@@ -1,4 +1,4 @@
-// What BodyContact does about cloth that is inside a body where a step begins.
+// The part of BodyContact that handles cloth inside a body at the start of a step.
 #include "sim/contact/solve/body_contact.hpp"
 #include "sim/disjoint_sets.hpp"
 
@@ -10,17 +10,17 @@
 namespace drape {
 namespace {
 
-constexpr double maxSpeedAtOverlap = 1.0;  // the most that cloth which is inside a body has against it [m/s]
-constexpr int minRings = 3;                // of triangles around it, which stretched springs draw along, and ...
-constexpr double ringsPerWidth = 1.0;      // ... as many times its own width
+constexpr double maxSpeedAtOverlap = 1.0;  // maximum speed, relative to the body, of cloth at an overlap [m/s]
+constexpr int minRings = 3;                // rings of triangles around the overlap whose speed is limited, at least
+constexpr double ringsPerWidth = 1.0;      // additional rings per triangle of the overlap's width
 
-/// A vector made as short as that where it is longer.
+/// The vector, limited to a maximum length.
 Vec3 shortened(const Vec3& vector, double maximum) {
   const double length = vector.norm();
   return length > maximum ? Vec3(maximum / length * vector) : vector;
 }
 
-/// The first vertex of each piece of a cloth that triangles connect.
+/// The first vertex of each connected piece of a cloth.
 std::vector<int> firstOfPieces(const ClothModel& model) {
   DisjointSets sets(model.vertexCount());
   for (const Triangle& t : model.triangles) {
@@ -42,7 +42,7 @@ const std::vector<int>& BodyContact::piecesOf(const ClothModel& model) {
   return pieces_.get(model, firstOfPieces);
 }
 
-/// @return true when that is news
+/// @return true if an overlap was found that was not known
 bool BodyContact::findPrimitiveOverlap(const Cloth& cloth, NearBody& near, CapsuleSolid&& solid) {
   if (near.overlaps) {
     return false;
@@ -56,8 +56,8 @@ bool BodyContact::findPrimitiveOverlap(const Cloth& cloth, NearBody& near, Capsu
   return near.overlap.any();
 }
 
-/// Finds what is inside closed meshes: whole pieces of cloth at first, by one vertex of each, and when it is known
-/// what pierces them each vertex.
+/// Finds the cloth inside closed meshes. The first search tests one vertex of each connected piece. When the piercing
+/// triangles are known, it classifies each vertex.
 void BodyContact::findOverlaps(const Cloth& cloth, bool atEnd, bool first) {
   for (std::size_t b = 0; b < nearCount_; ++b) {
     NearBody& near = near_[b];
@@ -95,7 +95,7 @@ bool BodyContact::overlaps() const {
   return std::any_of(near_.begin(), last, [](const NearBody& near) { return near.overlaps; });
 }
 
-/// For each vertex whether it is on a triangle that meets a body, or a few springs from such.
+/// Per vertex: whether it belongs to a triangle that overlaps the body, or is a few edges away from one.
 std::vector<bool> BodyContact::verticesAtOverlap(const Cloth& cloth, const NearBody& near) {
   const std::vector<Triangle>& triangles = cloth.model.triangles;
   const std::vector<bool> pierces = near.meshSearch.pierces(triangles.size());
@@ -113,7 +113,7 @@ std::vector<bool> BodyContact::verticesAtOverlap(const Cloth& cloth, const NearB
       std::for_each(triangles[t].begin(), triangles[t].end(), [&](int v) { mark(v, newest); });
     }
   }
-  const double width = std::sqrt(static_cast<double>(near.overlap.members().size()));  // in triangles, about
+  const double width = std::sqrt(static_cast<double>(near.overlap.members().size()));  // approximate, in triangles
   const int rings = minRings + static_cast<int>(ringsPerWidth * width);
   std::vector<int> next;
   for (int ring = 1; ring < rings && !newest.empty(); ++ring) {
@@ -130,7 +130,8 @@ std::vector<bool> BodyContact::verticesAtOverlap(const Cloth& cloth, const NearB
   return beside;
 }
 
-/// What comes out of a body tears at what is still inside. None of it may go off faster than that.
+/// Limits the speed of cloth at an overlap. Cloth that has left a body pulls at cloth that is still inside; without a
+/// limit stretched springs would accelerate it.
 void BodyContact::limitDisplacementsAtOverlap(const Cloth& cloth) {
   slowed_.clear();
   for (std::size_t b = 0; b < nearCount_; ++b) {

@@ -6,12 +6,12 @@
 namespace drape {
 namespace {
 
-constexpr std::size_t maxProbes = 64;  // vertices by which directions are compared
+constexpr std::size_t maxProbes = 64;  // maximum number of vertices by which directions are compared
 constexpr double improvementRatio =
-    1.0 - 1e-6;                   // by so much less a way must be to be taken instead of an earlier one [-]
-constexpr double maxSlope = 3.0;  // as much nearer the body may be behind a vertex than behind its neighbour [-]
-constexpr double followersPerVertex = 0.5;  // of what is inside, so many may follow ...
-constexpr double extraFollowers = 16;       // ... and some
+    1.0 - 1e-6;                   // ratio by which a direction must be shorter than an earlier one to be preferred [-]
+constexpr double maxSlope = 3.0;  // maximum change of the distance to the body between neighbours, per edge length [-]
+constexpr double followersPerVertex = 0.5;  // maximum number of followers per vertex inside ...
+constexpr double extraFollowers = 16;       // ... and in addition
 
 enum class Mark : char { Unknown, Leaves, Follows, Free };
 
@@ -27,7 +27,7 @@ void CommonExit::begin(std::span<const int> vertices, const std::vector<Vec3>& d
       direction.maxDistance =
           std::max(direction.maxDistance, -solid_.exitAlong(vectorAt(start_, vertices[i]), direction.along).gap);
     }
-    // Before those that are worse, behind those that are as good.
+    // Sorted by distance; of equal directions the earlier one stays first.
     const auto before = std::find_if(directions_.begin(), directions_.end(), [&](const Direction& other) {
       return direction.maxDistance < improvementRatio * other.maxDistance;
     });
@@ -55,8 +55,9 @@ std::vector<CommonExit::Exit> CommonExit::find(double maxDistance, bool follow,
   return {};
 }
 
-/// Goes from what leaves to its neighbours, as far as the body is in front of them.
-/// @return false when that does not end near it
+/// Collects neighbours of the leaving vertices that must follow through the body: those that would hit it in this
+/// direction.
+/// @return false if they extend too far
 bool CommonExit::findFollowers(const Direction& direction, std::vector<Exit>& followers) {
   const auto maxFollowers =
       static_cast<std::size_t>(followersPerVertex * static_cast<double>(vertices_.size()) + extraFollowers);
@@ -65,14 +66,14 @@ bool CommonExit::findFollowers(const Direction& direction, std::vector<Exit>& fo
   for (const int v : vertices_) {
     marks[static_cast<std::size_t>(v)] = Mark::Leaves;
   }
-  const auto goesAlong = [&](int v) {
+  const auto moves = [&](int v) {
     const Mark mark = marks[static_cast<std::size_t>(v)];
     return mark == Mark::Leaves || mark == Mark::Follows;
   };
   for (bool more = true; more;) {
     more = false;
     for (const Triangle& t : triangles_) {
-      const auto from = std::find_if(t.begin(), t.end(), goesAlong);
+      const auto from = std::find_if(t.begin(), t.end(), moves);
       if (from == t.end()) {
         continue;
       }

@@ -11,8 +11,8 @@ double cross(const Vec2& a, const Vec2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// On which side of the line from a to b the origin lies, moved by (e, e^2) with e smaller than any number where it is
-/// on it; 0 where a is b. For b and a it is the opposite, to the last bit.
+/// On which side of the line from a to b the origin lies: 1 or -1. If it lies on the line, it counts as moved by (e,
+/// e^2) with an infinitesimal e. 0 if a equals b. Exactly antisymmetric in a and b.
 int sideOf(const Vec2& a, const Vec2& b) {
   for (const double each : {cross(a, b), a.y() - b.y(), b.x() - a.x()}) {
     if (each != 0.0) {
@@ -22,13 +22,13 @@ int sideOf(const Vec2& a, const Vec2& b) {
   return 0;
 }
 
-/// A ray, as what lies across it is seen along it.
+/// A ray with a coordinate system of the plane normal to it.
 class Ray {
  public:
   Ray(const Vec3& from, const Vec3& direction)
       : from_(from), direction_(direction), u_(direction.unitOrthogonal()), v_(direction.cross(u_)) {}
 
-  /// Whether it passes through a triangle, in front of where it begins.
+  /// Whether it passes through a triangle in front of its origin.
   bool meets(const Corners& corners, Crossing& crossing) const {
     const std::array<Vec2, 3> at{across(corners[0]), across(corners[1]), across(corners[2])};
     const int side = sideOf(at[0], at[1]);

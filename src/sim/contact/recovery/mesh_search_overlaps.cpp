@@ -1,4 +1,4 @@
-// What MeshSearch does about cloth that is inside a mesh or pierces it.
+// The part of MeshSearch that handles cloth that is inside a mesh or pierces it.
 #include "sim/contact/closest_features/closest_points.hpp"
 #include "sim/contact/constraints/mesh_search.hpp"
 #include "sim/contact/recovery/overlap.hpp"
@@ -34,7 +34,7 @@ void MeshSearch::markPenetrating(const ClothInBody& cloth) {
   }
 }
 
-/// Spares a caught triangle another search: it has no planes, and what it pierces at the base is known.
+/// Reuses the known piercings of a penetrating triangle, which has no planes. Returns false if they are not known.
 bool MeshSearch::keepKnownPiercings(const MeshInStep& mesh, int triangle, PlaneSearch& planes) const {
   const auto t = static_cast<std::size_t>(triangle);
   if (!piercingsKnown_ || !penetrating_[t] || !mesh.mesh.closed) {
@@ -46,7 +46,8 @@ bool MeshSearch::keepKnownPiercings(const MeshInStep& mesh, int triangle, PlaneS
   return true;
 }
 
-/// Counts what could come out: pins stay where they are, and what hangs on them with them.
+/// Counts overlaps that can be resolved. Pinned vertices, and triangles that pierce the mesh next to them, do not
+/// count.
 void MeshSearch::countOverlaps(const ClothInBody& cloth, Candidates& candidates) const {
   if (piercings_.empty() && cloth.overlap == nullptr) {
     return;
@@ -69,7 +70,7 @@ void MeshSearch::countOverlaps(const ClothInBody& cloth, Candidates& candidates)
   }
 }
 
-/// Lets what pierces the mesh out, slowly. Vertices that are inside know their own way.
+/// Adds recovery contacts for triangles that pierce the mesh. Vertices inside have their own exits.
 void MeshSearch::addRecoveryContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                                      Candidates& candidates) const {
   for (std::size_t i = 0; i < piercings_.size();) {
@@ -87,8 +88,8 @@ void MeshSearch::addRecoveryContacts(const ConstraintBuilder& builder, const Mes
   }
 }
 
-/// A triangle whose corners are all outside is pierced by an edge or a tip: it goes across itself to the side where
-/// the body faces there, and towards its front where that cannot be told.
+/// A triangle whose corners are all outside is pierced by an edge or a tip of the body. It moves along its own normal,
+/// to the side that the pierced faces of the body face; to its front if that is undecided.
 void MeshSearch::addContactAcrossTriangle(const ConstraintBuilder& builder, const MeshInStep& mesh,
                                           const ClothInBody& cloth, std::size_t first, std::size_t last,
                                           Candidates& candidates) const {
@@ -104,7 +105,7 @@ void MeshSearch::addContactAcrossTriangle(const ConstraintBuilder& builder, cons
   for (std::size_t i = first; i < last; ++i) {
     facing += front.dot(faceNormal(mesh.corners(piercings_[i].body)));
   }
-  constexpr double undecided = 1e-3;  // [-]
+  constexpr double undecided = 1e-3;  // threshold of the sum of cosines [-]
   const Vec3 normal = facing < -undecided ? Vec3(-front) : front;
   const Vec3 middle = (start[0] + start[1] + start[2]) / 3.0;
   const Vec3 from = middle + builder.offsets().contactOffset * normal;
@@ -113,7 +114,7 @@ void MeshSearch::addContactAcrossTriangle(const ConstraintBuilder& builder, cons
   builder.addContact(cloth, t, Vec3::Constant(1.0 / 3.0), near, builder.offsets().contactOffset, candidates);
 }
 
-/// Of a mesh without an inside: what pierces one of its triangles goes out along that one's normal.
+/// Recovery from an open mesh: a triangle that pierces one of its faces moves to the front of that face.
 void MeshSearch::addContactToFront(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                                    const Piercing& piercing, Candidates& candidates) const {
   const auto t = static_cast<std::size_t>(piercing.cloth);
@@ -133,8 +134,8 @@ void MeshSearch::addContactToFront(const ConstraintBuilder& builder, const MeshI
   }
 }
 
-/// What is inside may come out and go no deeper; what is outside beside it may not go in. Planes around triangles would
-/// hold them where they are.
+/// Adds planes for vertices at an overlap: those inside must not move deeper, those outside must not move in. Planes
+/// that separate whole triangles would keep them where they are.
 void MeshSearch::addPlanesAtOverlap(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                                     Candidates& candidates) const {
   for (std::size_t v = 0; v < cloth.start.size(); ++v) {

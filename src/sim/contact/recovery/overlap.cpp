@@ -11,13 +11,12 @@
 namespace drape {
 namespace {
 
-constexpr double tearRatio = 3.0;     // times its length: how far the ends of a side may come out from each other [-]
-constexpr double maxPullRatio = 3.0;  // times as far as it would be torn apart a piece may go in one direction [-]
-constexpr double directExitRatio =
-    1.5;  // times as far as the nearest ways out all of a piece may always go in one direction [-]
-constexpr double maxTornRatio =
-    0.2;  // of the sides between a part and the rest may still be torn when it joins the rest [-]
-constexpr double minMainRatio = 0.6;  // of a piece: from then on a part of it counts as what the others join [-]
+constexpr double tearRatio = 3.0;  // maximum distance between the exits of a side's ends, over its length [-]
+constexpr double maxPullRatio =
+    3.0;  // maximum common exit distance, over the length by which the piece would be torn [-]
+constexpr double directExitRatio = 1.5;  // common exit distance that is always allowed, over the depth of the piece [-]
+constexpr double maxTornRatio = 0.2;     // maximum fraction of torn sides between a part and the rest that it joins [-]
+constexpr double minMainRatio = 0.6;     // minimum fraction of a piece that the other parts can join [-]
 
 /// Calls visit(a, b) for the sides of all triangles, triangle by triangle.
 template <typename Visit>
@@ -29,7 +28,7 @@ void forEachSide(std::span<const Triangle> triangles, Visit&& visit) {
   }
 }
 
-/// Calls visit(a, b) for those whose both ends are inside.
+/// Calls visit(a, b) for the sides with both ends inside.
 template <typename Visit>
 void forEachSideInside(const std::vector<char>& inside, std::span<const Triangle> triangles, Visit&& visit) {
   forEachSide(triangles, [&](std::size_t a, std::size_t b) {
@@ -39,7 +38,7 @@ void forEachSideInside(const std::vector<char>& inside, std::span<const Triangle
   });
 }
 
-/// Calls visit(a, b) for those of which a is inside and b is not.
+/// Calls visit(a, b) for the sides with one end inside (a) and one outside (b).
 template <typename Visit>
 void forEachSideThrough(const std::vector<char>& inside, std::span<const Triangle> triangles, Visit&& visit) {
   forEachSide(triangles, [&](std::size_t a, std::size_t b) {
@@ -49,14 +48,15 @@ void forEachSideThrough(const std::vector<char>& inside, std::span<const Triangl
   });
 }
 
-/// How far the ends of a side, which lead to two places, would be torn apart [m]; 0 where they go on together.
+/// Elongation of a side whose ends move to these exits [m]; 0 if it is tolerable.
 double tearOf(double length, const NearPoint& a, const NearPoint& b) {
   const double apart = (a.startPoint - b.startPoint).norm();
-  const bool opposite = a.normal.dot(b.normal) < 0.0 && apart > length;  // as through a limb not much thicker than that
+  const bool opposite =
+      a.normal.dot(b.normal) < 0.0 && apart > length;  // opposite sides of a limb about as thick as the side is long
   return opposite || apart > tearRatio * length ? apart - length : 0.0;
 }
 
-/// The directions in which a piece could leave, the preferred ones first.
+/// Candidate directions for a common exit, preferred ones first.
 std::vector<Vec3> directionsOf(const Vec3& up, const Vec3& across) {
   std::vector<Vec3> directions{
       up, Vec3::UnitY(), -Vec3::UnitY(), Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitZ()};
@@ -70,12 +70,12 @@ std::vector<Vec3> directionsOf(const Vec3& up, const Vec3& across) {
 
 }  // namespace
 
-/// Vertices that hang together, and how far their nearest ways out would tear them apart.
+/// A connected set of vertices inside, and the elongation that their nearest exits would cause.
 struct Overlap::Piece {
   std::vector<int> vertices;
-  Vec3 across = Vec3::Zero();  // sum of its triangles' normals times twice their areas [m^2]
-  double tear = 0.0;           // [m]; 0 where it is not too far
-  double depth = 0.0;          // of the deepest [m]
+  Vec3 across = Vec3::Zero();  // sum of the triangles' normals, times twice their areas [m^2]
+  double tear = 0.0;           // maximum elongation of a side [m]; 0 if tolerable
+  double depth = 0.0;          // maximum depth [m]
 };
 
 std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> start, std::span<const Triangle> triangles,
@@ -121,7 +121,7 @@ void Overlap::find(Solid& solid, std::vector<char> inside, std::span<const Vec3>
     if (piece.tear > 0.0) {
       leadOutTogether(solid, cloth, piece, up);
     }
-    // All of it goes as fast: what is less deep must not run away from the rest.
+    // The whole piece moves at one speed, so that shallow vertices do not separate from deep ones.
     double depth = 0.0;
     for (const int v : piece.vertices) {
       depth = std::max(depth, -exitOf(v).gap);
@@ -136,7 +136,7 @@ void Overlap::find(Solid& solid, std::vector<char> inside, std::span<const Vec3>
   addFollowers();
 }
 
-/// Finds where the surface is nearest to what is outside beside a piece, and faces there.
+/// Finds the closest surface points of the outside vertices next to a piece.
 void Overlap::findOutsides(Solid& solid, const Cloth& cloth) {
   std::vector<bool> found(cloth.start.size(), false);
   forEachSideThrough(inside_, cloth.triangles, [&](std::size_t /*inside*/, std::size_t v) {
@@ -147,7 +147,7 @@ void Overlap::findOutsides(Solid& solid, const Cloth& cloth) {
   });
 }
 
-/// The pieces, by their first vertices.
+/// The pieces, ordered by their first vertices.
 std::vector<Overlap::Piece> Overlap::piecesOf(const Cloth& cloth) const {
   DisjointSets sets(static_cast<int>(cloth.start.size()));
   forEachSideInside(inside_, cloth.triangles,
@@ -177,7 +177,7 @@ std::vector<Overlap::Piece> Overlap::piecesOf(const Cloth& cloth) const {
   return found;
 }
 
-/// Sends a piece that would be torn out in one direction, if there is one in which none of it has too far to go.
+/// Gives a piece that would be torn a common exit direction, if there is one with tolerable distances.
 void Overlap::leadOutTogether(Solid& solid, const Cloth& cloth, const Piece& piece, const Vec3& up) {
   const std::vector<Vec3> directions = directionsOf(up, piece.across);
   CommonExit exit(solid, cloth.start, cloth.triangles, inside_);
@@ -195,8 +195,8 @@ void Overlap::leadOutTogether(Solid& solid, const Cloth& cloth, const Piece& pie
   take(exits);
 }
 
-/// Where most of a piece is not torn, sends the rest of it where that goes.
-/// @return false when there is no such part
+/// If most of a piece is not torn, lets its other parts leave where the main part does.
+/// @return false if there is no main part
 bool Overlap::joinPartsToRest(Solid& solid, const Cloth& cloth, const Piece& piece,
                               const std::vector<Vec3>& directions) {
   DisjointSets sets(static_cast<int>(cloth.start.size()));
@@ -224,7 +224,7 @@ bool Overlap::joinPartsToRest(Solid& solid, const Cloth& cloth, const Piece& pie
     }
   });
   if (torn > maxTornRatio * through) {
-    return false;  // it cannot stay there itself
+    return false;  // the main part itself is torn from the cloth outside
   }
   for (const auto& [root, part] : parts) {
     if (root != main->first) {
@@ -234,12 +234,12 @@ bool Overlap::joinPartsToRest(Solid& solid, const Cloth& cloth, const Piece& pie
   return true;
 }
 
-/// Sends a part of a piece where what it hangs on goes, or in one of the other directions if that suits, and at most so
-/// far [m].
+/// Lets a part of a piece leave in the mean direction of its neighbours, or in another direction that tears few sides.
+/// @param maxDistance to its exits [m]
 void Overlap::joinPartToRest(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double maxDistance,
                              std::vector<Vec3> directions) {
   const std::set<std::size_t> members(part.begin(), part.end());
-  std::vector<std::pair<std::size_t, std::size_t>> sides;  // from the part to what is not of it
+  std::vector<std::pair<std::size_t, std::size_t>> sides;  // from the part to the rest of the piece
   Vec3 where = Vec3::Zero();
   forEachSideInside(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
     const bool first = members.count(a) > 0;

@@ -8,30 +8,30 @@
 
 namespace drape {
 
-/// What of a cloth is inside a body where its step begins, and the way out for each of its vertices.
+/// The part of a cloth that is inside a body at the start of a step, and the exit of each of its vertices.
 ///
-/// Mostly that is the way to the nearest point of the surface. Where these ways would tear neighbours apart, all of a
-/// connected piece goes in one direction: the one in which it has the least way to go, of those in which what hangs on
-/// it can follow. Where only a small part of a piece is torn off the rest, that part joins the rest.
+/// Mostly the exit is the closest point of the surface. If these exits would tear neighbours apart, the whole connected
+/// piece leaves in one direction: the shortest of those in which the adjacent cloth can follow. If only a small part
+/// would be torn off, it joins the rest of the piece.
 class Overlap {
  public:
   void clear();
 
-  /// Finds the ways out of all vertices that are marked.
-  /// @param inside one a vertex  @param base [m]  @param up preferred among directions that are as good
+  /// Finds the exits of all vertices that are marked as inside.
+  /// @param inside per vertex  @param start positions [m]  @param up preferred of equally short directions
   void find(Solid& solid, std::vector<char> inside, std::span<const Vec3> start, std::span<const Triangle> triangles,
             const Vec3& up);
 
-  /// Whether anything is inside. What follows it through the body counts as such.
+  /// Whether any vertex is inside. Vertices that follow through the body count as inside.
   [[nodiscard]] bool any() const { return !members_.empty(); }
   [[nodiscard]] bool inside(int vertex) const {
     return !inside_.empty() && inside_[static_cast<std::size_t>(vertex)] != 0;
   }
-  /// Of a vertex that is inside: where it comes out. The gap is negative.
+  /// The exit of a vertex inside. Its gap is negative.
   [[nodiscard]] const NearPoint& exitOf(int vertex) const { return exits_[static_cast<std::size_t>(vertex)]; }
-  /// Of a vertex that is inside: how far away the surface is [m]; 0 of one that follows.
+  /// The distance of a vertex inside to the surface [m]; 0 if it follows.
   [[nodiscard]] double depthOf(int vertex) const { return depths_[static_cast<std::size_t>(vertex)]; }
-  /// The vertices that are inside, ascending.
+  /// The vertices inside, ascending.
   [[nodiscard]] std::span<const int> members() const { return members_; }
 
  private:
@@ -57,9 +57,9 @@ class Overlap {
   std::vector<CommonExit::Exit> followers_;
 };
 
-/// Which vertices of a cloth are inside a solid: pieces of it that do not pierce the surface are inside or outside as a
-/// whole.
-/// @param pierces for each triangle whether it meets the surface
+/// Classifies the vertices of a cloth as inside or outside a solid. Connected triangles that do not pierce the surface
+/// are on the same side, so one test per connected part suffices.
+/// @param pierces per triangle, whether it intersects the surface
 [[nodiscard]] std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> start,
                                                std::span<const Triangle> triangles, const std::vector<bool>& pierces);
 

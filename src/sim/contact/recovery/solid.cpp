@@ -11,7 +11,7 @@ bool MeshSolid::contains(const Vec3& point) {
   if (!mesh_.mesh.tree.bounds().contains(point)) {
     return false;
   }
-  // Along no axis and no diagonal, where meshes have their edges.
+  // Not along axes or diagonals, which are parallel to edges of many meshes.
   static const std::array<Vec3, 3> directions{Vec3(0.36, 0.48, 0.8), Vec3(-0.48, 0.64, -0.6), Vec3(0.8, -0.36, 0.48)};
   int votes = 0;
   for (int i = 0; i < 3; ++i) {
@@ -27,7 +27,7 @@ bool MeshSolid::contains(const Vec3& point) {
 NearestMeshPoint MeshSolid::nearestTo(const Vec3& point) {
   double radius = std::numeric_limits<double>::infinity();
   if (last_.triangle >= 0) {
-    constexpr double more = 1.0 + 1e-9;  // so that the point itself is found
+    constexpr double more = 1.0 + 1e-9;  // so that the point itself is within the radius
     radius = more * (pointAt(mesh_.corners(last_.triangle), last_.weights) - point).norm() + 1e-12;
   }
   NearestMeshPoint found = nearest_.anywhere(point, radius);
@@ -70,7 +70,7 @@ NearPoint MeshSolid::exitAlong(const Vec3& point, const Vec3& direction) {
       return exitAt(crossing, direction);
     }
   }
-  return nearestExit(point);  // it is on the surface, as exactly as can be told
+  return nearestExit(point);  // it is on the surface, within the rounding error
 }
 
 std::optional<Passage> MeshSolid::passageAlong(const Vec3& point, const Vec3& direction) {

@@ -10,14 +10,14 @@
 
 namespace drape {
 
-/// A ray's way through a body from a point outside.
+/// The passage of a ray through a body from a point outside.
 struct Passage {
-  double enter = 0.0;  ///< from the point [m]
-  NearPoint exit;      ///< where it leaves again
+  double enter = 0.0;  ///< distance from the point to the entry [m]
+  NearPoint exit;      ///< where it leaves the body
 };
 
-/// A body that has an inside, where the cloth's step begins, in the body's frame. What lies inside has a negative gap
-/// to the points of the surface that are given back, and their normals lead out.
+/// A body with an inside, at the start of the pass and in the body's frame. The returned surface points have a negative
+/// gap for points inside, and normals that point outwards.
 class Solid {
  public:
   Solid() = default;
@@ -28,12 +28,12 @@ class Solid {
   virtual ~Solid() = default;
 
   [[nodiscard]] virtual bool contains(const Vec3& point) = 0;
-  /// The point of the surface that is nearest to a point inside, and the same for one outside: the normal leads out.
+  /// The closest surface point of a point inside, and of a point outside.
   [[nodiscard]] virtual NearPoint nearestExit(const Vec3& point) = 0;
   [[nodiscard]] virtual NearPoint nearestSurface(const Vec3& point) = 0;
-  /// Where one comes out from a point inside along a unit vector.
+  /// The exit from a point inside along a unit vector.
   [[nodiscard]] virtual NearPoint exitAlong(const Vec3& point, const Vec3& direction) = 0;
-  /// Where one first comes through it from a point outside along a unit vector, if one meets it.
+  /// The first passage from a point outside along a unit vector, if there is one.
   [[nodiscard]] virtual std::optional<Passage> passageAlong(const Vec3& point, const Vec3& direction) = 0;
 };
 
@@ -42,7 +42,7 @@ class MeshSolid final : public Solid {
  public:
   explicit MeshSolid(const MeshInStep& mesh) : mesh_(mesh), nearest_(mesh) {}
 
-  /// By the winding numbers along two rays, and a third where these do not agree (rounding at the surface).
+  /// By the winding numbers along two rays, and a third if these disagree because of rounding at the surface.
   [[nodiscard]] bool contains(const Vec3& point) override;
   [[nodiscard]] NearPoint nearestExit(const Vec3& point) override;
   [[nodiscard]] NearPoint nearestSurface(const Vec3& point) override;
@@ -56,11 +56,11 @@ class MeshSolid final : public Solid {
 
   const MeshInStep& mesh_;
   NearestSearch nearest_;
-  NearestMeshPoint last_;            // where to look first: points come in their neighbourhoods
-  std::vector<Crossing> crossings_;  // by their ways
+  NearestMeshPoint last_;            // result of the last search; successive points are close to each other
+  std::vector<Crossing> crossings_;  // by distance
 };
 
-/// All that is nearer than a radius to a segment or, where its ends are one, to a point: a capsule or a sphere.
+/// A capsule, or a sphere if both ends of its segment are equal.
 class CapsuleSolid final : public Solid {
  public:
   CapsuleSolid(std::array<Vec3, 2> core, double radius) : core_(std::move(core)), radius_(radius) {}
@@ -73,7 +73,7 @@ class CapsuleSolid final : public Solid {
 
  private:
   [[nodiscard]] Vec3 fromCore(const Vec3& point) const;
-  /// Between a way along the direction where one is inside and another where one is not: where one comes through [m].
+  /// The distance along the direction at which the surface is crossed, between one inside and one outside [m].
   [[nodiscard]] double surfaceBetween(const Vec3& point, const Vec3& direction, double in, double out);
 
   std::array<Vec3, 2> core_;  // [m]

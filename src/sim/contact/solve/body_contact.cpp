@@ -148,9 +148,9 @@ bool BodyContact::searchSharpFeatures(const Cloth& cloth, bool atEnd) {
   return candidates_.contacts.size() > before;
 }
 
-/// Looks for planes of meshes between where the cloth is previous and where contacts let it go. That is less far than
-/// it was about to go, and what it cannot reach any more need not be looked at.
-/// @return true when the cloth pierces a mesh in places that the search for contacts did not know of
+/// Finds separating planes on meshes for the motion from the start of the pass to the solved positions. This motion is
+/// shorter than the predicted one, so fewer triangles need planes.
+/// @return true if the cloth pierces a mesh where the search for contacts did not know of it
 bool BodyContact::searchPlanes(const Cloth& cloth, bool atEnd) {
   bool newlyFound = false;
   for (std::size_t b = 0; b < nearCount_; ++b) {
