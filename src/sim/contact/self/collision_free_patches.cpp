@@ -15,10 +15,10 @@ constexpr int freeTriangle = -1;
 constexpr int withoutArea = -2;
 constexpr int kept = -3;
 
-/// Triangles whose mean normal is a patch's axis.
+/// Number of triangles whose mean normal is the axis of a patch.
 constexpr std::size_t trianglesForAxis = 24;
 
-/// Below this square of twice its area [m^4] a triangle has no normal that could be trusted in float.
+/// Minimum square of a triangle's normal, twice its area, for which the normal is accurate in float [m^4].
 constexpr float minSquaredNormal = 1e-20F;
 
 float squaredCosine(double degrees) {
@@ -39,7 +39,7 @@ Direction cross(const Direction& a, const Direction& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Appends as much of the last entry as fills a vector.
+/// Pads to a whole vector with copies of the last entry.
 void fillUp(std::vector<std::int32_t>& values) {
   while (values.size() % maxLanes != 0) {
     values.push_back(values.back());
@@ -66,7 +66,7 @@ PatchMesh patchMeshOf(const ClothModel& model) {
 
 bool BorderCheck::simple(const int* border, int count, const PositionLanes& positions, const Direction& axis) {
   if (count < 4) {
-    return true;  // a triangle that faces the axis
+    return true;  // a single triangle that faces the axis
   }
   const Direction aside = std::abs(axis[0]) < 0.6F ? Direction{1.0F, 0.0F, 0.0F} : Direction{0.0F, 1.0F, 0.0F};
   const Direction u = unit(cross(aside, axis));
@@ -272,7 +272,8 @@ void PatchGrower::sortVertices(CollisionFreePatches& patches) {
   }
 }
 
-void PatchGrower::keepPatches(const CollisionFreePatches& old, const std::vector<char>& valid, CollisionFreePatches& patches) {
+void PatchGrower::keepPatches(const CollisionFreePatches& old, const std::vector<char>& valid,
+                              CollisionFreePatches& patches) {
   std::vector<int> indices(valid.size(), -1);
   for (std::size_t c = 0; c < valid.size(); ++c) {
     CollisionFreePatch patch = old.patches[c];

@@ -8,19 +8,19 @@
 
 namespace drape {
 
-/// What self-collision knows from earlier steps. It belongs to the state of a cloth, since what is found next depends
-/// on it: a state that is copied and gone on from takes the same steps again. Never changed once a state has it.
+/// Data that self-collision keeps between steps. It is part of the state of a cloth, since later results depend on it:
+/// a copied state continues with the same steps. It does not change once it belongs to a state.
 struct SelfContactMemory {
   std::shared_ptr<const CollisionFreePatches> patches;
-  PositionLanes positions;  ///< where the vertices were when near pairs were looked for [m]
-  ColouredPairs pairs;      ///< that were within reach then
+  PositionLanes positions;  ///< positions at the last search for pairs [m]
+  ColouredPairs pairs;      ///< pairs within `reach` then
   double thickness = 0.0;   ///< [m]
-  double reach = 0.0;       ///< thickness and what two vertices may move against each other until the next search [m]
+  double reach = 0.0;       ///< thickness plus the relative displacement that requires the next search [m]
   int vertices = 0;
   int triangles = 0;
-  int searches = 0;             ///< so far
-  int searchesSinceGrowth = 0;  ///< since all patches were grown
-  int patchesGrown = 0;         ///< how many there were then
+  int searches = 0;             ///< number of searches so far
+  int searchesSinceGrowth = 0;  ///< since all patches were grown anew
+  int patchesGrown = 0;         ///< number of patches then
 };
 
 }  // namespace drape

@@ -7,7 +7,7 @@
 namespace drape {
 namespace {
 
-/// The number of bits that hold so many different values.
+/// The number of bits for so many different values.
 int bitsFor(int values) {
   int bits = 0;
   while ((1 << bits) < values) {
@@ -16,7 +16,7 @@ int bitsFor(int values) {
   return bits;
 }
 
-/// Indices that a box spans along an axis, at most [-].
+/// Upper bound of the number of cells that a box spans along an axis [-].
 int cellsAlong(const LaneBox& box, std::size_t axis, float size) {
   constexpr float maximum = 1e6F;
   return static_cast<int>(std::min(maximum, (box.high[axis] - box.low[axis]) / size)) + 2;
@@ -99,9 +99,9 @@ void PointHash::findPairs(const SurfacePoints& points, float reach, const std::a
   pairsWithinBuckets(sorted_, reach * reach, true, pairs);
 }
 
-double PointHash::missedShare(double distance, double reach) {
-  // Along an axis a pair is parted by a face of the first grid with probability |d| / size, of the second with half of
-  // that, never of both. It is missed when each grid parts it along some axis. The mean over all directions:
+double PointHash::missedFraction(double distance, double reach) {
+  // Along an axis, a face of the first grid separates a pair with probability |d| / size, one of the second grid with
+  // half of that, never both. The pair is missed if each grid separates it along some axis. Mean over all directions:
   constexpr int steps = 64;
   const double unit = distance / (static_cast<double>(cellsPerReach) * reach);
   double sum = 0.0;

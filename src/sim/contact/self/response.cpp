@@ -17,7 +17,7 @@ std::vector<float> inverseMassesOf(const ClothModel& model) {
   return inverse;
 }
 
-/// Nothing moved yet, and the inverse masses beside it.
+/// Zero displacements, interleaved with the inverse masses.
 void prepareDisplacements(const std::vector<float>& inverseMasses, std::vector<float>& displacements) {
   displacements.resize(4 * inverseMasses.size());
   for (std::size_t v = 0; v < inverseMasses.size(); ++v) {
@@ -28,7 +28,7 @@ void prepareDisplacements(const std::vector<float>& inverseMasses, std::vector<f
   }
 }
 
-/// Hands every move of a vertex of some contact over, once, and forgets it.
+/// Calls visit(vertex, displacement) once per displaced vertex, and sets the displacements to zero.
 template <typename Visit>
 void applyAndClear(const ContactLanes& contacts, std::vector<float>& displacements, const Visit& visit) {
   for (const std::vector<std::int32_t>* ends : {&contacts.a, &contacts.b}) {
@@ -51,7 +51,7 @@ void colourPairs(int vertices, const std::vector<VertexPair>& pairs, std::vector
   std::uint64_t* const taken = scratch.data();
   std::uint64_t* const colours = taken + vertices;
   coloured.begin.assign(maxColours + 1, 0);
-  std::size_t left = 0;  // pairs for which all colours are taken
+  std::size_t left = 0;  // pairs without a free colour
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const VertexPair& pair = pairs[i];
     const int colour = std::countr_one(taken[pair.a] | taken[pair.b]);
@@ -74,7 +74,7 @@ void colourPairs(int vertices, const std::vector<VertexPair>& pairs, std::vector
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     coloured.pairs[static_cast<std::size_t>(next[colours[i]]++)] = pairs[i];
   }
-  for (std::size_t i = 0; i < left; ++i) {  // each by itself
+  for (std::size_t i = 0; i < left; ++i) {  // each gets its own colour
     coloured.begin.push_back(coloured.begin.back() + 1);
   }
   while (coloured.begin.size() > 1 && coloured.begin[coloured.begin.size() - 2] == coloured.begin.back()) {

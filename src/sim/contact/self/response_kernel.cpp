@@ -26,7 +26,7 @@ HWY_INLINE Vectors between(const PositionLanes& positions, hn::Vec<I> a, hn::Vec
           hn::Sub(hn::GatherIndex(d, positions.z.data(), b), hn::GatherIndex(d, positions.z.data(), a))};
 }
 
-/// Appends to contacts, which have room.
+/// Appends to contacts, whose capacity must suffice.
 class Collector {
  public:
   Collector(const PositionLanes& startPositions, const PositionLanes& positions,
@@ -37,7 +37,7 @@ class Collector {
         thickness_(thickness),
         to_(contacts) {}
 
-  /// As many pairs as there are lanes, of which the first `count` are meant.
+  /// Takes as many pairs as there are lanes; only the first `count` are valid.
   HWY_INLINE void take(const VertexPair* pairs, int count) {
     const F d;
     const I di;
@@ -65,7 +65,7 @@ class Collector {
     put(hn::And(meant, usable), a, b, offset, was, hn::Sqrt(squared), inverseMass);
   }
 
-  /// Fills the colour up to a whole vector by contacts of nothing with nothing.
+  /// Pads the colour to a whole vector with contacts without vertices.
   void fillUp(std::int32_t outside) {
     while (to_.count % maxLanes != 0) {
       const auto at = static_cast<std::size_t>(to_.count++);
@@ -83,7 +83,7 @@ class Collector {
   [[nodiscard]] bool overlap() const { return overlap_; }
 
  private:
-  /// Below this square of their distance [m^2] two vertices have no direction that means anything.
+  /// Minimum squared distance of two vertices whose direction is meaningful [m^2].
   static constexpr float minSquaredDistance = 1e-14F;
 
   HWY_INLINE void put(hn::Mask<F> mask, hn::Vec<I> a, hn::Vec<I> b, const Vectors& offset, const Vectors& was,
@@ -147,7 +147,7 @@ HWY_INLINE Vectors loadVectors(const std::vector<float>& x, const std::vector<fl
   return {hn::LoadU(d, x.data() + at), hn::LoadU(d, y.data() + at), hn::LoadU(d, z.data() + at)};
 }
 
-/// The impulses of as many contacts as there are lanes. Returns by how much they move along their normals.
+/// Updates the impulses of one vector of contacts. Returns their displacements along their normals.
 HWY_INLINE hn::Vec<F> visit(const Friction& friction, ContactLanes& contacts, std::size_t at, float* displacements) {
   const F d;
   const Lanes4<F> a = fetch4(d, displacements, contacts.a.data() + at);
@@ -161,7 +161,7 @@ HWY_INLINE hn::Vec<F> visit(const Friction& friction, ContactLanes& contacts, st
   const auto along = dot<F>(offset, n);
   const Vectors across = multiplyAdd<F>(n, hn::Neg(along), offset);
   const auto left = hn::NegMulAdd(minDistance, minDistance, dot<F>(across, across));  // l^2 - T^2
-  // Beside each other nothing is asked for.
+  // No constraint if they are side by side, |l| >= T.
   const auto minNormal = hn::IfThenElse(hn::Lt(left, zero), hn::Sqrt(hn::Max(zero, hn::Neg(left))), along);
   const auto previousNormal = hn::LoadU(d, contacts.normalImpulse.data() + at);
   const auto normalImpulse = hn::Max(zero, hn::MulAdd(mass, hn::Sub(minNormal, along), previousNormal));

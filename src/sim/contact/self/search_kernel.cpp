@@ -64,7 +64,7 @@ HWY_INLINE FloatMask firstLanes(int count) {
   return hn::FirstN(d, static_cast<std::size_t>(std::max(0, count)));
 }
 
-/// The smallest and largest of each coordinate so far.
+/// Running minimum and maximum of each coordinate.
 class BoxLanes {
  public:
   BoxLanes() : low_(splat(LaneBox().low[0])), high_(splat(LaneBox().high[0])) {}
@@ -172,8 +172,8 @@ HWY_INLINE FloatLanes turn(FloatLanes ax, FloatLanes ay, FloatLanes bx, FloatLan
   return hn::NegMulAdd(hn::Sub(by, ay), hn::Sub(cx, ax), hn::Mul(hn::Sub(bx, ax), hn::Sub(cy, ay)));
 }
 
-/// Which of the sides from corner j on touch the side from a to b: their ends lie on different sides of each other's
-/// lines, or on them, and the boxes around them meet.
+/// Which of the sides from corner j on touch the side from a to b: the ends of each lie on different sides of the
+/// other's line, or on it, and their bounding boxes intersect.
 HWY_INLINE FloatMask touching(const std::array<FloatLanes, 4>& side, const float* x, const float* y, int j) {
   const Floats d;
   const auto& [ax, ay, bx, by] = side;
@@ -196,7 +196,7 @@ bool isSimple(const float* x, const float* y, int corners) {
   for (int i = 0; i + 2 < corners; ++i) {
     const std::array<FloatLanes, 4> side = {hn::Set(d, x[i]), hn::Set(d, y[i]), hn::Set(d, x[i + 1]),
                                             hn::Set(d, y[i + 1])};
-    const int end = i == 0 ? corners - 1 : corners;  // the last side is next to the first
+    const int end = i == 0 ? corners - 1 : corners;  // the last side is adjacent to the first
     for (int j = i + 2; j < end; j += lanes) {
       if (!hn::AllFalse(d, hn::And(touching(side, x, y, j), firstLanes(end - j)))) {
         return false;
@@ -222,7 +222,7 @@ void hash(const PositionLanes& positions, int count, const HashGrid& grid, std::
   }
 }
 
-/// The points of a sorted run that one point is compared with.
+/// The range of sorted points that one point is compared with.
 struct Run {
   int begin = 0;
   int end = 0;

@@ -11,23 +11,23 @@
 namespace drape {
 namespace {
 
-/// Thickness where none is given, in mean rest lengths of the springs.
+/// Default thickness, in mean rest lengths of the springs.
 constexpr double thicknessOfEdge = 0.75;
 
-/// The margin of a search in thicknesses, at least and at most, and the steps that it should last for.
+/// Minimum and maximum margin of a search, in thicknesses, and the number of steps for which it should suffice.
 constexpr double minMargin = 0.25;
 constexpr double maxMargin = 0.7;
 constexpr double stepsOfMargin = 4.0;
 
-/// All patches are grown anew after so many searches even if they hold, since cloth that has become flat needs fewer;
-/// and when mending has left more than twice as many as there were, and these.
+/// All patches are grown anew after so many searches even if they are valid, since cloth that has become flat needs
+/// fewer. They are also grown anew when repairs have more than doubled their number, plus `extraRepairedPatches`.
 constexpr int maxSearchesPerGrowth = 64;
 constexpr int extraRepairedPatches = 4;
 
-/// With more patches than these, what is near others is not sorted out by their boxes.
+/// With more patches than this, points are not culled by the bounding boxes of patches.
 constexpr int maxBoxes = 64;
 
-/// Each search moves the grids by these, modulo 1: the powers of the root of x^4 = x + 1, which fill space evenly.
+/// Shift of the grids per search, modulo 1: powers of the root of x^4 = x + 1, a low-discrepancy sequence.
 constexpr std::array<double, 3> phaseSteps = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
 
 double diagonalOf(const LaneBox& box) {
@@ -52,7 +52,7 @@ double squaredDistance(const PositionLanes& positions, const VertexPair& pair) {
                              square(positions.z[a], positions.z[b]));
 }
 
-/// A state that is not finite is left to whoever looks after such states.
+/// States that are not finite are handled elsewhere.
 bool allFinite(const std::vector<float>& values, std::size_t count) {
   constexpr std::uint32_t exponent = 0x7f800000U;
   std::uint32_t bad = 0;
@@ -66,7 +66,7 @@ bool allFinite(const PositionLanes& positions, std::size_t count) {
   return allFinite(positions.x, count) && allFinite(positions.y, count) && allFinite(positions.z, count);
 }
 
-/// What two boxes have in common, where the second is made larger by `margin` on all sides.
+/// The intersection of two boxes, the second extended by `margin` on all sides.
 LaneBox common(const LaneBox& a, const LaneBox& b, float margin) {
   LaneBox box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -109,7 +109,7 @@ std::shared_ptr<SelfContactMemory> SelfContact::unusedMemory() {
       return memory;
     }
   }
-  return std::make_shared<SelfContactMemory>();  // many states are kept
+  return std::make_shared<SelfContactMemory>();  // all are in use, since many states are kept
 }
 
 std::shared_ptr<const CollisionFreePatches> SelfContact::patchesFor(const ClothModel& model,

@@ -16,26 +16,26 @@
 
 namespace drape {
 
-/// The thickness [m] that self-collision keeps: `selfThickness`, or three quarters of the mean rest length of the
-/// springs where that is 0. A vertex over the middle of a right-angled triangle with two legs of length e is
-/// e / sqrt(2) = 0.71 e away from the corners, so at less a vertex can slip through between three others.
+/// The thickness of self-collision [m]: `selfThickness`, or three quarters of the mean rest length of the springs if
+/// that is 0. The point of a right-angled triangle with two legs of length e that is farthest from its corners has the
+/// distance e / sqrt(2) = 0.71 e. With a smaller thickness a vertex can slip through between three others.
 [[nodiscard]] double selfThicknessOf(const ClothModel& model, const ContactParameters& parameters);
 
-/// Self-collision by the paper's scheme (sec. 5.2), vertex to vertex: collision-free sub-surfaces (PatchGrower), near
-/// pairs of different ones by a hash over two grids (PointHash), and a response with thickness and friction
-/// (SelfResponse). docs/theory/contact.md tells what it lets through.
+/// Self-collision by the paper's method (sec. 5.2), vertices against vertices: collision-free patches (PatchGrower),
+/// near pairs of different patches by a hash over two grids (PointHash), and a response with thickness and friction
+/// (SelfResponse). docs/theory/contact.md describes its limits.
 ///
-/// Pairs are looked for within the thickness and a margin, and the list of them serves until two vertices have moved
-/// against each other by that margin; then the patches are checked, grown anew where they hold no longer, and the pairs
-/// looked for again. A pair that has once been found is kept while it is within reach, and each search moves the grids,
-/// so that a pair which the grids part in one search is found in another. Pairs that the rest shape connects never
-/// count: ends of one spring, and vertices whose distance at rest is less than the thickness.
+/// A search finds pairs within the thickness plus a margin. The list is valid until the relative displacement of two
+/// vertices exceeds the margin. Then the patches are checked, invalid ones are grown anew, and pairs are searched
+/// again. Known pairs are kept while they are within reach. Each search shifts the grids, so that a pair that the grids
+/// separate in one search is found in another. Pairs that are connected at rest never count: the ends of one spring,
+/// and vertices whose rest distance is less than the thickness.
 class SelfContact {
  public:
-  /// Corrects the state that a solver has left.
-  /// @param start positions when the step began [m]  @param points what was in contact is appended
-  /// @param stepFraction that this is of the user's step [-]: as much of what began it too near is pushed apart
-  /// @returns how many pairs were in contact
+  /// Corrects the predicted state.
+  /// @param start positions at the start of the step [m]  @param points the active contacts are appended
+  /// @param stepFraction length of this contact substep over that of the user's step [-]; scales the push-out
+  /// @returns number of active contacts
   int resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& start,
               ClothState& state, std::vector<ContactPoint>& points, double stepFraction = 1.0);
 
@@ -63,7 +63,7 @@ class SelfContact {
   std::vector<char> near_;
   std::vector<std::int32_t> inside_;
   SurfacePoints points_;
-  std::vector<std::int32_t> pointOf_;  // by vertex, or -1
+  std::vector<std::int32_t> pointOf_;  // by vertex: index in points_, or -1
   std::vector<VertexPair> found_;
   std::vector<std::uint64_t> colours_;
   std::array<std::shared_ptr<SelfContactMemory>, 4> memories_;

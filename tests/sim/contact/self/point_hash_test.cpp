@@ -137,7 +137,7 @@ TEST(PointHash, MissesTheShareOfPairsThatItSays) {
     }
   }
   const SurfacePoints points = lonelyPairs(offsets, 5);
-  const double expected = PointHash::missedShare(0.0099, 0.01);
+  const double expected = PointHash::missedFraction(0.0099, 0.01);
   double missed = 0.0;
   constexpr int phases = 8;
   for (int i = 0; i < phases; ++i) {
@@ -147,7 +147,7 @@ TEST(PointHash, MissesTheShareOfPairsThatItSays) {
   }
   EXPECT_NEAR(missed / phases, expected, 0.1 * expected);
   EXPECT_NEAR(expected, 0.13, 0.02);
-  EXPECT_NEAR(PointHash::missedShare(0.005, 0.01), 0.042, 0.01);
+  EXPECT_NEAR(PointHash::missedFraction(0.005, 0.01), 0.042, 0.01);
 }
 
 TEST(PointHash, TellsWhatItHasCompared) {
