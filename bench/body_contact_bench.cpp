@@ -3,7 +3,7 @@
 #include "bench/suite.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_file.hpp"
-#include "sim/contact/body_world.hpp"
+#include "sim/contact/bodies/world.hpp"
 #include "sim/stepper.hpp"
 
 #include <string>

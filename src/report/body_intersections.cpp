@@ -1,6 +1,6 @@
 #include "report/body_intersections.hpp"
 
-#include "judge/intersections.hpp"
+#include "intersection/intersections.hpp"
 
 namespace drape {
 namespace {

@@ -1,7 +1,7 @@
 #include "report/trajectory.hpp"
 
 #include "settings/settings_table.hpp"
-#include "sim/contact/body_world.hpp"
+#include "sim/contact/bodies/world.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
 #include "sim/residuals.hpp"

@@ -5,7 +5,7 @@
 #include "settings/settings.hpp"
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
-#include "sim/contact/body.hpp"
+#include "sim/contact/bodies/body.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -158,7 +158,7 @@ void Simulation::captureBodies(Snapshot& snapshot) const {
     status.on = bodies_.isOn(i);
     status.surface = bodies_.surface(i);
     status.vertices.clear();
-    if (bodies_.movesInItself(i)) {
+    if (bodies_.isDeforming(i)) {
       const auto vertices = bodies_.vertices(i);
       status.vertices.assign(vertices.begin(), vertices.end());
     }

@@ -4,7 +4,7 @@
 #include "session/ghost.hpp"
 #include "session/snapshot.hpp"
 #include "session/work_budget.hpp"
-#include "sim/contact/body_world.hpp"
+#include "sim/contact/bodies/world.hpp"
 #include "sim/stepper.hpp"
 
 #include <cstdint>

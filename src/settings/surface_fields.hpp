@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/contact/body.hpp"
+#include "sim/contact/bodies/body.hpp"
 
 #include <span>
 #include <string_view>

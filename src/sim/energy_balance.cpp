@@ -1,6 +1,6 @@
 #include "sim/energy_balance.hpp"
 
-#include "sim/contact/body.hpp"
+#include "sim/contact/bodies/body.hpp"
 #include "sim/external_forces.hpp"
 #include "sim/forces.hpp"
 #include "sim/kernels.hpp"

@@ -1,7 +1,7 @@
 #include "sim/stepper.hpp"
 
 #include "sim/adaptive/step_plan.hpp"
-#include "sim/contact/body.hpp"
+#include "sim/contact/bodies/body.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
 #include "sim/moving_frame.hpp"
@@ -20,22 +20,22 @@ constexpr double bdf2Part = 2.0 / 3.0;
 /// 17 vertices and 5000 N/m that fell onto a box had 30 kJ after 0.6 s of whole steps of 1/150 s, gained 2 J in rounds
 /// of 8, and nothing in rounds of 4; a T-shirt of 1000 N/m, pinned at the neck, with self-collision alone 1.9 kJ after
 /// 1 s of whole steps, 0.07 J after half a second in rounds of 8, and nothing in rounds of 4.
-constexpr double hardestRound = 4.0;
-constexpr double mostRounds = 128.0;
+constexpr double maxContactHOmega = 4.0;
+constexpr double maxContactSubsteps = 128.0;
 
 /// The longest round, of any solver. What contact holds the solver lets go: n vertices that carry N are drawn into
 /// the body by about N/n g h^2 in each round before contact puts them back, and what hangs on them stretches by as much
 /// and swings. A sheet on a sphere had 700 J in rounds of 1/60 s with newton, and 0.01 J from 1/150 s on; a tablecloth
 /// on a table 1100, 0.8 and 0.15 J in rounds of 1/60, 1/150 and 1/300 s.
-constexpr double longestRound = 1.0 / 300.0;  // [s]
+constexpr double longestContactSubstep = 1.0 / 300.0;  // [s]
 
 /// Takes in what a later round of the same step found; overlaps are those that the step began with.
-void addLater(const ContactReport& round, ContactReport& total) {
-  total.bodyContacts = std::max(total.bodyContacts, round.bodyContacts);
-  total.selfContacts = std::max(total.selfContacts, round.selfContacts);
-  total.squeezed += round.squeezed;
-  total.bodySeconds += round.bodySeconds;
-  total.selfSeconds += round.selfSeconds;
+void addLater(const ContactReport& later, ContactReport& total) {
+  total.bodyContacts = std::max(total.bodyContacts, later.bodyContacts);
+  total.selfContacts = std::max(total.selfContacts, later.selfContacts);
+  total.infeasible += later.infeasible;
+  total.bodySeconds += later.bodySeconds;
+  total.selfSeconds += later.selfSeconds;
 }
 
 /// A state that was put there since the last step, as by a new scene, has no history or one of another size.
@@ -55,52 +55,53 @@ Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
 StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                          ClothState& state) {
   earlierContactWork_ = 0.0;
-  rounds_ = roundsOf(model, parameters, inputs, state);
-  return rounds_ == 1 ? round(model, parameters, inputs, state)
-                      : stepInRounds(model, parameters, inputs, rounds_, state);
+  contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state);
+  return contactSubsteps_ == 1 ? stepWithContact(model, parameters, inputs, state)
+                               : stepInContactSubsteps(model, parameters, inputs, contactSubsteps_, state);
 }
 
-int Stepper::roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                      const ClothState& state) {
+int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                               const ClothState& state) {
   constexpr double rounding = 1e-9;  // [-]
   const bool meetsItself = info_->choosesSubsteps && ContactStage::isNearItself(parameters, state);
   const bool bodies = meetsBodies(parameters, inputs);
   if (!meetsItself && !bodies) {
     return 1;
   }
-  const int shortest = info_->choosesSubsteps ? roundsForStiffness(model, parameters) : 1;
+  const int shortest = info_->choosesSubsteps ? contactSubstepsForStiffness(model, parameters) : 1;
   const int nearItself = meetsItself ? shortest : 1;
   if (!bodies) {
     return nearItself;
   }
-  const int fewest = static_cast<int>(std::ceil(parameters.timeStep / longestRound * (1.0 - rounding)));
+  const int fewest = static_cast<int>(std::ceil(parameters.timeStep / longestContactSubstep * (1.0 - rounding)));
   const int nearBodies = std::max(fewest, shortest);
   return nearBodies > nearItself && contact_.isNearBodies(model, parameters, inputs, state) ? nearBodies : nearItself;
 }
 
-int Stepper::roundsForStiffness(const ClothModel& model, const StepParameters& parameters) {
+int Stepper::contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters) {
   const double rate = rate_.get(model, [](const ClothModel& m) { return localRatesOf(m).most; });
   const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rate);
-  return std::max(1, static_cast<int>(std::min(std::ceil(hardness / hardestRound), mostRounds)));
+  return std::max(1, static_cast<int>(std::min(std::ceil(hardness / maxContactHOmega), maxContactSubsteps)));
 }
 
-StepReport Stepper::stepInRounds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                 int rounds, ClothState& state) {
+StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters,
+                                          const StepInputs& inputs, int contactSubsteps, ClothState& state) {
   const double end = state.time + parameters.timeStep;
   StepParameters part = parameters;
-  part.timeStep = parameters.timeStep / rounds;
-  part.substeps = (parameters.substeps + rounds - 1) / rounds;
+  part.timeStep = parameters.timeStep / contactSubsteps;
+  part.substeps = (parameters.substeps + contactSubsteps - 1) / contactSubsteps;
   StepInputs acting = inputs;
   StepReport total;
-  for (int i = 0; i < rounds; ++i) {
+  for (int i = 0; i < contactSubsteps; ++i) {
     if (keepsContactWork_ && contact_.unresolved() != nullptr && i > 0) {
       earlierContactWork_ +=
           energyOf(model, parameters, state).total() - energyOf(model, parameters, *contact_.unresolved()).total();
     }
     if (inputs.bodies != nullptr) {
-      acting.bodies = &bodyParts_.between(*inputs.bodies, static_cast<double>(i) / rounds, (i + 1.0) / rounds);
+      acting.bodies =
+          &bodySubsteps_.between(*inputs.bodies, static_cast<double>(i) / contactSubsteps, (i + 1.0) / contactSubsteps);
     }
-    const StepReport report = round(model, part, acting, state);
+    const StepReport report = stepWithContact(model, part, acting, state);
     total.add(report);
     if (i == 0) {
       total.contact = report.contact;
@@ -112,8 +113,8 @@ StepReport Stepper::stepInRounds(const ClothModel& model, const StepParameters& 
   return total;
 }
 
-StepReport Stepper::round(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                          ClothState& state) {
+StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                    ClothState& state) {
   const double end = state.time + parameters.timeStep;
   StepParameters part = parameters;
   StepReport total;
@@ -135,7 +136,7 @@ StepReport Stepper::round(const ClothModel& model, const StepParameters& paramet
       frame.leave(model, part.timeStep, state);
     }
   }
-  total.contact = contact_.resolve(model, parameters, inputs, state, 1.0 / rounds_);
+  total.contact = contact_.resolve(model, parameters, inputs, state, 1.0 / contactSubsteps_);
   state.time = end;  // not the sum of the parts, which rounds
   return total;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/contact/body_parts.hpp"
+#include "sim/contact/bodies/substeps.hpp"
 #include "sim/contact/contact_stage.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/momentum.hpp"
@@ -42,7 +42,7 @@ class Stepper {
   /// What contact did in the last step, or in the last round of it.
   [[nodiscard]] const ContactStage& contact() const { return contact_; }
   /// In how many rounds the last step was taken.
-  [[nodiscard]] int rounds() const { return rounds_; }
+  [[nodiscard]] int contactSubsteps() const { return contactSubsteps_; }
   /// Whether to keep account of what contact gives and takes in the rounds of a step, which costs two sums over the
   /// springs a round. Off at first.
   void keepContactWork(bool kept) { keepsContactWork_ = kept; }
@@ -57,15 +57,15 @@ class Stepper {
     Vec3 to = Vec3::Zero();
   };
 
-  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                             const ClothState& state);
+  [[nodiscard]] int contactSubstepsOf(const ClothModel& model, const StepParameters& parameters,
+                                      const StepInputs& inputs, const ClothState& state);
   /// Of a solver that keeps the energy it finds.
-  [[nodiscard]] int roundsForStiffness(const ClothModel& model, const StepParameters& parameters);
-  StepReport stepInRounds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                          int rounds, ClothState& state);
+  [[nodiscard]] int contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters);
+  StepReport stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                   int contactSubsteps, ClothState& state);
   /// A step, or a round of one, with contact at its end.
-  StepReport round(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                   ClothState& state);
+  StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                             ClothState& state);
 
   void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
   /// Puts carried pins where they are after that share of the step.
@@ -88,9 +88,9 @@ class Stepper {
   ClothState before_;
   MomentumKeeper momentum_;
   ContactStage contact_;
-  BodyParts bodyParts_;
+  BodySubsteps bodySubsteps_;
   bool keepsContactWork_ = false;
-  int rounds_ = 1;
+  int contactSubsteps_ = 1;
   ModelCache<double> rate_;          // omega^2 / k of nearly all vertices [1/kg]
   double earlierContactWork_ = 0.0;  // [J]
   std::vector<PinWay> pinWays_;

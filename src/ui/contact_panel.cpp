@@ -114,8 +114,8 @@ void reportRows(PanelContext& context) {
     valueRow(context, "Triangles inside a body", formatCount(contact.overlaps), palette().warning);
     valueRow(context, "Deepest", formatQuantity(contact.deepestOverlap * 1e3, "mm"), palette().warning);
   }
-  if (contact.squeezed > 0) {
-    valueRow(context, "Vertices between bodies", formatCount(contact.squeezed), palette().warning);
+  if (contact.infeasible > 0) {
+    valueRow(context, "Vertices between bodies", formatCount(contact.infeasible), palette().warning);
   }
 }
 

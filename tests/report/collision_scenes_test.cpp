@@ -24,7 +24,7 @@ CollisionRun beginningOf(const std::string& name, const std::vector<std::string>
 void expectNothingInsideBodies(const CollisionRun& run, const std::string& what) {
   EXPECT_TRUE(run.finite) << what;
   EXPECT_EQ(run.pairsWithBodies, 0) << what;
-  EXPECT_EQ(run.squeezed, 0) << what;
+  EXPECT_EQ(run.infeasible, 0) << what;
   EXPECT_EQ(run.overlapping, 0) << what;
 }
 
@@ -38,7 +38,7 @@ TEST(BuiltInScenes, letNoTriangleIntoABodyFromTheirBeginning) {
   }
 }
 
-// The long form of these two is scripts/judge-scenes --winds.
+// The long form of these two is scripts/check-intersections --winds.
 TEST(BuiltInScenes, letNoTriangleIntoABodyInWind) {
   for (const char* name : {"skirt", "flag", "curtain"}) {
     for (const char* wind : {"wind.x=-10", "wind.z=-10"}) {

@@ -1,6 +1,6 @@
 #include "scene/scene_file.hpp"
 #include "session/simulation.hpp"
-#include "sim/contact/body_motion.hpp"
+#include "sim/contact/bodies/motion.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #include "app/headless/intersection_watch.hpp"
 
-#include "judge/intersections.hpp"
+#include "intersection/intersections.hpp"
 #include "report/body_intersections.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 namespace drape {
 
 /// Counts the intersecting triangle pairs of a running cloth now and then, by exact arithmetic
-/// (judge/intersections.hpp): with itself, and with the bodies that are on as they are drawn.
+/// (intersection/intersections.hpp): with itself, and with the bodies that are on as they are drawn.
 class IntersectionWatch {
  public:
   /// @param every steps between two counts, at least 1

@@ -79,14 +79,14 @@ void RunStats::add(const Simulation& simulation) {
   }
   mostOverlaps_ = std::max(mostOverlaps_, contact.overlaps);
   deepestOverlap_ = std::max(deepestOverlap_, contact.deepestOverlap);
-  mostSqueezed_ = std::max(mostSqueezed_, contact.squeezed);
+  maxInfeasible_ = std::max(maxInfeasible_, contact.infeasible);
 }
 
 nlohmann::ordered_json RunStats::contactJson(const ContactReport& last) const {
   return {{"bodies_us", quantiles(bodySeconds_)}, {"self_us", quantiles(selfSeconds_)},
           {"body_contacts", last.bodyContacts},   {"self_contacts", last.selfContacts},
           {"overlaps_max", mostOverlaps_},        {"overlaps_final", last.overlaps},
-          {"deepest_overlap", deepestOverlap_},   {"squeezed_max", mostSqueezed_}};
+          {"deepest_overlap", deepestOverlap_},   {"infeasible_max", maxInfeasible_}};
 }
 
 nlohmann::ordered_json RunStats::choiceJson(const std::optional<StepChoice>& last) const {

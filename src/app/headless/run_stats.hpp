@@ -36,7 +36,7 @@ class RunStats {
   std::vector<float> selfSeconds_;
   int mostOverlaps_ = 0;
   double deepestOverlap_ = 0.0;  // [m]
-  int mostSqueezed_ = 0;
+  int maxInfeasible_ = 0;
   std::vector<float> passes_;
   int retakenSteps_ = 0;
   int lastResortSteps_ = 0;

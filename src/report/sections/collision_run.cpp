@@ -1,6 +1,6 @@
 #include "report/sections/collision_run.hpp"
 
-#include "judge/intersections.hpp"
+#include "intersection/intersections.hpp"
 #include "report/body_intersections.hpp"
 #include "report/timing.hpp"
 #include "sim/stepper.hpp"
@@ -84,7 +84,7 @@ CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery, con
     costs.add(taken, contact);
     run.contacts = std::max(run.contacts, contact.bodyContacts + contact.selfContacts);
     run.overlapping = std::max(run.overlapping, contact.overlaps);
-    run.squeezed = std::max(run.squeezed, contact.squeezed);
+    run.infeasible = std::max(run.infeasible, contact.infeasible);
     run.finite = isFinite(state);
     if (lookEvery > 0 && run.finite && static_cast<int>(costs.steps.size()) % lookEvery == 0) {
       lookout.look(state.positions, run);

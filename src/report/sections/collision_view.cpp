@@ -50,13 +50,13 @@ TextTable costs(const ReportRows& rows) {
 
 TextTable leaks(const ReportRows& rows) {
   TextTable table{"What it lets through",
-                  {"scene", "grid", "mode", "seconds", "most contacts", "pairs with bodies", "vertices squeezed",
+                  {"scene", "grid", "mode", "seconds", "most contacts", "pairs with bodies", "infeasible vertices",
                    "pairs with itself", "looks with any"},
                   {}};
   for (const ReportRow& row : rows) {
     table.rows.push_back({row.value("scene", ""), sizeText(row), row.value("mode", ""), figure(row, "seconds"),
                           figure(row, "contacts_max", 5), figure(row, "intersecting_pairs_bodies_max", 5),
-                          figure(row, "squeezed_max", 5), figure(row, "intersecting_pairs_self_max", 5),
+                          figure(row, "infeasible_max", 5), figure(row, "intersecting_pairs_self_max", 5),
                           figure(row, "intersecting_share", 2)});
   }
   return table;
@@ -135,8 +135,8 @@ std::vector<Block> showCollision(const ReportOptions&, const ReportRows& rows) {
   }
   return {Paragraph{"Scenes with contact, under their own settings. Times are means over all steps of a run of some "
                     "seconds, first contact included, since a search for near pairs comes only now and then; the 99th "
-                    "percentile tells what a step with a search takes. Intersecting pairs are the most that an exact "
-                    "judge found whenever it looked, every 5th or 10th step."},
+                    "percentile tells what a step with a search takes. Intersecting pairs are the maximum of the "
+                    "exact intersection tests, which run every 5th or 10th step."},
           costs(rows), Paragraph{aboutBodies(rows)}, leaks(rows), Paragraph{aboutHash(rows)}};
 }
 

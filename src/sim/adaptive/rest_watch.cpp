@@ -1,6 +1,6 @@
 #include "sim/adaptive/rest_watch.hpp"
 
-#include "sim/contact/body.hpp"
+#include "sim/contact/bodies/body.hpp"
 #include "sim/contact/contact_stage.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/kernels.hpp"

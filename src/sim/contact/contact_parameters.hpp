@@ -2,18 +2,18 @@
 
 namespace drape {
 
-/// How the cloth is kept from passing through itself.
+/// Self-collision methods.
 enum class SelfCollision {
   Off,
-  Hash  ///< the paper's scheme (sec. 5.2): vertices hashed by cell, vertex to vertex
+  Hash  ///< the paper's method (sec. 5.2): vertices against vertices, found by a spatial hash
 };
 
-/// What contact needs to know. Each kind costs nothing while it is off, and bodies cost nothing where there are none.
+/// Parameters of contact. A kind of contact that is off costs nothing; without bodies, body contact costs nothing.
 struct ContactParameters {
-  bool bodies = true;                       ///< the cloth is kept out of the scene's bodies
-  SelfCollision self = SelfCollision::Off;  ///< the cloth is kept apart from itself
-  double thickness = 0.004;                 ///< of the cloth: its layers stay that far apart [m]
-  double selfThickness = 0.0;               ///< of SelfCollision::Hash [m]; 0: by the mesh, see selfThicknessOf
+  bool bodies = true;                       ///< contact with the bodies of the scene
+  SelfCollision self = SelfCollision::Off;  ///< self-collision
+  double thickness = 0.004;                 ///< of the cloth; distance between its layers [m]
+  double selfThickness = 0.0;               ///< of SelfCollision::Hash [m]; 0: from the mesh, see selfThicknessOf
   double staticFriction = 0.4;              ///< of cloth on cloth [-]
   double kineticFriction = 0.3;             ///< of cloth on cloth [-]
 };

@@ -1,11 +1,11 @@
 #include "sim/contact/contact_stage.hpp"
 
 #include "sim/bounds.hpp"
-#include "sim/contact/body.hpp"
-#include "sim/contact/body_contact.hpp"
-#include "sim/contact/mesh_in_step.hpp"
-#include "sim/contact/self_contact.hpp"
-#include "sim/contact/self_memory.hpp"
+#include "sim/contact/bodies/body.hpp"
+#include "sim/contact/closest_features/mesh_in_step.hpp"
+#include "sim/contact/self/memory.hpp"
+#include "sim/contact/self/self_contact.hpp"
+#include "sim/contact/solve/body_contact.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -14,12 +14,12 @@ namespace drape {
 
 namespace {
 
-/// Whether all of a cloth is somewhere. One that blows up is not, and whoever runs it will see that; searches would get
-/// lost in squares of its coordinates.
-bool isSomewhere(const std::vector<Vec3>& positions) {
-  constexpr double farthest = 1e8;  // [m]
+/// Whether all coordinates are small enough for a search. In a simulation that diverges, squares of coordinates would
+/// overflow.
+bool hasBoundedPositions(const std::vector<Vec3>& positions) {
+  constexpr double maxCoordinate = 1e8;  // [m]
   return std::all_of(positions.begin(), positions.end(),
-                     [=](const Vec3& position) { return (position.array().abs() <= farthest).all(); });
+                     [=](const Vec3& position) { return (position.array().abs() <= maxCoordinate).all(); });
 }
 
 }  // namespace
@@ -49,8 +49,8 @@ bool ContactStage::isNearBodies(const ClothModel& model, const StepParameters& p
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     ahead_[v] = state.positions[v] + parameters.timeStep * state.velocities[v];
   }
-  return isSomewhere(state.positions) &&
-         bodyContact().isNearAny(model, parameters, *inputs.bodies, state.positions, ahead_, fall);
+  return hasBoundedPositions(state.positions) &&
+         bodyContact().isNearAnyBody(model, parameters, *inputs.bodies, state.positions, ahead_, fall);
 }
 
 bool ContactStage::isNearItself(const StepParameters& parameters, const ClothState& state) {
@@ -66,27 +66,27 @@ BodyContact& ContactStage::bodyContact() {
 }
 
 ContactReport ContactStage::resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                    ClothState& state, double shareOfStep) {
+                                    ClothState& state, double stepFraction) {
   ContactReport report;
-  if (!active_ || !isSomewhere(start_) || !isSomewhere(state.positions)) {
+  if (!active_ || !hasBoundedPositions(start_) || !hasBoundedPositions(state.positions)) {
     return report;
   }
-  // Most cloth is nowhere near the ground of its scene. It then pays for two boxes.
+  // Far from all bodies, contact costs no more than two bounding boxes.
   const bool nearBodies =
       meetsBodies(parameters, inputs) &&
-      bodyContact().couldMeetAny(parameters, *inputs.bodies, boundsOf(start_), boundsOf(state.positions));
+      bodyContact().couldReachAnyBody(parameters, *inputs.bodies, boundsOf(start_), boundsOf(state.positions));
   if (parameters.contact.self == SelfCollision::Off && !nearBodies) {
     return report;
   }
   unresolved_.positions = state.positions;
   unresolved_.velocities = state.velocities;
-  // The cloth against itself comes first, bodies last: no cloth may be pushed into a body.
+  // Self-collision runs before body contact, so that it cannot push cloth into a body.
   if (parameters.contact.self == SelfCollision::Hash) {
     const auto begin = std::chrono::steady_clock::now();
     if (!self_) {
       self_ = std::make_unique<SelfContact>();
     }
-    report.selfContacts = self_->resolve(model, parameters, start_, state, points_, shareOfStep);
+    report.selfContacts = self_->resolve(model, parameters, start_, state, points_, stepFraction);
     report.selfSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
   if (meetsBodies(parameters, inputs)) {
@@ -96,7 +96,7 @@ ContactReport ContactStage::resolve(const ClothModel& model, const StepParameter
   }
   changed_ = report.selfContacts > 0 || report.bodyContacts > 0;
   if (changed_) {
-    state.history.timeStep = 0.0;  // an integration that looks back must not carry on the motion that was stopped
+    state.history.timeStep = 0.0;  // a multistep method must not continue the motion that contact stopped
   }
   return report;
 }

@@ -14,16 +14,16 @@ namespace drape {
 class BodyContact;
 class SelfContact;
 
-/// Whether there is a body that the cloth meets.
+/// Whether body contact is on and the scene has bodies.
 [[nodiscard]] bool meetsBodies(const StepParameters& parameters, const StepInputs& inputs);
 
-/// Contact around a step of any solver (docs/theory/contact.md). The solver moves the cloth as if nothing were in its
-/// way; then positions and velocities are corrected, so that the next step begins outside of everything and with no
-/// velocity into it. It is done once a round of the step, not once a substep: a method that takes many small parts is
-/// not made dearer by it, and what crosses a body within a step is found all the same.
+/// Contact for a step of any solver (docs/theory/contact.md). The solver predicts the motion without contact. Then
+/// contact corrects positions and velocities, so that the next step starts without overlap and without approach
+/// velocity. It runs once per contact substep, not once per solver substep: many solver substeps do not make it more
+/// expensive, and motion through a body within a step is still found.
 ///
-/// Positions and velocities are corrected each by itself: what pushes the cloth out of something leaves no velocity
-/// behind, and what is done to velocities only takes kinetic energy away, as seen from the body that is touched.
+/// Positions and velocities are corrected separately. Position corrections leave no velocity behind. Velocity
+/// corrections only remove kinetic energy, in the frame of the body in contact.
 class ContactStage {
  public:
   ContactStage();
@@ -33,26 +33,28 @@ class ContactStage {
   ContactStage& operator=(ContactStage&&) noexcept;
   ~ContactStage();
 
-  /// Keeps the state that the step begins with. Does nothing when no kind of contact is on.
+  /// Stores the state at the start of the step. Does nothing if contact is off.
   void begin(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state);
 
-  /// Whether the cloth is near a body, or on its way to one in this step, as far as its speed and gravity tell.
-  /// To be asked only where there are bodies.
+  /// Whether the cloth is near a body or, by its velocity and gravity, comes near one in this step.
+  /// Requires bodies.
   [[nodiscard]] bool isNearBodies(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                   const ClothState& state);
 
-  /// Whether the cloth may meet itself in this step: self-collision is on and knows of near pairs, or nothing yet.
+  /// Whether the cloth may collide with itself in this step: self-collision is on, and there are near pairs or no
+  /// search was made yet.
   [[nodiscard]] static bool isNearItself(const StepParameters& parameters, const ClothState& state);
 
-  /// Corrects the state that a solver has left. Does nothing when `begin` did nothing.
-  /// @param shareOfStep that a round is of the user's step [-]: what is too near is pushed apart gently, once a step
+  /// Corrects the predicted state. Does nothing if `begin` did nothing.
+  /// @param stepFraction length of this contact substep over that of the user's step [-]; scales how far pairs that are
+  /// too close are pushed apart
   ContactReport resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                        ClothState& state, double shareOfStep = 1.0);
+                        ClothState& state, double stepFraction = 1.0);
 
-  /// The state as the solver left it in the last step, or nullptr when contact was off or changed nothing.
+  /// The predicted state of the last step; nullptr if contact was off or changed nothing.
   [[nodiscard]] const ClothState* unresolved() const { return changed_ ? &unresolved_ : nullptr; }
 
-  /// Where the cloth touched something in the last step.
+  /// The active contacts of the last step.
   [[nodiscard]] std::span<const ContactPoint> points() const { return points_; }
 
  private:
@@ -60,12 +62,12 @@ class ContactStage {
 
   bool active_ = false;
   bool changed_ = false;
-  std::vector<Vec3> start_;              // positions when the step began [m]
-  std::unique_ptr<BodyContact> bodies_;  // made when bodies are met
+  std::vector<Vec3> start_;              // positions at the start of the step [m]
+  std::unique_ptr<BodyContact> bodies_;  // created at first use
   ClothState unresolved_;
-  std::vector<Vec3> ahead_;  // where the cloth's speed takes it [m]
+  std::vector<Vec3> ahead_;  // positions extrapolated by the velocity [m]
   std::vector<ContactPoint> points_;
-  std::unique_ptr<SelfContact> self_;  // made when it is asked for
+  std::unique_ptr<SelfContact> self_;  // created at first use
 };
 
 }  // namespace drape

@@ -1,6 +1,6 @@
 #include "sim/adaptive/rest_watch.hpp"
 
-#include "sim/contact/body.hpp"
+#include "sim/contact/bodies/body.hpp"
 #include "sim/measures.hpp"
 #include "sim/stability.hpp"
 #include "sim/stepper.hpp"

@@ -1,7 +1,7 @@
 #include "sim/contact/contact_stage.hpp"
 
 #include "contact/meeting.hpp"
-#include "sim/contact/body_world.hpp"
+#include "sim/contact/bodies/world.hpp"
 #include "sim/stepper.hpp"
 #include "test_meshes.hpp"
 

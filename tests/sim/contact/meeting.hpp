@@ -1,9 +1,9 @@
 #pragma once
 
-#include "judge/intersections.hpp"
+#include "intersection/intersections.hpp"
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
-#include "sim/contact/body_world.hpp"
+#include "sim/contact/bodies/world.hpp"
 #include "sim/stepper.hpp"
 #include "test_meshes.hpp"
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "sim/contact/bodies/pose.hpp"
+#include "sim/vector.hpp"
+
+#include <vector>
+
+namespace drape {
+
+/// The pose of a body at a given time.
+struct Keyframe {
+  double time = 0.0;             ///< [s]
+  Vec3 position = Vec3::Zero();  ///< [m]
+  Vec3 rotation = Vec3::Zero();  ///< axis times angle [rad]; more than a turn is allowed
+};
+
+/// The prescribed motion of a body. Between keyframes each component follows a cubic curve with continuous velocity
+/// that stays between the two values (monotone interpolation, Fritsch and Carlson 1980): it never overshoots. Before
+/// the first keyframe and after the last one the body is at rest, and the velocity is zero at both. With `loop` the
+/// motion continues from the last keyframe to the first without a stop; the two should be equal (rotations up to whole
+/// turns).
+struct BodyMotion {
+  std::vector<Keyframe> keyframes;  ///< at least one, times ascending
+  bool loop = false;
+  Vec3 spin = Vec3::Zero();  ///< additional rotation about the origin of its frame: axis times angular velocity [rad/s]
+
+  [[nodiscard]] bool moves() const { return keyframes.size() > 1 || !spin.isZero(0.0); }
+};
+
+/// The pose with this position [m] and rotation, axis times angle [rad].
+[[nodiscard]] Pose poseOf(const Vec3& position, const Vec3& rotation);
+
+[[nodiscard]] Pose poseAt(const BodyMotion& motion, double time);
+
+}  // namespace drape

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "sim/vector.hpp"
+
+namespace drape {
+
+/// A rigid transformation: a point p of the local frame is at rotation * p + position.
+struct Pose {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  Vec3 position = Vec3::Zero();  ///< [m]
+
+  [[nodiscard]] Vec3 toWorld(const Vec3& local) const { return rotation * local + position; }
+  [[nodiscard]] Vec3 toLocal(const Vec3& world) const { return rotation.conjugate() * (world - position); }
+};
+
+}  // namespace drape

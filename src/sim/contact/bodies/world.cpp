@@ -1,0 +1,120 @@
+#include "sim/contact/bodies/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace drape {
+namespace {
+
+const MeshShape* meshOf(const Body& body) {
+  const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&body.shape);
+  return mesh == nullptr ? nullptr : mesh->get();
+}
+
+bool hasFrames(const Body& body) {
+  const MeshShape* mesh = meshOf(body);
+  return mesh != nullptr && mesh->frames.size() > 1;
+}
+
+}  // namespace
+
+void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& positions) {
+  const std::size_t count = mesh.frames.size();
+  if (count < 2) {
+    positions = mesh.positions;
+    return;
+  }
+  const auto last = static_cast<double>(mesh.loop ? count : count - 1);
+  double at = time / mesh.frameTime;
+  at = mesh.loop ? at - last * std::floor(at / last) : std::clamp(at, 0.0, last);
+  const double whole = std::min(std::floor(at), last - 1.0);
+  const auto k = static_cast<std::size_t>(whole);
+  const double fraction = at - whole;
+  const std::vector<Vec3>& from = mesh.frames[k];
+  const std::vector<Vec3>& to = mesh.frames[(k + 1) % count];
+  positions.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    positions[i] = (1.0 - fraction) * from[i] + fraction * to[i];
+  }
+}
+
+BodyWorld::BodyWorld(std::shared_ptr<const std::vector<Body>> bodies, double time)
+    : bodies_(std::move(bodies)), states_(bodies_->size()) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    states_[i].surface = (*bodies_)[i].surface;
+  }
+  reset(time);
+}
+
+void BodyWorld::reset(double time) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    states_[i].targetShift.setZero();
+    states_[i].shift.setZero();
+    updatePose(i, time);
+    states_[i].start = states_[i].end;
+    states_[i].startVertices = states_[i].endVertices;
+  }
+  collect();
+}
+
+void BodyWorld::switchOn(std::size_t body, bool on) {
+  states_[body].on = on;
+  collect();
+}
+
+void BodyWorld::setSurface(std::size_t body, const SurfaceProperties& surface) {
+  states_[body].surface = surface;
+  collect();
+}
+
+void BodyWorld::advance(double time, double timeStep) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    BodyState& each = states_[i];
+    const Vec3 remaining = each.targetShift - each.shift;
+    const double maxShift = maxDragSpeed * timeStep;
+    each.shift =
+        remaining.norm() <= maxShift ? each.targetShift : Vec3(each.shift + maxShift / remaining.norm() * remaining);
+    each.start = each.end;
+    each.startVertices.swap(each.endVertices);
+    updatePose(i, time + timeStep);
+  }
+  collect();
+}
+
+void BodyWorld::updatePose(std::size_t body, double time) {
+  const Body& shape = (*bodies_)[body];
+  BodyState& at = states_[body];
+  at.end = poseAt(shape.motion, time);
+  at.end.position += at.shift;
+  if (hasFrames(shape)) {
+    meshPositionsAt(*meshOf(shape), time, at.endVertices);
+  }
+}
+
+bool BodyWorld::isDeforming(std::size_t body) const {
+  return hasFrames((*bodies_)[body]);
+}
+
+std::span<const Vec3> BodyWorld::vertices(std::size_t body) const {
+  const Body& shape = (*bodies_)[body];
+  if (hasFrames(shape)) {
+    return states_[body].endVertices;
+  }
+  const MeshShape* mesh = meshOf(shape);
+  return mesh == nullptr ? std::span<const Vec3>() : std::span<const Vec3>(mesh->positions);
+}
+
+void BodyWorld::collect() {
+  steps_.clear();
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const BodyState& each = states_[i];
+    if (each.on) {
+      const bool deforms = hasFrames((*bodies_)[i]);
+      steps_.push_back({&(*bodies_)[i], each.start, each.end,
+                        deforms ? std::span<const Vec3>(each.startVertices) : vertices(i), vertices(i), each.surface});
+    }
+  }
+}
+
+}  // namespace drape

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "sim/contact/bodies/body.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace drape {
+
+/// The bodies of a running scene and their motion in each step. A body follows its prescribed motion; the user can
+/// shift it by dragging. The shift approaches its target at a bounded speed, so that the body pushes cloth and does not
+/// jump through it.
+class BodyWorld {
+ public:
+  BodyWorld() = default;
+  BodyWorld(const BodyWorld&) = delete;  // steps_ point into states_
+  BodyWorld& operator=(const BodyWorld&) = delete;
+  BodyWorld(BodyWorld&&) = default;
+  BodyWorld& operator=(BodyWorld&&) = default;
+  ~BodyWorld() = default;
+  /// Puts every body at its pose at that time [s].
+  BodyWorld(std::shared_ptr<const std::vector<Body>> bodies, double time);
+
+  /// Puts every body at the pose of its prescribed motion at that time [s], without shift. Surfaces stay as they are,
+  /// and bodies that are off stay off.
+  void reset(double time);
+
+  /// Sets the shift that a dragged body approaches, relative to its prescribed motion [m].
+  void shiftTowards(std::size_t body, const Vec3& shift) { states_[body].targetShift = shift; }
+  void switchOn(std::size_t body, bool on);
+  void setSurface(std::size_t body, const SurfaceProperties& surface);
+
+  /// Advances the bodies from `time` to `time + timeStep` [s].
+  void advance(double time, double timeStep);
+
+  /// The motion over the last step of the bodies that are on. Before the first step they stand still.
+  [[nodiscard]] const std::vector<BodyStep>& steps() const { return steps_; }
+
+  [[nodiscard]] const std::vector<Body>& bodies() const { return *bodies_; }
+  [[nodiscard]] const Pose& pose(std::size_t body) const { return states_[body].end; }
+  [[nodiscard]] bool isOn(std::size_t body) const { return states_[body].on; }
+  [[nodiscard]] const SurfaceProperties& surface(std::size_t body) const { return states_[body].surface; }
+  [[nodiscard]] const Vec3& shift(std::size_t body) const { return states_[body].shift; }
+  [[nodiscard]] bool isDeforming(std::size_t body) const;
+  /// The vertices of a mesh, in its own frame [m]; empty for other shapes.
+  [[nodiscard]] std::span<const Vec3> vertices(std::size_t body) const;
+
+  /// Maximum speed at which a dragged body moves [m/s].
+  static constexpr double maxDragSpeed = 4.0;
+
+ private:
+  struct BodyState {
+    bool on = true;
+    SurfaceProperties surface;
+    Vec3 targetShift = Vec3::Zero();  // shift to approach [m]
+    Vec3 shift = Vec3::Zero();        // current shift [m]
+    Pose start;
+    Pose end;
+    std::vector<Vec3> startVertices;  // of a deforming mesh
+    std::vector<Vec3> endVertices;
+  };
+
+  void updatePose(std::size_t body, double time);
+  void collect();
+
+  std::shared_ptr<const std::vector<Body>> bodies_ = std::make_shared<const std::vector<Body>>();
+  std::vector<BodyState> states_;
+  std::vector<BodyStep> steps_;
+};
+
+/// The positions of a deforming mesh at that time [s], interpolated linearly between its frames.
+void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& positions);
+
+}  // namespace drape

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+
+#include <span>
+#include <vector>
+
+namespace drape {
+
+/// Clusters of a few triangles of a cloth that are close together at rest. The broad phase culls whole clusters.
+class ClothClusters {
+ public:
+  explicit ClothClusters(const ClothModel& model);
+
+  [[nodiscard]] std::size_t count() const { return triangleBegin_.size() - 1; }
+  [[nodiscard]] std::span<const int> triangles(std::size_t cluster) const {
+    return part(triangles_, triangleBegin_[cluster], triangleBegin_[cluster + 1]);
+  }
+  /// All vertices of its triangles.
+  [[nodiscard]] std::span<const int> vertices(std::size_t cluster) const {
+    return part(vertices_, vertexBegin_[cluster], vertexBegin_[cluster + 1]);
+  }
+  /// Those of them that belong to no earlier cluster.
+  [[nodiscard]] std::span<const int> ownVertices(std::size_t cluster) const {
+    return part(vertices_, vertexBegin_[cluster], ownEnd_[cluster]);
+  }
+
+  /// The range of clusters whose first triangle is in begin to end - 1, counted cluster by cluster. It turns a division
+  /// of a loop over triangles into a division of a loop over clusters.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> clustersWithin(int begin, int end) const;
+
+ private:
+  static std::span<const int> part(const std::vector<int>& all, int begin, int end) {
+    return {all.data() + begin, static_cast<std::size_t>(end - begin)};
+  }
+
+  std::vector<int> triangles_;
+  std::vector<int> triangleBegin_{0};
+  std::vector<int> vertices_;
+  std::vector<int> vertexBegin_{0};
+  std::vector<int> ownEnd_;
+};
+
+}  // namespace drape

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/contact/broad_phase/cloth_clusters.hpp"
+#include "sim/contact/broad_phase/searchable_mesh.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace drape {
+
+/// The motion of a cloth over a step, in a body's frame.
+struct ClothMotion {
+  const ClothModel& model;
+  const ClothClusters& clusters;
+  std::span<const Vec3> start;  ///< position of each vertex [m]
+  std::span<const Vec3> end;    ///< position of each vertex [m]; they move in straight lines
+};
+
+/// Broad phase for rigid meshes: decides cheaply that a cloth does not come near the surface of a mesh. A skirt around
+/// a stand, or a flag beside its pole, is always inside the bounding box of the mesh, but rarely near its surface.
+///
+/// Each cluster of triangles caches the positions at which its distance was measured, and a slack: the displacement
+/// from there up to which it stays clear of the mesh.
+class MeshClearance {
+ public:
+  /// Whether any triangle could come closer to the mesh's surface than `distance` [m]. Conservative: true if unknown.
+  /// Triangles with three pinned corners do not count.
+  /// @param models a number that identifies the model
+  [[nodiscard]] bool couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
+                               std::uint64_t models);
+
+ private:
+  struct Known {
+    std::vector<Vec3> reference;  // positions of the cluster's vertices [m]
+    double slack = -1.0;          // permitted displacement of each from there [m]
+  };
+
+  [[nodiscard]] double slackOf(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster,
+                               double distance);
+
+  std::vector<Known> known_;  // per cluster
+  std::vector<std::int32_t> leaves_;
+  std::vector<std::int32_t> leaf_;
+  std::vector<Extent> extents_;
+  std::uint64_t models_ = 0;
+  double distance_ = 0.0;
+};
+
+/// Whether a vertex that is not pinned comes within the distance `far` [m] of a mesh's surface. The number of contact
+/// substeps depends on it, so the result depends on the motion only, not on cached data.
+[[nodiscard]] bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far);
+
+}  // namespace drape

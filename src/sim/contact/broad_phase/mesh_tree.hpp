@@ -1,0 +1,105 @@
+#pragma once
+
+#include "sim/vector.hpp"
+
+#include <span>
+#include <vector>
+
+namespace drape {
+
+/// A bounding volume hierarchy of axis-aligned boxes over the triangles of a mesh. Each leaf holds a few neighbouring
+/// triangles.
+class MeshTree {
+ public:
+  /// Splits at the median along the longest side, so that the same mesh gives the same tree.
+  /// @param maxTriangles in a leaf
+  MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t maxTriangles);
+
+  /// Fits the boxes to the triangles at both positions, for a deforming mesh.
+  void refit(std::span<const Vec3> before, std::span<const Vec3> after, std::span<const Triangle> triangles);
+
+  [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }
+
+  [[nodiscard]] std::size_t leafCount() const { return leaves_.size(); }
+  [[nodiscard]] const Eigen::AlignedBox3d& leafBox(std::size_t leaf) const { return nodes_[leaves_[leaf]].box; }
+  /// The triangles of a leaf.
+  [[nodiscard]] std::span<const int> leaf(std::size_t leaf) const {
+    const Node& node = nodes_[leaves_[leaf]];
+    return {order_.data() + node.begin, node.end - node.begin};
+  }
+
+  /// Calls visit(leaf) for every leaf whose box intersects `box`, in ascending order.
+  template <typename Visit>
+  void forEachLeafIn(const Eigen::AlignedBox3d& box, Visit&& visit) const {
+    for (std::size_t at = 0; at < nodes_.size();) {
+      const Node& node = nodes_[at];
+      if (!node.box.intersects(box)) {
+        at = node.next;
+        continue;
+      }
+      if (node.end > node.begin) {
+        visit(node.leaf);
+      }
+      ++at;
+    }
+  }
+
+  /// Calls visit(leaf) for every leaf whose box is closer to a point than the square root of `squaredRadius` [m^2]. The
+  /// calls may lower `squaredRadius`.
+  template <typename Visit>
+  void forEachLeafWithin(const Vec3& point, const double& squaredRadius, Visit&& visit) const {
+    for (std::size_t at = 0; at < nodes_.size();) {
+      const Node& node = nodes_[at];
+      if (!(squaredDistance(node.box, point) < squaredRadius)) {
+        at = node.next;
+        continue;
+      }
+      if (node.end > node.begin) {
+        visit(node.leaf);
+      }
+      ++at;
+    }
+  }
+
+  /// Calls visit(leaf) for every leaf whose box intersects the ray from a point along a unit vector, in ascending
+  /// order.
+  template <typename Visit>
+  void forEachLeafAlong(const Vec3& from, const Vec3& direction, Visit&& visit) const {
+    for (std::size_t at = 0; at < nodes_.size();) {
+      const Node& node = nodes_[at];
+      if (!meetsRay(node.box, from, direction)) {
+        at = node.next;
+        continue;
+      }
+      if (node.end > node.begin) {
+        visit(node.leaf);
+      }
+      ++at;
+    }
+  }
+
+  /// Squared distance of a point and a box, 0 inside [m^2].
+  [[nodiscard]] static double squaredDistance(const Eigen::AlignedBox3d& box, const Vec3& point) {
+    const Eigen::Array3d outside = (box.min() - point).array().max((point - box.max()).array()).max(0.0);
+    return outside.square().sum();
+  }
+
+ private:
+  struct Node {
+    Eigen::AlignedBox3d box;
+    std::size_t next = 0;   // node after this subtree; the children follow their parent
+    std::size_t begin = 0;  // range of a leaf's triangles in order_
+    std::size_t end = 0;
+    std::size_t leaf = 0;
+  };
+
+  [[nodiscard]] static bool meetsRay(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& direction);
+
+  void build(std::vector<Vec3>& middles, std::size_t begin, std::size_t end, std::size_t maxTriangles);
+
+  std::vector<Node> nodes_;
+  std::vector<std::size_t> leaves_;  // node of each leaf
+  std::vector<int> order_;
+};
+
+}  // namespace drape

@@ -1,0 +1,236 @@
+#include "sim/contact/broad_phase/searchable_mesh.hpp"
+
+#include "sim/contact/closest_features/triangle_geometry.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr double sharpAngle = 0.02;  // sine of the convex angle below which an edge counts as flat [-]
+
+std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
+  struct Side {
+    int a, b;
+    std::size_t triangle, side;
+  };
+  std::vector<std::array<bool, 3>> sharp(mesh.triangles.size(), {true, true, true});
+  if (mesh.frames.size() > 1) {
+    return sharp;  // any edge of a deforming mesh may become sharp
+  }
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = mesh.triangles[t][k];
+      const int b = mesh.triangles[t][(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), t, k});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return std::tie(x.a, x.b, x.triangle) < std::tie(y.a, y.b, y.triangle);
+  });
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const bool pair = sides[i].a == sides[i + 1].a && sides[i].b == sides[i + 1].b;
+    const bool more = i + 2 < sides.size() && sides[i + 2].a == sides[i].a && sides[i + 2].b == sides[i].b;
+    if (!pair || more) {
+      continue;
+    }
+    const Triangle& other = mesh.triangles[sides[i + 1].triangle];
+    const Corners first = cornersOf(mesh.positions, mesh.triangles[sides[i].triangle]);
+    const Vec3 apex =
+        vectorAt(mesh.positions, other[(sides[i + 1].side + 2) % 3]) - vectorAt(mesh.positions, sides[i].a);
+    const double rise = faceNormal(first).dot(apex);
+    const bool flat = rise > -sharpAngle * apex.norm();
+    sharp[sides[i].triangle][sides[i].side] = !flat;
+    sharp[sides[i + 1].triangle][sides[i + 1].side] = !flat;
+  }
+  return sharp;
+}
+
+bool isClosed(const MeshShape& mesh) {
+  std::vector<std::array<int, 3>> sides;  // both ends ascending, and the direction
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = t[k];
+      const int b = t[(k + 1) % 3];
+      if (a != b) {
+        sides.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+      }
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i < sides.size();) {
+    int sum = 0;
+    const std::size_t first = i;
+    for (; i < sides.size() && sides[i][0] == sides[first][0] && sides[i][1] == sides[first][1]; ++i) {
+      sum += sides[i][2];
+    }
+    if (sum != 0) {
+      return false;
+    }
+  }
+  return !sides.empty();
+}
+
+/// Flips the triangles of a closed mesh if they face inwards.
+MeshShape facingOutwards(MeshShape mesh) {
+  double volume = 0.0;  // times 6
+  for (const Triangle& t : mesh.triangles) {
+    const Corners at = cornersOf(mesh.positions, t);
+    const Vec3& origin = mesh.positions.front();
+    volume += (at[0] - origin).dot((at[1] - origin).cross(at[2] - origin));
+  }
+  if (volume < 0.0 && isClosed(mesh)) {
+    for (Triangle& t : mesh.triangles) {
+      std::swap(t[1], t[2]);
+    }
+  }
+  return mesh;
+}
+
+void fill(LeafLanes& lanes, std::span<const int> vertices, std::span<const Vec3> positions) {
+  lanes.x.resize(vertices.size());
+  lanes.y.resize(vertices.size());
+  lanes.z.resize(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3 position = vertices[i] >= 0 ? vectorAt(positions, vertices[i])
+                                           : Vec3(Vec3::Constant(std::numeric_limits<double>::infinity()));
+    lanes.x[i] = position.x();
+    lanes.y[i] = position.y();
+    lanes.z[i] = position.z();
+  }
+}
+
+}  // namespace
+
+SearchableMesh::SearchableMesh(MeshShape mesh)
+    : shape(facingOutwards(std::move(mesh))),
+      closed(isClosed(shape)),
+      tree(shape.positions, shape.triangles, trianglesPerLeaf),
+      owned(ownedFeatures(shape.triangles, static_cast<int>(shape.positions.size()))),
+      sharp(sharpSides(shape)) {
+  gatherLeaves();
+  fill(start_, leafVertices_, shape.positions);
+  fillEdges(shape.positions, startEdges_);
+  fillBoxes(shape.positions, startBoxes_);
+}
+
+void SearchableMesh::fillBoxes(std::span<const Vec3> positions, std::vector<TriangleBoxes>& boxes) const {
+  boxes.resize(tree.leafCount());
+  for (std::size_t leaf = 0; leaf < boxes.size(); ++leaf) {
+    const std::span<const int> triangles = tree.leaf(leaf);
+    for (std::size_t k = 0; k < trianglesPerLeaf; ++k) {
+      Eigen::AlignedBox3d box;
+      if (k < triangles.size()) {
+        for (const int v : shape.triangles[static_cast<std::size_t>(triangles[k])]) {
+          box.extend(vectorAt(positions, v));
+        }
+      } else {
+        box.min().setConstant(std::numeric_limits<double>::infinity());
+        box.max() = -box.min();
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        boxes[leaf].low[axis][k] = box.min()[static_cast<Eigen::Index>(axis)];
+        boxes[leaf].high[axis][k] = box.max()[static_cast<Eigen::Index>(axis)];
+      }
+    }
+  }
+}
+
+void SearchableMesh::fillEdges(std::span<const Vec3> positions, EdgeLanes& edges) const {
+  std::vector<int> ends(leafEdges_.size());
+  for (const std::size_t end : {0U, 1U}) {
+    std::transform(leafEdges_.begin(), leafEdges_.end(), ends.begin(), [&](const auto& edge) { return edge[end]; });
+    fill(end == 0 ? edges.from : edges.to, ends, positions);
+  }
+}
+
+void SearchableMesh::gatherLeaves() {
+  vertexBegin_.push_back(0);
+  edgeBegin_.push_back(0);
+  for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
+    gatherPoints(tree.leaf(leaf));
+    gatherEdges(tree.leaf(leaf));
+    vertexBegin_.push_back(leafVertices_.size());
+    edgeBegin_.push_back(leafEdges_.size());
+  }
+  vertexFeatures_.resize(leafVertices_.size());
+}
+
+/// Adds the vertices of a leaf, those that it owns first.
+void SearchableMesh::gatherPoints(std::span<const int> triangles) {
+  const std::size_t begin = leafVertices_.size();
+  vertexFeatures_.resize(begin);
+  for (const bool own : {true, false}) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto t = static_cast<std::size_t>(triangles[i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int v = shape.triangles[t][k];
+        const auto first = leafVertices_.begin() + static_cast<std::ptrdiff_t>(begin);
+        if (owned[t].corners[k] == own && (own || std::find(first, leafVertices_.end(), v) == leafVertices_.end())) {
+          leafVertices_.push_back(v);
+          if (own) {
+            vertexFeatures_.push_back({triangles[i], k, static_cast<int>(i)});
+          }
+        }
+      }
+    }
+  }
+  ownPoints_.push_back(static_cast<std::uint32_t>(vertexFeatures_.size() - begin));
+  while ((leafVertices_.size() - begin) % maxDoubles != 0) {
+    leafVertices_.push_back(leafVertices_.back());
+  }
+}
+
+/// Adds the sharp edges that a leaf owns.
+void SearchableMesh::gatherEdges(std::span<const int> triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto t = static_cast<std::size_t>(triangles[i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (owned[t].sides[k] && sharp[t][k]) {
+        leafEdges_.push_back({shape.triangles[t][k], shape.triangles[t][(k + 1) % 3]});
+        edgeFeatures_.push_back({triangles[i], k, static_cast<int>(i)});
+      }
+    }
+  }
+  while (leafEdges_.size() % maxDoubles != 0) {
+    leafEdges_.push_back({-1, -1});
+    edgeFeatures_.emplace_back();
+  }
+}
+
+void SearchableMesh::follow(std::span<const Vec3> before, std::span<const Vec3> after) {
+  tree.refit(before, after, shape.triangles);
+  fill(start_, leafVertices_, before);
+  fill(end_, leafVertices_, after);
+  fillEdges(before, startEdges_);
+  fillEdges(after, endEdges_);
+  fillBoxes(before, startBoxes_);
+  fillBoxes(after, endBoxes_);
+  moves_.assign(tree.leafCount(), 0.0);
+  for (std::size_t leaf = 0; leaf < moves_.size(); ++leaf) {
+    for (std::size_t i = vertexBegin_[leaf]; i < vertexBegin_[leaf + 1]; ++i) {
+      const int v = leafVertices_[i];
+      moves_[leaf] = std::max(moves_[leaf], (vectorAt(after, v) - vectorAt(before, v)).norm());
+    }
+  }
+}
+
+int SearchableMesh::supportVertex(const Vec3& direction, std::size_t leaf, bool atEnd) const {
+  const LeafLanes& at = lanes(atEnd);
+  double maxHeight = -std::numeric_limits<double>::infinity();
+  std::size_t index = vertexBegin_[leaf];
+  for (std::size_t i = vertexBegin_[leaf]; i < vertexBegin_[leaf + 1]; ++i) {
+    const double along = direction.x() * at.x[i] + direction.y() * at.y[i] + direction.z() * at.z[i];
+    if (along > maxHeight) {
+      maxHeight = along;
+      index = i;
+    }
+  }
+  return leafVertices_[index];
+}
+
+}  // namespace drape

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "sim/contact/bodies/body.hpp"
+#include "sim/contact/broad_phase/mesh_lanes.hpp"
+#include "sim/contact/broad_phase/mesh_tree.hpp"
+#include "sim/contact/closest_features/cloth_features.hpp"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace drape {
+
+/// A corner or a side of a triangle of a mesh.
+struct MeshFeature {
+  int triangle = -1;
+  std::size_t at = 0;      ///< index of the corner or side
+  int triangleInLeaf = 0;  ///< index of the triangle in its leaf
+};
+
+/// A point with the maximum coordinate along a direction [m].
+struct SupportPoint {
+  double height = 0.0;
+  Vec3 point = Vec3::Zero();
+};
+
+/// A mesh with its search structures. They are built once, and updated in every step for a deforming mesh.
+class SearchableMesh {
+ public:
+  explicit SearchableMesh(MeshShape mesh);
+
+  /// Updates a deforming mesh to its vertices at the start and at the end of the step [m].
+  void follow(std::span<const Vec3> before, std::span<const Vec3> after);
+
+  [[nodiscard]] bool isDeforming() const { return shape.frames.size() > 1; }
+
+  /// The extents of some leaves of the tree along a unit vector, at the end or at the start of the step.
+  /// @return their union
+  Extent extentsAlong(const Vec3& direction, const std::vector<std::int32_t>& leaves, bool atEnd,
+                      std::vector<Extent>& extents) const {
+    return drape::extentsAlong(lanes(atEnd), vertexBegin_, leaves, direction, extents);
+  }
+
+  /// The support point of some leaves of the tree along a unit vector.
+  [[nodiscard]] SupportPoint supportPoint(const Vec3& direction, const std::vector<std::int32_t>& leaves,
+                                          bool atEnd) const {
+    const LeafLanes& at = lanes(atEnd);
+    const SupportIndex far = drape::supportAlong(at, vertexBegin_, leaves, direction);
+    return {far.height, Vec3(at.x[far.at], at.y[far.at], at.z[far.at])};
+  }
+
+  /// The bounding boxes of the triangles of each leaf; triangle i of the leaf is in lane i.
+  [[nodiscard]] const std::vector<TriangleBoxes>& triangleBoxes(bool atEnd) const {
+    return atEnd && isDeforming() ? endBoxes_ : startBoxes_;
+  }
+
+  /// The features of some leaves in a region.
+  void featuresIn(const FaceRegion& region, const std::vector<std::int32_t>& leaves, bool atEnd,
+                  std::vector<InRegion>& found) const {
+    const bool end = atEnd && isDeforming();
+    inRegion(lanes(atEnd), vertexBegin_, end ? endEdges_ : startEdges_, edgeBegin_, leaves, region, found);
+  }
+
+  /// Calls visit(feature, is an edge) for the points and edges found in a leaf that the leaf owns: triangle by
+  /// triangle, points before edges.
+  template <typename Visit>
+  void forEachFeature(std::size_t leaf, InRegion found, Visit&& visit) const {
+    const MeshFeature* points = vertexFeatures_.data() + vertexBegin_[leaf];
+    const MeshFeature* edges = edgeFeatures_.data() + edgeBegin_[leaf];
+    found.points &= (1U << ownPoints_[leaf]) - 1U;
+    while ((found.points | found.edges) != 0) {
+      const int point = std::countr_zero(found.points);
+      const int edge = std::countr_zero(found.edges);
+      if (found.edges == 0 || (found.points != 0 && points[point].triangleInLeaf <= edges[edge].triangleInLeaf)) {
+        visit(points[point], false);
+        found.points &= found.points - 1;
+      } else {
+        visit(edges[edge], true);
+        found.edges &= found.edges - 1;
+      }
+    }
+  }
+
+  /// The index of the vertex of the leaf with the maximum coordinate along a direction.
+  [[nodiscard]] int supportVertex(const Vec3& direction, std::size_t leaf, bool atEnd) const;
+
+  /// Maximum displacement of the leaf's vertices over the step [m].
+  [[nodiscard]] double moveOf(std::size_t leaf) const { return moves_.empty() ? 0.0 : moves_[leaf]; }
+
+  MeshShape shape;  ///< a closed mesh has its triangles facing outwards
+  bool closed;  ///< every side of a triangle is paired with one in the opposite direction, so the mesh has an inside
+  MeshTree tree;
+  std::vector<OwnedFeatures> owned;
+  std::vector<std::array<bool, 3>> sharp;  ///< per triangle: which of its sides are sharp
+
+ private:
+  void gatherLeaves();
+  void gatherPoints(std::span<const int> triangles);
+  void gatherEdges(std::span<const int> triangles);
+  void fillEdges(std::span<const Vec3> positions, EdgeLanes& edges) const;
+  void fillBoxes(std::span<const Vec3> positions, std::vector<TriangleBoxes>& boxes) const;
+  [[nodiscard]] const LeafLanes& lanes(bool atEnd) const { return atEnd && isDeforming() ? end_ : start_; }
+
+  std::vector<int> leafVertices_;         // by leaf, padded by the last one to whole vectors
+  std::vector<std::size_t> vertexBegin_;  // of each leaf in leafVertices_
+  std::vector<MeshFeature>
+      vertexFeatures_;                    // of the same size; valid for vertices that the leaf owns, which come first
+  std::vector<std::uint32_t> ownPoints_;  // number of vertices that each leaf owns
+  LeafLanes start_, end_;
+  std::vector<std::array<int, 2>> leafEdges_;  // by leaf, padded by -1 to whole vectors
+  std::vector<std::size_t> edgeBegin_;         // of each leaf in leafEdges_
+  std::vector<MeshFeature> edgeFeatures_;      // of the same size as leafEdges_
+  EdgeLanes startEdges_, endEdges_;
+  std::vector<TriangleBoxes> startBoxes_, endBoxes_;
+  std::vector<double> moves_;
+};
+
+}  // namespace drape

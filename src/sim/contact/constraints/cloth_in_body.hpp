@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/contact/closest_features/cloth_features.hpp"
+#include "sim/vector.hpp"
+
+#include <span>
+
+namespace drape {
+
+class Overlap;
+
+/// The cloth in the frame of a body. In this frame a rigid body stands still.
+struct ClothInBody {
+  /// Positions without contact, from which a pass moves the cloth [m]: the start of the step, carried along by the
+  /// body, or the result of the pass before.
+  std::span<const Vec3> start;
+  std::span<const Vec3> predicted;             ///< positions at the end of the step, as predicted so far [m]
+  std::span<const double> displacementBounds;  ///< maximum distance of each vertex from `start` [m]
+  std::span<const Triangle> triangles;
+  std::span<const OwnedFeatures> owned;
+  std::span<const double> inverseMass;  ///< per vertex [1/kg]; 0: the vertex does not move
+  const Overlap* overlap = nullptr;     ///< the part of the cloth inside the body; null if there is none
+};
+
+}  // namespace drape

@@ -1,0 +1,360 @@
+#include "sim/contact/constraints/mesh_search.hpp"
+
+#include "sim/contact/closest_features/nearest_search.hpp"
+#include "sim/contact/constraints/collect_in_order.hpp"
+#include "sim/contact/constraints/sharp_feature_search.hpp"
+#include "sim/contact/recovery/overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace drape {
+namespace {
+
+// Ratios to the contact offset [-]:
+constexpr double listedRatio = 2.0;      // distance to a cluster up to which leaves are listed
+constexpr double listMarginRatio = 1.0;  // additional distance in cached lists
+constexpr double knownRatio = 0.15;      // displacement of a cluster up to which its distances are reused
+constexpr double closeRatio = 0.2;       // distance beyond the edge offset at which edges and faces get contacts
+constexpr double rounding = 1e-9;        // [m]
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Distance below which edges and faces get contacts [m].
+double closeDistance(const ContactOffsets& offsets) {
+  return offsets.edgeOffset + closeRatio * offsets.contactOffset;
+}
+
+/// The results of one part of the clusters.
+template <typename More>
+struct Part {
+  Candidates found;
+  std::vector<More> more;
+};
+
+/// Calls visit(first cluster, last cluster, part) for parts of the clusters, and returns the parts in order.
+template <typename More, typename Visit>
+std::vector<Part<More>> inParts(const ClothClusters& clusters, Workers& workers, int threads, std::size_t triangles,
+                                Visit&& visit) {
+  return collectInOrder<Part<More>>(workers, threads, static_cast<int>(triangles),
+                                    [&](int begin, int end, Part<More>& part) {
+                                      const auto [first, last] = clusters.clustersWithin(begin, end);
+                                      visit(first, last, part);
+                                    });
+}
+
+}  // namespace
+
+void MeshSearch::begin(const SearchableMesh& mesh, std::uint64_t model) {
+  piercings_.clear();
+  piercingsKnown_ = false;
+  requested_.clear();
+  if (mesh_ != &mesh || model_ != model) {
+    nearby_.clear();
+    near_.clear();
+    outwards_.clear();
+    mesh_ = &mesh;
+    model_ = model;
+  }
+}
+
+void MeshSearch::NearbyLeaves::list(const MeshTree& tree, const Eigen::AlignedBox3d& box) {
+  covered = box;
+  leaves.clear();
+  boxes.clear();
+  tree.forEachLeafIn(box, [&](std::size_t leaf) {
+    leaves.push_back(static_cast<int>(leaf));
+    boxes.add(tree.leafBox(leaf));
+  });
+}
+
+/// Finds the leaves near a cluster and the closest points of its vertices.
+class MeshSearch::ClusterSearch {
+ public:
+  ClusterSearch(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth)
+      : builder_(builder),
+        mesh_(mesh),
+        cloth_(cloth),
+        nearest_(mesh),
+        radius_(listedRatio * builder.offsets().contactOffset) {}
+
+  /// Lists the leaves within the radius if the cached list does not cover it. Computes how far the cluster has moved
+  /// since its distances were computed, and starts anew if that is too far.
+  void list(std::span<const int> vertices, NearbyLeaves& nearby) const {
+    Eigen::AlignedBox3d box;
+    double squared = nearby.reference.size() == vertices.size() ? 0.0 : infinity;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Vec3& start = vectorAt(cloth_.start, vertices[i]);
+      box.extend(start);
+      if (squared < infinity) {
+        squared = std::max(squared, (start - nearby.reference[i]).squaredNorm());
+      }
+    }
+    box = inflated(box, radius_);
+    if (mesh_.mesh.isDeforming()) {
+      nearby.list(mesh_.mesh.tree, box);
+    } else if (!nearby.covered.contains(box)) {
+      nearby.list(mesh_.mesh.tree, inflated(box, listMarginRatio * builder_.offsets().contactOffset));
+    }
+    nearby.moved = std::sqrt(squared) + rounding;
+    if (mesh_.mesh.isDeforming() || !(nearby.moved <= knownRatio * builder_.offsets().contactOffset)) {
+      double moved = nearby.moved;
+      if (mesh_.mesh.isDeforming()) {
+        moved = infinity;
+      }
+      for (double& distance : nearby.distances) {
+        distance -= moved;
+      }
+      nearby.moved = 0.0;
+      nearby.reference.clear();
+      for (const int v : vertices) {
+        nearby.reference.push_back(vectorAt(cloth_.start, v));
+      }
+    }
+  }
+
+  /// The closest point of the mesh to a vertex, within its displacement.
+  NearestMeshPoint nearestTo(int vertex, const NearbyLeaves& nearby, NearbyTriangles& memory) {
+    const Vec3& point = vectorAt(cloth_.start, vertex);
+    const double radius =
+        cloth_.displacementBounds[static_cast<std::size_t>(vertex)] - builder_.offsets().contactOffset;
+    if (mesh_.mesh.isDeforming() || cloth_.overlap != nullptr) {
+      NearestMeshPoint found = nearest_.among(nearby.leaves, nearby.boxes, point, radius_);
+      return found.triangle < 0 && radius > radius_ ? nearest_.anywhere(point, radius) : found;
+    }
+    const double moved = (point - memory.at).norm() + rounding;
+    if (memory.clearRadius - moved >= radius) {
+      return {};
+    }
+    if (moved <= memory.validRadius) {
+      return nearest_.amongRemembered(memory, point, radius, moved);
+    }
+    const double beyond =
+        std::min((point - nearby.covered.min()).minCoeff(), (nearby.covered.max() - point).minCoeff());
+    const double within = knownRatio * builder_.offsets().contactOffset;
+    if (radius + 2.0 * within > beyond) {
+      return nearest_.anywhere(point, radius);
+    }
+    NearestMeshPoint found = nearest_.among(nearby.leaves, nearby.boxes, point, radius, within);
+    nearest_.remember(point, within, beyond, memory);
+    return found;
+  }
+
+ private:
+  const ConstraintBuilder& builder_;
+  const MeshInStep& mesh_;
+  const ClothInBody& cloth_;
+  NearestSearch nearest_;
+  double radius_;  // [m]
+};
+
+void MeshSearch::findVertexContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                                    const ClothClusters& clusters, Workers& workers, int threads,
+                                    Candidates& candidates) {
+  nearby_.resize(clusters.count());
+  nearest_.resize(cloth.start.size());
+  near_.resize(cloth.start.size());
+  markPenetrating(cloth);
+  workers.forRange(threads, static_cast<int>(cloth.triangles.size()), [&](int begin, int end) {
+    ClusterSearch here(builder, mesh, cloth);
+    const auto [first, last] = clusters.clustersWithin(begin, end);
+    for (std::size_t c = first; c < last; ++c) {
+      here.list(clusters.vertices(c), nearby_[c]);
+      for (const int v : clusters.ownVertices(c)) {
+        const auto at = static_cast<std::size_t>(v);
+        nearest_[at] = here.nearestTo(v, nearby_[c], near_[at]);
+      }
+    }
+  });
+  countOverlaps(cloth, candidates);
+  addRecoveryContacts(builder, mesh, cloth, candidates);
+  addVertexContacts(builder, mesh, cloth, candidates);
+}
+
+void MeshSearch::findSharpFeatureContacts(const ConstraintBuilder& builder, const MeshInStep& mesh,
+                                          const ClothInBody& cloth, const ClothClusters& clusters, Workers& workers,
+                                          int threads, Candidates& candidates) {
+  distances_.resize(cloth.triangles.size());
+  outwards_.resize(cloth.triangles.size(), Vec3::Zero());
+  const double close = closeDistance(builder.offsets());
+  const auto parts = inParts<int>(
+      clusters, workers, threads, cloth.triangles.size(), [&](std::size_t first, std::size_t last, Part<int>& part) {
+        SharpFeatureSearch sharp(builder, mesh, cloth, nearest_, close, builder.offsets().contactOffset, part.found);
+        for (std::size_t c = first; c < last; ++c) {
+          searchTriangles(cloth, clusters.triangles(c), nearby_[c], builder.offsets(), sharp);
+        }
+      });
+  for (const auto& part : parts) {
+    candidates.append(part.found);
+  }
+}
+
+/// Finds contacts of the edges and faces of a cluster's triangles that could be close enough. Updates their distances.
+void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> triangles, NearbyLeaves& nearby,
+                                 const ContactOffsets& offsets, SharpFeatureSearch& sharp) {
+  nearby.distances.resize(triangles.size(), -infinity);
+  if (nearby.leaves.empty()) {
+    const double near = listedRatio * offsets.contactOffset;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      distances_[static_cast<std::size_t>(triangles[i])] = near;
+      nearby.distances[i] = std::max(nearby.distances[i], near - nearby.moved);
+    }
+    return;
+  }
+  const auto displacement = [&](int v) {
+    return (vectorAt(cloth.predicted, v) - vectorAt(cloth.start, v)).squaredNorm();
+  };
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto t = static_cast<std::size_t>(triangles[i]);
+    distances_[t] = nearby.distances[i] - nearby.moved;
+    if (distances_[t] >= closeDistance(offsets) || penetrating_[t]) {
+      continue;
+    }
+    const Triangle& corners = cloth.triangles[t];
+    const double longest =
+        std::sqrt(std::max({displacement(corners[0]), displacement(corners[1]), displacement(corners[2])})) + rounding;
+    if (distances_[t] >= offsets.edgeOffset + longest) {
+      continue;  // it stays too far away
+    }
+    distances_[t] =
+        std::max(distances_[t], sharp.search(triangles[i], nearby.leaves, nearby.boxes, longest, outwards_[t]));
+    nearby.distances[i] = std::max(nearby.distances[i], distances_[t] - nearby.moved);
+  }
+}
+
+void MeshSearch::addVertexContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                                   Candidates& candidates) const {
+  for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto v = static_cast<std::size_t>(cloth.triangles[t][k]);
+      const NearestMeshPoint& near = nearest_[v];
+      if (!cloth.owned[t].corners[k]) {
+        continue;
+      }
+      if (cloth.overlap != nullptr && cloth.overlap->inside(cloth.triangles[t][k])) {
+        builder.addContact(cloth, t, onCorner(k), cloth.overlap->exitOf(cloth.triangles[t][k]),
+                           builder.offsets().contactOffset, candidates);
+        continue;
+      }
+      if (near.triangle < 0) {
+        continue;
+      }
+      // A vertex that has passed through an open mesh must not be held behind it.
+      if (mesh.mesh.closed || !besidePenetrating_[v] ||
+          faceNormal(mesh.corners(near.triangle)).dot(near.normal) > 0.0) {
+        builder.addContact(cloth, t, onCorner(k), pointOf(mesh, near), builder.offsets().contactOffset, candidates);
+      }
+    }
+  }
+}
+
+/// The leaves that a cluster could reach within its displacement bounds.
+/// @param wider storage, used if the cached list is too short
+const MeshSearch::NearbyLeaves& MeshSearch::leavesWithinBound(const ConstraintBuilder& builder, const MeshInStep& mesh,
+                                                              const ClothInBody& cloth, const ClothClusters& clusters,
+                                                              std::size_t cluster, NearbyLeaves& wider) const {
+  double far = 0.0;
+  Eigen::AlignedBox3d box;
+  for (const int v : clusters.vertices(cluster)) {
+    far = std::max(far, cloth.displacementBounds[static_cast<std::size_t>(v)] + builder.offsets().minimumSeparation);
+    box.extend(vectorAt(cloth.start, v));
+  }
+  if (far > listedRatio * builder.offsets().contactOffset) {
+    wider.list(mesh.mesh.tree, inflated(box, far));
+    return wider;
+  }
+  return nearby_[cluster];
+}
+
+/// Finds the planes of one triangle. A triangle that penetrates a closed mesh gets none; the search only updates which
+/// triangles it pierces.
+void MeshSearch::findPlanesOf(int triangle, const MeshInStep& mesh, const NearbyLeaves& nearby, PlaneSearch& planes,
+                              Candidates& candidates) const {
+  const std::size_t before = candidates.planes.size();
+  planes.search(triangle, nearby.leaves, nearby.boxes);
+  if (penetrating_[static_cast<std::size_t>(triangle)] && mesh.mesh.closed) {
+    candidates.planes.resize(before);
+  }
+}
+
+bool MeshSearch::findPlanes(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                            const ClothClusters& clusters, std::span<const double> displacements, Workers& workers,
+                            int threads, Candidates& candidates) {
+  skipped_.assign(cloth.triangles.size(), 0);
+  requested_.resize(cloth.triangles.size(), 0);
+  const auto canSkip = [&](std::size_t t) {
+    const auto displacement = [&](std::size_t k) {
+      return displacements[static_cast<std::size_t>(cloth.triangles[t][k])];
+    };
+    const double longest = std::max({displacement(0), displacement(1), displacement(2)});
+    return !mesh.moves() && requested_[t] == 0 &&
+           distances_[t] > longest + builder.offsets().minimumSeparation + rounding;
+  };
+  const auto parts =
+      inParts<Piercing>(clusters, workers, threads, cloth.triangles.size(),
+                        [&](std::size_t first, std::size_t last, Part<Piercing>& part) {
+                          PlaneSearch planes(builder, mesh, cloth, nearest_, part.found);
+                          NearbyLeaves wider;
+                          for (std::size_t c = first; c < last; ++c) {
+                            const std::span<const int> triangles = clusters.triangles(c);
+                            for (const int t : triangles) {
+                              skipped_[static_cast<std::size_t>(t)] = canSkip(static_cast<std::size_t>(t)) ? 1 : 0;
+                            }
+                            const auto isSkipped = [&](int t) { return skipped_[static_cast<std::size_t>(t)] != 0; };
+                            if (std::all_of(triangles.begin(), triangles.end(), isSkipped)) {
+                              continue;
+                            }
+                            const NearbyLeaves& nearby = leavesWithinBound(builder, mesh, cloth, clusters, c, wider);
+                            if (nearby.leaves.empty()) {
+                              continue;
+                            }
+                            for (const int t : triangles) {
+                              if (!isSkipped(t) && !keepKnownPiercings(mesh, t, planes)) {
+                                findPlanesOf(t, mesh, nearby, planes, part.found);
+                              }
+                            }
+                          }
+                          part.more = planes.piercings();
+                        });
+  std::vector<Piercing> piercings;
+  for (const auto& part : parts) {
+    candidates.append(part.found);
+    piercings.insert(piercings.end(), part.more.begin(), part.more.end());
+  }
+  if (cloth.overlap != nullptr) {
+    addPlanesAtOverlap(builder, mesh, cloth, candidates);
+  }
+  const bool newlyFound = piercings.size() != piercings_.size();
+  piercings_.swap(piercings);
+  firstPiercing_.assign(cloth.triangles.size(), piercings_.size());
+  for (std::size_t i = piercings_.size(); i-- > 0;) {
+    firstPiercing_[static_cast<std::size_t>(piercings_[i].cloth)] = i;
+  }
+  piercingsKnown_ = true;
+  return newlyFound;
+}
+
+bool MeshSearch::requestPlanesAround(std::span<const Triangle> triangles, const std::vector<bool>& moved) {
+  bool newlyFound = false;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const bool touched = std::any_of(triangles[t].begin(), triangles[t].end(),
+                                     [&](int v) { return moved[static_cast<std::size_t>(v)]; });
+    if (touched && skipped_[t] != 0) {
+      requested_[t] = 1;
+      newlyFound = true;
+    }
+  }
+  return newlyFound;
+}
+
+Vec3 MeshSearch::bodyDisplacementAt(const MeshInStep& mesh, int vertex) const {
+  const NearestMeshPoint& near = nearest_[static_cast<std::size_t>(vertex)];
+  if (near.triangle < 0) {
+    return Vec3::Zero();
+  }
+  const NearPoint point = pointOf(mesh, near);
+  return point.endPoint - point.startPoint;
+}
+
+}  // namespace drape

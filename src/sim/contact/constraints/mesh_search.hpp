@@ -1,0 +1,112 @@
+#pragma once
+
+#include "sim/contact/broad_phase/cloth_clusters.hpp"
+#include "sim/contact/closest_features/mesh_in_step.hpp"
+#include "sim/contact/closest_features/nearest_search.hpp"
+#include "sim/contact/constraints/sharp_feature_search.hpp"
+#include "sim/contact/separating_planes/plane_search.hpp"
+#include "sim/workers.hpp"
+
+#include <vector>
+
+namespace drape {
+
+/// Finds contacts and separating planes of a cloth with a box or a mesh in one step.
+///
+/// Clusters of the cloth list the leaves of the mesh's tree near them. First each vertex finds its closest point within
+/// its displacement. Contacts of edges and faces are searched after those of vertices have been solved, and planes
+/// after all contacts have been solved, since the displacements are then small.
+///
+/// On rigid meshes results are cached while a cluster hardly moves in the body's frame. Cached lists of leaves cover a
+/// larger region and are filtered when used. Cached distances are reduced by the displacement since then: they are
+/// lower bounds. A triangle that stays clear of the mesh by them gets no plane, unless a plane of another triangle
+/// moves its vertices; then its planes are requested. So results do not depend on when something was cached.
+class MeshSearch {
+ public:
+  /// Starts a pass: forgets which triangles pierced the mesh.
+  /// @param mesh identified by its address  @param model a number that identifies the cloth
+  void begin(const SearchableMesh& mesh, std::uint64_t model);
+
+  /// Adds contacts of the cloth's vertices to `candidates`.
+  /// @param cloth with displacement bounds that include the predicted positions
+  void findVertexContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                          const ClothClusters& clusters, Workers& workers, int threads, Candidates& candidates);
+
+  /// Adds contacts of its edges and faces, after findVertexContacts, in an order that does not depend on the threads.
+  /// @param cloth its predicted positions are those with contacts of vertices only
+  void findSharpFeatureContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                                const ClothClusters& clusters, Workers& workers, int threads, Candidates& candidates);
+
+  /// Adds separating planes to `candidates`, after both.
+  /// @param cloth its predicted positions are those with all contacts, within the displacement bounds
+  /// @param displacements of each vertex from start to predicted [m]
+  /// @return true if triangles pierce the mesh that findVertexContacts did not know of; the search must be repeated
+  bool findPlanes(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                  const ClothClusters& clusters, std::span<const double> displacements, Workers& workers, int threads,
+                  Candidates& candidates);
+
+  /// Whether some of the cloth is known to pierce the mesh in this pass; and the same for each triangle.
+  [[nodiscard]] bool pierced() const { return !piercings_.empty(); }
+  [[nodiscard]] std::vector<bool> pierces(std::size_t triangles) const;
+
+  /// Requests planes for all triangles with a moved vertex.
+  /// @param moved per vertex, whether it was moved from its predicted position
+  /// @return true if findPlanes had skipped such a triangle
+  bool requestPlanesAround(std::span<const Triangle> triangles, const std::vector<bool>& moved);
+  /// Requests planes for all triangles.
+  void requestAllPlanes() { requested_.assign(requested_.size(), 1); }
+
+  /// Displacement over the step of the closest point to a vertex, in the body's frame [m]; zero if none is near.
+  [[nodiscard]] Vec3 bodyDisplacementAt(const MeshInStep& mesh, int vertex) const;
+
+ private:
+  struct NearbyLeaves {
+    Eigen::AlignedBox3d covered;  // all leaves that intersect this box are listed
+    std::vector<int> leaves;
+    BoxList boxes;
+    std::vector<Vec3> reference;    // positions of its vertices when distances were computed [m]
+    std::vector<double> distances;  // lower bounds between its triangles and the mesh then [m]
+    double moved = 0.0;             // maximum displacement since then [m]; infinite: distances are unknown
+
+    void list(const MeshTree& tree, const Eigen::AlignedBox3d& box);
+  };
+  class ClusterSearch;
+  void searchTriangles(const ClothInBody& cloth, std::span<const int> triangles, NearbyLeaves& nearby,
+                       const ContactOffsets& offsets, SharpFeatureSearch& sharp);
+  void markPenetrating(const ClothInBody& cloth);
+  void addVertexContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                         Candidates& candidates) const;
+  void addRecoveryContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                           Candidates& candidates) const;
+  void addContactAcrossTriangle(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                                std::size_t first, std::size_t last, Candidates& candidates) const;
+  void addContactToFront(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                         const Piercing& piercing, Candidates& candidates) const;
+  void countOverlaps(const ClothInBody& cloth, Candidates& candidates) const;
+  const NearbyLeaves& leavesWithinBound(const ConstraintBuilder& builder, const MeshInStep& mesh,
+                                        const ClothInBody& cloth, const ClothClusters& clusters, std::size_t cluster,
+                                        NearbyLeaves& wider) const;
+  void findPlanesOf(int triangle, const MeshInStep& mesh, const NearbyLeaves& nearby, PlaneSearch& planes,
+                    Candidates& candidates) const;
+  bool keepKnownPiercings(const MeshInStep& mesh, int triangle, PlaneSearch& planes) const;
+  void addPlanesAtOverlap(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
+                          Candidates& candidates) const;
+
+  const SearchableMesh* mesh_ = nullptr;   // mesh of the cached data
+  std::uint64_t model_ = 0;                // cloth of the cached data
+  std::vector<NearbyLeaves> nearby_;       // per cluster
+  std::vector<NearestMeshPoint> nearest_;  // per vertex
+  std::vector<NearbyTriangles> near_;      // per vertex: cached triangles for that
+  std::vector<double> distances_;          // per triangle: lower bound to the mesh at the start of the pass [m]
+  std::vector<Vec3> outwards_;       // per triangle: direction of its widest gap, with which the next search starts
+  std::vector<char> skipped_;        // per triangle: no planes were searched
+  std::vector<char> requested_;      // per triangle: planes must be searched
+  std::vector<Piercing> piercings_;  // in the order of triangles by cluster
+  bool piercingsKnown_ = false;      // in this pass; they stay the same over the pass
+  std::vector<std::size_t> firstPiercing_;  // per triangle: index into piercings_
+  std::vector<bool> pierces_;               // per triangle: it pierces the mesh
+  std::vector<bool> penetrating_;           // per triangle: it pierces the mesh, or a vertex is inside
+  std::vector<bool> besidePenetrating_;     // per vertex: a triangle of it is penetrating
+};
+
+}  // namespace drape

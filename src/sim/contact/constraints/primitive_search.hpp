@@ -1,0 +1,37 @@
+#pragma once
+
+#include "sim/contact/constraints/constraint_builder.hpp"
+#include "sim/contact/recovery/solid.hpp"
+
+namespace drape {
+
+/// Finds contacts and separating planes of a cloth with a plane, a sphere or a capsule in one step.
+class PrimitiveSearch {
+ public:
+  /// @param index of the body in the step
+  PrimitiveSearch(const BodyStep& step, int index, const ContactOffsets& offsets);
+
+  /// Adds the constraints of triangles begin to end - 1 to `candidates`.
+  void search(const ClothInBody& cloth, std::size_t begin, std::size_t end, Candidates& candidates) const;
+
+  /// Signed distance of a position in the body's frame [m]; negative inside.
+  [[nodiscard]] double gapAt(const Vec3& position) const;
+
+  /// The solid of a sphere or a capsule.
+  [[nodiscard]] CapsuleSolid solid() const { return {core_, radius_}; }
+
+ private:
+  void addCornerContacts(const ClothInBody& cloth, std::size_t t, const Corners& start, Candidates& candidates) const;
+
+  void searchPlane(const ClothInBody& cloth, std::size_t t, Candidates& candidates) const;
+  void searchCapsule(const ClothInBody& cloth, std::size_t t, Candidates& candidates) const;
+  void addCapsuleContact(const ClothInBody& cloth, std::size_t t, const Vec3& weights, const Vec3& onCore,
+                         double offset, Candidates& candidates) const;
+
+  ConstraintBuilder builder_;
+  std::array<Vec3, 2> core_{Vec3::Zero(), Vec3::Zero()};  // segment of a capsule; one point for a sphere [m]
+  double radius_ = 0.0;
+  bool plane_ = false;
+};
+
+}  // namespace drape

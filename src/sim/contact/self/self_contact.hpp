@@ -1,0 +1,72 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+#include "sim/contact/contact_report.hpp"
+#include "sim/contact/self/collision_free_patches.hpp"
+#include "sim/contact/self/memory.hpp"
+#include "sim/contact/self/point_hash.hpp"
+#include "sim/contact/self/response.hpp"
+#include "sim/model_cache.hpp"
+#include "sim/step_parameters.hpp"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace drape {
+
+/// The thickness of self-collision [m]: `selfThickness`, or three quarters of the mean rest length of the springs if
+/// that is 0. The point of a right-angled triangle with two legs of length e that is farthest from its corners has the
+/// distance e / sqrt(2) = 0.71 e. With a smaller thickness a vertex can slip through between three others.
+[[nodiscard]] double selfThicknessOf(const ClothModel& model, const ContactParameters& parameters);
+
+/// Self-collision by the paper's method (sec. 5.2), vertices against vertices: collision-free patches (PatchGrower),
+/// near pairs of different patches by a hash over two grids (PointHash), and a response with thickness and friction
+/// (SelfResponse). docs/theory/contact.md describes its limits.
+///
+/// A search finds pairs within the thickness plus a margin. The list is valid until the relative displacement of two
+/// vertices exceeds the margin. Then the patches are checked, invalid ones are grown anew, and pairs are searched
+/// again. Known pairs are kept while they are within reach. Each search shifts the grids, so that a pair that the grids
+/// separate in one search is found in another. Pairs that are connected at rest never count: the ends of one spring,
+/// and vertices whose rest distance is less than the thickness.
+class SelfContact {
+ public:
+  /// Corrects the predicted state.
+  /// @param start positions at the start of the step [m]  @param points the active contacts are appended
+  /// @param stepFraction length of this contact substep over that of the user's step [-]; scales the push-out
+  /// @returns number of active contacts
+  int resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& start,
+              ClothState& state, std::vector<ContactPoint>& points, double stepFraction = 1.0);
+
+ private:
+  [[nodiscard]] bool pairListIsValid(const ClothModel& model, double thickness, const ClothState& state) const;
+  void updatePairs(const ClothModel& model, double thickness, const std::vector<Vec3>& start, ClothState& state);
+  std::shared_ptr<SelfContactMemory> unusedMemory();
+  std::shared_ptr<const CollisionFreePatches> patchesFor(const ClothModel& model, const SelfContactMemory* old,
+                                                         SelfContactMemory& next);
+  void gatherPointsNearOtherPatches(const CollisionFreePatches& patches, float reach);
+  void keepKnownPairs(const SelfContactMemory& old, const CollisionFreePatches& patches, double reach,
+                      std::vector<VertexPair>& pairs) const;
+  static void removeConnectedPairs(const ClothModel& model, double thickness, std::vector<VertexPair>& pairs);
+
+  ModelCache<PatchMesh> mesh_;
+  ModelCache<double> edge_;
+  PatchGrower grower_;
+  PatchCheck check_;
+  std::vector<char> valid_;
+  PointHash hash_;
+  SelfResponse response_;
+  PositionLanes positions_, startPositions_;  // at the end and the start of the step [m]
+  PositionLanes sorted_;                      // at the end, patch by patch
+  std::vector<LaneBox> boxes_;
+  std::vector<char> near_;
+  std::vector<std::int32_t> inside_;
+  SurfacePoints points_;
+  std::vector<std::int32_t> pointOf_;  // by vertex: index in points_, or -1
+  std::vector<VertexPair> found_;
+  std::vector<std::uint64_t> colours_;
+  std::array<std::shared_ptr<SelfContactMemory>, 4> memories_;
+};
+
+}  // namespace drape

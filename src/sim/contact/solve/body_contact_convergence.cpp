@@ -1,0 +1,52 @@
+// Decides whether BodyContact makes another pass.
+#include "sim/contact/solve/body_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+// Ratios to the contact offset [-]:
+constexpr double maxMoveRatio = 0.25;      // maximum displacement of vertices
+constexpr double maxGapErrorRatio = 0.05;  // maximum difference between the true gap and that of the contact
+
+}  // namespace
+
+/// Whether planes moved vertices far, or impulses moved them so far that the gap of a contact no longer is the distance
+/// to the body.
+bool BodyContact::needsAnotherPass(const Cloth& cloth, const std::vector<Vec3>* previous,
+                                   const std::vector<Vec3>& positions) const {
+  const double far = maxMoveRatio * maxContactOffset();
+  if (filter_.maxCorrection() > far) {
+    return true;
+  }
+  return std::any_of(candidates_.contacts.begin(), candidates_.contacts.end(), [&](const ContactConstraint& contact) {
+    const bool stays = std::all_of(contact.vertices.begin(), contact.vertices.end(), [&](int vertex) {
+      const auto v = static_cast<std::size_t>(vertex);
+      return (positions[v] - (previous != nullptr ? (*previous)[v] : Vec3(cloth.start[v] + contact.bodyDisplacement)))
+                 .norm() <= far;
+    });
+    if (stays) {
+      return false;
+    }
+    const NearBody& near = near_[static_cast<std::size_t>(contact.body)];
+    const Vec3 position = pointOf(contact, positions);
+    const double above = contact.normal.dot(position) - contact.height;
+    const double within = maxGapErrorRatio * near.offsets.contactOffset;
+    return near.overlaps || above <= within ||
+           std::abs(gapTo(near, near.step->end.toLocal(position), above + within) - above) > within;
+  });
+}
+
+/// Distance of a position in a body's frame to the body at the end of the step [m]; infinite beyond `maximum` on
+/// meshes.
+double BodyContact::gapTo(const NearBody& near, const Vec3& position, double maximum) const {
+  if (near.mesh == nullptr) {
+    return PrimitiveSearch(*near.step, 0, near.offsets).gapAt(position);
+  }
+  const MeshInStep mesh = near.meshInStep(true);
+  return NearestSearch(mesh).anywhere(position, maximum).gap;
+}
+
+}  // namespace drape

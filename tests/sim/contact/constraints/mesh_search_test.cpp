@@ -1,0 +1,271 @@
+#include "sim/contact/constraints/mesh_search.hpp"
+
+#include "contact/meeting.hpp"
+#include "sim/contact/closest_features/closest_points.hpp"
+#include "sim/contact/separating_planes/separating_plane_filter.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace drape {
+namespace {
+
+using testing::RandomVectors;
+
+/// Ground with hills and hollows, 1 m x 1 m.
+double hillHeight(const Vec3& at) {
+  return 0.08 * std::sin(13.0 * at.x()) * std::cos(11.0 * at.z());
+}
+
+MeshShape hills(int n) {
+  const ClothMesh sheet = testing::sheet(n);
+  MeshShape shape{sheet.positions, sheet.triangles, {}, 1.0, false};
+  for (Vec3& position : shape.positions) {
+    position.y() = hillHeight(position);
+  }
+  return shape;
+}
+
+MeshShape ball() {
+  const BodySurface surface = surfaceOf(SphereShape{0.3});
+  MeshShape shape{surface.positions, surface.triangles, {}, 1.0, false};
+  for (Vec3& position : shape.positions) {
+    position += Vec3(0.5, -0.29, 0.5);
+  }
+  return shape;
+}
+
+MeshShape box() {
+  const BodySurface surface = surfaceOf(BoxShape{Vec3(0.2, 0.1, 0.3)});
+  MeshShape shape{surface.positions, surface.triangles, {}, 1.0, false};
+  for (Vec3& position : shape.positions) {
+    position += Vec3(0.5, -0.09, 0.5);
+  }
+  return shape;
+}
+
+/// A sheet close above a mesh, which it does not meet, and what is to be searched.
+struct Search {
+  Search(MeshShape shape, int n, unsigned seed) : random(seed) {
+    const bool hilly = shape.positions.size() < 500 && shape.positions.size() > 8;
+    ClothMesh sheet = testing::sheet(n);
+    for (Vec3& position : sheet.positions) {
+      position.y() = hilly ? hillHeight(position) : 0.0;
+      position += random.next(0.003);
+    }
+    body.surface.thickness = 0.002;
+    body.shape = std::make_shared<const MeshShape>(shape);
+    while (testing::intersectingPairs(*buildClothModel(sheet, 1.0, MassLumping::Area, {}), sheet.positions,
+                                      {shape.positions, shape.triangles}, Pose()) > 0) {
+      for (Vec3& position : sheet.positions) {
+        position.y() += 0.002;
+      }
+    }
+    model = buildClothModel(sheet, 1.0, MassLumping::Area, {});
+    start = sheet.positions;
+    mesh = std::make_unique<SearchableMesh>(std::move(shape));
+    before = mesh->shape.positions;
+    after = before;
+    step.body = &body;
+  }
+
+  /// Sends every vertex somewhere, and searches.
+  /// @param carry where the mesh takes a point
+  void run(
+      const Vec3& way, double spread, const std::function<Vec3(const Vec3&)>& carry = [](const Vec3& p) { return p; }) {
+    predicted.clear();
+    displacementBounds.clear();
+    double move = 0.0;
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      move = std::max(move, (after[v] - before[v]).norm());
+    }
+    for (const Vec3& position : start) {
+      predicted.emplace_back(carry(position) + way + random.next(spread));
+      displacementBounds.push_back((predicted.back() - position).norm() + 2.0 * offsets.contactOffset + move);
+    }
+    const std::vector<OwnedFeatures> owned = ownedFeatures(model->triangles, model->vertexCount());
+    const ClothClusters clusters(*model);
+    candidates.clear();
+    Workers workers;
+    const ConstraintBuilder builder(step, 0, offsets);
+    const MeshInStep inStep{*mesh, before, after, false};
+    const std::vector<double> inverseMass(start.size(), 1.0);
+    const ClothInBody cloth{start, predicted, displacementBounds, model->triangles, owned, inverseMass};
+    meshSearch.findVertexContacts(builder, inStep, cloth, clusters, workers, 1, candidates);
+    meshSearch.findSharpFeatureContacts(builder, inStep, cloth, clusters, workers, 1, candidates);
+    std::vector<double> displacements;
+    for (std::size_t v = 0; v < start.size(); ++v) {
+      displacements.push_back((predicted[v] - start[v]).norm());
+    }
+    EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, displacements, workers, 1, candidates));
+    planesAtFirst = candidates.planes.size();
+    // Whatever may be moved anywhere needs all its planes.
+    candidates.planes.clear();
+    meshSearch.requestAllPlanes();
+    EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, displacements, workers, 1, candidates));
+  }
+
+  /// Goes with every vertex as far in any direction as its planes and its displacementBounds allow.
+  /// @return how many vertices found no place
+  int goAnywhere(double spread, std::vector<Vec3>& positions) {
+    positions = predicted;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      positions[v] += random.next(spread * displacementBounds[v]);
+    }
+    const std::vector<double> inverseMass(positions.size(), 1.0);
+    const MeshInStep inStep{*mesh, before, after, false};
+    const auto fallbackOf = [&](int, int v) {
+      const Vec3& from = start[static_cast<std::size_t>(v)];
+      return SeparatingPlaneFilter::Fallback{from, from + meshSearch.bodyDisplacementAt(inStep, v)};
+    };
+    return SeparatingPlaneFilter().apply(candidates.planes, inverseMass, displacementBounds, 1, fallbackOf, start,
+                                         positions);
+  }
+
+  RandomVectors random;
+  Body body;
+  std::shared_ptr<const ClothModel> model;
+  std::vector<Vec3> start, predicted;
+  std::vector<double> displacementBounds;
+  std::unique_ptr<SearchableMesh> mesh;
+  std::vector<Vec3> before, after;
+  BodyStep step;
+  ContactOffsets offsets{0.004, 0.0024, 0.0004, 0.002};
+  MeshSearch meshSearch;
+  Candidates candidates;
+  std::size_t planesAtFirst = 0;  // before all triangles were asked for
+};
+
+TEST(MeshSearch, leavesNoWayIntoAMeshThatStandsStill) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    for (const MeshShape& shape : {hills(21), ball(), box()}) {
+      Search search(shape, 14, seed);
+      search.run(Vec3(0.01 * seed, -0.03, 0.0), 0.02);
+      EXPECT_GT(search.candidates.planes.size(), 100U);
+      std::vector<Vec3> positions;
+      EXPECT_EQ(search.goAnywhere(1.0, positions), 0);
+      for (std::size_t v = 0; v < positions.size(); ++v) {
+        EXPECT_LE((positions[v] - search.start[v]).norm(), search.displacementBounds[v] + 1e-9);
+      }
+      EXPECT_EQ(testing::intersectingPairs(*search.model, positions, {search.after, shape.triangles}, Pose()), 0)
+          << "seed " << seed;
+    }
+  }
+}
+
+TEST(MeshSearch, leavesNoWayIntoAMeshThatMovesInItself) {
+  int infeasible = 0;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    MeshShape shape = hills(21);
+    shape.frames = {shape.positions, shape.positions};
+    Search search(shape, 14, seed);
+    const auto carry = [&](const Vec3& at) -> Vec3 {
+      return at + Vec3(0.01 * std::sin(5.0 * at.z()), 0.01 * std::sin(8.0 * at.x() + seed), 0.0);
+    };
+    std::transform(search.before.begin(), search.before.end(), search.after.begin(), carry);
+    search.mesh->follow(search.before, search.after);
+    search.run(Vec3::Zero(), 0.001, carry);
+    std::vector<Vec3> positions;
+    const int here = search.goAnywhere(0.3, positions);
+    infeasible += here;
+    EXPECT_TRUE(here > 0 ||
+                testing::intersectingPairs(*search.model, positions, {search.after, shape.triangles}, Pose()) == 0)
+        << "seed " << seed;
+  }
+  EXPECT_LE(infeasible, 2);  // of 1176: planes of different triangles may leave no place although there is one
+}
+
+TEST(MeshSearch, touchesEachVertexAtThePointOfTheMeshThatIsNearest) {
+  int vertexContacts = 0;
+  for (const MeshShape& shape : {hills(21), ball(), box()}) {
+    Search search(shape, 14, 3);
+    search.run(Vec3(0.0, -0.01, 0.0), 0.0);
+    for (const ContactConstraint& contact : search.candidates.contacts) {
+      if (contact.weights.maxCoeff() < 1.0) {
+        continue;
+      }
+      Eigen::Index corner = 0;
+      contact.weights.maxCoeff(&corner);
+      const Vec3& point = search.start[static_cast<std::size_t>(contact.vertices[static_cast<std::size_t>(corner)])];
+      double least = 1e9;
+      for (const Triangle& triangle : shape.triangles) {
+        const Corners corners = cornersOf(shape.positions, triangle);
+        least = std::min(least, (pointAt(corners, nearestOnTriangle(point, corners)) - point).norm());
+      }
+      EXPECT_NEAR(contact.normal.dot(point) - contact.height, least, 1e-12);
+      ++vertexContacts;
+    }
+  }
+  EXPECT_GT(vertexContacts, 40);
+}
+
+TEST(MeshSearch, needsNoMorePlanesThanTrianglesOverWhatIsConvex) {
+  for (const MeshShape& shape : {ball(), box()}) {
+    Search search(shape, 14, 5);
+    search.run(Vec3(0.0, -0.01, 0.0), 0.0);
+    EXPECT_LE(search.candidates.planes.size(), 3 * search.model->triangles.size());
+  }
+}
+
+TEST(MeshSearch, sparesTrianglesThatGoNowhereNearUntilTheyAreAskedFor) {
+  Search still(ball(), 14, 5);
+  still.run(Vec3::Zero(), 0.0);
+  EXPECT_LT(still.planesAtFirst, still.candidates.planes.size());
+  Search moving(ball(), 14, 5);
+  moving.run(Vec3(0.0, -0.01, 0.0), 0.0);
+  EXPECT_GT(moving.planesAtFirst, still.planesAtFirst);
+}
+
+TEST(MeshTree, hasEveryTriangleInOneLeafAndFindsTheLeavesInABox) {
+  const MeshShape shape = hills(12);
+  const MeshTree tree(shape.positions, shape.triangles, 4);
+  std::vector<int> seen(shape.triangles.size(), 0);
+  for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
+    EXPECT_LE(tree.leaf(leaf).size(), 4U);
+    for (const int t : tree.leaf(leaf)) {
+      ++seen[static_cast<std::size_t>(t)];
+    }
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+  RandomVectors random(7);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 corner = random.next(1.0);
+    const Eigen::AlignedBox3d box(corner, corner + Vec3::Constant(0.3));
+    std::vector<std::size_t> expected;
+    for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
+      if (tree.leafBox(leaf).intersects(box)) {
+        expected.push_back(leaf);
+      }
+    }
+    std::vector<std::size_t> found;
+    tree.forEachLeafIn(box, [&](std::size_t leaf) { found.push_back(leaf); });
+    EXPECT_EQ(found, expected);
+  }
+}
+
+TEST(ClothClusters, haveEveryTriangleAndEveryVertexOnceHoweverTheyAreDivided) {
+  const auto model = testing::pinnedSheet(13);
+  const ClothClusters clusters(*model);
+  std::vector<int> triangles(model->triangles.size(), 0);
+  std::vector<int> vertices(model->restPositions.size(), 0);
+  const auto count = static_cast<int>(triangles.size());
+  for (int begin = 0; begin < count; begin += 37) {
+    const auto [first, last] = clusters.clustersWithin(begin, std::min(begin + 37, count));
+    for (std::size_t c = first; c < last; ++c) {
+      for (const int t : clusters.triangles(c)) {
+        ++triangles[static_cast<std::size_t>(t)];
+      }
+      for (const int v : clusters.ownVertices(c)) {
+        ++vertices[static_cast<std::size_t>(v)];
+      }
+    }
+  }
+  EXPECT_EQ(triangles, std::vector<int>(triangles.size(), 1));
+  EXPECT_EQ(vertices, std::vector<int>(vertices.size(), 1));
+}
+
+}  // namespace
+}  // namespace drape
