@@ -26,7 +26,7 @@ class Marks {
   /// @param pixelsPerMetre of the picture, where the pins are
   void drawPins(float scale, float pixelsPerMetre) const;
   void drawContacts(float scale) const;
-  void drawGrab(const GrabStatus& grab, float scale) const;
+  void drawAttachment(const AttachmentStatus& attachment, float scale) const;
 
  private:
   void drawDot(const Eigen::Vector3f& position, float size, const Eigen::Vector4f& fill) const;

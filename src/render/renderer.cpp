@@ -253,10 +253,10 @@ void Renderer::Parts::drawMarks(const Snapshot& snapshot, const Camera& camera, 
     marks.drawPins(markScale(height), pixelsPerMetre(camera, height));
   }
   marks.drawContacts(markScale(height));
-  if (snapshot.grab) {
+  if (snapshot.attachment) {
     // The hand is shown through the cloth: it must never be lost.
     glDisable(GL_DEPTH_TEST);
-    marks.drawGrab(*snapshot.grab, markScale(height));
+    marks.drawAttachment(*snapshot.attachment, markScale(height));
   }
   glDepthMask(GL_TRUE);
   glDisable(GL_PROGRAM_POINT_SIZE);

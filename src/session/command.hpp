@@ -21,15 +21,15 @@ struct PauseCommand {
 struct SingleStepCommand {};
 /// Back to the scene's start; settings and pins stay as the user left them.
 struct ResetCommand {};
-struct GrabCommand {
+struct AttachCommand {
   int triangle = 0;
   Vec3 barycentric = Vec3::Zero();
   Vec3 target = Vec3::Zero();  ///< [m]
 };
-struct MoveGrabCommand {
+struct MoveAttachmentCommand {
   Vec3 target = Vec3::Zero();  ///< [m]
 };
-struct ReleaseGrabCommand {};
+struct DetachCommand {};
 /// Pins the vertex nearest to the grabbed point where it is now; lets it go when it was pinned.
 struct TogglePinCommand {};
 /// Moves everything that is pinned at once; the cloth follows by its springs.
@@ -61,8 +61,8 @@ struct LoadSceneCommand {
 };
 
 /// Everything that anybody can ask of a running simulation.
-using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, GrabCommand,
-                             MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, MovePinsCommand, SwitchBodyCommand,
+using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, AttachCommand,
+                             MoveAttachmentCommand, DetachCommand, TogglePinCommand, MovePinsCommand, SwitchBodyCommand,
                              SetSurfaceCommand, MoveBodyCommand, AllowWorkCommand, LoadSceneCommand>;
 
 /// A command and how many steps had been taken when it took effect: enough to run a session again.

@@ -2,8 +2,8 @@
 
 #include "scene/mass.hpp"
 #include "settings/surface_fields.hpp"
+#include "sim/attachment_limit.hpp"
 #include "sim/error.hpp"
-#include "sim/hand_limit.hpp"
 #include "sim/unfolding.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void Simulation::apply(const Command& command) {
 void Simulation::step() {
   lastFinite_ = state_;
   const auto before = std::chrono::steady_clock::now();
-  inputs_.grab = grabInForce();
+  inputs_.attachment = currentAttachment();
   bodies_.advance(state_.time, settings_.step.timeStep);
   inputs_.bodies = &bodies_.steps();
   inputs_.mayStop = mayStop_ ? &mayStop_ : nullptr;
@@ -130,7 +130,7 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.message = message();
   snapshot.overstretched.reset();
   if (snapshot.maxStretch > implausibleStretch) {
-    snapshot.overstretched = diagnoseStretch(*scene_, settings_, *model_, state_, grab_.has_value());
+    snapshot.overstretched = diagnoseStretch(*scene_, settings_, *model_, state_, attachment_.has_value());
     if (snapshot.message.empty()) {
       snapshot.message = snapshot.overstretched->advice.text;
     }
@@ -141,11 +141,11 @@ void Simulation::capture(Snapshot& snapshot) const {
     ghost_->capture(state_, snapshot.ghost ? *snapshot.ghost : snapshot.ghost.emplace());
   }
   captureBodies(snapshot);
-  snapshot.grab.reset();
-  if (grab_) {
-    const int corner = nearestCornerOfGrab();
-    snapshot.grab = GrabStatus{grab_->triangle, grab_->barycentric, grab_->target, grabbedPoint(),
-                               model_->pinned[static_cast<std::size_t>(corner)]};
+  snapshot.attachment.reset();
+  if (attachment_) {
+    const int corner = nearestAttachedVertex();
+    snapshot.attachment = AttachmentStatus{attachment_->triangle, attachment_->barycentric, attachment_->target,
+                                           attachedPoint(), model_->pinned[static_cast<std::size_t>(corner)]};
   }
 }
 
@@ -210,39 +210,39 @@ void Simulation::on(const ResetCommand&) {
   overlapMessage_.clear();
   blewUp_ = false;
   stepIndex_ = 0;
-  grab_.reset();
+  attachment_.reset();
   message_ = unfolded
                  ? "The cloth starts folded into less than its rest shape fills; a millionth of that was added, so "
                    "that it can unfold."
                  : "";
 }
 
-void Simulation::on(const GrabCommand& command) {
+void Simulation::on(const AttachCommand& command) {
   const bool exists = command.triangle >= 0 && command.triangle < static_cast<int>(model_->triangles.size());
   const bool inside = command.barycentric.allFinite() && (command.barycentric.array() >= -1e-6).all() &&
                       std::abs(command.barycentric.sum() - 1.0) < 1e-6;
   if (!exists || !inside || !command.target.allFinite()) {
     throw InputError("there is no such point of the cloth to grab");
   }
-  grab_ = Held{command.triangle, command.barycentric, command.target};
+  attachment_ = AttachedPoint{command.triangle, command.barycentric, command.target};
 }
 
-void Simulation::on(const MoveGrabCommand& command) {
-  if (grab_ && command.target.allFinite()) {
-    grab_->target = command.target;
+void Simulation::on(const MoveAttachmentCommand& command) {
+  if (attachment_ && command.target.allFinite()) {
+    attachment_->target = command.target;
   }
 }
 
-void Simulation::on(const ReleaseGrabCommand&) {
-  grab_.reset();
+void Simulation::on(const DetachCommand&) {
+  attachment_.reset();
 }
 
 void Simulation::on(const TogglePinCommand&) {
-  if (!grab_) {
+  if (!attachment_) {
     throw InputError("Hold the cloth with the mouse, then press P to pin it there.");
   }
   std::vector<bool> pinned = model_->pinned;
-  pinned[static_cast<std::size_t>(nearestCornerOfGrab())].flip();
+  pinned[static_cast<std::size_t>(nearestAttachedVertex())].flip();
   model_ = withPins(*model_, std::move(pinned));
 }
 
@@ -330,29 +330,29 @@ void Simulation::useBalance() {
   }
 }
 
-std::optional<Grab> Simulation::grabInForce() const {
-  if (!grab_) {
+std::optional<Attachment> Simulation::currentAttachment() const {
+  if (!attachment_) {
     return std::nullopt;
   }
-  const double borne = forceThatClothBears(*model_, settings_.step, grab_->triangle, grab_->barycentric);
-  return Grab{grab_->triangle, grab_->barycentric, grab_->target, settings_.hand.stiffness,
-              std::min(settings_.hand.maxForce, borne)};
+  const double borne = maxAttachmentForce(*model_, settings_.step, attachment_->triangle, attachment_->barycentric);
+  return Attachment{attachment_->triangle, attachment_->barycentric, attachment_->target,
+                    settings_.attachment.stiffness, std::min(settings_.attachment.maxForce, borne)};
 }
 
-Vec3 Simulation::grabbedPoint() const {
-  const Triangle& corners = model_->triangles[static_cast<std::size_t>(grab_->triangle)];
+Vec3 Simulation::attachedPoint() const {
+  const Triangle& corners = model_->triangles[static_cast<std::size_t>(attachment_->triangle)];
   Vec3 point = Vec3::Zero();
   for (int corner = 0; corner < 3; ++corner) {
     const int vertex = corners[static_cast<std::size_t>(corner)];
-    point += grab_->barycentric[corner] * state_.positions[static_cast<std::size_t>(vertex)];
+    point += attachment_->barycentric[corner] * state_.positions[static_cast<std::size_t>(vertex)];
   }
   return point;
 }
 
-int Simulation::nearestCornerOfGrab() const {
+int Simulation::nearestAttachedVertex() const {
   Eigen::Index heaviest = 0;
-  grab_->barycentric.maxCoeff(&heaviest);
-  return model_->triangles[static_cast<std::size_t>(grab_->triangle)][static_cast<std::size_t>(heaviest)];
+  attachment_->barycentric.maxCoeff(&heaviest);
+  return model_->triangles[static_cast<std::size_t>(attachment_->triangle)][static_cast<std::size_t>(heaviest)];
 }
 
 }  // namespace drape

@@ -69,9 +69,9 @@ class Simulation {
   void on(const PauseCommand& command);
   void on(const SingleStepCommand& command);
   void on(const ResetCommand& command);
-  void on(const GrabCommand& command);
-  void on(const MoveGrabCommand& command);
-  void on(const ReleaseGrabCommand& command);
+  void on(const AttachCommand& command);
+  void on(const MoveAttachmentCommand& command);
+  void on(const DetachCommand& command);
   void on(const TogglePinCommand& command);
   void on(const MovePinsCommand& command);
   void on(const SwitchBodyCommand& command);
@@ -86,17 +86,17 @@ class Simulation {
   void keepBudget();
 
   /// What the hand holds; its stiffness and force come from the settings at each step.
-  struct Held {
+  struct AttachedPoint {
     int triangle = 0;
     Vec3 barycentric = Vec3::Zero();
     Vec3 target = Vec3::Zero();  ///< [m]
   };
-  [[nodiscard]] std::optional<Grab> grabInForce() const;
+  [[nodiscard]] std::optional<Attachment> currentAttachment() const;
   [[nodiscard]] std::size_t requireBody(int body) const;
   void captureBodies(Snapshot& snapshot) const;
   void tellOfOverlap();
-  [[nodiscard]] Vec3 grabbedPoint() const;
-  [[nodiscard]] int nearestCornerOfGrab() const;
+  [[nodiscard]] Vec3 attachedPoint() const;
+  [[nodiscard]] int nearestAttachedVertex() const;
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const ClothModel> model_;
@@ -109,7 +109,7 @@ class Simulation {
   std::optional<EnergyBalance> balance_;
   WorkBudget budget_;
   bool replaying_ = false;  // what the clock had to say stands in the log
-  std::optional<Held> grab_;
+  std::optional<AttachedPoint> attachment_;
   StepInputs inputs_;
   std::function<void()> mayStop_;
   BodyWorld bodies_;

@@ -15,7 +15,7 @@
 namespace drape {
 
 /// The hand, as it is.
-struct GrabStatus {
+struct AttachmentStatus {
   int triangle = 0;
   Vec3 barycentric = Vec3::Zero();
   Vec3 target = Vec3::Zero();  ///< where the hand is [m]
@@ -57,7 +57,7 @@ struct Snapshot {
   double stepSeconds = 0.0;                       ///< what the last step cost, without the ghost's [s]
   StepReport stepReport;                          ///< how the last step went
   double realTimeFactor = 0.0;  ///< simulated time over wall-clock time, lately [-]; 0 while paused or not timed
-  std::optional<GrabStatus> grab;
+  std::optional<AttachmentStatus> attachment;
   std::optional<GhostStatus> ghost;
   std::vector<BodyStatus> bodies;           ///< one for each of the scene's
   std::vector<ContactPoint> contactPoints;  ///< of the last step; only with view.contacts

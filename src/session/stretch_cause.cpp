@@ -173,7 +173,7 @@ StretchDiagnosis diagnoseStretch(const Scene& scene, const Settings& settings, c
     return explainByWeight(strain, scene, settings, model);
   }
   if (pulled) {
-    return {StretchCause::Hand,
+    return {StretchCause::Attachment,
             {"The hand pulls harder than this cloth can bear: let go, lower the hand's force, or raise the stiffness.",
              "", "", ""}};
   }

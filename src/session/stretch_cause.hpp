@@ -10,13 +10,13 @@ namespace drape {
 
 /// Why springs are stretched beyond anything that cloth does.
 enum class StretchCause {
-  Slivers,   ///< only springs that are far shorter than the others
-  Unit,      ///< the cloth is so large, and so heavy, that its file is probably in another unit
-  Heavy,     ///< a square metre weighs more than any fabric
-  Soft,      ///< the springs do not carry the weight
-  Hand,      ///< the mouse pulls
-  TimeStep,  ///< the solver's steps are longer than it stays stable with
-  Solver,    ///< none of these: the solver failed
+  Slivers,     ///< only springs that are far shorter than the others
+  Unit,        ///< the cloth is so large, and so heavy, that its file is probably in another unit
+  Heavy,       ///< a square metre weighs more than any fabric
+  Soft,        ///< the springs do not carry the weight
+  Attachment,  ///< the mouse pulls
+  TimeStep,    ///< the solver's steps are longer than it stays stable with
+  Solver,      ///< none of these: the solver failed
 };
 
 /// What was found about overstretched springs.

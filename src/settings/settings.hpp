@@ -33,10 +33,10 @@ struct Settings {
     std::string lumping = "area";         ///< "area" or "uniform"
   } material;
 
-  struct Hand {
+  struct Attachment {
     double stiffness = 500.0;  ///< [N/m]
     double maxForce = 10.0;    ///< [N]
-  } hand;
+  } attachment;
 
   struct Playback {
     double speed = 1.0;  ///< simulated seconds per second of the clock, when the machine keeps up [-]

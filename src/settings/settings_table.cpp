@@ -361,10 +361,10 @@ const std::array table{
         NumberField{[](Settings& s) -> double& { return s.grid.height; }, 0.01, 100.0, true},
         "Extent of a grid across its rows.", {}, {}, SettingScope::Grid},
     SettingInfo{"hand.stiffness", "Hand stiffness", "N/m", Scene, SettingEffect::Step,
-        NumberField{[](Settings& s) -> double& { return s.hand.stiffness; }, 0.1, 1e5, true},
+        NumberField{[](Settings& s) -> double& { return s.attachment.stiffness; }, 0.1, 1e5, true},
         "Stiffness of the spring by which the mouse pulls at the cloth."},
     SettingInfo{"hand.max_force", "Hand force", "N", Scene, SettingEffect::Step,
-        NumberField{[](Settings& s) -> double& { return s.hand.maxForce; }, 0.01, 1000.0, true},
+        NumberField{[](Settings& s) -> double& { return s.attachment.maxForce; }, 0.01, 1000.0, true},
         "The largest force of the mouse. The force also stays below what stretches the cloth around the held point by "
         "about a fifth."},
 

@@ -60,7 +60,7 @@ CameraBounds boundsAround(const Snapshot& snapshot, const CameraPose& pose) {
 }  // namespace
 
 void InteractionController::handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output) {
-  const auto* held = std::get_if<Grabbing>(&gesture_);
+  const auto* held = std::get_if<Pulling>(&gesture_);
   if (held != nullptr && held->scene != snapshot.scene) {
     gesture_ = Idle{};  // another scene is running, and nobody holds its cloth
   }
@@ -118,7 +118,7 @@ void InteractionController::on(const PressEvent& event, const Snapshot& snapshot
 void InteractionController::pressLeft(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
   if (event.shift) {
     gesture_ = Panning{};
-  } else if (!recentreOnDoubleClick(event, snapshot) && !grab(event, snapshot, output) && !event.control) {
+  } else if (!recentreOnDoubleClick(event, snapshot) && !attach(event, snapshot, output) && !event.control) {
     gesture_ = Orbiting{};
   }
 }
@@ -138,7 +138,7 @@ bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const
 }
 
 /// Takes what is nearest under the mouse: the cloth or a body.
-bool InteractionController::grab(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
+bool InteractionController::attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
   const Vec2 point = inView(event.position);
   const auto hit = hitAt(camera_, point, width(), height(), snapshot);
   const auto body = bodyHitBy(camera_.rayThrough(point.x(), point.y(), width(), height()), snapshot);
@@ -150,14 +150,14 @@ bool InteractionController::grab(const PressEvent& event, const Snapshot& snapsh
   if (!hit) {
     return false;
   }
-  output.commands.emplace_back(GrabCommand{hit->triangle, hit->barycentric, hit->point});
-  gesture_ = Grabbing{hit->point, snapshot.scene};
+  output.commands.emplace_back(AttachCommand{hit->triangle, hit->barycentric, hit->point});
+  gesture_ = Pulling{hit->point, snapshot.scene};
   return true;
 }
 
 void InteractionController::letGo(UiOutput& output) {
   if (holdsCloth()) {
-    output.commands.emplace_back(ReleaseGrabCommand{});
+    output.commands.emplace_back(DetachCommand{});
   }
   gesture_ = Idle{};
 }
@@ -175,10 +175,10 @@ void InteractionController::on(const MoveEvent& event, const Snapshot& snapshot,
     moveCamera(snapshot, [&](Camera& camera) { camera.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight); });
   } else if (std::holds_alternative<Panning>(gesture_)) {
     moveCamera(snapshot, [&](Camera& camera) { camera.pan(-moved.x(), moved.y()); });
-  } else if (const auto* held = std::get_if<Grabbing>(&gesture_)) {
+  } else if (const auto* held = std::get_if<Pulling>(&gesture_)) {
     const Vec2 point = inView(event.position);
     output.commands.emplace_back(
-        MoveGrabCommand{camera_.pointAtDepthOf(held->point, point.x(), point.y(), width(), height())});
+        MoveAttachmentCommand{camera_.pointAtDepthOf(held->point, point.x(), point.y(), width(), height())});
   } else if (const auto* moving = std::get_if<MovingBody>(&gesture_)) {
     const Vec2 point = inView(event.position);
     const Vec3 target = camera_.pointAtDepthOf(moving->point, point.x(), point.y(), width(), height());

@@ -61,13 +61,13 @@ class InteractionController {
 
   /// True while a gesture drags a body.
   [[nodiscard]] bool holdsBody() const { return std::holds_alternative<MovingBody>(gesture_); }
-  [[nodiscard]] bool holdsCloth() const { return std::holds_alternative<Grabbing>(gesture_); }
+  [[nodiscard]] bool holdsCloth() const { return std::holds_alternative<Pulling>(gesture_); }
 
  private:
   struct Idle {};
   struct Orbiting {};
   struct Panning {};
-  struct Grabbing {
+  struct Pulling {
     Vec3 point = Vec3::Zero();           ///< where it was taken [m]; tells how deep the hand moves
     std::shared_ptr<const Scene> scene;  ///< that was running
   };
@@ -88,7 +88,7 @@ class InteractionController {
 
   void pressLeft(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
   bool recentreOnDoubleClick(const PressEvent& event, const Snapshot& snapshot);
-  bool grab(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
+  bool attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
   void letGo(UiOutput& output);
   void escape(UiOutput& output);
   void moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move);
@@ -98,7 +98,7 @@ class InteractionController {
 
   Camera camera_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};
-  std::variant<Idle, Orbiting, Panning, Grabbing, MovingBody> gesture_;
+  std::variant<Idle, Orbiting, Panning, Pulling, MovingBody> gesture_;
   MouseButton gestureButton_ = MouseButton::Left;
   Vec2 mouse_ = Vec2::Zero();
   std::optional<PressEvent> lastLeftPress_;

@@ -78,7 +78,7 @@ void UserInterface::Parts::remember(const Snapshot& snapshot, const UiStats& sta
   }
   memory.lastStep = snapshot.step;
   memory.measures.add(snapshot);
-  memory.hasDragged = memory.hasDragged || snapshot.grab.has_value();
+  memory.hasDragged = memory.hasDragged || snapshot.attachment.has_value();
   if (!memory.hoveredThisFrame) {
     memory.hoveredRow.clear();
   }

@@ -53,15 +53,15 @@ Json toJson(const Settings& settings) {
   return json;
 }
 
-Json toJson(const std::optional<GrabStatus>& grab) {
-  if (!grab) {
+Json toJson(const std::optional<AttachmentStatus>& attachment) {
+  if (!attachment) {
     return nullptr;
   }
-  return {{"triangle", grab->triangle},
-          {"target", toJson(grab->target)},
-          {"point", toJson(grab->point)},
-          {"distance", (grab->target - grab->point).norm()},
-          {"pinned", grab->pinned}};
+  return {{"triangle", attachment->triangle},
+          {"target", toJson(attachment->target)},
+          {"point", toJson(attachment->point)},
+          {"distance", (attachment->target - attachment->point).norm()},
+          {"pinned", attachment->pinned}};
 }
 
 Json toJson(const std::optional<GhostStatus>& ghost) {
@@ -194,7 +194,7 @@ Json describeSimulation(const Snapshot& snapshot) {
           {"settings", toJson(snapshot.settings)},
           {"energy", snapshot.energy.total()},
           {"max_stretch", snapshot.maxStretch},
-          {"grab", toJson(snapshot.grab)},
+          {"attachment", toJson(snapshot.attachment)},
           {"ghost", toJson(snapshot.ghost)},
           {"contacts", contactsOf(snapshot)},
           {"choice", toJson(snapshot.stepReport.choice)},

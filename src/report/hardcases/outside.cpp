@@ -10,7 +10,7 @@ namespace drape::hardcases {
 namespace {
 
 /// The triangle of which that vertex is a corner, and the weights that take the vertex alone.
-GrabCommand grabOf(const ClothModel& model, int vertex, const Vec3& target) {
+AttachCommand attachTo(const ClothModel& model, int vertex, const Vec3& target) {
   const int triangle =
       model.vertexTriangles
           .values[static_cast<std::size_t>(model.vertexTriangles.begin[static_cast<std::size_t>(vertex)])];
@@ -68,14 +68,14 @@ void thrown(CaseTrial& trial) {
   const auto point = [&] { return watched.state().positions[static_cast<std::size_t>(vertex)]; };
   const Vec3 velocity(60.0, 80.0, 0.0);  // [m/s]
   Vec3 target = point();
-  watched.apply(grabOf(watched.model(), vertex, target));
+  watched.apply(attachTo(watched.model(), vertex, target));
   for (double time = 0.0; time < 0.1; time += settings.step.timeStep) {
     target += settings.step.timeStep * velocity;
-    watched.apply(MoveGrabCommand{target});
+    watched.apply(MoveAttachmentCommand{target});
     const Vec3 before = point();
-    watched.step([&] { return settings.hand.maxForce * (point() - before).norm(); });
+    watched.step([&] { return settings.attachment.maxForce * (point() - before).norm(); });
   }
-  watched.apply(ReleaseGrabCommand{});
+  watched.apply(DetachCommand{});
   watched.run(trial.pick(2.0, 0.5));
   trial.show("stretch at the end", "", maxStretch(watched.model(), watched.state()));
 }

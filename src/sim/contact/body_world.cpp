@@ -72,7 +72,7 @@ void BodyWorld::advance(double time, double timeStep) {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     Place& each = places_[i];
     const Vec3 way = each.wanted - each.shift;
-    const double most = handSpeed * timeStep;
+    const double most = maxDragSpeed * timeStep;
     each.shift = way.norm() <= most ? each.wanted : Vec3(each.shift + most / way.norm() * way);
     each.start = each.end;
     each.startVertices.swap(each.endVertices);

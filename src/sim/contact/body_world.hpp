@@ -46,7 +46,7 @@ class BodyWorld {
   [[nodiscard]] std::span<const Vec3> vertices(std::size_t body) const;
 
   /// The hand moves a body no faster than this [m/s].
-  static constexpr double handSpeed = 4.0;
+  static constexpr double maxDragSpeed = 4.0;
 
  private:
   struct Place {

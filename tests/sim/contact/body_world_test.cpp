@@ -26,11 +26,11 @@ TEST(BodyWorld, carriesABodyFromTheEndOfOneStepToTheEndOfTheNext) {
   EXPECT_EQ(world.steps()[0].end.position, Vec3(0, 0, 0));
 }
 
-TEST(BodyWorld, followsTheHandAtABoundedSpeedAndForgetsItWithAReset) {
+TEST(BodyWorld, followsTheMouseAtABoundedSpeedAndForgetsItWithAReset) {
   BodyWorld world(twoBodies(), 0.0);
   world.shiftTowards(0, Vec3(0.0, 0.1, 0.0));
   world.advance(0.0, 0.01);
-  EXPECT_NEAR(world.pose(0).position.y(), BodyWorld::handSpeed * 0.01, 1e-15);
+  EXPECT_NEAR(world.pose(0).position.y(), BodyWorld::maxDragSpeed * 0.01, 1e-15);
   for (int i = 0; i < 5; ++i) {
     world.advance(0.0, 0.01);
   }
