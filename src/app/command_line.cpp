@@ -75,6 +75,12 @@ void printNotes(const Scene& scene) {
 
 }  // namespace
 
+void printFormerKey(std::string_view expression) {
+  if (const std::string note = formerKeyNote(expression.substr(0, expression.find('='))); !note.empty()) {
+    std::cerr << "note: " << note << '\n';
+  }
+}
+
 void SceneArguments::addTo(CLI::App& app) {
   app.add_option("scene", scene, "A built-in scene, a scene file (.toml) or a mesh file")
       ->type_name("SCENE|MESH")
@@ -90,8 +96,12 @@ void SceneArguments::addTo(CLI::App& app) {
 std::shared_ptr<const Scene> SceneArguments::load() const {
   const SceneDescription description = openScene(scene.empty() ? sceneList().front().name : scene);
   Settings inForce = description.settings;
+  for (const std::string& note : description.notes) {
+    std::cerr << "note: " << note << '\n';
+  }
   for (const std::string& expression : settings) {
     assignSettingExpression(inForce, expression);
+    printFormerKey(expression);
   }
   requireConsistent(inForce);
   auto built = buildWithProgress(description, inForce);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drape {
@@ -24,6 +25,9 @@ struct SceneArguments {
   /// for a bad scene or mesh.
   [[nodiscard]] std::shared_ptr<const Scene> load() const;
 };
+
+/// Prints a note to standard error when "key=value" uses a former key of a setting.
+void printFormerKey(std::string_view expression);
 
 /// Accepts a number from min to max, both included, and nothing that is not a number.
 [[nodiscard]] CLI::Validator numberFrom(double min, double max);

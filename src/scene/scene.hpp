@@ -102,6 +102,7 @@ struct SceneDescription {
   std::optional<Body> ground = groundToTouch();  ///< absent: the cloth falls through the ground
   bool opened = false;                           ///< a mesh file that was opened by itself, without a scene
   Settings settings;                             ///< the defaults with the scene's own values
+  std::vector<std::string> notes;                ///< about the scene file, for the user
 };
 
 /// The surface of a stand.

@@ -126,8 +126,12 @@ void requireCarrier(const TomlReader& scene, const SceneDescription& description
   }
 }
 
-void readSettings(const TomlReader& reader, Settings& settings) {
+void readSettings(const TomlReader& reader, SceneDescription& scene) {
+  Settings& settings = scene.settings;
   reader.forEachValue([&](const std::string& key, const toml::node& node) {
+    if (const std::string note = formerKeyNote(key); !note.empty()) {
+      scene.notes.push_back(reader.placeOf(node) + ": " + note);
+    }
     try {
       // A text may also be a fraction: time_step = "1/150".
       if (const auto* text = node.as_string()) {
@@ -176,7 +180,7 @@ SceneDescription parseScene(std::string_view text, const std::string& name, cons
   scene.bodies = readBodies(reader, folder);
   requireCarrier(reader, scene);
   if (const auto settings = reader.table("settings")) {
-    readSettings(*settings, scene.settings);
+    readSettings(*settings, scene);
   }
   return scene;
 }

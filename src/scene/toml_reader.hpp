@@ -50,6 +50,9 @@ class TomlReader {
   /// "file:line" where the key stands, or where this table begins when there is no such key.
   [[nodiscard]] std::string place(std::string_view key = {}) const;
 
+  /// "file:line" of a value.
+  [[nodiscard]] std::string placeOf(const toml::node& node) const;
+
   /// Throws InputError "file:line: message".
   [[noreturn]] void fail(const toml::node& node, const std::string& message) const;
   /// The same, at the line where this table begins.
@@ -60,7 +63,6 @@ class TomlReader {
 
   [[nodiscard]] std::string nameOf(std::string_view key) const;
   [[nodiscard]] Vec3 asVector(const toml::node& node, std::string_view key, double limit) const;
-  [[nodiscard]] std::string placeOf(const toml::node& node) const;
   void visitBelow(const std::string& prefix, const toml::table& table,
                   const std::function<void(const std::string& key, const toml::node& node)>& visit) const;
 

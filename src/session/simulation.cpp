@@ -284,7 +284,7 @@ std::size_t Simulation::requireBody(int body) const {
 }
 
 void Simulation::on(const AllowWorkCommand& command) {
-  assignSetting(settings_, requireSetting("auto.work"), command.work);
+  assignSetting(settings_, requireSetting("auto.cost"), command.work);
 }
 
 void Simulation::on(const LoadSceneCommand& command) {

@@ -31,7 +31,7 @@ std::optional<double> WorkBudget::workAfter(const Settings& settings, const Clot
   cost_ = cost_ > 0.0 ? cost_ + newest * (std::min(cost, believed * cost_) - cost_) : cost;
   constexpr double milliseconds = 1e-3;
   constexpr double millions = 1e-6;
-  const auto& field = std::get<NumberField>(requireSetting("auto.work").field);
+  const auto& field = std::get<NumberField>(requireSetting("auto.cost").field);
   const double affordable = millions * settings.automatic.budget * milliseconds / budgetedTime / cost_;
   const double work = std::clamp(rounded(affordable), field.min, field.max);
   const double ratio = work / settings.step.work;

@@ -173,6 +173,15 @@ TEST(Run, tellsWhatWasFoundInAMeshFile) {
   EXPECT_NE(centimetres.output.find("1 x 2 x 0 m"), std::string::npos) << centimetres.output;
 }
 
+TEST(Run, takesAFormerKeyOfASettingWithOneNote) {
+  const Outcome outcome = headless("run grid --set hand.stiffness=50 --seconds 0.01");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const std::string note = "note: the setting 'hand.stiffness' is now called 'attachment.stiffness'";
+  const auto first = outcome.errors.find(note);
+  EXPECT_NE(first, std::string::npos) << outcome.errors;
+  EXPECT_EQ(outcome.errors.find(note, first + 1), std::string::npos) << outcome.errors;
+}
+
 TEST(Run, tellsHowAMeshFileWasRead) {
   const auto folder = testFolder();
   const auto mesh = folder / "towel.obj";

@@ -106,7 +106,7 @@ TEST(Attachment, takesLightClothAlongAndMovesHeavyCloth) {
 
 TEST(Attachment, neverPullsHarderThanTheSettingAllows) {
   // The sheet would bear more than this.
-  const Pulled gentle = pulled({"grid", {"grid.resolution=17", "solver=auto", "hand.max_force=0.02"}}, Vec3(0, 0, 0.5));
+  const Pulled gentle = pulled({"grid", {"grid.resolution=17", "solver=auto", "attachment.max_force=0.02"}}, Vec3(0, 0, 0.5));
   EXPECT_GT(gentle.left, 0.2);
 }
 

@@ -72,7 +72,7 @@ void hurry(Simulation& simulation) {
   simulation.apply(SetSettingCommand{"solver", std::string("auto")});
   simulation.apply(SetSettingCommand{"stiffness", 1e4});
   simulation.apply(SetSettingCommand{"auto.tolerance", 1e-9});
-  simulation.apply(SetSettingCommand{"auto.work", 1e4});
+  simulation.apply(SetSettingCommand{"auto.cost", 1e4});
   simulation.apply(SetSettingCommand{"auto.budget", 0.01});
 }
 

@@ -46,7 +46,7 @@ TEST_F(UserInterfaceTest, AClockThatFallsBehindForStiffnessHasOneClickToKeepPace
   simulation_.apply(SetSettingCommand{"solver", std::string("auto")});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("button.soften"));
-  simulation_.apply(SetSettingCommand{"auto.work", 0.1});
+  simulation_.apply(SetSettingCommand{"auto.cost", 0.1});
   simulation_.apply(SetSettingCommand{"stiffness", 1e5});
   simulation_.step();
   settle();

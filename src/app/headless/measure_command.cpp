@@ -66,6 +66,7 @@ Settings referenceSettings(const MeasureArguments& arguments, ReferenceKind kind
                        " would make another cloth; the reference takes settings of the step alone");
     }
     assignSettingExpression(settings, expression);
+    printFormerKey(expression);
   }
   requireConsistent(settings);
   return settings;

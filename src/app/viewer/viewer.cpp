@@ -231,6 +231,8 @@ void Viewer::followScene(const Snapshot& snapshot) {
   }
   if (!shownScene_->summary.warnings.empty()) {
     tell(shownScene_->summary.warnings.front());
+  } else if (!shownScene_->description.notes.empty()) {
+    tell(shownScene_->description.notes.front());
   }
 }
 

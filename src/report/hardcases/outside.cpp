@@ -60,7 +60,7 @@ void storm(CaseTrial& trial) {
 
 void thrown(CaseTrial& trial) {
   const int resolution = trial.pick(33, 17);
-  WatchedCloth watched(trial, sheetCloth(trial.settings({"stiffness=1000", "hand.stiffness=1e4", "hand.max_force=100"}),
+  WatchedCloth watched(trial, sheetCloth(trial.settings({"stiffness=1000", "attachment.stiffness=1e4", "attachment.max_force=100"}),
                                          resolution, Held::TwoCorners));
   watched.run(trial.pick(0.3, 0.1));
   const Settings& settings = watched.simulation().settings();

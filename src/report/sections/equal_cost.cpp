@@ -68,7 +68,7 @@ void copy(ReportRow& row, const char* to, const ReportRow* from, const char* key
   row[to] = from == nullptr ? ReportRow(nullptr) : (*from)[key];
 }
 
-/// "auto.work=3 auto.soften=on" and what it cost.
+/// "auto.cost=3 auto.soften=on" and what it cost.
 std::string settingText(const ReportRow& row) {
   return row.value("setting", "") + " (" + figure(row, "us_per_simulated_second") + " us)";
 }

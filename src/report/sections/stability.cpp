@@ -97,7 +97,7 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
   // What takes a solver more iterations is given up as too slow anyway, but only between steps can it be. The default
   // work of `auto` takes seconds.
   const Settings settings = changedSettings(
-      ground.scene(), {"solver=" + method, "time_step=" + timeStep, "max_iterations=100", "auto.work=50"});
+      ground.scene(), {"solver=" + method, "time_step=" + timeStep, "max_iterations=100", "auto.cost=50"});
   ReportRow row{{"method", method},
                 {"resolution", ground.resolution()},
                 {"stiffness", settings.step.stiffness},

@@ -275,7 +275,7 @@ std::string autoWarning(const ClothModel& model, const StepParameters& parameter
     const double carried = std::floor(held / costWithLevels) * heldTo / hardness;
     words << "The work allowed is too little for cloth so stiff and fine: stretching is carried by coarse groups, and "
           << "springs keep " << 100.0 * carried * carried
-          << " % of their stiffness. All of it needs auto.work = " << std::fixed << std::setprecision(0) << needed
+          << " % of their stiffness. All of it needs auto.cost = " << std::fixed << std::setprecision(0) << needed
           << (parameters.soften ? "." : " and auto.soften = off.");
   } else {
     words << "Cloth so stiff and fine takes up to " << 0.5 * hardness / passes
@@ -297,7 +297,7 @@ SolverInfo solvers::adaptive() {
           .source = "Drape (docs/theory/auto.md), on Stoermer-Verlet and Omelyan, Mryglod and Folk, 2002",
           .backwardEuler = false,
           .choosesSubsteps = true,
-          .settings = {"precision", "auto.work", "auto.soften", "auto.budget", "auto.tolerance"},
+          .settings = {"precision", "auto.cost", "auto.soften", "auto.budget", "auto.tolerance"},
           .warning = autoWarning,
           .stepLimit = nullptr,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<AutoSolver>(); }};
