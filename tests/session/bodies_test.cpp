@@ -176,7 +176,7 @@ TEST(Bodies, whatCannotComeOutIsToldInWords) {
   while (simulation.state().time < 2.0) {
     simulation.step();
   }
-  EXPECT_NE(simulation.message().find("does not come out"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().find("cannot push it out"), std::string::npos) << simulation.message();
   EXPECT_NE(simulation.message().find("Move or scale"), std::string::npos) << simulation.message();
 }
 

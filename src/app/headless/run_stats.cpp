@@ -12,7 +12,7 @@
 namespace drape {
 namespace {
 
-/// The value below which that share of the sorted values lies (nearest rank).
+/// The quantile of sorted values at this share (nearest rank).
 double quantile(const std::vector<float>& sorted, double share) {
   if (sorted.empty()) {
     return 0.0;
@@ -28,7 +28,7 @@ nlohmann::ordered_json quantiles(std::vector<float> seconds) {
   return {{"median", quantile(seconds, 0.5) * microseconds}, {"p99", quantile(seconds, 0.99) * microseconds}};
 }
 
-/// The longest stable substep [s], or null where the solver has no such limit on this cloth.
+/// The longest stable substep [s], or null when the solver has no such limit on this cloth.
 nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& settings) {
   const SolverInfo* solver = findSolver(settings.solver.name);
   if (solver == nullptr || solver->stepLimit == nullptr) {
@@ -38,7 +38,7 @@ nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& s
   return std::isfinite(limit) ? nlohmann::ordered_json(limit) : nlohmann::ordered_json(nullptr);
 }
 
-/// How a mesh file was read, or null where there is none.
+/// How a mesh file was read, or null for a grid.
 nlohmann::ordered_json readingJson(const std::optional<MeshReading>& reading) {
   if (!reading) {
     return nullptr;
