@@ -11,22 +11,23 @@
 namespace drape {
 namespace {
 
-constexpr double doubleClickTime = 0.35;            // [s]
-constexpr double doubleClickDistance = 5.0;         // [window units]
-constexpr double zoomPerNotch = 0.88;               // the distance shrinks to this
-constexpr double turnPerHeight = std::numbers::pi;  // a drag over the view's whole height turns by half a circle [rad]
+constexpr double doubleClickTime = 0.35;     // [s]
+constexpr double doubleClickDistance = 5.0;  // [window units]
+constexpr double zoomPerNotch = 0.88;        // factor of the distance
+constexpr double turnPerHeight =
+    std::numbers::pi;  // a drag over the whole height of the view turns by half a circle [rad]
 
 std::optional<Hit> hitAt(const Camera& camera, const Vec2& point, int width, int height, const Snapshot& snapshot) {
   return pick(camera.rayThrough(point.x(), point.y(), width, height), snapshot.positions, snapshot.model->triangles);
 }
 
-/// A body under the mouse.
+/// A body under the mouse pointer.
 struct BodyHit {
   int body = 0;
   Hit hit;
 };
 
-/// The first body that a ray meets, planes left out: they have no end.
+/// The first body that a ray hits. Infinite planes are ignored.
 std::optional<BodyHit> bodyHitBy(const Ray& ray, const Snapshot& snapshot) {
   std::optional<BodyHit> nearest;
   for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
@@ -50,7 +51,7 @@ std::optional<BodyHit> bodyHitBy(const Ray& ray, const Snapshot& snapshot) {
   return nearest;
 }
 
-/// The bounds for the camera as it is: around the cloth, where it is and where it began.
+/// The bounds for the camera: around the cloth now and at its start.
 CameraBounds boundsAround(const Snapshot& snapshot, const CameraPose& pose) {
   Eigen::AlignedBox3d box = boundsOf(snapshot.scene->start.positions);
   box.extend(boundsOf(snapshot.positions));
@@ -62,7 +63,7 @@ CameraBounds boundsAround(const Snapshot& snapshot, const CameraPose& pose) {
 void InteractionController::handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output) {
   const auto* held = std::get_if<Pulling>(&gesture_);
   if (held != nullptr && held->scene != snapshot.scene) {
-    gesture_ = Idle{};  // another scene is running, and nobody holds its cloth
+    gesture_ = Idle{};  // another scene is running, so the attachment is gone
   }
   const auto* moving = std::get_if<MovingBody>(&gesture_);
   if (moving != nullptr && moving->scene != snapshot.scene) {
@@ -130,14 +131,14 @@ bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const
   if (!isDouble) {
     return false;
   }
-  lastLeftPress_.reset();  // a third click is not another double click
+  lastLeftPress_.reset();  // a third click is not a second double click
   if (const auto hit = hitAt(camera_, inView(event.position), width(), height(), snapshot)) {
     camera_.recentre(hit->point);
   }
   return true;
 }
 
-/// Takes what is nearest under the mouse: the cloth or a body.
+/// Starts to drag the nearest thing under the mouse: the cloth or a body.
 bool InteractionController::attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
   const Vec2 point = inView(event.position);
   const auto hit = hitAt(camera_, point, width(), height(), snapshot);

@@ -9,9 +9,9 @@
 namespace drape {
 namespace {
 
-constexpr double shortestSpan = 0.5;  // of the time axis [s]
+constexpr double shortestSpan = 0.5;  // minimum of the time axis [s]
 
-/// Where the curves are drawn, and what its edges mean.
+/// The area of the curves and its axes.
 struct Frame {
   ImVec2 low;   // upper left corner
   ImVec2 high;  // lower right corner
@@ -45,7 +45,7 @@ std::pair<double, double> rangeOf(std::span<const MeasureSample> samples, std::s
   return range;
 }
 
-/// Multiples of the step; the rounding of a sum must not turn zero into 1e-17.
+/// Multiples of the step. Rounding must not turn zero into 1e-17.
 std::vector<double> ticksOf(const PlotScale& scale) {
   std::vector<double> ticks;
   const auto first = static_cast<long long>(std::llround(scale.low / scale.step));
@@ -148,7 +148,7 @@ void timePlot(const PanelContext& context, std::string_view title, std::string_v
   const auto [least, most] = rangeOf(samples, curves);
   Frame frame;
   frame.scale = plotScale(least, most, 4);
-  // Half a line of text stands above the uppermost tick and below the lowest, and the time below that.
+  // Half a line of text extends above the top tick and below the lowest; the time axis is below that.
   frame.low = {std::round(at.x + widestTick(frame.scale) + 6.0F * context.scale), std::round(at.y + 0.5F * line)};
   frame.high = {at.x + size.x, std::round(at.y + size.y - 1.4F * line)};
   if (!samples.empty()) {
