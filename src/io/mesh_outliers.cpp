@@ -10,10 +10,10 @@ namespace {
 constexpr std::size_t verticesPerOutlier = 20;
 
 /// Outliers are this many times farther from the middle than all other vertices.
-constexpr double leastGap = 20.0;
+constexpr double minGap = 20.0;
 
 /// With fewer vertices than this a long thin mesh cannot be told from an outlier.
-constexpr std::size_t fewestOthers = 10;
+constexpr std::size_t minOthers = 10;
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
@@ -55,7 +55,7 @@ Vec3 medianPosition(const std::vector<Vec3>& positions, const std::vector<int>& 
 /// The first distance, of those in ascending order, that leaves the one before it far behind; 0 when none does.
 double firstFarDistance(const std::vector<double>& ascending, std::size_t most) {
   for (std::size_t i = ascending.size() - most; i < ascending.size(); ++i) {
-    if (i > 0 && ascending[i] > leastGap * ascending[i - 1] && ascending[i - 1] > 0.0) {
+    if (i > 0 && ascending[i] > minGap * ascending[i - 1] && ascending[i - 1] > 0.0) {
       return ascending[i];
     }
   }
@@ -66,7 +66,7 @@ double firstFarDistance(const std::vector<double>& ascending, std::size_t most) 
 
 std::vector<int> findOutliers(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
   const std::vector<int> vertices = usedVertices(positions.size(), triangles);
-  if (vertices.size() <= fewestOthers) {
+  if (vertices.size() <= minOthers) {
     return {};
   }
   const Vec3 middle = medianPosition(positions, vertices);

@@ -29,8 +29,8 @@ class Axis {
   [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
 
  private:
-  void makeLinear(double least, double most);
-  void makeLogarithmic(double least, double most);
+  void makeLinear(double lowest, double highest);
+  void makeLogarithmic(double lowest, double highest);
 
   Scale scale_;
   double begin_ = 0.0;  // of the value, or of its decimal logarithm

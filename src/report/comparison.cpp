@@ -41,8 +41,8 @@ const char* timeOf(const Json& row) {
 }
 
 std::pair<double, double> rangeOf(const Json& samples) {
-  const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
-  return {least->get<double>(), most->get<double>()};
+  const auto [lowest, highest] = std::minmax_element(samples.begin(), samples.end());
+  return {lowest->get<double>(), highest->get<double>()};
 }
 
 class Comparer {
@@ -104,10 +104,10 @@ class Comparer {
       return;
     }
     count("judged");
-    const auto [leastBefore, mostBefore] = rangeOf(was);
-    const auto [leastNow, mostNow] = rangeOf(now);
+    const auto [minBefore, maxBefore] = rangeOf(was);
+    const auto [minNow, maxNow] = rangeOf(now);
     const double change = numberIn(after, key) / numberIn(before, key) - 1.0;
-    const bool apart = leastNow > mostBefore || mostNow < leastBefore;
+    const bool apart = minNow > maxBefore || maxNow < minBefore;
     if (apart && std::abs(change) > timeTolerance) {
       move(section, place, key, before[key], after[key], change > 0.0 ? "slower" : "faster");
     }

@@ -152,7 +152,7 @@ Ending halve(Reference& reference, const Scene& scene, int checkpoints, const Co
   Hope hope;
   for (int i = 0; reference.trusted < checkpoints; ++i) {
     const double timeStep = 0.5 * reference.settings.step.timeStep;
-    if (i == tolerance.mostHalvings || workOf(scene, timeStep, checkpoints) > tolerance.mostWork) {
+    if (i == tolerance.maxHalvings || workOf(scene, timeStep, checkpoints) > tolerance.maxCost) {
       return Ending::TooMuchWork;
     }
     reference.settings.step.timeStep = timeStep;

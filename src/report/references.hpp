@@ -47,10 +47,10 @@ struct ConvergenceTolerance {
   double absolute = 1e-6;              ///< [m]
   double share = 1e-3;                 ///< [-]
   const Trajectory* judged = nullptr;  ///< runs freely; null: `absolute` alone counts
-  int mostHalvings = 12;
+  int maxHalvings = 12;
   /// Take what there is where not even the first checkpoint passes: the differences tell what it is worth.
   bool takeAnyway = false;
-  double mostWork = 5e8;  ///< springs times steps of a run [-], about half a minute; a longer one is not begun
+  double maxCost = 5e8;  ///< springs times steps of a run [-], about half a minute; a longer one is not begun
 };
 
 /// The settings of the same-step reference for a method's: solver newton, tolerance 1e-10.

@@ -80,8 +80,8 @@ StepTiming timeSteps(const Scene& scene, const Settings& settings, const TimingB
   // The state's own vectors were there before; what came is the solver's.
   timing.memoryBytes = std::max(0.0, allocatedBytes() - before);
   timing.memoryBytes = std::isnan(before) ? none : timing.memoryBytes;
-  for (double spent = 0.0; static_cast<int>(timing.stepSeconds.size()) < budget.mostSteps &&
-                           (spent < budget.seconds || static_cast<int>(timing.stepSeconds.size()) < budget.leastSteps);
+  for (double spent = 0.0; static_cast<int>(timing.stepSeconds.size()) < budget.maxSteps &&
+                           (spent < budget.seconds || static_cast<int>(timing.stepSeconds.size()) < budget.minSteps);
        spent += timing.stepSeconds.back()) {
     if (!isFinite(state)) {
       timing.finite = false;

@@ -29,8 +29,8 @@ struct StepTiming {
 
 struct TimingBudget {
   double seconds = 0.3;  ///< no step is begun after this
-  int leastSteps = 5;    ///< but so many are always taken ...
-  int mostSteps = 2000;  ///< ... and no more than these
+  int minSteps = 5;      ///< but so many are always taken ...
+  int maxSteps = 2000;   ///< ... and no more than these
 };
 
 /// @param mayStop is called before each step and may throw

@@ -32,7 +32,7 @@ CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, doub
   const Vec3 half = (0.5 * margin * (max - min)).cwiseMax(0.5 * smallestSize);
   const double slopeUp = tanHalfAngle(pose);
   const double slopeRight = slopeUp * aspect;
-  double distance = nearestView;
+  double distance = minViewDistance;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0);
     const Vec3 offset = half.cwiseProduct(sign);
@@ -42,7 +42,7 @@ CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, doub
   }
   CameraPose result = pose;
   result.focalPoint = 0.5 * (min + max);
-  result.position = result.focalPoint + std::min(distance, farthestView) * basis.back;
+  result.position = result.focalPoint + std::min(distance, maxViewDistance) * basis.back;
   return result;
 }
 

@@ -19,8 +19,8 @@ struct CameraBasis {
 [[nodiscard]] double tanHalfAngle(const CameraPose& pose);
 
 /// Nearest and farthest that a camera may be from its focal point [m].
-inline constexpr double nearestView = 0.01;
-inline constexpr double farthestView = 400.0;
+inline constexpr double minViewDistance = 0.01;
+inline constexpr double maxViewDistance = 400.0;
 
 /// The pose that looks in the same direction as `pose` and whose view is filled by the box, with a little air around.
 /// @param aspect width over height of the picture

@@ -93,10 +93,10 @@ void measure(const GridLayout& layout, GridSource::Plane plane, MeshSummary& sum
 }  // namespace
 
 GridLayout layoutOf(const Settings::Grid& grid) {
-  constexpr double mostVertices = 4e6;
+  constexpr double maxVertices = 4e6;
   const double cell = std::min(grid.width, grid.height) / (grid.resolution - 1);
   const double vertices = (grid.width / cell + 1.0) * (grid.height / cell + 1.0);
-  if (vertices > mostVertices) {
+  if (vertices > maxVertices) {
     throw InputError("a grid of " + std::to_string(static_cast<long long>(vertices)) +
                      " vertices is too large (4000000 at most): lower grid.resolution, or bring grid.width and "
                      "grid.height nearer to each other");

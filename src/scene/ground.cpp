@@ -11,8 +11,8 @@ namespace {
 constexpr double clearance = 0.01;    // cloth that starts so near to y = 0, or below, gets its ground below itself [m]
 constexpr double shareBelow = 0.25;   // of the cloth's largest extent, between cloth and ground [-]
 constexpr double shareStretch = 0.1;  // of the cloth's largest extent, that hanging cloth may be longer [-]
-constexpr std::size_t mostVertices = 4096;  // that the lowest point is looked for among: it need not be exact
-constexpr std::size_t mostPins = 256;
+constexpr std::size_t maxVertices = 4096;  // that the lowest point is looked for among: it need not be exact
+constexpr std::size_t maxPins = 256;
 
 /// The step from one sample to the next that leaves at most `most` of `count`.
 std::size_t strideOf(std::size_t count, std::size_t most) {
@@ -23,8 +23,8 @@ std::size_t strideOf(std::size_t count, std::size_t most) {
 /// them is long. Their straight distance stands for that length.
 double lowestHang(std::span<const Vec3> start, std::span<const int> pins) {
   double lowest = std::numeric_limits<double>::infinity();
-  const std::size_t nextVertex = strideOf(start.size(), mostVertices);
-  const std::size_t nextPin = strideOf(pins.size(), mostPins);
+  const std::size_t nextVertex = strideOf(start.size(), maxVertices);
+  const std::size_t nextPin = strideOf(pins.size(), maxPins);
   for (std::size_t v = 0; v < start.size(); v += nextVertex) {
     double held = -std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < pins.size(); p += nextPin) {

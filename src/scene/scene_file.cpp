@@ -92,9 +92,9 @@ CameraPose readCamera(const TomlReader& reader) {
   pose.position = reader.vector("position").value_or(pose.position);
   pose.focalPoint = reader.vector("focal_point").value_or(pose.focalPoint);
   pose.viewAngle = reader.number("view_angle", 1.0, 150.0).value_or(pose.viewAngle);
-  if ((pose.position - pose.focalPoint).norm() < nearestView) {
-    reader.fail("camera.position and camera.focal_point must be at least " + std::to_string(nearestView).substr(0, 4) +
-                " m apart");
+  if ((pose.position - pose.focalPoint).norm() < minViewDistance) {
+    reader.fail("camera.position and camera.focal_point must be at least " +
+                std::to_string(minViewDistance).substr(0, 4) + " m apart");
   }
   return pose;
 }

@@ -9,7 +9,7 @@
 namespace drape {
 namespace {
 
-constexpr std::size_t mostBodies = 32;
+constexpr std::size_t maxBodies = 32;
 
 std::string freeName(const std::vector<BodyDescription>& bodies, const std::string& wanted) {
   const auto taken = [&](const std::string& name) {
@@ -55,9 +55,9 @@ void addBody(SceneDescription& scene, const std::string& file) {
 }  // namespace
 
 SceneDescription openParts(const SceneParts& parts) {
-  if (parts.bodies.size() > mostBodies) {
+  if (parts.bodies.size() > maxBodies) {
     throw InputError("there are " + std::to_string(parts.bodies.size()) + " files for bodies; drop at most " +
-                     std::to_string(mostBodies) + " at a time");
+                     std::to_string(maxBodies) + " at a time");
   }
   SceneDescription scene = openScene(parts.scene.empty() ? parts.cloth : parts.scene);
   if (!parts.scene.empty() && !parts.cloth.empty()) {

@@ -20,25 +20,25 @@ namespace {
 constexpr const char* detailsName = "Solver details";
 
 /// The change that one click offers.
-enum class WayOut { None, Auto, Soften };
+enum class Remedy { None, Auto, Soften };
 
 struct Message {
   std::string text;
   ImVec4 colour;
-  WayOut wayOut = WayOut::None;
+  Remedy wayOut = Remedy::None;
 };
 
 /// The solver that chooses its own steps.
 constexpr std::string_view choosingSolver = "auto";
 
-bool isOpen(WayOut way, const Settings& settings) {
+bool isOpen(Remedy way, const Settings& settings) {
   const bool chooses = settings.solver.name == choosingSolver;
   switch (way) {
-    case WayOut::Auto:
+    case Remedy::Auto:
       return !chooses && findSolver(choosingSolver) != nullptr;
-    case WayOut::Soften:
+    case Remedy::Soften:
       return chooses && !settings.step.soften;
-    case WayOut::None:
+    case Remedy::None:
       break;
   }
   return false;
@@ -59,7 +59,7 @@ std::optional<Message> paceMessage(const Snapshot& snapshot) {
   if (choice && choice->demand > stretchedBudget) {
     return Message{snapshot.settings.step.soften ? "The springs are softened to keep real time"
                                                  : "The cloth is too stiff and too fine for real time",
-                   palette().warning, WayOut::Soften};
+                   palette().warning, Remedy::Soften};
   }
   return std::nullopt;
 }
@@ -69,7 +69,7 @@ Message messageOf(const PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
   if (!snapshot.message.empty()) {
     return {snapshot.message, palette().warning,
-            snapshot.overstretched && snapshot.overstretched->advice.key == "solver" ? WayOut::Auto : WayOut::None};
+            snapshot.overstretched && snapshot.overstretched->advice.key == "solver" ? Remedy::Auto : Remedy::None};
   }
   if (!context.stats.notice.empty()) {
     return {context.stats.notice, palette().text};
@@ -78,7 +78,7 @@ Message messageOf(const PanelContext& context) {
     return *pace;
   }
   if (std::string warning = solverWarning(context.settings, *snapshot.model); !warning.empty()) {
-    return {std::move(warning), palette().warning, WayOut::Auto};
+    return {std::move(warning), palette().warning, Remedy::Auto};
   }
   if (std::string warning = ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
     return {"Ghost: " + warning, palette().warning};
@@ -98,8 +98,8 @@ std::vector<std::pair<std::string, ImVec4>> factsOf(const Snapshot& snapshot) {
           {describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text}};
 }
 
-void drawWayOut(PanelContext& context, WayOut way) {
-  const bool toAuto = way == WayOut::Auto;
+void drawWayOut(PanelContext& context, Remedy way) {
+  const bool toAuto = way == Remedy::Auto;
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
   if (ImGui::SmallButton(toAuto ? "Use auto" : "Soften")) {
     if (toAuto) {

@@ -26,7 +26,7 @@ struct PlotScale {
 };
 
 /// The scale that covers `low` to `high` and zero, with at most `maxSteps` steps.
-[[nodiscard]] PlotScale plotScale(double low, double high, int most);
+[[nodiscard]] PlotScale plotScale(double low, double high, int maxSteps);
 
 /// Draws the curves with a scale, a line at zero and the time axis, then a legend with the newest values. Ignores
 /// values that are not finite.

@@ -88,7 +88,7 @@ TEST(HardCases, tellWhatWentWrong) {
 
 TEST(HardCases, areGivenUpWhenTheyTakeTooLong) {
   CaseOptions options = shortly("pcg");
-  options.mostSeconds = 0.0;
+  options.maxSeconds = 0.0;
   const CaseResult result = runHardCase(requireHardCase("long_steps"), options);
   EXPECT_EQ(result.outcome, CaseOutcome::GivenUp);
   EXPECT_NE(result.words, "");

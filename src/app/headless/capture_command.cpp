@@ -92,7 +92,7 @@ void capture(const CaptureArguments& arguments) {
 }  // namespace
 
 void addCaptureCommand(CLI::App& app) {
-  constexpr int mostPixels = 16384;
+  constexpr int maxPixels = 16384;
   constexpr double farAway = 1e6;
   auto arguments = std::make_shared<CaptureArguments>();
   CLI::App* command = app.add_subcommand("capture", "Simulates and draws pictures, without a display");
@@ -110,7 +110,7 @@ void addCaptureCommand(CLI::App& app) {
       ->delimiter(',')
       ->expected(2)
       ->type_name("W,H")
-      ->check(CLI::Range(16, mostPixels));
+      ->check(CLI::Range(16, maxPixels));
   command->add_option("--camera-position", arguments->cameraPosition, "Position of the camera [m]")
       ->delimiter(',')
       ->expected(3)

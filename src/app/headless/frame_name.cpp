@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-constexpr int mostDigits = 9;
+constexpr int maxDigits = 9;
 
 [[noreturn]] void refuse(std::string_view pattern, const std::string& why) {
   throw UsageError("--output '" + std::string(pattern) + "': " + why + "; for example out/frame_{frame:4}.png");
@@ -26,7 +26,7 @@ int digitsOf(std::string_view word) {
   }
   const bool oneDigit = word.size() == 2 && word[0] == ':' && std::isdigit(static_cast<unsigned char>(word[1])) != 0;
   const int digits = oneDigit ? word[1] - '0' : -1;
-  return digits >= 1 && digits <= mostDigits ? digits : -1;
+  return digits >= 1 && digits <= maxDigits ? digits : -1;
 }
 
 }  // namespace

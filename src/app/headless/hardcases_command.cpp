@@ -20,7 +20,7 @@ struct HardCasesArguments {
   std::vector<std::string> settings;
   bool shortForm = false;
   bool markdown = false;
-  double mostSeconds = 60.0;
+  double maxSeconds = 60.0;
   std::string json;
 };
 
@@ -58,7 +58,7 @@ int runSolver(const HardCasesArguments& arguments, const std::vector<const HardC
   options.solver = solver;
   options.shortForm = arguments.shortForm;
   options.settings = arguments.settings;
-  options.mostSeconds = arguments.mostSeconds;
+  options.maxSeconds = arguments.maxSeconds;
   int failed = 0;
   if (!arguments.markdown) {
     std::cout << solver << '\n';
@@ -119,7 +119,7 @@ void addHardCasesCommand(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--short", arguments->shortForm, "Smaller cloths and shorter times");
   command->add_flag("--markdown", arguments->markdown, "Print one table of all solvers (Markdown)");
-  command->add_option("--most-seconds", arguments->mostSeconds, "Stop a case that takes longer than this [s]")
+  command->add_option("--max-seconds", arguments->maxSeconds, "Stop a case that takes longer than this [s]")
       ->check(numberFrom(0.01, longest));
   command->add_option("--json", arguments->json, "Write all results to this file (JSON)")
       ->type_name("FILE")

@@ -31,7 +31,7 @@ class IntersectionWatch {
  private:
   /// The counts of one kind over a run.
   struct Tally {
-    std::size_t most = 0;
+    std::size_t max = 0;
     std::size_t last = 0;
     std::int64_t worstStep = 0;  ///< the first step with the maximum
     void add(std::int64_t step, std::size_t count);

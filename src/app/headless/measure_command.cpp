@@ -31,7 +31,7 @@ struct MeasureArguments {
 };
 
 /// A minute is far longer than motions can be compared.
-constexpr double mostMeasuredSeconds = 60.0;
+constexpr double maxMeasuredSeconds = 60.0;
 
 ReferenceKind kindOf(const std::string& against) {
   if (against == "same_step") {
@@ -143,7 +143,7 @@ void addMeasureCommand(CLI::App& app) {
   arguments->scene.addTo(*command);
   command->add_option("--seconds", arguments->seconds, "Simulated time [s]; rounded to whole checkpoints of 1/30 s")
       ->required()
-      ->check(numberFrom(0.0, mostMeasuredSeconds));
+      ->check(numberFrom(0.0, maxMeasuredSeconds));
   command
       ->add_option(
           "--against", arguments->against,
@@ -164,7 +164,7 @@ void addMeasureCommand(CLI::App& app) {
   command->add_option("--summary", arguments->summaries, "Times of the summary [s]")
       ->delimiter(',')
       ->type_name("T,...")
-      ->check(numberFrom(0.0, mostMeasuredSeconds));
+      ->check(numberFrom(0.0, maxMeasuredSeconds));
   command->add_option("--json", arguments->json, "Write all results to this file (JSON)")
       ->type_name("FILE")
       ->check(notEmpty());

@@ -31,12 +31,12 @@ struct RunArguments {
 };
 
 /// Longer runs would take days and are probably a mistake.
-constexpr double mostSeconds = 1e5;
-constexpr double mostSteps = 1e9;
+constexpr double maxSeconds = 1e5;
+constexpr double maxSteps = 1e9;
 
 std::int64_t stepsFor(double seconds, double timeStep) {
   const double steps = std::round(seconds / timeStep);
-  if (steps > mostSteps) {
+  if (steps > maxSteps) {
     throw UsageError(
         "--seconds divided by time_step gives more than a thousand million steps; use fewer seconds "
         "or a longer step");
@@ -146,7 +146,7 @@ void addRunCommand(CLI::App& app) {
   arguments->scene.addTo(*command);
   command->add_option("--seconds", arguments->seconds, "Simulated time [s]")
       ->required()
-      ->check(numberFrom(0.0, mostSeconds));
+      ->check(numberFrom(0.0, maxSeconds));
   command->add_option("--threads", arguments->threads,
                       "Maximum number of threads of a step; the result does not depend on it");
   command->add_option("--stats", arguments->stats, "Write the statistics of the run to this file (JSON)")
@@ -156,12 +156,12 @@ void addRunCommand(CLI::App& app) {
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("--every", arguments->every, "Simulated time between two samples of positions [s]")
-      ->check(numberFrom(1e-6, mostSeconds));
+      ->check(numberFrom(1e-6, maxSeconds));
   command
       ->add_option("--check-intersections", arguments->checkIntersections,
                    "Count intersecting triangles exactly, at every N-th step and the last")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, static_cast<std::int64_t>(mostSteps)));
+      ->check(CLI::Range(std::int64_t{1}, static_cast<std::int64_t>(maxSteps)));
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -74,19 +74,19 @@ void RunStats::add(const Simulation& simulation) {
   if (const auto& choice = simulation.lastStepReport().choice) {
     passes_.push_back(static_cast<float>(choice->passes));
     retakenSteps_ += choice->retaken > 0 ? 1 : 0;
-    lastResortSteps_ += choice->lastResort ? 1 : 0;
+    fallbackSteps_ += choice->lastResort ? 1 : 0;
     largestError_ = std::max(largestError_, choice->error);
   }
-  mostOverlaps_ = std::max(mostOverlaps_, contact.overlaps);
+  maxOverlaps_ = std::max(maxOverlaps_, contact.overlaps);
   deepestOverlap_ = std::max(deepestOverlap_, contact.deepestOverlap);
-  mostSqueezed_ = std::max(mostSqueezed_, contact.squeezed);
+  maxInfeasible_ = std::max(maxInfeasible_, contact.squeezed);
 }
 
 nlohmann::ordered_json RunStats::contactJson(const ContactReport& last) const {
   return {{"bodies_us", quantiles(bodySeconds_)}, {"self_us", quantiles(selfSeconds_)},
           {"body_contacts", last.bodyContacts},   {"self_contacts", last.selfContacts},
-          {"overlaps_max", mostOverlaps_},        {"overlaps_final", last.overlaps},
-          {"deepest_overlap", deepestOverlap_},   {"squeezed_max", mostSqueezed_}};
+          {"overlaps_max", maxOverlaps_},         {"overlaps_final", last.overlaps},
+          {"deepest_overlap", deepestOverlap_},   {"infeasible_max", maxInfeasible_}};
 }
 
 nlohmann::ordered_json RunStats::choiceJson(const std::optional<StepChoice>& last) const {
@@ -94,10 +94,10 @@ nlohmann::ordered_json RunStats::choiceJson(const std::optional<StepChoice>& las
   if (last) {
     std::vector<float> passes = passes_;
     std::sort(passes.begin(), passes.end());
-    json["passes_median"] = quantile(passes, 0.5);
-    json["passes_max"] = quantile(passes, 1.0);
+    json["force_evaluations_median"] = quantile(passes, 0.5);
+    json["force_evaluations_max"] = quantile(passes, 1.0);
     json["retaken_steps"] = retakenSteps_;
-    json["last_resort_steps"] = lastResortSteps_;
+    json["fallback_solver_steps"] = fallbackSteps_;
     json["error_max"] = largestError_;
   }
   return json;

@@ -34,12 +34,12 @@ class RunStats {
   std::vector<float> seconds_;
   std::vector<float> bodySeconds_;
   std::vector<float> selfSeconds_;
-  int mostOverlaps_ = 0;
+  int maxOverlaps_ = 0;
   double deepestOverlap_ = 0.0;  // [m]
-  int mostSqueezed_ = 0;
+  int maxInfeasible_ = 0;
   std::vector<float> passes_;
   int retakenSteps_ = 0;
-  int lastResortSteps_ = 0;
+  int fallbackSteps_ = 0;
   double largestError_ = -1.0;  // [m]
 };
 

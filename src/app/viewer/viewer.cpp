@@ -64,12 +64,12 @@ std::pair<int, int> openingSize(const ViewerOptions& options) {
 /// Whether the camera should be placed anew: the mesh has another unit or up axis.
 bool differsInSize(const Scene& a, const Scene& b) {
   constexpr double much = 1.5;
-  const double least = 0.02 * std::max(*std::max_element(a.summary.size.begin(), a.summary.size.end()),
+  const double tolerance = 0.02 * std::max(*std::max_element(a.summary.size.begin(), a.summary.size.end()),
                                        *std::max_element(b.summary.size.begin(), b.summary.size.end()));
   for (std::size_t axis = 0; axis < a.summary.size.size(); ++axis) {
     // A flat cloth has a side of zero, so the comparison needs an absolute tolerance.
-    const double one = a.summary.size[axis] + least;
-    const double other = b.summary.size[axis] + least;
+    const double one = a.summary.size[axis] + tolerance;
+    const double other = b.summary.size[axis] + tolerance;
     if (one > much * other || other > much * one) {
       return true;
     }

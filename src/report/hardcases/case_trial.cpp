@@ -62,7 +62,7 @@ double CaseTrial::seconds() const {
 
 void CaseTrial::tick() const {
   options_.mayStop();
-  if (seconds() > options_.mostSeconds) {
+  if (seconds() > options_.maxSeconds) {
     throw CaseTooSlow();
   }
 }

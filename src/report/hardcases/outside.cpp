@@ -31,17 +31,17 @@ Vec3 meanVelocity(const ClothModel& model, const ClothState& state) {
 }  // namespace
 
 void pinsTeleport(CaseTrial& trial) {
-  constexpr double mostStretch = 5.0;  // [%]
+  constexpr double stretchLimit = 5.0;  // [%]
   WatchedCloth watched(
       trial, sheetCloth(trial.settings({"stiffness=5000", "damping=0.1"}), trial.pick(33, 17), Held::TwoCorners));
   watched.run(trial.pick(1.0, 0.2));
   watched.apply(MovePinsCommand{Vec3(6.0, 8.0, 0.0)});
   watched.run(2.0);
-  trial.expect("stretch after 2 s", "%", 100.0 * maxStretch(watched.model(), watched.state()), mostStretch);
+  trial.expect("stretch after 2 s", "%", 100.0 * maxStretch(watched.model(), watched.state()), stretchLimit);
 }
 
 void storm(CaseTrial& trial) {
-  constexpr double mostReversed = 0.01;
+  constexpr double reversedLimit = 0.01;
   Settings settings = trial.settings({"stiffness=1000", "drag=1", "lift=0.5"});
   settings.step.wind = Vec3(0.0, 0.0, 1e3);  // ten times what can be set
   const int resolution = trial.pick(33, 17);
@@ -51,7 +51,7 @@ void storm(CaseTrial& trial) {
   for (int i = 0; i < steps; ++i) {
     free.step();
     const double along = (meanVelocity(free.model(), free.state()) - wind).dot(-wind) / wind.squaredNorm();
-    trial.expect("relative velocity reversed", "of the wind", std::max(0.0, -along), mostReversed);
+    trial.expect("relative velocity reversed", "of the wind", std::max(0.0, -along), reversedLimit);
   }
   WatchedCloth held(trial, sheetCloth(settings, resolution, Held::TwoCorners, 1.0, true), EnergyRule::NotCounted);
   held.run(trial.pick(1.0, 0.2));
@@ -60,8 +60,9 @@ void storm(CaseTrial& trial) {
 
 void thrown(CaseTrial& trial) {
   const int resolution = trial.pick(33, 17);
-  WatchedCloth watched(trial, sheetCloth(trial.settings({"stiffness=1000", "attachment.stiffness=1e4", "attachment.max_force=100"}),
-                                         resolution, Held::TwoCorners));
+  WatchedCloth watched(
+      trial, sheetCloth(trial.settings({"stiffness=1000", "attachment.stiffness=1e4", "attachment.max_force=100"}),
+                        resolution, Held::TwoCorners));
   watched.run(trial.pick(0.3, 0.1));
   const Settings& settings = watched.simulation().settings();
   const int vertex = (resolution / 2) * resolution + resolution / 2;

@@ -31,17 +31,17 @@ double rmsSpeed(const ClothModel& model, const ClothState& state) {
   return std::sqrt(sum / model.totalMass());
 }
 
-constexpr double mostSpeed = 1e-3;  // [m/s]
+constexpr double speedLimit = 1e-3;  // [m/s]
 
 /// Over the last time: how fast vertices move, and how far each goes to and fro.
 void expectRest(CaseTrial& trial, WatchedCloth& watched, double seconds) {
-  constexpr double mostJitter = 1e-4;  // of an edge
+  constexpr double jitterLimit = 1e-4;  // of an edge
   std::vector<Vec3> low = watched.state().positions;
   std::vector<Vec3> high = low;
   const auto steps = std::lround(seconds / watched.simulation().settings().step.timeStep);
   for (long i = 0; i < steps; ++i) {
     watched.step();
-    trial.expect("speed at rest", "m/s", largestSpeed(watched.state()), mostSpeed);
+    trial.expect("speed at rest", "m/s", largestSpeed(watched.state()), speedLimit);
     for (std::size_t v = 0; v < low.size(); ++v) {
       low[v] = low[v].cwiseMin(watched.state().positions[v]);
       high[v] = high[v].cwiseMax(watched.state().positions[v]);
@@ -51,22 +51,22 @@ void expectRest(CaseTrial& trial, WatchedCloth& watched, double seconds) {
   for (std::size_t v = 0; v < low.size(); ++v) {
     jitter = std::max(jitter, (high[v] - low[v]).norm());
   }
-  trial.expect("jitter", "of an edge", jitter / meanEdge(watched.model()), mostJitter);
+  trial.expect("jitter", "of an edge", jitter / meanEdge(watched.model()), jitterLimit);
 }
 
 }  // namespace
 
 void oneCorner(CaseTrial& trial) {
-  constexpr double mostTurning = 0.01;  // [1/s]
+  constexpr double turningLimit = 0.01;  // [1/s]
   const CaseCloth cloth =
       sheetCloth(trial.settings({"stiffness=1000", "damping=0.03"}), trial.pick(33, 9), Held::OneCorner);
   WatchedCloth watched(trial, cloth);
   watched.run(trial.pick(60.0, 40.0));
   const Vec3 pin = watched.state().positions[static_cast<std::size_t>(cloth.pins.front())];
   trial.expect("turning about its pin", "1/s", std::abs(turning(watched.model(), watched.state(), pin).y()),
-               mostTurning);
+               turningLimit);
   // Cloth that hangs in folds creeps for long where springs alone resist nothing: single vertices are not looked at.
-  trial.expect("speed at rest", "m/s", rmsSpeed(watched.model(), watched.state()), mostSpeed);
+  trial.expect("speed at rest", "m/s", rmsSpeed(watched.model(), watched.state()), speedLimit);
 }
 
 void largeAtRest(CaseTrial& trial) {

@@ -10,8 +10,8 @@
 namespace drape {
 namespace {
 
-constexpr double farAway = 1e5;     // [m]
-constexpr double mostGained = 1.0;  // [% of the scale]
+constexpr double farAway = 1e5;    // [m]
+constexpr double gainLimit = 1.0;  // [% of the scale]
 constexpr double percent = 100.0;
 
 std::shared_ptr<const Scene> sceneOf(const CaseCloth& cloth) {
@@ -94,7 +94,7 @@ void WatchedCloth::watch() {
   trial_.expect("farthest", "m", farthest, farAway);
   if (rule_ != EnergyRule::NotCounted) {
     const double gained = percent * (energy() - startEnergy_ - allowed_) / scale_;
-    trial_.expect("energy gained", "%", gained < 0.0 ? 0.0 : gained, mostGained);
+    trial_.expect("energy gained", "%", gained < 0.0 ? 0.0 : gained, gainLimit);
   }
   if (farthest > farAway) {
     throw CaseEnded{"It flew away after " + std::to_string(state().time) + " s."};

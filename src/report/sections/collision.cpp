@@ -70,7 +70,7 @@ ReportRow rowOf(const Meeting& meeting, const Scene& scene, const CollisionRun& 
           {"bodies_us_per_step", finiteOrNull(microseconds * run.bodySeconds)},
           {"bodies_us_per_1000_triangles", finiteOrNull(microseconds * run.bodySeconds / thousands)},
           {"contacts_max", run.contacts},
-          {"squeezed_max", run.squeezed},
+          {"infeasible_max", run.squeezed},
           {"intersecting_pairs_max", run.pairsWithSelf + run.pairsWithBodies},
           {"intersecting_pairs_self_max", run.pairsWithSelf},
           {"intersecting_pairs_bodies_max", run.pairsWithBodies},

@@ -56,7 +56,7 @@ TextTable leaks(const ReportRows& rows) {
   for (const ReportRow& row : rows) {
     table.rows.push_back({row.value("scene", ""), sizeText(row), row.value("mode", ""), figure(row, "seconds"),
                           figure(row, "contacts_max", 5), figure(row, "intersecting_pairs_bodies_max", 5),
-                          figure(row, "squeezed_max", 5), figure(row, "intersecting_pairs_self_max", 5),
+                          figure(row, "infeasible_max", 5), figure(row, "intersecting_pairs_self_max", 5),
                           figure(row, "intersecting_share", 2)});
   }
   return table;

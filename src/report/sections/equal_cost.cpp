@@ -88,7 +88,7 @@ ReportRow equalCostRow(const ReportRows& rows, ReportRow row) {
     copy(row, key, worst.setting, key);
   }
   row["points"] = pairings.size();
-  row["within"] = upTo(mostBehind);
+  row["within"] = upTo(maxErrorRatio);
   row["best"] = upTo(1.0);
   row["ratio"] = worst.rival == nullptr ? ReportRow(nullptr) : ReportRow(worst.ratio);
   copy(row, "by_method", worst.rival, "method");
@@ -106,7 +106,7 @@ std::vector<Block> equalCostBlocks(const ReportRows& answers) {
     points += row.value("points", 0);
     within += row.value("within", 0);
     best += row.value("best", 0);
-    if (numberIn(row, "ratio") > mostBehind) {
+    if (numberIn(row, "ratio") > maxErrorRatio) {
       behind.push_back(row);
     }
   }
@@ -117,7 +117,7 @@ std::vector<Block> equalCostBlocks(const ReportRows& answers) {
       Paragraph{"'auto' against the best other method at equal cost, at what each of its settings costs and with the "
                 "best of its own that takes no longer: at " +
                 std::to_string(points) + " such costs it has " + std::to_string(within) + " times at most " +
-                figure(mostBehind) + " times the other's error, and " + std::to_string(best) +
+                figure(maxErrorRatio) + " times the other's error, and " + std::to_string(best) +
                 " times no more than it. Errors below what can be known count as that."});
   TextTable table{"Where 'auto' is further behind at equal cost",
                   {"cloth", "costs", "of them behind", "worst", "its error [m]", "times that of"},

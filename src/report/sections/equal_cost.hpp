@@ -5,7 +5,7 @@
 namespace drape {
 
 /// How far the method that chooses for itself may be behind the best other one at equal cost [-].
-inline constexpr double mostBehind = 1.5;
+inline constexpr double maxErrorRatio = 1.5;
 
 /// `auto` on one cloth at one time, held against the others at equal cost: at what each of its calm settings costs, the
 /// least wrong of its own calm settings that take no more time against the least wrong of all other methods'. An error
@@ -16,7 +16,7 @@ inline constexpr double mostBehind = 1.5;
 /// @param rows of work_precision, all of that cloth and time  @param row what names them; taken over into the answer
 [[nodiscard]] ReportRow equalCostRow(const ReportRows& rows, ReportRow row);
 
-/// The same in words and as a table of the cloths where some setting is further behind than `mostBehind`.
+/// The same in words and as a table of the cloths where some setting is further behind than `maxErrorRatio`.
 [[nodiscard]] std::vector<Block> equalCostBlocks(const ReportRows& answers);
 
 }  // namespace drape

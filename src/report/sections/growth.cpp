@@ -19,7 +19,7 @@ constexpr double finestStep = 1.0 / 30000.0;
 constexpr double cautiousExponent = 1.5;
 
 /// How long a cell may take [s]; larger grids are left out when they would take longer.
-double mostSeconds(const ReportOptions& options) {
+double maxSeconds(const ReportOptions& options) {
   return options.quick ? 0.5 : 10.0;
 }
 
@@ -55,7 +55,7 @@ double expectedSeconds(const ReportRow& before, int vertices) {
 
 ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportOptions& options,
                          const CellContext& context) {
-  constexpr int leastSteps = 3;
+  constexpr int minSteps = 3;
   const auto scene = gridScene("grid", resolution,
                                {"solver=" + std::string(solver.name), "threads=" + std::to_string(options.threads)});
   const ClothModel& model = *scene->model;
@@ -67,13 +67,13 @@ ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportO
     return context.own;
   }
   const ReportRow* before = smaller(context.section, solver.name, model.vertexCount());
-  if (before != nullptr && expectedSeconds(*before, model.vertexCount()) > mostSeconds(options)) {
+  if (before != nullptr && expectedSeconds(*before, model.vertexCount()) > maxSeconds(options)) {
     row["skipped"] = "would take too long";
     return {row};
   }
   Settings settings = scene->settings;
   settings.step.substeps = stableSubsteps(solver, *scene);
-  const TimingBudget budget{.seconds = options.quick ? 0.05 : 0.25, .leastSteps = leastSteps, .mostSteps = 1000};
+  const TimingBudget budget{.seconds = options.quick ? 0.05 : 0.25, .minSteps = minSteps, .maxSteps = 1000};
   const StepTiming timing = timeSteps(*scene, settings, budget, context.mayStop);
   const double median = medianOf(timing.stepSeconds);
   row["substeps"] = settings.step.substeps;
@@ -84,7 +84,7 @@ ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportO
   addSample(context.own, 0, "step_us", row);
   row["us_per_simulated_second"] =
       finiteOrNull(numberIn(row, "step_us") * settings.step.substeps / settings.step.timeStep);
-  row["seconds_at_least"] = timing.setupSeconds + (leastSteps + 1) * median;
+  row["seconds_at_least"] = timing.setupSeconds + (minSteps + 1) * median;
   return {row};
 }
 

@@ -19,7 +19,7 @@ bool isShort(const std::string& method, const ReportOptions& options) {
 
 /// How long a method may take over a case [s]. What a quick report finds is tested, and must not hang on how busy the
 /// machine is.
-double mostSeconds(bool shortForm, const ReportOptions& options) {
+double maxSeconds(bool shortForm, const ReportOptions& options) {
   if (!shortForm) {
     return 30.0;
   }
@@ -33,7 +33,7 @@ ReportRows measureCase(const HardCase& one, const std::string& method, const Rep
   asked.shortForm = isShort(method, options);
   // What takes more iterations takes too long anyway.
   asked.settings = {"threads=" + std::to_string(options.threads), "max_iterations=100"};
-  asked.mostSeconds = mostSeconds(asked.shortForm, options);
+  asked.maxSeconds = maxSeconds(asked.shortForm, options);
   asked.mayStop = context.mayStop;
   return {hardCaseRow(one, asked, runHardCase(one, asked))};
 }

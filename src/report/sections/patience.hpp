@@ -22,13 +22,12 @@ inline double threadSeconds() {
 /// How long a run in this thread may take, from now on, by the thread's own clock.
 class Patience {
  public:
-  Patience(std::function<void()> mayStop, double mostSeconds)
-      : mayStop_(std::move(mayStop)), mostSeconds_(mostSeconds) {}
+  Patience(std::function<void()> mayStop, double maxSeconds) : mayStop_(std::move(mayStop)), maxSeconds_(maxSeconds) {}
 
   /// To be asked at each step. Throws TooSlow when the time is over, and what `mayStop` throws.
   void ask() const {
     mayStop_();
-    if (spent() > mostSeconds_) {
+    if (spent() > maxSeconds_) {
       throw TooSlow();
     }
   }
@@ -45,7 +44,7 @@ class Patience {
 
  private:
   std::function<void()> mayStop_;
-  double mostSeconds_;
+  double maxSeconds_;
   double begin_ = threadSeconds();
 };
 

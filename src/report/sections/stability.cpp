@@ -21,7 +21,7 @@
 namespace drape {
 namespace {
 
-double mostSeconds(const ReportOptions& options) {
+double maxSeconds(const ReportOptions& options) {
   return options.quick ? 5.0 : 0.4;
 }
 
@@ -106,7 +106,7 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
     row["state"] = "too slow";
     return {row};
   }
-  const Patience patience(context.mayStop, mostSeconds(options));
+  const Patience patience(context.mayStop, maxSeconds(options));
   Watch watch = patience.watch();
   watch.energyPeak = true;
   try {

@@ -24,7 +24,7 @@ constexpr double milliseconds = 1e3;
 constexpr double nanoseconds = 1e9;
 constexpr int smallestFitted = 65;
 /// A 99th percentile of fewer steps would be their largest.
-constexpr std::size_t leastForPercentile = 200;
+constexpr std::size_t minForPercentile = 200;
 
 /// The largest grid whose self-collision is measured, in a quick report and in another.
 constexpr int largestFoldedQuickly = 33;
@@ -47,11 +47,11 @@ ReportRows measureUpdate(int resolution, const std::string& precision, const Rep
   const auto scene =
       gridScene("grid", resolution,
                 {"solver=one_iteration", "precision=" + precision, "threads=" + std::to_string(options.threads)});
-  const TimingBudget budget{.seconds = options.quick ? 0.1 : 1.0, .leastSteps = 3, .mostSteps = 5000};
+  const TimingBudget budget{.seconds = options.quick ? 0.1 : 1.0, .minSteps = 3, .maxSteps = 5000};
   const StepTiming timing = timeSteps(*scene, scene->settings, budget, context.mayStop);
   const ClothModel& model = *scene->model;
   const double median = medianOf(timing.stepSeconds);
-  const bool enough = timing.stepSeconds.size() >= leastForPercentile;
+  const bool enough = timing.stepSeconds.size() >= minForPercentile;
   ReportRow row{{"resolution", resolution},
                 {"precision", precision},
                 {"vertices", model.vertexCount()},
@@ -141,7 +141,7 @@ std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
       "One sweep a step of 1/150 s on the scene 'grid', with " + std::to_string(options.threads) +
       (options.threads == 1 ? " thread" : " threads") +
       ". The median of single steps, timed as the viewer takes them; the 99th percentile where there were at least " +
-      std::to_string(leastForPercentile) +
+      std::to_string(minForPercentile) +
       " steps. Self-collision is the paper's scheme (hash) on a sheet of the same size that folds onto itself (scene "
       "'fold'), the mean over the steps of two seconds. The paper's figures are of a machine of its time."});
   blocks.emplace_back(tableOf(rows));

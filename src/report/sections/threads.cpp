@@ -30,7 +30,7 @@ ReportRows measureThreads(const std::string& method, int resolution, int threads
   const auto scene =
       gridScene("grid", resolution, {"solver=" + method, "precision=float", "threads=" + std::to_string(threads)});
   Settings settings = scene->settings;
-  const TimingBudget budget{.seconds = quick ? 0.03 : 0.2, .leastSteps = 3, .mostSteps = 2000};
+  const TimingBudget budget{.seconds = quick ? 0.03 : 0.2, .minSteps = 3, .maxSteps = 2000};
   const StepTiming timing = timeSteps(*scene, settings, budget, context.mayStop);
   ReportRow row{{"method", method},
                 {"resolution", resolution},

@@ -11,7 +11,7 @@ namespace drape {
 namespace {
 
 /// The longest run that the search for the reference may begin, in springs times steps: a second or some of them.
-double mostWork(int resolution, bool quick) {
+double maxCost(int resolution, bool quick) {
   constexpr int small = 17;
   constexpr int large = 33;
   if (quick) {
@@ -67,7 +67,7 @@ void WorkGround::findReference(const std::function<void()>& mayStop) {
   ConvergenceTolerance tolerance;
   tolerance.absolute = quick_ ? 1e-5 : 1e-6;
   tolerance.takeAnyway = true;  // each row tells what its reference is worth
-  tolerance.mostWork = mostWork(resolution_, quick_);
+  tolerance.maxCost = maxCost(resolution_, quick_);
   // Nothing is timed here, and the bits are the same with all the cores that there are.
   Settings settings = convergedSettings(scene().settings);
   settings.step.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

@@ -22,7 +22,7 @@ constexpr double microseconds = 1e6;
 
 /// What a section's cells of one report may take.
 struct Limits {
-  double mostSeconds;  ///< of a run up to the last judged time; a setting that takes longer is given up [s]
+  double maxSeconds;  ///< of a run up to the last judged time; a setting that takes longer is given up [s]
   double
       repeatedSeconds;  ///< a run that takes longer is not repeated: what disturbs the clock does not matter then [s]
   double timedSeconds;  ///< shorter runs are repeated so long in each round [s]
@@ -57,14 +57,14 @@ struct Entry {
 
 /// Time of the whole run by the thread's own clock up to each judged time, for a simulated second [us], the mean of as
 /// many runs as a clock needs to be exact. The solver has been set up before.
-std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settings& settings, double leastSeconds,
+std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settings& settings, double minSeconds,
                                                 const std::function<void()>& mayStop) {
   Stepper stepper(settings.solver.name);
   ClothState state = scene.start;
   stepper.step(*scene.model, settings.step, {}, state);
   std::array<double, judgedTimes.size()> spent{};
   int runs = 0;
-  for (double all = 0.0; all < leastSeconds || runs == 0; ++runs) {
+  for (double all = 0.0; all < minSeconds || runs == 0; ++runs) {
     state = scene.start;
     double seconds = 0.0;
     int step = 0;
@@ -207,14 +207,14 @@ ReportRows judgedRows(WorkGround& ground, const Entry& entry, const Settings& se
     row["noise_floor"] = finiteOrNull(ground.noiseFloor(checkpointsIn(row["time"]), mayStop));
   }
   try {
-    const Patience patience(mayStop, limits.mostSeconds);
+    const Patience patience(mayStop, limits.maxSeconds);
     const JudgedRun run = judgedRun(ground, settings, *reference, 0, patience);
     const double spent = patience.spent();
     for (ReportRow& row : rows) {
       writeErrors(ground.scene(), run, *reference, row);
     }
     if (isChaotic(rows) && spent < limits.repeatedSeconds) {
-      writeSpread(ground, settings, *reference, Patience(mayStop, limits.mostSeconds), rows);
+      writeSpread(ground, settings, *reference, Patience(mayStop, limits.maxSeconds), rows);
     }
   } catch (const TooSlow&) {
     for (ReportRow& row : rows) {
@@ -250,7 +250,7 @@ ReportRows measureEntry(WorkGround& ground, const Entry& entry, bool quick, cons
   const Limits limits = limitsOf(quick);
   const Settings settings = changedSettings(ground.scene(), entry.assignments());
   ReportRows rows = context.own;
-  if (rows.empty() && expectedSeconds(ground, entry, context.section) > limits.mostSeconds) {
+  if (rows.empty() && expectedSeconds(ground, entry, context.section) > limits.maxSeconds) {
     for (const double time : judgedTimes) {
       rows.push_back(emptyRow(ground, entry, time));
       rows.back()["state"] = "too slow";
