@@ -59,7 +59,7 @@ std::shared_ptr<const Scene> buildWithProgress(const SceneDescription& descripti
 /// Prints how a mesh file was read, and warns when all vertices or none are pinned, each with the option that changes
 /// it.
 void printNotes(const Scene& scene) {
-  if (scene.reading && scene.reading->asks()) {
+  if (scene.reading && scene.reading->needsReview()) {
     std::string options;
     for (const ReadingAlternative& other : scene.reading->alternatives) {
       const std::string option = "--set " + other.key + "=";

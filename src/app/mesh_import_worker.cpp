@@ -150,7 +150,7 @@ const aiScene& parse(Assimp::Importer& importer, const std::string& format, cons
     throw InputError("it cannot be read as ." + format + " (" + withoutInnerName(reason) + "). Export the mesh again.");
   }
   if (scene->mNumMeshes == 0 || scene->mRootNode == nullptr) {
-    throw InputError("it contains no mesh. Export the mesh again.");
+    throw InputError("there is no mesh in it. Export the mesh again.");
   }
   return *scene;
 }

@@ -56,7 +56,7 @@ PinSelection readPins(const TomlReader& reader) {
   return pins;
 }
 
-/// What of a thing that is drawn can be touched: it is solid unless it says otherwise.
+/// Reads whether an object has contact (`solid`, by default true), and its surface.
 void readSolidity(const TomlReader& table, const std::string& what, std::optional<Body>& body) {
   if (table.flag("solid").value_or(true)) {
     readSurface(table, *body);
@@ -116,7 +116,7 @@ SettingValue valueOf(const toml::node& node) {
   return node.value_or(std::string("a list"));
 }
 
-/// The pins' body must be one of the scene's.
+/// Checks that the pins' body exists.
 void requireCarrier(const TomlReader& scene, const SceneDescription& description) {
   const std::string& name = description.pins.body;
   const auto& bodies = description.bodies;

@@ -26,7 +26,7 @@ std::string freeName(const std::vector<BodyDescription>& bodies, const std::stri
 void replaceCloth(SceneDescription& scene, const std::string& file) {
   SceneDescription cloth = openScene(file);
   if (!std::holds_alternative<MeshFileSource>(cloth.source)) {
-    throw InputError(file + " is no mesh; the cloth that is put into a scene must be one");
+    throw InputError(file + " is not a mesh; the cloth for a scene must be a mesh");
   }
   scene.name = cloth.name;
   scene.title = cloth.title;
@@ -42,7 +42,7 @@ void replaceCloth(SceneDescription& scene, const std::string& file) {
 
 void addBody(SceneDescription& scene, const std::string& file) {
   if (!isMeshFile(file)) {
-    throw InputError(file + " is no mesh; only a mesh can be a body");
+    throw InputError(file + " is not a mesh; only a mesh can be a body");
   }
   BodyDescription description;
   description.body.name = freeName(scene.bodies, std::filesystem::path(file).stem().string());
@@ -67,10 +67,10 @@ SceneDescription openParts(const SceneParts& parts) {
     addBody(scene, body);
   }
   if (!parts.bodies.empty() && scene.opened) {
-    scene.settings.mesh.pins = "none";  // it lies on the body
+    scene.settings.mesh.pins = "none";  // the cloth lies on the body
   }
   if (!parts.bodies.empty() && scene.groundBelowCloth) {
-    // Bodies stand on the ground of their files, and that is where the cloth was made for them.
+    // The bodies stand on the ground of their files, and the cloth fits to them there.
     scene.groundBelowCloth = false;
     scene.groundHeight = 0.0;
   }

@@ -56,7 +56,7 @@ std::string keyOf(const PanelContext& context, const Line& line) {
 std::vector<Line> linesOf(const PanelContext& context) {
   const Scene& scene = *context.snapshot.scene;
   std::vector<Line> lines;
-  if (scene.reading && scene.reading->asks()) {
+  if (scene.reading && scene.reading->needsReview()) {
     lines.push_back(readingLine(*scene.reading));
   }
   if (scene.pinAdvice) {
