@@ -284,7 +284,7 @@ TEST(Scenes, sayWhatIsWrongWithAFileThatCannotBeOpened) {
 
 TEST(Scenes, sayWhatToExportInsteadOfAFormatThatIsNotRead) {
   const Folder folder;
-  EXPECT_NE(refusal(folder.write("shirt.fbx", "x")).find("'.fbx' files are not read. Open it in Blender"),
+  EXPECT_NE(refusal(folder.write("shirt.fbx", "x")).find("'.fbx' files are not supported. Open it in Blender"),
             std::string::npos);
 }
 
