@@ -53,8 +53,8 @@ Vec3 medianPosition(const std::vector<Vec3>& positions, const std::vector<int>& 
 }
 
 /// The first distance, in ascending order, that is much larger than the one before; 0 when there is none.
-double firstFarDistance(const std::vector<double>& ascending, std::size_t most) {
-  for (std::size_t i = ascending.size() - most; i < ascending.size(); ++i) {
+double firstFarDistance(const std::vector<double>& ascending, std::size_t maxOutliers) {
+  for (std::size_t i = ascending.size() - maxOutliers; i < ascending.size(); ++i) {
     if (i > 0 && ascending[i] > minGap * ascending[i - 1] && ascending[i - 1] > 0.0) {
       return ascending[i];
     }
@@ -74,12 +74,12 @@ std::vector<int> findOutliers(const std::vector<Vec3>& positions, const std::vec
   std::transform(vertices.begin(), vertices.end(), distances.begin(),
                  [&](int vertex) { return (positions[at(vertex)] - middle).norm(); });
   std::vector<double> ascending = distances;
-  const std::size_t most = std::max<std::size_t>(1, vertices.size() / verticesPerOutlier);
+  const std::size_t maxOutliers = std::max<std::size_t>(1, vertices.size() / verticesPerOutlier);
   // Only the largest distances must be sorted.
-  const auto kept = ascending.end() - static_cast<std::ptrdiff_t>(most + 1);
+  const auto kept = ascending.end() - static_cast<std::ptrdiff_t>(maxOutliers + 1);
   std::nth_element(ascending.begin(), kept, ascending.end());
   std::sort(kept, ascending.end());
-  const double far = firstFarDistance(ascending, most);
+  const double far = firstFarDistance(ascending, maxOutliers);
   std::vector<int> outliers;
   for (std::size_t i = 0; far > 0.0 && i < vertices.size(); ++i) {
     if (distances[i] >= far) {

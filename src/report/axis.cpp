@@ -9,7 +9,7 @@
 namespace drape {
 namespace {
 
-/// More labels than this stand too close together.
+/// With more labels the axis is crowded.
 constexpr int maxLabels = 8;
 
 /// The next larger of 1, 2 and 5 times a power of ten.
@@ -23,7 +23,7 @@ double niceStep(double rough) {
   return 10.0 * decade;
 }
 
-/// "10" with the exponent raised; near one the plain number reads better.
+/// "10" with a raised exponent; plain numbers near one.
 std::string decadeLabel(int exponent) {
   if (exponent >= -2 && exponent <= 3) {
     return figure(std::pow(10.0, exponent), 4);

@@ -98,7 +98,7 @@ TEST(HardCases, becomeRowsLinesAndATable) {
   const HardCase& one = requireHardCase("crushed");
   CaseResult failed;
   failed.outcome = CaseOutcome::Failed;
-  failed.figures = {{"farthest", "m", 3.0, 1e5}, {"energy gained", "%", 35.0, 1.0}, {"strain", "", 0.2}};
+  failed.figures = {{"max distance", "m", 3.0, 1e5}, {"energy gained", "%", 35.0, 1.0}, {"strain", "", 0.2}};
   failed.words = "energy gained 35 % (at most 1)";
   const ReportRow row = hardCaseRow(one, shortly("verlet"), failed);
   EXPECT_EQ(row["case"], 4);

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-/// Cases of what acts on the cloth from outside.
+/// Cases of external actions on the cloth.
 namespace drape::hardcases {
 namespace {
 
-/// The triangle of which that vertex is a corner, and the weights that take the vertex alone.
+/// An attachment to a single vertex, by a triangle of which it is a corner.
 AttachCommand attachTo(const ClothModel& model, int vertex, const Vec3& target) {
   const int triangle =
       model.vertexTriangles
@@ -43,7 +43,7 @@ void pinsTeleport(CaseTrial& trial) {
 void storm(CaseTrial& trial) {
   constexpr double reversedLimit = 0.01;
   Settings settings = trial.settings({"stiffness=1000", "drag=1", "lift=0.5"});
-  settings.step.wind = Vec3(0.0, 0.0, 1e3);  // ten times what can be set
+  settings.step.wind = Vec3(0.0, 0.0, 1e3);  // ten times the maximum of the setting
   const int resolution = trial.pick(33, 17);
   WatchedCloth free(trial, sheetCloth(settings, resolution, Held::Nowhere, 1.0, true), EnergyRule::WindFrame);
   const Vec3 wind = settings.step.wind;

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-/// Cases that start in a place where no cloth should be.
+/// Cases with an extreme start.
 namespace drape::hardcases {
 namespace {
 
-/// A tube that stands upright, so wide and high that its springs are about alike. It fills space.
+/// An upright tube whose springs have nearly equal lengths. It is not flat.
 ClothMesh tube(int around, int rows) {
   constexpr double radius = 0.2;  // [m]
   ClothMesh mesh;
@@ -32,7 +32,7 @@ ClothMesh tube(int around, int rows) {
   return mesh;
 }
 
-/// Lets it unfold without gravity and looks how near the springs come to their rest lengths.
+/// Unfolds without gravity and measures how close the springs come to their rest lengths.
 void unfold(CaseTrial& trial, const CaseCloth& cloth, double seconds) {
   constexpr double strainLimit = 1.0;  // [%]
   WatchedCloth watched(trial, cloth);
@@ -40,7 +40,7 @@ void unfold(CaseTrial& trial, const CaseCloth& cloth, double seconds) {
   trial.expect("strain left", "%", 100.0 * largestStrain(watched.model(), watched.state()), strainLimit);
 }
 
-/// Mean of the springs' lengths over their rest lengths [-].
+/// Mean ratio of the springs' lengths to their rest lengths [-].
 double meanLengthRatio(const ClothModel& model, const ClothState& state) {
   double sum = 0.0;
   for (const Spring& spring : model.springs) {

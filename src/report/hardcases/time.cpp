@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-/// Cases of time: of frames and of steps.
+/// Cases of frame times and time steps.
 namespace drape::hardcases {
 namespace {
 
-/// Steps as a viewer takes them whose frames are so long, until so many are taken.
+/// Takes that number of steps as a viewer with these frame times does.
 template <typename FrameTime>
 std::uint64_t hashAfter(CaseTrial& trial, const CaseCloth& cloth, int steps, FrameTime&& frameTime) {
   WatchedCloth watched(trial, cloth);

@@ -13,17 +13,17 @@ namespace {
 constexpr double microseconds = 1e6;
 constexpr double milliseconds = 1e3;
 constexpr double megabytes = 1e-6;
-/// Of the paper's explicit reference, for a method that no step makes stable [s].
+/// Step of the paper's explicit reference, for a method that is never stable [s].
 constexpr double finestStep = 1.0 / 30000.0;
-/// Nothing here grows faster than with this power of the number of vertices.
+/// Assumed upper bound for the exponent of all times.
 constexpr double cautiousExponent = 1.5;
 
-/// How long a cell may take [s]; larger grids are left out when they would take longer.
+/// Time limit of a cell [s]; larger grids are skipped.
 double maxSeconds(const ReportOptions& options) {
   return options.quick ? 0.5 : 10.0;
 }
 
-/// In how many parts a method has to take its step to be stable.
+/// The number of substeps that makes a method stable.
 int stableSubsteps(const SolverInfo& solver, const Scene& scene) {
   const StepParameters& parameters = scene.settings.step;
   if (solver.stepLimit == nullptr) {
@@ -35,7 +35,7 @@ int stableSubsteps(const SolverInfo& solver, const Scene& scene) {
   return std::isfinite(longest) ? static_cast<int>(std::ceil(parameters.timeStep / longest * (1.0 - 1e-9))) : 1;
 }
 
-/// The row of the same method on the largest grid that is smaller; null when there is none.
+/// The row of the same method on the next smaller grid; null when there is none.
 const ReportRow* smaller(const ReportRows& rows, std::string_view method, int vertices) {
   const ReportRow* found = nullptr;
   for (const ReportRow& row : rows) {
@@ -44,7 +44,7 @@ const ReportRow* smaller(const ReportRows& rows, std::string_view method, int ve
   return found;
 }
 
-/// How long it would take to set up and to take the fewest steps, as the smaller grid lets expect [s].
+/// The expected duration of the set-up and the minimum number of steps, extrapolated from the smaller grid [s].
 double expectedSeconds(const ReportRow& before, int vertices) {
   if (before.contains("skipped")) {
     return HUGE_VAL;
@@ -162,8 +162,8 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
                                 plotOf(rows, "memory_mb", "Memory of the solver", "MB")};
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      "Every method with its default settings on the scene 'grid' with steps of 1/150 s; the explicit ones take as "
-      "many substeps as keep them stable. Set-up is by how much the first step takes longer than the others. Memory is "
+      "Every method with its default settings on the scene 'grid' with steps of 1/150 s. The explicit methods use as "
+      "many substeps as stability needs. Set-up is the additional time of the first step. Memory is "
       "what "
       "was allocated for the solver until then. Grids that would take too long are left out."});
   blocks.insert(blocks.end(), plots.begin(), plots.end());
