@@ -7,7 +7,7 @@
 
 namespace drape {
 
-/// What a solver that chooses for itself chose, in words and figures; null for others.
+/// The choices of a solver such as `auto`; null for others.
 [[nodiscard]] nlohmann::ordered_json toJson(const std::optional<StepChoice>& choice);
 
 }  // namespace drape

@@ -19,13 +19,12 @@ namespace {
 int fail(const CLI::App& app, ExitStatus status, const std::string& message) {
   std::cerr << app.get_name() << ": " << message << '\n';
   if (status == ExitStatus::WrongUsage) {
-    std::cerr << "'" << app.get_name() << " --help' tells how it is called.\n";
+    std::cerr << "'" << app.get_name() << " --help' shows the usage.\n";
   }
   return static_cast<int>(status);
 }
 
-/// Parses the command line, which runs a subcommand as well. Returns false when it asked for help or the version, which
-/// are then printed.
+/// Parses the command line and runs the subcommand. Returns false after it printed the help or the version.
 bool parseOrHelp(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
@@ -39,7 +38,7 @@ bool parseOrHelp(CLI::App& app, int argc, char** argv) {
   }
 }
 
-/// Builds a scene with a progress bar on the terminal, when it takes longer than half a second.
+/// Builds a scene. When this takes longer than half a second, the terminal shows a progress bar.
 std::shared_ptr<const Scene> buildWithProgress(const SceneDescription& description, const Settings& settings) {
   constexpr std::chrono::milliseconds patience(500);
   constexpr std::int64_t whole = 100;
@@ -57,9 +56,10 @@ std::shared_ptr<const Scene> buildWithProgress(const SceneDescription& descripti
   return buildScene(description, settings, watch);
 }
 
-/// How a mesh file was read, and pins that hold all or nothing, each with the option that changes it.
+/// Prints how a mesh file was read, and warns when all vertices or none are pinned, each with the option that changes
+/// it.
 void printNotes(const Scene& scene) {
-  if (scene.reading && scene.reading->asks()) {
+  if (scene.reading && scene.reading->needsReview()) {
     std::string options;
     for (const ReadingAlternative& other : scene.reading->alternatives) {
       const std::string option = "--set " + other.key + "=";
@@ -75,11 +75,17 @@ void printNotes(const Scene& scene) {
 
 }  // namespace
 
+void printFormerKey(std::string_view expression) {
+  if (const std::string note = formerKeyNote(expression.substr(0, expression.find('='))); !note.empty()) {
+    std::cerr << "note: " << note << '\n';
+  }
+}
+
 void SceneArguments::addTo(CLI::App& app) {
   app.add_option("scene", scene, "A built-in scene, a scene file (.toml) or a mesh file")
       ->type_name("SCENE|MESH")
       ->check(notEmpty());
-  app.add_option("--set", settings, "Set a setting; may be repeated ('drape-headless list settings' shows them)")
+  app.add_option("--set", settings, "Set a setting; may be repeated ('drape-headless list settings' lists them)")
       ->type_name("KEY=VALUE")
       ->take_all()
       ->expected(1)
@@ -90,8 +96,12 @@ void SceneArguments::addTo(CLI::App& app) {
 std::shared_ptr<const Scene> SceneArguments::load() const {
   const SceneDescription description = openScene(scene.empty() ? sceneList().front().name : scene);
   Settings inForce = description.settings;
+  for (const std::string& note : description.notes) {
+    std::cerr << "note: " << note << '\n';
+  }
   for (const std::string& expression : settings) {
     assignSettingExpression(inForce, expression);
+    printFormerKey(expression);
   }
   requireConsistent(inForce);
   auto built = buildWithProgress(description, inForce);
@@ -131,7 +141,7 @@ int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>
   } catch (const InputError& error) {
     return fail(app, ExitStatus::Failed, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(app, ExitStatus::Failed, "there is not enough memory for this; take a smaller mesh or grid");
+    return fail(app, ExitStatus::Failed, "not enough memory; use a smaller mesh or grid");
   } catch (const std::exception& error) {
     return fail(app, ExitStatus::Failed, error.what());
   }

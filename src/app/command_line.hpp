@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drape {
@@ -13,27 +14,30 @@ namespace drape {
 /// Exit status of the programs.
 enum class ExitStatus { Ok = 0, Failed = 1, WrongUsage = 2 };
 
-/// "[SCENE|MESH] [--set key=value]...", which every command that opens a scene takes.
+/// The arguments "[SCENE|MESH] [--set key=value]..." of every command that opens a scene.
 struct SceneArguments {
   std::string scene;                  ///< built-in scene, scene file or mesh file; empty: the first built-in scene
-  std::vector<std::string> settings;  ///< key=value, each
+  std::vector<std::string> settings;  ///< each key=value
 
   void addTo(CLI::App& app);
 
-  /// Opens and builds it. Warnings about the mesh go to standard error. Throws UsageError for a bad --set, InputError
-  /// for a bad scene or mesh.
+  /// Opens and builds the scene. Warnings about the mesh go to standard error. Throws UsageError for a bad --set,
+  /// InputError for a bad scene or mesh.
   [[nodiscard]] std::shared_ptr<const Scene> load() const;
 };
 
-/// Accepts a number from min to max, both included, and nothing that is not a number.
+/// Prints a note to standard error when "key=value" uses a former key of a setting.
+void printFormerKey(std::string_view expression);
+
+/// Accepts a number from min to max, both included.
 [[nodiscard]] CLI::Validator numberFrom(double min, double max);
 
-/// Accepts any text but the empty one, which a script passes where a variable is not set.
+/// Accepts any text except the empty one, which a script passes when a variable is not set.
 [[nodiscard]] CLI::Validator notEmpty();
 
-/// Parses the command line and runs `body`. Help is printed; wrong usage and errors become one message on standard
-/// error, starting with the program's name, and the exit status that main() returns. That standard output could not be
-/// written is such an error.
+/// Parses the command line and runs `body`. Help goes to standard output. Wrong usage and errors, also a failed write
+/// to standard output, become one message on standard error, which starts with the program's name. Returns the exit
+/// status.
 [[nodiscard]] int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& body);
 
 }  // namespace drape

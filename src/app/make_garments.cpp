@@ -1,4 +1,4 @@
-// drape-make-garments OUTPUT_DIR: writes the built-in garments and stands, as they are in assets/meshes.
+// drape-make-garments OUTPUT_DIR: writes the built-in garments and stands of assets/meshes.
 #include "io/garments/garments.hpp"
 
 #include <cstdlib>

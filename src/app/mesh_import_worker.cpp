@@ -1,5 +1,5 @@
 // drape-mesh-import FORMAT CPU_SECONDS: reads a mesh file from standard input and writes an ImportReply to standard
-// output. It runs as a program of its own because the parsing library crashes and stalls on some damaged files.
+// output. It is a separate program because the parsing library crashes or hangs on some damaged files.
 #include "io/chained_index.hpp"
 #include "io/import_protocol.hpp"
 #include "io/message_text.hpp"
@@ -34,7 +34,7 @@ using drape::ImportReply;
 using drape::InputError;
 using drape::RawMesh;
 
-/// A file may not make the library open others (materials, textures): there are none.
+/// A mesh file must not make the library open other files (materials, textures).
 class NoOtherFiles : public Assimp::IOSystem {
  public:
   bool Exists(const char*) const override { return false; }
@@ -80,14 +80,14 @@ void writeStandardOutput(const std::string& bytes) {
   }
 }
 
-/// Whether an importer's list of endings ("glb gltf vrm") has this one.
+/// Whether an importer's list of extensions ("glb gltf vrm") contains the format.
 bool reads(const Assimp::BaseImporter& importer, const std::string& format) {
   std::istringstream endings(importer.GetInfo()->mFileExtensions);
   return std::find(std::istream_iterator<std::string>(endings), std::istream_iterator<std::string>(), format) !=
          std::istream_iterator<std::string>();
 }
 
-/// Leaves the importers of one format only: a file is read as what its name says it is, or not at all.
+/// Keeps only the importers of one format: the extension decides how a file is read.
 void keepOnly(Assimp::Importer& importer, const std::string& format) {
   std::vector<Assimp::BaseImporter*> others;
   for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
@@ -101,7 +101,7 @@ void keepOnly(Assimp::Importer& importer, const std::string& format) {
   }
 }
 
-/// The library reads from memory under a name of its own, which says nothing to a user.
+/// Removes the library's internal file name from a message.
 std::string withoutInnerName(std::string reason) {
   constexpr std::string_view inner = "$$$___magic___$$$";
   for (std::size_t found = reason.find(inner); found != std::string::npos; found = reason.find(inner)) {
@@ -110,7 +110,7 @@ std::string withoutInnerName(std::string reason) {
   return drape::oneLine(reason);
 }
 
-/// Passes the library's progress on, one byte for each per cent.
+/// Passes on the progress of the library, one byte per per cent.
 class ProgressTeller : public Assimp::ProgressHandler {
  public:
   bool Update(float share) override {
@@ -126,8 +126,7 @@ class ProgressTeller : public Assimp::ProgressHandler {
   char last_ = drape::progressByte(0.0);
 };
 
-/// Parses and triangulates. What a mesh for cloth does not need (normals, colours, further texture coordinates) is
-/// dropped.
+/// Parses and triangulates. Drops data that cloth does not need (normals, colours, further texture coordinates).
 const aiScene& parse(Assimp::Importer& importer, const std::string& format, const std::string& bytes) {
   keepOnly(importer, format);
   importer.SetIOHandler(new NoOtherFiles);
@@ -135,7 +134,7 @@ const aiScene& parse(Assimp::Importer& importer, const std::string& format, cons
   int unwanted = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
                  aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
                  aiComponent_CAMERAS | aiComponent_MATERIALS;
-  // assimp has room for eight sets of texture coordinates, but a flag for the first seven only.
+  // assimp supports eight sets of texture coordinates, but has flags for the first seven only.
   constexpr unsigned flaggedSets = 7;
   for (unsigned set = 1; set < flaggedSets; ++set) {
     unwanted |= static_cast<int>(aiComponent_TEXCOORDSn(set));
@@ -169,7 +168,7 @@ class Collector {
     const aiMatrix4x4 placement = parent * node.mTransformation;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       if (node.mMeshes[i] >= scene_.mNumMeshes) {
-        throw InputError("one of its nodes uses a mesh that is not there. Export the mesh again.");
+        throw InputError("one of its nodes uses a missing mesh. Export the mesh again.");
       }
       addMesh(*scene_.mMeshes[node.mMeshes[i]], placement);
     }
@@ -183,7 +182,7 @@ class Collector {
  private:
   void addMesh(const aiMesh& mesh, const aiMatrix4x4& placement) {
     if (raw_.positions.size() + mesh.mNumVertices > INT_MAX) {
-      throw InputError("it has more vertices than can be counted. Reduce the mesh first.");
+      throw InputError("it has too many vertices. Reduce the mesh first.");
     }
     const std::vector<int> number = addVertices(mesh, placement);
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
@@ -195,7 +194,7 @@ class Collector {
     return mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0][vertex] : aiVector3D();
   }
 
-  /// Adding 0 turns -0 into 0, which is equal and has other bits.
+  /// Adding 0 turns -0 into 0, which is equal but has other bits.
   static std::uint64_t hashOf(const aiVector3D& position, const aiVector3D& uv) {
     std::uint64_t hash = 0;
     for (const float value : {position.x, position.y, position.z, uv.x, uv.y}) {
@@ -204,9 +203,9 @@ class Collector {
     return hash;
   }
 
-  /// Adds the vertices of a mesh, and those once that agree in position and texture coordinates. The result tells for
-  /// each vertex of the mesh its number in the raw mesh. The library has a step for this, which takes four times as
-  /// long as reading the file.
+  /// Adds the vertices of a mesh. Vertices with equal position and texture coordinates become one. Returns the index in
+  /// the raw mesh for each vertex of the mesh. The library has a similar step, but it takes four times as long as the
+  /// import.
   std::vector<int> addVertices(const aiMesh& mesh, const aiMatrix4x4& placement) {
     drape::ChainedIndex index(mesh.mNumVertices);
     std::vector<int> number(mesh.mNumVertices, -1);
@@ -247,7 +246,7 @@ class Collector {
     }
   }
 
-  /// A face of one or two vertices may come in a mesh that calls itself triangles, so each is looked at.
+  /// The library can return faces of one or two vertices, so each face is checked.
   void addFace(const aiFace& face, const std::vector<int>& number, bool mirrored) {
     if (face.mNumIndices != 3) {
       ++raw_.facesSkipped;
@@ -256,7 +255,7 @@ class Collector {
     drape::Triangle triangle{};
     for (unsigned corner = 0; corner < 3; ++corner) {
       if (face.mIndices[corner] >= number.size()) {
-        throw InputError("one of its faces uses a vertex that is not there. Export the mesh again.");
+        throw InputError("one of its faces uses a missing vertex. Export the mesh again.");
       }
       triangle[corner] = number[face.mIndices[corner]];
     }
@@ -283,7 +282,7 @@ ImportReply import(const std::string& format) {
   } catch (const InputError& error) {
     reply.error = error.what();
   } catch (const std::bad_alloc&) {
-    reply.error = "reading it takes more memory than the 4 GiB it may have. Reduce the mesh, or export it again.";
+    reply.error = "reading it needs more memory than the limit of 4 GiB. Reduce the mesh, or export it again.";
   }
   return reply;
 }

@@ -13,10 +13,10 @@
 namespace drape {
 namespace {
 
-/// Everybody may read and write, less what the user's umask takes away.
+/// Read and write for everybody; the user's umask restricts it.
 constexpr mode_t usualMode = 0666;
 
-/// Returns false, with errno, when not everything could be written.
+/// False, with errno, when the text could not be written completely.
 bool writeAll(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(file, text.data(), text.size());
@@ -28,7 +28,7 @@ bool writeAll(int file, std::string_view text) {
   return true;
 }
 
-/// Pipes and devices have nothing to empty.
+/// Pipes and devices cannot be truncated.
 bool makeEmpty(int file) {
   struct stat status {};
   return fstat(file, &status) == 0 && (!S_ISREG(status.st_mode) || ftruncate(file, 0) == 0);
@@ -44,7 +44,7 @@ OutputFile::OutputFile(std::string name, std::string what) : name_(std::move(nam
   }
   if (file_ < 0) {
     throw InputError("cannot write " + what_ + " to " + name_ + ": " + std::strerror(errno) +
-                     ". Check that the folder exists and that you may write to it.");
+                     ". Check that the folder exists and is writable.");
   }
 }
 

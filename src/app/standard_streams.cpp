@@ -19,7 +19,7 @@ bool isClosed(int descriptor) {
 }  // namespace
 
 void occupyStandardStreams() {
-  // The lowest free descriptor is the one that `open` takes. What is open for reading only refuses to be written.
+  // `open` takes the lowest free descriptor. A read-only descriptor makes later writes fail.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (isClosed(descriptor)) {
       static_cast<void>(::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY));
@@ -34,7 +34,7 @@ void flushStandardOutput() {
     return;
   }
   if (errno == 0) {
-    static_cast<void>(::write(STDOUT_FILENO, "", 0));  // an earlier write failed: ask once more for the reason
+    static_cast<void>(::write(STDOUT_FILENO, "", 0));  // an earlier write failed: try again to get the reason
   }
   const std::string reason = errno == EBADF ? "it is closed" : errno != 0 ? std::strerror(errno) : "a write failed";
   throw InputError("standard output could not be written completely: " + reason);

@@ -6,7 +6,7 @@
 
 namespace drape {
 
-/// Mixes two 64-bit values into one whose bits all depend on all of theirs.
+/// Mixes two 64-bit values; every bit of the result depends on all bits of both.
 [[nodiscard]] constexpr std::uint64_t mixHash(std::uint64_t seed, std::uint64_t value) {
   std::uint64_t mixed = (seed ^ value) * 0x9e3779b97f4a7c15ULL;
   mixed ^= mixed >> 32;
@@ -14,11 +14,11 @@ namespace drape {
   return mixed ^ (mixed >> 29);
 }
 
-/// A hash table of indices 0, 1, 2, ... whose keys the caller keeps: it finds the indices that share a hash, and the
-/// caller compares what they stand for. Two flat arrays, so that a million entries cost milliseconds.
+/// A hash table of the indices 0, 1, 2, ... whose keys the caller stores. It finds indices with equal hashes, and the
+/// caller compares the keys. It consists of two flat arrays, so a million entries cost milliseconds.
 class ChainedIndex {
  public:
-  /// Room for the indices 0 .. capacity - 1.
+  /// Reserves space for the indices 0 .. capacity - 1.
   explicit ChainedIndex(std::size_t capacity) : next_(capacity, none) {
     std::size_t buckets = 16;
     while (buckets < 2 * capacity) {
@@ -29,13 +29,13 @@ class ChainedIndex {
 
   static constexpr int none = -1;
 
-  /// The first index filed under this hash (or one that shares its bucket), or `none`.
+  /// The first index with this hash (or with one of the same bucket), or `none`.
   [[nodiscard]] int first(std::uint64_t hash) const { return head_[bucketOf(hash)]; }
 
-  /// The one after `index`, or `none`.
+  /// The next index after `index`, or `none`.
   [[nodiscard]] int next(int index) const { return next_[static_cast<std::size_t>(index)]; }
 
-  /// Files an index that was not filed before.
+  /// Inserts a new index.
   void insert(std::uint64_t hash, int index) {
     int& head = head_[bucketOf(hash)];
     next_[static_cast<std::size_t>(index)] = head;

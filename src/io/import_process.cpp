@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A file descriptor that is closed at the end of its scope.
+/// A file descriptor, closed at the end of its scope.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -44,11 +44,11 @@ class Descriptor {
   int number_;
 };
 
-/// What posix_spawn is told besides program and arguments.
+/// The settings of posix_spawn besides program and arguments.
 class SpawnSetup {
  public:
-  /// The child's standard input and output are `channel`, its standard error is nowhere, and signals are as a program
-  /// expects them, whatever this one does with its own.
+  /// The child's standard input and output are `channel`, its standard error is discarded, and signals have their
+  /// default actions.
   explicit SpawnSetup(int channel) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_adddup2(&actions_, channel, STDIN_FILENO);
@@ -69,7 +69,7 @@ class SpawnSetup {
     posix_spawnattr_destroy(&attributes_);
   }
 
-  /// Starts the program and returns its process number.
+  /// Starts the program and returns its process id.
   pid_t spawn(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
     std::vector<std::string> words{program.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
@@ -91,7 +91,7 @@ class SpawnSetup {
   posix_spawnattr_t attributes_{};
 };
 
-/// A child process that does not outlive this object.
+/// A child process that ends with this object at the latest.
 class Child {
  public:
   explicit Child(pid_t number) : number_(number) {}
@@ -108,7 +108,7 @@ class Child {
     }
   }
 
-  /// Waits for its end and returns what waitpid says about it.
+  /// Waits for its end and returns the status of waitpid.
   int wait() {
     int status = 0;
     while (number_ > 0 && waitpid(number_, &status, 0) < 0 && errno == EINTR) {
@@ -117,7 +117,7 @@ class Child {
     return status;
   }
 
-  /// The same, but gives up and kills it at the deadline. True when it ended by itself.
+  /// The same, but kills the child at the deadline. True when it ended before.
   bool waitUntil(Clock::time_point deadline, int& status) {
     while (true) {
       const pid_t ended = waitpid(number_, &status, WNOHANG);
@@ -142,7 +142,7 @@ bool isPassing(int error) {
   return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
 }
 
-/// The conversation with a child over a socket that is its standard input and output.
+/// The exchange of data with a child over a socket, its standard input and output.
 class Conversation {
  public:
   Conversation(int channel, std::string_view input, std::size_t outputLimit, const OutputListener& listener)
@@ -150,13 +150,13 @@ class Conversation {
 
   enum class State { Talking, Ended, TooMuch };
 
-  /// Sends and receives what can be without waiting.
+  /// Sends and receives as much as possible without waiting.
   State exchange() {
     send();
     return receive();
   }
 
-  /// Waits until there is something to send or receive, but no longer than to the deadline.
+  /// Waits until data can be sent or received, at most until the deadline.
   void waitForTurn(Clock::time_point deadline, bool canBeStopped) const {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count() + 1;
     const long long longest = canBeStopped ? 50 : 1000;
@@ -172,7 +172,7 @@ class Conversation {
       const ssize_t sent = ::send(channel_, input_.data(), input_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
       if (sent < 0) {
         if (!isPassing(errno)) {
-          input_ = {};  // The child reads no more; what it has to say may still come.
+          input_ = {};  // The child reads no more, but may still write.
         }
         break;
       }
@@ -186,7 +186,7 @@ class Conversation {
 
   State receive() {
     std::array<char, 65536> buffer{};
-    // A child that never stops writing must not keep this side from looking at the clock.
+    // The deadline must be checked even when a child never stops writing.
     for (int turn = 0; turn < 64; ++turn) {
       const ssize_t got = recv(channel_, buffer.data(), buffer.size(), MSG_DONTWAIT);
       if (got < 0) {
@@ -244,7 +244,7 @@ ProcessOutcome converse(Child& child, Conversation& conversation, Clock::time_po
 ProcessOutcome runProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                           std::string_view input, const ProcessLimits& limits, const OutputListener& listener) {
   const Clock::time_point deadline = Clock::now() + limits.wallClock;
-  // A socket and not two pipes: sending to a child that has died can then be told to raise no SIGPIPE.
+  // A socket instead of two pipes: writing to a dead child can then avoid SIGPIPE.
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     throw InputError(std::string("cannot talk to the import program: ") + std::strerror(errno));

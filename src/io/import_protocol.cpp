@@ -29,7 +29,7 @@ static_assert(sizeof(Triangle) == 3 * sizeof(int) && std::is_trivially_copyable_
 
 [[noreturn]] void throwGarbled(const std::string& what) {
   throw InputError("the answer of drape-mesh-import " + what +
-                   ". Both programs must come from one build: install them again.");
+                   ". Both programs must be from the same build: install them again.");
 }
 
 void append(std::string& bytes, const void* data, std::size_t size) {
@@ -38,7 +38,7 @@ void append(std::string& bytes, const void* data, std::size_t size) {
   }
 }
 
-/// Takes values off the front of a run of bytes.
+/// Reads values from a sequence of bytes.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : rest_(bytes) {}
@@ -55,11 +55,11 @@ class Reader {
     rest_.remove_prefix(size);
   }
 
-  /// An array of `count` values. The count is checked against what is there before memory is taken for it.
+  /// An array of `count` values. The count is checked against the available bytes before memory is allocated.
   template <typename T>
   std::vector<T> takeArray(std::uint64_t count) {
     if (count > INT_MAX || count > rest_.size() / sizeof(T)) {
-      throwGarbled("does not fit its own counts");
+      throwGarbled("contradicts its own counts");
     }
     std::vector<T> values(static_cast<std::size_t>(count));
     if (count > 0) {
@@ -70,7 +70,7 @@ class Reader {
 
   std::string takeText(std::uint64_t length) {
     if (length > rest_.size()) {
-      throwGarbled("does not fit its own counts");
+      throwGarbled("contradicts its own counts");
     }
     std::string text(rest_.substr(0, static_cast<std::size_t>(length)));
     rest_.remove_prefix(text.size());
@@ -122,7 +122,7 @@ ImportReply decodeReply(std::string_view bytes) {
   Header header;
   reader.take(&header, sizeof(header));
   if (header.mark != openingMark || header.facesSkipped > INT_MAX) {
-    throwGarbled("is not in its language");
+    throwGarbled("has an unknown format");
   }
   ImportReply reply;
   reply.mesh.positions = reader.takeArray<Vec3>(header.vertices);
@@ -133,7 +133,7 @@ ImportReply decodeReply(std::string_view bytes) {
   std::uint64_t mark = 0;
   reader.take(&mark, sizeof(mark));
   if (mark != closingMark || reader.left() != 0) {
-    throwGarbled("does not end where it should");
+    throwGarbled("has a wrong length");
   }
   return reply;
 }

@@ -8,26 +8,26 @@
 
 namespace drape {
 
-/// What the import program answers: a mesh, or in words why there is none.
+/// The reply of the import program: a mesh, or an error message.
 struct ImportReply {
   RawMesh mesh;
-  std::string error;  ///< empty when there is a mesh; no file name in it, one sentence with its full stop
+  std::string error;  ///< empty when there is a mesh; otherwise one sentence with a full stop, without the file name
 };
 
-/// The reply as bytes: a header with the counts, the arrays one after the other, and a closing mark. Both programs are
-/// built together and run on one machine, so numbers keep the machine's own format.
+/// The reply as bytes: a header with the counts, the arrays in order, and a closing mark. Both programs are built
+/// together and run on one machine, so numbers have the machine's format.
 [[nodiscard]] std::string encodeReply(const ImportReply& reply);
 
-/// Before its reply the import program may write bytes that tell its progress. No reply begins with one of them.
+/// A byte that reports progress. The import program may write such bytes before its reply; no reply starts with one.
 [[nodiscard]] char progressByte(double share);
 
-/// The share that a byte tells; none when it is the first byte of the reply.
+/// The progress of a byte; empty when it is the first byte of the reply.
 [[nodiscard]] std::optional<double> progressOf(char byte);
 
 /// The program's output without the progress before the reply.
 [[nodiscard]] std::string_view withoutProgress(std::string_view output);
 
-/// Takes a reply apart. Trusts nothing: throws InputError when the bytes are not exactly one whole reply.
+/// Decodes a reply and checks everything. Throws InputError when the bytes are not exactly one whole reply.
 [[nodiscard]] ImportReply decodeReply(std::string_view bytes);
 
 }  // namespace drape

@@ -7,13 +7,13 @@
 
 namespace drape {
 
-/// Thrown when the user cancels. Not an error: there is nothing to report.
+/// Thrown when the user cancels. It is not an error and is not reported.
 class Cancelled : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// What a long piece of work tells about its progress, and how it is cancelled. Calls come from the thread that works.
+/// Progress and cancellation of a long task. The working thread makes the calls.
 struct ImportWatch {
   std::function<void(double share, std::string_view stage)> progress;  ///< share from 0 to 1; may be empty
   std::stop_token stop;                                                ///< a request to stop cancels
@@ -28,7 +28,7 @@ struct ImportWatch {
     }
   }
 
-  /// A watch over a part of the work: its 0 to 1 is `begin` to `end` here.
+  /// The watch for a part of the task: its 0 to 1 is `begin` to `end` of the whole.
   [[nodiscard]] ImportWatch part(double begin, double end) const {
     if (!progress) {
       return {{}, stop};

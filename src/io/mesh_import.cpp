@@ -29,12 +29,12 @@ namespace fs = std::filesystem;
 constexpr std::size_t mebibyte = std::size_t{1} << 20;
 constexpr std::size_t largestFile = 512 * mebibyte;
 
-/// The time that an import may take when nothing else is asked for: ten seconds and one for each 2 MiB [s].
+/// The default time limit of an import: ten seconds and one second per 2 MiB [s].
 double defaultTimeLimit(std::size_t bytes) {
   return 10.0 + static_cast<double>(bytes) / static_cast<double>(2 * mebibyte);
 }
 
-/// A format that is not read, and where its files come from.
+/// A format that is not supported, and the advice for its files.
 struct OtherFormat {
   std::string_view ending;
   std::string_view cure;
@@ -65,7 +65,7 @@ std::string formatList() {
   return list;
 }
 
-/// The file's ending in small letters, with its dot; empty when it has none.
+/// The file's extension in lower case, with its dot; empty when there is none.
 std::string endingOf(const fs::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -73,14 +73,14 @@ std::string endingOf(const fs::path& file) {
   return ending;
 }
 
-/// The file's format by its ending. Throws InputError when it is none of those that are offered.
+/// The file's format by its extension. Throws InputError when it is not supported.
 std::string formatOf(std::string_view name) {
   const std::string ending = endingOf(name);
   if (!isMeshFile(name)) {
     const std::string advice = adviceForFormat(name);
     throw InputError(std::string(name) + ": " +
-                     (advice.empty() ? (ending.empty() ? "no ending" : "'" + ending + "' is not an ending") +
-                                           " that tells a mesh format. Meshes are read from " + formatList() +
+                     (advice.empty() ? (ending.empty() ? "no extension" : "'" + ending + "' is not an extension") +
+                                           " of a mesh format. The formats are " + formatList() +
                                            ": export the mesh in one of these."
                                      : advice));
   }
@@ -96,10 +96,10 @@ std::string readWholeFile(const fs::path& file) {
                      ". Check the path.");
   }
   if (fs::is_directory(status)) {
-    throw InputError(name + ": is a directory. Name a mesh file inside it.");
+    throw InputError(name + ": is a directory. Give a mesh file inside it.");
   }
   if (!fs::is_regular_file(status)) {
-    throw InputError(name + ": is not a file that can be read as a whole. Copy it to a regular file.");
+    throw InputError(name + ": is not a regular file. Copy it to a regular file.");
   }
   (void)formatOf(name);
   const std::uintmax_t size = fs::file_size(file, problem);
@@ -117,7 +117,7 @@ std::string readWholeFile(const fs::path& file) {
   return bytes;
 }
 
-/// Where the import program is: next to this one, or where DRAPE_MESH_IMPORT says.
+/// The path of the import program: beside this program, or in DRAPE_MESH_IMPORT.
 fs::path importProgram() {
   if (const char* chosen = std::getenv("DRAPE_MESH_IMPORT"); chosen != nullptr && *chosen != '\0') {
     return chosen;
@@ -143,14 +143,14 @@ std::string secondsText(double seconds) {
   return text.substr(0, text.find('.') + 2) + " s";
 }
 
-/// Why the import program has no answer, as the rest of a sentence.
+/// Why the import program failed, as the rest of a sentence.
 std::string describeFailure(const ProcessOutcome& outcome, double timeLimit) {
   if (outcome.end == ProcessOutcome::End::TimedOut ||
       (outcome.end == ProcessOutcome::End::Killed && outcome.code == SIGXCPU)) {
-    return "reading it took longer than " + secondsText(timeLimit) + " and was given up";
+    return "reading it took longer than " + secondsText(timeLimit) + " and was stopped";
   }
   if (outcome.end == ProcessOutcome::End::TooMuch) {
-    return "it unfolds to more data than a mesh can have here";
+    return "it expands to more data than a mesh may have";
   }
   if (outcome.end == ProcessOutcome::End::Killed) {
     return std::string("the mesh reader crashed on it (") + strsignal(outcome.code) + ")";
@@ -158,7 +158,7 @@ std::string describeFailure(const ProcessOutcome& outcome, double timeLimit) {
   return "the mesh reader failed on it (exit status " + std::to_string(outcome.code) + ")";
 }
 
-/// Runs the import program. Throws Cancelled when the watch asks for it.
+/// Runs the import program. Throws Cancelled when the watch cancels.
 RawMesh readInChild(const std::string& format, std::string_view bytes, double timeLimit, const ImportWatch& watch) {
   ProcessLimits limits;
   limits.wallClock = std::chrono::milliseconds(static_cast<long long>(std::ceil(timeLimit * 1000.0)));
@@ -191,16 +191,16 @@ RawMesh readInChild(const std::string& format, std::string_view bytes, double ti
   return std::move(reply.mesh);
 }
 
-/// A file that was found to be in order, as the import program is to get it.
+/// A valid file in the form for the import program.
 struct CheckedFile {
-  std::string storage;  ///< holds the bytes when they are not those of the file
+  std::string storage;  ///< the bytes when they differ from those of the file
   std::string_view bytes;
   int facesSkipped = 0;
   int unusedVertices = 0;
   std::vector<std::string> warnings;
 };
 
-/// Fills in `checked` from a file of any format. Throws InputError when the file is not in order.
+/// Checks a file of any format and fills in `checked`. Throws InputError when the file is damaged.
 void checkFile(const std::string& format, std::string_view bytes, const fs::path& folder, const ImportWatch& watch,
                CheckedFile& checked) {
   if (format == "glb") {
@@ -239,7 +239,7 @@ void checkFile(const std::string& format, std::string_view bytes, const fs::path
   }
 }
 
-/// Welds, and names the vertex that lies far from all others as the file numbers it.
+/// Welds the mesh. Messages name an outlier by the vertex number of the file.
 ImportedMesh weldNamed(const RawMesh& raw, const std::string& name, std::string_view bytes, const std::string& format,
                        const ImportOptions& options) {
   try {
@@ -306,8 +306,8 @@ std::string adviceForFormat(const fs::path& file) {
   if (found == otherFormats.end()) {
     return "";
   }
-  return "'" + ending + "' files are not read. " + std::string(found->cure) + ". (Meshes are read from " +
-         formatList() + ".)";
+  return "'" + ending + "' files are not supported. " + std::string(found->cure) +
+         ". (Supported formats: " + formatList() + ".)";
 }
 
 FormatFacts factsOfFormat(std::string_view format) {

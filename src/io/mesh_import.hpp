@@ -14,24 +14,24 @@
 
 namespace drape {
 
-/// A mesh as a file holds it, after triangulation: a vertex is split wherever its texture coordinates differ.
+/// A mesh of a file after triangulation. Vertices are split where their texture coordinates differ.
 struct RawMesh {
   std::vector<Vec3> positions;      ///< in the file's unit
-  std::vector<Vec2> uvs;            ///< one a position, or empty when the file has none
+  std::vector<Vec2> uvs;            ///< one per position, or empty when the file has none
   std::vector<Triangle> triangles;  ///< indices into positions
-  int facesSkipped = 0;             ///< points and lines, which a cloth has no use for
-  int unusedVertices = 0;           ///< vertices of the file without a face that are not among the positions
+  int facesSkipped = 0;             ///< points and lines
+  int unusedVertices = 0;           ///< vertices without a face, which are not among the positions
 };
 
-/// What a mesh is drawn from: vertices split at texture seams, each riding on a particle of the cloth.
+/// The mesh for drawing: vertices split at texture seams, each tied to a particle of the cloth.
 struct RenderMesh {
-  std::vector<int> particle;        ///< for each render vertex the cloth vertex that carries it
-  std::vector<Vec2> uvs;            ///< one a render vertex
-  bool uvsInMetres = false;         ///< the file had none: these are lengths [m]
+  std::vector<int> particle;        ///< the cloth vertex of each render vertex
+  std::vector<Vec2> uvs;            ///< one per render vertex
+  bool uvsInMetres = false;         ///< the file had none; these are lengths [m]
   std::vector<Triangle> triangles;  ///< indices into `particle`; triangle t is the cloth's triangle t
 };
 
-/// What was found in a mesh and done to it.
+/// The contents of a mesh and its repairs.
 struct MeshSummary {
   std::string source;      ///< file name or "grid"
   int verticesInFile = 0;  ///< after the import, split at seams
@@ -46,7 +46,7 @@ struct MeshSummary {
   int shortEdges = 0;                 ///< merged to one vertex: edges far shorter than the median edge
   int shortEdgesKept = 0;             ///< such edges that could not be merged
   std::array<double, 3> shortEdge{};  ///< where the shortest of them is, in the file's own coordinates
-  int components = 0;                 ///< pieces that hang together by edges
+  int components = 0;                 ///< pieces that are connected by edges
   int boundaryLoops = 0;              ///< closed chains of edges with one face
   int nonManifoldEdges = 0;           ///< edges with more than two faces
   int misorientedEdges = 0;           ///< edges whose two faces run in the same direction
@@ -54,8 +54,8 @@ struct MeshSummary {
   std::vector<std::string> warnings;
 };
 
-/// What the specification of a file format says about coordinates. Empty where it leaves them to the author, as OBJ,
-/// PLY and STL do.
+/// The unit and axes that the specification of a file format prescribes. Empty when it prescribes none, as for OBJ, PLY
+/// and STL.
 struct FormatFacts {
   std::optional<double> metresPerUnit;  ///< length of the file's unit [m]
   std::optional<char> up;               ///< the axis that points up: 'x', 'y' or 'z'
@@ -69,47 +69,47 @@ struct ImportedMesh {
   FormatFacts format;
 };
 
-/// Vertices that lie far from all others are an error, or left out with their faces.
+/// Whether vertices far from all others are an error or are left out with their faces.
 enum class OutlierRule { Refuse, LeaveOut };
 
-/// What the mesh will be. A body needs no pins, may have any size, and need not be one piece.
+/// The use of the mesh. A body needs no pins, may have any size, and may have several pieces.
 enum class MeshUse { Cloth, Body };
 
 /// How to read a mesh.
 struct ImportOptions {
   double metresPerUnit = 1.0;
-  /// Vertices nearer than this times the diagonal of the bounding box, without outliers, become one particle. It counts
-  /// no further than to half of the median edge.
+  /// Vertices closer than this times the diagonal of the bounding box, without outliers, become one particle. The
+  /// distance is limited to half of the median edge.
   double weldTolerance = 1e-6;
-  double timeLimit = 0.0;  ///< reading may take this long [s]; 0: ten seconds and one for each 2 MiB of the file
+  double timeLimit = 0.0;  ///< time limit [s]; 0: ten seconds and one second per 2 MiB of the file
   OutlierRule outliers = OutlierRule::Refuse;
   MeshUse use = MeshUse::Cloth;
-  ImportWatch watch = {};  ///< hears about progress, and can cancel
+  ImportWatch watch = {};  ///< receives progress, and can cancel
 };
 
-/// The endings of the formats that are offered, lower case, without the dot.
+/// The extensions of the supported formats, lower case, without the dot.
 [[nodiscard]] std::vector<std::string> meshFormats();
 
-/// True when the file's ending, in capitals or not, is that of a format that is offered.
+/// Whether the file's extension, in any case, is that of a supported format.
 [[nodiscard]] bool isMeshFile(const std::filesystem::path& file);
 
-/// For a file of a known format that is not read: what to export instead, as a sentence. Empty for other files.
+/// For a known but unsupported format: a sentence with the formats to export instead. Empty for other files.
 [[nodiscard]] std::string adviceForFormat(const std::filesystem::path& file);
 
-/// What a format, given by its ending without the dot in small letters, says about unit and up axis.
+/// The unit and up axis of a format, by its extension in lower case without the dot.
 [[nodiscard]] FormatFacts factsOfFormat(std::string_view format);
 
-/// Reads a mesh file. The parsing happens in a child process with limits on memory and time, so that a file that
-/// crashes or stalls the parser costs a message. Throws InputError (missing, a directory, unknown format, too large,
-/// not a mesh, no faces, NaN, cut off, crash, time-out), naming file, place and remedy; and Cancelled.
-/// Of other files it reads only the buffers that a glTF file names, from the same folder.
+/// Reads a mesh file. A child process with limits of memory and time parses it, so that a file that crashes or hangs
+/// the parser only causes a message. Throws InputError (missing, a directory, unknown format, too large, not a mesh, no
+/// faces, NaN, cut off, crash, time-out) with file, place and remedy; and Cancelled. It reads no other files, except
+/// the buffers of a glTF file from the same folder.
 [[nodiscard]] ImportedMesh importMesh(const std::filesystem::path& file, const ImportOptions& options);
 
-/// The same for a file that is already in memory. `name` is for messages and its ending tells the format.
+/// The same for a file in memory. `name` is for messages; its extension gives the format.
 [[nodiscard]] ImportedMesh importMeshFromMemory(std::string_view name, std::string_view bytes,
                                                 const ImportOptions& options);
 
-/// A vertex far from all others, which ImportOptions::outliers refuses.
+/// A vertex far from all others, when ImportOptions::outliers refuses it.
 class OutlierError : public InputError {
  public:
   OutlierError(const std::string& message, int rawVertex) : InputError(message), rawVertex_(rawVertex) {}
@@ -120,11 +120,11 @@ class OutlierError : public InputError {
   int rawVertex_;
 };
 
-/// Welds, cleans and measures a raw mesh. Throws InputError when most of it cannot be used, when it is smaller than
-/// 1 mm, and OutlierError.
+/// Welds, cleans and measures a raw mesh. Throws InputError when most of it is unusable or it is smaller than 1 mm, and
+/// OutlierError.
 [[nodiscard]] ImportedMesh weldMesh(const RawMesh& raw, std::string_view name, const ImportOptions& options);
 
-/// One line a fact, for a terminal or a panel.
+/// One line per fact, for a terminal or a panel.
 [[nodiscard]] std::vector<std::string> describe(const MeshSummary& summary);
 
 }  // namespace drape

@@ -6,14 +6,14 @@
 namespace drape {
 namespace {
 
-/// At most this part of the vertices can be outliers. More are a second object.
+/// Outliers are at most one vertex in this many. More are a second object.
 constexpr std::size_t verticesPerOutlier = 20;
 
-/// Outliers are this many times farther from the middle than all other vertices.
-constexpr double leastGap = 20.0;
+/// Outliers are at least this many times farther from the centre than all other vertices.
+constexpr double minGap = 20.0;
 
-/// With fewer vertices than this a long thin mesh cannot be told from an outlier.
-constexpr std::size_t fewestOthers = 10;
+/// Below this number of vertices, a long thin mesh looks like an outlier.
+constexpr std::size_t minOthers = 10;
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
@@ -52,10 +52,10 @@ Vec3 medianPosition(const std::vector<Vec3>& positions, const std::vector<int>& 
   return middle;
 }
 
-/// The first distance, of those in ascending order, that leaves the one before it far behind; 0 when none does.
-double firstFarDistance(const std::vector<double>& ascending, std::size_t most) {
-  for (std::size_t i = ascending.size() - most; i < ascending.size(); ++i) {
-    if (i > 0 && ascending[i] > leastGap * ascending[i - 1] && ascending[i - 1] > 0.0) {
+/// The first distance, in ascending order, that is much larger than the one before; 0 when there is none.
+double firstFarDistance(const std::vector<double>& ascending, std::size_t maxOutliers) {
+  for (std::size_t i = ascending.size() - maxOutliers; i < ascending.size(); ++i) {
+    if (i > 0 && ascending[i] > minGap * ascending[i - 1] && ascending[i - 1] > 0.0) {
       return ascending[i];
     }
   }
@@ -66,7 +66,7 @@ double firstFarDistance(const std::vector<double>& ascending, std::size_t most) 
 
 std::vector<int> findOutliers(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
   const std::vector<int> vertices = usedVertices(positions.size(), triangles);
-  if (vertices.size() <= fewestOthers) {
+  if (vertices.size() <= minOthers) {
     return {};
   }
   const Vec3 middle = medianPosition(positions, vertices);
@@ -74,12 +74,12 @@ std::vector<int> findOutliers(const std::vector<Vec3>& positions, const std::vec
   std::transform(vertices.begin(), vertices.end(), distances.begin(),
                  [&](int vertex) { return (positions[at(vertex)] - middle).norm(); });
   std::vector<double> ascending = distances;
-  const std::size_t most = std::max<std::size_t>(1, vertices.size() / verticesPerOutlier);
-  // Only the farthest and the one before them have to be in order.
-  const auto kept = ascending.end() - static_cast<std::ptrdiff_t>(most + 1);
+  const std::size_t maxOutliers = std::max<std::size_t>(1, vertices.size() / verticesPerOutlier);
+  // Only the largest distances must be sorted.
+  const auto kept = ascending.end() - static_cast<std::ptrdiff_t>(maxOutliers + 1);
   std::nth_element(ascending.begin(), kept, ascending.end());
   std::sort(kept, ascending.end());
-  const double far = firstFarDistance(ascending, most);
+  const double far = firstFarDistance(ascending, maxOutliers);
   std::vector<int> outliers;
   for (std::size_t i = 0; far > 0.0 && i < vertices.size(); ++i) {
     if (distances[i] >= far) {

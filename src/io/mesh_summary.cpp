@@ -68,7 +68,7 @@ void warnAboutTopology(MeshUse use, MeshSummary& summary) {
                                " the faces point to opposite sides: shading and wind may look wrong there.");
   }
   if (use == MeshUse::Cloth && summary.components > 1) {
-    summary.warnings.push_back("It falls into " + std::to_string(summary.components) +
+    summary.warnings.push_back("It has " + std::to_string(summary.components) +
                                " separate pieces: each needs its own pins to stay up.");
   }
 }

@@ -4,9 +4,8 @@
 
 namespace drape {
 
-/// Fills in what can be measured on a finished cloth mesh: counts, topology, size, and the warnings that follow from
-/// them and from the counts of what was dropped or repaired, which must be there already. A body is not warned of its
-/// size or of being several pieces.
+/// Fills in the measures of a finished cloth mesh: counts, topology, size, and the resulting warnings. The counts of
+/// dropped and repaired parts must be set before. For a body there are no warnings about size and separate pieces.
 void summarise(const ClothMesh& cloth, MeshUse use, MeshSummary& summary);
 
 }  // namespace drape

@@ -9,13 +9,13 @@
 namespace drape {
 namespace {
 
-/// A face's side as its lower vertex sees it.
+/// A side of a face, stored at its lower vertex.
 struct Side {
   int other = 0;          ///< the higher vertex
   bool ascending = true;  ///< the face runs from the lower vertex to the higher one
 };
 
-/// The sides of all faces, grouped by lower vertex and sorted by the higher one within a group.
+/// The sides of all faces, grouped by lower vertex and sorted by the higher vertex within a group.
 struct SideTable {
   std::vector<std::size_t> begin;  ///< vertices + 1 entries
   std::vector<Side> sides;
@@ -48,7 +48,7 @@ SideTable sortSides(int vertexCount, const std::vector<Triangle>& triangles) {
   return table;
 }
 
-/// Adds one edge, whose faces' sides are sides[first] .. sides[last - 1], to the count.
+/// Counts one edge; the sides of its faces are sides[first] .. sides[last - 1].
 void countEdge(const std::vector<Side>& sides, std::size_t first, std::size_t last, MeshTopology& topology) {
   ++topology.edges;
   if (last - first > 2) {
@@ -58,7 +58,7 @@ void countEdge(const std::vector<Side>& sides, std::size_t first, std::size_t la
   }
 }
 
-/// Counts the chains that the boundary edges form.
+/// Counts the chains of boundary edges.
 int countChains(int vertexCount, const std::vector<std::pair<int, int>>& edges) {
   DisjointSets sets(vertexCount);
   std::vector<bool> onBoundary(static_cast<std::size_t>(vertexCount), false);

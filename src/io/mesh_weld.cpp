@@ -19,24 +19,23 @@
 namespace drape {
 namespace {
 
-/// No coordinate may be larger, so that squares and products of lengths stay finite.
+/// Largest coordinate, so that squares and products of lengths stay finite.
 constexpr double largestCoordinate = 1e30;
 
-/// A triangle lower than this part of the bounding box's diagonal has no area that float coordinates could tell from 0.
+/// A triangle with a height below this share of the bounding box's diagonal has no reliable area in float coordinates.
 constexpr double flatHeight = 1e-7;
 
-/// But in a mesh of very many triangles, or of parts far apart, no triangle counts as flat that is higher than this
-/// part of the median edge.
+/// In meshes of very many triangles, or of distant parts, only triangles below this share of the median edge are flat.
 constexpr double flatHeightOfEdge = 1e-4;
 
-/// Points are not welded over more than this part of the median edge, however large the mesh is.
+/// Maximum welding distance as a share of the median edge.
 constexpr double longestWeldOfEdge = 0.5;
 
-/// Edges shorter than this part of the median edge are merged: springs so short force tiny time steps, and nobody
-/// models with them on purpose.
+/// Shorter edges, as a share of the median edge, are merged: such short springs need tiny time steps, and they are
+/// modelling errors.
 constexpr double shortestEdge = 1e-3;
 
-/// Smaller cloth is not simulated [m]: the file's unit is certainly another one.
+/// Minimum size of cloth [m]; smaller files certainly use another unit.
 constexpr double smallestCloth = 1e-3;
 
 /// Larger meshes are not simulated [m]: no unit makes a garment or a body of them.
@@ -61,7 +60,7 @@ double largestOf(const Vec3& position) {
 
 void requireUsable(const RawMesh& raw, const std::string& name, const ImportOptions& options) {
   if (!(options.metresPerUnit > 0.0) || !std::isfinite(options.metresPerUnit)) {
-    throw InputError(name + ": the size of the mesh's unit must be a positive number of metres.");
+    throw InputError(name + ": the unit of the mesh must be a positive number of metres.");
   }
   if (!(options.weldTolerance >= 0.0) || options.weldTolerance > 0.1) {
     throw InputError(name + ": the weld tolerance must be between 0 and 0.1 of the mesh's diagonal.");
@@ -91,7 +90,7 @@ void requireUsable(const RawMesh& raw, const std::string& name, const ImportOpti
   }
 }
 
-/// The box around the vertices that faces use.
+/// The bounding box of the vertices with faces.
 struct Bounds {
   Vec3 min = Vec3::Constant(HUGE_VAL);
   Vec3 max = Vec3::Constant(-HUGE_VAL);
@@ -110,18 +109,18 @@ Bounds boundsOf(const std::vector<Vec3>& positions, const std::vector<Triangle>&
   return bounds;
 }
 
-/// Points filed in the cells of a grid, in the order in which they were first seen.
+/// Points in the cells of a grid, in the order in which they were added.
 class PointWelder {
  public:
-  /// Points nearer than `distance` are one; `origin` is the corner of a box of that `diagonal` that holds them all.
+  /// Merges points closer than `distance`. `origin` is a corner of the bounding box with that `diagonal`.
   PointWelder(Vec3 origin, double diagonal, double distance, std::size_t capacity)
-      // Cells much wider than the distance: most points then have all their candidates in their own cell.
+      // Cells are much wider than the distance, so that most points find all candidates in their own cell.
       : origin_(std::move(origin)),
         distance_(distance),
         cell_(diagonal > 0.0 ? std::max(16.0 * distance, 1e-7 * diagonal) : 1.0),
         index_(capacity) {}
 
-  /// The number of the first point within the distance of this one, which is added when there is none.
+  /// The index of the first point within the distance, which is added when there is none.
   int weld(const Vec3& point) {
     const int found = find(point);
     if (found != ChainedIndex::none) {
@@ -165,7 +164,7 @@ class PointWelder {
     return best;
   }
 
-  /// The smaller of `best` and the first point of this cell that is near enough.
+  /// The minimum of `best` and the first point of this cell that is close enough.
   [[nodiscard]] int findInCell(const Cell& cell, const Vec3& point, int best) const {
     for (int i = index_.first(cellHash(cell)); i != ChainedIndex::none; i = index_.next(i)) {
       if ((best == ChainedIndex::none || i < best) && (points_[at(i)] - point).norm() <= distance_) {
@@ -182,13 +181,13 @@ class PointWelder {
   std::vector<Vec3> points_;
 };
 
-/// Which raw vertices are one particle.
+/// The particle of each raw vertex.
 struct Weld {
-  std::vector<Vec3> positions;  ///< one a particle, in the file's unit
-  std::vector<int> particle;    ///< one a raw vertex; -1 for a vertex that no face uses
+  std::vector<Vec3> positions;  ///< one per particle, in the file's unit
+  std::vector<int> particle;    ///< one per raw vertex; -1 for a vertex without faces
 };
 
-/// Lengths that tolerances are measured by, in the file's unit.
+/// Reference lengths of the tolerances, in the file's unit.
 struct Scale {
   Bounds bounds;
   double medianEdge = 0.0;
@@ -219,7 +218,7 @@ Weld weldPositions(const RawMesh& raw, const Scale& scale, double tolerance) {
   return weld;
 }
 
-/// The faces that are kept: as particles, and as the raw vertices they come from.
+/// The remaining faces, with particle indices and with raw vertex indices.
 struct Faces {
   std::vector<Triangle> particles;
   std::vector<Triangle> rawVertices;
@@ -270,7 +269,7 @@ Faces cleanFaces(const RawMesh& raw, const Weld& weld, double flat, MeshSummary&
   return kept;
 }
 
-/// Leaves out the particles that lost all their faces and numbers the others anew, in the same order.
+/// Drops particles without faces and renumbers the others in the same order.
 void dropIsolated(Weld& weld, Faces& faces, MeshSummary& summary) {
   std::vector<int> newNumber(weld.positions.size(), -1);
   for (const Triangle& face : faces.particles) {
@@ -289,7 +288,7 @@ void dropIsolated(Weld& weld, Faces& faces, MeshSummary& summary) {
   }
   weld.positions = std::move(positions);
   for (int& particle : weld.particle) {
-    // A raw vertex without a face counts as isolated too.
+    // A raw vertex without a face also counts as isolated.
     summary.isolatedVertices += particle < 0 ? 1 : 0;
     particle = particle < 0 ? -1 : newNumber[at(particle)];
   }
@@ -300,7 +299,7 @@ void dropIsolated(Weld& weld, Faces& faces, MeshSummary& summary) {
   }
 }
 
-/// Render vertices of a mesh with texture coordinates: one for each pair of particle and coordinates.
+/// The render vertices of a mesh with texture coordinates: one per pair of particle and coordinates.
 RenderMesh renderMeshFromUvs(const RawMesh& raw, const Weld& weld, const Faces& faces) {
   RenderMesh render;
   ChainedIndex index(raw.positions.size());
@@ -345,8 +344,7 @@ std::string lengthText(double metres) {
   return text.data();
 }
 
-/// Takes the faces of vertices that lie far from all others out of the mesh, or throws when they are not to be taken
-/// out.
+/// Removes the faces of outliers from the mesh, or throws when outliers are refused.
 RawMesh withoutOutliers(const RawMesh& raw, const std::vector<int>& outliers, const std::string& name,
                         const ImportOptions& options) {
   std::vector<bool> isOutlier(raw.positions.size(), false);
@@ -376,7 +374,7 @@ RawMesh withoutOutliers(const RawMesh& raw, const std::vector<int>& outliers, co
   return rest;
 }
 
-/// Merges the ends of edges that are far too short. Faces and particles are renumbered; positions stay.
+/// Merges the ends of very short edges. Renumbers faces and particles; positions stay.
 void repairShortEdges(double limit, Weld& weld, Faces& faces, MeshSummary& summary) {
   const ShortEdges edges = collapseShortEdges(weld.positions, faces.particles, limit);
   if (!edges.where) {
@@ -417,10 +415,9 @@ void requireMostFaces(const RawMesh& raw, const MeshSummary& summary) {
 void requireVisibleSize(const MeshSummary& summary, const ImportOptions& options) {
   const double largest = *std::max_element(summary.size.begin(), summary.size.end());
   if (options.use == MeshUse::Cloth && largest < smallestCloth) {
-    throw InputError(
-        summary.source + ": it is " + lengthText(largest) +
-        " large, and cloth below 1 mm is not simulated. Say which unit the file is in (--set unit=...), or "
-        "scale the mesh to metres.");
+    throw InputError(summary.source + ": it is " + lengthText(largest) +
+                     " large, and the minimum is 1 mm. Set the unit of the file (--set unit=...), or "
+                     "scale the mesh to metres.");
   }
   if (largest > largestMesh) {
     throw InputError(summary.source + ": it is " + lengthText(largest) +

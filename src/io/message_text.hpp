@@ -5,8 +5,8 @@
 
 namespace drape {
 
-/// A message of a library as part of a sentence: one line of at most 160 letters, without control characters and
-/// without the stop at its end.
+/// A library's message as part of a sentence: one line of at most 160 characters, without control characters and
+/// without the final full stop.
 [[nodiscard]] inline std::string oneLine(std::string_view message) {
   constexpr std::size_t longest = 160;
   std::string line;

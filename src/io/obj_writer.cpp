@@ -7,7 +7,7 @@ namespace drape {
 namespace {
 
 void appendNumber(std::string& text, double value) {
-  // Room for the largest double: 309 digits before the point.
+  // The largest double has 309 digits before the point.
   std::array<char, 352> digits{};
   const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, 6);
   std::string_view number(digits.data(), static_cast<std::size_t>(result.ptr - digits.data()));

@@ -8,10 +8,10 @@
 
 namespace drape {
 
-/// A mesh as the text of an OBJ file: `positions` [m], one a particle, and the texture coordinates and faces of
-/// `render`, so that the seams are those of the texture and the mesh still hangs together. Without texture coordinates
-/// faces name positions only. Six decimals (a micrometre), in the same bytes on every machine and in every language
-/// setting. `comment` goes into the first line.
+/// A mesh as the text of an OBJ file: `positions` [m], one per particle, with the texture coordinates and faces of
+/// `render`. Seams exist in the texture only; the mesh stays connected. Without texture coordinates faces contain
+/// positions only. Six decimals (a micrometre), with the same bytes on every machine and in every locale. `comment`
+/// becomes the first line.
 [[nodiscard]] std::string objText(const std::vector<Vec3>& positions, const RenderMesh& render,
                                   std::string_view comment);
 

@@ -7,7 +7,7 @@
 namespace drape {
 namespace {
 
-/// The axis (0, 1, 2 for x, y, z) that a face's normal follows most.
+/// The axis (0, 1, 2 for x, y, z) closest to a face's normal.
 std::size_t mainAxis(const ClothMesh& cloth, const Triangle& face) {
   const Vec3& a = cloth.positions[static_cast<std::size_t>(face[0])];
   const Vec3& b = cloth.positions[static_cast<std::size_t>(face[1])];
@@ -17,7 +17,7 @@ std::size_t mainAxis(const ClothMesh& cloth, const Triangle& face) {
   return static_cast<std::size_t>(axis);
 }
 
-/// The position as seen along an axis, upright wherever there is an upright.
+/// The projection of a position along an axis, with y upwards if possible.
 Vec2 seenAlong(std::size_t axis, const Vec3& position) {
   switch (axis) {
     case 0:

@@ -44,14 +44,14 @@ std::vector<std::string> wordsOf(std::string_view line) {
   return words;
 }
 
-/// Takes the header line by line.
+/// Parses the header line by line.
 class HeaderReader {
  public:
   explicit HeaderReader(std::string_view bytes) : bytes_(bytes) {}
 
   PlyHeader read() {
     if (wordsOf(nextLine()) != std::vector<std::string>{"ply"}) {
-      throw InputError("it is not a PLY file: its first line is not 'ply'. Check what it is, or export it again.");
+      throw InputError("it is not a PLY file: its first line is not 'ply'. Check the file, or export it again.");
     }
     while (true) {
       const std::vector<std::string> words = wordsOf(nextLine());
@@ -93,7 +93,7 @@ class HeaderReader {
     } else if (words[0] == "property" && (words.size() == 3 || (words.size() == 5 && words[1] == "list"))) {
       readProperty(words);
     } else {
-      fail("cannot be understood: " + quoted(words[0]));
+      fail("has an unknown keyword: " + quoted(words[0]));
     }
   }
 

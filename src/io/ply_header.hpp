@@ -7,7 +7,7 @@
 
 namespace drape {
 
-/// A type of number in a PLY file.
+/// A number type of a PLY file.
 struct PlyNumber {
   enum class Kind { Signed, Unsigned, Real } kind = Kind::Real;
   std::size_t bytes = 0;  ///< size in a binary file
@@ -17,7 +17,7 @@ struct PlyProperty {
   std::string name;
   PlyNumber value;
   bool isList = false;
-  PlyNumber length;  ///< of a list: what its length is written as
+  PlyNumber length;  ///< of a list: the type of its length
 };
 
 struct PlyElement {
@@ -26,14 +26,14 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 };
 
-/// What a PLY file promises.
+/// The contents of a PLY header.
 struct PlyHeader {
   enum class Format { Text, LittleEndian, BigEndian } format = Format::Text;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;  ///< where the numbers begin [bytes]
+  std::size_t size = 0;  ///< start of the data [bytes]
 };
 
-/// Reads the header of a PLY file. Throws InputError, with the line, when it is not one.
+/// Reads the header of a PLY file. Throws InputError with the line when it is invalid.
 [[nodiscard]] PlyHeader readPlyHeader(std::string_view bytes);
 
 }  // namespace drape

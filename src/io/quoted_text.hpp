@@ -5,7 +5,7 @@
 
 namespace drape {
 
-/// A word from a file in quotes, for a message: shortened, and without bytes that could confuse a terminal.
+/// A word from a file in quotes, for a message: shortened, without bytes that could confuse a terminal.
 [[nodiscard]] inline std::string quoted(std::string_view word) {
   constexpr std::size_t longest = 40;
   std::string text = "'";

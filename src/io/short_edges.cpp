@@ -25,7 +25,7 @@ struct Edge {
   bool operator==(const Edge& other) const { return low == other.low && high == other.high; }
 };
 
-/// The edges below the limit, shortest first, each once.
+/// The edges below the limit, shortest first, without duplicates.
 std::vector<Edge> shortEdges(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles, double limit) {
   std::vector<Edge> edges;
   for (const Triangle& triangle : triangles) {
@@ -46,7 +46,7 @@ bool hasCorner(const Triangle& face, int vertex) {
   return std::find(face.begin(), face.end(), vertex) != face.end();
 }
 
-/// A mesh while its edges collapse.
+/// A mesh during edge collapses.
 class Collapser {
  public:
   Collapser(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles)
@@ -61,7 +61,7 @@ class Collapser {
     }
   }
 
-  /// The vertex that now stands for this one.
+  /// The vertex that replaces this one now.
   [[nodiscard]] int standIn(int vertex) const {
     while (replacement_[at(vertex)] != vertex) {
       vertex = replacement_[at(vertex)];
@@ -71,7 +71,7 @@ class Collapser {
 
   [[nodiscard]] double distance(int a, int b) const { return (positions_[at(a)] - positions_[at(b)]).norm(); }
 
-  /// Whether the two are still the ends of an edge.
+  /// Whether the two vertices are still joined by an edge.
   [[nodiscard]] bool joined(int a, int b) const { return !facesAt(a, b).empty(); }
 
   [[nodiscard]] bool canCollapse(int low, int high) const { return keepsTopology(low, high) && turnsNoFace(low, high); }
@@ -121,8 +121,8 @@ class Collapser {
     return std::any_of(around.begin(), around.end(), [&](int other) { return facesAt(vertex, other).size() == 1; });
   }
 
-  /// The ends have no neighbours in common but the third corners of the edge's own faces; an inner edge does not join
-  /// two places of the border; and some face remains.
+  /// The link condition: the ends have no common neighbours except the third corners of the edge's faces, an inner edge
+  /// does not join two boundary vertices, and some face remains.
   [[nodiscard]] bool keepsTopology(int low, int high) const {
     const std::size_t own = facesAt(low, high).size();
     const std::set<int> around = neighbours(low);
@@ -147,7 +147,7 @@ class Collapser {
   [[nodiscard]] bool turnsNoFace(int low, int high) const {
     return std::all_of(facesOf_[at(high)].begin(), facesOf_[at(high)].end(), [&](std::size_t face) {
       if (hasCorner(faces_[face], low)) {
-        return true;  // It vanishes.
+        return true;  // the face vanishes
       }
       Triangle moved = faces_[face];
       std::replace(moved.begin(), moved.end(), high, low);

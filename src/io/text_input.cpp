@@ -18,18 +18,18 @@ constexpr std::string_view blanks = " \t\r\f\v";
 
 struct Encoding {
   std::string_view mark;  ///< byte order mark
-  const char* name;       ///< as iconv calls it
+  const char* name;       ///< iconv's name
 };
 
 constexpr std::array<Encoding, 5> encodings{{
     {{"\xef\xbb\xbf", 3}, "UTF-8"},
-    {{"\xff\xfe\0\0", 4}, "UTF-32LE"},  // before UTF-16LE, whose mark it begins with
+    {{"\xff\xfe\0\0", 4}, "UTF-32LE"},  // before UTF-16LE, whose mark is a prefix of this one
     {{"\0\0\xfe\xff", 4}, "UTF-32BE"},
     {{"\xff\xfe", 2}, "UTF-16LE"},
     {{"\xfe\xff", 2}, "UTF-16BE"},
 }};
 
-/// UTF-16 without a mark: of the first letters every second byte is 0.
+/// UTF-16 without a mark: every second byte of the first characters is 0.
 std::optional<Encoding> encodingWithoutMark(std::string_view bytes) {
   constexpr std::size_t looked = 16;
   if (bytes.size() < looked) {
@@ -52,7 +52,7 @@ std::optional<Encoding> encodingOf(std::string_view bytes) {
   return found != encodings.end() ? std::optional(*found) : encodingWithoutMark(bytes);
 }
 
-/// A conversion of iconv that is closed at the end of its scope.
+/// An iconv conversion, closed at the end of its scope.
 class Decoder {
  public:
   explicit Decoder(const char* from) : handle_(iconv_open("UTF-8", from)) {}
@@ -64,7 +64,7 @@ class Decoder {
     }
   }
 
-  /// The text up to an incomplete letter at its end.
+  /// The text up to an incomplete character at its end.
   std::string decode(std::string_view bytes) {
     std::string text;
     std::string from(bytes);
@@ -82,7 +82,7 @@ class Decoder {
       }
       if (problem != 0 && problem != E2BIG) {
         throw InputError("line " + std::to_string(lineAt(text, text.size())) +
-                         " holds bytes that are no letters: the file is damaged. Save it as UTF-8.");
+                         " contains invalid characters: the file is damaged. Save it as UTF-8.");
       }
     }
     return text;
@@ -135,7 +135,7 @@ void requireNoZeroBytes(std::string_view text) {
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos) {
     throw InputError("line " + std::to_string(lineAt(text, zero)) +
-                     " holds a zero byte, which no text has: the file is damaged. Export or copy it again.");
+                     " contains a zero byte: the file is damaged. Export or copy it again.");
   }
 }
 

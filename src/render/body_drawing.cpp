@@ -8,10 +8,10 @@
 namespace drape {
 namespace {
 
-constexpr double creaseAngle = 0.7;  // edges that turn by more are sharp [rad]
-constexpr double sectors = 8.0;      // of the two tones around a round body
+constexpr double creaseAngle = 0.7;  // sharper edges get separate normals [rad]
+constexpr double sectors = 8.0;      // number of coloured sectors around a round body
 
-/// Where around its axis a point of a round body is, as a wave that changes its sign from sector to sector. A wave has
+/// The sector of a point around a round body's axis, as a wave that changes its sign from sector to sector. A wave has
 /// no seam where the circle closes.
 Vec2 sectorWave(const BodyShape& shape, const Vec3& position) {
   const bool round = std::holds_alternative<SphereShape>(shape) || std::holds_alternative<CapsuleShape>(shape);

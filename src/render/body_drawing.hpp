@@ -8,29 +8,29 @@
 
 namespace drape {
 
-/// The bodies of a scene on the graphics card. Those that stand still are sent once.
+/// The bodies of a scene on the graphics card. Bodies at rest are uploaded once.
 class BodyDrawing {
  public:
-  /// Takes over which bodies there are.
+  /// Takes over the bodies of a scene.
   void takeScene(const Scene& scene);
 
-  /// Takes over where they are and which are on.
+  /// Takes over their positions and which of them are on.
   void take(const Snapshot& snapshot);
 
-  /// Draws all that are on with the program in use.
+  /// Draws the active bodies with the current program.
   void draw() const;
 
-  /// Adds the meshes of those that are on: what throws shadows.
+  /// Adds the meshes of the active bodies, which cast shadows.
   void addMeshes(std::vector<const SmoothMesh*>& meshes) const;
 
-  /// Around those that are on, planes left out: they have no end.
+  /// The bounds of the active bodies, without infinite planes.
   [[nodiscard]] Eigen::AlignedBox3d bounds() const;
 
  private:
   struct Drawn {
     std::size_t body = 0;         // index into the scene's bodies
     std::vector<Vec3> positions;  // of the drawn vertices, in the body's own frame [m]
-    std::vector<int> source;      // for each drawn vertex that of the body's mesh
+    std::vector<int> source;      // the body mesh's vertex for each drawn vertex
     bool endless = false;
     bool on = false;
     bool placed = false;

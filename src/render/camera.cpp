@@ -70,7 +70,7 @@ void Camera::pan(double right, double up) {
 
 void Camera::zoom(double factor) {
   const Vec3 offset = viewOffset(pose_);
-  const double distance = std::clamp(offset.norm() * factor, nearestView, farthestView);
+  const double distance = std::clamp(offset.norm() * factor, minViewDistance, maxViewDistance);
   pose_.position = pose_.focalPoint + distance * offset.normalized();
 }
 
@@ -100,7 +100,7 @@ Eigen::Matrix4f Camera::viewMatrix() const {
 }
 
 Eigen::Matrix4f Camera::projectionMatrix(double aspect) const {
-  // The planes follow the distance, so that a close look is not cut off and a far one keeps its depth precision.
+  // The clipping planes scale with the distance: near views are not cut, and far views keep their depth precision.
   const double near = std::clamp(0.02 * viewOffset(pose_).norm(), 0.001, 0.1);
   const double far = 5000.0 * near;
   const double slope = tanHalfAngle(pose_);

@@ -15,18 +15,18 @@ struct Ray {
   Vec3 direction;  ///< unit length
 };
 
-/// Where a camera may go, so that the cloth does not get out of sight.
+/// Limits of the camera, which keep the cloth in view.
 struct CameraBounds {
-  Eigen::AlignedBox3d focalPoints;  ///< where its focal point may be [m]
-  double lowest = 0.0;              ///< height that the camera stays above [m]
-  double farthest = 400.0;          ///< from its focal point [m]
+  Eigen::AlignedBox3d focalPoints;  ///< of the focal point [m]
+  double lowest = 0.0;              ///< minimum height of the camera [m]
+  double farthest = 400.0;          ///< maximum distance to the focal point [m]
 };
 
-/// The bounds for looking at things in `box` [m] that stand on a ground at that height [m]. Never so narrow that `pose`
-/// is beyond them: a scene's author may look from anywhere.
+/// The bounds for things in `box` [m] on a ground at that height [m]. They always include `pose`, since the author of a
+/// scene may choose any view.
 [[nodiscard]] CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight, const CameraPose& pose);
 
-/// An orbiting perspective camera that looks from a pose at its focal point; y is up.
+/// A perspective camera that orbits its focal point; y is up.
 class Camera {
  public:
   Camera() = default;
@@ -34,22 +34,22 @@ class Camera {
 
   [[nodiscard]] const CameraPose& pose() const { return pose_; }
 
-  /// Turns around the focal point [rad]: positive yaw carries the camera to its right, positive pitch upwards. It stops
-  /// short of the poles, so that up stays up.
+  /// Turns around the focal point [rad]: positive yaw moves the camera to its right, positive pitch upwards. It stops
+  /// near the poles, so that up stays up.
   void orbit(double yaw, double pitch);
   /// Moves camera and focal point in the view plane by fractions of the view's height (right, up).
   void pan(double right, double up);
   /// Multiplies the distance to the focal point; clamped to 1 cm .. 100 m.
   void zoom(double factor);
-  /// Looks at another point from the same direction and distance.
+  /// Looks at another point, with the same direction and distance.
   void recentre(const Vec3& focalPoint);
-  /// Moves the camera the least that brings it within the bounds: focal point, then distance, then height, which is
-  /// reached by turning around the focal point.
+  /// Moves the camera into the bounds by the smallest change: first the focal point, then the distance, then the
+  /// height, by turning around the focal point.
   void keepWithin(const CameraBounds& bounds);
   /// Looks from a side (1: front, 3: right, 7: top as in other 3D programs) at the same focal point and distance.
   enum class Side { Front, Right, Top };
   void lookFrom(Side side);
-  /// Keeps the direction and moves so that the box [m] fills the view, with a little air around it.
+  /// Keeps the direction and moves the camera so that the box [m] fills the view with a small margin.
   void frame(const Vec3& min, const Vec3& max, double aspect);
 
   [[nodiscard]] Eigen::Matrix4f viewMatrix() const;
@@ -57,10 +57,10 @@ class Camera {
 
   /// The ray through a pixel; (0, 0) is the top left corner of the viewport, in pixels.
   [[nodiscard]] Ray rayThrough(double x, double y, int width, int height) const;
-  /// Where a point appears, in pixels from the top left corner. A point behind the camera has no place in the picture;
-  /// what is returned for it is far outside.
+  /// The position of a point in the picture, in pixels from the top left corner. For a point behind the camera the
+  /// result is far outside.
   [[nodiscard]] Vec2 project(const Vec3& point, int width, int height) const;
-  /// The point on the ray through a pixel that lies as deep in the view as `reference`.
+  /// The point on the ray through a pixel at the depth of `reference`.
   [[nodiscard]] Vec3 pointAtDepthOf(const Vec3& reference, double x, double y, int width, int height) const;
 
  private:

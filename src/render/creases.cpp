@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// A triangle and which of its corners is the vertex in question.
+/// A triangle and the index of its corner at the vertex in question.
 struct Corner {
   std::size_t triangle = 0;
   std::size_t corner = 0;
@@ -36,7 +36,7 @@ std::vector<std::vector<Corner>> cornersOfVertices(std::size_t vertices, std::sp
   return corners;
 }
 
-/// True when two triangles around a vertex share another vertex too.
+/// Whether two triangles at a vertex share an edge.
 bool shareAnEdge(const Triangle& a, const Triangle& b) {
   const auto shared =
       std::count_if(a.begin(), a.end(), [&b](int vertex) { return std::find(b.begin(), b.end(), vertex) != b.end(); });
@@ -56,7 +56,7 @@ CreasedMesh splitAtCreases(std::span<const Vec3> positions, std::span<const Tria
   for (std::size_t vertex = 0; vertex < positions.size(); ++vertex) {
     rest = corners[vertex];
     while (!rest.empty()) {
-      // A group grows from one corner over all edges that are not sharp; it gets a vertex of its own.
+      // A group grows from one corner over all edges that are not sharp. It gets its own vertex.
       group.assign(1, rest.back());
       rest.pop_back();
       for (std::size_t i = 0; i < group.size(); ++i) {

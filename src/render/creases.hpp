@@ -7,14 +7,14 @@
 
 namespace drape {
 
-/// A mesh whose vertices are split where it has sharp edges.
+/// A mesh with vertices split along its sharp edges.
 struct CreasedMesh {
   std::vector<Vec3> positions;  ///< [m]
   std::vector<Triangle> triangles;
 };
 
-/// Splits the vertices along edges whose faces turn by more than `angle` [rad], so that smooth normals stay smooth on
-/// round parts and sharp at rims.
+/// Splits the vertices along edges whose faces turn by more than `angle` [rad]. Normals are then smooth on round parts
+/// and sharp at rims.
 [[nodiscard]] CreasedMesh splitAtCreases(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                                          double angle);
 

@@ -26,7 +26,7 @@ void Framebuffer::allocate() {
   requireCompleteFramebuffer("the picture");
 }
 
-/// Binds the multisampled part with `samples_` samples a pixel, 0 for none. False when the driver refuses that.
+/// Binds the multisampled part with `samples_` samples per pixel; 0: none. False when the driver refuses.
 bool Framebuffer::allocateSamples() {
   GLint most = 0;
   glGetIntegerv(GL_MAX_SAMPLES, &most);

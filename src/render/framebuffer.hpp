@@ -4,33 +4,33 @@
 
 namespace drape {
 
-/// What a picture is drawn into: colour and depth with up to four samples a pixel, and the picture with one sample that
-/// it resolves to. Where the driver refuses so many samples there are fewer, down to no multisampling.
+/// The target of a picture: colour and depth with up to four samples per pixel, and the resolved picture. When the
+/// driver refuses that many samples, there are fewer, down to no multisampling.
 class Framebuffer {
  public:
-  /// @param samples a pixel, at most; 0: no multisampling
-  explicit Framebuffer(int samples = mostSamples) : samples_(samples) {}
+  /// @param samples maximum per pixel; 0: no multisampling
+  explicit Framebuffer(int samples = maxSamples) : samples_(samples) {}
 
-  /// Makes room for that size [pixels] if it is another than before, and binds the multisampled part for drawing.
+  /// Allocates this size [pixels] when it changed, and binds the multisampled part for drawing.
   void begin(int width, int height);
 
-  /// Averages the samples into the picture.
+  /// Averages the samples into the resolved picture.
   void resolve();
 
-  /// Binds the picture itself for drawing.
+  /// Binds the resolved picture for drawing.
   void bindResolved() const;
 
-  /// Copies the picture into framebuffer 0, with its lower left corner there [pixels].
+  /// Copies the resolved picture into framebuffer 0, with its lower left corner there [pixels].
   void blitToWindow(int left, int bottom) const;
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 
-  /// Samples a pixel, once `begin` has made room; 0: no multisampling.
+  /// Samples per pixel after `begin`; 0: no multisampling.
   [[nodiscard]] int samples() const { return samples_; }
 
-  /// More are refused by Mesa's renderer llvmpipe; softpipe refuses any.
-  static constexpr int mostSamples = 4;
+  /// Mesa's renderer llvmpipe refuses more; softpipe refuses any.
+  static constexpr int maxSamples = 4;
 
  private:
   void allocate();

@@ -4,8 +4,8 @@
 
 namespace drape {
 
-/// An OpenGL 3.3 core context that is current on this thread. What makes it (a window, OSMesa, one day EGL) is behind
-/// this interface; GLEW is loaded once it exists. Throws InputError when it cannot be had, saying why.
+/// An OpenGL 3.3 core context that is current on this thread. This interface hides its origin (a window or OSMesa);
+/// GLEW is loaded with it. Throws InputError with the reason when there is no such context.
 class GlContext {
  public:
   GlContext() = default;
@@ -14,8 +14,8 @@ class GlContext {
   virtual ~GlContext() = default;
 };
 
-/// Loads the OpenGL functions through GLEW and checks that version 3.3 is there. `label` names the context in errors.
-/// GLEW's own return value is no judge outside GLX, so the version is.
+/// Loads the OpenGL functions through GLEW and checks for version 3.3. `label` names the context in errors. GLEW's
+/// return value is unreliable outside GLX, so the version decides.
 void loadGlFunctions(const char* label);
 
 }  // namespace drape

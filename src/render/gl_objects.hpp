@@ -5,7 +5,7 @@
 
 namespace drape {
 
-/// Owns an OpenGL object. `Kind` says how it is made and given back. The context must outlive it.
+/// Owns an OpenGL object. `Kind` creates and deletes it. The context must outlive it.
 template <typename Kind>
 class GlObject {
  public:
@@ -61,10 +61,10 @@ using GlSampler = GlObject<SamplerKind>;
 using GlRenderbuffer = GlObject<RenderbufferKind>;
 using GlFramebuffer = GlObject<FramebufferKind>;
 
-/// In debug builds: throws std::logic_error naming the place when an OpenGL call since the last check went wrong.
+/// In debug builds: throws std::logic_error with the place when an OpenGL call since the last check failed.
 void checkGl(const char* where);
 
-/// Throws std::runtime_error when the bound framebuffer cannot be drawn into.
+/// Throws std::runtime_error when the bound framebuffer is not complete.
 void requireCompleteFramebuffer(const char* what);
 
 }  // namespace drape

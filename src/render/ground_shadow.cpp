@@ -7,7 +7,7 @@
 namespace drape {
 namespace {
 
-constexpr double penumbraRoom = 1.25;  // the square is larger than the sharp shadow by this factor [-]
+constexpr double penumbraRoom = 1.25;  // side of the square relative to the sharp shadow, for the penumbra [-]
 
 void setUpTarget(GLuint texture, GLuint framebuffer) {
   constexpr int side = GroundShadow::resolution;

@@ -8,16 +8,16 @@
 
 namespace drape {
 
-/// The shadow on the ground, as soft as the thing that throws it is high. It is computed per patch of ground and only
-/// when something has moved, so it can afford many samples whatever the size of the picture.
+/// The soft shadow on the ground; it is softer below higher objects. It is computed per texel of ground and only after
+/// motion, so many samples are affordable at any picture size.
 class GroundShadow {
  public:
   GroundShadow();
 
-  /// Lays the square of ground that can be in shadow. `groundHeight` in [m].
+  /// Places the square of ground that can be in shadow. `groundHeight` in [m].
   void fit(const ShadowMap& map, double groundHeight, const Eigen::Vector3d& toLight);
 
-  /// Computes the shadow. Needs the shadow map bound and the frame block uploaded. Leaves another framebuffer bound.
+  /// Computes the shadow. Needs a bound shadow map and an uploaded frame block. Leaves another framebuffer bound.
   void draw() const;
 
   /// Binds the result to a texture unit: 0 in the light, 1 in full shadow.

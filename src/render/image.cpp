@@ -20,7 +20,7 @@ void appendBytes(void* target, void* data, int size) {
   bytes->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
-/// Empty when the picture has no pixels or not as many as it says.
+/// Empty when the picture has no pixels or the wrong number of bytes.
 std::string encodePng(const Image& image) {
   std::string bytes;
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);

@@ -5,18 +5,18 @@
 namespace drape {
 namespace {
 
-// Colours as they appear on the screen, with opacity.
+// Screen colours, with opacity.
 const Eigen::Vector4f pinColour(0.16F, 0.18F, 0.22F, 1.0F);
-const Eigen::Vector4f handColour(0.96F, 0.62F, 0.16F, 1.0F);
-constexpr float pinSize = 8.0F;      // in units of a mark; of a single pin
-constexpr float manySize = 4.5F;     // where there are so many that they would hide the cloth
-constexpr float shareOfGap = 0.5F;   // of the way to the next pin that a dot takes
-constexpr float smallestPin = 1.5F;  // [pixels]
-constexpr float heldSize = 12.0F;    // in units of a mark
-constexpr float handSize = 16.0F;    // in units of a mark
+const Eigen::Vector4f attachmentColour(0.96F, 0.62F, 0.16F, 1.0F);
+constexpr float pinSize = 8.0F;        // of a single pin [units of a mark]
+constexpr float manySize = 4.5F;       // of many pins, so that they do not hide the cloth
+constexpr float shareOfGap = 0.5F;     // maximum size relative to the distance of the next pin
+constexpr float smallestPin = 1.5F;    // [pixels]
+constexpr float attachedSize = 12.0F;  // in units of a mark
+constexpr float targetSize = 16.0F;    // in units of a mark
 const Eigen::Vector4f contactColour(0.86F, 0.16F, 0.36F, 1.0F);
 constexpr double contactLength = 0.03;  // of a drawn normal [m]
-constexpr float contactSize = 6.5F;     // in units of a mark; its rim takes two of them
+constexpr float contactSize = 6.5F;     // [units of a mark]; the rim takes two
 constexpr float threadWidth = 2.5F;
 
 float sizeOfPins(std::size_t count) {
@@ -25,7 +25,7 @@ float sizeOfPins(std::size_t count) {
   return manySize + (pinSize - manySize) * share;
 }
 
-/// The median length of the edges whose ends are both pinned [m]; 0 where there is none.
+/// The median length of the edges with two pinned ends [m]; 0 when there is none.
 float gapBetweenPins(const ClothModel& model) {
   std::vector<double> gaps;
   for (const Spring& spring : model.springs) {
@@ -77,7 +77,7 @@ void Marks::drawContacts(float scale) const {
   glBindBuffer(GL_ARRAY_BUFFER, contactBuffer_.name());
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
   glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(contacts_.size()));
-  // Every second point is a foot.
+  // Every second point is the foot of a normal.
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 2 * sizeof(Eigen::Vector3f), nullptr);
   dots_.use();
   dots_.set("fill", contactColour);
@@ -119,18 +119,18 @@ void Marks::drawPins(float scale, float pixelsPerMetre) const {
   glBindVertexArray(0);
 }
 
-void Marks::drawGrab(const GrabStatus& grab, float scale) const {
-  const Eigen::Vector3f held = grab.point.cast<float>();
-  const Eigen::Vector3f hand = grab.target.cast<float>();
+void Marks::drawAttachment(const AttachmentStatus& attachment, float scale) const {
+  const Eigen::Vector3f attached = attachment.point.cast<float>();
+  const Eigen::Vector3f target = attachment.target.cast<float>();
   thread_.use();
-  thread_.set("from", held);
-  thread_.set("to", hand);
+  thread_.set("from", attached);
+  thread_.set("to", target);
   thread_.set("width", threadWidth * scale);
-  thread_.set("colour", handColour);
+  thread_.set("colour", attachmentColour);
   glBindVertexArray(nothing_.name());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  drawDot(hand, handSize * scale, handColour);
-  drawDot(held, heldSize * scale, grab.pinned ? pinColour : Eigen::Vector4f(1.0F, 1.0F, 1.0F, 1.0F));
+  drawDot(target, targetSize * scale, attachmentColour);
+  drawDot(attached, attachedSize * scale, attachment.pinned ? pinColour : Eigen::Vector4f(1.0F, 1.0F, 1.0F, 1.0F));
   glBindVertexArray(0);
 }
 
@@ -138,7 +138,7 @@ void Marks::drawDot(const Eigen::Vector3f& position, float size, const Eigen::Ve
   dots_.use();
   dots_.set("fill", fill);
   dots_.set("size", size);
-  // One point: the attribute's constant value stands in for a buffer.
+  // One point: a constant attribute value replaces a buffer.
   glVertexAttrib3fv(0, position.data());
   glDrawArrays(GL_POINTS, 0, 1);
 }

@@ -8,7 +8,7 @@
 
 namespace drape {
 
-/// Where a ray meets a cloth.
+/// The point where a ray hits a cloth.
 struct Hit {
   int triangle = 0;
   Vec3 barycentric = Vec3::Zero();  ///< weights of the triangle's corners
@@ -16,7 +16,7 @@ struct Hit {
   double distance = 0.0;            ///< along the ray [m]
 };
 
-/// The first triangle that the ray meets, from either side.
+/// The first triangle that the ray hits, from either side.
 [[nodiscard]] std::optional<Hit> pick(const Ray& ray, std::span<const Vec3> positions,
                                       std::span<const Triangle> triangles);
 

@@ -19,12 +19,12 @@
 namespace drape {
 namespace {
 
-constexpr double fadeInSizes = 5.0;   // the ground has faded away at this many sizes of the scene [-]
-constexpr double smallestFade = 1.5;  // but not nearer than this [m]
-constexpr double creaseAngle = 0.7;   // edges of a stand that turn by more are sharp [rad]
+constexpr double fadeInSizes = 5.0;   // distance at which the ground has faded out, in sizes of the scene [-]
+constexpr double smallestFade = 1.5;  // its minimum [m]
+constexpr double creaseAngle = 0.7;   // sharper edges of a stand get separate normals [rad]
 constexpr float ghostOpacity = 0.6F;
-constexpr float unitHeight = 800.0F;   // in a picture this high a unit of a mark is one pixel [pixels]
-constexpr float smallestMark = 0.75F;  // a smaller dot would not be seen [pixels]
+constexpr float unitHeight = 800.0F;   // picture height at which a unit of a mark is one pixel [pixels]
+constexpr float smallestMark = 0.75F;  // smaller dots are invisible [pixels]
 
 Eigen::Vector3d directionToLight() {
   return Eigen::Vector3d(0.60, 1.0, 0.55).normalized();
@@ -34,7 +34,7 @@ float markScale(int height) {
   return std::max(smallestMark, static_cast<float>(height) / unitHeight);
 }
 
-/// How large a metre is in the picture, as far away as the focal point [pixels].
+/// The size of a metre at the distance of the focal point [pixels].
 float pixelsPerMetre(const Camera& camera, int height) {
   const CameraPose& pose = camera.pose();
   return static_cast<float>(height / (2.0 * viewOffset(pose).norm() * tanHalfAngle(pose)));
@@ -82,12 +82,12 @@ struct Renderer::Parts {
   double groundFade = 1.0;                      // [m]
   bool shadowsAreCurrent = false;
   bool hasGhost = false;
-  bool ghostStandsBeside = false;    // far enough from the cloth to have shadows of its own
+  bool ghostStandsBeside = false;    // far enough from the cloth for its own shadows
   double clothWidth = 0.0;           // at the scene's start [m]
   std::vector<Vec3> ghostPositions;  // where it is drawn [m]
 };
 
-/// Sends to the graphics card what has changed since the last picture.
+/// Uploads the changes since the last picture.
 void Renderer::Parts::take(const Snapshot& snapshot) {
   const bool newScene = snapshot.scene != scene;
   if (newScene) {
@@ -175,7 +175,7 @@ void Renderer::Parts::updateShadows(const FrameUniforms& uniforms) {
 }
 
 void Renderer::Parts::drawBackground() const {
-  // Comes after the solid things and fills what they leave, so that no pixel is coloured twice.
+  // Comes after the solid objects and fills the rest, so that no pixel is shaded twice.
   glDepthFunc(GL_LEQUAL);
   backgroundProgram.use();
   glBindVertexArray(nothing.name());
@@ -208,13 +208,13 @@ void Renderer::Parts::drawCloth(const Settings::View& view) const {
   cloth.draw();
 }
 
-/// The second cloth, through which the first one shows: only its nearest layer, or every fold would count twice. Where
-/// the two are in the same place the first one is seen.
+/// Draws the second cloth translucent. Only its nearest layer counts, since folds would add up. Where both cloths
+/// coincide, the first one is visible.
 void Renderer::Parts::drawGhost(const Settings::View& view) const {
   const ShaderProgram& program = view.wireframe ? wireframeProgram : clothProgram;
   program.use();
   program.set("ghostly", 1.0F);
-  // Where the two lie in each other their shadows would be patches that tell nothing.
+  // Where the cloths intersect, their shadows on each other would be noise.
   program.set("shadowed", ghostStandsBeside ? 1.0F : 0.0F);
   program.set("opacity", ghostStandsBeside ? 1.0F : ghostOpacity);
   glEnable(GL_POLYGON_OFFSET_FILL);
@@ -232,7 +232,7 @@ void Renderer::Parts::drawGhost(const Settings::View& view) const {
 }
 
 void Renderer::Parts::drawGround() const {
-  // Cloth that lies on the ground wins over it.
+  // The cloth must be visible where it lies on the ground.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.0F, 2.0F);
   groundShadow.bind(groundShadowUnit);
@@ -253,10 +253,10 @@ void Renderer::Parts::drawMarks(const Snapshot& snapshot, const Camera& camera, 
     marks.drawPins(markScale(height), pixelsPerMetre(camera, height));
   }
   marks.drawContacts(markScale(height));
-  if (snapshot.grab) {
-    // The hand is shown through the cloth: it must never be lost.
+  if (snapshot.attachment) {
+    // The attachment is drawn over the cloth, so that it is always visible.
     glDisable(GL_DEPTH_TEST);
-    marks.drawGrab(*snapshot.grab, markScale(height));
+    marks.drawAttachment(*snapshot.attachment, markScale(height));
   }
   glDepthMask(GL_TRUE);
   glDisable(GL_PROGRAM_POINT_SIZE);

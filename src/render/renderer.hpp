@@ -9,7 +9,7 @@
 namespace drape {
 
 /// Draws snapshots: cloth (smooth, two-sided, checkered or plain), its ghost in green, stand, bodies, ground, soft
-/// light with shadows, the hand, the pins and contacts. Needs a current GlContext from construction to destruction.
+/// light with shadows, attachment, pins and contacts. Needs a current GlContext from construction to destruction.
 class Renderer {
  public:
   Renderer();
@@ -17,9 +17,9 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
   ~Renderer();
 
-  /// Draws into an own multisampled framebuffer of that size [pixels], resolves it, and leaves the result bound for
-  /// blitToWindow() and read(). Uses snapshot.settings.view. What is on the graphics card already is known by the
-  /// snapshot's scene, model and version, so the snapshots of one renderer come from one simulation.
+  /// Draws into its own multisampled framebuffer of that size [pixels], resolves it, and leaves the result bound for
+  /// blitToWindow() and read(). Uses snapshot.settings.view. The snapshot's scene, model and version tell what must be
+  /// uploaded, so all snapshots of one renderer must come from one simulation.
   void draw(const Snapshot& snapshot, const Camera& camera, int width, int height);
 
   /// Copies the last picture into framebuffer 0 (the window's), with its lower left corner there [pixels], and leaves
@@ -29,7 +29,7 @@ class Renderer {
   /// Binds the resolved framebuffer for drawing, so that panels can be drawn over the picture.
   void bindTarget();
 
-  /// Reads the last picture back.
+  /// Reads the last picture.
   [[nodiscard]] Image read();
 
  private:

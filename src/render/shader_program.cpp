@@ -21,7 +21,7 @@ std::string_view shaderFile(std::string_view name) {
   throw std::logic_error("no shader '" + std::string(name) + "' is built into the program");
 }
 
-/// The file with its includes put in. GLSL itself has none.
+/// The file with its includes expanded. GLSL has none.
 std::string expandIncludes(std::string_view name) {
   constexpr std::string_view directive = "#include \"";
   std::string_view rest = shaderFile(name);
@@ -56,7 +56,7 @@ std::string programLog(GLuint program) {
   return log;
 }
 
-/// Compiles one stage and attaches it; the program keeps it alive.
+/// Compiles one stage and attaches it. The program keeps it alive.
 void attachStage(GLuint program, GLenum stage, std::string_view name, std::string_view defines) {
   const std::string source = "#version 330 core\n" + std::string(defines) + expandIncludes(name);
   const GLuint shader = glCreateShader(stage);

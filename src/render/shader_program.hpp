@@ -7,12 +7,11 @@
 
 namespace drape {
 
-/// A linked shader program made from the embedded files of shaders/. A line `#include "name"` in a shader stands for
-/// that file. Throws std::logic_error with the compiler's log when one does not compile: shaders are part of the
-/// program, so that is a defect, not bad input.
+/// A linked shader program from the embedded files of shaders/. A line `#include "name"` in a shader includes that
+/// file. Throws std::logic_error with the compiler's log on failure: shaders are part of the program, so this is a bug.
 class ShaderProgram {
  public:
-  /// `defines` is put at the top of every stage ("#define WIREFRAME\n"). An empty geometry name leaves that stage out.
+  /// `defines` is inserted at the top of every stage ("#define WIREFRAME\n"). An empty geometry name omits that stage.
   ShaderProgram(std::string_view vertexFile, std::string_view fragmentFile, std::string_view geometryFile = {},
                 std::string_view defines = {});
   ShaderProgram(const ShaderProgram&) = delete;
@@ -21,7 +20,7 @@ class ShaderProgram {
 
   void use() const;
 
-  /// Set a uniform of the program in use. A uniform that the compiler has removed is ignored.
+  /// Sets a uniform of the current program. A uniform that the compiler removed is ignored.
   void set(const char* uniform, int value) const;
   void set(const char* uniform, float value) const;
   void set(const char* uniform, const Eigen::Vector2f& value) const;
@@ -32,7 +31,7 @@ class ShaderProgram {
   GLuint program_ = 0U;
 };
 
-/// Uniform block "Frame" is read from this binding point by every program that declares it.
+/// The binding point of the uniform block "Frame" in every program.
 inline constexpr GLuint frameBlockBinding = 0U;
 
 }  // namespace drape

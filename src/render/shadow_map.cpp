@@ -56,7 +56,7 @@ void ShadowMap::fit(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& toLig
   centre = (centre / texelSize()).array().round() * texelSize();
   centre_ = axes.transpose() * centre;
 
-  // From the box [-radius, radius]^3 around the centre to [0, 1]^3; what is nearer to the light comes first.
+  // From the box [-radius, radius]^3 around the centre to [0, 1]^3; depth grows away from the light.
   const Eigen::Vector3d scale(0.5 / radius_, 0.5 / radius_, -0.5 / radius_);
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   matrix.topLeftCorner<3, 3>() = scale.asDiagonal() * axes;

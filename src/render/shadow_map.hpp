@@ -10,13 +10,13 @@
 
 namespace drape {
 
-/// How far away from the key light the nearest surface is, seen along its parallel rays.
+/// The depth of the nearest surface along the parallel rays of the key light.
 class ShadowMap {
  public:
   ShadowMap();
 
-  /// Lays the map around a box of things that throw shadows. Its size goes in steps and its place in whole texels, so
-  /// that shadows do not crawl while the things move.
+  /// Fits the map to the box of all objects that cast shadows. Its size changes in steps and its position in whole
+  /// texels, so that shadows do not flicker while objects move.
   void fit(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& toLight);
 
   /// Draws the meshes into the map. Needs an uploaded frame block. Leaves another framebuffer bound.

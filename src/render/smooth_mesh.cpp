@@ -13,7 +13,7 @@ constexpr GLuint surfaceAttribute = 2U;
 constexpr GLuint curvatureAttribute = 3U;
 
 const void* bufferOffset(std::size_t bytes) {
-  // OpenGL takes offsets in the shape of pointers.
+  // OpenGL takes offsets as pointers.
   return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }
 
@@ -71,16 +71,16 @@ void SmoothMesh::setPositions(std::span<const Vec3> positions) {
     bounds_.extend(position);
   }
   if (particleOfVertex_.empty()) {
-    return;  // OpenGL refuses to map nothing
+    return;  // OpenGL does not map empty buffers
   }
   const auto size = static_cast<GLsizeiptr>(particleOfVertex_.size() * sizeof(MovingVertex));
   glBindBuffer(GL_ARRAY_BUFFER, moving_.name());
-  // A fresh store each time, so that the driver need not wait until it has drawn the old one.
+  // New storage each time, so that the driver does not wait for the old one.
   glBufferData(GL_ARRAY_BUFFER, size, nullptr, GL_STREAM_DRAW);
   auto* vertex = static_cast<MovingVertex*>(
       glMapBufferRange(GL_ARRAY_BUFFER, 0, size, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
   if (vertex == nullptr) {
-    return;  // the driver is out of memory; the cloth is not drawn, which is better than a crash
+    return;  // the driver is out of memory: skip the cloth instead of crashing
   }
   for (const int particle : particleOfVertex_) {
     const auto i = static_cast<std::size_t>(particle);

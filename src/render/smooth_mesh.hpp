@@ -11,29 +11,29 @@
 
 namespace drape {
 
-/// What does not change about a mesh while it moves. The views are only read during setTopology().
+/// The constant data of a moving mesh. The views are only read during setTopology().
 struct MeshTopology {
   std::span<const Triangle> particleTriangles;  ///< indices of particles; normals are smooth over these
   std::span<const Triangle> drawnTriangles;     ///< indices of drawn vertices
-  std::span<const int> particleOfVertex;        ///< for each drawn vertex its particle; empty: they are the same
-  std::span<const Vec2> surfaceCoordinates;     ///< one a drawn vertex [m]; empty: all zero
+  std::span<const int> particleOfVertex;        ///< the particle of each drawn vertex; empty: the same index
+  std::span<const Vec2> surfaceCoordinates;     ///< one per drawn vertex [m]; empty: all zero
 };
 
-/// A triangle mesh on the graphics card whose vertices move: positions and smooth normals are sent when they change,
-/// indices and surface coordinates once. Vertex attributes: 0 position, 1 normal, 2 surface coordinates, 3 curvature.
+/// A moving triangle mesh on the graphics card. Positions and smooth normals are uploaded when they change, indices and
+/// surface coordinates once. Vertex attributes: 0 position, 1 normal, 2 surface coordinates, 3 curvature.
 class SmoothMesh {
  public:
   SmoothMesh();
 
   void setTopology(const MeshTopology& topology);
 
-  /// Sends positions (one a particle [m]) and their normals. No memory is allocated while the number stays the same.
+  /// Uploads positions (one per particle [m]) and their normals. Allocates no memory while the number stays the same.
   void setPositions(std::span<const Vec3> positions);
 
-  /// Draws the triangles with the program in use.
+  /// Draws the triangles with the current program.
   void draw() const;
 
-  /// The box around the positions last set.
+  /// The box around the last positions.
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return bounds_; }
 
  private:

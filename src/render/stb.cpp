@@ -1,4 +1,4 @@
-// The one translation unit that holds stb's code. Warnings are silenced here because the code is not ours.
+// The only translation unit with stb's code. Its warnings are disabled, since the code is external.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wall"
 #pragma GCC diagnostic ignored "-Wextra"

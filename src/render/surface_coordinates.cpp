@@ -12,7 +12,7 @@ struct Measure {
   double area = 0.0;        // [m^2]
   double alongU = 0.0;      // metres per unit of u, times area
   double alongV = 0.0;      // metres per unit of v, times area
-  double mappedArea = 0.0;  // of the triangles that have an area in the texture too [m^2]
+  double mappedArea = 0.0;  // of the triangles with an area in the texture [m^2]
 };
 
 void addTriangle(const RenderMesh& mesh, std::span<const Vec3> rest, const Triangle& triangle, Measure& measure) {
@@ -71,7 +71,7 @@ SurfaceCoordinates surfaceCoordinates(const RenderMesh& mesh, std::span<const Ve
   for (const Vec3& position : restPositions) {
     box.extend(position);
   }
-  // A garment has several layers, so its area alone would make its checks too large.
+  // A garment has several layers, so its area alone would make the checks too large.
   result.checkSize = roundLength(std::min(std::sqrt(measure.area), box.sizes().maxCoeff()) / 12.0);
   return result;
 }

@@ -8,7 +8,7 @@ namespace {
 
 using Lanes = SurfaceShapes::Lanes;
 
-/// Of the first three components; the fourth stays zero.
+/// Cross product of the first three components; the fourth stays zero.
 Lanes cross(Lanes a, Lanes b) {
   const Lanes aYzx = __builtin_shufflevector(a, a, 1, 2, 0, 3);
   const Lanes bYzx = __builtin_shufflevector(b, b, 1, 2, 0, 3);
@@ -24,7 +24,7 @@ float sumOf(Lanes a) {
 
 void SurfaceShapes::compute(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
   places_.resize(positions.size());
-  // From a place on the mesh, so that edges of cloth far away are as exact.
+  // Relative to a point of the mesh, so that cloth far from the origin is as exact.
   const Vec3 origin = positions.empty() ? Vec3(Vec3::Zero()) : positions.front();
   std::transform(positions.begin(), positions.end(), places_.begin(), [&](const Vec3& position) {
     const Eigen::Vector3f from = (position - origin).cast<float>();
@@ -61,7 +61,7 @@ SurfaceShape SurfaceShapes::shapeOf(const Sums& sums) {
   const float area = std::sqrt(sumOf(sums.twiceArea * sums.twiceArea));
   const Lanes normal = area > 0.0F ? sums.twiceArea / area : Lanes{0.0F, 1.0F, 0.0F, 0.0F};
   const float squaredLengths = sumOf(sums.squares);
-  // A neighbour at distance d on a surface of curvature k lies k d^2 / 2 off the tangent plane.
+  // A neighbour at distance d on a surface of curvature k has distance k d^2 / 2 from the tangent plane.
   const float curvature = squaredLengths > 0.0F ? 2.0F * sumOf(normal * sums.toNeighbours) / squaredLengths : 0.0F;
   return {{normal[0], normal[1], normal[2]}, curvature};
 }

@@ -8,25 +8,25 @@
 
 namespace drape {
 
-/// How a surface lies around a vertex.
+/// The shape of a surface at a vertex.
 struct SurfaceShape {
-  Eigen::Vector3f normal;  ///< unit length; the mean of the triangles' normals weighted by their area
-  float curvature = 0.0F;  ///< mean curvature [1/m], positive where the surface is hollow when seen from the front
+  Eigen::Vector3f normal;  ///< unit length; the area-weighted mean of the triangles' normals
+  float curvature = 0.0F;  ///< mean curvature [1/m], positive where the front side is hollow
 };
 
-/// The shape of a mesh at its vertices. A vertex without any area around it gets a normal that points up.
+/// The shape of a mesh at its vertices. A vertex without any area gets a normal that points up.
 class SurfaceShapes {
  public:
-  /// A vector with a fourth component of zero, so that one instruction takes all of it.
+  /// A vector with a fourth component of zero, so that one instruction processes it.
   using Lanes [[gnu::vector_size(16)]] = float;
 
-  /// Computes all shapes anew. No memory is allocated while the number of positions stays the same.
+  /// Computes all shapes. Allocates no memory while the number of positions stays the same.
   void compute(std::span<const Vec3> positions, std::span<const Triangle> triangles);
 
   [[nodiscard]] std::span<const SurfaceShape> values() const { return shapes_; }
 
  private:
-  /// What is summed over the triangles of a vertex.
+  /// Sums over the triangles of a vertex.
   struct Sums {
     Lanes twiceArea{};     ///< times the normal [m^2]
     Lanes toNeighbours{};  ///< vectors along the edges [m]

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// A message that says what GLFW said, and what to do.
+/// A message with GLFW's reason and a remedy.
 std::string windowMessage(const std::string& what) {
   const char* reason = nullptr;
   glfwGetError(&reason);
@@ -35,7 +35,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height) {
   }
   window_ = openWindow(title, width, height);
   if (window_ == nullptr) {
-    // The reason must be asked for before GLFW is gone.
+    // Get the reason before GLFW terminates.
     const std::string message = windowMessage("cannot open a window");
     glfwTerminate();
     throw InputError(message);

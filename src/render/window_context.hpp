@@ -8,9 +8,9 @@ struct GLFWwindow;
 
 namespace drape {
 
-/// A window on the desktop with an OpenGL 3.3 core context that is current on this thread. The window has no
-/// multisampling of its own: the renderer draws into its own framebuffer. One at a time; on the main thread.
-/// Throws InputError when there is no display or no OpenGL 3.3.
+/// A desktop window with an OpenGL 3.3 core context that is current on this thread. The window has no multisampling:
+/// the renderer draws into its own framebuffer. Only one may exist, on the main thread. Throws InputError when there is
+/// no display or no OpenGL 3.3.
 class WindowContext : public GlContext {
  public:
   /// Width and height in screen coordinates.

@@ -9,8 +9,8 @@
 namespace drape {
 namespace {
 
-/// More labels than this stand too close together.
-constexpr int mostLabels = 8;
+/// With more labels the axis is crowded.
+constexpr int maxLabels = 8;
 
 /// The next larger of 1, 2 and 5 times a power of ten.
 double niceStep(double rough) {
@@ -23,7 +23,7 @@ double niceStep(double rough) {
   return 10.0 * decade;
 }
 
-/// "10" with the exponent raised; near one the plain number reads better.
+/// "10" with a raised exponent; plain numbers near one.
 std::string decadeLabel(int exponent) {
   if (exponent >= -2 && exponent <= 3) {
     return figure(std::pow(10.0, exponent), 4);
@@ -40,18 +40,18 @@ std::string decadeLabel(int exponent) {
 }  // namespace
 
 Axis::Axis(Scale scale, const std::vector<double>& values) : scale_(scale) {
-  double least = HUGE_VAL;
-  double most = -HUGE_VAL;
+  double lowest = HUGE_VAL;
+  double highest = -HUGE_VAL;
   for (const double value : values) {
     if (takes(value)) {
-      least = std::min(least, value);
-      most = std::max(most, value);
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
     }
   }
   if (scale == Scale::Linear) {
-    least <= most ? makeLinear(least, most) : makeLinear(0.0, 1.0);
+    lowest <= highest ? makeLinear(lowest, highest) : makeLinear(0.0, 1.0);
   } else {
-    least <= most ? makeLogarithmic(least, most) : makeLogarithmic(1.0, 10.0);
+    lowest <= highest ? makeLogarithmic(lowest, highest) : makeLogarithmic(1.0, 10.0);
   }
 }
 
@@ -63,15 +63,15 @@ double Axis::share(double value) const {
   return ((scale_ == Scale::Linear ? value : std::log10(value)) - begin_) / (end_ - begin_);
 }
 
-void Axis::makeLinear(double least, double most) {
-  if (most == least) {
-    const double room = least == 0.0 ? 1.0 : std::abs(least);
-    least -= 0.5 * room;
-    most += 0.5 * room;
+void Axis::makeLinear(double lowest, double highest) {
+  if (highest == lowest) {
+    const double room = lowest == 0.0 ? 1.0 : std::abs(lowest);
+    lowest -= 0.5 * room;
+    highest += 0.5 * room;
   }
-  const double step = niceStep((most - least) / (mostLabels - 2));
-  const double first = std::floor(least / step + 1e-9);
-  const double last = std::ceil(most / step - 1e-9);
+  const double step = niceStep((highest - lowest) / (maxLabels - 2));
+  const double first = std::floor(lowest / step + 1e-9);
+  const double last = std::ceil(highest / step - 1e-9);
   begin_ = first * step;
   end_ = last * step;
   for (double k = first; k <= last; k += 1.0) {
@@ -79,12 +79,12 @@ void Axis::makeLinear(double least, double most) {
   }
 }
 
-void Axis::makeLogarithmic(double least, double most) {
-  const int first = static_cast<int>(std::floor(std::log10(least) + 1e-9));
-  const int last = std::max(first + 1, static_cast<int>(std::ceil(std::log10(most) - 1e-9)));
+void Axis::makeLogarithmic(double lowest, double highest) {
+  const int first = static_cast<int>(std::floor(std::log10(lowest) + 1e-9));
+  const int last = std::max(first + 1, static_cast<int>(std::ceil(std::log10(highest) - 1e-9)));
   begin_ = first;
   end_ = last;
-  const int every = (last - first) / mostLabels + 1;
+  const int every = (last - first) / maxLabels + 1;
   for (int exponent = first; exponent <= last; ++exponent) {
     const double decade = std::pow(10.0, exponent);
     const bool labelled = (exponent - first) % every == 0;

@@ -12,25 +12,25 @@ struct Tick {
   std::string label;  ///< empty: a small tick between two others
 };
 
-/// Where the values of a plot stand along an axis.
+/// The axis of a plot.
 class Axis {
  public:
-  /// An axis that holds these values. It reaches to the next tick on either side, on a logarithmic axis to the next
-  /// decade. Values that have no place on it do not count; without any it runs from 0 to 1, or 1 to 10.
+  /// An axis for these values. It extends to the next tick on either side, on a logarithmic axis to the next decade.
+  /// Values that cannot be drawn do not count; without any it runs from 0 to 1, or 1 to 10.
   Axis(Scale scale, const std::vector<double>& values);
 
-  /// Whether the value can be drawn at all.
+  /// Whether the value can be drawn.
   [[nodiscard]] bool takes(double value) const;
 
-  /// From 0 at the axis's lower end to 1 at its upper one. The value is one that it takes.
+  /// The position of a drawable value, from 0 at the lower end to 1 at the upper end.
   [[nodiscard]] double share(double value) const;
 
-  /// In ascending order; all within the axis. At least two have labels.
+  /// In ascending order, all within the axis. At least two have labels.
   [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
 
  private:
-  void makeLinear(double least, double most);
-  void makeLogarithmic(double least, double most);
+  void makeLinear(double lowest, double highest);
+  void makeLogarithmic(double lowest, double highest);
 
   Scale scale_;
   double begin_ = 0.0;  // of the value, or of its decimal logarithm

@@ -8,23 +8,23 @@
 
 namespace drape {
 
-/// What a section of the report shows, as plain data. The writers (report_html.cpp, report_markdown.cpp) turn any of
-/// it into their format; a section knows of none.
+/// The contents of a section of the report, as plain data. The writers (report_html.cpp, report_markdown.cpp) convert
+/// them to their format; sections are independent of the formats.
 
 struct Paragraph {
   std::string text;
 };
 
-/// Every row has as many fields as the header. The first column names the row, the others hold figures or words.
+/// Every row has as many fields as the header. The first column names the row, the others hold numbers or words.
 struct TextTable {
   std::string title;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
-  bool folded = false;  ///< long, and not what one reads first: HTML opens it on demand, Markdown leaves it out
+  bool folded = false;  ///< a long detail table: HTML shows it on demand, Markdown omits it
 };
 
-/// Whether a column holds words, which line up on the left, and not numbers: the first one does, and those of whose
-/// fields most begin with a letter.
+/// Whether a column holds words, which are aligned left, and not numbers: the first column, and those whose fields
+/// mostly begin with a letter.
 [[nodiscard]] bool holdsWords(const TextTable& table, std::size_t column);
 
 enum class Scale { Linear, Logarithmic };
@@ -34,25 +34,25 @@ struct PlotAxis {
   Scale scale = Scale::Linear;
 };
 
-/// How a point is drawn.
+/// The marker of a point.
 enum class Mark { Filled, Hollow, Cross };
 
-/// A point of a curve. One that has no place (not a number, or not positive on a logarithmic axis) is left out and
-/// interrupts the curve; one whose y is infinite stands at the upper edge, beside the curve.
+/// A point of a curve. A point that is not a number (or not positive on a logarithmic axis) is omitted and interrupts
+/// the curve. A point with infinite y is drawn at the upper edge, beside the curve.
 struct PlotPoint {
   double x = 0.0;
   double y = 0.0;
   Mark mark = Mark::Filled;
-  std::string note = {};  ///< shown where one points at it
-  /// What the band around the curve reaches from and to at this x; none where they are not numbers.
+  std::string note = {};  ///< shown on hovering
+  /// The band around the curve at this x; none when these are not numbers.
   double low = std::numeric_limits<double>::quiet_NaN();
   double high = std::numeric_limits<double>::quiet_NaN();
 };
 
 enum class CurveStyle {
-  Line,   ///< with marks, in a colour of its own
-  Front,  ///< broad and pale beneath the others, without marks
-  Level   ///< a dashed line from edge to edge at the height of its first point that has one
+  Line,   ///< with markers, in its own colour
+  Front,  ///< broad and pale below the others, without markers
+  Level   ///< a dashed line across the plot at the height of its first valid point
 };
 
 struct Curve {
@@ -71,14 +71,14 @@ struct Plot {
 
 enum class Tone { Good, Doubtful, Bad, Dull, None };
 
-/// A state that a cell of a map can be in.
+/// A state of a cell of a map.
 struct MapState {
   std::string name;
   std::string letter;
   Tone tone = Tone::None;
 };
 
-/// Coloured cells with letters. `cells` are indices into `states`, one a column.
+/// Coloured cells with letters. `cells` are indices into `states`, one per column.
 struct StateMap {
   struct Row {
     std::string label;

@@ -5,7 +5,7 @@
 namespace drape {
 namespace {
 
-/// A body's surface as it is now, in the world.
+/// A body's current surface, in the world.
 BodySurface placed(const BodyWorld& world, std::size_t body) {
   BodySurface surface = surfaceOf(world.bodies()[body].shape);
   const auto vertices = world.vertices(body);

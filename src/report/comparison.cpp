@@ -16,12 +16,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Times that repeats are kept of, and the figures that have no noise. A section's rows have some of them.
+/// Keys of the times with repeats. Sections have some of them.
 constexpr std::array timed{"us_per_simulated_second", "update_ms", "step_us"};
 constexpr std::array exact{"error_mean", "eps_max", "energy_gain"};
 constexpr std::array words{"state"};
 
-/// A row's cell and its place among the rows of the cell.
+/// A row's cell and its index among the rows of the cell.
 using Place = std::pair<std::string, int>;
 
 std::map<Place, Json> placed(const Json& rows) {
@@ -34,15 +34,15 @@ std::map<Place, Json> placed(const Json& rows) {
   return result;
 }
 
-/// The time of a row that its samples are of; null when it has none.
+/// The time of a row to which its samples belong; null when it has none.
 const char* timeOf(const Json& row) {
   const auto found = std::find_if(timed.begin(), timed.end(), [&](const char* key) { return row.contains(key); });
   return found == timed.end() || !row.contains("samples") ? nullptr : *found;
 }
 
 std::pair<double, double> rangeOf(const Json& samples) {
-  const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
-  return {least->get<double>(), most->get<double>()};
+  const auto [lowest, highest] = std::minmax_element(samples.begin(), samples.end());
+  return {lowest->get<double>(), highest->get<double>()};
 }
 
 class Comparer {
@@ -74,7 +74,7 @@ class Comparer {
  private:
   void compareRows(const std::string& section, const Place& place, const Json& before, const Json& after) {
     if (before.value("state", "") == "too slow" || after.value("state", "") == "too slow") {
-      return;  // how far the clock let it come says nothing of the method
+      return;  // progress within a time limit says nothing about the method
     }
     const char* time = timeOf(after);
     if (time != nullptr && result_["times_compared"].get<bool>()) {
@@ -104,10 +104,10 @@ class Comparer {
       return;
     }
     count("judged");
-    const auto [leastBefore, mostBefore] = rangeOf(was);
-    const auto [leastNow, mostNow] = rangeOf(now);
+    const auto [minBefore, maxBefore] = rangeOf(was);
+    const auto [minNow, maxNow] = rangeOf(now);
     const double change = numberIn(after, key) / numberIn(before, key) - 1.0;
-    const bool apart = leastNow > mostBefore || mostNow < leastBefore;
+    const bool apart = minNow > maxBefore || maxNow < minBefore;
     if (apart && std::abs(change) > timeTolerance) {
       move(section, place, key, before[key], after[key], change > 0.0 ? "slower" : "faster");
     }
@@ -164,16 +164,16 @@ std::string summaryText(const Json& comparison) {
   for (const Json& row : comparison["moved"]) {
     verdicts[row.value("verdict", "")] += 1;
   }
-  std::string text = "Against the report of " + comparison.value("date", "") + ", commit " +
+  std::string text = "Compared with the report of " + comparison.value("date", "") + ", commit " +
                      comparison.value("commit", "") + ": of " + std::to_string(comparison.value("judged", 0)) +
-                     " figures " + std::to_string(comparison["moved"].size()) + " moved beyond noise";
+                     " figures " + std::to_string(comparison["moved"].size()) + " changed beyond noise";
   for (const auto& [verdict, count] : verdicts) {
     text += ", " + std::to_string(count) + " " + verdict;
   }
-  text += ". " + std::to_string(comparison.value("unjudged", 0)) + " times have no repeats and were not judged.";
+  text += ". " + std::to_string(comparison.value("unjudged", 0)) + " times have no repeats and were not compared.";
   return comparison.value("times_compared", true)
              ? text
-             : text + " It was made on another processor, so that times were not compared.";
+             : text + " It was made on another processor, so times were not compared.";
 }
 
 }  // namespace

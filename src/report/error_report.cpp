@@ -8,14 +8,14 @@
 namespace drape {
 namespace {
 
-/// The two motions over the interval that ends at checkpoint k. A restarted one began where the reference was.
+/// The two motions over the interval that ends at checkpoint k. A restarted run began it at the reference.
 CheckpointPair pairAt(const Trajectory& own, const Trajectory& reference, std::size_t k) {
   const std::vector<Vec3>& referenceBefore = reference.states[k - 1].positions;
   const std::vector<Vec3>& before = own.restarted ? referenceBefore : own.states[k - 1].positions;
   return {before, own.states[k].positions, referenceBefore, reference.states[k].positions};
 }
 
-/// Mean of what can be judged; not a number where nothing can.
+/// The mean of the valid values; not a number without any.
 class Mean {
  public:
   void add(double value) {

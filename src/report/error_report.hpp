@@ -9,13 +9,13 @@
 
 namespace drape {
 
-/// What a cloth's motion carries with it.
+/// Linear and angular momentum of a cloth.
 struct Momentum {
   Vec3 linear = Vec3::Zero();   ///< [kg m/s]
   Vec3 angular = Vec3::Zero();  ///< about the barycentre [kg m^2/s]
 };
 
-/// A method at one checkpoint, held against a reference (docs/theory/measures.md).
+/// The errors of a method against a reference at one checkpoint (docs/theory/measures.md).
 struct CheckpointReport {
   double time = 0.0;               ///< [s]
   DisplacementError displacement;  ///< of the interval that ends here
@@ -29,32 +29,32 @@ struct CheckpointReport {
   Momentum referenceMomentum;      ///< of the reference
   double referenceStretch = 0.0;   ///< largest, of the reference [-]
   Energy referenceEnergy;          ///< [J]
-  bool trusted = true;             ///< the reference passed its check here
+  bool trusted = true;             ///< whether the reference passed its check here
 };
 
-/// A method's errors over a run.
+/// The errors of a method over a run.
 struct ErrorReport {
   double diagonal = 0.0;                      ///< of the rest shape [m]
   std::vector<CheckpointReport> checkpoints;  ///< from 1/30 s on
 };
 
-/// What one wants to read first: a run up to a time.
+/// The main errors of a run up to a time.
 struct ErrorSummary {
-  double time = 0.0;               ///< of the last checkpoint that counts [s]
-  double meanEps = 0.0;            ///< mean over the checkpoints up to there [-]
+  double time = 0.0;               ///< of the last checkpoint included [s]
+  double meanEps = 0.0;            ///< mean over the checkpoints so far [-]
   double meanSquaredCosine = 0.0;  ///< as above [-]
   double meanError = 0.0;          ///< at that time [m]
   double rmsError = 0.0;           ///< at that time [m]
-  double motionKept = 0.0;         ///< over the run up to there [-]
+  double motionKept = 0.0;         ///< over the run so far [-]
 };
 
-/// Holds `own` against `reference`, both under their settings; as far as both go.
+/// Compares `own` with `reference`, up to the end of the shorter one.
 /// @param parameters of the method, for its energies
 [[nodiscard]] ErrorReport judge(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
                                 const Reference& reference);
 
-/// The summary up to the checkpoint that is nearest to each of these times [s]; times beyond the run are left out, as
-/// are checkpoints with no vertex left to judge.
+/// The summary at the checkpoint nearest to each of these times [s]. It omits times beyond the run and checkpoints
+/// without valid vertices.
 [[nodiscard]] std::vector<ErrorSummary> summarise(const ClothModel& model, const Trajectory& own,
                                                   const Reference& reference, const ErrorReport& report,
                                                   std::span<const double> times);

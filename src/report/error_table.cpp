@@ -44,7 +44,7 @@ std::string checkText(const Reference& reference) {
 std::string_view kindText(ReferenceKind kind) {
   switch (kind) {
     case ReferenceKind::SameStep:
-      return "the same step, solved to the end";
+      return "the same step, solved to convergence";
     case ReferenceKind::Converged:
       return "the converged motion";
     case ReferenceKind::Solver:

@@ -6,8 +6,8 @@
 
 namespace drape {
 
-/// A measurement as a table in plain text, a line a checkpoint, with the reference's check above and the summaries
-/// below it.
+/// A measurement as a plain text table: a line per checkpoint, with the reference's check above and the summaries
+/// below.
 [[nodiscard]] std::string errorTable(const Measurement& measurement);
 
 }  // namespace drape

@@ -21,7 +21,7 @@ std::string cpuModel() {
   return "unknown";
 }
 
-/// The present time, "2024-05-31 12:00 UTC".
+/// The current time, "2024-05-31 12:00 UTC".
 std::string now() {
   const std::time_t seconds = std::time(nullptr);
   std::tm parts{};

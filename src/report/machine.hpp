@@ -5,16 +5,15 @@
 
 namespace drape {
 
-/// What a program was built from, and how.
+/// The build of a program.
 struct BuildInfo {
   std::string compiler;
   std::string flags;
   std::string buildType;
-  std::string commit;  ///< "unknown" when it was not built from a git checkout
+  std::string commit;  ///< "unknown" outside a git checkout
 };
 
-/// The machine that the program runs on and the build, for the head of a report: cpu, cores, simd, compiler, flags,
-/// build_type, commit, date.
+/// The machine and the build, for the head of a report: cpu, cores, simd, compiler, flags, build_type, commit, date.
 [[nodiscard]] nlohmann::ordered_json machineJson(const BuildInfo& build);
 
 }  // namespace drape

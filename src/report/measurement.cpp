@@ -36,7 +36,7 @@ Measurement measure(const Scene& scene, const Settings& settings, const Measurem
     measurement.reference = runReference(scene, plan, &measurement.own, progress);
   }
   if (measurement.own.checkpoints() < 1) {
-    throw InputError("the cloth blew up before the first checkpoint; try a smaller time step or a lower stiffness");
+    throw InputError("the cloth blew up before the first checkpoint; use a smaller time step or a lower stiffness");
   }
   measurement.report = judge(*scene.model, settings.step, measurement.own, measurement.reference);
   measurement.summaries =

@@ -11,7 +11,7 @@ std::string figure(double value, int digits) {
   if (!std::isfinite(value)) {
     return "-";
   }
-  // Plain digits up to a million, since "1.02e+03" does not read well.
+  // Plain digits up to a million: easier to read than "1.02e+03".
   const double magnitude = std::abs(value);
   const bool plain = magnitude >= std::pow(10.0, digits) && magnitude < 1e6;
   std::array<char, 40> text{};

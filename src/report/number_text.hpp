@@ -5,16 +5,16 @@
 
 namespace drape {
 
-/// A number with so many significant digits: "0.0123", "1.2e-05"; "-" for what is none.
+/// A number with so many significant digits: "0.0123", "1.2e-05"; "-" when it is not finite.
 [[nodiscard]] std::string figure(double value, int digits = 3);
 
-/// The same for a number in JSON; "-" where there is none.
+/// The same for a number in JSON; "-" when it is missing.
 [[nodiscard]] std::string figure(const nlohmann::ordered_json& row, const char* key, int digits = 3);
 
-/// A number for JSON: null where it is not finite.
+/// A number for JSON: null when it is not finite.
 [[nodiscard]] nlohmann::ordered_json finiteOrNull(double value);
 
-/// The number of that name in a row; not a number where there is none.
+/// The number of that name in a row; not a number when it is missing.
 [[nodiscard]] double numberIn(const nlohmann::ordered_json& row, const char* key);
 
 /// "17x17".

@@ -6,7 +6,7 @@
 
 namespace drape {
 
-/// A table for a terminal: columns as wide as they need to be, the first to the left, figures to the right.
+/// A table for a terminal, with fitting columns: the first aligned left, numbers aligned right.
 [[nodiscard]] std::string plainText(const TextTable& table);
 
 }  // namespace drape

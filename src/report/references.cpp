@@ -14,9 +14,9 @@
 namespace drape {
 namespace {
 
-/// How many halvings in a row may fail to help before it is taken that none will.
+/// The number of consecutive halvings without improvement that ends the search.
 constexpr int patience = 3;
-/// A halving that leaves more than this share of the difference has not helped.
+/// A halving that leaves more than this share of the difference did not help.
 constexpr double helpful = 0.7;
 
 std::string shortNumber(double value) {
@@ -32,14 +32,14 @@ std::string timeOf(int checkpoint) {
 void requireMotion(const Reference& reference) {
   if (reference.trajectory.checkpoints() < 1) {
     throw InputError("the reference (" + reference.settings.solver.name +
-                     ") blew up before the first checkpoint; give it a shorter step or another solver with "
+                     ") blew up before the first checkpoint; use a shorter step or another solver with "
                      "--reference-set");
   }
 }
 
 std::string blewUp(const Reference& reference) {
   return "The reference blew up after " + timeOf(reference.trajectory.checkpoints()) +
-         "; what came later cannot be judged.";
+         "; later checkpoints have no reference.";
 }
 
 Reference runOnce(ReferenceKind kind, const Scene& scene, const Settings& settings, int checkpoints,
@@ -56,7 +56,8 @@ Reference runOnce(ReferenceKind kind, const Scene& scene, const Settings& settin
   return reference;
 }
 
-/// The same steps as parts of longer ones: a solver that keeps a cloth in a form of its own converts it less often.
+/// The same steps as substeps of longer steps, so that a solver converts its own representation of the cloth less
+/// often.
 Settings inLongSteps(Settings settings) {
   constexpr int longest = 64;
   int steps = stepsPerCheckpoint(settings.step.timeStep);
@@ -69,7 +70,8 @@ Settings inLongSteps(Settings settings) {
   return settings;
 }
 
-/// The first step of the halving: at most half of what is stable, a whole part of the time between two checkpoints.
+/// The first step of the halving: at most half of the stability limit, and a whole part of the time between
+/// checkpoints.
 double firstStep(const Scene& scene, const Settings& settings) {
   double longest = settings.step.timeStep;
   const SolverInfo* solver = findSolver(settings.solver.name);
@@ -88,7 +90,7 @@ double toleranceAt(const ConvergenceTolerance& tolerance, const Trajectory& run,
   return std::max(tolerance.absolute, tolerance.share * error);
 }
 
-/// Holds the finer run against the coarser one and takes its place.
+/// Compares the finer run with the coarser one and keeps the finer one.
 void accept(Reference& reference, Trajectory finer, const ConvergenceTolerance& tolerance) {
   const Trajectory& coarser = reference.trajectory;
   const std::size_t count = std::min(coarser.states.size(), finer.states.size());
@@ -107,7 +109,7 @@ void accept(Reference& reference, Trajectory finer, const ConvergenceTolerance& 
   reference.trajectory = std::move(finer);
 }
 
-/// Whether the last halvings brought the first checkpoint that fails no nearer, time after time.
+/// Whether the last halvings still improved the first failing checkpoint.
 class Hope {
  public:
   [[nodiscard]] bool lost(const Reference& reference) {
@@ -137,22 +139,22 @@ std::string doubtAbout(const Reference& reference, Ending ending) {
   return "The reference does not converge after " + timeOf(reference.trusted) + ": halving its step to " +
          shortNumber(reference.settings.step.timeStep) + " s still moved the cloth by " +
          shortNumber(1000.0 * reference.differences[failing]) + " mm (mean) at " + timeOf(reference.trusted + 1) +
-         (ending == Ending::Hopeless ? ", and finer steps bring it no nearer: the motion is chaotic there. "
+         (ending == Ending::Hopeless ? ", and finer steps do not reduce this: the motion is chaotic there. "
                                      : ", and finer steps would take too long. ") +
-         "What comes later cannot be judged.";
+         "Later checkpoints have no reference.";
 }
 
 double workOf(const Scene& scene, double timeStep, int checkpoints) {
   return static_cast<double>(scene.model->springs.size()) * checkpoints * checkpointInterval / timeStep;
 }
 
-/// Halves the step until every checkpoint passes or something ends it.
+/// Halves the step until every checkpoint passes or another limit ends it.
 Ending halve(Reference& reference, const Scene& scene, int checkpoints, const ConvergenceTolerance& tolerance,
              const Watch& watch) {
   Hope hope;
   for (int i = 0; reference.trusted < checkpoints; ++i) {
     const double timeStep = 0.5 * reference.settings.step.timeStep;
-    if (i == tolerance.mostHalvings || workOf(scene, timeStep, checkpoints) > tolerance.mostWork) {
+    if (i == tolerance.maxHalvings || workOf(scene, timeStep, checkpoints) > tolerance.maxCost) {
       return Ending::TooMuchWork;
     }
     reference.settings.step.timeStep = timeStep;
@@ -180,7 +182,7 @@ Settings convergedSettings(Settings settings) {
 }
 
 Reference sameStepReference(const Scene& scene, const Settings& settings, int checkpoints, const Progress& progress) {
-  // A step in parts, or one that is extrapolated, does not satisfy the equation of the whole step.
+  // Substeps and extrapolated steps do not satisfy the equation of the whole step.
   const bool plain = settings.step.substeps == 1 && settings.step.integration == Integration::BackwardEuler;
   Reference reference = runOnce(ReferenceKind::SameStep, scene, settings, checkpoints,
                                 {.energy = false, .stepResiduals = plain, .label = "reference", .progress = progress});
@@ -209,7 +211,7 @@ Reference convergedReference(const Scene& scene, const Settings& settings, int c
     reference.doubt = doubtAbout(reference, ending);
   }
   if (reference.trusted < 1 && !tolerance.takeAnyway) {
-    throw InputError(reference.doubt + " Allow a larger --reference-tolerance, or another solver with --reference-set");
+    throw InputError(reference.doubt + " Use a larger --reference-tolerance, or another solver with --reference-set");
   }
   return reference;
 }

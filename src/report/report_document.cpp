@@ -5,7 +5,7 @@
 namespace drape {
 namespace {
 
-/// Raised when rows change their meaning, so that a report is not continued in another sense.
+/// Increases when rows change their meaning, so that an old report is not continued.
 constexpr int formatVersion = 2;
 
 nlohmann::ordered_json optionsJson(const ReportOptions& options) {
@@ -32,11 +32,11 @@ void requireComparable(const nlohmann::ordered_json& json, const Report& report)
   const bool isReport = json.is_object() && json.contains("format") && json.contains("settings") &&
                         json.contains("machine") && json["machine"].is_object();
   if (!isReport) {
-    throw InputError("the file to compare with is no report.json of drape-report");
+    throw InputError("the file to compare with is not a report.json of drape-report");
   }
   if (json["format"] != formatVersion) {
     throw InputError("the report to compare with has format " + json["format"].dump() + ", this program writes " +
-                     std::to_string(formatVersion) + ": their figures do not mean the same; make it anew");
+                     std::to_string(formatVersion) + ": their values are not comparable; make the report again");
   }
   if (json["settings"] != optionsJson(report.options)) {
     throw InputError("the report to compare with was made with " + json["settings"].dump() + ", this one with " +
@@ -50,17 +50,17 @@ void requireComparable(const nlohmann::ordered_json& json, const Report& report)
 
 SectionRows rowsToResume(const nlohmann::ordered_json& json, const Report& report) {
   if (!json.is_object() || json.value("format", 0) != formatVersion || !json.contains("machine")) {
-    throw InputError("report.json is no report that can be gone on with; begin anew, without --resume");
+    throw InputError("this report.json cannot be continued; start again without --resume");
   }
   for (const char* key : {"cpu", "commit", "build_type"}) {
     if (json["machine"].value(key, "") != report.machine.value(key, "")) {
       throw InputError(std::string("report.json was made with another ") + key +
-                       ", and figures of two must not be mixed; begin anew, without --resume");
+                       ", and values of two must not be mixed; start again without --resume");
     }
   }
   if (json["settings"] != optionsJson(report.options)) {
     throw InputError("report.json was made with " + json["settings"].dump() +
-                     "; go on with the same options, or begin anew without --resume");
+                     "; continue with the same options, or start again without --resume");
   }
   SectionRows rows;
   for (const Section& section : sectionTable()) {
@@ -82,7 +82,7 @@ std::vector<std::pair<std::string, std::string>> reportHead(const Report& report
                                     (options.scene.empty() ? "all" : options.scene) + ", " +
                                     std::to_string(options.threads) + (options.threads == 1 ? " thread" : " threads"));
   if (!report.complete) {
-    head.emplace_back("complete", "no: it was ended before its time");
+    head.emplace_back("complete", "no: it was stopped early");
   }
   return head;
 }

@@ -8,28 +8,28 @@
 
 namespace drape {
 
-/// All of a report.
+/// The whole report.
 struct Report {
   nlohmann::ordered_json machine;  ///< machineJson
   ReportOptions options;
-  bool complete = false;  ///< no cell that was asked for is missing
+  bool complete = false;  ///< whether no requested cell is missing
   SectionRows rows;
   nlohmann::ordered_json comparison;  ///< compareReports, or null
 };
 
-/// Everything as one JSON object: machine, settings, complete, and an array for each section, empty where it was not
-/// measured. docs/guide/report.schema.json tells what is in it.
+/// The report as one JSON object: machine, settings, complete, and an array per section, empty when it was not
+/// measured. docs/guide/report.schema.json describes it.
 [[nodiscard]] nlohmann::ordered_json reportJson(const Report& report);
 
-/// The rows of an earlier report that was made with the same options on the same build and machine, to go on with.
-/// Throws InputError when it is another one, or none at all.
+/// The rows of an earlier report with the same options, build and machine, to continue it. Throws InputError for any
+/// other report.
 [[nodiscard]] SectionRows rowsToResume(const nlohmann::ordered_json& json, const Report& report);
 
-/// Throws InputError when `json` is no report, or was made by another version or build type or with other options than
-/// `report`: then their figures say nothing about each other.
+/// Throws InputError when `json` is not a report, or has another version, build type or options than `report`: their
+/// values are then not comparable.
 void requireComparable(const nlohmann::ordered_json& json, const Report& report);
 
-/// A picture that goes with the Markdown text, and its name below the report's folder.
+/// A picture of the Markdown text, and its path below the report's folder.
 struct ReportPicture {
   std::string name;
   std::string svg;
@@ -42,13 +42,13 @@ struct MarkdownReport {
 
 [[nodiscard]] MarkdownReport reportMarkdown(const Report& report);
 
-/// One page with its style and pictures in it: it needs no other file.
+/// A self-contained page with style and pictures.
 [[nodiscard]] std::string reportHtml(const Report& report);
 
-/// The head of a report, as name and value.
+/// The head of a report, as names and values.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> reportHead(const Report& report);
 
-/// What there is of a section: measured, or derived from the others.
+/// The rows of a section: measured, or derived from others.
 [[nodiscard]] ReportRows rowsOf(const Report& report, const Section& section);
 
 }  // namespace drape

@@ -25,8 +25,8 @@ Json energyJson(const Energy& energy) {
 }
 
 Json balanceJson(const EnergyBalance& balance) {
-  return {{"change", balance.change()}, {"damping", balance.damping()}, {"air", balance.air()},
-          {"hand", balance.hand()},     {"contact", balance.contact()}, {"integrator", balance.integrator()}};
+  return {{"change", balance.change()},         {"damping", balance.damping()}, {"air", balance.air()},
+          {"attachment", balance.attachment()}, {"contact", balance.contact()}, {"integrator", balance.integrator()}};
 }
 
 Json checkpointJson(const CheckpointReport& at, double diagonal) {

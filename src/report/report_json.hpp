@@ -6,8 +6,7 @@
 
 namespace drape {
 
-/// A measurement with everything in it; docs/guide/headless.md says what each entry means. What is not a number is
-/// null.
+/// A complete measurement; docs/guide/headless.md explains each entry. Values that are not finite are null.
 [[nodiscard]] nlohmann::ordered_json measurementJson(const Measurement& measurement);
 
 }  // namespace drape

@@ -5,7 +5,7 @@
 namespace drape {
 namespace {
 
-/// What would end a field of a table, or read as an element of HTML.
+/// Escapes characters that end a field of a table or start an HTML element.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {

@@ -12,11 +12,11 @@
 
 namespace drape {
 
-/// How a report is made.
+/// The options of a report.
 struct ReportOptions {
   bool quick = false;             ///< fewer and smaller cells
-  std::string scene;              ///< that methods are compared on; empty: all of the report's own
-  int threads = 1;                ///< that a step may use, in the sections that do not ask for one thread
+  std::string scene;              ///< the scene for comparing methods; empty: the report's own scenes
+  int threads = 1;                ///< threads of a step, in sections that do not need one thread
   std::vector<std::string> only;  ///< sections to measure; empty: all
 };
 
@@ -27,42 +27,42 @@ using ReportRows = std::vector<ReportRow>;
 /// The rows of each section, by its name.
 using SectionRows = std::map<std::string, ReportRows, std::less<>>;
 
-/// Thrown out of a measurement when the user wants it to end; what the cell has so far is dropped.
+/// Thrown from a measurement when the user stops it; the rows of the current cell are dropped.
 struct ReportStopped {};
 
-/// What a cell may ask while it measures.
+/// The context of a cell during its measurement.
 struct CellContext {
-  const ReportRows& section;              ///< what the section has found so far, this cell's last round included
-  const ReportRows& own;                  ///< this cell's rows after its last round; empty in the first
-  std::function<void()> mayStop = [] {};  ///< to be called now and then (each some ms): throws ReportStopped
+  const ReportRows& section;              ///< all rows of the section so far, including this cell's last round
+  const ReportRows& own;                  ///< the rows of this cell's last round; empty in the first
+  std::function<void()> mayStop = [] {};  ///< call it every few ms; throws ReportStopped
 };
 
-/// A part of a section that is measured by itself, and skipped when an earlier run of the report has it.
+/// A part of a section that is measured separately, and skipped when an earlier run of the report has it.
 struct Cell {
-  std::string key;      ///< the same in every run with the same options, and unlike all others of the section
-  double weight = 1.0;  ///< how long a round takes, about [s]
+  std::string key;      ///< constant for the same options, and unique in the section
+  double weight = 1.0;  ///< approximate duration of a round [s]
   std::function<ReportRows(const CellContext&)> measure;
 };
 
-/// A section measures its cells round by round: all cells once, then all again. So repeats of the same measurement
-/// are apart in time, and a disturbance of the machine does not hit one method alone.
+/// A section measures its cells in rounds: all cells once, then all again. Repeats are thus apart in time, and a
+/// disturbance of the machine does not affect one method only.
 struct SectionPlan {
   std::vector<Cell> cells;
   int rounds = 1;
 };
 
-/// How a section presents itself.
+/// A section of the report.
 struct Section {
   std::string_view name;                                ///< of its array in report.json, and for --only
-  std::string_view title;                               ///< as a heading
-  SectionPlan (*plan)(const ReportOptions&) = nullptr;  ///< null when it measures nothing itself
-  /// What to show of the rows, which may be incomplete or none.
+  std::string_view title;                               ///< heading
+  SectionPlan (*plan)(const ReportOptions&) = nullptr;  ///< null when it measures nothing
+  /// Shows the rows, which may be incomplete or missing.
   std::vector<Block> (*show)(const ReportOptions&, const ReportRows&) = nullptr;
-  /// Its rows as they follow from those of the other sections; null when it measures them.
+  /// Derives its rows from those of other sections; null when it measures them.
   ReportRows (*derive)(const SectionRows&) = nullptr;
 };
 
-/// Every section, in the order of the report.
+/// All sections, in the order of the report.
 [[nodiscard]] std::span<const Section> sectionTable();
 
 }  // namespace drape

@@ -24,7 +24,7 @@ bool isWanted(const ReportOptions& options, const Section& section) {
     known += known.empty() ? "" : ", ";
     known += section.name;
   }
-  throw UsageError("--only takes a section; '" + name + "' is none of " + known);
+  throw UsageError("--only needs the name of a section; '" + name + "' is not one of " + known);
 }
 
 void requireSections(std::span<const Section> sections, const ReportOptions& options) {
@@ -52,7 +52,8 @@ class CellRows {
     return rows_[cell].empty() ? 0 : rows_[cell].front().value("rounds", 0);
   }
 
-  /// Also in `all`, which has the rows of all cells in the order of the plan. There are thousands: the others stay.
+  /// Updates `all` as well, which has the rows of all cells in the order of the plan. Only the rows of this cell
+  /// change.
   void put(std::size_t cell, ReportRows rows, ReportRows& all) {
     const int rounds = roundsOf(cell) + 1;
     for (ReportRow& row : rows) {
@@ -65,7 +66,7 @@ class CellRows {
     rows_[cell] = std::move(rows);
   }
 
-  /// Puts the rows of all cells there, in the order of the plan.
+  /// Copies the rows of all cells, in the order of the plan.
   void copyTo(ReportRows& all) const {
     all.clear();
     for (const ReportRows& rows : rows_) {
@@ -102,7 +103,7 @@ class Runner {
     for (Part& part : parts_) {
       ReportRows& rows = rows_[std::string(part.section->name)];
       part.cells.emplace(part.plan, rows);
-      part.cells->copyTo(rows);  // what an earlier report measured of these cells, and nothing else
+      part.cells->copyTo(rows);  // the rows of an earlier report for these cells, and nothing else
       rounds = std::max(rounds, part.plan.rounds);
     }
     for (int round = 0; round < rounds; ++round) {
@@ -116,7 +117,7 @@ class Runner {
   struct Part {
     const Section* section;
     SectionPlan plan;
-    std::optional<CellRows> cells;  // while it runs
+    std::optional<CellRows> cells;  // while the section runs
   };
 
   void measureRound(Part& part, int round) {

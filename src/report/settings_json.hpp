@@ -6,7 +6,7 @@
 
 namespace drape {
 
-/// Every setting in force, by its key.
+/// All settings with their current values, by key.
 [[nodiscard]] nlohmann::ordered_json settingsJson(const Settings& settings);
 
 }  // namespace drape

@@ -7,15 +7,15 @@
 
 namespace drape {
 
-/// The style sheet of the pictures below, for a light and a dark background and for print. A page that holds several
-/// carries it once.
+/// The style sheet of the pictures, for a light and a dark background and for print. A page with several pictures
+/// contains it once.
 [[nodiscard]] std::string_view svgStyle();
 
-/// A picture as an SVG element without its style.
+/// A picture as an SVG element without style.
 [[nodiscard]] std::string svgOf(const Plot& plot);
 [[nodiscard]] std::string svgOf(const StateMap& map);
 
-/// A picture as a file of its own.
+/// A picture as a separate file.
 [[nodiscard]] std::string svgFile(std::string_view svg);
 
 }  // namespace drape

@@ -21,7 +21,7 @@ constexpr double below = 54.0;
 constexpr int colours = 8;
 constexpr int dashes = 4;
 
-/// Tenths of a pixel are fine enough, and make short files.
+/// Tenths of a pixel are precise enough and keep the files short.
 std::string pixel(double value) {
   std::string text = std::to_string(std::llround(10.0 * value));
   const bool negative = text[0] == '-';
@@ -74,7 +74,7 @@ class PlotDrawing {
     svg_.text("title", plot_.title);
     svg_.text("text", plot_.title, {{"class", "title"}, {"x", pixel(left)}, {"y", "20"}});
     drawAxes();
-    // Fronts lie beneath, whatever their place in the list.
+    // Fronts are drawn below the others, independent of their order.
     for (const bool front : {true, false}) {
       for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
         if ((plot_.curves[i].style == CurveStyle::Front) == front) {
@@ -213,7 +213,7 @@ class PlotDrawing {
     }
     const std::string style = (kind == Mark::Filled ? "fill" : "hollow line") + number;
     const double size = kind == Mark::Filled ? radius - 0.6 : radius;
-    // Where colours come round again, marks have another shape, as lines have other dashes.
+    // When colours repeat, marks change their shape and lines their dashes.
     switch (index / colours % dashes) {
       case 0:
         svg_.empty("circle", {{"class", style}, {"cx", pixel(place.x)}, {"cy", pixel(place.y)}, {"r", pixel(size)}});

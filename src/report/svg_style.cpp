@@ -2,7 +2,7 @@
 
 namespace drape {
 
-// Eight colours that people with colour-blindness tell apart (Okabe and Ito), the black one in the text's own colour.
+// Eight colours for colour-blind readers (Okabe and Ito); black is the text colour.
 std::string_view svgStyle() {
   return R"(svg.drape { color-scheme: light dark; --ink: #222; --faint: #ddd; --paper: #fff;
   --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #b0569a; --c4: #222; --c5: #b98000; --c6: #2c8fc4; --c7: #847c00;
@@ -38,7 +38,7 @@ svg.drape .dull { fill: var(--dull); } svg.drape .none { fill: var(--none); }
 }
 
 std::string svgFile(std::string_view svg) {
-  // The style goes in behind the opening tag of the picture.
+  // The style is inserted after the opening tag of the picture.
   const std::size_t end = svg.find('>') + 1;
   std::string file = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   file += svg.substr(0, end);

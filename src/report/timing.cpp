@@ -14,8 +14,8 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Bytes that the program has allocated in all of its threads, as the C library counts them: Eigen does not allocate by
-/// `new`, so that counting there would miss most. A sanitizer's allocator and other C libraries tell nothing.
+/// Bytes that all threads of the program have allocated, from the C library's statistics. Eigen does not use `new`, so
+/// counting there would miss most. Sanitizer allocators and other C libraries have no statistics.
 double allocatedBytes() {
 #ifdef __GLIBC__
   const struct mallinfo2 info = mallinfo2();
@@ -77,11 +77,11 @@ StepTiming timeSteps(const Scene& scene, const Settings& settings, const TimingB
     return secondsOf([&] { stepper.step(*scene.model, settings.step, {}, state); });
   };
   const double first = step();
-  // The state's own vectors were there before; what came is the solver's.
+  // The state's vectors existed before; the difference belongs to the solver.
   timing.memoryBytes = std::max(0.0, allocatedBytes() - before);
   timing.memoryBytes = std::isnan(before) ? none : timing.memoryBytes;
-  for (double spent = 0.0; static_cast<int>(timing.stepSeconds.size()) < budget.mostSteps &&
-                           (spent < budget.seconds || static_cast<int>(timing.stepSeconds.size()) < budget.leastSteps);
+  for (double spent = 0.0; static_cast<int>(timing.stepSeconds.size()) < budget.maxSteps &&
+                           (spent < budget.seconds || static_cast<int>(timing.stepSeconds.size()) < budget.minSteps);
        spent += timing.stepSeconds.back()) {
     if (!isFinite(state)) {
       timing.finite = false;

@@ -16,7 +16,7 @@
 namespace drape {
 namespace {
 
-/// Advances a cloth from checkpoint to checkpoint and keeps the account.
+/// Advances a cloth from checkpoint to checkpoint and records the results.
 class Runner {
  public:
   Runner(const Scene& scene, const Settings& settings, int checkpoints, const Watch& watch)
@@ -34,7 +34,7 @@ class Runner {
     record(scene.start);
   }
 
-  /// Takes `state` to the next checkpoint and records it there. False when it blew up on the way.
+  /// Advances `state` to the next checkpoint and records it. False when it blew up.
   bool advance(ClothState& state) {
     bodies_.reset(state.time);
     for (int i = 0; i < trajectory_.stepsPerCheckpoint; ++i) {
@@ -71,7 +71,7 @@ class Runner {
     }
     if (watch_.energyPeak) {
       const double energy = energyOf(model_, parameters_, state).total();
-      // Written so that what is not a number stays.
+      // This form of the comparison keeps NaN.
       trajectory_.largestEnergy = energy <= trajectory_.largestEnergy ? trajectory_.largestEnergy : energy;
     }
     if (watch_.stepResiduals) {
@@ -119,9 +119,9 @@ int stepsPerCheckpoint(double timeStep) {
     return static_cast<int>(whole);
   }
   const int fewer = static_cast<int>(std::floor(steps));
-  throw UsageError(
-      "measuring needs a time_step of which a whole number makes 1/30 s, the time between two checkpoints; " +
-      formatValue(timeStep) + " s is not: take " + (fewer < 1 ? "" : stepText(fewer) + " or ") + stepText(fewer + 1));
+  throw UsageError("measuring needs a time_step that divides 1/30 s, the time between two checkpoints; " +
+                   formatValue(timeStep) + " s does not: use " + (fewer < 1 ? "" : stepText(fewer) + " or ") +
+                   stepText(fewer + 1));
 }
 
 int checkpointsIn(double seconds) {

@@ -10,44 +10,46 @@
 
 namespace drape {
 
-/// Time between two checkpoints, the paper's [s].
+/// Time between two checkpoints, as in the paper [s].
 inline constexpr double checkpointInterval = 1.0 / 30.0;
 
-/// Called while a run goes on, within long steps too: what runs, steps done, steps in all. What it throws ends the run.
+/// Called during a run, also within long steps: label, steps done, steps in all. An exception from it ends the run.
 using Progress = std::function<void(std::string_view label, std::int64_t done, std::int64_t total)>;
 
-/// A run, seen at its checkpoints.
+/// A run, recorded at its checkpoints.
 struct Trajectory {
-  std::vector<ClothState> states;       ///< [k] at k/30 s; [0] is the start
-  std::vector<EnergyBalance> balances;  ///< [k] from the start to there; if restarted, over the last interval only
+  std::vector<ClothState> states;  ///< [k] at k/30 s; [0] is the start
+  std::vector<EnergyBalance>
+      balances;  ///< [k] from the start to checkpoint k; if restarted, over the last interval only
   int stepsPerCheckpoint = 0;
-  bool restarted = false;            ///< each interval began where the reference was
-  bool finite = true;                ///< false: it blew up, and ends at the last checkpoint that is finite
-  std::int64_t unsolvedSteps = 0;    ///< whose solve gave up before its tolerance
-  double largestResidual = 0.0;      ///< that a step reported, of its last solve [-]
-  double largestEnergy = 0.0;        ///< total energy after any step, or of the start [J]; only when asked for
-  double largestStepResidual = 0.0;  ///< nonlinearResidual of a step [-]; only when asked for
+  bool restarted = false;            ///< whether each interval started at the reference
+  bool finite = true;                ///< false: the cloth blew up, and the run ends at the last finite checkpoint
+  std::int64_t unsolvedSteps = 0;    ///< steps whose solve missed its tolerance
+  double largestResidual = 0.0;      ///< of the last solve of a step [-]
+  double largestEnergy = 0.0;        ///< largest total energy after any step or at the start [J]; only on request
+  double largestStepResidual = 0.0;  ///< largest nonlinearResidual of a step [-]; only on request
 
   [[nodiscard]] int checkpoints() const { return static_cast<int>(states.size()) - 1; }
 };
 
-/// What to watch while running.
+/// What to record during a run.
 struct Watch {
-  bool energy = false;         ///< fill Trajectory::balances
-  bool energyPeak = false;     ///< fill Trajectory::largestEnergy
-  bool stepResiduals = false;  ///< fill Trajectory::largestStepResidual: what backward Euler without parts leaves
+  bool energy = false;      ///< fill Trajectory::balances
+  bool energyPeak = false;  ///< fill Trajectory::largestEnergy
+  bool stepResiduals =
+      false;  ///< fill Trajectory::largestStepResidual: the residual of backward Euler without substeps
   std::string_view label = "simulating";
   Progress progress = {};  ///< may be empty
 };
 
-/// How many steps there are from one checkpoint to the next. Throws UsageError naming the nearest steps that fit when
-/// 1/30 s is not a whole number of them (to a millionth).
+/// The number of steps between two checkpoints. Throws UsageError with the nearest valid steps when 1/30 s is not a
+/// whole number of steps (to a millionth).
 [[nodiscard]] int stepsPerCheckpoint(double timeStep);
 
-/// The number of checkpoints in that time [s], the nearest whole number. Throws UsageError when there is none.
+/// The number of checkpoints in that time [s], rounded. Throws UsageError when there is none.
 [[nodiscard]] int checkpointsIn(double seconds);
 
-/// Runs the scene's cloth under these settings, without a hand. The scene's mesh, masses and pins are as built.
+/// Runs the scene's cloth with these settings, without attachment. Mesh, masses and pins are those of the scene.
 [[nodiscard]] Trajectory runTrajectory(const Scene& scene, const Settings& settings, int checkpoints,
                                        const Watch& watch = {});
 

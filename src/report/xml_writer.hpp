@@ -8,7 +8,7 @@
 
 namespace drape {
 
-/// Writes XML that is well formed: every element is closed, all text is escaped.
+/// Writes well-formed XML: every element is closed, all text is escaped.
 class XmlWriter {
  public:
   using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
@@ -17,12 +17,12 @@ class XmlWriter {
   void close();
   /// An element without content.
   void empty(std::string_view element, Attributes attributes = {});
-  /// An element that holds a text.
+  /// An element with a text.
   void text(std::string_view element, std::string_view text, Attributes attributes = {});
-  /// What is well-formed XML already.
+  /// Adds text that is well-formed XML.
   void raw(std::string_view xml) { xml_ += xml; }
 
-  /// All that was written; every element that is still open is closed.
+  /// The whole text, with all open elements closed.
   [[nodiscard]] std::string take();
 
  private:
@@ -32,7 +32,7 @@ class XmlWriter {
   std::vector<std::string> open_;
 };
 
-/// The text with what XML reserves replaced. Control characters, which XML does not have, are left out.
+/// The text with XML's reserved characters replaced. Control characters, which XML does not allow, are removed.
 [[nodiscard]] std::string escapedXml(std::string_view text);
 
 }  // namespace drape

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double smallest = 1e-4;  // [m] of a body
 constexpr double longTime = 1e6;   // [s]
-constexpr double manyTurns = 1e6;  // [degrees], or degrees a second
+constexpr double manyTurns = 1e6;  // [degrees], or degrees per second
 
-/// What belongs to a shape, besides what every body has.
+/// The keys of a shape, besides those of every body.
 struct ShapeKeys {
   std::string_view shape;
   std::vector<std::string_view> keys;
@@ -30,7 +30,7 @@ const std::vector<ShapeKeys>& shapes() {
   return list;
 }
 
-/// Allows only what that kind of body has.
+/// Allows only the keys of this shape.
 void checkKeys(const TomlReader& table, const std::string& shape) {
   std::vector<std::string_view> keys{"name", "shape", "position", "rotation", "spin", "keyframes", "loop", "drawn"};
   keys.insert(keys.end(), surfaceKeys.begin(), surfaceKeys.end());
@@ -68,13 +68,13 @@ BodyShape readShape(const TomlReader& table, const std::string& shape) {
   return BoxShape{0.5 * size};
 }
 
-/// One file for each frame: "walk_####.obj" becomes "walk_0001.obj" and so on.
+/// One file per frame: "walk_####.obj" becomes "walk_0001.obj" and so on.
 void readFrames(const TomlReader& frames, const MeshFileSource& pattern, BodyDescription& body) {
   frames.allowOnly({"first", "last", "rate", "loop"});
   const std::size_t digits = pattern.path.find('#', pattern.path.find_last_of('/') + 1);
   const std::size_t end = pattern.path.find_first_not_of('#', digits);
   if (digits == std::string::npos) {
-    frames.fail("the mesh of a body with frames names them by number: mesh = \"walk_####.obj\"");
+    frames.fail("the mesh of a body with frames needs a number pattern: mesh = \"walk_####.obj\"");
   }
   const int first = frames.integer("first", 0, 1'000'000).value_or(1);
   const auto last = frames.integer("last", first + 1, first + 10'000);
@@ -129,7 +129,7 @@ BodyMotion readMotion(const TomlReader& table) {
   for (const TomlReader& key : table.tables("keyframes")) {
     const Keyframe next = readKeyframe(key, motion.keyframes.empty() ? start : motion.keyframes.back());
     if (!motion.keyframes.empty() && !(next.time > motion.keyframes.back().time)) {
-      key.fail("the keyframes' times must ascend");
+      key.fail("the times of the keyframes must ascend");
     }
     motion.keyframes.push_back(next);
   }

@@ -16,7 +16,7 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-/// The sides of all triangles, sorted, so that the sides that share an edge stand together.
+/// The sides of all triangles, sorted, so that the sides of one edge are neighbours.
 std::vector<Edge> sortedSides(const std::vector<Triangle>& triangles) {
   std::vector<Edge> sides;
   sides.reserve(3 * triangles.size());
@@ -31,7 +31,7 @@ std::vector<Edge> sortedSides(const std::vector<Triangle>& triangles) {
   return sides;
 }
 
-/// The boundary edges at each vertex of the boundary, each with whether it has been walked.
+/// The boundary edges at each boundary vertex, with a flag for visited edges.
 class BoundaryWalk {
  public:
   explicit BoundaryWalk(const std::vector<Edge>& edges) : edges_(edges), walked_(edges.size(), false) {
@@ -41,7 +41,7 @@ class BoundaryWalk {
     }
   }
 
-  /// Walks along unused edges from `start` until there are none or the walk is back; empty when there are none at all.
+  /// Follows unused edges from `start` until it returns or there are none; empty when there are none at all.
   std::vector<int> walkFrom(int start) {
     std::vector<int> vertices;
     int here = start;
@@ -56,7 +56,7 @@ class BoundaryWalk {
     return vertices;
   }
 
-  /// The vertices of the boundary, ascending.
+  /// The boundary vertices, ascending.
   [[nodiscard]] std::vector<int> vertices() const {
     std::vector<int> list;
     for (const auto& [vertex, edges] : edgesAt_) {
@@ -102,7 +102,7 @@ double areaOf(const Triangle& triangle, const std::vector<Vec3>& positions) {
   return 0.5 * (positions[at(triangle[1])] - a).cross(positions[at(triangle[2])] - a).norm();
 }
 
-/// For each vertex the number of its piece; the pieces are numbered by their lowest vertex.
+/// The index of its piece for each vertex; pieces are ordered by their lowest vertex.
 std::vector<int> numberPieces(const ClothMesh& mesh, int& count) {
   DisjointSets sets(static_cast<int>(mesh.positions.size()));
   for (const Triangle& triangle : mesh.triangles) {

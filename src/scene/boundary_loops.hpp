@@ -6,12 +6,12 @@
 
 namespace drape {
 
-/// A closed chain of edges that have one face each: an opening of a garment, or the outline of a sheet.
+/// A closed chain of edges with one face each: an opening of a garment, or the outline of a sheet.
 struct BoundaryLoop {
   std::vector<int> vertices;   ///< in the order of the walk
   double length = 0.0;         ///< [m]
-  Vec3 centre = Vec3::Zero();  ///< mean over its length [m]
-  Vec3 area = Vec3::Zero();    ///< the area that it encloses times its normal [m^2]; the sign has no meaning
+  Vec3 centre = Vec3::Zero();  ///< length-weighted mean [m]
+  Vec3 area = Vec3::Zero();    ///< enclosed area times its normal [m^2]; the sign has no meaning
   int piece = 0;               ///< index into ClothPieces::pieces
 };
 
@@ -28,12 +28,12 @@ struct ClothPieces {
   std::vector<ClothPiece> pieces;   ///< ordered by their lowest vertex
   std::vector<BoundaryLoop> loops;  ///< ordered by their lowest vertex
 
-  /// True when the loop goes around a sheet, false when it is an opening of something hollow. A disc that can be laid
-  /// flat has at most the area of the circle with its circumference; a sock or a cap has more.
+  /// Whether the loop is the outline of a sheet, not an opening of a hollow shape. A flat disc has at most the area of
+  /// the circle with its circumference; a sock or a cap has more.
   [[nodiscard]] bool isOutline(const BoundaryLoop& loop) const;
 };
 
-/// Finds the parts and the boundary loops of a mesh. Cost: sorting the edges.
+/// Finds the pieces and the boundary loops of a mesh. Cost: sorting the edges.
 [[nodiscard]] ClothPieces findPieces(const ClothMesh& mesh);
 
 }  // namespace drape

@@ -4,7 +4,7 @@
 
 namespace drape {
 
-/// The bytes of a mesh that is built in, by its name below assets/meshes. Throws InputError listing what there is.
+/// The bytes of a built-in mesh, by its name below assets/meshes. Throws InputError with the list of names.
 [[nodiscard]] std::string_view builtinMesh(std::string_view name);
 
 }  // namespace drape

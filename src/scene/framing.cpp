@@ -14,7 +14,7 @@ Vec3 viewOffset(const CameraPose& pose) {
 CameraBasis basisOf(const CameraPose& pose) {
   CameraBasis basis;
   basis.back = viewOffset(pose).normalized();
-  // Looking straight down or up there is no horizon to hold on to; x then stays to the right.
+  // For a view straight down or up, x stays to the right.
   const Vec3 side = Vec3::UnitY().cross(basis.back);
   basis.right = side.norm() > 1e-9 ? side.normalized() : Vec3(Vec3::UnitX());
   basis.up = basis.back.cross(basis.right);
@@ -27,12 +27,12 @@ double tanHalfAngle(const CameraPose& pose) {
 
 CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, double aspect) {
   constexpr double margin = 1.12;
-  constexpr double smallestSize = 0.02;  // [m] a single point is framed like this much
+  constexpr double smallestSize = 0.02;  // [m] size of the view of a single point
   const CameraBasis basis = basisOf(pose);
   const Vec3 half = (0.5 * margin * (max - min)).cwiseMax(0.5 * smallestSize);
   const double slopeUp = tanHalfAngle(pose);
   const double slopeRight = slopeUp * aspect;
-  double distance = nearestView;
+  double distance = minViewDistance;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0, (corner & 4) != 0 ? 1.0 : -1.0);
     const Vec3 offset = half.cwiseProduct(sign);
@@ -42,7 +42,7 @@ CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, doub
   }
   CameraPose result = pose;
   result.focalPoint = 0.5 * (min + max);
-  result.position = result.focalPoint + std::min(distance, farthestView) * basis.back;
+  result.position = result.focalPoint + std::min(distance, maxViewDistance) * basis.back;
   return result;
 }
 

@@ -4,7 +4,7 @@
 
 namespace drape {
 
-/// A camera's axes in world space: it looks along -back.
+/// The axes of a camera in world space: it looks along -back.
 struct CameraBasis {
   Vec3 right;
   Vec3 up;
@@ -18,11 +18,11 @@ struct CameraBasis {
 /// Tangent of half the vertical angle of view.
 [[nodiscard]] double tanHalfAngle(const CameraPose& pose);
 
-/// Nearest and farthest that a camera may be from its focal point [m].
-inline constexpr double nearestView = 0.01;
-inline constexpr double farthestView = 400.0;
+/// Minimum and maximum distance of a camera from its focal point [m].
+inline constexpr double minViewDistance = 0.01;
+inline constexpr double maxViewDistance = 400.0;
 
-/// The pose that looks in the same direction as `pose` and whose view is filled by the box, with a little air around.
+/// The pose with the direction of `pose` in which the box fills the view with a small margin.
 /// @param aspect width over height of the picture
 [[nodiscard]] CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, double aspect);
 

@@ -9,7 +9,7 @@
 namespace drape {
 namespace {
 
-/// One fold of a pleat as a curve: a sine of the given amplitude over `length` along x, sampled by arc length.
+/// One fold of a pleat: a sine of the given amplitude over `length` along x, sampled by arc length.
 class Fold {
  public:
   Fold(double length, double amplitude) : length_(length), amplitude_(amplitude), arc_(samples + 1, 0.0) {
@@ -21,7 +21,7 @@ class Fold {
 
   [[nodiscard]] double arcLength() const { return arc_.back(); }
 
-  /// Position along x and across it, after going `arc` along the curve.
+  /// Position along x and across it at arc length `arc`.
   [[nodiscard]] Vec2 at(double arc) const {
     const auto after = std::upper_bound(arc_.begin(), arc_.end() - 1, arc);
     const auto i = std::max<std::ptrdiff_t>(1, after - arc_.begin());
@@ -43,7 +43,7 @@ class Fold {
   std::vector<double> arc_;
 };
 
-/// The fold of that length along x whose arc is `arc` long.
+/// The fold with this length along x and this arc length.
 Fold foldOfArc(double length, double arc) {
   double low = 0.0;
   double high = arc;
@@ -93,13 +93,13 @@ void measure(const GridLayout& layout, GridSource::Plane plane, MeshSummary& sum
 }  // namespace
 
 GridLayout layoutOf(const Settings::Grid& grid) {
-  constexpr double mostVertices = 4e6;
+  constexpr double maxVertices = 4e6;
   const double cell = std::min(grid.width, grid.height) / (grid.resolution - 1);
   const double vertices = (grid.width / cell + 1.0) * (grid.height / cell + 1.0);
-  if (vertices > mostVertices) {
+  if (vertices > maxVertices) {
     throw InputError("a grid of " + std::to_string(static_cast<long long>(vertices)) +
                      " vertices is too large (4000000 at most): lower grid.resolution, or bring grid.width and "
-                     "grid.height nearer to each other");
+                     "grid.height closer to each other");
   }
   const auto along = [&](double length) { return static_cast<int>(std::lround(length / cell)) + 1; };
   return {along(grid.width), along(grid.height), grid.width, grid.height};

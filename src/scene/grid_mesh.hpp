@@ -14,19 +14,19 @@ struct GridLayout {
   [[nodiscard]] int index(int row, int column) const { return row * columns + column; }
 };
 
-/// `resolution` vertices along the shorter side, and as many along the longer one as make the cells nearly square.
+/// `resolution` vertices along the shorter side, and a number along the longer one that makes the cells nearly square.
 /// Throws InputError for more than four million vertices.
 [[nodiscard]] GridLayout layoutOf(const Settings::Grid& grid);
 
-/// A flat sheet centred on the origin, one diagonal a quad (from row r, column c to row r + 1, column c + 1), texture
-/// coordinates in metres. Its front looks up (horizontal) or towards +z (vertical).
+/// A flat sheet centred on the origin, with one diagonal per quad (from row r, column c to row r + 1, column c + 1) and
+/// texture coordinates in metres. Its front faces up (horizontal) or towards +z (vertical).
 [[nodiscard]] ImportedMesh makeGrid(const GridLayout& layout, GridSource::Plane plane);
 
-/// Presses a sheet together along x into sine-shaped folds, so that lengths along its rows stay what they were. The
-/// positions' x run from -width/2 to width/2.
+/// Compresses a sheet along x into sine-shaped folds that keep the lengths along its rows. The x coordinates run from
+/// -width/2 to width/2.
 void applyPleats(const Pleats& pleats, double width, std::vector<Vec3>& positions);
 
-/// The vertices of named corners and edges. Throws InputError for a name that is none.
+/// The vertices of named corners and edges. Throws InputError for an unknown name.
 [[nodiscard]] std::vector<int> gridPins(const PinSelection& pins, const GridLayout& layout);
 
 }  // namespace drape

@@ -8,30 +8,30 @@
 namespace drape {
 namespace {
 
-constexpr double clearance = 0.01;    // cloth that starts so near to y = 0, or below, gets its ground below itself [m]
-constexpr double shareBelow = 0.25;   // of the cloth's largest extent, between cloth and ground [-]
-constexpr double shareStretch = 0.1;  // of the cloth's largest extent, that hanging cloth may be longer [-]
-constexpr std::size_t mostVertices = 4096;  // that the lowest point is looked for among: it need not be exact
-constexpr std::size_t mostPins = 256;
+constexpr double clearance = 0.01;         // cloth that starts below this height gets a ground below itself [m]
+constexpr double shareBelow = 0.25;        // share of the cloth's largest extent, between cloth and ground [-]
+constexpr double shareStretch = 0.1;       // share of the cloth's largest extent, for the stretch of hanging cloth [-]
+constexpr std::size_t maxVertices = 4096;  // number of samples for the lowest point, which need not be exact
+constexpr std::size_t maxPins = 256;
 
-/// The step from one sample to the next that leaves at most `most` of `count`.
-std::size_t strideOf(std::size_t count, std::size_t most) {
-  return std::max<std::size_t>(1, (count + most - 1) / most);
+/// The stride that leaves at most `maxCount` samples of `count`.
+std::size_t strideOf(std::size_t count, std::size_t maxCount) {
+  return std::max<std::size_t>(1, (count + maxCount - 1) / maxCount);
 }
 
-/// The lowest height that the cloth can hang down to [m]. A vertex cannot be further from a pin than the cloth between
-/// them is long. Their straight distance stands for that length.
+/// The lowest height that the hanging cloth can reach [m]. A vertex is at most as far from a pin as the cloth between
+/// them is long; the straight distance approximates that length.
 double lowestHang(std::span<const Vec3> start, std::span<const int> pins) {
   double lowest = std::numeric_limits<double>::infinity();
-  const std::size_t nextVertex = strideOf(start.size(), mostVertices);
-  const std::size_t nextPin = strideOf(pins.size(), mostPins);
+  const std::size_t nextVertex = strideOf(start.size(), maxVertices);
+  const std::size_t nextPin = strideOf(pins.size(), maxPins);
   for (std::size_t v = 0; v < start.size(); v += nextVertex) {
-    double held = -std::numeric_limits<double>::infinity();
+    double reach = -std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < pins.size(); p += nextPin) {
       const Vec3& pin = start[static_cast<std::size_t>(pins[p])];
-      held = std::max(held, pin.y() - (start[v] - pin).norm());
+      reach = std::max(reach, pin.y() - (start[v] - pin).norm());
     }
-    lowest = std::min(lowest, held);
+    lowest = std::min(lowest, reach);
   }
   return lowest;
 }
@@ -45,7 +45,7 @@ double heightBelow(std::span<const Vec3> start, std::span<const int> pins) {
 
 }  // namespace
 
-Body groundToTouch() {
+Body groundBody() {
   Body ground;
   ground.name = "ground";
   ground.shape = PlaneShape{};
@@ -53,7 +53,7 @@ Body groundToTouch() {
   return ground;
 }
 
-Body standToTouch() {
+Body standBody() {
   Body stand;
   stand.name = "stand";
   stand.drawn = false;

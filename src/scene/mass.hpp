@@ -5,10 +5,10 @@
 
 namespace drape {
 
-/// How the settings want the mass to be spread.
+/// The mass distribution of the settings.
 [[nodiscard]] MassLumping lumpingOf(const Settings& settings);
 
-/// The mass of a cloth of that rest area [m^2] under the settings [kg].
+/// The mass of a cloth with that rest area [m^2] under the settings [kg].
 [[nodiscard]] double totalMassOf(const Settings& settings, double restArea);
 
 }  // namespace drape

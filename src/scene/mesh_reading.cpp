@@ -19,12 +19,12 @@ double largestOf(const std::array<double, 3>& size) {
   return *std::max_element(size.begin(), size.end());
 }
 
-/// Whether cloth of that size may well be meant, if it is no garment: a curtain, a patch.
+/// Whether this is a plausible size of cloth, also of a curtain or a patch.
 bool isUsualSize(double metres) {
   return metres >= 0.25 * smallestGarment && metres <= 2.0 * largestGarment;
 }
 
-/// Where a point goes when the named axis is turned to y.
+/// Rotates a point so that the named axis becomes y.
 Vec3 turned(const Vec3& p, std::string_view up) {
   if (up == "z") {
     return {p.x(), p.z(), -p.y()};
@@ -63,7 +63,7 @@ void turn(ImportedMesh& mesh, std::string_view up) {
   mesh.summary.size = {size.x(), size.y(), size.z()};
 }
 
-/// The unit of the reading, and the units that could be meant instead.
+/// The unit of the reading, and plausible alternatives.
 void readUnit(const Settings::Mesh& settings, const FormatFacts& format, double largestExtent, MeshReading& reading) {
   const UnitGuess guess = guessUnit(largestExtent);
   const bool open = settings.unit == guessed;
@@ -76,7 +76,7 @@ void readUnit(const Settings::Mesh& settings, const FormatFacts& format, double 
   constexpr std::size_t most = 3;
   std::vector<std::string> others{guess.unit};
   others.insert(others.end(), guess.others.begin(), guess.others.end());
-  others.emplace_back("m");  // what the file says if its coordinates are taken as they are
+  others.emplace_back("m");  // the coordinates taken as they are
   for (const std::string& unit : others) {
     const bool known = std::any_of(reading.alternatives.begin(), reading.alternatives.end(),
                                    [&](const ReadingAlternative& each) { return each.value == unit; });
@@ -107,7 +107,7 @@ std::string formatted(const char* pattern, double value) {
   return text.data();
 }
 
-/// Two digits behind the point for garments, three digits in all for what is larger or smaller.
+/// Two decimals for the sizes of garments, otherwise three digits.
 std::string lengthText(double metres) {
   const bool usual = metres >= 0.1 && metres < 10.0;
   return formatted(usual ? "%.2f m" : "%.3g m", metres);
@@ -142,7 +142,7 @@ Vec3 rotationToY(std::string_view up) {
 }
 
 std::string inWords(const MeshReading& reading) {
-  // A sheet that lies flat is not tall; its larger side says more.
+  // For a sheet that lies flat, the larger side is more informative than its height.
   const bool flat = reading.size[1] < 0.05 * largestOf(reading.size);
   const std::string size =
       flat ? lengthText(reading.size[0]) + " x " + lengthText(reading.size[2]) : lengthText(reading.size[1]) + " tall";

@@ -10,35 +10,35 @@
 
 namespace drape {
 
-/// Another way to read a mesh file: a setting and the value that it would have.
+/// An alternative reading of a mesh file: a setting and its value.
 struct ReadingAlternative {
   std::string key;    ///< "unit" or "up"
   std::string value;  ///< "m", "y"
 };
 
-/// In which unit a mesh file was read and which of its axes was taken to point up.
+/// The unit and the up axis with which a mesh file was read.
 struct MeshReading {
-  std::string unit = "m";  ///< a word or a number, as the setting has it
+  std::string unit = "m";  ///< a word or a number, as in the setting
   double metresPerUnit = 1.0;
   bool unitGuessed = false;
-  std::string up = "y";  ///< as the setting has it
+  std::string up = "y";  ///< as in the setting
   bool upGuessed = false;
-  std::array<double, 3> size{};                  ///< width, height and depth that it has so [m]
-  std::vector<ReadingAlternative> alternatives;  ///< the likeliest first; those of what was guessed or looks wrong
+  std::array<double, 3> size{};                  ///< resulting width, height and depth [m]
+  std::vector<ReadingAlternative> alternatives;  ///< the likeliest first; for guesses and implausible sizes only
 
-  /// True when a user should look at it: something was guessed, or the size is not that of a garment.
-  [[nodiscard]] bool asks() const { return !alternatives.empty(); }
+  /// Whether the user should check it: something was guessed, or the size is not that of a garment.
+  [[nodiscard]] bool needsReview() const { return !alternatives.empty(); }
 };
 
-/// By what the coordinates of a file are multiplied when it is imported: metres per unit where the settings name a
-/// unit, 1 where it is to be guessed.
+/// The factor for the coordinates of an imported file: metres per unit of the setting, or 1 when the unit is to be
+/// guessed.
 [[nodiscard]] double metresPerUnitOf(const Settings::Mesh& settings);
 
-/// Takes unit and up axis from the settings, or where those leave it open ("auto") from what the format prescribes, or
-/// guesses it. Scales and turns the mesh, which comes as it was imported with metresPerUnitOf(settings).
+/// Takes unit and up axis from the settings, or for "auto" from the file format, or else guesses them. Scales and
+/// rotates the mesh, which was imported with metresPerUnitOf(settings).
 [[nodiscard]] MeshReading readUpright(const Settings::Mesh& settings, ImportedMesh& mesh);
 
-/// The rotation that turns the named axis ("z", "-y") to y: axis times angle [rad].
+/// The rotation from the named axis ("z", "-y") to y: axis times angle [rad].
 [[nodiscard]] Vec3 rotationToY(std::string_view up);
 
 /// "Read as centimetres, z up: 0.77 m tall."

@@ -4,8 +4,8 @@
 
 namespace drape {
 
-/// The settings of a mesh that is opened without a scene: a garment of cotton in still air, that meets itself and comes
-/// to rest. Where they differ from the table's defaults, docs/guide/scenes.md says why.
+/// The settings of a mesh that is opened without a scene: a cotton garment in still air, with self-collision and
+/// damping. docs/guide/scenes.md explains the differences from the defaults.
 [[nodiscard]] Settings openedMeshSettings();
 
 }  // namespace drape

@@ -3,7 +3,7 @@
 namespace drape {
 namespace {
 
-/// Whether a scene names any vertices that are to be held.
+/// Whether a scene defines pins.
 bool namesPins(const PinSelection& pins) {
   return !pins.vertices.empty() || !pins.nearest.empty() || !pins.boxes.empty() || pins.top || !pins.corners.empty() ||
          !pins.edges.empty();
@@ -25,7 +25,7 @@ std::optional<Advice> adviceOnPins(const SceneDescription& description, const Se
   }
   if (settings.mesh.pins == "scene" && namesPins(description.pins)) {
     const std::string& where = description.pins.where;
-    return Advice{(where.empty() ? "" : where + ": ") + "[pins] holds no vertex of this cloth, so it falls.", "pins",
+    return Advice{(where.empty() ? "" : where + ": ") + "[pins] contains no vertex of this cloth, so it falls.", "pins",
                   "shape", "Pin by shape"};
   }
   if (description.opened && description.bodies.empty()) {

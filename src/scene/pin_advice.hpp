@@ -7,8 +7,8 @@
 
 namespace drape {
 
-/// What to tell a user whose pins hold all of the cloth, so that nothing moves, or none of it although something asks
-/// for pins or the cloth is a mesh file that is opened by itself. Nothing to tell: no value.
+/// Advice when the pins fix all vertices, or none although the scene defines pins or the cloth is a mesh file without a
+/// scene. Empty otherwise.
 [[nodiscard]] std::optional<Advice> adviceOnPins(const SceneDescription& description, const Settings& settings,
                                                  std::size_t pinned, std::size_t vertices);
 

@@ -37,7 +37,7 @@ std::vector<int> selectPins(const PinSelection& pins, const std::vector<Vec3>& r
   std::vector<int> selected = pins.vertices;
   for (const int vertex : selected) {
     if (vertex < 0 || vertex >= static_cast<int>(restPositions.size())) {
-      throw InputError("pins.vertices names vertex " + std::to_string(vertex) + ", but the cloth has only " +
+      throw InputError("pins.vertices contains vertex " + std::to_string(vertex) + ", but the cloth has only " +
                        std::to_string(restPositions.size()) + " (counted from 0)");
     }
   }

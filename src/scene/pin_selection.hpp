@@ -5,8 +5,8 @@
 
 namespace drape {
 
-/// The vertices that a selection picks from a rest shape, sorted, each once. `grid` is the layout when the cloth is a
-/// grid, else nullptr. Throws InputError for an index out of range or for corners and edges of what is no grid.
+/// The selected vertices of a rest shape, sorted, without duplicates. `grid` is the layout of a grid, otherwise
+/// nullptr. Throws InputError for an index out of range, or for corners and edges of a cloth that is not a grid.
 [[nodiscard]] std::vector<int> selectPins(const PinSelection& pins, const std::vector<Vec3>& restPositions,
                                           const GridLayout* grid);
 

@@ -16,7 +16,7 @@
 namespace drape {
 namespace {
 
-/// A message with the place in a scene file that it is about, where there is one.
+/// Adds the place in the scene file to a message, if there is one.
 std::string placed(const std::string& where, const std::string& message) {
   return where.empty() ? message : where + ": " + message;
 }
@@ -34,7 +34,7 @@ ImportOptions importOptions(const Settings& settings, const ImportWatch& watch) 
   return options;
 }
 
-/// A message about a mesh begins with the place in the scene file that names it.
+/// Reads a mesh. Messages start with the place in the scene file that names it.
 ImportedMesh readMesh(const MeshFileSource& source, const ImportOptions& options) {
   try {
     return source.builtIn ? importMeshFromMemory(source.path, builtinMesh(source.path), options)
@@ -55,7 +55,7 @@ PinSelection pinsInForce(const SceneDescription& description, const Settings& se
   return pins;
 }
 
-/// How the meshes of bodies and stands are read: in metres, and their progress is not told.
+/// Import options for the meshes of bodies and stands: in metres, without progress.
 ImportOptions bodyOptions(const Settings& settings, const ImportWatch& watch) {
   ImportOptions options;
   options.use = MeshUse::Body;
@@ -64,8 +64,7 @@ ImportOptions bodyOptions(const Settings& settings, const ImportWatch& watch) {
   return options;
 }
 
-/// Reads the mesh of a body or a stand. What is to be told about it is added to `warnings`; a built-in mesh is as it
-/// should be.
+/// Reads the mesh of a body or a stand. Adds its warnings to `warnings`, except for built-in meshes.
 ImportedMesh readBodyMesh(const MeshFileSource& source, const ImportOptions& options,
                           std::vector<std::string>& warnings) {
   ImportedMesh mesh = readMesh(source, options);
@@ -86,12 +85,12 @@ std::optional<Decor> readStand(const std::optional<StandDescription>& stand, con
   return Decor{std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles)};
 }
 
-/// One mesh from several files, which must all have the same triangles.
+/// Reads one mesh from several files, which must have the same triangles.
 std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& description, const ImportOptions& options,
                                                std::vector<std::string>& warnings) {
   auto shape = std::make_shared<MeshShape>();
   for (const MeshFileSource& source : description.meshes) {
-    std::vector<std::string> others;  // Of many frames the first speaks for all.
+    std::vector<std::string> others;  // warnings of later frames repeat those of the first
     ImportedMesh mesh = readBodyMesh(source, options, shape->frames.empty() ? warnings : others);
     for (Vec3& position : mesh.cloth.positions) {
       position *= description.scale;
@@ -102,7 +101,7 @@ std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& descriptio
                shape->frames.front().size() != mesh.cloth.positions.size()) {
       throw InputError(placed(source.where, source.path + " does not have the same triangles as " +
                                                 description.meshes.front().path +
-                                                "; the frames of a body are one mesh with other positions"));
+                                                "; the frames of a body must be one mesh with different positions"));
     }
     shape->frames.push_back(std::move(mesh.cloth.positions));
   }
@@ -115,7 +114,7 @@ std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& descriptio
   return shape;
 }
 
-/// The body in metres and with y up, when its files are like the cloth's.
+/// Converts a body to metres with y up, when its files have the unit and axes of the cloth.
 BodyDescription inMetres(BodyDescription body, const std::optional<MeshReading>& reading) {
   if (body.readLikeCloth && reading) {
     body.scale *= reading->metresPerUnit;
@@ -133,7 +132,7 @@ Body bodyOf(const Body& stand, const Decor& surface) {
   return body;
 }
 
-/// The scene's own bodies, then its stand, then its ground.
+/// The bodies of the scene, then its stand, then its ground.
 std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& description,
                                                const std::optional<MeshReading>& reading,
                                                const std::optional<Decor>& stand, double groundHeight,
@@ -156,7 +155,7 @@ std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& descripti
   return bodies;
 }
 
-/// The vertex nearest to a place of a mesh that moves in itself, as it begins; -1 for other shapes.
+/// The vertex of a deforming mesh that is nearest to a point at the start; -1 for other shapes.
 int anchorNear(const BodyShape& shape, const Vec3& place) {
   const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&shape);
   if (mesh == nullptr || (*mesh)->frames.empty()) {
@@ -169,10 +168,10 @@ int anchorNear(const BodyShape& shape, const Vec3& place) {
   return static_cast<int>(nearest - positions.begin());
 }
 
-/// Gives the pins to the body that is to carry them.
+/// Attaches the pins to their body.
 void carryPins(const SceneDescription& description, const std::vector<int>& pins, const ClothState& start,
                std::vector<Body>& bodies) {
-  // Stand and ground come after the scene's own bodies, carry nothing, and may share a name with one of them.
+  // Stand and ground come after the scene's bodies. They move no pins, and may share a name with a body.
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
     Body& body = bodies[i];
     if (body.name != description.pins.body) {
@@ -186,7 +185,7 @@ void carryPins(const SceneDescription& description, const std::vector<int>& pins
   }
 }
 
-/// Where the mesh comes from, the layout when it is a grid, and how it was read when it is a file.
+/// The imported mesh, the layout of a grid, and how a file was read.
 struct Source {
   ImportedMesh mesh;
   std::optional<GridLayout> grid;
@@ -216,7 +215,7 @@ std::vector<int> choosePins(const SceneDescription& description, const Settings&
   }
 }
 
-/// From the mesh's own coordinates to where the scene wants it.
+/// Moves the mesh to its position in the scene.
 void placeCloth(const SceneDescription& description, std::vector<Vec3>& positions) {
   const Pose pose = poseOf(description.position, description.rotation);
   for (Vec3& position : positions) {
@@ -241,7 +240,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->description = description;
   scene->settings = settings;
 
-  constexpr double meshIsRead = 0.7;  // of the time that it takes to build a scene from a large file
+  constexpr double meshIsRead = 0.7;  // share of the time for building a scene from a large file
   Source source = makeSource(description, settings, watch.part(0.0, meshIsRead));
   watch.tell(meshIsRead, "Building");
   scene->start = stateAtRest(startPositions(description, source));
@@ -266,7 +265,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   carryPins(description, pins, scene->start, *bodies);
   scene->bodies = bodies;
   constexpr double usualAspect = 16.0 / 9.0;
-  constexpr double cautious = 1.15;  // cloth sags and swings beyond the box it starts in
+  constexpr double cautious = 1.15;  // margin, since cloth sags and swings beyond its start box
   const Vec3 middle = 0.5 * (box.min() + box.max());
   scene->camera = description.camera.value_or(framed({Vec3(0.35, 0.2, 1.0), Vec3::Zero(), CameraPose{}.viewAngle},
                                                      middle + cautious * (box.min() - middle),

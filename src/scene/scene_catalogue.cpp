@@ -42,7 +42,7 @@ std::string sceneNames() {
 
 std::string readText(const std::filesystem::path& file) {
   if (std::filesystem::file_size(file) > largestSceneFile) {
-    throw InputError(file.string() + " is larger than a scene file can be (1 MiB)");
+    throw InputError(file.string() + " is larger than the limit for scene files (1 MiB)");
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -56,7 +56,7 @@ SceneDescription sceneOfMesh(const std::filesystem::path& file) {
   SceneDescription scene;
   scene.name = file.filename().string();
   scene.title = scene.name;
-  scene.help = "A mesh file that was opened by itself.";
+  scene.help = "A mesh file without a scene.";
   scene.source = MeshFileSource{file.string(), false};
   scene.pins.top = topOfBareMesh;
   scene.groundBelowCloth = true;
@@ -71,7 +71,7 @@ SceneDescription sceneOfMesh(const std::filesystem::path& file) {
 SceneDescription openFile(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
-    throw InputError(file.string() + " is a folder; name a scene (.toml) or a mesh file inside it");
+    throw InputError(file.string() + " is a folder; give a scene (.toml) or a mesh file");
   }
   if (!std::filesystem::exists(file, error)) {
     if (file.has_parent_path() || file.has_extension()) {
@@ -92,7 +92,7 @@ SceneDescription openFile(const std::filesystem::path& file) {
   for (const std::string& format : meshFormats()) {
     formats += ", ." + format;
   }
-  throw InputError(file.string() + " is neither a scene nor a mesh that can be read; known endings: .toml" + formats);
+  throw InputError(file.string() + " is neither a scene nor a known mesh format; known extensions: .toml" + formats);
 }
 
 }  // namespace
@@ -102,7 +102,8 @@ std::string_view builtinMesh(std::string_view name) {
   const auto found =
       std::find_if(meshes.begin(), meshes.end(), [&](const EmbeddedFile& file) { return file.name == name; });
   if (found == meshes.end()) {
-    throw InputError("there is no built-in mesh '" + std::string(name) + "'; there are " + listOf(meshes));
+    throw InputError("there is no built-in mesh '" + std::string(name) + "'; the built-in meshes are " +
+                     listOf(meshes));
   }
   return found->bytes;
 }

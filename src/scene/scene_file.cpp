@@ -56,7 +56,7 @@ PinSelection readPins(const TomlReader& reader) {
   return pins;
 }
 
-/// What of a thing that is drawn can be touched: it is solid unless it says otherwise.
+/// Reads whether an object has contact (`solid`, by default true), and its surface.
 void readSolidity(const TomlReader& table, const std::string& what, std::optional<Body>& body) {
   if (table.flag("solid").value_or(true)) {
     readSurface(table, *body);
@@ -92,9 +92,9 @@ CameraPose readCamera(const TomlReader& reader) {
   pose.position = reader.vector("position").value_or(pose.position);
   pose.focalPoint = reader.vector("focal_point").value_or(pose.focalPoint);
   pose.viewAngle = reader.number("view_angle", 1.0, 150.0).value_or(pose.viewAngle);
-  if ((pose.position - pose.focalPoint).norm() < nearestView) {
-    reader.fail("camera.position and camera.focal_point must be at least " + std::to_string(nearestView).substr(0, 4) +
-                " m apart");
+  if ((pose.position - pose.focalPoint).norm() < minViewDistance) {
+    reader.fail("camera.position and camera.focal_point must be at least " +
+                std::to_string(minViewDistance).substr(0, 4) + " m apart");
   }
   return pose;
 }
@@ -116,7 +116,7 @@ SettingValue valueOf(const toml::node& node) {
   return node.value_or(std::string("a list"));
 }
 
-/// The pins' body must be one of the scene's.
+/// Checks that the pins' body exists.
 void requireCarrier(const TomlReader& scene, const SceneDescription& description) {
   const std::string& name = description.pins.body;
   const auto& bodies = description.bodies;
@@ -126,8 +126,12 @@ void requireCarrier(const TomlReader& scene, const SceneDescription& description
   }
 }
 
-void readSettings(const TomlReader& reader, Settings& settings) {
+void readSettings(const TomlReader& reader, SceneDescription& scene) {
+  Settings& settings = scene.settings;
   reader.forEachValue([&](const std::string& key, const toml::node& node) {
+    if (const std::string note = formerKeyNote(key); !note.empty()) {
+      scene.notes.push_back(reader.placeOf(node) + ": " + note);
+    }
     try {
       // A text may also be a fraction: time_step = "1/150".
       if (const auto* text = node.as_string()) {
@@ -176,7 +180,7 @@ SceneDescription parseScene(std::string_view text, const std::string& name, cons
   scene.bodies = readBodies(reader, folder);
   requireCarrier(reader, scene);
   if (const auto settings = reader.table("settings")) {
-    readSettings(*settings, scene.settings);
+    readSettings(*settings, scene);
   }
   return scene;
 }

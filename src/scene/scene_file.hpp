@@ -8,7 +8,7 @@
 namespace drape {
 
 /// Reads a scene from TOML text (docs/guide/scenes.md). Mesh paths are relative to `folder`; "builtin:skirt.obj" names
-/// a mesh that is built in. Throws InputError with file and line.
+/// a built-in mesh. Throws InputError with file and line.
 /// @param name of the scene  @param file for messages
 [[nodiscard]] SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
                                           const std::filesystem::path& folder);

@@ -9,7 +9,7 @@
 namespace drape {
 namespace {
 
-constexpr std::size_t mostBodies = 32;
+constexpr std::size_t maxBodies = 32;
 
 std::string freeName(const std::vector<BodyDescription>& bodies, const std::string& wanted) {
   const auto taken = [&](const std::string& name) {
@@ -26,7 +26,7 @@ std::string freeName(const std::vector<BodyDescription>& bodies, const std::stri
 void replaceCloth(SceneDescription& scene, const std::string& file) {
   SceneDescription cloth = openScene(file);
   if (!std::holds_alternative<MeshFileSource>(cloth.source)) {
-    throw InputError(file + " is no mesh; the cloth that is put into a scene must be one");
+    throw InputError(file + " is not a mesh; the cloth for a scene must be a mesh");
   }
   scene.name = cloth.name;
   scene.title = cloth.title;
@@ -42,7 +42,7 @@ void replaceCloth(SceneDescription& scene, const std::string& file) {
 
 void addBody(SceneDescription& scene, const std::string& file) {
   if (!isMeshFile(file)) {
-    throw InputError(file + " is no mesh; only a mesh can be a body");
+    throw InputError(file + " is not a mesh; only a mesh can be a body");
   }
   BodyDescription description;
   description.body.name = freeName(scene.bodies, std::filesystem::path(file).stem().string());
@@ -55,9 +55,9 @@ void addBody(SceneDescription& scene, const std::string& file) {
 }  // namespace
 
 SceneDescription openParts(const SceneParts& parts) {
-  if (parts.bodies.size() > mostBodies) {
+  if (parts.bodies.size() > maxBodies) {
     throw InputError("there are " + std::to_string(parts.bodies.size()) + " files for bodies; drop at most " +
-                     std::to_string(mostBodies) + " at a time");
+                     std::to_string(maxBodies) + " at a time");
   }
   SceneDescription scene = openScene(parts.scene.empty() ? parts.cloth : parts.scene);
   if (!parts.scene.empty() && !parts.cloth.empty()) {
@@ -67,10 +67,10 @@ SceneDescription openParts(const SceneParts& parts) {
     addBody(scene, body);
   }
   if (!parts.bodies.empty() && scene.opened) {
-    scene.settings.mesh.pins = "none";  // it lies on the body
+    scene.settings.mesh.pins = "none";  // the cloth lies on the body
   }
   if (!parts.bodies.empty() && scene.groundBelowCloth) {
-    // Bodies stand on the ground of their files, and that is where the cloth was made for them.
+    // The bodies stand on the ground of their files, and the cloth fits to them there.
     scene.groundBelowCloth = false;
     scene.groundHeight = 0.0;
   }

@@ -7,16 +7,16 @@
 
 namespace drape {
 
-/// A scene that is put together from several files. Either a scene or a cloth must be there.
+/// The files of a scene. Either `scene` or `cloth` must be set.
 struct SceneParts {
-  std::string scene = {};                ///< a built-in scene, a scene file or a mesh file; empty: only what follows
-  std::string cloth = {};                ///< a mesh file that is the cloth; empty: the scene's own
-  std::vector<std::string> bodies = {};  ///< mesh files that the cloth meets, beside the scene's own bodies
+  std::string scene = {};                ///< a built-in scene, a scene file or a mesh file; empty: only the next two
+  std::string cloth = {};                ///< a mesh file for the cloth; empty: the cloth of the scene
+  std::vector<std::string> bodies = {};  ///< mesh files of additional bodies
 };
 
-/// Reads the parts and puts them together. A cloth takes the place of the scene's: its pins, pleats, stand and
-/// placement go. Bodies are read as the cloth is, in the same unit and with the same axis up, and stay where their
-/// files put them. Throws InputError as openScene does, and when there are too many bodies.
+/// Reads the parts and combines them. A new cloth replaces that of the scene with its pins, pleats, stand and
+/// placement. Bodies are read with the unit and the up axis of the cloth and keep the positions of their files. Throws
+/// InputError like openScene, and for too many bodies.
 [[nodiscard]] SceneDescription openParts(const SceneParts& parts);
 
 }  // namespace drape

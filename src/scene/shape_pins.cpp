@@ -12,10 +12,11 @@
 namespace drape {
 namespace {
 
-constexpr double nearTop = 0.06;      // of a piece's height: shoulders, straps
-constexpr double topOfClosed = 0.03;  // of the height of a piece without a border
-constexpr double deepLoop = 0.2;      // of the height: a loop that reaches farther down is not held as a whole
-constexpr double smallPiece = 0.05;   // of the largest piece's area: buttons, pockets
+constexpr double nearTop = 0.06;      // share of a piece's height: shoulders, straps
+constexpr double topOfClosed = 0.03;  // share of the height of a piece without a border
+constexpr double deepLoop =
+    0.2;  // share of the height: of a loop that extends farther down, only the upper part is pinned
+constexpr double smallPiece = 0.05;  // share of the largest piece's area: buttons, pockets
 
 /// Lowest and highest y of some vertices [m].
 struct Heights {
@@ -69,10 +70,10 @@ class PieceHanger {
     return list;
   }
 
-  /// The opening that is nearest to the top; of two that are equally near the one that faces up more, then the shorter.
-  /// None when all of them are far below, as that of a cap.
+  /// The opening nearest to the top. Of two equally near ones, the one that faces up more, then the shorter one. Null
+  /// when all openings are far below, as in a cap.
   [[nodiscard]] const BoundaryLoop* topmostOpening() const {
-    constexpr double facingUp = 0.25;  // counts as much as a quarter of the height
+    constexpr double facingUp = 0.25;  // the bonus for facing up, as a share of the height
     constexpr double equal = 0.02;
     const BoundaryLoop* best = nullptr;
     double bestScore = 0.0;
@@ -107,7 +108,7 @@ class PieceHanger {
     return flat || top.size() < 2 ? corners(outline, Vec3::UnitX(), -Vec3::UnitZ()) : top;
   }
 
-  /// The two corners of a border that lie farthest along `to`, at either end of `across`.
+  /// The two corners of a border that are extreme along `to`, at either end of `across`.
   [[nodiscard]] std::vector<int> corners(const BoundaryLoop& outline, const Vec3& across, const Vec3& to) const {
     const double width = extent(outline, across);
     const double height = extent(outline, to);
@@ -126,7 +127,7 @@ class PieceHanger {
     return along.dot(at(*high) - at(*low));
   }
 
-  /// The vertices' covariance [m^2].
+  /// The covariance of the vertices [m^2].
   [[nodiscard]] Mat3 spread() const {
     Vec3 mean = Vec3::Zero();
     for (const int vertex : piece_.vertices) {

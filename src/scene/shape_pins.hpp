@@ -6,11 +6,11 @@
 
 namespace drape {
 
-/// The vertices by which a cloth would be hung up, y up, ascending. Of a garment the opening that is nearest to the top
-/// and faces up or down (neck, waist); where that reaches far down, as the neck of a tank top, only what is near the
-/// shoulders. Of a flat sheet two corners: the upper ones, or those at the back when it lies level. Of other sheets
-/// what is topmost along their border, and of what has no border its topmost vertices. Each piece of the mesh is held,
-/// but for those that are small beside the largest one.
+/// The vertices by which a cloth would be hung up, y up, ascending. For a garment: the opening nearest to the top that
+/// faces up or down (neck, waist). When it extends far down, as the neck of a tank top, only its part near the
+/// shoulders. For a flat sheet: two corners, the upper ones or, when it lies level, those at the back. For other
+/// sheets: the topmost part of the border. Without a border: the topmost vertices. Every piece of the mesh is pinned,
+/// except pieces that are small compared with the largest one.
 [[nodiscard]] std::vector<int> pinsByShape(const ClothMesh& mesh);
 
 }  // namespace drape

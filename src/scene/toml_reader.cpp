@@ -55,7 +55,7 @@ void TomlReader::allowOnly(const std::vector<std::string_view>& keys) const {
       for (const auto& each : keys) {
         known += (known.empty() ? "" : ", ") + std::string(each);
       }
-      fail(node, "there is no '" + nameOf(key.str()) + "' in a scene; known here: " + known);
+      fail(node, "there is no '" + nameOf(key.str()) + "' in a scene; known keys here: " + known);
     }
   }
 }

@@ -13,20 +13,20 @@
 
 namespace drape {
 
-/// Beyond this a coordinate in a scene is a slip [m].
+/// A larger coordinate in a scene is an error [m].
 inline constexpr double farAway = 1e4;
 
 /// Angles are in degrees in scene files [rad].
 inline constexpr double degree = std::numbers::pi / 180.0;
 
-/// Checked access to a TOML table: every wrong type or unknown key becomes an InputError that says file, line and key.
+/// Checked access to a TOML table. Every wrong type or unknown key becomes an InputError with file, line and key.
 class TomlReader {
  public:
   /// The top of a document. Throws InputError when the text is not TOML.
   /// @param file for messages
   TomlReader(std::string_view text, const std::string& file);
 
-  /// Throws unless every key is one of those.
+  /// Throws unless all keys are in the list.
   void allowOnly(const std::vector<std::string_view>& keys) const;
 
   [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
@@ -34,7 +34,7 @@ class TomlReader {
   [[nodiscard]] std::optional<bool> flag(std::string_view key) const;
   [[nodiscard]] std::optional<double> number(std::string_view key, double min, double max) const;
   [[nodiscard]] std::optional<int> integer(std::string_view key, int min, int max) const;
-  /// Three numbers, none of which is farther from zero than `limit`.
+  /// Three numbers with magnitudes up to `limit`.
   [[nodiscard]] std::optional<Vec3> vector(std::string_view key, double limit = farAway) const;
   [[nodiscard]] std::optional<TomlReader> table(std::string_view key) const;
 
@@ -47,12 +47,15 @@ class TomlReader {
   /// Visits every value below the table with its dotted key.
   void forEachValue(const std::function<void(const std::string& key, const toml::node& node)>& visit) const;
 
-  /// "file:line" where the key stands, or where this table begins when there is no such key.
+  /// "file:line" of the key, or of the start of this table when there is no such key.
   [[nodiscard]] std::string place(std::string_view key = {}) const;
+
+  /// "file:line" of a value.
+  [[nodiscard]] std::string placeOf(const toml::node& node) const;
 
   /// Throws InputError "file:line: message".
   [[noreturn]] void fail(const toml::node& node, const std::string& message) const;
-  /// The same, at the line where this table begins.
+  /// The same, at the start of this table.
   [[noreturn]] void fail(const std::string& message) const { fail(*table_, message); }
 
  private:
@@ -60,7 +63,6 @@ class TomlReader {
 
   [[nodiscard]] std::string nameOf(std::string_view key) const;
   [[nodiscard]] Vec3 asVector(const toml::node& node, std::string_view key, double limit) const;
-  [[nodiscard]] std::string placeOf(const toml::node& node) const;
   void visitBelow(const std::string& prefix, const toml::table& table,
                   const std::function<void(const std::string& key, const toml::node& node)>& visit) const;
 
@@ -68,8 +70,8 @@ class TomlReader {
   std::vector<T> list(std::string_view key, const char* expected, const Convert& convert) const;
 
   std::string file_;
-  std::string where_;                            // the table's own name, "" for the file's top
-  std::shared_ptr<const toml::table> document_;  // nodes that are copied forget which line they came from
+  std::string where_;                            // the name of the table, "" for the top of the file
+  std::shared_ptr<const toml::table> document_;  // copied nodes lose their line numbers
   const toml::table* table_;
 };
 

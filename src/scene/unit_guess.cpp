@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-/// A unit, and how many of a hundred files are written in it, roughly.
+/// A unit, and the approximate percentage of files that use it.
 struct UsualUnit {
   LengthUnit unit;
   double files = 0.0;
@@ -23,7 +23,7 @@ constexpr std::array<UsualUnit, 5> usualUnits{{{{"m", "metres", 1.0}, 40.0},
                                                {{"inch", "inches", 0.0254}, 8.0},
                                                {{"dm", "decimetres", 0.1}, 5.0}}};
 
-/// A kind of thing and how large it is: a normal distribution of the logarithm.
+/// A kind of object and its size: a normal distribution of the logarithm.
 struct UsualSize {
   double metres;
   double spread;  ///< of the logarithm [-]
@@ -35,7 +35,7 @@ constexpr std::array<UsualSize, 4> usualSizes{{{0.75, 0.25, 0.45},   // T-shirts
                                                {1.7, 0.1, 0.2},      // bodies
                                                {0.35, 0.4, 0.15}}};  // socks, caps, handkerchiefs
 
-/// How common things of that size are; only ratios mean something.
+/// The frequency of objects of that size; only ratios are meaningful.
 double frequency(double metres) {
   double sum = 0.0;
   for (const UsualSize& size : usualSizes) {
@@ -45,7 +45,7 @@ double frequency(double metres) {
   return sum;
 }
 
-/// By what factor a size is outside of what garments are [-]; 1 inside.
+/// The factor by which a size is outside the range of garments [-]; 1 inside.
 double misfit(double metres) {
   return std::max({1.0, smallestGarment / metres, metres / largestGarment});
 }

@@ -6,13 +6,13 @@
 
 namespace drape {
 
-/// Garments and the bodies that wear them are between these sizes [m].
+/// The range of sizes of garments and of the bodies that wear them [m].
 inline constexpr double smallestGarment = 0.2;
 inline constexpr double largestGarment = 2.5;
 
-/// A unit of length in which mesh files are written.
+/// A unit of length of mesh files.
 struct LengthUnit {
-  std::string_view word;    ///< as the setting `unit` names it: "cm"
+  std::string_view word;    ///< the value of the setting `unit`: "cm"
   std::string_view plural;  ///< "centimetres"
   double metres = 1.0;
 };
@@ -20,21 +20,21 @@ struct LengthUnit {
 /// Metres per unit of a value of the setting `unit` other than "auto": a word, or a number such as "0.0254".
 [[nodiscard]] double metresPerUnit(std::string_view unit);
 
-/// The value of the setting `unit` for a length: a word where there is one, else the number.
+/// The value of the setting `unit` for a length: a word if there is one, otherwise the number.
 [[nodiscard]] std::string wordForUnit(double metres);
 
-/// What a value of the setting `unit` is called in a sentence: "centimetres", or "units of 0.03 m".
+/// The unit in a sentence: "centimetres", or "units of 0.03 m".
 [[nodiscard]] std::string unitInWords(std::string_view unit);
 
-/// In which unit a mesh was written.
+/// A guess of the unit of a mesh.
 struct UnitGuess {
   std::string unit = "m";
-  std::vector<std::string> others;  ///< the other units in which it has the size of a garment, likeliest first
+  std::vector<std::string> others;  ///< other units that give the size of a garment, likeliest first
 };
 
-/// Guesses the unit from the largest extent of the bounding box, which is in the file's unit. Of the units that make a
-/// garment of it (0.2 to 2.5 m) the likeliest is taken: T-shirts are about 0.75 m, dresses 1.2 m, bodies 1.7 m, and
-/// files in metres and centimetres are more common than others. When there is none, the unit that comes nearest.
+/// Guesses the unit from the largest extent of the bounding box in file units. It takes the likeliest of the units that
+/// give a garment of 0.2 to 2.5 m: T-shirts have about 0.75 m, dresses 1.2 m, bodies 1.7 m, and metres and centimetres
+/// are the most common units. If no unit fits, it takes the closest one.
 [[nodiscard]] UnitGuess guessUnit(double largestExtent);
 
 }  // namespace drape

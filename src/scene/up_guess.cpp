@@ -10,14 +10,14 @@ namespace drape {
 namespace {
 
 constexpr int cells = 16;  // of a silhouette along each axis
-constexpr int finest = 5;  // a triangle is quartered at most that often
+constexpr int finest = 5;  // maximum number of subdivisions of a triangle
 
-/// How much of a surface lies where, seen along one axis: two of the three axes, each in `cells` cells.
+/// The distribution of a surface's area seen along one axis: two of the three axes, each in `cells` cells.
 class Silhouette {
  public:
   Silhouette(int across, int along) : across_(across), along_(along) {}
 
-  /// Adds an amount at a point of the unit cube, shared among the four nearest cells.
+  /// Adds an amount at a point of the unit cube, distributed to the four nearest cells.
   void add(const Vec3& point, double amount) {
     const double u = std::clamp(point[across_] * cells - 0.5, 0.0, cells - 1.001);
     const double v = std::clamp(point[along_] * cells - 0.5, 0.0, cells - 1.001);
@@ -31,7 +31,7 @@ class Silhouette {
     cell(column + 1, row + 1) += amount * right * up;
   }
 
-  /// 0: the same as its mirror image across the first axis; 1: nothing is where the image is.
+  /// 0: symmetric with respect to the first axis; 1: no overlap with the mirror image.
   [[nodiscard]] double asymmetry() const {
     double apart = 0.0;
     double total = 0.0;
@@ -55,8 +55,8 @@ class Silhouette {
   std::array<double, static_cast<std::size_t>(cells* cells)> amounts_{};
 };
 
-/// Hands out points of a triangle with the area that each stands for: its centre, or those of its quarters where it is
-/// larger than a cell.
+/// Visits sample points of a triangle with their areas: its centre, or those of its quarters when it is larger than a
+/// cell.
 template <typename Visit>
 void spread(const Vec3& a, const Vec3& b, const Vec3& c, int depth, const Visit& visit) {
   constexpr double small = 0.7 / cells;
@@ -99,9 +99,10 @@ std::array<double, 3> asymmetries(const ClothMesh& mesh, const Eigen::AlignedBox
   return result;
 }
 
-/// Openings that face along each axis, as shares of all of them; all zero when there is none worth the name.
+/// The shares of the openings that face along each axis; all zero without relevant openings.
 std::array<double, 3> openingShares(const ClothPieces& pieces, const Eigen::AlignedBox3d& box) {
-  constexpr double smallest = 1e-3;  // of the square over the box's diagonal; less is a slit or a damage
+  constexpr double smallest =
+      1e-3;  // relative to the square of the box's diagonal; a smaller opening is a slit or a defect
   std::array<double, 3> shares{};
   double total = 0.0;
   for (const BoundaryLoop& loop : pieces.loops) {
@@ -124,11 +125,11 @@ std::array<double, 3> openingShares(const ClothPieces& pieces, const Eigen::Alig
 }  // namespace
 
 UpGuess guessUp(const ClothMesh& mesh, const ClothPieces& pieces) {
-  constexpr std::array<double, 3> usual{-0.6, 0.15, 0.0};  // files with y up are the most common, with x up the least
+  constexpr std::array<double, 3> usual{-0.6, 0.15, 0.0};  // files with y up are the most common, with x up the rarest
   constexpr double openingWeight = 1.5;
   constexpr double asymmetryWeight = 1.0;
   constexpr double extentWeight = 0.8;
-  constexpr double extentWeightAlone = 1.3;  // of a shape without openings
+  constexpr double extentWeightAlone = 1.3;  // for a shape without openings
   UpGuess guess;
   const Eigen::AlignedBox3d box = boundsOf(mesh.positions);
   UpEvidence& evidence = guess.evidence;
@@ -144,7 +145,7 @@ UpGuess guessUp(const ClothMesh& mesh, const ClothPieces& pieces) {
   }
   constexpr double flatness = 0.02;
   if (!open && box.sizes().minCoeff() < flatness * largest) {
-    return guess;  // a flat sheet may lie or hang: what is usual decides
+    return guess;  // a flat sheet may lie or hang: the more common axis decides
   }
   guess.axis =
       static_cast<int>(std::max_element(evidence.score.begin(), evidence.score.end()) - evidence.score.begin());

@@ -7,24 +7,25 @@
 
 namespace drape {
 
-/// What the shape of a mesh says about which of its axes x, y and z points up, each for the three axes [-].
+/// The evidence from the shape of a mesh for each of its axes x, y and z to point up [-].
 struct UpEvidence {
-  std::array<double, 3> openings{};   ///< share of the openings' area that faces along the axis: neck, waist and hem do
-  std::array<double, 3> asymmetry{};  ///< how far the shape is from its mirror image along the axis; 0: its own image
-  std::array<double, 3> extent{};     ///< of the bounding box, as a share of the largest one
-  std::array<double, 3> score{};      ///< all of that weighed up
+  std::array<double, 3>
+      openings{};  ///< share of the openings' area that faces along the axis, as neck, waist and hem do
+  std::array<double, 3> asymmetry{};  ///< difference from the mirror image along the axis; 0: symmetric
+  std::array<double, 3> extent{};     ///< of the bounding box, relative to the largest extent
+  std::array<double, 3> score{};      ///< the weighted sum
 };
 
-/// Which axis of a mesh points up.
+/// The guessed up axis of a mesh.
 struct UpGuess {
   int axis = 1;         ///< 0: x, 1: y, 2: z
-  double margin = 0.0;  ///< by how much its score is larger than that of the next one [-]
+  double margin = 0.0;  ///< difference of its score to the next one [-]
   UpEvidence evidence;
 };
 
-/// Guesses which axis of a garment or a body points up. A garment's neck, waist and hem face up or down; it is the same
-/// on the left and the right, and often nearly so in front and behind, but not on top and below; and it is wide and
-/// tall rather than deep. Where the shape says nothing, as that of a flat sheet, y it is.
+/// Guesses the up axis of a garment or a body. The neck, waist and hem of a garment face up or down. It is symmetric
+/// left and right, often nearly so front and back, but not top and bottom. It is wide and tall rather than deep. A
+/// shape without evidence, such as a flat sheet, gets y.
 [[nodiscard]] UpGuess guessUp(const ClothMesh& mesh, const ClothPieces& pieces);
 
 }  // namespace drape

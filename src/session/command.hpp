@@ -17,55 +17,55 @@ struct SetSettingCommand {
 struct PauseCommand {
   bool paused = true;
 };
-/// One step, and stay paused.
+/// Takes one step; the simulation stays paused.
 struct SingleStepCommand {};
-/// Back to the scene's start; settings and pins stay as the user left them.
+/// Returns to the start of the scene. Settings and pins keep the user's changes.
 struct ResetCommand {};
-struct GrabCommand {
+struct AttachCommand {
   int triangle = 0;
   Vec3 barycentric = Vec3::Zero();
   Vec3 target = Vec3::Zero();  ///< [m]
 };
-struct MoveGrabCommand {
+struct MoveAttachmentCommand {
   Vec3 target = Vec3::Zero();  ///< [m]
 };
-struct ReleaseGrabCommand {};
-/// Pins the vertex nearest to the grabbed point where it is now; lets it go when it was pinned.
+struct DetachCommand {};
+/// Pins the vertex nearest to the attached point at its current position, or releases it when it is pinned.
 struct TogglePinCommand {};
-/// Moves everything that is pinned at once; the cloth follows by its springs.
+/// Moves all pins together. The springs pull the cloth after them.
 struct MovePinsCommand {
   Vec3 by = Vec3::Zero();  ///< [m]
 };
-/// Lets a body take part, or takes it away.
+/// Switches contact with a body on or off.
 struct SwitchBodyCommand {
   int body = 0;  ///< index into the scene's bodies
   bool on = true;
 };
-/// Gives a body another surface.
+/// Changes the surface of a body.
 struct SetSurfaceCommand {
   int body = 0;  ///< index into the scene's bodies
   SurfaceProperties surface;
 };
-/// Shifts a body from where its own motion puts it. It goes there at a bounded speed while the simulation runs.
+/// Shifts a body relative to its own motion. The body moves there at a bounded speed while the simulation runs.
 struct MoveBodyCommand {
   int body = 0;               ///< index into the scene's bodies
   Vec3 shift = Vec3::Zero();  ///< [m]
 };
-/// The work that `auto` may do, as it follows from the time allowed for it (auto.budget). The simulation gives this
-/// command to itself, so that the log holds what the clock had to say.
-struct AllowWorkCommand {
-  double work = 0.0;  ///< 1e6 evaluations of a spring a simulated second [1e6/s]
+/// The cost budget of `auto`, as it follows from auto.budget. The simulation gives this command to itself, so that the
+/// log holds every decision that depends on the clock.
+struct SetCostBudgetCommand {
+  double costBudget = 0.0;  ///< spring evaluations per simulated second [1e6/s]
 };
 struct LoadSceneCommand {
   std::shared_ptr<const Scene> scene;
 };
 
-/// Everything that anybody can ask of a running simulation.
-using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, GrabCommand,
-                             MoveGrabCommand, ReleaseGrabCommand, TogglePinCommand, MovePinsCommand, SwitchBodyCommand,
-                             SetSurfaceCommand, MoveBodyCommand, AllowWorkCommand, LoadSceneCommand>;
+/// All commands to a running simulation.
+using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, AttachCommand,
+                             MoveAttachmentCommand, DetachCommand, TogglePinCommand, MovePinsCommand, SwitchBodyCommand,
+                             SetSurfaceCommand, MoveBodyCommand, SetCostBudgetCommand, LoadSceneCommand>;
 
-/// A command and how many steps had been taken when it took effect: enough to run a session again.
+/// A command, and the number of steps before it took effect. A log of these reproduces a session.
 struct LoggedCommand {
   std::int64_t step = 0;
   Command command;

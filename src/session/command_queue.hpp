@@ -7,8 +7,8 @@
 
 namespace drape {
 
-/// Commands on their way to the simulation. Any thread may post; one thread drains. The lock is held for a push or a
-/// swap only, so neither side waits for the other's work.
+/// Commands on their way to the simulation. Any thread may post; one thread drains. The lock is held only for a push or
+/// a swap, so neither side waits for the other's work.
 class CommandQueue {
  public:
   void post(Command command) {
@@ -16,7 +16,7 @@ class CommandQueue {
     commands_.push_back(std::move(command));
   }
 
-  /// Takes everything that has been posted, in order. `taken` is cleared first; its memory is reused.
+  /// Takes all posted commands, in order. `taken` is cleared first; its memory is reused.
   void drain(std::vector<Command>& taken) {
     taken.clear();
     const std::scoped_lock lock(mutex_);

@@ -9,23 +9,23 @@
 
 namespace drape {
 
-/// A second cloth of the same model that another solver moves. It has its own state and solver, so the first cloth does
-/// not know of it.
+/// A second cloth of the same model, moved by another solver. It has its own state and solver and does not affect the
+/// first cloth.
 class Ghost {
  public:
-  /// Begins in `start`. Throws InputError when there is no solver of that name.
+  /// Starts from `start`. Throws InputError when no solver has that name.
   Ghost(const std::string& solver, ClothState start) : stepper_(solver), state_(std::move(start)) {}
 
-  /// Goes on from where it is with another solver.
+  /// Continues from the current state with another solver.
   void useSolver(const std::string& name);
 
-  /// Goes back to `start`.
+  /// Returns to `start`.
   void reset(const ClothState& start);
 
-  /// Moves what is pinned by `by` [m].
+  /// Moves the pinned vertices by `by` [m].
   void movePins(const ClothModel& model, const Vec3& by) { drape::movePins(model.pinned, by, state_); }
 
-  /// Advances by one time step, in as many parts as `settings.ghost` says. False when the state stopped being finite.
+  /// Advances by one time step, with the substeps of `settings.ghost`. False when the state is no longer finite.
   [[nodiscard]] bool step(const ClothModel& model, const Settings& settings, const StepInputs& inputs);
 
   [[nodiscard]] const SolverInfo& solver() const { return stepper_.info(); }
@@ -38,10 +38,10 @@ class Ghost {
   Stepper stepper_;
   ClothState state_;
   StepReport report_;
-  double stepSeconds_ = 0.0;  // what the last step cost
+  double stepSeconds_ = 0.0;  // duration of the last step
 };
 
-/// The parameters by which the ghost steps: the first cloth's, but for what `settings.ghost` says.
+/// The step parameters of the ghost: those of the first cloth, with the values of `settings.ghost`.
 [[nodiscard]] StepParameters ghostParameters(const Settings& settings);
 
 }  // namespace drape

@@ -4,19 +4,18 @@
 
 namespace drape {
 
-/// Decides how many fixed steps are due. Time that passes is collected and paid out in whole steps; what could not be
-/// paid is forgotten beyond a limit, so that a machine that cannot keep up slows the clock down instead of falling
-/// behind further and further.
+/// Decides how many fixed steps are due. It collects elapsed time and spends it in whole steps. Time beyond a limit is
+/// dropped: on a slow machine the simulation becomes slower than real time instead of falling behind without bound.
 class Pacer {
  public:
-  /// The longest stretch of time that is ever made up for [s].
+  /// The largest backlog [s].
   static constexpr double longestDebt = 0.25;
 
-  /// Collects elapsed time of the clock [s], scaled by `speed`.
+  /// Adds elapsed real time [s], scaled by `speed`.
   void collect(double elapsed, double speed) { owed_ = std::min(owed_ + elapsed * speed, longestDebt); }
 
-  /// True when a step of that length [s] is due; it is then counted as taken. A step that is longer than the limit is
-  /// due as soon as the limit is reached, and leaves a debt of its own.
+  /// Whether a step of that length [s] is due; it then counts as taken. A step longer than the limit is due when the
+  /// limit is reached, and leaves a negative balance.
   [[nodiscard]] bool takeStep(double timeStep) {
     if (owed_ < std::min(timeStep, longestDebt)) {
       return false;
@@ -25,7 +24,7 @@ class Pacer {
     return true;
   }
 
-  /// Time until the next step is due [s], when the clock runs at `speed`.
+  /// Real time until the next step is due [s], at speed `speed`.
   [[nodiscard]] double untilNext(double timeStep, double speed) const {
     return std::max(0.0, (std::min(timeStep, longestDebt) - owed_) / speed);
   }
@@ -36,10 +35,10 @@ class Pacer {
   double owed_ = 0.0;  // [s]
 };
 
-/// Simulated time over time of the clock, averaged over about the last half second.
+/// Simulated time divided by real time, averaged over about the last half second.
 class RealTimeFactor {
  public:
-  /// Adds what happened in an interval of the clock [s] [s].
+  /// Adds an interval: real time [s] and simulated time [s].
   void add(double elapsed, double simulated) {
     elapsed_ += elapsed;
     simulated_ += simulated;

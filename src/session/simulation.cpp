@@ -2,8 +2,8 @@
 
 #include "scene/mass.hpp"
 #include "settings/surface_fields.hpp"
+#include "sim/attachment_limit.hpp"
 #include "sim/error.hpp"
-#include "sim/hand_limit.hpp"
 #include "sim/unfolding.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void Simulation::apply(const Command& command) {
 void Simulation::step() {
   lastFinite_ = state_;
   const auto before = std::chrono::steady_clock::now();
-  inputs_.grab = grabInForce();
+  inputs_.attachment = currentAttachment();
   bodies_.advance(state_.time, settings_.step.timeStep);
   inputs_.bodies = &bodies_.steps();
   inputs_.mayStop = mayStop_ ? &mayStop_ : nullptr;
@@ -45,7 +45,7 @@ void Simulation::step() {
     state_ = lastFinite_;
     paused_ = true;
     message_ = "The cloth blew up at " + std::to_string(state_.time) +
-               " s and was stopped. Try a smaller time step or a lower stiffness, then reset.";
+               " s and stopped. Use a smaller time step or a lower stiffness, then reset.";
     return;
   }
   if (balance_) {
@@ -53,24 +53,24 @@ void Simulation::step() {
                   stepper_->earlierContactWork());
   }
   stepGhost();
-  tellOfOverlap();
+  reportOverlap();
   ++stepIndex_;
   ++stepsTaken_;
-  keepBudget();
+  updateCostBudget();
 }
 
-void Simulation::keepBudget() {
+void Simulation::updateCostBudget() {
   if (replaying_) {
     return;
   }
-  if (const auto work = budget_.workAfter(settings_, *model_, stepReport_, stepSeconds_)) {
-    apply(AllowWorkCommand{*work});
+  if (const auto budget = budget_.budgetAfter(settings_, *model_, stepReport_, stepSeconds_)) {
+    apply(SetCostBudgetCommand{*budget});
   }
 }
 
-/// While anything is inside a body, which pushes it out slowly.
-void Simulation::tellOfOverlap() {
-  constexpr double patience = 1.5;  // of what can come out nearly all is out by then [s]
+/// Reports cloth inside a body, which contact pushes out slowly.
+void Simulation::reportOverlap() {
+  constexpr double patience = 1.5;  // contact pushes nearly everything out within this time [s]
   const ContactReport& contact = stepReport_.contact;
   overlapMessage_.clear();
   if (contact.overlaps == 0 || stepIndex_ == 0) {
@@ -87,7 +87,7 @@ void Simulation::tellOfOverlap() {
          : stuck         ? "is still"
                          : "is") +
         " inside a body (" + std::to_string(contact.overlaps) + " triangles, up to " + shown.str() + " mm deep) and " +
-        (stuck ? "does not come out: the body may pass right through it, or not fit. Move or scale one of "
+        (stuck ? "contact cannot push it out: the body may cross the cloth, or not fit. Move or scale one of "
                  "them."
                : "is pushed out slowly.");
   }
@@ -95,8 +95,8 @@ void Simulation::tellOfOverlap() {
 
 void Simulation::stepGhost() {
   if (ghost_ && !ghost_->step(*model_, settings_, inputs_)) {
-    message_ = "The ghost (" + std::string(ghost_->solver().title) + ") blew up at " + std::to_string(state_.time) +
-               " s and was taken away. Give it more substeps, or choose another solver for it.";
+    message_ = "The ghost (" + std::string(ghost_->solver().title) + ") blew up at " +
+               std::to_string(state_.time) + " s and was removed. Use more substeps, or another solver for it.";
     settings_.ghost.solver = "off";
     useSolvers();
   }
@@ -130,7 +130,7 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.message = message();
   snapshot.overstretched.reset();
   if (snapshot.maxStretch > implausibleStretch) {
-    snapshot.overstretched = diagnoseStretch(*scene_, settings_, *model_, state_, grab_.has_value());
+    snapshot.overstretched = diagnoseStretch(*scene_, settings_, *model_, state_, attachment_.has_value());
     if (snapshot.message.empty()) {
       snapshot.message = snapshot.overstretched->advice.text;
     }
@@ -141,11 +141,11 @@ void Simulation::capture(Snapshot& snapshot) const {
     ghost_->capture(state_, snapshot.ghost ? *snapshot.ghost : snapshot.ghost.emplace());
   }
   captureBodies(snapshot);
-  snapshot.grab.reset();
-  if (grab_) {
-    const int corner = nearestCornerOfGrab();
-    snapshot.grab = GrabStatus{grab_->triangle, grab_->barycentric, grab_->target, grabbedPoint(),
-                               model_->pinned[static_cast<std::size_t>(corner)]};
+  snapshot.attachment.reset();
+  if (attachment_) {
+    const int corner = nearestAttachedVertex();
+    snapshot.attachment = AttachmentStatus{attachment_->triangle, attachment_->barycentric, attachment_->target,
+                                           attachedPoint(), model_->pinned[static_cast<std::size_t>(corner)]};
   }
 }
 
@@ -210,48 +210,47 @@ void Simulation::on(const ResetCommand&) {
   overlapMessage_.clear();
   blewUp_ = false;
   stepIndex_ = 0;
-  grab_.reset();
+  attachment_.reset();
   message_ = unfolded
-                 ? "The cloth starts folded into less than its rest shape fills; a millionth of that was added, so "
-                   "that it can unfold."
+                 ? "The cloth starts folded flat. Drape added a millionth of its rest shape, so that it can unfold."
                  : "";
 }
 
-void Simulation::on(const GrabCommand& command) {
+void Simulation::on(const AttachCommand& command) {
   const bool exists = command.triangle >= 0 && command.triangle < static_cast<int>(model_->triangles.size());
   const bool inside = command.barycentric.allFinite() && (command.barycentric.array() >= -1e-6).all() &&
                       std::abs(command.barycentric.sum() - 1.0) < 1e-6;
   if (!exists || !inside || !command.target.allFinite()) {
-    throw InputError("there is no such point of the cloth to grab");
+    throw InputError("the attachment needs a point of the cloth");
   }
-  grab_ = Held{command.triangle, command.barycentric, command.target};
+  attachment_ = AttachedPoint{command.triangle, command.barycentric, command.target};
 }
 
-void Simulation::on(const MoveGrabCommand& command) {
-  if (grab_ && command.target.allFinite()) {
-    grab_->target = command.target;
+void Simulation::on(const MoveAttachmentCommand& command) {
+  if (attachment_ && command.target.allFinite()) {
+    attachment_->target = command.target;
   }
 }
 
-void Simulation::on(const ReleaseGrabCommand&) {
-  grab_.reset();
+void Simulation::on(const DetachCommand&) {
+  attachment_.reset();
 }
 
 void Simulation::on(const TogglePinCommand&) {
-  if (!grab_) {
+  if (!attachment_) {
     throw InputError("Hold the cloth with the mouse, then press P to pin it there.");
   }
   std::vector<bool> pinned = model_->pinned;
-  pinned[static_cast<std::size_t>(nearestCornerOfGrab())].flip();
+  pinned[static_cast<std::size_t>(nearestAttachedVertex())].flip();
   model_ = withPins(*model_, std::move(pinned));
 }
 
 void Simulation::on(const MovePinsCommand& command) {
   if (!command.by.allFinite()) {
-    throw InputError("pins can only be moved to places that are finite numbers");
+    throw InputError("pins can only be moved by finite distances");
   }
   if (std::find(model_->pinned.begin(), model_->pinned.end(), true) == model_->pinned.end()) {
-    throw InputError("nothing is pinned that could be moved");
+    throw InputError("there are no pins to move");
   }
   movePins(model_->pinned, command.by, state_);
   if (ghost_) {
@@ -283,8 +282,8 @@ std::size_t Simulation::requireBody(int body) const {
   return static_cast<std::size_t>(body);
 }
 
-void Simulation::on(const AllowWorkCommand& command) {
-  assignSetting(settings_, requireSetting("auto.work"), command.work);
+void Simulation::on(const SetCostBudgetCommand& command) {
+  assignSetting(settings_, requireSetting("auto.cost"), command.costBudget);
 }
 
 void Simulation::on(const LoadSceneCommand& command) {
@@ -300,12 +299,12 @@ void Simulation::on(const LoadSceneCommand& command) {
   on(ResetCommand{});
   useSolvers();
   useBalance();
-  // What was asked of another scene cannot be asked of this one: the record starts afresh.
+  // The log starts again: its commands belong to the previous scene.
   log_.clear();
   stepsTaken_ = 0;
 }
 
-/// Takes the solvers that the settings name. The states carry on: only who moves them changes.
+/// Creates the solvers that the settings name. The states do not change.
 void Simulation::useSolvers() {
   if (!stepper_ || stepper_->info().name != settings_.solver.name) {
     stepper_ = std::make_unique<Stepper>(settings_.solver.name);
@@ -321,7 +320,7 @@ void Simulation::useSolvers() {
   }
 }
 
-/// The account begins when it is asked for.
+/// The energy balance starts when the setting is switched on.
 void Simulation::useBalance() {
   if (!settings_.measures.energyBalance) {
     balance_.reset();
@@ -330,29 +329,29 @@ void Simulation::useBalance() {
   }
 }
 
-std::optional<Grab> Simulation::grabInForce() const {
-  if (!grab_) {
+std::optional<Attachment> Simulation::currentAttachment() const {
+  if (!attachment_) {
     return std::nullopt;
   }
-  const double borne = forceThatClothBears(*model_, settings_.step, grab_->triangle, grab_->barycentric);
-  return Grab{grab_->triangle, grab_->barycentric, grab_->target, settings_.hand.stiffness,
-              std::min(settings_.hand.maxForce, borne)};
+  const double borne = maxAttachmentForce(*model_, settings_.step, attachment_->triangle, attachment_->barycentric);
+  return Attachment{attachment_->triangle, attachment_->barycentric, attachment_->target,
+                    settings_.attachment.stiffness, std::min(settings_.attachment.maxForce, borne)};
 }
 
-Vec3 Simulation::grabbedPoint() const {
-  const Triangle& corners = model_->triangles[static_cast<std::size_t>(grab_->triangle)];
+Vec3 Simulation::attachedPoint() const {
+  const Triangle& corners = model_->triangles[static_cast<std::size_t>(attachment_->triangle)];
   Vec3 point = Vec3::Zero();
   for (int corner = 0; corner < 3; ++corner) {
     const int vertex = corners[static_cast<std::size_t>(corner)];
-    point += grab_->barycentric[corner] * state_.positions[static_cast<std::size_t>(vertex)];
+    point += attachment_->barycentric[corner] * state_.positions[static_cast<std::size_t>(vertex)];
   }
   return point;
 }
 
-int Simulation::nearestCornerOfGrab() const {
+int Simulation::nearestAttachedVertex() const {
   Eigen::Index heaviest = 0;
-  grab_->barycentric.maxCoeff(&heaviest);
-  return model_->triangles[static_cast<std::size_t>(grab_->triangle)][static_cast<std::size_t>(heaviest)];
+  attachment_->barycentric.maxCoeff(&heaviest);
+  return model_->triangles[static_cast<std::size_t>(attachment_->triangle)][static_cast<std::size_t>(heaviest)];
 }
 
 }  // namespace drape

@@ -3,7 +3,7 @@
 #include "session/command.hpp"
 #include "session/ghost.hpp"
 #include "session/snapshot.hpp"
-#include "session/work_budget.hpp"
+#include "session/cost_budget.hpp"
 #include "sim/contact/bodies/world.hpp"
 #include "sim/stepper.hpp"
 
@@ -16,29 +16,29 @@
 
 namespace drape {
 
-/// A scene that runs: model, state, settings and solver, changed by commands and advanced by steps. It has no thread;
-/// the viewer's thread, the headless program and the tests all use this same class.
+/// A running scene: model, state, settings and solver, changed by commands and advanced by steps. It has no thread; the
+/// viewer's thread, drape-headless and the tests all use this class.
 class Simulation {
  public:
   explicit Simulation(std::shared_ptr<const Scene> scene);
 
-  /// Takes effect at once; call between two steps. What a command asks wrongly (a value out of range, a triangle that
-  /// is not there) changes nothing and becomes the message.
+  /// Takes effect at once; call it between two steps. An invalid command (a value out of range, a triangle that does
+  /// not exist) changes nothing and sets the message.
   void apply(const Command& command);
 
-  /// Advances by one time step, paused or not. When the state stops being finite the simulation goes back to the last
-  /// finite state, pauses and says so. A ghost that stops being finite is taken away, and the first cloth goes on.
+  /// Advances by one time step, paused or not. When the state is no longer finite, the simulation returns to the last
+  /// finite state, pauses and sets the message. An unstable ghost is removed; the first cloth continues.
   void step();
 
-  /// To be called now and then within steps that take long. What it throws comes out of step(); what was simulated is
-  /// then of no more use.
+  /// Sets a function that long steps call from time to time. An exception from it leaves step(). The simulation must
+  /// not be used after that.
   void askWithinSteps(std::function<void()> mayStop) { mayStop_ = std::move(mayStop); }
 
-  /// Goes through a log that another simulation of the same scene wrote, taking the steps between its commands. The
-  /// states are the same, bit for bit.
+  /// Runs the log of another simulation of the same scene, with the steps between its commands. The states are
+  /// bit-identical.
   void replay(const std::vector<LoggedCommand>& log);
 
-  /// Fills `snapshot` with the present state, reusing its memory.
+  /// Fills `snapshot` with the current state, reusing its memory.
   void capture(Snapshot& snapshot) const;
 
   [[nodiscard]] const Scene& scene() const { return *scene_; }
@@ -50,18 +50,18 @@ class Simulation {
   [[nodiscard]] bool paused() const { return paused_; }
   /// The second cloth, or nullptr.
   [[nodiscard]] const Ghost* ghost() const { return ghost_ ? &*ghost_ : nullptr; }
-  /// True when the last step was undone because the state stopped being finite.
+  /// Whether the last step was undone because the state was no longer finite.
   [[nodiscard]] bool blewUp() const { return blewUp_; }
-  /// What the last step cost, without the ghost's [s].
+  /// Duration of the last step, without the ghost's [s].
   [[nodiscard]] double lastStepSeconds() const { return stepSeconds_; }
-  /// How the last step went.
+  /// The report of the last step.
   [[nodiscard]] const StepReport& lastStepReport() const { return stepReport_; }
   [[nodiscard]] const std::string& message() const { return message_.empty() ? overlapMessage_ : message_; }
 
-  /// The commands since the scene was loaded, in order, each with the number of steps taken before it.
+  /// The commands since the scene was loaded, in order, each with the number of steps before it.
   [[nodiscard]] const std::vector<LoggedCommand>& log() const { return log_; }
 
-  /// Steps taken since the scene was loaded, resets or not.
+  /// Steps since the scene was loaded; a reset does not clear them.
   [[nodiscard]] std::int64_t stepsTaken() const { return stepsTaken_; }
 
  private:
@@ -69,34 +69,34 @@ class Simulation {
   void on(const PauseCommand& command);
   void on(const SingleStepCommand& command);
   void on(const ResetCommand& command);
-  void on(const GrabCommand& command);
-  void on(const MoveGrabCommand& command);
-  void on(const ReleaseGrabCommand& command);
+  void on(const AttachCommand& command);
+  void on(const MoveAttachmentCommand& command);
+  void on(const DetachCommand& command);
   void on(const TogglePinCommand& command);
   void on(const MovePinsCommand& command);
   void on(const SwitchBodyCommand& command);
   void on(const SetSurfaceCommand& command);
   void on(const MoveBodyCommand& command);
-  void on(const AllowWorkCommand& command);
+  void on(const SetCostBudgetCommand& command);
   void on(const LoadSceneCommand& command);
 
   void useSolvers();
   void useBalance();
   void stepGhost();
-  void keepBudget();
+  void updateCostBudget();
 
-  /// What the hand holds; its stiffness and force come from the settings at each step.
-  struct Held {
+  /// The attached point and its target. Stiffness and maximum force come from the settings at each step.
+  struct AttachedPoint {
     int triangle = 0;
     Vec3 barycentric = Vec3::Zero();
     Vec3 target = Vec3::Zero();  ///< [m]
   };
-  [[nodiscard]] std::optional<Grab> grabInForce() const;
+  [[nodiscard]] std::optional<Attachment> currentAttachment() const;
   [[nodiscard]] std::size_t requireBody(int body) const;
   void captureBodies(Snapshot& snapshot) const;
-  void tellOfOverlap();
-  [[nodiscard]] Vec3 grabbedPoint() const;
-  [[nodiscard]] int nearestCornerOfGrab() const;
+  void reportOverlap();
+  [[nodiscard]] Vec3 attachedPoint() const;
+  [[nodiscard]] int nearestAttachedVertex() const;
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const ClothModel> model_;
@@ -107,9 +107,9 @@ class Simulation {
   ClothState lastFinite_;
   std::optional<Ghost> ghost_;
   std::optional<EnergyBalance> balance_;
-  WorkBudget budget_;
-  bool replaying_ = false;  // what the clock had to say stands in the log
-  std::optional<Held> grab_;
+  CostBudget budget_;
+  bool replaying_ = false;  // commands that depend on the clock come from the log
+  std::optional<AttachedPoint> attachment_;
   StepInputs inputs_;
   std::function<void()> mayStop_;
   BodyWorld bodies_;
@@ -119,8 +119,8 @@ class Simulation {
   bool paused_ = false;
   bool blewUp_ = false;
   std::string message_;
-  std::string overlapMessage_;  // while some of the cloth is inside a body
-  double lastOutside_ = 0.0;    // when it last was not [s]
+  std::string overlapMessage_;  // while part of the cloth is inside a body
+  double lastOutside_ = 0.0;    // last time without overlap [s]
   double stepSeconds_ = 0.0;
   std::vector<LoggedCommand> log_;
 };

@@ -11,12 +11,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// New pictures are published at least this often, even when many steps are due, and commands are looked for.
+/// Longest time between two snapshots, and between two reads of the command queue, while many steps are due.
 constexpr double longestBurst = 1.0 / 120.0;  // [s]
-/// The longest sleep: how late a command may be noticed while nothing moves.
+/// Longest sleep: the maximum delay of a command while nothing moves.
 constexpr double longestSleep = 0.004;  // [s]
 
-/// Ends a step that takes long, when the thread is to end.
+/// Aborts a long step when the thread must end.
 struct Stopped {};
 
 double secondsSince(Clock::time_point start) {
@@ -37,7 +37,7 @@ SimulationThread::SimulationThread(std::shared_ptr<const Scene> scene, bool paus
     try {
       run();
     } catch (const Stopped&) {
-      // Nobody waits for what the step would have come to.
+      // The aborted step is not needed.
     }
   });
 }

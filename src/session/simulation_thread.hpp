@@ -13,7 +13,7 @@
 
 namespace drape {
 
-/// A simulation on a thread of its own, paced by the clock. Commands go in, snapshots come out; nobody waits.
+/// A simulation on its own thread, in real time. Commands go in, snapshots come out; neither side waits.
 class SimulationThread {
  public:
   SimulationThread(std::shared_ptr<const Scene> scene, bool paused);
@@ -22,16 +22,16 @@ class SimulationThread {
   /// Stops and joins.
   ~SimulationThread();
 
-  /// Hands a command over; it takes effect at the next step boundary. Any thread.
+  /// Posts a command; it takes effect at the next step boundary. Any thread may call it.
   void post(Command command);
 
-  /// The newest snapshot. One thread only (the one that draws); valid until its next call.
+  /// The newest snapshot. Only the drawing thread may call it; the result is valid until its next call.
   [[nodiscard]] const Snapshot& latest();
 
  private:
   void run();
   void publish();
-  /// Applies what has been posted; true when there was anything.
+  /// Applies the posted commands; whether there were any.
   bool drain(std::vector<Command>& commands);
 
   Simulation simulation_;

@@ -14,54 +14,54 @@
 
 namespace drape {
 
-/// The hand, as it is.
-struct GrabStatus {
+/// The current attachment.
+struct AttachmentStatus {
   int triangle = 0;
   Vec3 barycentric = Vec3::Zero();
-  Vec3 target = Vec3::Zero();  ///< where the hand is [m]
-  Vec3 point = Vec3::Zero();   ///< where the held point of the cloth is [m]
-  bool pinned = false;         ///< the vertex nearest to the held point is pinned
+  Vec3 target = Vec3::Zero();  ///< position of the mouse in the scene [m]
+  Vec3 point = Vec3::Zero();   ///< the attached point of the cloth [m]
+  bool pinned = false;         ///< whether the vertex nearest to the attached point is pinned
 };
 
-/// The second cloth, as it is.
+/// The current state of the second cloth.
 struct GhostStatus {
-  std::vector<Vec3> positions;  ///< one a vertex [m], where it is: not yet moved by ghost.offset
-  double meanDistance = 0.0;    ///< from the first cloth, mean over the vertices [m]
-  double stepSeconds = 0.0;     ///< what its last step cost [s]
-  StepReport stepReport;        ///< how its last step went
+  std::vector<Vec3> positions;  ///< one per vertex [m], without ghost.offset
+  double meanDistance = 0.0;    ///< from the first cloth, averaged over the vertices [m]
+  double stepSeconds = 0.0;     ///< duration of its last step [s]
+  StepReport stepReport;        ///< of its last step
 };
 
-/// A body of the scene, as it is.
+/// The current state of a body.
 struct BodyStatus {
   Pose pose;
-  Vec3 shift = Vec3::Zero();  ///< by hand, from where its own motion puts it [m]
+  Vec3 shift = Vec3::Zero();  ///< set by the user, relative to its own motion [m]
   bool on = true;
   SurfaceProperties surface;
-  std::vector<Vec3> vertices;  ///< of a mesh that moves in itself, in its own frame [m]; else empty
+  std::vector<Vec3> vertices;  ///< of a deforming mesh, in its own frame [m]; otherwise empty
 };
 
-/// A picture of the running simulation at a step boundary. All that the renderer and the panels ever see of it.
+/// The state of the simulation at a step boundary. The renderer and the panels see nothing else of it.
 struct Snapshot {
   std::shared_ptr<const Scene> scene;
-  std::shared_ptr<const ClothModel> model;  ///< the scene's, or a successor with other masses or pins
-  std::vector<Vec3> positions;              ///< one a vertex [m]
+  std::shared_ptr<const ClothModel> model;  ///< the scene's model, or a successor with other masses or pins
+  std::vector<Vec3> positions;              ///< one per vertex [m]
   std::int64_t step = 0;                    ///< steps since the scene was loaded or reset
-  std::int64_t version = 0;                 ///< grows with every snapshot that differs from the one before
+  std::int64_t version = 0;                 ///< increases with every snapshot that differs from the one before
   double time = 0.0;                        ///< simulated [s]
-  Settings settings;                        ///< in force
+  Settings settings;                        ///< the current values
   bool paused = false;
   Energy energy;
-  std::optional<EnergyBalance> balance;           ///< of the steps since it was asked for or the cloth was reset
+  std::optional<EnergyBalance> balance;           ///< since the balance was switched on or the cloth was reset
   double maxStretch = 0.0;                        ///< largest (L - l0) / l0 [-]
-  std::optional<StretchDiagnosis> overstretched;  ///< why, when maxStretch is beyond implausibleStretch
-  double stepSeconds = 0.0;                       ///< what the last step cost, without the ghost's [s]
-  StepReport stepReport;                          ///< how the last step went
-  double realTimeFactor = 0.0;  ///< simulated time over wall-clock time, lately [-]; 0 while paused or not timed
-  std::optional<GrabStatus> grab;
+  std::optional<StretchDiagnosis> overstretched;  ///< the cause, when maxStretch is above implausibleStretch
+  double stepSeconds = 0.0;                       ///< duration of the last step, without the ghost's [s]
+  StepReport stepReport;                          ///< of the last step
+  double realTimeFactor = 0.0;  ///< simulated time divided by real time, recently [-]; 0 while paused or not timed
+  std::optional<AttachmentStatus> attachment;
   std::optional<GhostStatus> ghost;
-  std::vector<BodyStatus> bodies;           ///< one for each of the scene's
+  std::vector<BodyStatus> bodies;           ///< one per body of the scene
   std::vector<ContactPoint> contactPoints;  ///< of the last step; only with view.contacts
-  std::string message;                      ///< for the status line, when something went wrong; else empty
+  std::string message;                      ///< for the status line, when something went wrong; otherwise empty
 };
 
 }  // namespace drape

@@ -7,10 +7,10 @@
 
 namespace drape {
 
-/// What is wrong with the chosen solver on this cloth, in words; empty when nothing is.
+/// A warning when the chosen solver does not suit this cloth; empty otherwise.
 [[nodiscard]] std::string solverWarning(const Settings& settings, const ClothModel& model);
 
-/// The same for the ghost's; empty when there is no ghost.
+/// The same for the ghost; empty without a ghost.
 [[nodiscard]] std::string ghostWarning(const Settings& settings, const ClothModel& model);
 
 }  // namespace drape

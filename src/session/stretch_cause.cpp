@@ -16,11 +16,11 @@
 namespace drape {
 namespace {
 
-constexpr double muchByWeight = 0.5;    // strain by the weight alone that explains the rest [-]
-constexpr double wantedStrain = 0.1;    // what the advice aims at [-]
+constexpr double muchByWeight = 0.5;    // strain under the weight alone that explains the rest [-]
+constexpr double wantedStrain = 0.1;    // target of the advice [-]
 constexpr double heaviestFabric = 2.0;  // leather, carpets [kg/m^2]
 constexpr double usualFabric = 0.2;     // [kg/m^2]
-constexpr double sliverRatio = 0.02;    // of the median edge
+constexpr double sliverRatio = 0.02;    // share of the median edge length
 
 std::string inFigures(double value, int digits = 2) {
   std::ostringstream text;
@@ -76,7 +76,7 @@ double medianLength(const ClothModel& model) {
   return *middle;
 }
 
-/// When all that is overstretched is far shorter than the other springs.
+/// A diagnosis when all overstretched springs are far shorter than the others.
 std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel& model, const ClothState& state) {
   const std::vector<std::size_t> springs = overstretched(model, state);
   const double median = model.springs.empty() ? 0.0 : medianLength(model);
@@ -95,8 +95,8 @@ std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel
                          model.restPositions[static_cast<std::size_t>(first.b)]);
   StretchDiagnosis found{StretchCause::Slivers, {}};
   found.advice.text = "Slivers: " + std::to_string(springs.size()) + (springs.size() == 1 ? " edge is" : " edges are") +
-                      " overstretched, the shortest of them 1/" + inFigures(median / shortest, 1) +
-                      " of the usual length; the first is at " + place(at) +
+                      " overstretched. The shortest is 1/" + inFigures(median / shortest, 1) +
+                      " of the median length. The first is at " + place(at) +
                       ". Merge their ends with a larger weld_tolerance, or repair the mesh.";
   const Vec3 size(scene.summary.size[0], scene.summary.size[1], scene.summary.size[2]);
   const double tolerance = 2.0 * sliverRatio * median / std::max(size.norm(), 1e-12);
@@ -109,7 +109,7 @@ std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel
   return found;
 }
 
-/// The stiffness under which the weight would stretch the cloth by no more than is wanted [N/m].
+/// The stiffness at which the weight stretches the cloth by `wantedStrain` at most [N/m].
 double helpfulStiffness(const ClothModel& model, StepParameters parameters) {
   const auto& field = std::get<NumberField>(requireSetting("stiffness").field);
   parameters.stiffness = 1.0;
@@ -132,14 +132,14 @@ StretchDiagnosis explainByWeight(double strain, const Scene& scene, const Settin
   }
   if (density > heaviestFabric) {
     return {StretchCause::Heavy,
-            {"Too heavy: a square metre weighs " + inFigures(density) + " kg, and fabrics weigh 0.05 to 1 kg. " +
+            {"Too heavy: the cloth weighs " + inFigures(density) + " kg/m\u00B2. Fabrics weigh 0.05 to 1 kg/m\u00B2. " +
                  weight + ". Lower the density.",
              "density", inFigures(usualFabric), "Density " + inFigures(usualFabric) + " kg/m\u00B2"}};
   }
   const std::string stiffness = inFigures(helpfulStiffness(model, settings.step));
   const std::string soft = settings.step.stiffness > 0.0
                                ? weight + " at a stiffness of " + inFigures(settings.step.stiffness) + " N/m"
-                               : "at a stiffness of 0 nothing carries it";
+                               : "a stiffness of 0 cannot carry any weight";
   return {StretchCause::Soft,
           {"Too soft: " + soft + ". A stiffness of " + stiffness + " N/m carries it.", "stiffness", stiffness,
            "Stiffness " + stiffness + " N/m"}};
@@ -155,10 +155,10 @@ StretchDiagnosis explainBySolver(const Settings& settings, const ClothModel& mod
   }
   StretchDiagnosis found{StretchCause::Solver, chooses ? Advice{} : toAuto};
   found.advice.text =
-      "Overstretched: springs are more than three times their length, which neither the weight nor the "
-      "hand explains. The solver " +
+      "Overstretched: springs are longer than three times their rest length. Neither the weight nor the "
+      "mouse causes this. The solver " +
       settings.solver.name + " failed here; " +
-      (chooses ? "take a shorter time step" : "use auto or a shorter time step") + ", then reset.";
+      (chooses ? "use a shorter time step" : "use auto or a shorter time step") + ", then reset.";
   return found;
 }
 
@@ -173,9 +173,9 @@ StretchDiagnosis diagnoseStretch(const Scene& scene, const Settings& settings, c
     return explainByWeight(strain, scene, settings, model);
   }
   if (pulled) {
-    return {StretchCause::Hand,
-            {"The hand pulls harder than this cloth can bear: let go, lower the hand's force, or raise the stiffness.",
-             "", "", ""}};
+    return {StretchCause::Attachment,
+            {"The mouse pulls too hard for this cloth. Release it, lower the mouse force, or raise the stiffness.", "",
+             "", ""}};
   }
   return explainBySolver(settings, model);
 }

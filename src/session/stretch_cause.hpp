@@ -8,27 +8,27 @@
 
 namespace drape {
 
-/// Why springs are stretched beyond anything that cloth does.
+/// Causes of implausibly stretched springs.
 enum class StretchCause {
-  Slivers,   ///< only springs that are far shorter than the others
-  Unit,      ///< the cloth is so large, and so heavy, that its file is probably in another unit
-  Heavy,     ///< a square metre weighs more than any fabric
-  Soft,      ///< the springs do not carry the weight
-  Hand,      ///< the mouse pulls
-  TimeStep,  ///< the solver's steps are longer than it stays stable with
-  Solver,    ///< none of these: the solver failed
+  Slivers,     ///< only springs that are far shorter than the others
+  Unit,        ///< the cloth is so large and heavy that its file probably uses another unit
+  Heavy,       ///< heavier per square metre than any fabric
+  Soft,        ///< the springs are too soft for the weight
+  Attachment,  ///< the mouse pulls
+  TimeStep,    ///< the step is longer than the solver's stability limit
+  Solver,      ///< none of these: the solver failed
 };
 
-/// What was found about overstretched springs.
+/// The cause of overstretched springs, with advice.
 struct StretchDiagnosis {
   StretchCause cause = StretchCause::Solver;
-  Advice advice;  ///< in words, and the change that would help
+  Advice advice;  ///< in words, with the setting that helps
 };
 
-/// Springs that are longer than this times their rest length, less one, are overstretched [-].
+/// A spring is overstretched when its strain exceeds this [-].
 inline constexpr double implausibleStretch = 2.0;
 
-/// Finds out why springs of a state are overstretched. Call it when some are.
+/// Finds the cause of overstretched springs in a state. Call it only when there are some.
 /// @param pulled whether the mouse pulls at the cloth
 [[nodiscard]] StretchDiagnosis diagnoseStretch(const Scene& scene, const Settings& settings, const ClothModel& model,
                                                const ClothState& state, bool pulled);

@@ -5,7 +5,7 @@
 
 namespace drape {
 
-/// What a text says: a number or a fraction such as 1/150; nothing where it is neither.
+/// Parses a number or a fraction such as 1/150. Empty for any other text.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view text);
 
 }  // namespace drape

@@ -7,12 +7,11 @@
 
 namespace drape {
 
-/// Every value that a user can change, with its default. What it is called, its unit, its range and its explanation
-/// stand in the table (settings_table.cpp), from which the panels, the command line, the scene files and the
-/// documentation are made.
+/// All values that a user can change, with their defaults. The table (settings_table.cpp) holds the name, unit, range
+/// and help of each. The panels, the command line, the scene files and the documentation use that table.
 struct Settings {
-  /// The library calculates in double unless told otherwise; the programs in float, where a method has it, which is at
-  /// least as fast and in what one sees as accurate (docs/guide/performance.md).
+  /// The library calculates in double by default. The programs use float where a solver supports it: it is at least as
+  /// fast, and its error is too small to see (docs/guide/performance.md).
   Settings() { step.precision = Precision::Float; }
 
   StepParameters step;
@@ -21,31 +20,31 @@ struct Settings {
     std::string name = "auto";
   } solver;
 
-  /// Of the solver `auto`, beside what stands in `step`.
+  /// Settings of the solver `auto` that are not in `step`.
   struct Auto {
-    double budget = 0.0;  ///< computing time for each sixtieth of a second of motion [ms]; 0: step.work counts
+    double budget = 0.0;  ///< computing time for each 1/60 s of motion [ms]; 0: step.work counts
   } automatic;
 
   struct Material {
-    std::string massGivenAs = "density";  ///< which of the two below counts: "density" or "mass"
+    std::string massGivenAs = "density";  ///< which of the next two counts: "density" or "mass"
     double density = 0.15;                ///< [kg/m^2]
     double mass = 0.1;                    ///< [kg]
     std::string lumping = "area";         ///< "area" or "uniform"
   } material;
 
-  struct Hand {
+  struct Attachment {
     double stiffness = 500.0;  ///< [N/m]
     double maxForce = 10.0;    ///< [N]
-  } hand;
+  } attachment;
 
   struct Playback {
-    double speed = 1.0;  ///< simulated seconds per second of the clock, when the machine keeps up [-]
+    double speed = 1.0;  ///< simulated seconds per second of real time, on a fast machine [-]
   } playback;
 
   struct Mesh {
-    std::string unit = "m";           ///< of the file's coordinates: a word, metres per unit, or "auto": it is guessed
-    std::string up = "y";             ///< the file's axis that points up, or "auto": it is guessed
-    double weldTolerance = 1e-6;      ///< relative to the bounding box's diagonal [-]
+    std::string unit = "m";           ///< of the file's coordinates: a word, metres per unit, or "auto" (guessed)
+    std::string up = "y";             ///< the file's axis that points up, or "auto" (guessed)
+    double weldTolerance = 1e-6;      ///< share of the bounding box's diagonal [-]
     std::string outliers = "refuse";  ///< vertices far from all others: "refuse" or "leave_out"
     std::string pins = "scene";       ///< "scene", "shape", "top" or "none"
   } mesh;
@@ -56,15 +55,15 @@ struct Settings {
     double height = 1.0;  ///< [m]
   } grid;
 
-  /// A second cloth beside the first, for comparison. All that is not said here is as for the first.
+  /// A second cloth, for comparison. It shares all other settings with the first.
   struct Ghost {
     std::string solver = "off";  ///< "off" or a solver's name
-    int substeps = 1;            ///< equal parts that a step is taken in [-]
-    double offset = 0.0;         ///< how far to the right it is drawn [m]
+    int substeps = 1;            ///< number of equal parts of a step [-]
+    double offset = 0.0;         ///< distance to the right at which it is drawn [m]
   } ghost;
 
   struct Measures {
-    bool energyBalance = false;  ///< where the energy goes is worked out in every step
+    bool energyBalance = false;  ///< compute the energy balance in every step
   } measures;
 
   struct View {
@@ -78,7 +77,7 @@ struct Settings {
   } view;
 };
 
-/// What has to be made anew when a setting changes.
+/// What must be rebuilt when a setting changes.
 enum class SettingEffect {
   Step,   ///< nothing: the next step uses it
   Mass,   ///< the masses of the model
@@ -86,10 +85,10 @@ enum class SettingEffect {
   View,   ///< the picture only
 };
 
-/// Which cloth a setting concerns; for others it is not shown.
+/// The cloths that a setting applies to. It is hidden for others.
 enum class SettingScope { Everywhere, Grid, MeshFile };
 
-/// The panel that a setting is shown in.
+/// The panel that shows a setting.
 enum class SettingGroup { Material, Air, Simulation, Contact, Scene, View, Ghost, Advanced };
 
 }  // namespace drape

@@ -47,34 +47,34 @@ constexpr std::array integrations{
     Word{Integration::BackwardEuler, "backward_euler", {"Backward Euler", "First order, robust, damps fast motion."}},
     Word{Integration::Theta,
          "theta",
-         {"Theta scheme", "Up to second order: extrapolates a shorter step of backward Euler."}},
-    Word{Integration::Bdf2, "bdf2", {"BDF2", "Second order, from the last two states."}}};
+         {"Theta scheme", "Up to second order: extrapolates a shorter backward Euler step."}},
+    Word{Integration::Bdf2, "bdf2", {"BDF2", "Second order: uses the last two states."}}};
 
 constexpr std::array derivatives{
     Word{ForceDerivative::Stabilised,
          "stabilised",
-         {"Stabilised", "Exact where springs are stretched, safe where they are compressed: the paper's."}},
+         {"Stabilised", "The paper's: exact for stretched springs, stable for compressed ones."}},
     Word{ForceDerivative::Exact,
          "exact",
-         {"Exact", "The true derivative; it loses stability where springs are compressed."}},
+         {"Exact", "The true derivative. It can be unstable where springs are compressed."}},
     Word{ForceDerivative::Scalar,
          "scalar",
-         {"Scalar (Desbrun)", "As stiff across a spring as along it; never blows up, damps much."}},
-    Word{ForceDerivative::Axial, "axial", {"Axial (Volino)", "Along the spring only; blows up in stiff cloth."}},
+         {"Scalar (Desbrun)", "As stiff across a spring as along it. Always stable, damps much."}},
+    Word{ForceDerivative::Axial, "axial", {"Axial (Volino)", "Acts along the spring only. Unstable in stiff cloth."}},
     Word{ForceDerivative::TensionOnly,
          "tension_only",
-         {"Tension only (Choi, Ko)", "Nothing where springs are compressed; rattles with a single sweep."}}};
+         {"Tension only (Choi, Ko)", "Zero for compressed springs. Vibrates with a single sweep."}}};
 
 constexpr std::array precisions{
-    Word{Precision::Float, "float", {"Float", "Seven digits: fast, and as accurate as the eye can tell."}},
-    Word{Precision::Double, "double", {"Double", "Sixteen digits: for comparisons and very small steps."}}};
+    Word{Precision::Float, "float", {"Float", "Seven digits. Fast, and the error is too small to see."}},
+    Word{Precision::Double, "double", {"Double", "Sixteen digits. For comparisons and very small steps."}}};
 
 constexpr std::array selfCollisions{
-    Word{SelfCollision::Off, "off", {"Off", "The cloth passes through itself; costs nothing."}},
+    Word{SelfCollision::Off, "off", {"Off", "The cloth passes through itself. Costs nothing."}},
     Word{SelfCollision::Hash,
          "hash",
          {"Hashed vertices",
-          "The paper's: vertex to vertex, about as dear as the step; sharp folds and slack meshes leak."}}};
+          "The paper's: keeps vertices apart. Costs about as much as the step. Sharp folds and loose meshes leak."}}};
 
 std::vector<std::string> unitWords() {
   return {"auto", "m", "dm", "cm", "mm", "inch"};
@@ -88,7 +88,7 @@ bool isUnitFactor(std::string_view text) {
 
 ChoiceLabel unitLabel(std::string_view word) {
   static constexpr std::array<std::pair<std::string_view, ChoiceLabel>, 6> labels{
-      {{"auto", {"Guessed", "The unit in which the mesh has the size of something that people wear."}},
+      {{"auto", {"Guessed", "The unit that gives the mesh the size of a garment."}},
        {"m", {"Metres", "One unit of the file is a metre."}},
        {"dm", {"Decimetres", "One unit of the file is a tenth of a metre."}},
        {"cm", {"Centimetres", "One unit of the file is a hundredth of a metre."}},
@@ -100,10 +100,10 @@ ChoiceLabel unitLabel(std::string_view word) {
 
 ChoiceLabel pinsLabel(std::string_view word) {
   static constexpr std::array<std::pair<std::string_view, ChoiceLabel>, 4> labels{
-      {{"scene", {"As the scene says", "What the scene file names."}},
-       {"shape", {"By shape", "The neck, the waist or the shoulders of a garment, two corners of a flat sheet."}},
+      {{"scene", {"From the scene", "The pins that the scene file defines."}},
+       {"shape", {"By shape", "The neck, the waist or the shoulders of a garment. Two corners of a flat sheet."}},
        {"top", {"Top", "The topmost 3 % of the height."}},
-       {"none", {"None", "Nothing is held: the cloth falls until it lands on something solid."}}}};
+       {"none", {"None", "No pins: the cloth falls until it lands on something solid."}}}};
   const auto found = std::find_if(labels.begin(), labels.end(), [&](const auto& entry) { return entry.first == word; });
   return found == labels.end() ? ChoiceLabel{} : found->second;
 }
@@ -136,7 +136,7 @@ ChoiceField choiceOf() {
           }};
 }
 
-/// True when the cloth or its ghost is moved by a solver of backward-Euler steps.
+/// Whether the solver of the cloth or of its ghost takes backward Euler steps.
 bool solvesBackwardEuler(const Settings& settings) {
   const auto solves = [](const std::string& name) {
     const SolverInfo* solver = findSolver(name);
@@ -145,7 +145,7 @@ bool solvesBackwardEuler(const Settings& settings) {
   return solves(settings.solver.name) || solves(settings.ghost.solver);
 }
 
-/// True when the cloth or its ghost is moved by a solver that takes the substeps that it is told.
+/// Whether the solver of the cloth uses the setting `substeps`.
 bool takesSubsteps(const Settings& settings) {
   const SolverInfo* solver = findSolver(settings.solver.name);
   return solver == nullptr || !solver->choosesSubsteps;
@@ -159,8 +159,8 @@ bool showsGhost(const Settings& settings) {
   return settings.ghost.solver != "off";
 }
 
-// Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it decides [,
-// scope [, when it has an effect]]].
+// Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it also sets [,
+// scope [, when it has an effect [, its former key]]]].
 // clang-format off
 const std::array table{
     SettingInfo{"solver", "Solver", "-", Advanced, SettingEffect::Step,
@@ -168,93 +168,94 @@ const std::array table{
         "The method that advances the cloth by one time step."},
     SettingInfo{"time_step", "Time step", "s", Advanced, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.timeStep; }, 1e-5, 0.1, true},
-        "Simulated time that one step covers. Smaller steps are more accurate and cost more."},
+        "Simulated time of one step. Smaller steps are more accurate and cost more."},
     SettingInfo{"substeps", "Substeps", "-", Advanced, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.step.substeps; }, 1, 1000},
-        "Equal parts that each time step is taken in. Costs as much as a time step shorter by that factor. auto chooses its "
-        "own.",
+        "Number of equal parts of each time step. Costs as much as a time step that is smaller by this factor. auto "
+        "chooses its own number.",
         {}, {}, SettingScope::Everywhere, takesSubsteps},
     SettingInfo{"integration", "Integration", "-", Advanced, SettingEffect::Step,
         choiceOf<integrations, [](Settings& s) -> Integration& { return s.step.integration; }>(),
-        "How an implicit step's end is found. Backward Euler is robust and damps; theta and bdf2 are of second order, "
-        "more accurate for the same work, and less robust in stiff cloth.",
+        "Time integration of an implicit step. backward_euler is robust and damps motion. theta and bdf2 are of "
+        "second order: more accurate for the same cost, and less robust in stiff cloth.",
         {}, {}, SettingScope::Everywhere, solvesBackwardEuler},
     SettingInfo{"theta", "Theta", "-", Advanced, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.theta; }, 0.5, 1.0, false},
-        "Where in the step the theta scheme looks: 0.5 is the implicit midpoint rule, accurate and easily unstable; 1 is "
-        "backward Euler; 0.75 holds in nearly all scenes.",
+        "Point of the step at which the theta scheme evaluates the forces. 0.5 is the implicit midpoint rule: "
+        "accurate, but easily unstable. 1 is backward Euler. 0.75 is stable in nearly all scenes.",
         {}, {}, SettingScope::Everywhere,
         [](const Settings& s) { return solvesBackwardEuler(s) && s.step.integration == Integration::Theta; }},
     SettingInfo{"sweeps", "Sweeps", "-", Advanced, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.step.sweeps; }, 1, 99},
-        "Block-Jacobi sweeps a step; 1 is the paper's method. More sweeps solve the step's linear system better. Must be "
-        "odd unless relaxation is 0.8 or less."},
+        "Number of block-Jacobi sweeps per step. The paper uses 1. More sweeps solve the linear system of the step "
+        "more accurately. Must be odd unless relaxation is 0.8 or less."},
     SettingInfo{"relaxation", "Relaxation", "-", Advanced, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.relaxation; }, 0.1, 1.0, false},
-        "How far a sweep goes towards its answer: 1 is Jacobi as in the paper, less is damped Jacobi."},
+        "Share of each Jacobi update that is applied. 1 is Jacobi as in the paper. Less is damped Jacobi."},
     SettingInfo{"derivative", "Derivative", "-", Advanced, SettingEffect::Step,
         choiceOf<derivatives, [](Settings& s) -> ForceDerivative& { return s.step.derivative; }>(),
-        "The springs' force derivative: stabilised where compressed (the paper), exact, scalar (Desbrun), axial (Volino) "
-        "or of tension only (Choi and Ko)."},
+        "Derivative of the spring forces: stabilised for compressed springs (the paper), exact, scalar (Desbrun), "
+        "axial (Volino) or tension only (Choi and Ko)."},
     SettingInfo{"iterations", "Iterations", "-", Advanced, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.step.iterations; }, 1, 1000},
-        "Iterations a step of a method that takes a fixed number of them."},
+        "Number of iterations per step, for methods with a fixed number."},
     SettingInfo{"spectral_radius", "Spectral radius", "-", Advanced, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.spectralRadius; }, 0.0, 0.9999, false},
-        "What the acceleration takes for the largest eigenvalue of the iteration. Too small accelerates little, too large "
-        "overshoots."},
+        "Estimate of the largest eigenvalue of the iteration, which the acceleration uses. A small value "
+        "accelerates little. A large value overshoots."},
     SettingInfo{"tolerance", "Tolerance", "-", Advanced, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.tolerance; }, 1e-14, 0.5, true},
-        "A solve ends when its residual is smaller than this share of the first one."},
-    SettingInfo{"max_iterations", "Most iterations", "-", Advanced, SettingEffect::Step,
+        "A solve ends when its residual is smaller than this share of the first residual."},
+    SettingInfo{"max_iterations", "Max iterations", "-", Advanced, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.step.maxIterations; }, 1, 100000},
-        "A solve that has not reached its tolerance by then goes on with what it has, and says so."},
-    SettingInfo{"auto.work", "Work allowed", "M/s", Advanced, SettingEffect::Step,
+        "Maximum number of iterations of a solve. A solve that reaches it before its tolerance reports that, and "
+        "the step uses what it found."},
+    SettingInfo{"auto.cost", "Cost budget", "M/s", Advanced, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.work; }, 0.01, 1e6, true},
-        "Evaluations of a spring, in millions for a second of simulated time, that auto may spend. A core does about a "
-        "thousand million in a second of the clock. Follows from auto.budget where that is given.",
-        {}, {}, SettingScope::Everywhere, [](const Settings& s) { return s.automatic.budget == 0.0; }},
-    SettingInfo{"auto.soften", "Keep pace", "-", Advanced, SettingEffect::Step,
+        "Maximum number of spring evaluations of auto, in millions per second of simulated time. One core does "
+        "about 1000 million per second. auto.budget sets this value while it is not 0.",
+        {}, {}, SettingScope::Everywhere, [](const Settings& s) { return s.automatic.budget == 0.0; }, "auto.work"},
+    SettingInfo{"auto.soften", "Soften springs", "-", Advanced, SettingEffect::Step,
         FlagField{[](Settings& s) -> bool& { return s.step.soften; }},
-        "What auto does where the work allowed does not suffice for cloth so stiff and fine. Off: a step takes what it "
-        "needs, and the clock falls behind. On: springs are softened to what the work carries."},
-    SettingInfo{"auto.budget", "Time allowed", "ms", Advanced, SettingEffect::Step,
+        "When the cost budget is too small for stiff and fine cloth: off slows the simulation down, on softens the "
+        "springs."},
+    SettingInfo{"auto.budget", "Time budget", "ms", Advanced, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.automatic.budget; }, 0.0, 1000.0, false},
-        "Computing time that auto may spend on each sixtieth of a second of motion, which is what a screen shows at a time. "
-        "What that pays for is measured while it runs, so that the motion depends on the machine; a recorded session is "
-        "played back the same all the same. 0: auto.work counts, and no clock."},
-    SettingInfo{"auto.tolerance", "Error allowed", "m", Advanced, SettingEffect::Step,
+        "Computing time of auto for each 1/60 s of motion. 0: auto.cost counts instead. Drape measures the cost "
+        "during the run, so the motion depends on the machine. A recorded session replays exactly all the same."},
+    SettingInfo{"auto.tolerance", "Error tolerance", "m", Advanced, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.errorTolerance; }, 1e-12, 1.0, true},
-        "Mean position error that auto lets 0.2 s of motion build up, as far as the work allowed goes."},
+        "Mean position error that auto allows in 0.2 s of motion, as far as the cost budget permits."},
     SettingInfo{"keep_momentum", "Keep momentum", "-", Advanced, SettingEffect::Step,
         FlagField{[](Settings& s) -> bool& { return s.step.keepMomentum; }},
-        "Gives the linear and angular momentum back that a step took from cloth that nothing holds. Pieces with pinned "
-        "vertices stay as they are."},
+        "Restores the linear and angular momentum that a step took from free cloth. Does not change pieces with "
+        "pinned vertices."},
     SettingInfo{"precision", "Precision", "-", Advanced, SettingEffect::Step,
         choiceOf<precisions, [](Settings& s) -> Precision& { return s.step.precision; }>(),
-        "The numbers that a step calculates with. Float is about twice as fast; double for comparisons with other programs "
-        "and for very small steps. States are kept and written in double."},
+        "Number format of the calculation. float is about twice as fast. double is for comparisons with other "
+        "programs and for very small steps. States are stored and written in double."},
     SettingInfo{"threads", "Threads", "-", Advanced, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.step.threads; }, 1, 64},
-        "Threads that one step may use. The result is the same to the last bit, whatever the number."},
+        "Maximum number of threads of one step. Any number gives the same result to the last bit."},
     SettingInfo{"speed", "Speed", "-", Simulation, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.playback.speed; }, 0.01, 4.0, true},
-        "Simulated seconds per second of the clock in the viewer; below 1 is slow motion."},
+        "Simulated seconds per second of real time in the viewer. Below 1 is slow motion."},
     SettingInfo{"gravity", "Gravity", "m/s^2", Simulation, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.gravity; }, 0.0, 1000.0, false},
         "Acceleration downwards, along -y."},
 
     SettingInfo{"ghost.solver", "Solver", "-", Ghost, SettingEffect::Step,
         ChoiceField{[](const Settings& s) { return s.ghost.solver; }, [](Settings& s, const std::string& word) { s.ghost.solver = word; }, ghostNames, solverLabel},
-        "The method that moves a second cloth, to compare with the first; off: there is none. It begins where the first one "
-        "is, shares all other settings, and leaves the first one as it is."},
+        "Method that moves a second cloth, for comparison with the first. off: no second cloth. It starts where the "
+        "first cloth is, shares all other settings and does not affect the first cloth."},
     SettingInfo{"ghost.substeps", "Substeps", "-", Ghost, SettingEffect::Step,
         IntegerField{[](Settings& s) -> int& { return s.ghost.substeps; }, 1, 1000},
-        "Equal parts that each time step of the second cloth is taken in.",
+        "Number of equal parts of each time step of the second cloth.",
         {}, {}, SettingScope::Everywhere, showsGhost},
     SettingInfo{"ghost.offset", "Offset", "m", Ghost, SettingEffect::View,
         NumberField{[](Settings& s) -> double& { return s.ghost.offset; }, -10.0, 10.0, false},
-        "How far to the right of its place the second cloth is drawn; 0 lays it over the first. It moves where the first one does.",
+        "Distance by which the second cloth is drawn to the right. 0 draws it over the first. Its simulated "
+        "position does not change.",
         {}, {}, SettingScope::Everywhere, showsGhost},
 
     SettingInfo{"stiffness", "Stiffness", "N/m", Material, SettingEffect::Step,
@@ -262,14 +263,14 @@ const std::array table{
         "Stiffness of every spring against stretching and compression."},
     SettingInfo{"damping", "Damping", "N s/m", Material, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.damping; }, 0.0, 100.0, true},
-        "Damping of every spring: force for each metre per second that its ends differ in velocity."},
+        "Damping of every spring: force per metre per second of relative velocity between its ends."},
     SettingInfo{"mass_given_as", "Mass given as", "-", Material, SettingEffect::Mass,
         ChoiceField{[](const Settings& s) { return s.material.massGivenAs; }, [](Settings& s, const std::string& word) { s.material.massGivenAs = word; },
             +[] { return std::vector<std::string>{"density", "mass"}; }},
-        "Whether density or mass decides how heavy the cloth is. Setting either of them chooses it."},
+        "Whether density or mass sets the weight of the cloth. Setting either of them selects it."},
     SettingInfo{"density", "Density", "kg/m^2", Material, SettingEffect::Mass,
         NumberField{[](Settings& s) -> double& { return s.material.density; }, 1e-3, 100.0, true},
-        "Mass of a square metre of cloth. Silk is about 0.06, cotton 0.15, denim 0.4.",
+        "Mass per square metre of cloth. Silk is about 0.06, cotton 0.15, denim 0.4.",
         "mass_given_as", "density"},
     SettingInfo{"mass", "Mass", "kg", Material, SettingEffect::Mass,
         NumberField{[](Settings& s) -> double& { return s.material.mass; }, 1e-6, 1000.0, true},
@@ -277,15 +278,16 @@ const std::array table{
     SettingInfo{"mass_lumping", "Mass lumping", "-", Advanced, SettingEffect::Mass,
         ChoiceField{[](const Settings& s) { return s.material.lumping; }, [](Settings& s, const std::string& word) { s.material.lumping = word; },
             +[] { return std::vector<std::string>{"area", "uniform"}; }},
-        "How the mass is spread over the vertices: by the area around each, or the same for all as in the paper."},
+        "Distribution of the mass over the vertices: by the area around each vertex, or equal for all as in the "
+        "paper."},
 
     SettingInfo{"self_collision", "Self-collision", "-", Contact, SettingEffect::Step,
         choiceOf<selfCollisions, [](Settings& s) -> SelfCollision& { return s.step.contact.self; }>(),
-        "How the cloth is kept from passing through itself."},
+        "Method that keeps the cloth from passing through itself."},
     SettingInfo{"self_thickness", "Self thickness", "m", Contact, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.contact.selfThickness; }, 0.0, 1.0, false},
-        "How far vertices of different layers are kept apart; 0 takes three quarters of the mean edge. With much less than "
-        "that, vertices slip through between others.",
+        "Distance between vertices of different layers. 0 uses three quarters of the mean edge length. At much "
+        "smaller values vertices slip through between others.",
         {}, {}, SettingScope::Everywhere, collidesWithItself},
     SettingInfo{"self_friction", "Self friction", "-", Contact, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.contact.kineticFriction; }, 0.0, 2.0, false},
@@ -301,10 +303,11 @@ const std::array table{
         "Drag coefficient C_D: the air's resistance along the relative velocity, 1/2 rho C_D S |n.v| |v| at each vertex."},
     SettingInfo{"lift", "Lift", "-", Air, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.lift; }, 0.0, 10.0, false},
-        "Lift coefficient C_L: the air's force across the relative velocity, strongest where the surface is along it."},
+        "Lift coefficient C_L: the air's force perpendicular to the relative velocity, strongest where the surface "
+        "is parallel to it."},
     SettingInfo{"air_density", "Air density", "kg/m^3", Air, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.airDensity; }, 0.0, 1000.0, false},
-        "Density rho of the air; 1.225 at sea level, 1000 is water."},
+        "Density rho of the air. Air at sea level has 1.225, water 1000."},
     SettingInfo{"wind.x", "Wind x", "m/s", Air, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.wind.x(); }, -100.0, 100.0, false},
         "Velocity of the air to the right. Wind acts through drag and lift."},
@@ -317,13 +320,14 @@ const std::array table{
 
     SettingInfo{"bodies", "Bodies", "-", Contact, SettingEffect::Step,
         FlagField{[](Settings& s) -> bool& { return s.step.contact.bodies; }},
-        "Keeps the cloth out of the scene's bodies. Costs nothing in scenes without any."},
+        "Keeps the cloth out of the scene's bodies. Costs nothing in scenes without bodies."},
     SettingInfo{"cloth_thickness", "Thickness", "m", Contact, SettingEffect::Step,
         NumberField{[](Settings& s) -> double& { return s.step.contact.thickness; }, 0.001, 0.05, true},
-        "Thickness of the cloth in contact: bodies keep half of it and their own thickness away."},
+        "Thickness of the cloth in contact. The cloth keeps a distance of half of it, plus the body's own "
+        "thickness."},
     SettingInfo{"view.contacts", "Draw contacts", "-", Contact, SettingEffect::View,
         FlagField{[](Settings& s) -> bool& { return s.view.contacts; }},
-        "Draws where the cloth touched something in the last step, and in which direction it was kept out."},
+        "Draws the contacts of the last step with their normals."},
 
     SettingInfo{"unit", "Mesh unit", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.unit; }, [](Settings& s, const std::string& word) { s.mesh.unit = word; },
@@ -339,7 +343,7 @@ const std::array table{
         {}, {}, SettingScope::MeshFile},
     SettingInfo{"weld_tolerance", "Weld tolerance", "-", Advanced, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.mesh.weldTolerance; }, 0.0, 0.01, false},
-        "Vertices of a mesh that are nearer to each other than this share of its diagonal become one.", {}, {}, SettingScope::MeshFile},
+        "Merges mesh vertices that are closer to each other than this share of the mesh's diagonal.", {}, {}, SettingScope::MeshFile},
     SettingInfo{"outliers", "Far vertices", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.outliers; }, [](Settings& s, const std::string& word) { s.mesh.outliers = word; },
             +[] { return std::vector<std::string>{"refuse", "leave_out"}; }},
@@ -349,24 +353,26 @@ const std::array table{
     SettingInfo{"pins", "Pins", "-", Scene, SettingEffect::Scene,
         ChoiceField{[](const Settings& s) { return s.mesh.pins; }, [](Settings& s, const std::string& word) { s.mesh.pins = word; },
             +[] { return std::vector<std::string>{"scene", "shape", "top", "none"}; }, pinsLabel},
-        "What holds the cloth: the pins of the scene, pins chosen from its shape, its topmost vertices, or nothing. "
+        "Vertices that are fixed: the pins of the scene, pins chosen from the shape, the topmost vertices, or none. "
         "Opened mesh files start with shape."},
     SettingInfo{"grid.resolution", "Grid resolution", "-", Scene, SettingEffect::Scene,
         IntegerField{[](Settings& s) -> int& { return s.grid.resolution; }, 2, 1025},
-        "Vertices along the shorter side of a grid.", {}, {}, SettingScope::Grid},
+        "Number of vertices along the shorter side of a grid.", {}, {}, SettingScope::Grid},
     SettingInfo{"grid.width", "Grid width", "m", Scene, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.grid.width; }, 0.01, 100.0, true},
-        "Extent of a grid along its rows.", {}, {}, SettingScope::Grid},
+        "Length of the rows of a grid.", {}, {}, SettingScope::Grid},
     SettingInfo{"grid.height", "Grid height", "m", Scene, SettingEffect::Scene,
         NumberField{[](Settings& s) -> double& { return s.grid.height; }, 0.01, 100.0, true},
-        "Extent of a grid across its rows.", {}, {}, SettingScope::Grid},
-    SettingInfo{"hand.stiffness", "Hand stiffness", "N/m", Scene, SettingEffect::Step,
-        NumberField{[](Settings& s) -> double& { return s.hand.stiffness; }, 0.1, 1e5, true},
-        "Stiffness of the spring by which the mouse pulls at the cloth."},
-    SettingInfo{"hand.max_force", "Hand force", "N", Scene, SettingEffect::Step,
-        NumberField{[](Settings& s) -> double& { return s.hand.maxForce; }, 0.01, 1000.0, true},
-        "The largest force of the mouse. The force also stays below what stretches the cloth around the held point by "
-        "about a fifth."},
+        "Length of the columns of a grid.", {}, {}, SettingScope::Grid},
+    SettingInfo{"attachment.stiffness", "Mouse stiffness", "N/m", Scene, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.attachment.stiffness; }, 0.1, 1e5, true},
+        "Stiffness of the mouse spring, which pulls the cloth.",
+        {}, {}, SettingScope::Everywhere, nullptr, "hand.stiffness"},
+    SettingInfo{"attachment.max_force", "Mouse force", "N", Scene, SettingEffect::Step,
+        NumberField{[](Settings& s) -> double& { return s.attachment.maxForce; }, 0.01, 1000.0, true},
+        "Maximum force of the mouse spring. The force is also limited to about what stretches the cloth around the "
+        "attached point by a fifth.",
+        {}, {}, SettingScope::Everywhere, nullptr, "hand.max_force"},
 
     SettingInfo{"view.wireframe", "Wireframe", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](Settings& s) -> bool& { return s.view.wireframe; }},
@@ -374,10 +380,11 @@ const std::array table{
     SettingInfo{"view.surface", "Surface", "-", SettingGroup::View, SettingEffect::View,
         ChoiceField{[](const Settings& s) { return s.view.surface; }, [](Settings& s, const std::string& word) { s.view.surface = word; },
             +[] { return std::vector<std::string>{"checker", "plain"}; }},
-        "What the cloth looks like: a checker along its texture coordinates, or one colour."},
+        "Look of the cloth: a checker along its texture coordinates, or one colour."},
     SettingInfo{"view.ground", "Ground", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](Settings& s) -> bool& { return s.view.ground; }},
-        "Draws the ground. The ground stops the cloth even when it is not drawn; the Contact panel switches that off."},
+        "Draws the ground. The ground stops the cloth even when it is not drawn. The Contact panel switches this "
+        "contact off."},
     SettingInfo{"view.shadows", "Shadows", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](Settings& s) -> bool& { return s.view.shadows; }},
         "Draws shadows."},
@@ -386,11 +393,12 @@ const std::array table{
         "Draws a dot at each pinned vertex. Pictures saved with F12 never show them."},
     SettingInfo{"view.font_scale", "Font scale", "-", SettingGroup::View, SettingEffect::View,
         NumberField{[](Settings& s) -> double& { return s.view.fontScale; }, 0.0, 4.0, false},
-        "Size of the panels' text; 0 takes the monitor's own scale."},
+        "Size of the text in the panels. 0 uses the scale of the monitor."},
 
     SettingInfo{"energy_balance", "Energy balance", "-", Advanced, SettingEffect::Step,
         FlagField{[](Settings& s) -> bool& { return s.measures.energyBalance; }},
-        "Works out in every step what damping, air, hand and the method itself gave or took. Costs another pass over the forces."},
+        "Computes in every step how much energy damping, air, mouse spring and the method itself add or remove. "
+        "Costs one more force evaluation."},
 };
 // clang-format on
 
@@ -401,7 +409,9 @@ std::span<const SettingInfo> settingsTable() {
 }
 
 const SettingInfo* findSetting(std::string_view key) {
-  const auto found = std::find_if(table.begin(), table.end(), [&](const SettingInfo& row) { return row.key == key; });
+  const auto found = std::find_if(table.begin(), table.end(), [&](const SettingInfo& row) {
+    return row.key == key || (!row.formerKey.empty() && row.formerKey == key);
+  });
   return found == table.end() ? nullptr : &*found;
 }
 

@@ -122,7 +122,7 @@ SettingValue parseValue(const SettingInfo& info, std::string_view text) {
   return std::string(text);
 }
 
-/// Levenshtein distance, to guess which key was meant.
+/// The Levenshtein distance between two keys.
 int editDistance(std::string_view a, std::string_view b) {
   std::vector<int> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -138,8 +138,8 @@ int editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// The setting that a mistyped key was probably meant for: the one that it begins, or one that differs in a few
-/// letters. Empty when none is near.
+/// The most similar key for a mistyped one: a key that starts with it, or one that differs in a few letters. Empty when
+/// no key is similar.
 std::string_view nearestKey(std::string_view key) {
   constexpr std::size_t fewLetters = 3;
   const auto rows = settingsTable();
@@ -178,11 +178,19 @@ const SettingInfo& requireSetting(std::string_view key) {
   const std::string_view meant = nearestKey(key);
   throw UsageError("there is no setting " + quoted(key) + "; " +
                    (meant.empty() ? "" : "did you mean " + quoted(meant) + "? ") +
-                   "'drape-headless list settings' shows them all");
+                   "'drape-headless list settings' lists all settings");
+}
+
+std::string formerKeyNote(std::string_view key) {
+  const SettingInfo* info = findSetting(key);
+  if (info == nullptr || info->key == key) {
+    return {};
+  }
+  return "the setting " + quoted(key) + " is now called " + quoted(info->key);
 }
 
 SettingValue settingValue(const Settings& settings, const SettingInfo& info) {
-  // The accessors give references for writing; reading through them leaves the copy as it was.
+  // The accessors return mutable references, so they need a copy.
   Settings copy = settings;
   return std::visit(Overloaded{[&](const ChoiceField& field) -> SettingValue { return field.get(settings); },
                                [&](const auto& field) -> SettingValue { return field.ref(copy); }},
@@ -253,10 +261,11 @@ bool isRelevant(const SettingInfo& info, const Settings& settings) {
 
 void requireConsistent(const Settings& settings) {
   if (settings.step.sweeps % 2 == 0 && settings.step.relaxation > evenSweepsRelaxation) {
-    throw UsageError("sweeps must be odd while relaxation is above " + formatNumber(evenSweepsRelaxation) + "; " +
-                     std::to_string(settings.step.sweeps) +
-                     " is not (an even number of block-Jacobi sweeps can answer the stiffest modes with up to twice "
-                     "what they ask for, so that stiff cloth rattles; damped Jacobi cannot: lower relaxation first)");
+    throw UsageError(
+        "sweeps must be odd while relaxation is above " + formatNumber(evenSweepsRelaxation) + "; " +
+        std::to_string(settings.step.sweeps) +
+        " is not. An even number of block-Jacobi sweeps amplifies the stiffest modes up to twofold, and stiff "
+        "cloth vibrates. Use an odd number, or lower relaxation first (damped Jacobi)");
   }
 }
 

@@ -10,11 +10,12 @@ namespace drape {
 std::span<const SurfaceField> surfaceFields() {
   static constexpr std::array<SurfaceField, 3> fields{{
       {"static_friction", "Static friction", "-", &SurfaceProperties::staticFriction, 0.0, 10.0, 2.0, false,
-       "How firmly cloth that rests on the body is held: up to the angle whose tangent this is it does not slide."},
+       "Friction coefficient of cloth that rests on the body. It does not slide on slopes up to the angle with this "
+       "tangent."},
       {"kinetic_friction", "Kinetic friction", "-", &SurfaceProperties::kineticFriction, 0.0, 10.0, 2.0, false,
-       "How much cloth that slides on the body is slowed down. At most the static friction."},
+       "Friction coefficient of cloth that slides on the body. At most the static friction."},
       {"thickness", "Thickness", "m", &SurfaceProperties::thickness, 1e-4, 1.0, 0.05, true,
-       "How far the cloth is kept away from the body, besides half of its own thickness."},
+       "Distance that the cloth keeps from the body, in addition to half of its own thickness."},
   }};
   return fields;
 }

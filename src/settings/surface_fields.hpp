@@ -7,23 +7,23 @@
 
 namespace drape {
 
-/// One property of a body's surface, declared once: the panel and the scene files read this.
+/// One property of a body's surface, declared once. The panel and the scene files read it here.
 struct SurfaceField {
-  std::string_view key;    ///< as in a scene file
-  std::string_view title;  ///< as on the panel
+  std::string_view key;    ///< in scene files
+  std::string_view title;  ///< on the panel
   std::string_view unit;
   double SurfaceProperties::*value;
   double min;
   double max;
-  double everyday;   ///< up to which a slider goes
-  bool logarithmic;  ///< a slider should move in decades
+  double everyday;   ///< maximum of the slider
+  bool logarithmic;  ///< whether the slider is logarithmic
   std::string_view help;
 };
 
-/// In the order in which they are shown.
+/// All properties, in the order of the panel.
 [[nodiscard]] std::span<const SurfaceField> surfaceFields();
 
-/// Throws UsageError naming property and range when a value is out of it.
+/// Throws UsageError with property and range when a value is out of range.
 void requireAllowed(const SurfaceProperties& surface);
 
 }  // namespace drape

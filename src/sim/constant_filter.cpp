@@ -10,17 +10,18 @@ constexpr Eigen::Index blockSize = 128;
 
 }  // namespace
 
-void ConstantFilter::prepare(const ClothModel& model, const ScalarWeight& weight, const HandOnDiagonal* hand) {
+void ConstantFilter::prepare(const ClothModel& model, const ScalarWeight& weight,
+                             const AttachmentDiagonal* attachment) {
   const bool changed = system_.prepare(model, weight);
   if (!dense()) {
     inverse_.resize(0, 0);
   } else if (changed) {
     invert();
   }
-  if (hand == nullptr) {
-    hand_.clear();
+  if (attachment == nullptr) {
+    attachment_.clear();
   } else {
-    hand_.set(system_, changed, hand->vertices, hand->additions);
+    attachment_.set(system_, changed, attachment->vertices, attachment->additions);
   }
 }
 
@@ -37,7 +38,7 @@ void ConstantFilter::apply(int threads, Workers& workers, std::vector<Vec3>& imp
   } else {
     changes_ = system_.solve(impulses_);
   }
-  hand_.applyTo(changes_);
+  attachment_.applyTo(changes_);
   std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
   for (Eigen::Index row = 0; row < size; ++row) {
     impulses[vertices[static_cast<std::size_t>(row)]] = changes_.row(row).transpose();

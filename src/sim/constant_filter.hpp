@@ -10,7 +10,7 @@
 namespace drape {
 
 /// What the hand adds to the diagonal of the filter's matrix.
-struct HandOnDiagonal {
+struct AttachmentDiagonal {
   std::array<std::size_t, 3> vertices{};  ///< the corners that it holds
   Vec3 additions = Vec3::Zero();          ///< h^2 w_c times its stiffness [kg]
 };
@@ -32,7 +32,7 @@ class ConstantFilter {
 
   /// Makes the filter that of the given model and weight.
   /// @param hand what is added to the diagonal of A, or nullptr
-  void prepare(const ClothModel& model, const ScalarWeight& weight, const HandOnDiagonal* hand);
+  void prepare(const ClothModel& model, const ScalarWeight& weight, const AttachmentDiagonal* attachment);
 
   /// Replaces impulses h F [N s], one a vertex, by the velocity changes A^-1 h F = h M^-1 Ff [m/s]; zero where pinned.
   void apply(int threads, Workers& workers, std::vector<Vec3>& impulses);
@@ -44,7 +44,7 @@ class ConstantFilter {
 
   std::size_t largest_;
   ScalarSystem system_;
-  DiagonalChange hand_;
+  DiagonalChange attachment_;
   Eigen::MatrixXd inverse_;         // A^-1 [1/kg], symmetric; empty where the factor is used
   ScalarSystem::Columns impulses_;  // [N s]
   ScalarSystem::Columns changes_;   // of the velocities [m/s]

@@ -71,9 +71,10 @@ double carryingWork(const ClothModel& model, const StepParameters& parameters, c
   return work;
 }
 
-double handWork(const ClothModel& model, const Grab& grab, const ClothState& before, const ClothState& after) {
-  const HandPull first = handPull(model, grab, before);
-  const HandPull last = handPull(model, grab, after);
+double attachmentWork(const ClothModel& model, const Attachment& attachment, const ClothState& before,
+                      const ClothState& after) {
+  const AttachmentForce first = attachmentForce(model, attachment, before);
+  const AttachmentForce last = attachmentForce(model, attachment, after);
   Vec3 motion = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
     const std::size_t v = first.vertices[c];
@@ -97,8 +98,8 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
   damping_ += dampingWork(model, parameters.damping, before, left);
   air_ += airWork(model, parameters, before, left);
   contact_ += carryingWork(model, parameters, inputs, before, left);
-  if (inputs.grab) {
-    hand_ += handWork(model, *inputs.grab, before, left);
+  if (inputs.attachment) {
+    attachment_ += attachmentWork(model, *inputs.attachment, before, left);
   }
 }
 

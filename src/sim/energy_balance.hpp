@@ -30,17 +30,17 @@ class EnergyBalance {
   /// Work of drag and lift [J]: of either sign in wind.
   [[nodiscard]] double air() const { return air_; }
   /// Work of the hand [J].
-  [[nodiscard]] double hand() const { return hand_; }
+  [[nodiscard]] double attachment() const { return attachment_; }
   /// What contact gave or took [J]: bodies that move or carry pins, friction, impacts, pushing out of an overlap.
   [[nodiscard]] double contact() const { return contact_; }
   /// Change less these works [J]: positive where the method made energy from nothing, negative where it lost some.
-  [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - hand_ - contact_; }
+  [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - attachment_ - contact_; }
 
  private:
   double change_ = 0.0;
   double damping_ = 0.0;
   double air_ = 0.0;
-  double hand_ = 0.0;
+  double attachment_ = 0.0;
   double contact_ = 0.0;
 };
 

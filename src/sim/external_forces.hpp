@@ -14,7 +14,7 @@ namespace drape {
                                  std::size_t vertex);
 
 /// The hand's pull at the corners of the triangle that it holds.
-struct HandPull {
+struct AttachmentForce {
   std::array<std::size_t, 3> vertices{};  ///< the triangle's corners
   Vec3 weights = Vec3::Zero();            ///< of the corners, summing to 1
   Vec3 force = Vec3::Zero();              ///< on the held point [N]; corner c feels weights[c] of it
@@ -22,6 +22,7 @@ struct HandPull {
   double stiffness = 0.0;                 ///< |force| over the distance to the target [N/m]: less where it is bounded
 };
 
-[[nodiscard]] HandPull handPull(const ClothModel& model, const Grab& grab, const ClothState& state);
+[[nodiscard]] AttachmentForce attachmentForce(const ClothModel& model, const Attachment& attachment,
+                                              const ClothState& state);
 
 }  // namespace drape

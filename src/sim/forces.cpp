@@ -27,8 +27,8 @@ void evaluateForces(const ClothModel& model, const StepParameters& parameters, c
   workers.forEach(parameters.threads, force.size(), [&](std::size_t i) {
     force[i] = springForcesOn(model, parameters, state, i) + gravityAndAir(model, parameters, state, i);
   });
-  if (inputs.grab) {
-    const HandPull pull = handPull(model, *inputs.grab, state);
+  if (inputs.attachment) {
+    const AttachmentForce pull = attachmentForce(model, *inputs.attachment, state);
     for (std::size_t c = 0; c < 3; ++c) {
       force[pull.vertices[c]] += pull.weights[static_cast<Eigen::Index>(c)] * pull.force;
     }

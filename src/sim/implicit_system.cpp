@@ -15,8 +15,8 @@ void ImplicitSystem::assemble(const ClothModel& model, const StepParameters& par
                   [&](std::size_t s) { evaluateSpring(model, parameters, state, s); });
   workers.forEach(parameters.threads, state.positions.size(),
                   [&](std::size_t i) { assembleVertex(model, parameters, state, i); });
-  if (inputs.grab) {
-    addHand(model, parameters.timeStep, *inputs.grab, state);
+  if (inputs.attachment) {
+    addAttachment(model, parameters.timeStep, *inputs.attachment, state);
   }
 }
 
@@ -52,8 +52,9 @@ void ImplicitSystem::assembleVertex(const ClothModel& model, const StepParameter
   diagonal_[vertex] = h * h * stiffness + isotropic * Mat3::Identity();
 }
 
-void ImplicitSystem::addHand(const ClothModel& model, double timeStep, const Grab& grab, const ClothState& state) {
-  const HandPull pull = handPull(model, grab, state);
+void ImplicitSystem::addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,
+                                   const ClothState& state) {
+  const AttachmentForce pull = attachmentForce(model, attachment, state);
   for (std::size_t c = 0; c < 3; ++c) {
     const double weight = pull.weights[static_cast<Eigen::Index>(c)];
     const std::size_t v = pull.vertices[c];

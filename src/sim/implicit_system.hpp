@@ -47,7 +47,7 @@ class ImplicitSystem {
                       std::size_t spring);
   void assembleVertex(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                       std::size_t vertex);
-  void addHand(const ClothModel& model, double timeStep, const Grab& grab, const ClothState& state);
+  void addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment, const ClothState& state);
 
   std::vector<Mat3> springBlocks_;
   std::vector<Vec3> springForces_;  // per spring, on its first end: elastic, damping and its share of h J v [N]

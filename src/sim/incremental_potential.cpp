@@ -12,20 +12,20 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Energy of the hand's bounded spring [J]: a parabola that goes on as a straight line where the force is bounded.
-double handEnergy(const Grab& grab, double distance) {
-  const double reach = grab.maxForce / grab.stiffness;  // where the bound begins [m]
-  return grab.stiffness * distance <= grab.maxForce ? 0.5 * grab.stiffness * distance * distance
-                                                    : grab.maxForce * (distance - 0.5 * reach);
+double attachmentEnergy(const Attachment& attachment, double distance) {
+  const double reach = attachment.maxForce / attachment.stiffness;  // where the bound begins [m]
+  return attachment.stiffness * distance <= attachment.maxForce ? 0.5 * attachment.stiffness * distance * distance
+                                                                : attachment.maxForce * (distance - 0.5 * reach);
 }
 
 /// Its second derivative [N/m].
-Mat3 handStiffness(const Grab& grab, const Vec3& offset) {
+Mat3 attachmentStiffness(const Attachment& attachment, const Vec3& offset) {
   const double distance = offset.norm();
-  if (grab.stiffness * distance <= grab.maxForce) {
-    return grab.stiffness * Mat3::Identity();
+  if (attachment.stiffness * distance <= attachment.maxForce) {
+    return attachment.stiffness * Mat3::Identity();
   }
   const Vec3 direction = offset / distance;
-  return (grab.maxForce / distance) * (Mat3::Identity() - direction * direction.transpose());
+  return (attachment.maxForce / distance) * (Mat3::Identity() - direction * direction.transpose());
 }
 
 }  // namespace
@@ -50,13 +50,13 @@ void IncrementalPotential::begin(const ClothModel& model, const StepParameters& 
   workers.forEach(parameters.threads, vertices,
                   [&](std::size_t i) { external_[i] = gravityAndAir(model, parameters, state, i); });
   workers.forEach(parameters.threads, springs, [&](std::size_t s) { beginSpring(s, state); });
-  grab_ = inputs.grab;
-  if (grab_) {
-    handStartOffset_ = grab_->target;
+  attachment_ = inputs.attachment;
+  if (attachment_) {
+    attachmentStartOffset_ = attachment_->target;
     for (std::size_t c = 0; c < 3; ++c) {
-      const int corner = model.triangles[static_cast<std::size_t>(grab_->triangle)][c];
-      handStartOffset_ -=
-          grab_->barycentric[static_cast<Eigen::Index>(c)] * state.positions[static_cast<std::size_t>(corner)];
+      const int corner = model.triangles[static_cast<std::size_t>(attachment_->triangle)][c];
+      attachmentStartOffset_ -=
+          attachment_->barycentric[static_cast<Eigen::Index>(c)] * state.positions[static_cast<std::size_t>(corner)];
     }
   }
 }
@@ -73,7 +73,7 @@ void IncrementalPotential::beginSpring(std::size_t spring, const ClothState& sta
 IncrementalPotential::Value IncrementalPotential::evaluate(const std::vector<Vec3>& velocities) {
   workers_->forEach(parameters_->threads, offsets_.size(), [&](std::size_t s) { evaluateSpring(s, velocities); });
   workers_->forEach(parameters_->threads, gradient_.size(), [&](std::size_t i) { gatherVertex(i, velocities); });
-  return sum(velocities, addHand(velocities));
+  return sum(velocities, addAttachment(velocities));
 }
 
 void IncrementalPotential::evaluateSpring(std::size_t spring, const std::vector<Vec3>& velocities) {
@@ -122,29 +122,30 @@ void IncrementalPotential::gatherVertex(std::size_t vertex, const std::vector<Ve
       mass * (velocities[vertex].norm() + startVelocities_[vertex].norm()) + parameters_->timeStep * forceSize;
 }
 
-double IncrementalPotential::addHand(const std::vector<Vec3>& velocities) {
-  if (!grab_) {
+double IncrementalPotential::addAttachment(const std::vector<Vec3>& velocities) {
+  if (!attachment_) {
     return 0.0;
   }
-  const Triangle& corners = model_->triangles[static_cast<std::size_t>(grab_->triangle)];
-  handOffset_ = handStartOffset_;
+  const Triangle& corners = model_->triangles[static_cast<std::size_t>(attachment_->triangle)];
+  attachmentOffset_ = attachmentStartOffset_;
   for (std::size_t c = 0; c < 3; ++c) {
-    handOffset_ -= (parameters_->timeStep * grab_->barycentric[static_cast<Eigen::Index>(c)]) *
-                   velocities[static_cast<std::size_t>(corners[c])];
+    attachmentOffset_ -= (parameters_->timeStep * attachment_->barycentric[static_cast<Eigen::Index>(c)]) *
+                         velocities[static_cast<std::size_t>(corners[c])];
   }
-  const Vec3 force = kernels::boundedSpringForce(handOffset_, grab_->stiffness, grab_->maxForce);
+  const Vec3 force = kernels::boundedSpringForce(attachmentOffset_, attachment_->stiffness, attachment_->maxForce);
   for (std::size_t c = 0; c < 3; ++c) {
     const auto v = static_cast<std::size_t>(corners[c]);
     if (!model_->pinned[v]) {
-      const double impulse = parameters_->timeStep * grab_->barycentric[static_cast<Eigen::Index>(c)];
+      const double impulse = parameters_->timeStep * attachment_->barycentric[static_cast<Eigen::Index>(c)];
       gradient_[v] -= impulse * force;
       size_[v] += std::abs(impulse) * force.norm();
     }
   }
-  return handEnergy(*grab_, handOffset_.norm());
+  return attachmentEnergy(*attachment_, attachmentOffset_.norm());
 }
 
-IncrementalPotential::Value IncrementalPotential::sum(const std::vector<Vec3>& velocities, double handEnergy) const {
+IncrementalPotential::Value IncrementalPotential::sum(const std::vector<Vec3>& velocities,
+                                                      double attachmentEnergy) const {
   double kinetic = 0.0;
   double work = 0.0;
   double workSize = 0.0;
@@ -163,8 +164,8 @@ IncrementalPotential::Value IncrementalPotential::sum(const std::vector<Vec3>& v
   for (const double energy : springEnergy_) {
     elastic += energy;
   }
-  return {.value = kinetic + elastic + handEnergy - work,
-          .valueRounding = 16.0 * epsilon * (kinetic + elastic + handEnergy + workSize),
+  return {.value = kinetic + elastic + attachmentEnergy - work,
+          .valueRounding = 16.0 * epsilon * (kinetic + elastic + attachmentEnergy + workSize),
           .residual = std::sqrt(residual),
           .rounding = epsilon * std::sqrt(rounding)};
 }
@@ -188,15 +189,15 @@ void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& he
     }
   });
   hessian.fill(model, parameters_->threads, *workers_, diagonal_, springBlocks_);
-  if (!grab_) {
+  if (!attachment_) {
     return;
   }
-  const Mat3 stiffness = h * h * handStiffness(*grab_, handOffset_);
-  const Triangle& corners = model.triangles[static_cast<std::size_t>(grab_->triangle)];
+  const Mat3 stiffness = h * h * attachmentStiffness(*attachment_, attachmentOffset_);
+  const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment_->triangle)];
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t d = c; d < 3; ++d) {
-      const double weight =
-          grab_->barycentric[static_cast<Eigen::Index>(c)] * grab_->barycentric[static_cast<Eigen::Index>(d)];
+      const double weight = attachment_->barycentric[static_cast<Eigen::Index>(c)] *
+                            attachment_->barycentric[static_cast<Eigen::Index>(d)];
       // Corners that are one vertex share a diagonal block, where both halves of the pair belong.
       const double share = c != d && corners[c] == corners[d] ? 2.0 : 1.0;
       hessian.add(model, static_cast<std::size_t>(corners[c]), static_cast<std::size_t>(corners[d]),

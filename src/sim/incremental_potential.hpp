@@ -48,8 +48,8 @@ class IncrementalPotential {
   void beginSpring(std::size_t spring, const ClothState& state);
   void evaluateSpring(std::size_t spring, const std::vector<Vec3>& velocities);
   void gatherVertex(std::size_t vertex, const std::vector<Vec3>& velocities);
-  double addHand(const std::vector<Vec3>& velocities);
-  [[nodiscard]] Value sum(const std::vector<Vec3>& velocities, double handEnergy) const;
+  double addAttachment(const std::vector<Vec3>& velocities);
+  [[nodiscard]] Value sum(const std::vector<Vec3>& velocities, double attachmentEnergy) const;
 
   const ClothModel* model_ = nullptr;
   const StepParameters* parameters_ = nullptr;
@@ -66,9 +66,9 @@ class IncrementalPotential {
   std::vector<double> size_;  // of the numbers that a vertex' gradient is made of [N s]
   std::vector<Mat3> diagonal_;
   std::vector<Mat3> springBlocks_;
-  std::optional<Grab> grab_;
-  Vec3 handStartOffset_ = Vec3::Zero();  // from the held point to the hand, at x0 [m]
-  Vec3 handOffset_ = Vec3::Zero();       // and at x0 + h v [m]
+  std::optional<Attachment> attachment_;
+  Vec3 attachmentStartOffset_ = Vec3::Zero();  // from the held point to the hand, at x0 [m]
+  Vec3 attachmentOffset_ = Vec3::Zero();       // and at x0 + h v [m]
 };
 
 }  // namespace drape

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-Vec3 heldPoint(const HandPull& pull, const ClothState& state) {
+Vec3 attachedPointOf(const AttachmentForce& pull, const ClothState& state) {
   Vec3 point = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
     point += pull.weights[static_cast<Eigen::Index>(c)] * state.positions[pull.vertices[c]];
@@ -44,7 +44,7 @@ Vec3 angularMomentum(const ClothModel& model, const ClothState& state, const Vec
 
 MomentumKeeper::Target MomentumKeeper::targetOf(const ClothModel& model, const StepParameters& parameters,
                                                 const std::vector<std::size_t>& piece, const ClothState& state,
-                                                const std::optional<HandPull>& pull, const Vec3& handPoint) {
+                                                const std::optional<AttachmentForce>& pull, const Vec3& attachedPoint) {
   const MassMoments moments = momentsOf(model, piece, state.positions);
   Target target;
   for (const std::size_t v : piece) {
@@ -55,7 +55,7 @@ MomentumKeeper::Target MomentumKeeper::targetOf(const ClothModel& model, const S
   }
   target.held = pull && std::binary_search(piece.begin(), piece.end(), pull->vertices[0]);
   if (target.held) {
-    target.handArm = handPoint - moments.barycentre;
+    target.attachmentArm = attachedPoint - moments.barycentre;
   }
   return target;
 }
@@ -63,26 +63,26 @@ MomentumKeeper::Target MomentumKeeper::targetOf(const ClothModel& model, const S
 void MomentumKeeper::before(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                             const ClothState& state) {
   pull_.reset();
-  if (inputs.grab) {
-    pull_ = handPull(model, *inputs.grab, state);
-    handPoint_ = heldPoint(*pull_, state);
+  if (inputs.attachment) {
+    pull_ = attachmentForce(model, *inputs.attachment, state);
+    attachedPoint_ = attachedPointOf(*pull_, state);
   }
   targets_.clear();
   for (const auto& piece : pieces_.get(model, freePieces)) {
-    targets_.push_back(targetOf(model, parameters, piece, state, pull_, handPoint_));
+    targets_.push_back(targetOf(model, parameters, piece, state, pull_, attachedPoint_));
   }
 }
 
 void MomentumKeeper::after(const ClothModel& model, double timeStep, double reach, ClothState& state) {
-  const Vec3 handMove = pull_ ? Vec3(heldPoint(*pull_, state) - handPoint_) : Vec3(Vec3::Zero());
+  const Vec3 attachmentMotion = pull_ ? Vec3(attachedPointOf(*pull_, state) - attachedPoint_) : Vec3(Vec3::Zero());
   const Pieces& pieces = pieces_.get(model, freePieces);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    correct(model, timeStep, reach, pieces[p], targets_[p], handMove, state);
+    correct(model, timeStep, reach, pieces[p], targets_[p], attachmentMotion, state);
   }
 }
 
 void MomentumKeeper::correct(const ClothModel& model, double timeStep, double reach,
-                             const std::vector<std::size_t>& piece, const Target& target, const Vec3& handMove,
+                             const std::vector<std::size_t>& piece, const Target& target, const Vec3& attachmentMotion,
                              ClothState& state) const {
   const MassMoments moments = momentsOf(model, piece, state.positions);
   Vec3 linear = target.linear - linearMomentumOf(model, piece, state);  // what is missing
@@ -97,21 +97,22 @@ void MomentumKeeper::correct(const ClothModel& model, double timeStep, double re
     inertia += (reach * model.vertexMass[v]) * (arm * velocity.transpose() - arm.dot(velocity) * Mat3::Identity());
   }
   // The hand's impulse is h (F - stiffness (way of the held point)), and the correction is part of that way: it meets
-  // the mass `hand` at the held point. The first unknown, a, is eliminated from the two equations.
-  double hand = 0.0;         // [kg]
-  Vec3 held = Vec3::Zero();  // from the barycentre to the held point now [m]
-  const Vec3& arm = target.handArm;
+  // the mass `attachmentMass` at the held point. The first unknown, a, is eliminated from the two equations.
+  double attachmentMass = 0.0;  // [kg]
+  Vec3 held = Vec3::Zero();     // from the barycentre to the held point now [m]
+  const Vec3& arm = target.attachmentArm;
   if (target.held) {
-    held = heldPoint(*pull_, state) - moments.barycentre;
-    const Vec3 impulse = timeStep * (pull_->force - pull_->stiffness * handMove);
+    held = attachedPointOf(*pull_, state) - moments.barycentre;
+    const Vec3 impulse = timeStep * (pull_->force - pull_->stiffness * attachmentMotion);
     linear += impulse;
     angular += arm.cross(impulse);
-    hand = timeStep * reach * pull_->stiffness;
-    inertia +=
-        (hand * moments.mass / (moments.mass + hand)) * (arm.dot(held) * Mat3::Identity() - held * arm.transpose());
+    attachmentMass = timeStep * reach * pull_->stiffness;
+    inertia += (attachmentMass * moments.mass / (moments.mass + attachmentMass)) *
+               (arm.dot(held) * Mat3::Identity() - held * arm.transpose());
   }
-  const Vec3 spin = solveRigid(inertia, angular - (hand / (moments.mass + hand)) * arm.cross(linear));
-  const Vec3 shift = (linear - hand * spin.cross(held)) / (moments.mass + hand);
+  const Vec3 spin =
+      solveRigid(inertia, angular - (attachmentMass / (moments.mass + attachmentMass)) * arm.cross(linear));
+  const Vec3 shift = (linear - attachmentMass * spin.cross(held)) / (moments.mass + attachmentMass);
   for (const std::size_t v : piece) {
     const Vec3 change = shift + spin.cross(state.positions[v] - moments.barycentre);
     state.velocities[v] += change;

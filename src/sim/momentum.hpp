@@ -43,22 +43,22 @@ class MomentumKeeper {
 
   /// What a piece should have at the end of the step, the hand left out.
   struct Target {
-    Vec3 linear = Vec3::Zero();   // [kg m/s]
-    Vec3 angular = Vec3::Zero();  // about the barycentre [kg m^2/s]
-    bool held = false;            // by the hand
-    Vec3 handArm = Vec3::Zero();  // from the barycentre to the held point [m]
+    Vec3 linear = Vec3::Zero();         // [kg m/s]
+    Vec3 angular = Vec3::Zero();        // about the barycentre [kg m^2/s]
+    bool held = false;                  // by the hand
+    Vec3 attachmentArm = Vec3::Zero();  // from the barycentre to the held point [m]
   };
 
   static Target targetOf(const ClothModel& model, const StepParameters& parameters,
                          const std::vector<std::size_t>& piece, const ClothState& state,
-                         const std::optional<HandPull>& pull, const Vec3& handPoint);
+                         const std::optional<AttachmentForce>& pull, const Vec3& attachedPoint);
   void correct(const ClothModel& model, double timeStep, double reach, const std::vector<std::size_t>& piece,
-               const Target& target, const Vec3& handMove, ClothState& state) const;
+               const Target& target, const Vec3& attachmentMotion, ClothState& state) const;
 
   ModelCache<Pieces> pieces_;
   std::vector<Target> targets_;
-  std::optional<HandPull> pull_;
-  Vec3 handPoint_ = Vec3::Zero();  // where the held point was [m]
+  std::optional<AttachmentForce> pull_;
+  Vec3 attachedPoint_ = Vec3::Zero();  // where the held point was [m]
 };
 
 }  // namespace drape

@@ -22,8 +22,8 @@ StepParameters MovingFrame::seen(StepParameters parameters) const {
 }
 
 StepInputs MovingFrame::seen(StepInputs inputs, double timeStep) const {
-  if (inputs.grab) {
-    inputs.grab->target -= timeStep * velocity_;
+  if (inputs.attachment) {
+    inputs.attachment->target -= timeStep * velocity_;
   }
   return inputs;
 }

@@ -25,8 +25,8 @@ std::vector<Vec3> forcesAtEnd(const ClothModel& model, const StepParameters& par
   for (std::size_t i = 0; i < force.size(); ++i) {
     force[i] = springForcesOn(model, parameters, end, i) + gravityAndAir(model, parameters, start, i);
   }
-  if (inputs.grab) {
-    const HandPull pull = handPull(model, *inputs.grab, end);
+  if (inputs.attachment) {
+    const AttachmentForce pull = attachmentForce(model, *inputs.attachment, end);
     for (std::size_t c = 0; c < 3; ++c) {
       force[pull.vertices[c]] += pull.weights[static_cast<Eigen::Index>(c)] * pull.force;
     }

@@ -68,7 +68,7 @@ struct StepParameters {
 };
 
 /// A hand that holds the cloth: a spring from a point on a triangle to a target, whose force is bounded.
-struct Grab {
+struct Attachment {
   int triangle = 0;                 ///< index into ClothModel::triangles
   Vec3 barycentric = Vec3::Zero();  ///< weights of the triangle's corners, summing to 1
   Vec3 target = Vec3::Zero();       ///< where the hand is [m]
@@ -78,7 +78,7 @@ struct Grab {
 
 /// What acts on the cloth from outside during one step.
 struct StepInputs {
-  std::optional<Grab> grab;
+  std::optional<Attachment> attachment;
   const std::vector<BodyStep>* bodies = nullptr;  ///< that are there, over this step (contact/body.hpp); null: none
   /// Called now and then by methods that may take seconds over a step. What it throws ends the step, and leaves the
   /// state somewhere in it. Null: nobody wants to know.

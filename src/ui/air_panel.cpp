@@ -12,7 +12,7 @@ void airPanel(PanelContext& context) {
   windDial(context);
   const StepParameters& step = context.settings.step;
   if (step.wind.norm() > 0.0 && step.drag == 0.0 && step.lift == 0.0) {
-    mutedText("The wind has no effect while drag and lift are both zero.", palette().warning);
+    mutedText("Wind has no effect while drag and lift are zero.", palette().warning);
   }
   endSection();
 }

@@ -7,7 +7,7 @@
 namespace drape {
 namespace {
 
-/// A curve of what was chosen in each step; a gap where another solver was at work.
+/// A curve of one of the choices per step, with gaps for steps of other solvers.
 template <auto value>
 std::optional<double> chosen(const MeasureSample& sample) {
   return sample.choice ? value(*sample.choice) : std::nullopt;
@@ -44,16 +44,16 @@ void choicePlots(const PanelContext& context) {
   const auto& colours = palette().plot;
   const auto& samples = context.memory.measures.samples();
   const std::array work{PlotCurve{"Substeps", colours[0], chosen<substeps>},
-                        PlotCurve{"Passes over the springs", colours[1], chosen<passes>}};
+                        PlotCurve{"Force evaluations", colours[1], chosen<passes>}};
   timePlot(context, "Chosen", "per step", samples, work);
   if (std::any_of(samples.begin(), samples.end(), isSofter)) {
     const std::array kept{PlotCurve{"Stiffness kept", colours[2], chosen<stiffness>}};
-    timePlot(context, "Stiffness that the springs keep", "%", samples, kept);
+    timePlot(context, "Stiffness scale", "%", samples, kept);
   }
   const std::array errors{PlotCurve{"Estimated error", colours[3], chosen<error>}};
   timePlot(context, "Position error in 0.2 s", "mm", samples, errors);
   const std::array energy{PlotCurve{"From nowhere", colours[4], chosen<gained>}};
-  timePlot(context, "Energy gained by itself", "mJ", samples, energy);
+  timePlot(context, "Energy drift", "mJ", samples, energy);
 }
 
 }  // namespace drape

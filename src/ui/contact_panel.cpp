@@ -29,7 +29,7 @@ NumberInput inputOf(const std::string& key, const SurfaceField& field) {
   return {key, nearest, typed};
 }
 
-/// Static friction is never less than kinetic: whichever is moved takes the other along.
+/// Static friction is never less than kinetic friction: changing one also moves the other.
 void changeSurface(PanelContext& context, int body, SurfaceProperties surface, const SurfaceField& field,
                    double value) {
   surface.*field.value = value;
@@ -70,7 +70,7 @@ void surfaceRow(PanelContext& context, int body, const SurfaceField& field) {
   ImGui::PopID();
 }
 
-/// Beside a body's box: opens and closes what there is to say of its surface.
+/// The button beside a body's box, which opens and closes the rows of its surface.
 void surfaceButton(PanelContext& context, const std::string& name) {
   constexpr const char* word = "Surface";
   const float width = ImGui::CalcTextSize(word).x + 2.0F * ImGui::GetStyle().FramePadding.x;
@@ -85,7 +85,7 @@ void surfaceButton(PanelContext& context, const std::string& name) {
   explainItem(context, "surface." + name, "Friction and thickness of this body.");
 }
 
-/// One box to tick for each of the scene's bodies, and the surface of one.
+/// One check box per body of the scene, and the surface of one body.
 void bodyRows(PanelContext& context) {
   const std::vector<Body>& bodies = *context.snapshot.scene->bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -124,7 +124,7 @@ void reportRows(PanelContext& context) {
 void contactPanel(PanelContext& context) {
   const std::vector<Body>& all = *context.snapshot.scene->bodies;
   const bool bodies = !all.empty();
-  // Every scene has a ground. It alone, or with a stand, does not make contact the thing to look at.
+  // Every scene has a ground. A ground or stand alone does not make contact the main subject of a scene.
   const bool ownBodies = std::any_of(all.begin(), all.end(), [](const Body& body) { return body.drawn; });
   const bool self = context.settings.step.contact.self != SelfCollision::Off;
   if (!beginSection(context, "Contact", ownBodies || self)) {
@@ -134,7 +134,7 @@ void contactPanel(PanelContext& context) {
   if (self) {
     const ContactReport& contact = context.snapshot.stepReport.contact;
     valueRow(context, "Contacts with itself", formatCount(contact.selfContacts));
-    valueRow(context, "Cost of these", formatDuration(contact.selfSeconds));
+    valueRow(context, "Cost of self-collision", formatDuration(contact.selfSeconds));
   }
   if (!bodies) {
     mutedText("There are no bodies in this scene.");

@@ -6,7 +6,7 @@
 
 namespace drape {
 
-/// The typefaces of the panels, embedded when the program is built.
+/// The fonts of the panels, embedded at build time.
 [[nodiscard]] std::span<const EmbeddedFile> embeddedFonts();
 
 }  // namespace drape

@@ -15,8 +15,7 @@ void ghostPanel(PanelContext& context) {
   settingsOfGroup(context, SettingGroup::Ghost);
   const SolverInfo* solver = findSolver(context.settings.ghost.solver);
   if (solver == nullptr) {
-    mutedText(
-        "A second cloth, in green, that another solver moves from where the first one is. Choose one to compare.");
+    mutedText("A second cloth, in green, moved by another solver. Choose a solver to compare.");
     endSection();
     return;
   }

@@ -11,7 +11,7 @@ std::string titleOf(const std::string& title, const std::string& name) {
   return title.empty() ? name : title;
 }
 
-/// What drops down: the built-in scenes.
+/// The list of built-in scenes.
 void otherScenes(PanelContext& context) {
   for (const SceneInfo& scene : context.memory.scenes) {
     ImGui::PushID(scene.name.c_str());
@@ -30,7 +30,7 @@ void otherScenes(PanelContext& context) {
   }
 }
 
-/// The scene's title, which is also the list of the others.
+/// The title of the scene, which opens the list of the others.
 void sceneChoice(PanelContext& context) {
   const SceneDescription& running = context.snapshot.scene->description;
   ImGui::PushFont(context.fonts.title);
@@ -53,7 +53,7 @@ void sceneChoice(PanelContext& context) {
   }
 }
 
-/// Restores all that the scene says; bright while something differs.
+/// Restores the scene's own values; highlighted while something differs.
 void resetAllButton(PanelContext& context, float width) {
   const bool differs = differsFromScene(context.snapshot, context.settings);
   ImGui::BeginDisabled(!differs && context.snapshot.step == 0);
@@ -62,7 +62,7 @@ void resetAllButton(PanelContext& context, float width) {
   }
   ImGui::EndDisabled();
   explainItem(context, "button.reset_all",
-              "Back to the scene's start, with the scene's own settings, pins and bodies.");
+              "Returns to the start of the scene and restores its settings, pins and bodies.");
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ void headPanel(PanelContext& context) {
                  true)) {
     context.output.commands.emplace_back(PauseCommand{!snapshot.paused});
   }
-  explainItem(context, "button.play", "Starts and stops the clock (space).");
+  explainItem(context, "button.play", "Starts and pauses the simulation (space).");
   ImGui::SameLine();
   if (iconButton(context, "step", Icon::Step, "Step", narrow)) {
     context.output.commands.emplace_back(SingleStepCommand{});
@@ -92,7 +92,7 @@ void headPanel(PanelContext& context) {
   if (iconButton(context, "reset", Icon::Reset, "Reset", narrow)) {
     context.output.commands.emplace_back(ResetCommand{});
   }
-  explainItem(context, "button.reset", "Back to the scene's start. Settings and pins stay (R).");
+  explainItem(context, "button.reset", "Returns to the start of the scene. Keeps settings and pins (R).");
   if (oneRow) {
     ImGui::SameLine();
   }

@@ -5,13 +5,13 @@
 namespace drape {
 namespace {
 
-/// What has happened in a frame so far, and whether another event still fits into it.
+/// The events of a frame so far, and whether another event still fits into it.
 class FrameOfInput {
  public:
   bool takes(const RawMove& /*move*/) const { return buttons_.empty(); }
 
   bool takes(const RawButton& button) {
-    return !keyReleased_ && buttons_.insert(button.button).second;  // a modifier that came up was down for the click
+    return !keyReleased_ && buttons_.insert(button.button).second;  // a released modifier was down for the click
   }
 
   bool takes(const RawScroll& /*scroll*/) const { return buttons_.empty(); }
@@ -34,7 +34,7 @@ class FrameOfInput {
  private:
   std::set<int> keys_;     // that changed
   std::set<int> buttons_;  // that changed
-  bool edited_ = false;    // an editing key went down
+  bool edited_ = false;    // whether an editing key was pressed
   bool keyReleased_ = false;
 };
 

@@ -11,22 +11,23 @@
 namespace drape {
 namespace {
 
-constexpr double doubleClickTime = 0.35;            // [s]
-constexpr double doubleClickDistance = 5.0;         // [window units]
-constexpr double zoomPerNotch = 0.88;               // the distance shrinks to this
-constexpr double turnPerHeight = std::numbers::pi;  // a drag over the view's whole height turns by half a circle [rad]
+constexpr double doubleClickTime = 0.35;     // [s]
+constexpr double doubleClickDistance = 5.0;  // [window units]
+constexpr double zoomPerNotch = 0.88;        // factor of the distance
+constexpr double turnPerHeight =
+    std::numbers::pi;  // a drag over the whole height of the view turns by half a circle [rad]
 
 std::optional<Hit> hitAt(const Camera& camera, const Vec2& point, int width, int height, const Snapshot& snapshot) {
   return pick(camera.rayThrough(point.x(), point.y(), width, height), snapshot.positions, snapshot.model->triangles);
 }
 
-/// A body under the mouse.
+/// A body under the mouse pointer.
 struct BodyHit {
   int body = 0;
   Hit hit;
 };
 
-/// The first body that a ray meets, planes left out: they have no end.
+/// The first body that a ray hits. Infinite planes are ignored.
 std::optional<BodyHit> bodyHitBy(const Ray& ray, const Snapshot& snapshot) {
   std::optional<BodyHit> nearest;
   for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
@@ -50,7 +51,7 @@ std::optional<BodyHit> bodyHitBy(const Ray& ray, const Snapshot& snapshot) {
   return nearest;
 }
 
-/// The bounds for the camera as it is: around the cloth, where it is and where it began.
+/// The bounds for the camera: around the cloth now and at its start.
 CameraBounds boundsAround(const Snapshot& snapshot, const CameraPose& pose) {
   Eigen::AlignedBox3d box = boundsOf(snapshot.scene->start.positions);
   box.extend(boundsOf(snapshot.positions));
@@ -60,9 +61,9 @@ CameraBounds boundsAround(const Snapshot& snapshot, const CameraPose& pose) {
 }  // namespace
 
 void InteractionController::handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output) {
-  const auto* held = std::get_if<Grabbing>(&gesture_);
+  const auto* held = std::get_if<Pulling>(&gesture_);
   if (held != nullptr && held->scene != snapshot.scene) {
-    gesture_ = Idle{};  // another scene is running, and nobody holds its cloth
+    gesture_ = Idle{};  // another scene is running, so the attachment is gone
   }
   const auto* moving = std::get_if<MovingBody>(&gesture_);
   if (moving != nullptr && moving->scene != snapshot.scene) {
@@ -118,7 +119,7 @@ void InteractionController::on(const PressEvent& event, const Snapshot& snapshot
 void InteractionController::pressLeft(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
   if (event.shift) {
     gesture_ = Panning{};
-  } else if (!recentreOnDoubleClick(event, snapshot) && !grab(event, snapshot, output) && !event.control) {
+  } else if (!recentreOnDoubleClick(event, snapshot) && !attach(event, snapshot, output) && !event.control) {
     gesture_ = Orbiting{};
   }
 }
@@ -130,15 +131,15 @@ bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const
   if (!isDouble) {
     return false;
   }
-  lastLeftPress_.reset();  // a third click is not another double click
+  lastLeftPress_.reset();  // a third click is not a second double click
   if (const auto hit = hitAt(camera_, inView(event.position), width(), height(), snapshot)) {
     camera_.recentre(hit->point);
   }
   return true;
 }
 
-/// Takes what is nearest under the mouse: the cloth or a body.
-bool InteractionController::grab(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
+/// Starts to drag the nearest thing under the mouse: the cloth or a body.
+bool InteractionController::attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
   const Vec2 point = inView(event.position);
   const auto hit = hitAt(camera_, point, width(), height(), snapshot);
   const auto body = bodyHitBy(camera_.rayThrough(point.x(), point.y(), width(), height()), snapshot);
@@ -150,14 +151,14 @@ bool InteractionController::grab(const PressEvent& event, const Snapshot& snapsh
   if (!hit) {
     return false;
   }
-  output.commands.emplace_back(GrabCommand{hit->triangle, hit->barycentric, hit->point});
-  gesture_ = Grabbing{hit->point, snapshot.scene};
+  output.commands.emplace_back(AttachCommand{hit->triangle, hit->barycentric, hit->point});
+  gesture_ = Pulling{hit->point, snapshot.scene};
   return true;
 }
 
 void InteractionController::letGo(UiOutput& output) {
   if (holdsCloth()) {
-    output.commands.emplace_back(ReleaseGrabCommand{});
+    output.commands.emplace_back(DetachCommand{});
   }
   gesture_ = Idle{};
 }
@@ -175,10 +176,10 @@ void InteractionController::on(const MoveEvent& event, const Snapshot& snapshot,
     moveCamera(snapshot, [&](Camera& camera) { camera.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight); });
   } else if (std::holds_alternative<Panning>(gesture_)) {
     moveCamera(snapshot, [&](Camera& camera) { camera.pan(-moved.x(), moved.y()); });
-  } else if (const auto* held = std::get_if<Grabbing>(&gesture_)) {
+  } else if (const auto* held = std::get_if<Pulling>(&gesture_)) {
     const Vec2 point = inView(event.position);
     output.commands.emplace_back(
-        MoveGrabCommand{camera_.pointAtDepthOf(held->point, point.x(), point.y(), width(), height())});
+        MoveAttachmentCommand{camera_.pointAtDepthOf(held->point, point.x(), point.y(), width(), height())});
   } else if (const auto* moving = std::get_if<MovingBody>(&gesture_)) {
     const Vec2 point = inView(event.position);
     const Vec3 target = camera_.pointAtDepthOf(moving->point, point.x(), point.y(), width(), height());

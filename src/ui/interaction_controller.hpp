@@ -13,7 +13,7 @@ namespace drape {
 
 enum class MouseButton { Left, Middle, Right };
 
-/// The keys that do something.
+/// The keys with an action.
 enum class Key { Space, Period, One, Three, Seven, F, H, P, R, W, Help, F12, Escape };
 
 struct PressEvent {
@@ -34,48 +34,48 @@ struct ScrollEvent {
 };
 struct KeyEvent {
   Key key = Key::Space;
-  bool repeated = false;  ///< the key is held down
+  bool repeated = false;  ///< a repeat of a held key
 };
-/// The window lost the keyboard: nothing that is held may stay held.
+/// The window lost the keyboard focus, which ends all gestures.
 struct FocusLostEvent {};
 
 using InputEvent = std::variant<PressEvent, ReleaseEvent, MoveEvent, ScrollEvent, KeyEvent, FocusLostEvent>;
 
-/// Turns the mouse and the keyboard into commands and camera moves. Knows of no window system.
+/// Turns mouse and keyboard events into commands and camera moves. Independent of the window system.
 class InteractionController {
  public:
   [[nodiscard]] const Camera& camera() const { return camera_; }
   void setCamera(const Camera& camera) { camera_ = camera; }
 
-  /// The part of the window that shows the picture.
+  /// The part of the window with the picture.
   void setView(const UiRect& view) { view_ = view; }
 
   void handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output);
 
-  /// Looks at a scene as its author wants it seen; from farther away where the picture is too narrow for that.
+  /// Takes the author's view of a scene, from farther away when the picture is too narrow.
   void lookAtScene(const Scene& scene);
-  /// Moves the camera so that the cloth as it is now fills the view.
+  /// Moves the camera so that the cloth at its current position fills the view.
   void frameCloth(const Snapshot& snapshot);
-  /// Looks from a side, but never from below the ground.
+  /// Looks from a side, never from below the ground.
   void lookFrom(Camera::Side side, const Snapshot& snapshot);
 
-  /// True while a gesture drags a body.
+  /// Whether a gesture drags a body.
   [[nodiscard]] bool holdsBody() const { return std::holds_alternative<MovingBody>(gesture_); }
-  [[nodiscard]] bool holdsCloth() const { return std::holds_alternative<Grabbing>(gesture_); }
+  [[nodiscard]] bool holdsCloth() const { return std::holds_alternative<Pulling>(gesture_); }
 
  private:
   struct Idle {};
   struct Orbiting {};
   struct Panning {};
-  struct Grabbing {
-    Vec3 point = Vec3::Zero();           ///< where it was taken [m]; tells how deep the hand moves
-    std::shared_ptr<const Scene> scene;  ///< that was running
+  struct Pulling {
+    Vec3 point = Vec3::Zero();           ///< the attached point [m]; sets the depth of the drag
+    std::shared_ptr<const Scene> scene;  ///< at the start of the gesture
   };
 
   struct MovingBody {
     int body = 0;
-    Vec3 point = Vec3::Zero();  ///< where it was taken [m]
-    Vec3 shift = Vec3::Zero();  ///< of the body when it was taken [m]
+    Vec3 point = Vec3::Zero();  ///< the point that was hit [m]
+    Vec3 shift = Vec3::Zero();  ///< shift of the body at the start of the gesture [m]
     std::shared_ptr<const Scene> scene;
   };
 
@@ -88,7 +88,7 @@ class InteractionController {
 
   void pressLeft(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
   bool recentreOnDoubleClick(const PressEvent& event, const Snapshot& snapshot);
-  bool grab(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
+  bool attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
   void letGo(UiOutput& output);
   void escape(UiOutput& output);
   void moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move);
@@ -98,7 +98,7 @@ class InteractionController {
 
   Camera camera_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};
-  std::variant<Idle, Orbiting, Panning, Grabbing, MovingBody> gesture_;
+  std::variant<Idle, Orbiting, Panning, Pulling, MovingBody> gesture_;
   MouseButton gestureButton_ = MouseButton::Left;
   Vec2 mouse_ = Vec2::Zero();
   std::optional<PressEvent> lastLeftPress_;

@@ -8,27 +8,27 @@
 
 namespace drape {
 
-/// What was measured at one moment of the simulated time.
+/// The measures at one simulated time.
 struct MeasureSample {
   double time = 0.0;  ///< [s]
   Energy energy;
-  std::optional<EnergyBalance> balance;  ///< where it was asked for
-  std::optional<double> ghostDistance;   ///< mean distance of the ghost, where there is one [m]
-  std::optional<StepChoice> choice;      ///< of a solver that chooses for itself
+  std::optional<EnergyBalance> balance;  ///< only when it is switched on
+  std::optional<double> ghostDistance;   ///< mean distance of the ghost, if there is one [m]
+  std::optional<StepChoice> choice;      ///< of a solver such as auto
 };
 
-/// The measures of the last seconds of simulated time. Begins anew with another scene and when the cloth is reset.
+/// The measures of the last seconds of simulated time. It starts again with another scene and after a reset.
 class MeasureHistory {
  public:
-  /// How far back it reaches [s].
+  /// Length of the history [s].
   static constexpr double window = 10.0;
-  /// Samples are no nearer to each other than this [s], but for the newest.
+  /// Minimum distance between samples, except for the newest [s].
   static constexpr double spacing = window / 500.0;
 
-  /// Takes what a snapshot says; the same snapshot again changes nothing.
+  /// Adds the measures of a snapshot. Adding the same snapshot again changes nothing.
   void add(const Snapshot& snapshot);
 
-  /// The oldest first; times grow.
+  /// In order of time.
   [[nodiscard]] const std::vector<MeasureSample>& samples() const { return samples_; }
 
  private:

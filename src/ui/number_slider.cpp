@@ -28,8 +28,8 @@ bool goesTogether(const SettingInfo& info, Settings settings, const SettingValue
   }
 }
 
-/// The nearest value of the setting's kind within its range; a whole number that the other settings forbid gives way to
-/// its neighbour, so that a slider passes over it.
+/// The nearest value of the setting's type within its range. When other settings exclude a whole number, the result is
+/// its neighbour, so that a slider skips it.
 SettingValue allowedValue(const SettingInfo& info, const Settings& settings, double value) {
   if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
     const int nearest = nearestAllowed(*integer, value);
@@ -44,7 +44,7 @@ SettingValue allowedValue(const SettingInfo& info, const Settings& settings, dou
   return std::clamp(value, number.min, number.max);
 }
 
-/// Four significant digits: what one sees is what one gets.
+/// Rounds to four significant digits, so that the setting equals the displayed value.
 double roundedForDisplay(double value) {
   if (value == 0.0) {
     return 0.0;
@@ -53,7 +53,7 @@ double roundedForDisplay(double value) {
   return std::strtod(formatValue(std::round(value / unit) * unit).c_str(), nullptr);
 }
 
-/// Draws field, filled part, handle and number over the item that was laid out last.
+/// Draws field, filled part, slider handle and number over the last item.
 void paint(const PanelContext& context, const SliderRange& range, const SettingValue& value,
            const std::string& format) {
   const ImVec2 low = ImGui::GetItemRectMin();
@@ -66,7 +66,7 @@ void paint(const PanelContext& context, const SliderRange& range, const SettingV
                                                        : ImGuiCol_FrameBg;
   ImDrawList& canvas = *ImGui::GetWindowDrawList();
   canvas.AddRectFilled(low, high, ImGui::GetColorU32(background), rounding);
-  // A range that goes both ways fills from its zero, any other from its left end.
+  // A range with negative values fills from zero, any other from its left end.
   const double origin = range.min < 0.0 ? sliderFraction(range, 0.0) : 0.0;
   const double place = sliderFraction(range, asNumber(value));
   const float left = low.x + width * static_cast<float>(std::min(origin, place));

@@ -9,35 +9,36 @@
 
 namespace drape {
 
-/// How a widget was edited in this frame.
+/// The edits of a widget in this frame.
 struct Edit {
   bool changed = false;
-  bool finished = false;  ///< the mouse let go, or the text was confirmed
+  bool finished = false;  ///< the mouse button was released, or the text was confirmed
   SettingValue value;
 };
 
 /// A number that a slider changes.
 struct NumberInput {
   std::string key;
-  std::function<SettingValue(double)> nearest;            ///< the nearest value that is allowed
-  std::function<SettingValue(const std::string&)> typed;  ///< what a text means; throws UsageError when it is no number
+  std::function<SettingValue(double)> nearest;  ///< the nearest allowed value
+  std::function<SettingValue(const std::string&)>
+      typed;  ///< the value of a text; throws UsageError when it is not a number
 };
 
-/// A setting, under the settings in force.
+/// The input for a setting, with the current settings.
 [[nodiscard]] NumberInput inputOf(const SettingInfo& info, const Settings& settings);
 
-/// A slider for a real or a whole number, over `range`, whose value reads as `format` prints a double. Ctrl+click turns
-/// it into a text field, which takes all that is allowed and the same notations as the command line ("1/150"); a
-/// number beyond the range becomes the nearest that is allowed. It replaces ImGui's slider because that one loses small
-/// values of a logarithmic scale and hides the number behind its handle.
+/// A slider for a real or a whole number over `range`; `format` prints its value as a double. Ctrl+click turns it into
+/// a text field, which takes all allowed values in the notations of the command line ("1/150"). A number beyond the
+/// range becomes the nearest allowed one. It replaces ImGui's slider, which loses small values of a logarithmic scale
+/// and hides the number behind its handle.
 [[nodiscard]] Edit numberSlider(PanelContext& context, const NumberInput& input, const SliderRange& range,
                                 const SettingValue& value, const std::string& format);
 
-/// What typed text means for a setting: the value, clamped when it is a number beyond the range. Throws UsageError,
-/// with the reason in words, when it is no number.
+/// The value of a typed text for a setting, clamped to the range. Throws UsageError with the reason when it is not a
+/// number.
 [[nodiscard]] SettingValue typedValue(const SettingInfo& info, const Settings& settings, const std::string& text);
 
-/// The nearest whole number that an integer setting takes.
+/// The nearest whole number that an integer setting allows.
 [[nodiscard]] int nearestAllowed(const IntegerField& field, double value);
 
 }  // namespace drape

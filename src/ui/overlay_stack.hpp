@@ -6,9 +6,8 @@
 
 namespace drape {
 
-/// Boxes over the top of the picture, one below the other, so that no box covers another. Make one in each frame and
-/// give it to everything that has something to say there. What stays for long comes first, so that it does not move
-/// when a short message appears.
+/// Boxes at the top of the picture, one below the other, so that none covers another. Create one per frame and pass it
+/// to everything that shows a box. Permanent boxes come first, so that they do not move when a short message appears.
 ///
 ///     stack.begin("reading");
 ///     ImGui::TextUnformatted("Read as centimetres");
@@ -18,17 +17,17 @@ class OverlayStack {
   /// `view` is the part of the window that shows the picture, in window units.
   OverlayStack(PanelContext& context, const UiRect& view);
 
-  /// Whether a box takes the mouse, or lets a click through to the picture behind it.
+  /// Whether a box takes the mouse or passes clicks on to the picture behind it.
   enum class Mouse { Taken, LetThrough };
 
-  /// Opens a box below those that are there; ImGui calls up to end() fill it. Its rectangle is remembered as
-  /// "overlay.NAME", or as "hint.NAME" when it lets the mouse through.
+  /// Opens a box below the previous ones. ImGui calls up to end() fill it. Its rectangle is stored as "overlay.NAME",
+  /// or as "hint.NAME" when it passes the mouse on.
   void begin(const std::string& name, Mouse mouse = Mouse::Taken);
   void end();
 
-  /// The widest that a line of text in a box may be [window units].
+  /// Maximum width of a line of text in a box [window units].
   [[nodiscard]] float textWidth() const { return textWidth_; }
-  /// The highest that the content of the next box, or of the one that is open, may be [window units].
+  /// Maximum height of the content of the next or the open box [window units].
   [[nodiscard]] float roomBelow() const;
 
  private:
@@ -40,8 +39,8 @@ class OverlayStack {
   float textWidth_ = 0.0F;  // [window units]
 };
 
-/// Opens a box in the middle of the picture, with a title, and remembers its rectangle as "overlay.NAME". It lasts
-/// until endDialog().
+/// Opens a box in the middle of the picture, with a title, and stores its rectangle as "overlay.NAME". endDialog()
+/// closes it.
 void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const std::string& title);
 void endDialog();
 

@@ -20,24 +20,24 @@ constexpr std::array<HelpRow, 9> mouseHelp{{
     {"Drag a body", "move it"},
     {"Drag beside it", "turn the view"},
     {"Middle or Shift + drag", "move the view"},
-    {"Wheel", "nearer and farther"},
-    {"Double click", "look at that point"},
+    {"Wheel", "zoom"},
+    {"Double click", "centre the view on this point"},
     {"Drop files", "open a scene, a garment, a garment with a body"},
-    {"Click the line below", "what the solver does, and its cost"},
+    {"Click the line below", "show the solver and its cost"},
 }};
 
 constexpr std::array<HelpRow, 11> keyHelp{{
     {"Space", "play and pause"},
     {".", "one step"},
-    {"R", "back to the start"},
-    {"P", "pin what is held, or let it go"},
+    {"R", "return to the start"},
+    {"P", "pin the pulled vertex, or release it"},
     {"F", "frame the cloth"},
     {"1   3   7", "front, right, top"},
     {"W", "wireframe"},
     {"H", "hide and show the panels"},
     {"F12", "save a picture"},
     {"F1   ?", "this list"},
-    {"Esc", "let go, close, stop reading a file, quit"},
+    {"Esc", "release, close, stop reading a file, quit"},
 }};
 
 template <std::size_t size>
@@ -61,7 +61,7 @@ constexpr const char* panelHelp =
     "In the panels: Ctrl+click types a value. A right click restores the scene's value;\n"
     "a dot marks a value that differs from it. \"Reset all\" restores every value.";
 
-/// True when a click fell on the picture. A button that is just pressed is active, and must not block the question.
+/// Whether a click hit the picture. A pressed button is active and must not block the test.
 bool clickedBeside() {
   constexpr ImGuiHoveredFlags anywhere = ImGuiHoveredFlags_AnyWindow | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem;
   return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(anywhere);
@@ -90,7 +90,7 @@ bool errorNotice(PanelContext& context, OverlayStack& stack) {
   stack.begin("error");
   const float widest = stack.textWidth() - button - style.ScrollbarSize;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
-  // A very long message scrolls, so that it can be read to its end.
+  // A very long message scrolls.
   ImGui::BeginChild("text", {size.x + style.ScrollbarSize, std::min(size.y, stack.roomBelow())});
   ImGui::PushStyleColor(ImGuiCol_Text, palette().error);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + widest);

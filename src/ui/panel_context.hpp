@@ -42,40 +42,40 @@ class History {
 struct TypedText {
   std::string key;  ///< of the setting; empty while nothing is typed
   std::string text;
-  int frames = 0;  ///< since it began
+  int frames = 0;  ///< since the typing began
 };
 
-/// What the panels remember from one frame to the next.
+/// The state of the panels that persists between frames.
 struct PanelMemory {
   PendingSettings pending;
   TypedText typed;
-  std::optional<bool> openSections;  ///< all of them, in the frame to come
+  std::optional<bool> openSections;  ///< open or close all sections in the next frame
   History stepTimes;                 ///< [ms]
   MeasureHistory measures;
-  std::map<std::string, float> textHeights;  ///< of the texts that come and go
-  std::int64_t lastStep = -1;                ///< the step that the history's last entry belongs to
-  std::set<std::string> accepted;            ///< lines of the notice that the user has answered
-  std::string openSurface;                   ///< the body whose surface is shown
-  std::string openPath;                      ///< what is typed in the open field
+  std::map<std::string, float> textHeights;  ///< of texts that appear and disappear
+  std::int64_t lastStep = -1;                ///< the step of the history's last entry
+  std::set<std::string> accepted;            ///< lines of the notice that the user answered
+  std::string openSurface;                   ///< the body whose surface is visible
+  std::string openPath;                      ///< the text of the open field
   std::vector<SceneInfo> scenes;             ///< the built-in ones
-  std::string hoveredRow;                    ///< whose explanation is about to be shown
+  std::string hoveredRow;                    ///< the row whose explanation will appear
   double hoveredSince = 0.0;                 ///< [s]
   bool hoveredThisFrame = false;
-  bool hasDragged = false;  ///< the cloth, ever
-  std::string status;       ///< what the status line says, in full
+  bool hasDragged = false;  ///< whether the user has ever dragged the cloth
+  std::string status;       ///< the full text of the status line
 };
 
-/// What a panel sees while it is being drawn.
+/// The data of a panel while it is drawn.
 struct PanelContext {
   const Snapshot& snapshot;
-  const Settings& settings;  ///< in force, with the user's latest changes on top
-  const Settings& scene;     ///< what the scene itself says: what a right click restores
+  const Settings& settings;  ///< the current values, with the user's latest changes
+  const Settings& scene;     ///< the values of the scene, which a right click restores
   const UiStats& stats;
   const UiFonts& fonts;
   float scale;  ///< of all lengths
   PanelMemory& memory;
-  UiRects& widgets;  ///< filled with the settings' rectangles, by key
-  UiRects& buttons;  ///< filled with all other rectangles that can be clicked
+  UiRects& widgets;  ///< receives the rectangles of the settings, by key
+  UiRects& buttons;  ///< receives all other clickable rectangles
   UiOutput& output;
 };
 

@@ -7,18 +7,17 @@
 
 namespace drape {
 
-/// Changes that were asked for and have not come back in a snapshot yet. A widget shows what the user chose, not what
-/// the simulation used a moment ago; what never comes back (because it was refused) is forgotten after a while.
+/// Changes that have not come back in a snapshot yet. A widget shows the user's choice, not the older value of the
+/// simulation. A change that never comes back (it was refused) is dropped after a while.
 class PendingSettings {
  public:
-  /// `now` is in seconds, on any clock that only grows.
+  /// `now` is in seconds, from any monotonic clock.
   void add(const SettingInfo& info, const SettingValue& value, double now);
 
-  /// Forgets what has arrived in `current` and what was refused. Changes that need the scene to be built again wait for
-  /// as long as it is being built.
+  /// Drops changes that arrived in `current` or were refused. Changes that rebuild the scene wait until it is built.
   void update(const Settings& current, double now, bool building);
 
-  /// `current` with the waiting changes on top.
+  /// `current` with the pending changes applied.
   [[nodiscard]] Settings overlay(const Settings& current) const;
 
   [[nodiscard]] bool empty() const { return entries_.empty(); }

@@ -28,10 +28,10 @@ void balancePlot(const PanelContext& context) {
   const auto& colours = palette().plot;
   const std::array curves{PlotCurve{"Damping", colours[0], balanceOf<&EnergyBalance::damping>},
                           PlotCurve{"Air", colours[2], balanceOf<&EnergyBalance::air>},
-                          PlotCurve{"Hand", colours[1], balanceOf<&EnergyBalance::hand>},
+                          PlotCurve{"Hand", colours[1], balanceOf<&EnergyBalance::attachment>},
                           PlotCurve{"Contact", colours[3], balanceOf<&EnergyBalance::contact>},
                           PlotCurve{"Method", colours[4], balanceOf<&EnergyBalance::integrator>}};
-  timePlot(context, "Given or taken so far", "J", context.memory.measures.samples(), curves);
+  timePlot(context, "Energy added or removed so far", "J", context.memory.measures.samples(), curves);
 }
 
 void ghostPlot(const PanelContext& context) {
@@ -64,7 +64,7 @@ void historyPlot(const PanelContext& context, const History& history) {
   };
   const ImU32 fill = ImGui::GetColorU32(palette().accentFill);
   const float floor = low.y + size.y;
-  // Without smoothing the pieces of the filled area meet without a seam.
+  // Without antialiasing the pieces of the filled area meet without a seam.
   const ImDrawListFlags smooth = canvas.Flags;
   canvas.Flags &= ~ImDrawListFlags_AntiAliasedFill;
   for (int i = 0; i + 1 < history.count(); ++i) {
@@ -90,7 +90,7 @@ void performancePanel(PanelContext& context) {
   valueRow(context, "Frame", formatDuration(context.stats.frameSeconds));
   valueRow(context, "Step", formatDuration(snapshot.stepSeconds));
   if (snapshot.stepReport.contact.bodySeconds > 0.0) {
-    valueRow(context, "Bodies, of it", formatDuration(snapshot.stepReport.contact.bodySeconds));
+    valueRow(context, "Part of the bodies", formatDuration(snapshot.stepReport.contact.bodySeconds));
   }
   if (snapshot.ghost) {
     valueRow(context, "Step of the ghost", formatDuration(snapshot.ghost->stepSeconds));

@@ -13,15 +13,15 @@ namespace {
 /// A change that a line offers.
 struct Offer {
   std::string name;   ///< of the button: "reading.unit=m"
-  std::string label;  ///< what the button says
-  std::string help;   ///< what it does
+  std::string label;  ///< the text of the button
+  std::string help;   ///< its effect
   const SettingInfo* setting = nullptr;
   std::string value;
 };
 
-/// A line that stays until it is answered.
+/// A line that stays until the user answers it.
 struct Line {
-  std::string name;  ///< of its button that accepts: "reading.accept"
+  std::string name;  ///< of its accept button: "reading.accept"
   std::string text;
   ImVec4 colour;
   std::vector<Offer> offers;
@@ -48,7 +48,7 @@ Line adviceLine(const std::string& name, const Advice& advice) {
   return line;
 }
 
-/// Under which name it is remembered that a line was answered: another scene, or another reading, asks again.
+/// The key under which an answered line is stored. Another scene or reading has another key.
 std::string keyOf(const PanelContext& context, const Line& line) {
   return context.snapshot.scene->description.name + '\n' + line.text;
 }
@@ -56,7 +56,7 @@ std::string keyOf(const PanelContext& context, const Line& line) {
 std::vector<Line> linesOf(const PanelContext& context) {
   const Scene& scene = *context.snapshot.scene;
   std::vector<Line> lines;
-  if (scene.reading && scene.reading->asks()) {
+  if (scene.reading && scene.reading->needsReview()) {
     lines.push_back(readingLine(*scene.reading));
   }
   if (scene.pinAdvice) {
@@ -69,7 +69,7 @@ std::vector<Line> linesOf(const PanelContext& context) {
   return lines;
 }
 
-/// The value of a setting that a text stands for.
+/// The value of a setting from a text.
 SettingValue valueOf(const SettingInfo& setting, const std::string& text) {
   Settings settings;
   assignSettingText(settings, setting, text);
@@ -85,7 +85,7 @@ bool button(PanelContext& context, const std::string& name, const std::string& l
   return pressed;
 }
 
-/// The text, and its buttons beside it or, in a narrow window, below it.
+/// Draws the text and its buttons: beside it or, in a narrow window, below it.
 void drawLine(PanelContext& context, const Line& line, float width, bool beside) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   ImGui::PushStyleColor(ImGuiCol_Text, line.colour);
@@ -102,13 +102,13 @@ void drawLine(PanelContext& context, const Line& line, float width, bool beside)
     ImGui::SameLine();
   }
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
-  if (button(context, line.name, "OK", "Leaves it as it is and takes this line away.")) {
+  if (button(context, line.name, "OK", "Keeps this and closes the line.")) {
     context.memory.accepted.insert(keyOf(context, line));
   }
   ImGui::PopStyleColor();
 }
 
-/// How wide the widest line's buttons are [pixels].
+/// The width of the buttons of the widest line [pixels].
 float widthOfButtons(const std::vector<Line>& lines) {
   const ImGuiStyle& style = ImGui::GetStyle();
   float widest = 0.0F;
@@ -130,7 +130,7 @@ float widthOfButtons(const std::vector<Line>& lines) {
 void readingNotice(PanelContext& context, OverlayStack& stack) {
   const std::vector<Line> lines = linesOf(context);
   if (lines.empty() || !context.stats.loading.empty()) {
-    return;  // while a scene is being built the answer has been given
+    return;  // the user has answered, and a scene is being built
   }
   stack.begin("reading");
   const float room = stack.textWidth() - widthOfButtons(lines);

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// Settings that have no effect are left out: some follow from others by themselves.
+/// Ignores settings without effect: some follow from others.
 bool settingsDiffer(const Settings& one, const Settings& other, bool alsoView) {
   const std::span<const SettingInfo> table = settingsTable();
   return std::any_of(table.begin(), table.end(), [&](const SettingInfo& info) {

@@ -6,12 +6,12 @@
 
 namespace drape {
 
-/// True when the user changed something that is lost with the program: a setting of anything but the view, a pin, or a
-/// body's place, surface or presence.
+/// Whether quitting loses a change of the user: a setting outside the view, a pin, or a body's position, surface or
+/// presence.
 /// @param opened the scene as it was opened, with the settings of the command line
 [[nodiscard]] bool hasChanges(const Snapshot& snapshot, const Scene& opened);
 
-/// True when "Reset all" would change a setting, a pin or a body.
+/// Whether "Reset all" would change a setting, a pin or a body.
 [[nodiscard]] bool differsFromScene(const Snapshot& snapshot, const Settings& inForce);
 
 }  // namespace drape

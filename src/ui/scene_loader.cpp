@@ -15,7 +15,7 @@ std::string reasonOf(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
   } catch (const std::bad_alloc&) {
-    return "There is not enough memory for this. Take a smaller mesh or a coarser grid.";
+    return "Not enough memory. Use a smaller mesh or a coarser grid.";
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -110,7 +110,7 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
   }
   activity_.clear();
   if (waiting_) {
-    // The newer wish stands; what has just been built would be replaced at once.
+    // A newer request replaces this result.
     outcome.reset();
     start(*std::exchange(waiting_, std::nullopt));
   }

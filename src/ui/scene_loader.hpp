@@ -15,19 +15,19 @@
 
 namespace drape {
 
-/// Opens and builds scenes beside the running program. One at a time; of those that wait only the newest is kept,
-/// because it is what the user wants in the end. Destruction cancels the one in progress and waits for its end, which
-/// takes a fraction of a second.
+/// Opens and builds scenes in the background, one at a time. Of the waiting requests only the newest is kept, since it
+/// is the one that the user wants. Destruction cancels the running job and waits for its end, which takes a fraction of
+/// a second.
 class SceneLoader {
  public:
-  /// What a job was for.
+  /// The purpose of a job.
   enum class Kind {
     Opened,   ///< another scene
-    Rebuilt,  ///< the same scene under other settings
-    Restored  ///< the same scene under its own settings
+    Rebuilt,  ///< the same scene with other settings
+    Restored  ///< the same scene with its own settings
   };
 
-  /// How a job ended: with a scene, or with the reason why there is none.
+  /// The result of a job: a scene, or the reason of the failure.
   struct Outcome {
     std::shared_ptr<const Scene> scene;
     std::string error;
@@ -41,20 +41,20 @@ class SceneLoader {
 
   /// Opens another scene. `adjust` may change the scene's own settings before it is built.
   void open(const std::string& nameOrPath, std::function<void(Settings&)> adjust);
-  /// The same for a scene that is put together from several files.
+  /// The same for a scene that consists of several files.
   void open(const SceneParts& parts, std::function<void(Settings&)> adjust);
-  /// Builds a description again.
+  /// Builds a description again with other settings.
   void rebuild(const SceneDescription& description, const Settings& settings);
-  /// Builds a description again under its own settings.
+  /// Builds a description again with its own settings.
   void restore(const SceneDescription& description);
 
-  /// Gives up what is being built and what waits. Its outcome never arrives. False when there was nothing.
+  /// Cancels the running job and the waiting one. Their results never arrive. False when there was none.
   bool cancel();
 
-  /// The outcome of a job that has ended since the last call. Never waits.
+  /// The result of a job that ended since the last call. Never waits.
   [[nodiscard]] std::optional<Outcome> poll();
 
-  /// What is being built and how far it is, for the user to read; empty when nothing is.
+  /// The running job and its progress, in words; empty when there is none.
   [[nodiscard]] std::string activity() const;
 
  private:
@@ -68,18 +68,18 @@ class SceneLoader {
   void start(Job job);
 
   std::string activity_;
-  bool cancelled_ = false;  // the running job is: nobody wants its outcome
+  bool cancelled_ = false;  // whether the running job is cancelled
   std::optional<Job> waiting_;
   std::atomic<int> percent_ = 0;  // of the running job
   std::stop_source stop_;         // of the running job
-  std::future<Outcome> running_;  // last, because its end is waited for while the others are still there
+  std::future<Outcome> running_;  // last, since its destructor waits while the other members still exist
 };
 
-/// Another scene keeps what the user changed about the view: `target`, the next scene's settings, takes each view
-/// setting in which `current` differs from `own`, what the present scene came with.
+/// Another scene keeps the user's changes of the view: `target`, the settings of the next scene, takes each view
+/// setting that differs between `current` and `own`, the present scene's original settings.
 void carryViewSettings(const Settings& current, const Settings& own, Settings& target);
 
-/// The changes that bring `from` to `to` without building the scene again.
+/// The changes from `from` to `to` that need no rebuild of the scene.
 [[nodiscard]] std::vector<SetSettingCommand> runningChanges(const Settings& from, const Settings& to);
 
 }  // namespace drape

@@ -16,7 +16,7 @@ void openField(PanelContext& context) {
   const bool entered = ImGui::InputTextWithHint("##path", "path", &path, ImGuiInputTextFlags_EnterReturnsTrue);
   context.buttons["scene.path"] = lastItemRect();
   explainItem(context, "scene.path",
-              "A scene (.toml) or a mesh (.obj and others). A file can also be dropped on the window.");
+              "A scene (.toml) or a mesh (.obj and others). Files can also be dropped on the window.");
   ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
   const bool pressed = ImGui::Button("Open");
   context.buttons["button.open"] = lastItemRect();

@@ -20,7 +20,7 @@ Edit numberWidget(PanelContext& context, const SettingInfo& info, const NumberFi
 
 Edit integerWidget(PanelContext& context, const SettingInfo& info, const IntegerField& field,
                    const SettingValue& value) {
-  constexpr int many = 32;  // above this the small numbers matter more than the large ones
+  constexpr int many = 32;  // above this the slider is logarithmic
   const SliderRange range{static_cast<double>(field.min), static_cast<double>(field.max), field.max > many};
   return numberSlider(context, inputOf(info, context.settings), range, value, numberFormat("%.0f", info.unit));
 }
@@ -31,7 +31,7 @@ Edit flagWidget(bool value) {
   return {.changed = changed, .finished = changed, .value = edited};
 }
 
-/// One word of a choice, as it is shown.
+/// One choice, as it is shown.
 struct Choice {
   std::string word;
   std::string title;
@@ -46,7 +46,7 @@ std::vector<Choice> choicesOf(const ChoiceField& field) {
   return choices;
 }
 
-/// What each word means, beside its entry.
+/// The meaning of each choice, beside its entry.
 void explainChoice(const PanelContext& context, const std::string& name, const Choice& choice, const UiRect& row) {
   if (!choice.help.empty() && ImGui::IsItemHovered() && hoveredLongEnough(context, name)) {
     beginExplanation(context, &row);
@@ -106,7 +106,7 @@ Edit comboWidget(PanelContext& context, const SettingInfo& info, const std::vect
   return edit;
 }
 
-/// Up to three short words stand side by side; more of them share a list that drops down.
+/// Up to three short words stand side by side; more of them form a drop-down list.
 Edit choiceWidget(PanelContext& context, const SettingInfo& info, const ChoiceField& field, const std::string& value) {
   const std::vector<Choice> choices = choicesOf(field);
   float widest = 0.0F;
@@ -131,7 +131,7 @@ Edit fieldWidget(PanelContext& context, const SettingInfo& info, const SettingVa
   return choiceWidget(context, info, std::get<ChoiceField>(info.field), std::get<std::string>(value));
 }
 
-/// The value as typed, but a real number with no more digits than a reader wants.
+/// The value as typed, with few digits for a real number.
 std::string shortValue(const SettingValue& value) {
   const double* number = std::get_if<double>(&value);
   if (number == nullptr) {
@@ -170,7 +170,7 @@ void takeEdit(PanelContext& context, const SettingInfo& info, const Edit& edit) 
       changeSetting(context, info, edit.value);
     }
   } else if (!edit.finished) {
-    // Building a scene takes a while, so a slider that needs it acts when it is let go.
+    // Rebuilding a scene takes a while, so such a slider acts when it is released.
     if (edit.changed) {
       context.memory.pending.add(info, edit.value, ImGui::GetTime());
     }

@@ -7,22 +7,22 @@
 
 namespace drape {
 
-/// Draws the row for one setting, made from its entry in the settings table alone: a slider, a box to tick or a choice
-/// of words, with range, unit and an explanation that appears on hovering. A change becomes a command (or, when the
-/// mesh depends on it, a request to build the scene again); a right click restores the scene's value.
+/// Draws the row of one setting from its entry in the settings table: a slider, a check box or a choice of words, with
+/// range, unit and an explanation on hovering. A change becomes a command or, when the mesh depends on it, a request to
+/// rebuild the scene. A right click restores the scene's value.
 void settingWidget(PanelContext& context, const SettingInfo& info);
 
-/// Draws every setting of a group, in the table's order, except those that do not apply now.
+/// Draws all settings of a group that apply now, in the order of the table.
 void settingsOfGroup(PanelContext& context, SettingGroup group);
 
-/// False for a setting that has no meaning for the running scene: a grid's for a mesh file, a mesh file's for a grid,
-/// and one of two ways to say the same thing while the other is in use (mass while the density is given).
+/// Whether a setting applies to the running scene. A grid's settings do not apply to a mesh file, nor a mesh file's to
+/// a grid; mass does not apply while the density is given.
 [[nodiscard]] bool settingApplies(const SettingInfo& info, const Settings& settings, const Scene& scene);
 
-/// Asks for a change, in whichever way the setting needs. A value that the setting refuses is dropped.
+/// Requests a change, as a command or a rebuild. A value that the setting refuses is dropped.
 void changeSetting(PanelContext& context, const SettingInfo& info, const SettingValue& value);
 
-/// A number's format for printf with its unit: "%.4g m/s".
+/// The printf format of a number with its unit: "%.4g m/s".
 [[nodiscard]] std::string numberFormat(std::string_view digits, std::string_view unit);
 
 }  // namespace drape

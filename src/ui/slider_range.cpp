@@ -6,9 +6,9 @@
 namespace drape {
 namespace {
 
-constexpr double wideLinear = 40.0;  // a linear range beyond this is narrowed
+constexpr double wideLinear = 40.0;  // a longer linear range is narrowed
 constexpr double linearAroundZero = 20.0;
-constexpr double smallestLogarithmic = 1e-4;  // where a slider that begins at zero starts its decades
+constexpr double smallestLogarithmic = 1e-4;  // the first decade of a slider that begins at zero
 
 SliderRange logarithmicRange(const NumberField& field, double defaultValue) {
   if (defaultValue > 0.0) {
@@ -25,7 +25,7 @@ SliderRange linearRange(const NumberField& field, double defaultValue) {
   return {std::max(field.min, -reach), std::min(field.max, reach), false};
 }
 
-/// The smallest value on a logarithmic slider that is not its left end.
+/// The smallest value on a logarithmic slider above its left end.
 double floorOf(const SliderRange& range) {
   return range.min > 0.0 ? range.min : std::min(smallestLogarithmic, range.max * 1e-3);
 }

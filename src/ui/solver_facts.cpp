@@ -23,7 +23,7 @@ std::string describeStepLimit(double limit) {
   if (limit >= longStep) {
     return formatQuantity(limit, "s");
   }
-  // A little less than the inverse, so that 1/240 s does not become 1/241 s by its last bit.
+  // Slightly less than the inverse, so that rounding does not turn 1/240 s into 1/241 s.
   return "1/" + formatCount(std::llround(std::ceil(1.0 / limit * (1.0 - 1e-9)))) + " s";
 }
 
@@ -34,7 +34,7 @@ void solverRows(const PanelContext& context, const SolverInfo& solver, const Ste
     const bool beyond = parameters.timeStep / parameters.substeps > limit * (1.0 + 1e-9);
     valueRow(context, "Stability limit", describeStepLimit(limit), beyond ? palette().warning : palette().text);
   }
-  // A row that is there from the start does not push the others down with the first step.
+  // The row exists from the start, so that the first step does not move the rows below.
   if (report.iterations > 0 || solvesToATolerance(solver)) {
     valueRow(context, "Iterations", formatCount(report.iterations));
     if (solvesToATolerance(solver)) {

@@ -6,15 +6,14 @@
 
 namespace drape {
 
-/// A longest stable step [s] as people write it: "1/240 s", never rounded to what is too long. "none" when there is no
-/// limit.
+/// The longest stable step [s] in words: "1/240 s", never rounded up. "none" when there is no limit.
 [[nodiscard]] std::string describeStepLimit(double limit);
 
-/// Rows about a solver: how long its steps may be, how its last solve went.
+/// Rows about a solver: its stability limit and its last solve.
 void solverRows(const PanelContext& context, const SolverInfo& solver, const StepParameters& parameters,
                 const StepReport& report);
 
-/// What a solver is, in the first sentence of its help; the rest appears on hovering.
+/// The first sentence of a solver's help; the rest appears on hovering.
 void solverHelp(const PanelContext& context, const SolverInfo& solver);
 
 }  // namespace drape

@@ -19,57 +19,57 @@ namespace {
 
 constexpr const char* detailsName = "Solver details";
 
-/// What one click would change for the better.
-enum class WayOut { None, Auto, Soften };
+/// The change that one click offers.
+enum class Remedy { None, Auto, Soften };
 
 struct Message {
   std::string text;
   ImVec4 colour;
-  WayOut wayOut = WayOut::None;
+  Remedy wayOut = Remedy::None;
 };
 
-/// The solver that finds out for itself what a cloth needs.
+/// The solver that chooses its own steps.
 constexpr std::string_view choosingSolver = "auto";
 
-bool isOpen(WayOut way, const Settings& settings) {
+bool isOpen(Remedy way, const Settings& settings) {
   const bool chooses = settings.solver.name == choosingSolver;
   switch (way) {
-    case WayOut::Auto:
+    case Remedy::Auto:
       return !chooses && findSolver(choosingSolver) != nullptr;
-    case WayOut::Soften:
+    case Remedy::Soften:
       return chooses && !settings.step.soften;
-    case WayOut::None:
+    case Remedy::None:
       break;
   }
   return false;
 }
 
-/// What a step may cost: what the user allows, or else what it covers [s].
+/// The allowed duration of a step: the user's budget, or else the time step [s].
 double timeForStep(const Settings& settings) {
   const double share = settings.automatic.budget * 1e-3 / budgetedTime;
   return (share > 0.0 ? share : 1.0) * settings.step.timeStep;
 }
 
-/// What is worth telling about the clock: why it is slow, or that there is nothing to do.
+/// A message about the speed of the simulation: why it is slow, or that the cloth is at rest.
 std::optional<Message> paceMessage(const Snapshot& snapshot) {
   const auto& choice = snapshot.stepReport.choice;
   if (choice && choice->resting) {
     return Message{"The cloth is at rest", palette().muted};
   }
   if (choice && choice->demand > stretchedBudget) {
-    return Message{snapshot.settings.step.soften ? "The cloth is softer than it was set, to keep pace"
+    return Message{snapshot.settings.step.soften ? "The springs are softened to keep real time"
                                                  : "The cloth is too stiff and too fine for real time",
-                   palette().warning, WayOut::Soften};
+                   palette().warning, Remedy::Soften};
   }
   return std::nullopt;
 }
 
-/// The most urgent thing there is to say.
+/// The most urgent message.
 Message messageOf(const PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
   if (!snapshot.message.empty()) {
     return {snapshot.message, palette().warning,
-            snapshot.overstretched && snapshot.overstretched->advice.key == "solver" ? WayOut::Auto : WayOut::None};
+            snapshot.overstretched && snapshot.overstretched->advice.key == "solver" ? Remedy::Auto : Remedy::None};
   }
   if (!context.stats.notice.empty()) {
     return {context.stats.notice, palette().text};
@@ -78,19 +78,19 @@ Message messageOf(const PanelContext& context) {
     return *pace;
   }
   if (std::string warning = solverWarning(context.settings, *snapshot.model); !warning.empty()) {
-    return {std::move(warning), palette().warning, WayOut::Auto};
+    return {std::move(warning), palette().warning, Remedy::Auto};
   }
   if (std::string warning = ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
     return {"Ghost: " + warning, palette().warning};
   }
   if (isTooSlow(snapshot)) {
-    return {"This machine needs longer for a step than the step covers. Fewer vertices make it faster",
+    return {"The simulation is slower than real time on this machine. Fewer vertices make it faster",
             palette().warning};
   }
   return {"F1: help", palette().muted};
 }
 
-/// The cloth and its pace. A long name leaves room for the rest.
+/// The cloth and its speed. A long name is cut.
 std::vector<std::pair<std::string, ImVec4>> factsOf(const Snapshot& snapshot) {
   const SceneDescription& scene = snapshot.scene->description;
   const float widestName = 0.4F * ImGui::GetIO().DisplaySize.x;
@@ -99,10 +99,10 @@ std::vector<std::pair<std::string, ImVec4>> factsOf(const Snapshot& snapshot) {
           {describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text}};
 }
 
-void drawWayOut(PanelContext& context, WayOut way) {
-  const bool toAuto = way == WayOut::Auto;
+void drawWayOut(PanelContext& context, Remedy way) {
+  const bool toAuto = way == Remedy::Auto;
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
-  if (ImGui::SmallButton(toAuto ? "Use auto" : "Keep pace")) {
+  if (ImGui::SmallButton(toAuto ? "Use auto" : "Soften")) {
     if (toAuto) {
       changeSetting(context, requireSetting("solver"), std::string(choosingSolver));
     } else {
@@ -113,11 +113,11 @@ void drawWayOut(PanelContext& context, WayOut way) {
   const char* const name = toAuto ? "button.auto" : "button.soften";
   context.buttons[name] = lastItemRect();
   explainItem(context, name,
-              toAuto ? "Changes the solver to auto, which takes the steps that this cloth needs."
-                     : "Softens the springs to what the work allowed carries, so that the clock keeps pace.");
+              toAuto ? "Changes the solver to auto, which chooses suitable steps for this cloth."
+                     : "Softens the springs so that the steps fit the cost budget and the simulation keeps real time.");
 }
 
-/// What the click on the line shows: the solver, what it costs and what it chose.
+/// The details behind a click on the line: the solver, its cost and its choices.
 void detailRows(PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
   const Settings& settings = snapshot.settings;
@@ -139,7 +139,7 @@ void detailRows(PanelContext& context) {
     mutedText(warning, palette().warning);
   }
   ImGui::Spacing();
-  mutedText("The section Advanced changes these.");
+  mutedText("Change these in the section Advanced.");
 }
 
 void drawDetails(PanelContext& context, const UiRect& place) {
@@ -162,7 +162,7 @@ float widthOf(const std::string& text) {
   return ImGui::CalcTextSize(text.c_str()).x;
 }
 
-/// The facts from the left end; a click on them opens the details.
+/// Draws the facts from the left; a click on them opens the details.
 void drawFacts(PanelContext& context, const std::vector<std::pair<std::string, ImVec4>>& facts, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton("facts", {width, ImGui::GetTextLineHeight()})) {
@@ -170,7 +170,7 @@ void drawFacts(PanelContext& context, const std::vector<std::pair<std::string, I
   }
   const bool hovered = ImGui::IsItemHovered();
   context.buttons["status.facts"] = lastItemRect();
-  explainItem(context, "status.facts", "Click for the solver, its cost and what it chose.");
+  explainItem(context, "status.facts", "Click for the solver, its cost and its choices.");
   ImDrawList& canvas = *ImGui::GetWindowDrawList();
   float x = at.x;
   for (std::size_t i = 0; i < facts.size(); ++i) {
@@ -180,12 +180,12 @@ void drawFacts(PanelContext& context, const std::vector<std::pair<std::string, I
   }
 }
 
-/// How the line is laid out: on one line while that has room for everything, else with the message above the facts.
+/// The layout: one line when everything fits, otherwise the message above the facts.
 struct Layout {
   float factsWidth = 0.0F;
   float buttonWidth = 0.0F;   // with its gap; 0: no button
-  float messageWidth = 0.0F;  // of the lines that it is broken into
-  float extraHeight = 0.0F;   // that the line grows by
+  float messageWidth = 0.0F;  // of the wrapped lines
+  float extraHeight = 0.0F;   // additional height of the line
 };
 
 Layout layOut(const std::string& facts, const Message& message, bool hasButton, const UiRect& place) {
@@ -193,7 +193,7 @@ Layout layOut(const std::string& facts, const Message& message, bool hasButton, 
   const float width = static_cast<float>(place.width) - 2.0F * style.WindowPadding.x;
   Layout layout{.factsWidth = std::min(width, widthOf(facts))};
   if (hasButton) {
-    const float word = std::max(widthOf("Use auto"), widthOf("Keep pace"));
+    const float word = std::max(widthOf("Use auto"), widthOf("Soften"));
     layout.buttonWidth = word + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
   }
   layout.messageWidth = widthOf(message.text);

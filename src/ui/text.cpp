@@ -59,7 +59,7 @@ std::string describePace(const Snapshot& snapshot) {
     return "paused";
   }
   if (snapshot.realTimeFactor <= 0.0) {
-    return "not timed";  // no clock is running, as in a capture, or it has only just begun
+    return "not timed";  // no clock is running, as in a capture, or it has just started
   }
   const bool slow = isTooSlow(snapshot);
   if (!slow && snapshot.settings.playback.speed == 1.0) {

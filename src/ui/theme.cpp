@@ -90,7 +90,7 @@ void applyTheme(ImGuiStyle& style, float scale) {
 }
 
 UiFonts buildFonts(ImFontAtlas& atlas, float scale, float density) {
-  // Latin, Greek, Cyrillic and general punctuation: what file names and units are commonly written in.
+  // Latin, Greek, Cyrillic and general punctuation, for file names and units.
   static constexpr std::array<ImWchar, 15> ranges{0x0020, 0x017F, 0x0370, 0x03FF, 0x0400, 0x04FF, 0x2010, 0x2027,
                                                   0x2070, 0x209F, 0x2190, 0x2193, 0x2212, 0x2212, 0};
   const std::string_view bytes = embeddedFonts().front().bytes;
@@ -98,7 +98,7 @@ UiFonts buildFonts(ImFontAtlas& atlas, float scale, float density) {
   config.OversampleH = 2;
   config.OversampleV = 2;
   const auto add = [&](float size) {
-    // The atlas frees its copy; the embedded bytes are not its own.
+    // The atlas frees its copy; it does not own the embedded bytes.
     void* copy = ImGui::MemAlloc(bytes.size());
     std::memcpy(copy, bytes.data(), bytes.size());
     return atlas.AddFontFromMemoryTTF(copy, static_cast<int>(bytes.size()), std::round(size * scale * density), &config,

@@ -6,11 +6,11 @@
 
 namespace drape {
 
-/// The colours that the panels use beyond ImGui's own style entries.
+/// The colours of the panels besides ImGui's own style entries.
 struct Palette {
   ImVec4 text;
   ImVec4 muted;       ///< labels and explanations
-  ImVec4 accent;      ///< what is on, or can be dragged
+  ImVec4 accent;      ///< active or draggable things
   ImVec4 accentFill;  ///< the filled part of a slider
   ImVec4 panel;       ///< background of the column and the status line
   ImVec4 field;       ///< background of a widget
@@ -18,24 +18,24 @@ struct Palette {
   ImVec4 good;
   ImVec4 warning;
   ImVec4 error;
-  ImVec4 ghost;                ///< what belongs to the second cloth
-  std::array<ImVec4, 5> plot;  ///< lines of a plot, told apart
+  ImVec4 ghost;                ///< of the second cloth
+  std::array<ImVec4, 5> plot;  ///< lines of a plot
 };
 
 /// The dark palette of the program.
 [[nodiscard]] const Palette& palette();
 
-/// Spacing, rounding and colours; lengths grow with `scale`.
+/// Sets spacing, rounding and colours; lengths scale with `scale`.
 void applyTheme(ImGuiStyle& style, float scale);
 
-/// The two sizes of the typeface.
+/// The two font sizes.
 struct UiFonts {
   ImFont* regular = nullptr;
   ImFont* title = nullptr;
 };
 
-/// Puts the embedded typeface into the atlas and rasterises it. `scale` is the size of the text; `density` is how many
-/// pixels make up a window unit (2 on some high-resolution displays).
+/// Rasterises the embedded font into the atlas. `scale` is the size of the text; `density` is the number of pixels per
+/// window unit (2 on some high-resolution displays).
 [[nodiscard]] UiFonts buildFonts(ImFontAtlas& atlas, float scale, float density);
 
 /// The height of the text at scale 1, in window units.

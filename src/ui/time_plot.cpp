@@ -9,9 +9,9 @@
 namespace drape {
 namespace {
 
-constexpr double shortestSpan = 0.5;  // of the time axis [s]
+constexpr double shortestSpan = 0.5;  // minimum of the time axis [s]
 
-/// Where the curves are drawn, and what its edges mean.
+/// The area of the curves and its axes.
 struct Frame {
   ImVec2 low;   // upper left corner
   ImVec2 high;  // lower right corner
@@ -45,7 +45,7 @@ std::pair<double, double> rangeOf(std::span<const MeasureSample> samples, std::s
   return range;
 }
 
-/// Multiples of the step; the rounding of a sum must not turn zero into 1e-17.
+/// Multiples of the step. Rounding must not turn zero into 1e-17.
 std::vector<double> ticksOf(const PlotScale& scale) {
   std::vector<double> ticks;
   const auto first = static_cast<long long>(std::llround(scale.low / scale.step));
@@ -118,19 +118,19 @@ void legendRow(const PanelContext& context, const PlotCurve& curve, std::span<co
 
 }  // namespace
 
-PlotScale plotScale(double low, double high, int most) {
+PlotScale plotScale(double low, double high, int maxSteps) {
   low = std::min(low, 0.0);
   high = std::max(high, 0.0);
   const double span = high - low;
   if (!(span > 0.0) || !std::isfinite(span)) {
     return {0.0, 1.0, 1.0};
   }
-  const double power = std::pow(10.0, std::floor(std::log10(span / most)));
+  const double power = std::pow(10.0, std::floor(std::log10(span / maxSteps)));
   for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0}) {
     const double step = factor * power;
     const double below = std::floor(low / step);
     const double above = std::ceil(high / step);
-    if (above - below <= most) {
+    if (above - below <= maxSteps) {
       return {below * step, above * step, step};
     }
   }
@@ -145,10 +145,10 @@ void timePlot(const PanelContext& context, std::string_view title, std::string_v
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x, std::round(line * 8.0F)};
   ImGui::Dummy(size);
-  const auto [least, most] = rangeOf(samples, curves);
+  const auto [lowest, highest] = rangeOf(samples, curves);
   Frame frame;
-  frame.scale = plotScale(least, most, 4);
-  // Half a line of text stands above the uppermost tick and below the lowest, and the time below that.
+  frame.scale = plotScale(lowest, highest, 4);
+  // Half a line of text extends above the top tick and below the lowest; the time axis is below that.
   frame.low = {std::round(at.x + widestTick(frame.scale) + 6.0F * context.scale), std::round(at.y + 0.5F * line)};
   frame.high = {at.x + size.x, std::round(at.y + size.y - 1.4F * line)};
   if (!samples.empty()) {

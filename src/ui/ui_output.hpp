@@ -18,14 +18,14 @@ struct UiRect {
   double y = 0.0;
   double width = 0.0;
   double height = 0.0;
-  bool visible = true;  ///< false when it is scrolled out of sight
+  bool visible = true;  ///< false when it is scrolled out of view
 
   [[nodiscard]] bool contains(const Vec2& point) const {
     return point.x() >= x && point.x() < x + width && point.y() >= y && point.y() < y + height;
   }
 };
 
-/// Rectangles by name: settings by their key, buttons by "button.play" and the like, sections by "section.air".
+/// Rectangles by name: settings by key, buttons as "button.play" and the like, sections as "section.air".
 using UiRects = std::map<std::string, UiRect>;
 
 /// Open another scene: a built-in name, a scene file or a mesh file.
@@ -33,7 +33,7 @@ struct OpenSceneRequest {
   std::string nameOrPath;
 };
 
-/// Open a scene that is put together from several files.
+/// Open a scene that consists of several files.
 struct OpenPartsRequest {
   SceneParts parts;
 };
@@ -43,12 +43,12 @@ struct DroppedRequest {
   std::vector<std::string> files;
 };
 
-/// Build the running scene again because a setting changed that its mesh depends on.
+/// Rebuild the running scene, because a setting that its mesh depends on changed.
 struct RebuildSceneRequest {
   Settings settings;  ///< all of them, with the change
 };
 
-/// What the program itself does, rather than the simulation.
+/// Actions of the program, not of the simulation.
 enum class UiAction {
   TogglePanels,
   ToggleHelp,
@@ -57,29 +57,29 @@ enum class UiAction {
   ViewFront,
   ViewRight,
   ViewTop,
-  ResetAll,           ///< settings, pins, bodies and the cloth, as the scene has them
-  Quit,               ///< or stop reading a file; asks first where changes would be lost
-  CloseWindow,        ///< quit, also while a file is read; asks first where changes would be lost
-  QuitAndLoseChanges  ///< without a question
+  ResetAll,           ///< restore settings, pins, bodies and cloth of the scene
+  Quit,               ///< or stop reading a file; asks before changes are lost
+  CloseWindow,        ///< quit, also while a file is read; asks before changes are lost
+  QuitAndLoseChanges  ///< without asking
 };
 
 using UiRequest = std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest, UiAction>;
 
-/// Everything the user asked for during one frame. Panels and input only ever add to this; nobody changes live state.
+/// The requests of the user in one frame. Panels and input only add to it; they never change the running state.
 struct UiOutput {
   std::vector<Command> commands;    ///< for the simulation, in order
   std::vector<UiRequest> requests;  ///< for the program, in order
-  std::string hint;                 ///< a sentence for the status line, or empty
+  std::string hint;                 ///< one sentence for the status line, or empty
 };
 
-/// What the panels show besides the snapshot.
+/// Data of the panels besides the snapshot.
 struct UiStats {
-  double frameSeconds = 0.0;   ///< from one drawn frame to the next, lately [s]
-  std::string loading;         ///< what is being built in the background, or empty
-  double loadingShare = -1.0;  ///< how much of it is done, from 0 to 1; negative: not known
-  std::string error;           ///< the last thing that failed, in words, or empty
-  int failures = 0;            ///< how many things have failed; tells two errors of the same words apart
-  std::string notice;          ///< the last thing worth telling, or empty
+  double frameSeconds = 0.0;   ///< between two drawn frames, recently [s]
+  std::string loading;         ///< the job in the background, or empty
+  double loadingShare = -1.0;  ///< its progress from 0 to 1; negative: unknown
+  std::string error;           ///< the last error, in words, or empty
+  int failures = 0;            ///< number of errors so far; distinguishes two errors with the same words
+  std::string notice;          ///< the last message, or empty
 };
 
 }  // namespace drape

@@ -3,7 +3,7 @@
 #include "ui/panels.hpp"
 
 #include <backends/imgui_impl_opengl3.h>
-#include <imgui_internal.h>  // for closing a list that dropped down from outside
+#include <imgui_internal.h>  // for closing a drop-down list from outside
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr float columnWidth = 372.0F;  // at scale 1
 constexpr float statusHeight = 30.0F;  // at scale 1
-constexpr float columnShare = 0.55F;   // of a small window, at most
+constexpr float columnShare = 0.55F;   // maximum share of a small window
 constexpr std::size_t sectionCount = 9;
 
 using Panel = void (*)(PanelContext&);
@@ -41,9 +41,9 @@ struct UserInterface::Parts {
   bool panels = true;
   bool help = false;
   bool asksToQuit = false;
-  std::optional<DroppedFiles> dropped;  ///< of which one has to be chosen as the cloth
-  std::size_t chosenCloth = 0;          ///< among them
-  std::string closedError;              ///< the error that the user has seen and closed
+  std::optional<DroppedFiles> dropped;  ///< the user must choose the cloth among these
+  std::size_t chosenCloth = 0;          ///< index of that choice
+  std::string closedError;              ///< the error that the user closed
   std::string shownError;
   int failures = 0;  ///< as of the last frame
 
@@ -68,12 +68,12 @@ void UserInterface::Parts::makeFonts() {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
   } else {
-    io.Fonts->SetTexID(context);  // any name but none, so that ImGui's own checks of its texture stack mean something
+    io.Fonts->SetTexID(context);  // any value except null, so that ImGui's checks of its texture stack work
   }
 }
 
 void UserInterface::Parts::remember(const Snapshot& snapshot, const UiStats& stats) {
-  // A slider that is still held has not said its last word, so what it shows must stay.
+  // The user still drags a slider, so the text it explains must stay.
   const bool waiting = !stats.loading.empty() || ImGui::IsAnyItemActive();
   memory.pending.update(snapshot.settings, ImGui::GetTime(), waiting);
   if (snapshot.step != memory.lastStep && snapshot.stepSeconds > 0.0) {
@@ -81,7 +81,7 @@ void UserInterface::Parts::remember(const Snapshot& snapshot, const UiStats& sta
   }
   memory.lastStep = snapshot.step;
   memory.measures.add(snapshot);
-  memory.hasDragged = memory.hasDragged || snapshot.grab.has_value();
+  memory.hasDragged = memory.hasDragged || snapshot.attachment.has_value();
   if (!memory.hoveredThisFrame) {
     memory.hoveredRow.clear();
   }
@@ -109,7 +109,7 @@ void UserInterface::Parts::column(PanelContext& panel, const UiRect& place) {
 }
 
 void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
-  // What stays comes first, so that a message which appears moves nothing that is about to be clicked.
+  // Permanent boxes come first, so that a new message does not move a button before a click.
   OverlayStack stack(panel, view);
   readingNotice(panel, stack);
   if (!shownError.empty() && !errorNotice(panel, stack)) {
@@ -229,7 +229,7 @@ bool UserInterface::covers(const Vec2& point) const {
       return true;
     }
   }
-  // A list that dropped down, or a slider that is held, may reach over the picture.
+  // A drop-down list or an active slider may extend over the picture.
   ImGui::SetCurrentContext(parts_->context);
   return ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }

@@ -9,23 +9,23 @@
 
 namespace drape {
 
-/// What the panels are drawn on.
+/// The size and scale of the drawing area.
 struct UiDisplay {
   int width = 1280;      ///< of the window, in its own units
   int height = 720;      ///< of the window, in its own units
-  float density = 1.0F;  ///< framebuffer pixels a window unit; more than 1 on some high-resolution displays
+  float density = 1.0F;  ///< framebuffer pixels per window unit; more than 1 on some high-resolution displays
   float scale = 1.0F;    ///< of text and spacing
 };
 
-/// The panels: a column of sections at the left, a status line at the bottom, help and error notices over the picture.
-/// Reads snapshots, adds to a UiOutput, and needs neither a window nor a simulation. One at a time.
+/// The panels: a column of sections at the left, a status line at the bottom, help and messages over the picture. It
+/// reads snapshots, adds to a UiOutput, and needs neither a window nor a simulation. Only one may exist at a time.
 ///
-/// A frame is build(), then renderDrawData() with the target framebuffer bound. In a window the mouse and the keyboard
-/// come from ImGui's GLFW backend, which the viewer attaches; without a window there is no input.
+/// A frame is build(), then renderDrawData() with the target framebuffer bound. In a window, ImGui's GLFW backend
+/// supplies mouse and keyboard; the viewer attaches it. Without a window there is no input.
 class UserInterface {
  public:
-  /// With OpenGl a GlContext must be current from construction to destruction. With None nothing can be drawn, but the
-  /// panels can be built and their output looked at.
+  /// OpenGl needs a current GlContext from construction to destruction. None cannot draw, but can build the panels for
+  /// tests of their output.
   enum class Backend { None, OpenGl };
 
   UserInterface(const UiDisplay& display, Backend backend);
@@ -33,21 +33,21 @@ class UserInterface {
   UserInterface& operator=(const UserInterface&) = delete;
   ~UserInterface();
 
-  /// Before build(). A new scale takes effect once no widget is held, or the held one would move away from the mouse.
+  /// Call it before build(). A new scale waits until no widget is active, since it would move away from the mouse.
   void setDisplay(const UiDisplay& display);
 
-  /// Lays out one frame. What the user does goes to `output`.
+  /// Lays out one frame. The user's requests go to `output`.
   void build(const Snapshot& snapshot, const UiStats& stats, UiOutput& output);
 
-  /// Draws the last frame into the framebuffer that is bound.
+  /// Draws the last frame into the bound framebuffer.
   void renderDrawData();
 
-  /// The part of the window that the panels leave for the picture, in window units.
+  /// The part of the window without panels, for the picture [window units].
   [[nodiscard]] UiRect view() const;
 
-  /// True when a mouse event at that place belongs to the panels.
+  /// Whether a mouse event at that position belongs to the panels.
   [[nodiscard]] bool covers(const Vec2& point) const;
-  /// True while text is being typed, so that keys are no shortcuts.
+  /// Whether the user is typing text, so that keys are not shortcuts.
   [[nodiscard]] bool takesText() const;
 
   [[nodiscard]] bool panelsVisible() const;
@@ -62,22 +62,22 @@ class UserInterface {
   /// question until this one is answered.
   void askToQuit();
 
-  /// Takes the questions away without an answer.
+  /// Closes the questions without an answer.
   void forgetQuestions();
 
-  /// What the status line said in the last frame, in full.
+  /// The full text of the status line in the last frame.
   [[nodiscard]] const std::string& status() const;
 
-  /// Closes what lies over the picture: a list that dropped down, a question, help, an error. False when there was
-  /// nothing.
+  /// Closes the topmost thing over the picture: a drop-down list, a question, help, an error. False when there was
+  /// none.
   bool closeOverlay();
 
-  /// Opens all sections, or closes them all: for pictures and tests.
+  /// Opens or closes all sections: for pictures and tests.
   void openSections(bool open);
 
-  /// Where each setting's widget was in the last frame, by the setting's key, in window units.
+  /// The rectangles of the setting widgets in the last frame, by key [window units].
   [[nodiscard]] const UiRects& widgets() const;
-  /// Where everything else was that can be clicked: "button.play", "section.air", "wind.dial".
+  /// The rectangles of all other clickable things: "button.play", "section.air", "wind.dial".
   [[nodiscard]] const UiRects& buttons() const;
 
  private:
@@ -85,12 +85,12 @@ class UserInterface {
   std::unique_ptr<Parts> parts_;
 };
 
-/// A camera for a picture of the whole window in which the panels cover all but `view`: what the given camera has in
-/// the middle appears in the middle of what is left. For pictures in one piece, without a window.
+/// A camera for a picture of the whole window with panels. The centre of the given camera's picture moves to the centre
+/// of `view`, the part without panels. For pictures in one piece, without a window.
 [[nodiscard]] Camera besidePanels(const Camera& camera, const UiRect& view, int width, int height);
 
-/// The scale of text and spacing: what the user set, or what the monitor asks for. Some systems report no scale for a
-/// monitor with very many rows, so those get one from their rows.
+/// The scale of text and spacing: the user's setting, or the monitor's scale. Some systems report no scale for a
+/// monitor with very many rows; its rows then set the scale.
 [[nodiscard]] float uiScale(double fontScaleSetting, float contentScale, int monitorRows);
 
 }  // namespace drape

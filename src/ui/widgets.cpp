@@ -104,7 +104,7 @@ UiRect beginRow(const PanelContext& context, std::string_view label, bool marked
   }
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, marked ? palette().text : palette().muted);
-  // Where large letters meet a small window, the explanation still has the whole title.
+  // With large text in a small window the label may be cut; the explanation has the whole title.
   const float column = std::round(ImGui::GetCursorStartPos().x + width * labelShare);
   ImGui::TextUnformatted(fitted(label, column - ImGui::GetCursorPosX() - 4.0F * context.scale).c_str());
   ImGui::PopStyleColor();

@@ -77,8 +77,8 @@ void windDial(PanelContext& context) {
   dragDial(context, dial);
   drawDial(context, dial, ImGui::IsItemHovered() || ImGui::IsItemActive());
   explainItem(context, "wind.dial",
-              "The wind seen from above, x to the right and z towards you. Drag to turn it and to change its speed, "
-              "right click for none. The inner ring is 5 m/s, the outer one 20 m/s.");
+              "The wind from above: x to the right, z towards you. Drag to change its direction and speed, "
+              "right-click for no wind. The inner ring is 5 m/s, the outer ring 20 m/s.");
   ImGui::SameLine(0.0F, ImGui::GetFontSize());
   ImGui::BeginGroup();
   const Vec3& wind = context.settings.step.wind;

@@ -13,8 +13,8 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-bool isHeld(const Json& state) {
-  return !state["grab"].is_null();
+bool isAttached(const Json& state) {
+  return !state["attachment"].is_null();
 }
 
 bool hasButton(const Json& state, const char* name) {
@@ -37,7 +37,7 @@ TEST(FirstMinute, ThePictureSaysWhatToDoUntilTheFirstDrag) {
   EXPECT_TRUE(hasButton(viewer.state(), "hint.drag"));
   const Place place = viewer.onCloth();
   drag(viewer, place, {place.x + 20.0, place.y});
-  viewer.waitUntil("no hint", [](const Json& s) { return isHeld(s) && !hasButton(s, "hint.drag"); });
+  viewer.waitUntil("no hint", [](const Json& s) { return isAttached(s) && !hasButton(s, "hint.drag"); });
   viewer.release();
   EXPECT_FALSE(hasButton(viewer.frames(), "hint.drag"));
 }
@@ -182,9 +182,9 @@ TEST(FirstMinute, ADragGoesOnBeyondTheWindowAndEndsThere) {
   const Place place = viewer.onCloth();
   drag(viewer, place, {1250.0, 780.0});
   const Json outside =
-      viewer.waitUntil("the hand to be there", [](const Json& s) { return isHeld(s) && s["grab"]["distance"] > 0.1; });
+      viewer.waitUntil("the attachment", [](const Json& s) { return isAttached(s) && s["attachment"]["distance"] > 0.1; });
   viewer.release();
-  viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  viewer.waitUntil("the mouse to let go", [](const Json& s) { return !isAttached(s); });
   EXPECT_EQ(outside["step"], 0);
 }
 

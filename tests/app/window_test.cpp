@@ -61,15 +61,15 @@ Vector expectedMove(const Json& state, const Vector& taken, double dx, double dy
   return move;
 }
 
-bool isHeld(const Json& state) {
-  return !state["grab"].is_null();
+bool isAttached(const Json& state) {
+  return !state["attachment"].is_null();
 }
 
 /// Takes the cloth at a place and waits until the simulation says so.
 Json takeCloth(ViewerDriver& viewer, const Place& place) {
   viewer.move(place);
   viewer.press();
-  return viewer.waitUntil("the hand", isHeld);
+  return viewer.waitUntil("the attachment", isAttached);
 }
 
 class Pulling : public ::testing::TestWithParam<const char*> {};
@@ -78,24 +78,24 @@ TEST_P(Pulling, TheHeldPointFollowsTheMouse) {
   ViewerDriver viewer({GetParam(), "--paused", "--set", "stiffness=60", "--set", "damping=0.02"});
   const Place place = viewer.onCloth();
   const Json taken = takeCloth(viewer, place);
-  const auto start = taken["grab"]["target"].get<Vector>();
-  EXPECT_LT(taken["grab"]["distance"], 1e-6) << "the hand takes the cloth where it is";
+  const auto start = taken["attachment"]["target"].get<Vector>();
+  EXPECT_LT(taken["attachment"]["distance"], 1e-6) << "the attachment starts where the cloth is";
 
   constexpr double dx = 70.0;
   constexpr double dy = -45.0;
   viewer.move({place.x + dx, place.y + dy});
   const Json moved = viewer.waitUntil(
-      "the target", [&](const Json& s) { return isHeld(s) && norm(s["grab"]["target"].get<Vector>() - start) > 1e-3; });
+      "the target", [&](const Json& s) { return isAttached(s) && norm(s["attachment"]["target"].get<Vector>() - start) > 1e-3; });
   const Vector expected = expectedMove(moved, start, dx, dy);
-  const Vector actual = moved["grab"]["target"].get<Vector>() - start;
+  const Vector actual = moved["attachment"]["target"].get<Vector>() - start;
   EXPECT_LT(norm(actual - expected), 0.01 * norm(expected));
-  const double apart = moved["grab"]["distance"];
+  const double apart = moved["attachment"]["distance"];
   EXPECT_NEAR(apart, norm(expected), 0.01 * norm(expected)) << "nothing moves while paused";
 
   viewer.key("space");
-  viewer.waitUntil("the cloth to follow", [&](const Json& s) { return s["grab"]["distance"] < 0.15 * apart; });
+  viewer.waitUntil("the cloth to follow", [&](const Json& s) { return s["attachment"]["distance"] < 0.15 * apart; });
   viewer.release();
-  viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  viewer.waitUntil("the mouse to let go", [](const Json& s) { return !isAttached(s); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Pulling, ::testing::Values("grid", "skirt"),
@@ -104,17 +104,17 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Pulling, ::testing::Values("grid", "skirt"),
 TEST(Window, ControlAndLeftPullsARunningCloth) {
   ViewerDriver viewer({"grid", "--set", "speed=0.01"});
   viewer.holdKey("Control_L");
-  for (int attempt = 0; attempt < 20 && !isHeld(viewer.state()); ++attempt) {
+  for (int attempt = 0; attempt < 20 && !isAttached(viewer.state()); ++attempt) {
     viewer.release();
     viewer.move(viewer.onCloth());
     viewer.press();
   }
-  const Json held = viewer.waitUntil("the hand", isHeld);
+  const Json held = viewer.waitUntil("the attachment", isAttached);
   viewer.letKeyGo("Control_L");
   viewer.waitUntil("time to pass", [&](const Json& s) { return s["step"] > held["step"]; });
-  EXPECT_TRUE(isHeld(viewer.state())) << "the button is still down";
+  EXPECT_TRUE(isAttached(viewer.state())) << "the button is still down";
   viewer.release();
-  viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  viewer.waitUntil("the mouse to let go", [](const Json& s) { return !isAttached(s); });
 }
 
 TEST(Window, PPinsWhatIsHeldAndLetsItGoAgain) {
@@ -123,9 +123,9 @@ TEST(Window, PPinsWhatIsHeldAndLetsItGoAgain) {
   const Json before = takeCloth(viewer, place);
   const int pins = before["pins"];
   viewer.key("p");
-  viewer.waitUntil("another pin", [&](const Json& s) { return s["pins"] == pins + 1 && s["grab"]["pinned"]; });
+  viewer.waitUntil("another pin", [&](const Json& s) { return s["pins"] == pins + 1 && s["attachment"]["pinned"]; });
   viewer.release();
-  const Json released = viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  const Json released = viewer.waitUntil("the mouse to let go", [](const Json& s) { return !isAttached(s); });
   EXPECT_EQ(released["pins"], pins + 1);
   viewer.key("space");
   const Json later = viewer.waitUntil("time to pass", [](const Json& s) { return s["step"] > 20; });
@@ -190,7 +190,7 @@ TEST(Window, AMouseDragMovesABodyWhichSweepsTheClothAlong) {
     return norm(s["bodies"][0]["shift"].get<Vector>() - expected) < 0.02 * norm(expected);
   });
   EXPECT_EQ(moved["camera"], before["camera"]) << "the view stays";
-  EXPECT_TRUE(moved["grab"].is_null()) << "the cloth is not held";
+  EXPECT_TRUE(moved["attachment"].is_null()) << "the cloth is not held";
   viewer.move({std::round(middle.x) + 2.0 * dx, std::round(middle.y)});
   viewer.waitUntil("the cloth to be touched", [](const Json& s) { return s["contacts"]["bodies"] > 0; });
   viewer.release();
@@ -233,17 +233,17 @@ TEST(Window, ClothPulledOverABodySlidesOnIt) {
   ViewerDriver viewer({scene.path(), "--set", "view.shadows=off"});
   viewer.waitUntil("the sheet to lie", [](const Json& s) { return s["contacts"]["bodies"] >= 81; });
   const Place place = viewer.onCloth();
-  const auto taken = takeCloth(viewer, place)["grab"]["point"].get<Vector>();
+  const auto taken = takeCloth(viewer, place)["attachment"]["point"].get<Vector>();
   for (int i = 1; i <= 6; ++i) {
     viewer.move({place.x + 20.0 * i, place.y});
   }
   const Json pulled = viewer.waitUntil("the cloth to follow", [&](const Json& s) {
-    return isHeld(s) && s["grab"]["distance"] < 0.02 && s["grab"]["point"].get<Vector>()[0] > taken[0] + 0.2;
+    return isAttached(s) && s["attachment"]["distance"] < 0.02 && s["attachment"]["point"].get<Vector>()[0] > taken[0] + 0.2;
   });
   EXPECT_GT(pulled["contacts"]["bodies"], 0) << "it still lies on the table";
   EXPECT_LT(pulled["max_stretch"], 0.2) << "it slides as a whole";
   viewer.release();
-  const Json rest = viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  const Json rest = viewer.waitUntil("the mouse to let go", [](const Json& s) { return !isAttached(s); });
   for (const Json& point : rest["cloth_points"]) {
     EXPECT_GT(point["point"].get<Vector>()[1], 0.5) << "on the table";
   }
@@ -337,7 +337,7 @@ TEST(Window, TheMouseMovesTheCameraAndNotTheCloth) {
   viewer.release(2);
   const Json panned = viewer.waitUntil(
       "another place", [&](const Json& s) { return s["camera"]["focal_point"] != turned["camera"]["focal_point"]; });
-  EXPECT_TRUE(panned["grab"].is_null());
+  EXPECT_TRUE(panned["attachment"].is_null());
   EXPECT_EQ(panned["step"], before["step"]);
   EXPECT_EQ(panned["energy"], before["energy"]);
 
@@ -495,7 +495,7 @@ TEST(Window, EscapeLetsGoFirstAndQuitsThen) {
   ViewerDriver viewer({"grid", "--paused"});
   takeCloth(viewer, viewer.onCloth());
   viewer.key("Escape");
-  viewer.waitUntil("the hand to let go", [](const Json& s) { return !isHeld(s); });
+  viewer.waitUntil("the mouse to let go", [](const Json& s) { return !isAttached(s); });
   viewer.release();
   viewer.tap("Escape");
   EXPECT_EQ(viewer.process().waitFor(60.0), 0);

@@ -46,7 +46,7 @@ TEST(HardCasesCommand, refusesWrongUse) {
   EXPECT_EQ(headless("hardcases --case 23").status, 2);
   EXPECT_EQ(headless(quick + "--solver magic").status, 2);
   EXPECT_EQ(headless(quick + "--set magic=1").status, 2);
-  EXPECT_EQ(headless(quick + "--most-seconds 0").status, 2);
+  EXPECT_EQ(headless(quick + "--max-seconds 0").status, 2);
   const Outcome outcome = headless(quick + "--json /nowhere/file.json");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.errors.find("/nowhere/file.json"), std::string::npos) << outcome.errors;

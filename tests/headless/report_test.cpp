@@ -83,7 +83,7 @@ TEST(Report, tellsWhatMovedSinceAnEarlierOne) {
   // Measured again in the same second or not, the figures of --resume are the same.
   const Outcome same = report(arguments + " --resume --compare " + file);
   EXPECT_EQ(same.status, 0) << same.errors;
-  EXPECT_NE(same.output.find("0 moved beyond noise"), std::string::npos) << same.output;
+  EXPECT_NE(same.output.find("0 changed beyond noise"), std::string::npos) << same.output;
 
   auto older = jsonIn(folder);
   older["comparison"] = nullptr;
@@ -112,7 +112,7 @@ TEST(Report, refusesToCompareWithWhatCannotBeCompared) {
     EXPECT_NE(outcome.errors.find(because), std::string::npos) << outcome.errors;
   };
   refuses("no JSON", "is not JSON");
-  refuses("{}", "is no report.json");
+  refuses("{}", "is not a report.json");
   refuses(R"({"format": 1, "settings": {}, "machine": {}})", "format");
   refuses(R"({"format": 2, "settings": {"quick": false, "scene": "", "threads": 1}, "machine": {}})", "same options");
 }

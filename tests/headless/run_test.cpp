@@ -39,10 +39,10 @@ TEST(Run, tellsWhatASolverThatChoosesForItselfChose) {
   EXPECT_NE(choice["words"].get<std::string>().find("substep"), std::string::npos);
   EXPECT_GE(choice["substeps"], 1.0);
   EXPECT_GE(choice["error"], 0.0);
-  EXPECT_GT(choice["passes_median"], 0.0);
-  EXPECT_GE(choice["passes_max"], choice["passes_median"]);
+  EXPECT_GT(choice["force_evaluations_median"], 0.0);
+  EXPECT_GE(choice["force_evaluations_max"], choice["force_evaluations_median"]);
   EXPECT_GE(choice["error_max"], choice["error"]);
-  EXPECT_EQ(choice["last_resort_steps"], 0);
+  EXPECT_EQ(choice["fallback_solver_steps"], 0);
 }
 
 TEST(Run, tellsTheStabilityLimitWhereTheSolverHasOne) {
@@ -171,6 +171,15 @@ TEST(Run, tellsWhatWasFoundInAMeshFile) {
   EXPECT_EQ(centimetres.errors.find("note: read as"), std::string::npos) << centimetres.errors;
   EXPECT_NE(centimetres.output.find("triangles:   2"), std::string::npos) << centimetres.output;
   EXPECT_NE(centimetres.output.find("1 x 2 x 0 m"), std::string::npos) << centimetres.output;
+}
+
+TEST(Run, takesAFormerKeyOfASettingWithOneNote) {
+  const Outcome outcome = headless("run grid --set hand.stiffness=50 --seconds 0.01");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const std::string note = "note: the setting 'hand.stiffness' is now called 'attachment.stiffness'";
+  const auto first = outcome.errors.find(note);
+  EXPECT_NE(first, std::string::npos) << outcome.errors;
+  EXPECT_EQ(outcome.errors.find(note, first + 1), std::string::npos) << outcome.errors;
 }
 
 TEST(Run, tellsHowAMeshFileWasRead) {

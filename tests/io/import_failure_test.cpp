@@ -113,8 +113,8 @@ TEST_F(ImportFailure, listsTheFormatsForAnUnknownEnding) {
 }
 
 TEST_F(ImportFailure, saysWhatToExportInsteadOfAFormatThatIsNotRead) {
-  EXPECT_TRUE(contains(problemOfFile(write("a.fbx", "x")), "a.fbx: '.fbx' files are not read. Open it in Blender"));
-  EXPECT_TRUE(contains(problemOfFile(write("a.DAE", "x")), "'.dae' files are not read"));
+  EXPECT_TRUE(contains(problemOfFile(write("a.fbx", "x")), "a.fbx: '.fbx' files are not supported. Open it in Blender"));
+  EXPECT_TRUE(contains(problemOfFile(write("a.DAE", "x")), "'.dae' files are not supported"));
   EXPECT_TRUE(contains(problemOfFile(write("a.zprj", "x")), "Marvelous Designer and export the garment as OBJ"));
 }
 

@@ -230,7 +230,7 @@ TEST(MeshWeld, refusesClothBelowAMillimetreAndTakesASmallBody) {
   ImportOptions options;
   options.metresPerUnit = 1.6e-6;
   const std::string message = inputErrorOf([&] { (void)weldMesh(seamSquare(), "mesh.obj", options); });
-  EXPECT_TRUE(contains(message, "it is 1.6 um large, and cloth below 1 mm is not simulated")) << message;
+  EXPECT_TRUE(contains(message, "it is 1.6 um large, and the minimum is 1 mm")) << message;
   EXPECT_TRUE(contains(message, "--set unit"));
   options.use = MeshUse::Body;
   EXPECT_NO_THROW((void)weldMesh(seamSquare(), "mesh.obj", options));

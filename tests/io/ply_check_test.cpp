@@ -104,7 +104,7 @@ TEST(PlyCheck, namesTheLineOfAHeaderThatItDoesNotUnderstand) {
   EXPECT_TRUE(contains(problemOf("ply\nproperty float x\n"), "line 2 of its header names a property before"));
   EXPECT_TRUE(contains(problemOf("ply\nelement vertex 1\nproperty quad x\n"), "unknown type, 'quad'"));
   EXPECT_TRUE(contains(problemOf("ply\nelement face 1\nproperty list float int i\n"), "not a whole number"));
-  EXPECT_TRUE(contains(problemOf("ply\nnonsense\x01\n"), "line 2 of its header cannot be understood: 'nonsense?'"));
+  EXPECT_TRUE(contains(problemOf("ply\nnonsense\x01\n"), "line 2 of its header has an unknown keyword: 'nonsense?'"));
 }
 
 TEST(PlyCheck, saysThatAPointCloudHasNoFaces) {

@@ -49,7 +49,7 @@ TEST(TextInput, leavesOutHalfALetterAtTheEnd) {
 TEST(TextInput, refusesBytesThatAreNoLetters) {
   const std::string lonelySurrogate("\x00\xdc", 2);
   EXPECT_TRUE(contains(inputErrorOf([&] { (void)plain("\xff\xfe" + wide(sample, 2, false) + lonelySurrogate + "vv"); }),
-                       "line 3 holds bytes that are no letters"));
+                       "line 3 contains invalid characters"));
 }
 
 TEST(TextInput, endsLinesInOneWay) {

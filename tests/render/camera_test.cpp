@@ -118,9 +118,9 @@ TEST(Camera, ZoomIsClamped) {
   camera.zoom(0.5);
   EXPECT_NEAR(distance(), 0.5 * before, 1e-12);
   camera.zoom(1e-9);
-  EXPECT_NEAR(distance(), nearestView, 1e-9);
+  EXPECT_NEAR(distance(), minViewDistance, 1e-9);
   camera.zoom(1e12);
-  EXPECT_NEAR(distance(), farthestView, 1e-6);
+  EXPECT_NEAR(distance(), maxViewDistance, 1e-6);
 }
 
 TEST(Camera, RecentreKeepsDirectionAndDistance) {

@@ -99,7 +99,7 @@ TEST_F(RendererTest, WhatWasDrawnBeforeLeavesNoTrace) {
   Snapshot other = wavySheet(0.12);
   other.settings.view.wireframe = true;
   other.settings.view.shadows = false;
-  other.grab = GrabStatus{};
+  other.attachment = AttachmentStatus{};
   (void)picture(other);
   EXPECT_EQ(fresh.rgb, picture(snapshot).rgb);
 }
@@ -162,15 +162,15 @@ TEST_F(RendererTest, NewPositionsAreDrawnWhenTheVersionGrows) {
   EXPECT_GT(compareImages(before, picture(snapshot), 8).pixels, 500);
 }
 
-TEST_F(RendererTest, HandAndPinsAreShown) {
+TEST_F(RendererTest, AttachmentAndPinsAreShown) {
   const Snapshot snapshot = wavySheet(0.06);
   const Camera camera = cameraInFront();
   const Image without = picture(snapshot);
-  Snapshot grabbed = snapshot;
-  grabbed.grab = GrabStatus{0, {1.0, 0.0, 0.0}, {0.3, 1.1, 0.4}, {0.0, 0.9, 0.0}, false};
-  const Image with = picture(grabbed);
-  const Vec2 hand = camera.project(grabbed.grab->target, width, height);
-  const Pixel amber = pixelAt(with, static_cast<int>(hand.x()), static_cast<int>(hand.y()));
+  Snapshot attached = snapshot;
+  attached.attachment = AttachmentStatus{0, {1.0, 0.0, 0.0}, {0.3, 1.1, 0.4}, {0.0, 0.9, 0.0}, false};
+  const Image with = picture(attached);
+  const Vec2 target = camera.project(attached.attachment->target, width, height);
+  const Pixel amber = pixelAt(with, static_cast<int>(target.x()), static_cast<int>(target.y()));
   EXPECT_GT(amber[0], amber[2] + 100);
   EXPECT_GT(compareImages(without, with, 8).pixels, 100);
 

@@ -88,7 +88,7 @@ TEST(HardCases, tellWhatWentWrong) {
 
 TEST(HardCases, areGivenUpWhenTheyTakeTooLong) {
   CaseOptions options = shortly("pcg");
-  options.mostSeconds = 0.0;
+  options.maxSeconds = 0.0;
   const CaseResult result = runHardCase(requireHardCase("long_steps"), options);
   EXPECT_EQ(result.outcome, CaseOutcome::GivenUp);
   EXPECT_NE(result.words, "");
@@ -98,7 +98,7 @@ TEST(HardCases, becomeRowsLinesAndATable) {
   const HardCase& one = requireHardCase("crushed");
   CaseResult failed;
   failed.outcome = CaseOutcome::Failed;
-  failed.figures = {{"farthest", "m", 3.0, 1e5}, {"energy gained", "%", 35.0, 1.0}, {"strain", "", 0.2}};
+  failed.figures = {{"max distance", "m", 3.0, 1e5}, {"energy gained", "%", 35.0, 1.0}, {"strain", "", 0.2}};
   failed.words = "energy gained 35 % (at most 1)";
   const ReportRow row = hardCaseRow(one, shortly("verlet"), failed);
   EXPECT_EQ(row["case"], 4);

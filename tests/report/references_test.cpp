@@ -43,7 +43,7 @@ TEST(ConvergedReference, takesWhatThereIsOnlyWhenItIsToldTo) {
   const auto scene = testing::smallGrid({"stiffness=10"});
   ConvergenceTolerance tolerance;
   tolerance.absolute = 1e-12;
-  tolerance.mostHalvings = 1;
+  tolerance.maxHalvings = 1;
   EXPECT_THROW(firstOrder(*scene, tolerance), InputError);
   tolerance.takeAnyway = true;
   const Reference reference = firstOrder(*scene, tolerance);
@@ -56,7 +56,7 @@ TEST(ConvergedReference, saysWhereItEndsWhenItIsNotConverged) {
   const auto scene = testing::smallGrid({"stiffness=10"});
   ConvergenceTolerance exact;
   exact.absolute = 1e-12;
-  exact.mostHalvings = 3;
+  exact.maxHalvings = 3;
   const Reference three = [&] {
     ConvergenceTolerance tolerance = exact;
     tolerance.absolute = 1.0;
@@ -65,7 +65,7 @@ TEST(ConvergedReference, saysWhereItEndsWhenItIsNotConverged) {
   ASSERT_EQ(three.differences.size(), 4U);
   // Something between what the first and the last checkpoint leave over, by three halvings.
   ConvergenceTolerance tolerance = exact;
-  tolerance.mostHalvings = 1;
+  tolerance.maxHalvings = 1;
   tolerance.absolute = 0.5 * (three.differences[1] + three.differences[3]);
   const Reference reference = firstOrder(*scene, tolerance);
   EXPECT_GE(reference.trusted, 1);
@@ -95,7 +95,7 @@ TEST(ConvergedReference, doesNotBeginARunThatIsTooLong) {
   const auto scene = testing::smallGrid();
   ConvergenceTolerance tolerance;
   tolerance.absolute = 1e-12;
-  tolerance.mostWork = 1.0;
+  tolerance.maxCost = 1.0;
   EXPECT_THROW((void)firstOrder(*scene, tolerance), InputError);
 }
 
@@ -137,7 +137,7 @@ TEST(ConvergedReference, givesUpWhereHalvingBringsItNoNearer) {
     (void)convergedReference(*scene, convergedSettings(scene->settings), checkpoints, tight);
     FAIL() << "there should be no reference";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("bring it no nearer"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("do not reduce this"), std::string::npos) << error.what();
   }
 }
 

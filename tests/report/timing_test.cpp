@@ -30,19 +30,16 @@ TEST(TimeSteps, takesAsManyStepsAsItsBudgetAllows) {
   int asked = 0;
   const auto count = [&asked] { ++asked; };
   EXPECT_EQ(
-      timeSteps(*scene, scene->settings, {.seconds = 0.0, .leastSteps = 4, .mostSteps = 9}, count).stepSeconds.size(),
-      4U);
+      timeSteps(*scene, scene->settings, {.seconds = 0.0, .minSteps = 4, .maxSteps = 9}, count).stepSeconds.size(), 4U);
   EXPECT_EQ(asked, 5);  // and one before, which sets up
   EXPECT_EQ(
-      timeSteps(*scene, scene->settings, {.seconds = 1e9, .leastSteps = 4, .mostSteps = 9}, count).stepSeconds.size(),
-      9U);
+      timeSteps(*scene, scene->settings, {.seconds = 1e9, .minSteps = 4, .maxSteps = 9}, count).stepSeconds.size(), 9U);
 }
 
 TEST(TimeSteps, countsTheMemoryOfASolverWithADenseMatrix) {
   // The inverse of the whole matrix: a number for each pair of vertices.
   const auto scene = testing::smallGrid({"solver=desbrun", "grid.resolution=21"});
-  const StepTiming timing =
-      timeSteps(*scene, scene->settings, {.seconds = 0.0, .leastSteps = 1, .mostSteps = 1}, [] {});
+  const StepTiming timing = timeSteps(*scene, scene->settings, {.seconds = 0.0, .minSteps = 1, .maxSteps = 1}, [] {});
   const double pairs = 441.0 * 441.0;
   if (!std::isnan(timing.memoryBytes)) {
     EXPECT_GT(timing.memoryBytes, 8.0 * pairs);
@@ -53,7 +50,7 @@ TEST(TimeSteps, countsTheMemoryOfASolverWithADenseMatrix) {
 TEST(TimeSteps, goesOnAfterTheClothBlewUpAndSaysSo) {
   const auto scene = testing::smallGrid({"solver=verlet", "stiffness=1e7"});
   const StepTiming timing =
-      timeSteps(*scene, scene->settings, {.seconds = 0.0, .leastSteps = 400, .mostSteps = 400}, [] {});
+      timeSteps(*scene, scene->settings, {.seconds = 0.0, .minSteps = 400, .maxSteps = 400}, [] {});
   EXPECT_FALSE(timing.finite);
   EXPECT_EQ(timing.stepSeconds.size(), 400U);
 }

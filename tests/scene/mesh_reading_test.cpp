@@ -77,13 +77,13 @@ TEST_F(MeshReadingTest, AGuessGivesTheSamePositionsAsTheWord) {
   EXPECT_EQ(guessed->model->pinned, said->model->pinned);
   EXPECT_EQ(guessed->renderMesh.uvs, said->renderMesh.uvs) << "made-up texture coordinates are metres too";
   EXPECT_FALSE(said->reading->unitGuessed || said->reading->upGuessed);
-  EXPECT_FALSE(said->reading->asks());
+  EXPECT_FALSE(said->reading->needsReview());
 }
 
 TEST_F(MeshReadingTest, TheLineTellsUnitAxisAndHeightAndOffersOthers) {
   const auto scene = open(testing::scaled(testing::withZUp(testing::shirt({})), 100.0));
   EXPECT_TRUE(inWords(*scene->reading).starts_with("Read as centimetres, z up: 0.7")) << inWords(*scene->reading);
-  EXPECT_TRUE(scene->reading->asks());
+  EXPECT_TRUE(scene->reading->needsReview());
   EXPECT_TRUE(offers(*scene->reading, "unit", "m"));
   EXPECT_TRUE(offers(*scene->reading, "unit", "inch"));
   EXPECT_TRUE(offers(*scene->reading, "up", "y"));
@@ -107,7 +107,7 @@ TEST(MeshReading, WhatTheFormatPrescribesIsNotGuessed) {
   const MeshReading usual = readUpright(settings, mesh);
   EXPECT_EQ(usual.unit, "m");
   EXPECT_EQ(usual.up, "y");
-  EXPECT_FALSE(usual.unitGuessed || usual.upGuessed || usual.asks());
+  EXPECT_FALSE(usual.unitGuessed || usual.upGuessed || usual.needsReview());
   mesh.summary.size = {70.0, 20.0, 70.0};
   const MeshReading large = readUpright(settings, mesh);
   EXPECT_EQ(large.unit, "m");
@@ -162,7 +162,7 @@ TEST_F(MeshReadingTest, AScenesMeshIsInMetresWithYUpUnlessItSaysOtherwise) {
   const auto metres = buildScene(plain, plain.settings);
   EXPECT_EQ(metres->reading->metresPerUnit, 1.0);
   EXPECT_EQ(metres->reading->up, "y");
-  EXPECT_TRUE(metres->reading->asks()) << "a shirt of 70 m is told";
+  EXPECT_TRUE(metres->reading->needsReview()) << "a shirt of 70 m is told";
   EXPECT_TRUE(offers(*metres->reading, "unit", "cm"));
   const SceneDescription guess =
       openScene(write("guess.toml", "[cloth]\nmesh = \"mesh.obj\"\n[settings]\nunit = \"auto\"\nup = \"auto\"\n"));
@@ -184,7 +184,7 @@ TEST_F(MeshReadingTest, PinsOfASceneThatHoldNothingAreToldWithTheirLine) {
       write("mine.toml", "[cloth]\ngrid = \"vertical\"\n[pins]\nboxes = [{ min = [5, 5, 5], max = [6, 6, 6] }]\n"));
   const auto built = buildScene(scene, scene.settings);
   ASSERT_TRUE(built->pinAdvice.has_value());
-  EXPECT_NE(built->pinAdvice->text.find("mine.toml:3: [pins] holds no vertex"), std::string::npos)
+  EXPECT_NE(built->pinAdvice->text.find("mine.toml:3: [pins] contains no vertex"), std::string::npos)
       << built->pinAdvice->text;
 }
 

@@ -279,13 +279,13 @@ TEST(Scenes, sayWhatIsWrongWithAFileThatCannotBeOpened) {
   EXPECT_NE(refusal("no_such_scene").find("built-in scenes are"), std::string::npos);
   EXPECT_EQ(refusal("no_such_shirt.obj"), "there is no file 'no_such_shirt.obj'");
   EXPECT_NE(refusal(folder.string()).find("is a folder"), std::string::npos);
-  EXPECT_NE(refusal(folder.write("picture.png", "x")).find("known endings"), std::string::npos);
+  EXPECT_NE(refusal(folder.write("picture.png", "x")).find("known extensions"), std::string::npos);
   EXPECT_NE(refusal(folder.write("empty.toml", "")).find("[cloth]"), std::string::npos);
 }
 
 TEST(Scenes, sayWhatToExportInsteadOfAFormatThatIsNotRead) {
   const Folder folder;
-  EXPECT_NE(refusal(folder.write("shirt.fbx", "x")).find("'.fbx' files are not read. Open it in Blender"),
+  EXPECT_NE(refusal(folder.write("shirt.fbx", "x")).find("'.fbx' files are not supported. Open it in Blender"),
             std::string::npos);
 }
 
@@ -350,7 +350,7 @@ TEST(Scenes, sayTheLineOfTheSceneFileWhosePinsOrMeshAreWrong) {
   };
   const std::string cloth = "[cloth]\nmesh = \"sheet.obj\"\n";
   const std::vector<std::pair<std::string, std::string>> cases{
-      {cloth + "[pins]\nvertices = [4]\n", "mine.toml:3: pins.vertices names vertex 4"},
+      {cloth + "[pins]\nvertices = [4]\n", "mine.toml:3: pins.vertices contains vertex 4"},
       {cloth + "[pins]\nedges = [\"left\"]\n", "mine.toml:3: pins.corners and pins.edges belong to a grid"},
       {"[cloth]\ngrid = \"vertical\"\n\n[pins]\nedges = [\"front\"]\n", "mine.toml:4: "},
       {"[cloth]\nmesh = \"none.obj\"\n", "mine.toml:2: "},

@@ -73,6 +73,13 @@ unit = "cm"
   EXPECT_EQ(scene.settings.mesh.unit, "cm");
 }
 
+TEST(SceneFile, takesFormerKeysOfSettingsAndNotesThePresentOnes) {
+  const SceneDescription scene = parse("[cloth]\ngrid = \"vertical\"\n[settings]\nhand.max_force = 2\nstiffness = 9\n");
+  EXPECT_EQ(scene.settings.attachment.maxForce, 2.0);
+  ASSERT_EQ(scene.notes.size(), 1U);
+  EXPECT_EQ(scene.notes.front(), "test.toml:4: the setting 'hand.max_force' is now called 'attachment.max_force'");
+}
+
 TEST(SceneFile, findsMeshesBesideTheFileOrBuiltIn) {
   EXPECT_EQ(std::get<MeshFileSource>(parse("[cloth]\nmesh = \"a/b.obj\"").source).path, "/folder/a/b.obj");
   const auto builtin = std::get<MeshFileSource>(parse("[cloth]\nmesh = \"builtin:skirt.obj\"").source);

@@ -92,7 +92,7 @@ double lowest(const Simulation& simulation) {
   return y;
 }
 
-TEST(Bodies, aBallThatIsMovedByHandSweepsTheClothAlong) {
+TEST(Bodies, aBallThatIsDraggedSweepsTheClothAlong) {
   Simulation simulation(hangingSheet());
   advance(simulation, 5);
   simulation.apply(MoveBodyCommand{0, Vec3(0.0, 0.0, 0.45)});
@@ -114,9 +114,9 @@ TEST(Bodies, clothThatIsPulledOverATableSlidesAndKeepsItsShape) {
   const Triangle corner = simulation.model().triangles.back();
   const Vec3 taken = simulation.state().positions[static_cast<std::size_t>(corner[0])];
   const int triangle = static_cast<int>(simulation.model().triangles.size()) - 1;
-  simulation.apply(GrabCommand{triangle, Vec3(1.0, 0.0, 0.0), taken});
+  simulation.apply(AttachCommand{triangle, Vec3(1.0, 0.0, 0.0), taken});
   for (int i = 1; i <= 60; ++i) {
-    simulation.apply(MoveGrabCommand{taken + Vec3(0.005 * i, 0.0, 0.0)});
+    simulation.apply(MoveAttachmentCommand{taken + Vec3(0.005 * i, 0.0, 0.0)});
     simulation.step();
     ASSERT_GT(simulation.lastStepReport().contact.bodyContacts, 0) << i;
     ASSERT_GT(lowest(simulation), 0.5) << i;
@@ -176,7 +176,7 @@ TEST(Bodies, whatCannotComeOutIsToldInWords) {
   while (simulation.state().time < 2.0) {
     simulation.step();
   }
-  EXPECT_NE(simulation.message().find("does not come out"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().find("cannot push it out"), std::string::npos) << simulation.message();
   EXPECT_NE(simulation.message().find("Move or scale"), std::string::npos) << simulation.message();
 }
 

@@ -55,7 +55,7 @@ TEST(CarriedPins, goWithTheirBodyWhateverTheSolver) {
   }
 }
 
-TEST(CarriedPins, goWithTheHandThatMovesTheirBody) {
+TEST(CarriedPins, goWithTheMouseThatMovesTheirBody) {
   Simulation simulation(carriedSheet("one_iteration"));
   Simulation alone(carriedSheet("one_iteration"));
   const Vec3 shift(0.0, 0.3, -0.2);

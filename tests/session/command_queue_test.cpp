@@ -27,7 +27,7 @@ TEST(CommandQueue, losesNothingFromSeveralThreadsAndKeepsEachThreadsOrder) {
   for (int w = 0; w < writers; ++w) {
     threads.emplace_back([&queue, w] {
       for (int i = 0; i < each; ++i) {
-        queue.post(MoveGrabCommand{Vec3(w, i, 0.0)});
+        queue.post(MoveAttachmentCommand{Vec3(w, i, 0.0)});
       }
     });
   }
@@ -37,7 +37,7 @@ TEST(CommandQueue, losesNothingFromSeveralThreadsAndKeepsEachThreadsOrder) {
   while (received < writers * each) {
     queue.drain(taken);
     for (const Command& command : taken) {
-      const Vec3& target = std::get<MoveGrabCommand>(command).target;
+      const Vec3& target = std::get<MoveAttachmentCommand>(command).target;
       EXPECT_EQ(static_cast<int>(target.y()), next[static_cast<std::size_t>(target.x())]++);
       ++received;
     }

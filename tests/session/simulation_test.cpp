@@ -19,7 +19,7 @@ Vec3 centreOf(const Simulation& simulation, int triangle) {
   return centre;
 }
 
-GrabCommand grabAt(const Simulation& simulation, int triangle, const Vec3& offset) {
+AttachCommand attachAt(const Simulation& simulation, int triangle, const Vec3& offset) {
   return {triangle, Vec3::Constant(1.0 / 3.0), centreOf(simulation, triangle) + offset};
 }
 
@@ -72,34 +72,34 @@ TEST(Simulation, changesTheMassWithoutMovingTheCloth) {
   EXPECT_NEAR(simulation.model().totalMass(), 0.25, 1e-12) << "the sheet has one square metre";
 }
 
-TEST(Simulation, pullsTheGrabbedPointToTheHandAndLetsGo) {
+TEST(Simulation, pullsTheAttachedPointToTheMouseAndLetsGo) {
   Simulation simulation(smallGrid());
-  simulation.apply(grabAt(simulation, 70, Vec3(0.1, 0.15, 0.05)));
+  simulation.apply(attachAt(simulation, 70, Vec3(0.1, 0.15, 0.05)));
   for (int i = 0; i < 300; ++i) {
     simulation.step();
   }
   Snapshot snapshot;
   simulation.capture(snapshot);
-  ASSERT_TRUE(snapshot.grab.has_value());
-  EXPECT_LT((snapshot.grab->point - snapshot.grab->target).norm(), 0.02);
-  simulation.apply(ReleaseGrabCommand{});
-  const Vec3 before = snapshot.grab->target;
+  ASSERT_TRUE(snapshot.attachment.has_value());
+  EXPECT_LT((snapshot.attachment->point - snapshot.attachment->target).norm(), 0.02);
+  simulation.apply(DetachCommand{});
+  const Vec3 before = snapshot.attachment->target;
   for (int i = 0; i < 60; ++i) {
     simulation.step();
   }
   simulation.capture(snapshot);
-  EXPECT_FALSE(snapshot.grab.has_value());
+  EXPECT_FALSE(snapshot.attachment.has_value());
   EXPECT_GT((centreOf(simulation, 70) - before).norm(), 0.1);
 }
 
-TEST(Simulation, refusesToGrabWhatIsNotThere) {
+TEST(Simulation, refusesToAttachToWhatIsNotThere) {
   Simulation simulation(smallGrid());
-  simulation.apply(GrabCommand{100000, Vec3::Constant(1.0 / 3.0), Vec3::Zero()});
+  simulation.apply(AttachCommand{100000, Vec3::Constant(1.0 / 3.0), Vec3::Zero()});
   EXPECT_FALSE(simulation.message().empty());
-  simulation.apply(GrabCommand{0, Vec3(2.0, -0.5, -0.5), Vec3::Zero()});
+  simulation.apply(AttachCommand{0, Vec3(2.0, -0.5, -0.5), Vec3::Zero()});
   Snapshot snapshot;
   simulation.capture(snapshot);
-  EXPECT_FALSE(snapshot.grab.has_value());
+  EXPECT_FALSE(snapshot.attachment.has_value());
 }
 
 TEST(Simulation, pinsWhatIsHeldWhereItIsAndLetsItGoAgain) {
@@ -107,20 +107,20 @@ TEST(Simulation, pinsWhatIsHeldWhereItIsAndLetsItGoAgain) {
   EXPECT_EQ(pinCount(simulation), 2);
   simulation.apply(TogglePinCommand{});
   EXPECT_EQ(pinCount(simulation), 2) << "nothing is held yet";
-  simulation.apply(grabAt(simulation, 70, Vec3(0.0, 0.2, 0.0)));
+  simulation.apply(attachAt(simulation, 70, Vec3(0.0, 0.2, 0.0)));
   for (int i = 0; i < 50; ++i) {
     simulation.step();
   }
   simulation.apply(TogglePinCommand{});
   EXPECT_EQ(pinCount(simulation), 3);
-  simulation.apply(ReleaseGrabCommand{});
+  simulation.apply(DetachCommand{});
   const int vertex = simulation.model().triangles[70][0];
   const Vec3 place = simulation.state().positions[static_cast<std::size_t>(vertex)];
   for (int i = 0; i < 50; ++i) {
     simulation.step();
   }
   EXPECT_EQ(simulation.state().positions[static_cast<std::size_t>(vertex)], place);
-  simulation.apply(GrabCommand{70, Vec3(1.0, 0.0, 0.0), place});
+  simulation.apply(AttachCommand{70, Vec3(1.0, 0.0, 0.0), place});
   simulation.apply(TogglePinCommand{});
   EXPECT_EQ(pinCount(simulation), 2);
 }
@@ -181,7 +181,7 @@ TEST(Simulation, keepsTheEnergyBalanceWhileItIsAskedFor) {
   simulation.capture(snapshot);
   EXPECT_FALSE(snapshot.balance.has_value()) << "it costs, so it is off unless asked for";
   simulation.apply(SetSettingCommand{"energy_balance", true});
-  simulation.apply(grabAt(simulation, 70, Vec3(0.1, 0.15, 0.05)));
+  simulation.apply(attachAt(simulation, 70, Vec3(0.1, 0.15, 0.05)));
   const double start = energyOf(simulation.model(), simulation.settings().step, simulation.state()).total();
   for (int i = 0; i < 30; ++i) {
     simulation.step();
@@ -190,7 +190,7 @@ TEST(Simulation, keepsTheEnergyBalanceWhileItIsAskedFor) {
   ASSERT_TRUE(snapshot.balance.has_value());
   EXPECT_NEAR(snapshot.balance->change(), snapshot.energy.total() - start, 1e-9);
   EXPECT_LT(snapshot.balance->damping(), 0.0);
-  EXPECT_GT(snapshot.balance->hand(), 0.0);
+  EXPECT_GT(snapshot.balance->attachment(), 0.0);
   simulation.apply(ResetCommand{});
   simulation.capture(snapshot);
   EXPECT_EQ(snapshot.balance->change(), 0.0);
@@ -249,15 +249,15 @@ TEST(Simulation, replaysItsLogToTheSameBits) {
   };
   advance(10);
   original.apply(SetSettingCommand{"stiffness", 300.0});
-  original.apply(grabAt(original, 30, Vec3(0.0, 0.3, 0.0)));
+  original.apply(attachAt(original, 30, Vec3(0.0, 0.3, 0.0)));
   advance(15);
-  original.apply(MoveGrabCommand{Vec3(0.2, 1.5, 0.1)});
+  original.apply(MoveAttachmentCommand{Vec3(0.2, 1.5, 0.1)});
   original.apply(TogglePinCommand{});
   original.apply(SingleStepCommand{});
   advance(7);
   original.apply(ResetCommand{});
   advance(20);
-  original.apply(ReleaseGrabCommand{});
+  original.apply(DetachCommand{});
 
   Simulation again(scene);
   again.replay(original.log());

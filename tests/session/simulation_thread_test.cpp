@@ -58,20 +58,20 @@ TEST(SimulationThread, takesCommandsAndScenesFromOtherThreadsWhileAReaderLooks) 
   SimulationThread simulation(smallGrid(), false);
   std::thread commander([&simulation] {
     for (int i = 0; i < 200; ++i) {
-      simulation.post(GrabCommand{i % 50, Vec3::Constant(1.0 / 3.0), Vec3(0.0, 1.5, 0.0)});
+      simulation.post(AttachCommand{i % 50, Vec3::Constant(1.0 / 3.0), Vec3(0.0, 1.5, 0.0)});
       simulation.post(SetSettingCommand{"wind.x", 0.01 * i});
       if (i % 50 == 0) {
         simulation.post(LoadSceneCommand{smallGrid(9 + i / 50)});
       }
     }
-    simulation.post(ReleaseGrabCommand{});
+    simulation.post(DetachCommand{});
   });
   for (int i = 0; i < 500; ++i) {
     const Snapshot& snapshot = simulation.latest();
     ASSERT_EQ(snapshot.positions.size(), snapshot.model->restPositions.size());
   }
   commander.join();
-  EXPECT_TRUE(eventually(simulation, [](const Snapshot& s) { return s.positions.size() == 144U && !s.grab; }));
+  EXPECT_TRUE(eventually(simulation, [](const Snapshot& s) { return s.positions.size() == 144U && !s.attachment; }));
 }
 
 TEST(SimulationThread, slowsTheClockDownInsteadOfFallingBehind) {

@@ -95,9 +95,9 @@ TEST(StretchCause, OnlyAFailedSolverIsCalledOverstretched) {
   const StretchDiagnosis failed = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
   EXPECT_EQ(failed.cause, StretchCause::Solver);
   EXPECT_TRUE(failed.advice.text.starts_with("Overstretched")) << failed.advice.text;
-  const StretchDiagnosis hand = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, true);
-  EXPECT_EQ(hand.cause, StretchCause::Hand);
-  EXPECT_EQ(hand.advice.text.find("Overstretched"), std::string::npos);
+  const StretchDiagnosis attachment = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, true);
+  EXPECT_EQ(attachment.cause, StretchCause::Attachment);
+  EXPECT_EQ(attachment.advice.text.find("Overstretched"), std::string::npos);
 }
 
 TEST(StretchCause, SliversAreToldWithTheirPlace) {

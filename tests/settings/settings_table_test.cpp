@@ -100,10 +100,10 @@ TEST(SettingsTable, takesEvenSweepsOfDampedJacobi) {
 
 TEST(SettingsTable, tellsWhichSettingsHaveAnEffect) {
   Settings settings;
-  EXPECT_TRUE(isRelevant(requireSetting("auto.work"), settings));
+  EXPECT_TRUE(isRelevant(requireSetting("auto.cost"), settings));
   EXPECT_FALSE(isRelevant(requireSetting("substeps"), settings)) << "auto chooses its own";
   assignSettingExpression(settings, "auto.budget=5");
-  EXPECT_FALSE(isRelevant(requireSetting("auto.work"), settings)) << "it follows from the time allowed";
+  EXPECT_FALSE(isRelevant(requireSetting("auto.cost"), settings)) << "it follows from the time allowed";
   settings.solver.name = "one_iteration";
   EXPECT_TRUE(isRelevant(requireSetting("substeps"), settings));
   EXPECT_TRUE(isRelevant(requireSetting("stiffness"), settings));
@@ -171,6 +171,29 @@ TEST(SettingsTable, namesTheNearestKeyForAMistypedOne) {
   EXPECT_NE(refusal("stifness=10").find("did you mean 'stiffness'"), std::string::npos);
   EXPECT_NE(refusal("wind=3").find("wind.x"), std::string::npos);
   EXPECT_NE(refusal("stif=3").find("did you mean 'stiffness'"), std::string::npos);
+}
+
+TEST(SettingsTable, takesFormerKeysAndNamesThePresentOnes) {
+  Settings settings;
+  assignSettingExpression(settings, "hand.stiffness=100");
+  assignSettingExpression(settings, "hand.max_force=2");
+  assignSettingExpression(settings, "auto.work=7");
+  EXPECT_EQ(settings.attachment.stiffness, 100.0);
+  EXPECT_EQ(settings.attachment.maxForce, 2.0);
+  EXPECT_EQ(settingValue(settings, requireSetting("auto.cost")), SettingValue(7.0));
+  EXPECT_EQ(formerKeyNote("hand.stiffness"), "the setting 'hand.stiffness' is now called 'attachment.stiffness'");
+  EXPECT_EQ(formerKeyNote("hand.max_force"), "the setting 'hand.max_force' is now called 'attachment.max_force'");
+  EXPECT_EQ(formerKeyNote("auto.work"), "the setting 'auto.work' is now called 'auto.cost'");
+  EXPECT_EQ(formerKeyNote("auto.cost"), "");
+  EXPECT_EQ(formerKeyNote("no_setting"), "");
+}
+
+TEST(SettingsTable, hasNoFormerKeyThatIsAlsoAPresentOne) {
+  std::set<std::string_view> keys;
+  for (const SettingInfo& info : settingsTable()) {
+    EXPECT_TRUE(keys.insert(info.key).second) << info.key;
+    EXPECT_TRUE(info.formerKey.empty() || keys.insert(info.formerKey).second) << info.formerKey;
+  }
 }
 
 TEST(SettingsTable, suggestsNothingForAWordThatIsLikeNoKey) {

@@ -68,29 +68,30 @@ inline Rows outerForces(const ClothModel& model, const StepParameters& p, const 
 }
 
 /// The hand as the implicit methods take it: its force less the way that it goes in a step, and its lumped stiffness.
-struct DenseHand {
+struct DenseAttachment {
   Rows force;                 ///< w_i (F - h stiffness v) [N]
   Eigen::MatrixXd stiffness;  ///< w_i times that of the chord, on the diagonal [N/m]
 };
 
-inline DenseHand denseHand(const ClothModel& model, const StepInputs& inputs, double h, const ClothState& state) {
+inline DenseAttachment denseAttachment(const ClothModel& model, const StepInputs& inputs, double h,
+                                       const ClothState& state) {
   const Eigen::Index n = model.vertexCount();
-  DenseHand hand{Rows::Zero(n, 3), Eigen::MatrixXd::Zero(n, n)};
-  if (!inputs.grab) {
-    return hand;
+  DenseAttachment dense{Rows::Zero(n, 3), Eigen::MatrixXd::Zero(n, n)};
+  if (!inputs.attachment) {
+    return dense;
   }
-  const Grab& grab = *inputs.grab;
+  const Attachment& attachment = *inputs.attachment;
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(n);
   for (int c = 0; c < 3; ++c) {
-    weights[model.triangles[static_cast<std::size_t>(grab.triangle)][static_cast<std::size_t>(c)]] =
-        grab.barycentric[c];
+    weights[model.triangles[static_cast<std::size_t>(attachment.triangle)][static_cast<std::size_t>(c)]] =
+        attachment.barycentric[c];
   }
-  const Vec3 offset = grab.target - rowsOf(state.positions).transpose() * weights;
-  const double stiffness = std::min(grab.stiffness, grab.maxForce / offset.norm());
+  const Vec3 offset = attachment.target - rowsOf(state.positions).transpose() * weights;
+  const double stiffness = std::min(attachment.stiffness, attachment.maxForce / offset.norm());
   const Vec3 force = stiffness * (offset - h * (rowsOf(state.velocities).transpose() * weights));
-  hand.force = weights * force.transpose();
-  hand.stiffness = (stiffness * weights).asDiagonal();
-  return hand;
+  dense.force = weights * force.transpose();
+  dense.stiffness = (stiffness * weights).asDiagonal();
+  return dense;
 }
 
 /// Solves for the vertices that are free; zero for the others.

@@ -70,7 +70,7 @@ TEST(EnergyBalance, ofADampedSpringGivesTheLossToTheDampingWithAnErrorOfSecondOr
   EXPECT_NEAR(fine.damping(), loss, 1e-3 * std::abs(loss));
   EXPECT_NEAR(coarse.integrator() / fine.integrator(), 4.0, 0.1);
   EXPECT_EQ(fine.air(), 0.0);
-  EXPECT_EQ(fine.hand(), 0.0);
+  EXPECT_EQ(fine.attachment(), 0.0);
 }
 
 TEST(EnergyBalance, givesTheWorkOfAWindThatPushesAMovingSheet) {
@@ -97,24 +97,24 @@ TEST(EnergyBalance, givesTheWorkOfAWindThatPushesAMovingSheet) {
   EXPECT_NEAR(balance.integrator(), -balance.air(), 1e-15);
 }
 
-TEST(EnergyBalance, givesTheWorkOfAHandThatPullsAsTheEnergyOfItsSpring) {
+TEST(EnergyBalance, givesTheWorkOfAnAttachmentAsTheEnergyOfItsSpring) {
   const auto model = testing::pinnedSheet(3);
   StepInputs inputs;
-  inputs.grab = Grab{7, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 2.0, 1.0), 5.0, 1e9};
+  inputs.attachment = Attachment{7, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 2.0, 1.0), 5.0, 1e9};
   const ClothState before = stateAtRest(model->restPositions);
   ClothState after = before;
   const Triangle& corners = model->triangles[7];
   Vec3 start = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
     const auto v = static_cast<std::size_t>(corners[c]);
-    start += inputs.grab->barycentric[static_cast<Eigen::Index>(c)] * before.positions[v];
+    start += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * before.positions[v];
     after.positions[v].y() += 0.5;
   }
-  const double distance = (inputs.grab->target - start).squaredNorm();
-  const double nearer = (inputs.grab->target - start - Vec3(0.0, 0.5, 0.0)).squaredNorm();
+  const double distance = (inputs.attachment->target - start).squaredNorm();
+  const double nearer = (inputs.attachment->target - start - Vec3(0.0, 0.5, 0.0)).squaredNorm();
   EnergyBalance balance;
   balance.add(*model, {}, inputs, before, after);
-  EXPECT_NEAR(balance.hand(), 0.5 * 5.0 * (distance - nearer), 1e-13);
+  EXPECT_NEAR(balance.attachment(), 0.5 * 5.0 * (distance - nearer), 1e-13);
 }
 
 TEST(EnergyBalance, doesNotBlameTheMethodForChangedSettings) {
@@ -169,7 +169,7 @@ EnergyBalance everythingActing(int steps) {
   parameters.wind = Vec3(0.5, 4.0, 1.0);  // always from below: where it changes sides the forces have a kink
   parameters.timeStep = 0.1 / steps;
   StepInputs inputs;
-  inputs.grab = Grab{10, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 0.3, 1.0), 5.0, 1.0};
+  inputs.attachment = Attachment{10, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 0.3, 1.0), 5.0, 1.0};
   ClothState state = testing::shaken(*model, 0.02, 3);
   EnergyBalance balance;
   for (int i = 0; i < steps; ++i) {
@@ -180,12 +180,12 @@ EnergyBalance everythingActing(int steps) {
   return balance;
 }
 
-TEST(EnergyBalance, leavesTheIntegratorNothingButSecondOrderWhenDampingWindAndHandActTogether) {
+TEST(EnergyBalance, leavesTheIntegratorNothingButSecondOrderWhenDampingWindAndAttachmentActTogether) {
   const EnergyBalance coarse = everythingActing(100);
   const EnergyBalance fine = everythingActing(200);
   EXPECT_LT(fine.damping(), -1e-4);
   EXPECT_GT(std::abs(fine.air()), 1e-4);
-  EXPECT_GT(std::abs(fine.hand()), 1e-4);
+  EXPECT_GT(std::abs(fine.attachment()), 1e-4);
   EXPECT_LT(std::abs(fine.integrator()), 1e-3 * std::abs(fine.damping()));
   EXPECT_NEAR(coarse.integrator() / fine.integrator(), 4.0, 0.4);
 }

@@ -23,7 +23,7 @@ struct Scene {
     parameters.drag = 0.5;
     parameters.lift = 0.5;
     parameters.wind = Vec3(1.0, 0.5, -0.3);
-    inputs.grab = Grab{7, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+    inputs.attachment = Attachment{7, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
     potential.begin(*model, parameters, inputs, state, workers);
     testing::RandomVectors random(10);
     for (int i = 0; i < model->vertexCount(); ++i) {
@@ -74,7 +74,7 @@ TEST_P(Potential, hasTheSecondDerivativeThatItsGradientsDifferencesShow) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(WhereTheHandIsFreeAndWhereItIsBounded, Potential, ::testing::Values(1000.0, 0.5));
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutTheBoundOfTheAttachmentForce, Potential, ::testing::Values(1000.0, 0.5));
 
 TEST(Potential, saysWhatRoundingLeavesOverOfItsGradient) {
   Scene scene(1000.0);

@@ -137,14 +137,14 @@ TEST(KeepMomentum, givesAClothInTheWindTheImpulseOfTheWind) {
   EXPECT_LT((spinOf(*model, state) - spin).norm(), 1e-14);
 }
 
-TEST(KeepMomentum, givesAClothInAHandTheHandsImpulseAtTheEndOfTheStep) {
+TEST(KeepMomentum, givesAnAttachedClothTheImpulseOfTheAttachmentAtTheEndOfTheStep) {
   const auto model = unevenSheet(9, {});
   ClothState state = thrown(*model);
   StepParameters p;
   p.keepMomentum = true;
   StepInputs inputs;
-  inputs.grab = Grab{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5), 500.0, 1e3};
-  const HandPull pull = handPull(*model, *inputs.grab, state);
+  inputs.attachment = Attachment{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5), 500.0, 1e3};
+  const AttachmentForce pull = attachmentForce(*model, *inputs.attachment, state);
   const auto held = [&] {
     Vec3 point = Vec3::Zero();
     for (Eigen::Index c = 0; c < 3; ++c) {
@@ -156,7 +156,7 @@ TEST(KeepMomentum, givesAClothInAHandTheHandsImpulseAtTheEndOfTheStep) {
   const Vec3 linear = linearMomentum(*model, state) - Vec3(0.0, p.timeStep * model->totalMass() * p.gravity, 0.0);
   const Vec3 spin = spinOf(*model, state);
   Stepper("one_iteration").step(*model, p, inputs, state);
-  const Vec3 impulse = p.timeStep * 500.0 * (inputs.grab->target - held());
+  const Vec3 impulse = p.timeStep * 500.0 * (inputs.attachment->target - held());
   EXPECT_LT((linearMomentum(*model, state) - linear - impulse).norm(), 1e-13);
   EXPECT_LT((spinOf(*model, state) - spin - arm.cross(impulse)).norm(), 1e-13);
 }
@@ -235,14 +235,14 @@ TEST(KeepMomentum, survivesAClothThatFellTogetherToAPointOrALine) {
   }
 }
 
-TEST(KeepMomentum, doesNotLetAStrongHandThrowALightClothAbout) {
+TEST(KeepMomentum, doesNotLetAStrongAttachmentThrowALightClothAbout) {
   const auto model = buildClothModel(sheet(9), 0.02, MassLumping::Uniform, {});
   StepParameters p;
   p.timeStep = 1.0 / 30.0;
   p.damping = 0.01;
   p.keepMomentum = true;
   StepInputs inputs;
-  inputs.grab = Grab{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5), 500.0, 1e3};
+  inputs.attachment = Attachment{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5), 500.0, 1e3};
   ClothState state = stateAtRest(model->restPositions);
   Stepper stepper("one_iteration");
   for (int step = 0; step < 300; ++step) {

@@ -10,9 +10,9 @@ using Eigen::VectorXd;
 
 struct System {
   MatrixXd mass;
-  MatrixXd J;        // df/dx of the springs
-  MatrixXd damping;  // -df/dv
-  MatrixXd hand;     // -df/dx of the hand
+  MatrixXd J;           // df/dx of the springs
+  MatrixXd damping;     // -df/dv
+  MatrixXd attachment;  // -df/dx of the hand
   VectorXd force;
 };
 
@@ -96,9 +96,9 @@ void addGravityAndAir(const ClothModel& model, const StepParameters& p, const Cl
 
 /// The hand's force and its derivative: lumped on the diagonal with the chord's stiffness as the paper's method has it,
 /// or whole as Newton's method needs it.
-void addHand(const ClothModel& model, const Grab& grab, double h, const ClothState& state, bool lumped,
-             System& system) {
-  const Triangle& t = model.triangles[static_cast<std::size_t>(grab.triangle)];
+void addAttachment(const ClothModel& model, const Attachment& attachment, double h, const ClothState& state,
+                   bool lumped, System& system) {
+  const Triangle& t = model.triangles[static_cast<std::size_t>(attachment.triangle)];
   MatrixXd weights = MatrixXd::Zero(3, 3 * model.vertexCount());
   VectorXd x(3 * model.vertexCount());
   VectorXd v(3 * model.vertexCount());
@@ -107,21 +107,21 @@ void addHand(const ClothModel& model, const Grab& grab, double h, const ClothSta
     v.segment<3>(3 * i) = state.velocities[static_cast<std::size_t>(i)];
   }
   for (int c = 0; c < 3; ++c) {
-    weights.block<3, 3>(0, 3 * t[static_cast<std::size_t>(c)]) = grab.barycentric[c] * Mat3::Identity();
+    weights.block<3, 3>(0, 3 * t[static_cast<std::size_t>(c)]) = attachment.barycentric[c] * Mat3::Identity();
   }
-  const Vec3 offset = grab.target - weights * x;
+  const Vec3 offset = attachment.target - weights * x;
   const double distance = offset.norm();
-  const double chord = std::min(grab.stiffness, grab.maxForce / distance);
+  const double chord = std::min(attachment.stiffness, attachment.maxForce / distance);
   Mat3 stiffness = chord * Mat3::Identity();
-  if (!lumped && chord < grab.stiffness) {
+  if (!lumped && chord < attachment.stiffness) {
     stiffness -= chord / (distance * distance) * offset * offset.transpose();
   }
   const Vec3 point = weights * v;
   system.force += weights.transpose() * (chord * offset - h * (stiffness * point));
   if (lumped) {
-    system.hand.diagonal() += chord * (weights.transpose() * Vec3::Ones());
+    system.attachment.diagonal() += chord * (weights.transpose() * Vec3::Ones());
   } else {
-    system.hand += weights.transpose() * stiffness * weights;
+    system.attachment += weights.transpose() * stiffness * weights;
   }
 }
 
@@ -132,14 +132,14 @@ System systemOf(const ClothModel& model, const StepParameters& p, const StepInpu
   System system{zero, zero, zero, zero, VectorXd::Zero(3 * n)};
   addSprings(model, p, state, system);
   addGravityAndAir(model, p, state, system);
-  if (inputs.grab) {
-    addHand(model, *inputs.grab, p.timeStep, state, lumped, system);
+  if (inputs.attachment) {
+    addAttachment(model, *inputs.attachment, p.timeStep, state, lumped, system);
   }
   return system;
 }
 
 MatrixXd matrixOf(const System& system, double h) {
-  return system.mass - h * h * system.J + h * system.damping + h * h * system.hand;
+  return system.mass - h * h * system.J + h * system.damping + h * h * system.attachment;
 }
 
 VectorXd rightHandSideOf(const System& system, double h, const ClothState& state) {
@@ -182,9 +182,9 @@ void referenceStep(const ClothModel& model, const StepParameters& p, const StepI
   advanceBy(model, p.timeStep, dv, state);
 }
 
-void exactLinearStep(const ClothModel& model, const StepParameters& p, const StepInputs& inputs, HandDerivative hand,
-                     ClothState& state) {
-  const System system = systemOf(model, p, inputs, state, hand == HandDerivative::Lumped);
+void exactLinearStep(const ClothModel& model, const StepParameters& p, const StepInputs& inputs,
+                     AttachmentDerivative attachment, ClothState& state) {
+  const System system = systemOf(model, p, inputs, state, attachment == AttachmentDerivative::Lumped);
   MatrixXd W = matrixOf(system, p.timeStep);
   VectorXd rhs = rightHandSideOf(system, p.timeStep, state);
   for (int i = 0; i < model.vertexCount(); ++i) {

@@ -13,13 +13,13 @@ void referenceStep(const ClothModel& model, const StepParameters& parameters, co
                    ClothState& state);
 
 /// How the hand's force counts in the matrix.
-enum class HandDerivative {
+enum class AttachmentDerivative {
   Lumped,  ///< the chord's stiffness, on the diagonal
   Whole    ///< the derivative, which couples the corners of the triangle that is held
 };
 
 /// The same linear system, solved by elimination.
 void exactLinearStep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                     HandDerivative hand, ClothState& state);
+                     AttachmentDerivative attachment, ClothState& state);
 
 }  // namespace drape::testing

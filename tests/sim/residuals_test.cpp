@@ -20,9 +20,9 @@ StepParameters everything() {
   return parameters;
 }
 
-StepInputs handOnTriangle(int triangle) {
+StepInputs attachmentOnTriangle(int triangle) {
   StepInputs inputs;
-  inputs.grab = Grab{triangle, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 1.0, 1.0), 50.0, 2.0};
+  inputs.attachment = Attachment{triangle, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 1.0, 1.0), 50.0, 2.0};
   return inputs;
 }
 
@@ -58,7 +58,7 @@ std::vector<Vec3> denseSolution(const ClothModel& model, const StepParameters& p
 TEST(LinearResidual, vanishesForTheDenseSolutionAndGrowsWithWhatIsMissing) {
   const auto model = testing::pinnedSheet(4);
   const StepParameters parameters = everything();
-  const StepInputs inputs = handOnTriangle(8);
+  const StepInputs inputs = attachmentOnTriangle(8);
   const ClothState before = testing::shaken(*model, 0.05, 7);
   std::vector<Vec3> dv = denseSolution(*model, parameters, inputs, before);
   ClothState after = before;
@@ -91,7 +91,7 @@ TEST(NonlinearResidual, vanishesForTheFixedPointOfTheImplicitEquations) {
   const auto model = testing::pinnedSheet(4);
   StepParameters parameters = everything();
   parameters.timeStep = 1e-4;  // so small that the plain iteration below contracts
-  const StepInputs inputs = handOnTriangle(8);
+  const StepInputs inputs = attachmentOnTriangle(8);
   const ClothState before = testing::shaken(*model, 0.05, 7);
   StepParameters airless = parameters;
   airless.drag = 0.0;

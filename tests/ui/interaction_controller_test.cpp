@@ -57,22 +57,22 @@ class Interaction : public ::testing::Test {
   Vec2 onCloth_ = Vec2::Zero();
 };
 
-TEST_F(Interaction, LeftOnTheClothGrabsWhereItWasHit) {
+TEST_F(Interaction, LeftOnTheClothAttachesToTheHitPoint) {
   const UiOutput output = send(PressEvent{.position = onCloth_});
   ASSERT_EQ(output.commands.size(), 1U);
-  const auto& grab = std::get<GrabCommand>(output.commands.front());
-  EXPECT_NEAR(grab.barycentric.sum(), 1.0, 1e-9);
-  EXPECT_TRUE(grab.target.isApprox(middleOf(0.31, 0.43), 1e-6));
+  const auto& attached = std::get<AttachCommand>(output.commands.front());
+  EXPECT_NEAR(attached.barycentric.sum(), 1.0, 1e-9);
+  EXPECT_TRUE(attached.target.isApprox(middleOf(0.31, 0.43), 1e-6));
   EXPECT_TRUE(controller_.holdsCloth());
 }
 
-TEST_F(Interaction, DraggingMovesTheHandAtTheDepthOfTheGrab) {
+TEST_F(Interaction, DraggingMovesTheTargetAtTheDepthOfTheAttachedPoint) {
   const UiOutput pressed = send(PressEvent{.position = onCloth_});
-  const Vec3 taken = std::get<GrabCommand>(pressed.commands.front()).target;
+  const Vec3 taken = std::get<AttachCommand>(pressed.commands.front()).target;
   const CameraPose before = controller_.camera().pose();
   const UiOutput moved = send(MoveEvent{onCloth_ + Vec2(60.0, -20.0)});
   ASSERT_EQ(moved.commands.size(), 1U);
-  const Vec3 target = std::get<MoveGrabCommand>(moved.commands.front()).target;
+  const Vec3 target = std::get<MoveAttachmentCommand>(moved.commands.front()).target;
   EXPECT_TRUE(inWindow(target).isApprox(onCloth_ + Vec2(60.0, -20.0), 1e-6));
   const Vec3 direction = (before.focalPoint - before.position).normalized();
   EXPECT_NEAR((target - taken).dot(direction), 0.0, 1e-9);
@@ -84,7 +84,7 @@ TEST_F(Interaction, LettingGoReleases) {
   EXPECT_TRUE(send(ReleaseEvent{MouseButton::Right}).commands.empty());
   const UiOutput output = send(ReleaseEvent{MouseButton::Left});
   ASSERT_EQ(output.commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<ReleaseGrabCommand>(output.commands.front()));
+  EXPECT_TRUE(std::holds_alternative<DetachCommand>(output.commands.front()));
   EXPECT_TRUE(send(MoveEvent{beside_}).commands.empty());
 }
 
@@ -167,7 +167,7 @@ TEST_F(Interaction, OnlySteppingRepeats) {
 TEST_F(Interaction, EscapeLetsGoFirstAndQuitsThen) {
   send(PressEvent{.position = onCloth_});
   const UiOutput first = send(KeyEvent{Key::Escape});
-  EXPECT_TRUE(std::holds_alternative<ReleaseGrabCommand>(first.commands.at(0)));
+  EXPECT_TRUE(std::holds_alternative<DetachCommand>(first.commands.at(0)));
   EXPECT_TRUE(first.requests.empty());
   const UiOutput second = send(KeyEvent{Key::Escape});
   EXPECT_EQ(std::get<UiAction>(second.requests.at(0)), UiAction::Quit);

@@ -46,7 +46,7 @@ TEST_F(UserInterfaceTest, AClockThatFallsBehindForStiffnessHasOneClickToKeepPace
   simulation_.apply(SetSettingCommand{"solver", std::string("auto")});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("button.soften"));
-  simulation_.apply(SetSettingCommand{"auto.work", 0.1});
+  simulation_.apply(SetSettingCommand{"auto.cost", 0.1});
   simulation_.apply(SetSettingCommand{"stiffness", 1e5});
   simulation_.step();
   settle();
@@ -208,10 +208,10 @@ TEST_F(UserInterfaceTest, TheFirstHintGoesWithTheFirstDrag) {
   ASSERT_TRUE(panels_.buttons().contains("hint.drag"));
   const UiRect hint = button("hint.drag");
   EXPECT_FALSE(panels_.covers({hint.x + 5.0, hint.y + 5.0})) << "the cloth behind it can be taken";
-  simulation_.apply(GrabCommand{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()});
+  simulation_.apply(AttachCommand{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("hint.drag"));
-  simulation_.apply(ReleaseGrabCommand{});
+  simulation_.apply(DetachCommand{});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("hint.drag"));
 }

@@ -29,7 +29,7 @@ struct CaptureArguments {
   bool ui = false;
 };
 
-/// Without --every a frame is as near to this as whole steps come [s].
+/// Without --every the time between frames is close to this, in whole steps [s].
 constexpr double usualFrame = 1.0 / 30.0;
 
 CameraPose poseFor(const CaptureArguments& arguments, CameraPose pose) {
@@ -46,7 +46,7 @@ CameraPose poseFor(const CaptureArguments& arguments, CameraPose pose) {
   return pose;
 }
 
-/// Makes the folder of the pictures, so that a slip shows before the simulation and not after it.
+/// Creates the folder of the pictures before the simulation, so that an error shows at once.
 void makeFolder(const std::string& file) {
   const auto folder = std::filesystem::path(file).parent_path();
   std::error_code error;
@@ -54,7 +54,7 @@ void makeFolder(const std::string& file) {
     std::filesystem::create_directories(folder, error);
   }
   if (error) {
-    throw InputError("cannot make the folder " + folder.string() + ": " + error.message());
+    throw InputError("cannot create the folder " + folder.string() + ": " + error.message());
   }
 }
 
@@ -92,30 +92,31 @@ void capture(const CaptureArguments& arguments) {
 }  // namespace
 
 void addCaptureCommand(CLI::App& app) {
-  constexpr int mostPixels = 16384;
+  constexpr int maxPixels = 16384;
   constexpr double farAway = 1e6;
   auto arguments = std::make_shared<CaptureArguments>();
   CLI::App* command = app.add_subcommand("capture", "Simulates and draws pictures, without a display");
   arguments->scene.addTo(*command);
   command->add_option("--frames", arguments->frames, "Number of pictures; the first shows the start")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--every", arguments->every, "Time steps from one picture to the next; default: about 1/30 s")
+  command->add_option("--every", arguments->every, "Time steps between two pictures; default: about 1/30 s")
       ->check(CLI::Range(1, 1000000));
   command
-      ->add_option("--output", arguments->output, "Name of the pictures, with a place for the number: f_{frame:4}.png")
+      ->add_option("--output", arguments->output,
+                   "File name of the pictures, with a placeholder for the number: f_{frame:4}.png")
       ->required()
       ->check(notEmpty());
   command->add_option("--resolution", arguments->resolution, "Width and height [pixels]")
       ->delimiter(',')
       ->expected(2)
       ->type_name("W,H")
-      ->check(CLI::Range(16, mostPixels));
-  command->add_option("--camera-position", arguments->cameraPosition, "Where the camera is [m]")
+      ->check(CLI::Range(16, maxPixels));
+  command->add_option("--camera-position", arguments->cameraPosition, "Position of the camera [m]")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z")
       ->check(numberFrom(-farAway, farAway));
-  command->add_option("--camera-focal-point", arguments->focalPoint, "What it looks at [m]")
+  command->add_option("--camera-focal-point", arguments->focalPoint, "Point at the centre of the view [m]")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z")

@@ -4,7 +4,7 @@
 
 namespace drape {
 
-/// Each adds its subcommand to the program; the subcommand runs when it has been parsed.
+/// Each function adds a subcommand to the program. The subcommand runs after parsing.
 void addRunCommand(CLI::App& app);
 void addCaptureCommand(CLI::App& app);
 void addMeasureCommand(CLI::App& app);

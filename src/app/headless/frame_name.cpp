@@ -8,13 +8,13 @@
 namespace drape {
 namespace {
 
-constexpr int mostDigits = 9;
+constexpr int maxDigits = 9;
 
 [[noreturn]] void refuse(std::string_view pattern, const std::string& why) {
   throw UsageError("--output '" + std::string(pattern) + "': " + why + "; for example out/frame_{frame:4}.png");
 }
 
-/// The digits asked for in "frame" or "frame:4"; -1 when it is neither.
+/// The number of digits in "frame" or "frame:4"; -1 for any other word.
 int digitsOf(std::string_view word) {
   constexpr std::string_view keyword = "frame";
   if (!word.starts_with(keyword)) {
@@ -26,7 +26,7 @@ int digitsOf(std::string_view word) {
   }
   const bool oneDigit = word.size() == 2 && word[0] == ':' && std::isdigit(static_cast<unsigned char>(word[1])) != 0;
   const int digits = oneDigit ? word[1] - '0' : -1;
-  return digits >= 1 && digits <= mostDigits ? digits : -1;
+  return digits >= 1 && digits <= maxDigits ? digits : -1;
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ FramePattern::FramePattern(std::string_view pattern, int frames) {
   const auto open = pattern.find('{');
   if (open == std::string_view::npos) {
     if (frames > 1) {
-      refuse(pattern, "several frames need a place for their number");
+      refuse(pattern, "several frames need a placeholder for their number");
     }
     before_ = pattern;
     return;
@@ -43,7 +43,7 @@ FramePattern::FramePattern(std::string_view pattern, int frames) {
   const auto close = pattern.find('}', open);
   digits_ = close == std::string_view::npos ? -1 : digitsOf(pattern.substr(open + 1, close - open - 1));
   if (digits_ < 0) {
-    refuse(pattern, "the place for the frame's number is {frame} or {frame:DIGITS}, with 1 to 9 digits");
+    refuse(pattern, "the placeholder for the number is {frame} or {frame:DIGITS}, with 1 to 9 digits");
   }
   before_ = pattern.substr(0, open);
   after_ = pattern.substr(close + 1);

@@ -5,10 +5,10 @@
 
 namespace drape {
 
-/// A file name with a place for the frame's number: "{frame}", or "{frame:4}" for at least four digits.
+/// A file name with a placeholder for the frame's number: "{frame}", or "{frame:4}" for at least four digits.
 class FramePattern {
  public:
-  /// Throws UsageError for another word in braces, or for more than one frame without a place for the number.
+  /// Throws UsageError for another word in braces, or for more than one frame without a placeholder.
   FramePattern(std::string_view pattern, int frames);
 
   [[nodiscard]] std::string name(int frame) const;

@@ -20,7 +20,7 @@ struct HardCasesArguments {
   std::vector<std::string> settings;
   bool shortForm = false;
   bool markdown = false;
-  double mostSeconds = 60.0;
+  double maxSeconds = 60.0;
   std::string json;
 };
 
@@ -51,14 +51,14 @@ std::vector<const HardCase*> casesOf(const HardCasesArguments& arguments) {
   return cases;
 }
 
-/// Runs the cases with one solver; how many did not pass.
+/// Runs the cases with one solver. Returns the number of failures.
 int runSolver(const HardCasesArguments& arguments, const std::vector<const HardCase*>& cases, const std::string& solver,
               ReportRows& rows) {
   CaseOptions options;
   options.solver = solver;
   options.shortForm = arguments.shortForm;
   options.settings = arguments.settings;
-  options.mostSeconds = arguments.mostSeconds;
+  options.maxSeconds = arguments.maxSeconds;
   int failed = 0;
   if (!arguments.markdown) {
     std::cout << solver << '\n';
@@ -95,7 +95,7 @@ void run(const HardCasesArguments& arguments) {
     file->write(ReportRow{{"hard_cases", rows}});
   }
   if (!failures.empty()) {
-    throw InputError("hard cases that were not passed, of " + std::to_string(cases.size()) + ": " + failures);
+    throw InputError("failed hard cases, of " + std::to_string(cases.size()) + ": " + failures);
   }
 }
 
@@ -113,15 +113,15 @@ void addHardCasesCommand(CLI::App& app) {
       ->type_name("N|NAME")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--set", arguments->settings, "Set a setting over the cases' own; may be repeated")
+  command->add_option("--set", arguments->settings, "Override a setting of the cases; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--short", arguments->shortForm, "Smaller cloths and shorter times");
   command->add_flag("--markdown", arguments->markdown, "Print one table of all solvers (Markdown)");
-  command->add_option("--most-seconds", arguments->mostSeconds, "Give a case up that takes longer by the clock [s]")
+  command->add_option("--max-seconds", arguments->maxSeconds, "Stop a case that takes longer than this [s]")
       ->check(numberFrom(0.01, longest));
-  command->add_option("--json", arguments->json, "Write everything to this file (JSON)")
+  command->add_option("--json", arguments->json, "Write all results to this file (JSON)")
       ->type_name("FILE")
       ->check(notEmpty());
   command->callback([arguments] { run(*arguments); });

@@ -9,7 +9,7 @@ namespace drape {
 void requireIntact(const Simulation& simulation) {
   if (simulation.blewUp()) {
     throw InputError("the cloth blew up at " + std::to_string(simulation.state().time) +
-                     " s; what was written ends there. Try a smaller time step or a lower stiffness.");
+                     " s; the output ends there. Use a smaller time step or a lower stiffness.");
   }
 }
 

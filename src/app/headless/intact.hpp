@@ -4,8 +4,7 @@
 
 namespace drape {
 
-/// Throws InputError when the cloth blew up, so that a script learns of it from the exit status. Call it when all that
-/// was asked for has been written.
+/// Throws InputError when the cloth blew up, so that the exit status reports it. Call it after all output is written.
 void requireIntact(const Simulation& simulation);
 
 }  // namespace drape

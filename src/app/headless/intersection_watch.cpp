@@ -11,16 +11,16 @@ namespace drape {
 
 void IntersectionWatch::Tally::add(std::int64_t step, std::size_t count) {
   last = count;
-  if (count > most) {
-    most = count;
+  if (count > max) {
+    max = count;
     worstStep = step;
   }
 }
 
 nlohmann::ordered_json IntersectionWatch::Tally::toJson() const {
-  return {{"max", most},
+  return {{"max", max},
           {"final", last},
-          {"worst_step", most > 0 ? nlohmann::ordered_json(worstStep) : nlohmann::ordered_json(nullptr)}};
+          {"worst_step", max > 0 ? nlohmann::ordered_json(worstStep) : nlohmann::ordered_json(nullptr)}};
 }
 
 void IntersectionWatch::observe(const Simulation& simulation) {
@@ -66,14 +66,14 @@ void IntersectionWatch::addTo(nlohmann::ordered_json& json) const {
 std::string IntersectionWatch::summary() const {
   std::ostringstream text;
   text << "intersecting triangle pairs: ";
-  if (all_.most == 0) {
+  if (all_.max == 0) {
     text << "none";
   } else {
-    text << "at most " << all_.most << " (step " << all_.worstStep << "), " << all_.last << " at the end; with bodies ";
-    if (bodies_.most == 0) {
+    text << "at most " << all_.max << " (step " << all_.worstStep << "), " << all_.last << " at the end; with bodies ";
+    if (bodies_.max == 0) {
       text << "none";
     } else {
-      text << "at most " << bodies_.most << " (step " << bodies_.worstStep << "), " << bodies_.last << " at the end";
+      text << "at most " << bodies_.max << " (step " << bodies_.worstStep << "), " << bodies_.last << " at the end";
     }
   }
   text << ", by " << seconds_.size() << (seconds_.size() == 1 ? " check" : " checks");

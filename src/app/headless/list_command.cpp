@@ -91,7 +91,7 @@ void printSettings() {
   }
 }
 
-/// A Markdown table, from which docs/guide/settings.md is made.
+/// The Markdown table of docs/guide/settings.md.
 void printSettingsMarkdown() {
   std::cout << "| key | unit | range | default | meaning |\n|---|---|---|---|---|\n";
   for (const SettingInfo& info : settingsTable()) {
@@ -113,7 +113,7 @@ struct ListArguments {
   bool markdown = false;
 };
 
-/// What can be listed, by the word that is typed.
+/// One list, by the word on the command line.
 struct Listing {
   std::string_view what;
   Json (*json)();

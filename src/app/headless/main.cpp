@@ -2,7 +2,7 @@
 #include "app/headless/commands.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Cloth simulation without a window: runs with statistics, pictures, errors, and lists of what there is",
+  CLI::App app("Cloth simulation without a window: runs with statistics, pictures, error measurements, and lists",
                "drape-headless");
   app.require_subcommand(1);
   drape::addRunCommand(app);

@@ -30,8 +30,8 @@ struct MeasureArguments {
   std::string json;
 };
 
-/// A minute is far beyond what can be compared.
-constexpr double mostMeasuredSeconds = 60.0;
+/// A minute is far longer than motions can be compared.
+constexpr double maxMeasuredSeconds = 60.0;
 
 ReferenceKind kindOf(const std::string& against) {
   if (against == "same_step") {
@@ -51,7 +51,7 @@ ReferenceKind kindOf(const std::string& against) {
                    "' is none of them");
 }
 
-/// The reference's settings: what its kind asks for, and then --reference-set.
+/// The settings of the reference: those of its kind, then --reference-set.
 Settings referenceSettings(const MeasureArguments& arguments, ReferenceKind kind, const Settings& method) {
   Settings settings = kind == ReferenceKind::SameStep    ? sameStepSettings(method)
                       : kind == ReferenceKind::Converged ? convergedSettings(method)
@@ -63,15 +63,16 @@ Settings referenceSettings(const MeasureArguments& arguments, ReferenceKind kind
     const SettingInfo& info = requireSetting(expression.substr(0, expression.find('=')));
     if (info.effect != SettingEffect::Step) {
       throw UsageError("--reference-set " + std::string(info.key) +
-                       " would make another cloth; the reference takes settings of the step alone");
+                       " would change the cloth; the reference takes settings of the step only");
     }
     assignSettingExpression(settings, expression);
+    printFormerKey(expression);
   }
   requireConsistent(settings);
   return settings;
 }
 
-/// Shows one bar after the other, one for each run.
+/// Shows one progress bar per run, one after the other.
 class ProgressBars {
  public:
   void show(std::string_view label, std::int64_t done, std::int64_t total) {
@@ -94,12 +95,12 @@ Measurement measureWithProgress(const Scene& scene, const MeasurementPlan& plan)
 }
 
 void warn(const Measurement& measurement) {
-  constexpr double implausible = 2.0;  // no cloth stretches to three times its length
+  constexpr double implausible = 2.0;  // cloth does not stretch to three times its length
   if (!measurement.report.checkpoints.empty()) {
     const CheckpointReport& last = measurement.report.checkpoints.back();
     if (measurement.own.finite && last.maxStretch > implausible && last.referenceStretch <= implausible) {
       std::cerr << "warning: at the end a spring has " << 1.0 + last.maxStretch
-                << " times its rest length: the step is beyond what this method can carry\n";
+                << " times its rest length: the step is too large for this method\n";
     }
   }
   if (!measurement.reference.doubt.empty()) {
@@ -130,7 +131,7 @@ void run(const MeasureArguments& arguments) {
   }
   if (!measurement.own.finite) {
     throw InputError("the cloth blew up after " + std::to_string(measurement.report.checkpoints.back().time) +
-                     " s; what is reported ends there. Try a smaller time step or a lower stiffness.");
+                     " s; the report ends there. Use a smaller time step or a lower stiffness.");
   }
 }
 
@@ -138,18 +139,19 @@ void run(const MeasureArguments& arguments) {
 
 void addMeasureCommand(CLI::App& app) {
   auto arguments = std::make_shared<MeasureArguments>();
-  CLI::App* command = app.add_subcommand("measure", "Holds a method against a reference and prints its errors");
+  CLI::App* command = app.add_subcommand("measure", "Compares a method with a reference and prints its errors");
   arguments->scene.addTo(*command);
-  command->add_option("--seconds", arguments->seconds, "Simulated time [s]; taken to whole checkpoints of 1/30 s")
+  command->add_option("--seconds", arguments->seconds, "Simulated time [s]; rounded to whole checkpoints of 1/30 s")
       ->required()
-      ->check(numberFrom(0.0, mostMeasuredSeconds));
+      ->check(numberFrom(0.0, maxMeasuredSeconds));
   command
-      ->add_option("--against", arguments->against,
-                   "same_step (this step solved to the end), converged (the limit of small steps) or a solver's name")
+      ->add_option(
+          "--against", arguments->against,
+          "same_step (this step solved to convergence), converged (the limit of small steps) or a solver's name")
       ->required()
       ->type_name("REFERENCE")
       ->check(notEmpty());
-  command->add_flag("--restarted", arguments->restarted, "Begin each checkpoint's interval where the reference was");
+  command->add_flag("--restarted", arguments->restarted, "Start the interval of each checkpoint from the reference");
   command
       ->add_option("--reference-set", arguments->referenceSettings, "Set a setting of the reference; may be repeated")
       ->type_name("KEY=VALUE")
@@ -157,13 +159,13 @@ void addMeasureCommand(CLI::App& app) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
       ->add_option("--reference-tolerance", arguments->referenceTolerance,
-                   "How much halving its step may still move the converged reference, mean [m]")
+                   "Largest mean change of the converged reference when its step is halved [m]")
       ->check(numberFrom(1e-12, 1.0));
-  command->add_option("--summary", arguments->summaries, "Times to sum up at [s]")
+  command->add_option("--summary", arguments->summaries, "Times of the summary [s]")
       ->delimiter(',')
       ->type_name("T,...")
-      ->check(numberFrom(0.0, mostMeasuredSeconds));
-  command->add_option("--json", arguments->json, "Write everything to this file (JSON)")
+      ->check(numberFrom(0.0, maxMeasuredSeconds));
+  command->add_option("--json", arguments->json, "Write all results to this file (JSON)")
       ->type_name("FILE")
       ->check(notEmpty());
   command->callback([arguments] { run(*arguments); });

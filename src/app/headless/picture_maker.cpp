@@ -43,9 +43,9 @@ Image PictureMaker::drawPlain(const Camera& camera) {
 
 Image PictureMaker::drawWithPanels() {
   UserInterface& panels = *parts_->panels;
-  UiOutput ignored;  // nobody clicks here
+  UiOutput ignored;  // there is no user
   const UiStats stats;
-  // The first frames only measure: what is longer than the column, and then what wraps beside the scroll bar.
+  // The layout needs three frames: first the width of the column, then the line breaks beside the scroll bar.
   for (int frame = 0; frame < 3; ++frame) {
     panels.build(parts_->snapshot, stats, ignored);
   }

@@ -19,7 +19,7 @@ void PositionWriter::sample(const ClothState& state) {
   if (state.time + tolerance_ <= every_ * static_cast<double>(samples_)) {
     return;
   }
-  // Steps longer than the interval skip samples rather than fall behind.
+  // A step longer than the interval skips samples.
   while (every_ * static_cast<double>(samples_) < state.time + tolerance_) {
     ++samples_;
   }
@@ -28,7 +28,7 @@ void PositionWriter::sample(const ClothState& state) {
     std::fprintf(file_.get(), "%.9g,%zu,%.9g,%.9g,%.9g\n", state.time, v, position.x(), position.y(), position.z());
   }
   if (std::ferror(file_.get()) != 0) {
-    fail(errno);  // at once: a full disk should not cost the rest of a long run
+    fail(errno);  // at once: the run stops early when the disk is full
   }
 }
 

@@ -9,17 +9,17 @@
 
 namespace drape {
 
-/// Writes positions as CSV: "time,vertex,x,y,z", one line a vertex and sample, 9 significant digits, metres and
-/// seconds. A sample is taken at the first step that is not earlier than its due time (to half a step).
+/// Writes positions as CSV: "time,vertex,x,y,z", one line per vertex and sample, 9 significant digits, in metres and
+/// seconds. A sample is taken at the first step at or after its time (to half a step).
 class PositionWriter {
  public:
   /// Throws InputError when the file cannot be written.
   PositionWriter(const std::string& file, double every, double timeStep);
 
-  /// Writes the state when a sample is due. Throws InputError when what came before could not be written.
+  /// Writes the state when a sample is due. Throws InputError when an earlier write failed.
   void sample(const ClothState& state);
 
-  /// Flushes and closes. Throws InputError when not everything could be written.
+  /// Flushes and closes. Throws InputError when the file could not be written completely.
   void close();
 
  private:

@@ -30,21 +30,21 @@ struct RunArguments {
   std::int64_t checkIntersections = 0;
 };
 
-/// Longer runs would take days, and their number of steps would not be meant.
-constexpr double mostSeconds = 1e5;
-constexpr double mostSteps = 1e9;
+/// Longer runs would take days and are probably a mistake.
+constexpr double maxSeconds = 1e5;
+constexpr double maxSteps = 1e9;
 
 std::int64_t stepsFor(double seconds, double timeStep) {
   const double steps = std::round(seconds / timeStep);
-  if (steps > mostSteps) {
+  if (steps > maxSteps) {
     throw UsageError(
-        "--seconds divided by time_step makes more than a thousand million steps; make the one shorter "
-        "or the other longer");
+        "--seconds divided by time_step gives more than a thousand million steps; use fewer seconds "
+        "or a longer step");
   }
   return static_cast<std::int64_t>(steps);
 }
 
-/// What was found in a mesh file and done to it; a grid has nothing to tell.
+/// Prints the contents of a mesh file and how it was repaired. Prints nothing for a grid.
 void printMesh(const Scene& scene) {
   if (std::holds_alternative<MeshFileSource>(scene.description.source)) {
     for (const std::string& line : describe(scene.summary)) {
@@ -53,7 +53,7 @@ void printMesh(const Scene& scene) {
   }
 }
 
-/// Tells up to which step the solver stays stable, where there is such a limit.
+/// Prints the solver's stability limit, if it has one.
 void printStabilityLimit(const nlohmann::ordered_json& limit) {
   if (limit.is_number()) {
     const auto seconds = limit.get<double>();
@@ -74,7 +74,7 @@ void printSummary(const Simulation& simulation, const nlohmann::ordered_json& js
   printStabilityLimit(json["stability_limit"]);
 }
 
-/// A cloth that blew up is an error, which is told at the end.
+/// Prints warnings. A cloth that blew up is an error, which is reported at the end.
 void warn(const Simulation& simulation) {
   Snapshot end;
   simulation.capture(end);
@@ -142,25 +142,26 @@ void run(RunArguments arguments) {
 
 void addRunCommand(CLI::App& app) {
   auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command = app.add_subcommand("run", "Simulates without drawing and writes figures");
+  CLI::App* command = app.add_subcommand("run", "Simulates without drawing and writes statistics");
   arguments->scene.addTo(*command);
   command->add_option("--seconds", arguments->seconds, "Simulated time [s]")
       ->required()
-      ->check(numberFrom(0.0, mostSeconds));
-  command->add_option("--threads", arguments->threads, "Threads a step may use; the result does not depend on it");
-  command->add_option("--stats", arguments->stats, "Write the run's figures to this file (JSON)")
+      ->check(numberFrom(0.0, maxSeconds));
+  command->add_option("--threads", arguments->threads,
+                      "Maximum number of threads of a step; the result does not depend on it");
+  command->add_option("--stats", arguments->stats, "Write the statistics of the run to this file (JSON)")
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("--positions", arguments->positions, "Write positions to this file (CSV)")
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("--every", arguments->every, "Simulated time between two samples of positions [s]")
-      ->check(numberFrom(1e-6, mostSeconds));
+      ->check(numberFrom(1e-6, maxSeconds));
   command
       ->add_option("--check-intersections", arguments->checkIntersections,
-                   "Count intersecting triangles at every N-th step and the last, exactly")
+                   "Count intersecting triangles exactly, at every N-th step and the last")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, static_cast<std::int64_t>(mostSteps)));
+      ->check(CLI::Range(std::int64_t{1}, static_cast<std::int64_t>(maxSteps)));
   command->callback([arguments] { run(*arguments); });
 }
 

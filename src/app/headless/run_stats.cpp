@@ -12,7 +12,7 @@
 namespace drape {
 namespace {
 
-/// The value below which that share of the sorted values lies (nearest rank).
+/// The quantile of sorted values at this share (nearest rank).
 double quantile(const std::vector<float>& sorted, double share) {
   if (sorted.empty()) {
     return 0.0;
@@ -28,7 +28,7 @@ nlohmann::ordered_json quantiles(std::vector<float> seconds) {
   return {{"median", quantile(seconds, 0.5) * microseconds}, {"p99", quantile(seconds, 0.99) * microseconds}};
 }
 
-/// The longest stable substep [s], or null where the solver has no such limit on this cloth.
+/// The longest stable substep [s], or null when the solver has no such limit on this cloth.
 nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& settings) {
   const SolverInfo* solver = findSolver(settings.solver.name);
   if (solver == nullptr || solver->stepLimit == nullptr) {
@@ -38,7 +38,7 @@ nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& s
   return std::isfinite(limit) ? nlohmann::ordered_json(limit) : nlohmann::ordered_json(nullptr);
 }
 
-/// How a mesh file was read, or null where there is none.
+/// How a mesh file was read, or null for a grid.
 nlohmann::ordered_json readingJson(const std::optional<MeshReading>& reading) {
   if (!reading) {
     return nullptr;
@@ -74,10 +74,10 @@ void RunStats::add(const Simulation& simulation) {
   if (const auto& choice = simulation.lastStepReport().choice) {
     passes_.push_back(static_cast<float>(choice->passes));
     retakenSteps_ += choice->retaken > 0 ? 1 : 0;
-    lastResortSteps_ += choice->lastResort ? 1 : 0;
+    fallbackSteps_ += choice->lastResort ? 1 : 0;
     largestError_ = std::max(largestError_, choice->error);
   }
-  mostOverlaps_ = std::max(mostOverlaps_, contact.overlaps);
+  maxOverlaps_ = std::max(maxOverlaps_, contact.overlaps);
   deepestOverlap_ = std::max(deepestOverlap_, contact.deepestOverlap);
   maxInfeasible_ = std::max(maxInfeasible_, contact.infeasible);
 }
@@ -85,7 +85,7 @@ void RunStats::add(const Simulation& simulation) {
 nlohmann::ordered_json RunStats::contactJson(const ContactReport& last) const {
   return {{"bodies_us", quantiles(bodySeconds_)}, {"self_us", quantiles(selfSeconds_)},
           {"body_contacts", last.bodyContacts},   {"self_contacts", last.selfContacts},
-          {"overlaps_max", mostOverlaps_},        {"overlaps_final", last.overlaps},
+          {"overlaps_max", maxOverlaps_},         {"overlaps_final", last.overlaps},
           {"deepest_overlap", deepestOverlap_},   {"infeasible_max", maxInfeasible_}};
 }
 
@@ -94,10 +94,10 @@ nlohmann::ordered_json RunStats::choiceJson(const std::optional<StepChoice>& las
   if (last) {
     std::vector<float> passes = passes_;
     std::sort(passes.begin(), passes.end());
-    json["passes_median"] = quantile(passes, 0.5);
-    json["passes_max"] = quantile(passes, 1.0);
+    json["force_evaluations_median"] = quantile(passes, 0.5);
+    json["force_evaluations_max"] = quantile(passes, 1.0);
     json["retaken_steps"] = retakenSteps_;
-    json["last_resort_steps"] = lastResortSteps_;
+    json["fallback_solver_steps"] = fallbackSteps_;
     json["error_max"] = largestError_;
   }
   return json;

@@ -11,16 +11,16 @@
 
 namespace drape {
 
-/// Collects what a run costs and writes it with what became of the cloth.
+/// Collects the cost of a run and writes it with the final state of the cloth.
 class RunStats {
  public:
-  /// @param file to write to, or "" for none. Throws InputError when it cannot be written: before the run, not after.
+  /// @param file to write to, or "" for none. Throws InputError before the run when it cannot be written.
   RunStats(const std::string& file, std::int64_t steps);
 
-  /// Adds what the last step cost by the clock, and what it met.
+  /// Adds the duration and the report of the last step.
   void add(const Simulation& simulation);
 
-  /// docs/guide/headless.md says what each entry means.
+  /// docs/guide/headless.md explains each entry.
   [[nodiscard]] nlohmann::ordered_json toJson(const Simulation& simulation) const;
 
   /// Throws InputError when the file could not be written.
@@ -34,12 +34,12 @@ class RunStats {
   std::vector<float> seconds_;
   std::vector<float> bodySeconds_;
   std::vector<float> selfSeconds_;
-  int mostOverlaps_ = 0;
+  int maxOverlaps_ = 0;
   double deepestOverlap_ = 0.0;  // [m]
   int maxInfeasible_ = 0;
   std::vector<float> passes_;
   int retakenSteps_ = 0;
-  int lastResortSteps_ = 0;
+  int fallbackSteps_ = 0;
   double largestError_ = -1.0;  // [m]
 };
 

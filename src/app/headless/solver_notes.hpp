@@ -5,7 +5,7 @@
 
 namespace drape {
 
-/// Tells on standard error what is wrong with the chosen solver, and with the ghost's, on this cloth.
+/// Prints warnings to standard error when the solver, or the ghost's, does not suit this cloth.
 void printSolverWarnings(const Settings& settings, const ClothModel& model);
 
 }  // namespace drape

@@ -17,14 +17,14 @@
 namespace drape {
 namespace {
 
-/// A report is to end within 20 minutes, a quick one within 90 s. When `forRepeats` is over nothing is measured a
-/// second time, and when `forAll` is, on a slow machine, nothing at all [s].
+/// Time limits: a report should end within 20 minutes, a quick one within 90 s. After `forRepeats` nothing is measured
+/// a second time; after `forAll`, on a slow machine, nothing at all [s].
 struct Allowance {
   double forRepeats;
   double forAll;
 };
 constexpr Allowance allowanceOfFull{17.0 * 60.0, 19.5 * 60.0};
-constexpr Allowance allowanceOfQuick{60.0, HUGE_VAL};  // tests look for all that is in it
+constexpr Allowance allowanceOfQuick{60.0, HUGE_VAL};  // tests expect all of its sections
 
 struct ReportArguments {
   ReportOptions options{.quick = false, .scene = {}, .threads = 1, .only = {}};
@@ -34,7 +34,7 @@ struct ReportArguments {
 };
 
 void addTo(CLI::App& app, ReportArguments& arguments) {
-  constexpr int mostThreads = 64;
+  constexpr int maxThreads = 64;
   std::string sections;
   for (const Section& section : sectionTable()) {
     if (section.plan != nullptr) {
@@ -43,29 +43,30 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
     }
   }
   app.add_flag("--quick", arguments.options.quick, "Fewer and smaller measurements: about a minute");
-  app.add_option("--only", arguments.options.only, "Measure this section alone (" + sections + "); may be repeated")
+  app.add_option("--only", arguments.options.only, "Measure only this section (" + sections + "); may be repeated")
       ->type_name("SECTION")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->check(notEmpty());
   app.add_option("--scene", arguments.options.scene,
-                 "Compare methods on this scene alone: hang, flag, crush, twist or any scene with a grid")
+                 "Compare methods on this scene only: hang, flag, crush, twist or any scene with a grid")
       ->type_name("NAME")
       ->check(notEmpty());
-  app.add_option("--threads", arguments.options.threads, "Threads a step may use where methods are not compared (1)")
-      ->check(CLI::Range(1, mostThreads));
-  app.add_flag("--resume", arguments.resume, "Go on with the report.json that is in the folder");
+  app.add_option("--threads", arguments.options.threads,
+                 "Threads of a step in measurements that do not compare methods (1)")
+      ->check(CLI::Range(1, maxThreads));
+  app.add_flag("--resume", arguments.resume, "Continue the report.json in the folder");
   app.add_option("--compare", arguments.compare,
-                 "Tell what moved beyond noise since this earlier report.json; exit status 3 when something did")
+                 "List changes beyond noise since this earlier report.json; exit status 3 when there are any")
       ->type_name("OLD.json")
       ->check(notEmpty());
-  app.add_option("--output", arguments.output, "The folder to write report.html, report.md and report.json to")
+  app.add_option("--output", arguments.output, "Folder for report.html, report.md and report.json")
       ->type_name("DIR")
       ->required()
       ->check(notEmpty());
 }
 
-/// Keeps what has been measured on disk, every few seconds: the program may be ended by force.
+/// Saves the measurements every few seconds, since the program may be killed.
 class Keeper {
  public:
   Keeper(const ReportFolder& folder, Report& report) : folder_(folder), report_(report) {}
@@ -97,7 +98,7 @@ Report prepare(const ReportArguments& arguments, const ReportFolder& folder) {
   return report;
 }
 
-/// Paragraphs and tables for a terminal.
+/// Prints paragraphs and tables to a terminal.
 void print(const std::vector<Block>& blocks) {
   for (const Block& block : blocks) {
     if (const auto* paragraph = std::get_if<Paragraph>(&block)) {
@@ -108,7 +109,7 @@ void print(const std::vector<Block>& blocks) {
   }
 }
 
-/// Holds the report against the earlier one; true when something moved.
+/// Compares the report with the earlier one; true when something changed.
 bool compare(const nlohmann::ordered_json& older, Report& report) {
   if (older.is_null()) {
     return false;
@@ -118,14 +119,14 @@ bool compare(const nlohmann::ordered_json& older, Report& report) {
   return !report.comparison["moved"].empty();
 }
 
-/// Returns whether something moved since the report to compare with.
+/// Whether something changed since the earlier report.
 bool run(const ReportArguments& arguments, StopSignal& stop) {
-  (void)comparedSetUps(arguments.options.scene);  // wrong names are told before anything is done
+  (void)comparedSetUps(arguments.options.scene);  // reports wrong names before the measurements
   const ReportFolder folder(arguments.output);
   Report report = prepare(arguments, folder);
   nlohmann::ordered_json older;
   if (!arguments.compare.empty()) {
-    older = readReport(arguments.compare);  // now: it may be the file that is about to be written
+    older = readReport(arguments.compare);  // read it now: the program may overwrite this file
     requireComparable(older, report);
   }
   Keeper keeper(folder, report);
@@ -145,7 +146,7 @@ bool run(const ReportArguments& arguments, StopSignal& stop) {
   folder.writeAll(report);
   std::cout << "written to " << arguments.output << "/report.html, report.md and report.json\n";
   if (!report.complete) {
-    throw InputError("stopped before the end; --resume goes on from here");
+    throw InputError("stopped before the end; --resume continues from here");
   }
   return moved;
 }
@@ -156,7 +157,7 @@ bool run(const ReportArguments& arguments, StopSignal& stop) {
 int main(int argc, char** argv) {
   drape::StopSignal stop;
   drape::ReportArguments arguments;
-  CLI::App app("Measures what the methods cost and how wrong they are, and writes a report", "drape-report");
+  CLI::App app("Measures the cost and the errors of the methods, and writes a report", "drape-report");
   drape::addTo(app, arguments);
   constexpr int somethingMoved = 3;
   bool moved = false;

@@ -6,8 +6,8 @@
 
 namespace drape {
 
-/// What is measured, how much is done and how much time is left, on standard error: one line that is written over where
-/// that is a terminal, and a line now and then where it is a file or a pipe.
+/// The current measurement, the progress and the remaining time, on standard error: one line that is overwritten on a
+/// terminal, or a line now and then in a file or a pipe.
 class ProgressLine {
  public:
   ProgressLine();
@@ -15,17 +15,17 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
-  /// @param done of the expected work, `total` [s as expected]; the time left is corrected by how long it really took
+  /// @param done part of `total`, the expected work [s]; the remaining time is corrected by the time spent so far
   void show(std::string_view section, double done, double total);
 
-  /// Since it was made [s].
+  /// Time since construction [s].
   [[nodiscard]] double spent() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
 
  private:
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  double told_ = 0.0;      // when the last line went to a file, after the beginning [s]
+  double told_ = 0.0;      // time of the last line in a file, since construction [s]
   std::size_t shown_ = 0;  // length of the line on a terminal
   bool terminal_;
 };

@@ -16,7 +16,7 @@ void makeFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
-    throw InputError("cannot make the folder " + folder.string() + ": " + error.message());
+    throw InputError("cannot create the folder " + folder.string() + ": " + error.message());
   }
 }
 
@@ -24,7 +24,7 @@ void makeFolder(const std::filesystem::path& folder) {
 
 ReportFolder::ReportFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
   makeFolder(folder_);
-  // Better told before the measurements than after them.
+  // An error must show before the measurements.
   const auto probe = folder_ / ".report-probe";
   if (!std::ofstream(probe)) {
     throw InputError("cannot write to the folder " + folder_.string());

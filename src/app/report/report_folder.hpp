@@ -6,23 +6,23 @@
 
 namespace drape {
 
-/// A report.json. Throws InputError when it cannot be read or is no JSON.
+/// Reads a report.json. Throws InputError when it cannot be read or is not JSON.
 [[nodiscard]] nlohmann::ordered_json readReport(const std::filesystem::path& file);
 
-/// The folder that a report is written to: report.json, report.md with its pictures, report.html.
+/// The folder of a report: report.json, report.md with its pictures, report.html.
 class ReportFolder {
  public:
-  /// Makes the folder. Throws InputError when it cannot be written to.
+  /// Creates the folder. Throws InputError when it is not writable.
   explicit ReportFolder(std::filesystem::path folder);
 
-  /// The report.json that is there; null when there is none. Throws as readReport.
+  /// The existing report.json; null when there is none. Throws like readReport.
   [[nodiscard]] nlohmann::ordered_json earlier() const;
 
   void writeJson(const Report& report) const;
   void writeAll(const Report& report) const;
 
  private:
-  /// Through a file beside it, so that what was there stays whole until the new one is.
+  /// Writes through a temporary file, so that the old file stays intact until the new one is complete.
   void write(const std::filesystem::path& name, const std::string& text) const;
 
   std::filesystem::path folder_;

@@ -4,8 +4,8 @@
 
 namespace drape {
 
-/// Lets Ctrl-C (SIGINT) and SIGTERM wait until the program asks for them. To be made before any thread is. After the
-/// first one the next ends the program as usual.
+/// Defers Ctrl-C (SIGINT) and SIGTERM until the program checks for them. Create it before any thread. After the first
+/// signal the next one ends the program as usual.
 class StopSignal {
  public:
   StopSignal();
@@ -13,7 +13,7 @@ class StopSignal {
   StopSignal& operator=(const StopSignal&) = delete;
   ~StopSignal();
 
-  /// Whether one has come.
+  /// Whether a signal has arrived.
   [[nodiscard]] bool came();
 
  private:

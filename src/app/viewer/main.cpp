@@ -15,7 +15,7 @@ int sideOf(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < smallest || value > largest) {
-    throw UsageError("--window-size wants width,height between 320 and 16384, like 1280,720");
+    throw UsageError("--window-size needs width,height between 320 and 16384, for example 1280,720");
   }
   return value;
 }
@@ -30,12 +30,12 @@ std::pair<int, int> parseWindowSize(const std::string& text) {
 }  // namespace drape
 
 int main(int argc, char** argv) {
-  CLI::App app("Cloth that you can pull at, in a window. F1 in the window lists keys and mouse.", "drape");
+  CLI::App app("Cloth that you can pull, in a window. F1 in the window lists keys and mouse actions.", "drape");
   drape::SceneArguments scene;
   scene.addTo(app);
   drape::ViewerOptions options;
   std::string windowSize;
-  app.add_flag("--paused", options.paused, "Start with the clock standing still");
+  app.add_flag("--paused", options.paused, "Start paused");
   app.add_option("--window-size", windowSize, "Size of the window")
       ->type_name("WIDTH,HEIGHT")
       ->check(drape::notEmpty());

@@ -11,9 +11,9 @@
 namespace drape {
 
 double processAge() {
-  // proc(5): the start is field 22, in clock ticks since the machine started. Field 2, the name, may hold spaces but
-  // ends with the last bracket.
-  constexpr int fieldsBetween = 19;  // from the bracket to the start
+  // proc(5): the start time is field 22, in clock ticks since boot. Field 2, the name, may contain spaces but ends with
+  // the last bracket.
+  constexpr int fieldsBetween = 19;  // from the bracket to the start time
   std::ifstream file("/proc/self/stat");
   std::string text;
   std::getline(file, text);

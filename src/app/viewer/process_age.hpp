@@ -2,8 +2,7 @@
 
 namespace drape {
 
-/// How long this process has existed, from the kernel's record of its start [s]. To a hundredth of a second; 0 where
-/// the kernel does not tell.
+/// The age of this process, from the kernel's record of its start [s]. To a hundredth of a second; 0 when unknown.
 [[nodiscard]] double processAge();
 
 }  // namespace drape

@@ -25,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr auto interval = std::chrono::milliseconds(50);
-constexpr std::size_t pickBudget = 400'000;  // triangles that may be looked at for one file
+constexpr std::size_t pickBudget = 400'000;  // maximum number of triangles to test for one file
 constexpr std::size_t wantedPoints = 5;
 constexpr double margin = 12.0;  // from the edges of the picture [window units]
 
@@ -53,15 +53,15 @@ Json toJson(const Settings& settings) {
   return json;
 }
 
-Json toJson(const std::optional<GrabStatus>& grab) {
-  if (!grab) {
+Json toJson(const std::optional<AttachmentStatus>& attachment) {
+  if (!attachment) {
     return nullptr;
   }
-  return {{"triangle", grab->triangle},
-          {"target", toJson(grab->target)},
-          {"point", toJson(grab->point)},
-          {"distance", (grab->target - grab->point).norm()},
-          {"pinned", grab->pinned}};
+  return {{"triangle", attachment->triangle},
+          {"target", toJson(attachment->target)},
+          {"point", toJson(attachment->point)},
+          {"distance", (attachment->target - attachment->point).norm()},
+          {"pinned", attachment->pinned}};
 }
 
 Json toJson(const std::optional<GhostStatus>& ghost) {
@@ -79,7 +79,7 @@ Json contactsOf(const Snapshot& snapshot) {
           {"drawn", snapshot.contactPoints.size()}};
 }
 
-/// The middle of what is drawn of a body [m].
+/// The centre of a body as it is drawn [m].
 Vec3 middleOf(const Body& body, const BodyStatus& status) {
   const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&body.shape);
   if (mesh == nullptr) {
@@ -89,7 +89,7 @@ Vec3 middleOf(const Body& body, const BodyStatus& status) {
   return status.pose.toWorld(boundsOf(positions).center());
 }
 
-/// Looks for places in the picture with and without cloth, within a budget of triangles.
+/// Finds places in the picture with and without cloth, with a limited number of triangle tests.
 class PlaceFinder {
  public:
   explicit PlaceFinder(const ViewerStatus& status)
@@ -102,7 +102,7 @@ class PlaceFinder {
     Json points = Json::array();
     const std::size_t candidates = std::min<std::size_t>(40, triangles_.size());
     for (std::size_t i = 0; i < candidates && points.size() < wantedPoints; ++i) {
-      // Strides of about the golden ratio spread the candidates over the cloth.
+      // A stride near the golden ratio spreads the candidates over the cloth.
       const std::size_t triangle = (i * 618'034 + triangles_.size() / 2) % triangles_.size();
       const Vec2 place = projected(centreOf(triangle));
       const auto hit = free(place) ? hitAt(place) : std::nullopt;
@@ -163,7 +163,7 @@ class PlaceFinder {
 
   [[nodiscard]] std::optional<Hit> hitAt(const Vec2& place) {
     if (picks_ == 0) {
-      return Hit{.triangle = -1};  // out of budget: nothing is known about this place
+      return Hit{.triangle = -1};  // out of budget: the result is unknown
     }
     --picks_;
     const Ray ray = status_.camera.rayThrough(place.x() - view_.x, place.y() - view_.y, static_cast<int>(view_.width),
@@ -194,7 +194,7 @@ Json describeSimulation(const Snapshot& snapshot) {
           {"settings", toJson(snapshot.settings)},
           {"energy", snapshot.energy.total()},
           {"max_stretch", snapshot.maxStretch},
-          {"grab", toJson(snapshot.grab)},
+          {"attachment", toJson(snapshot.attachment)},
           {"ghost", toJson(snapshot.ghost)},
           {"contacts", contactsOf(snapshot)},
           {"choice", toJson(snapshot.stepReport.choice)},

@@ -11,7 +11,7 @@
 
 namespace drape {
 
-/// What the status file tells about one frame.
+/// The contents of the status file for one frame.
 struct ViewerStatus {
   const Snapshot& snapshot;
   const Camera& camera;
@@ -19,43 +19,42 @@ struct ViewerStatus {
   UiDisplay display;
   UiStats stats;
   std::int64_t frame = 0;
-  double firstFrameSeconds = 0.0;  ///< from the start of the program until the first frame was shown [s]
+  double firstFrameSeconds = 0.0;  ///< from the start of the program to the first frame on screen [s]
 };
 
-/// The state query for scripts and tests: about every 50 ms it replaces a file by the viewer's state as JSON, in one
-/// piece, so that a reader never sees half of it. Settings, pins and the hand are the simulation's own, as the last
-/// snapshot has them.
+/// The viewer's state for scripts and tests: about every 50 ms it replaces a file by the state as JSON. The replacement
+/// is atomic, so a reader never sees half a file. Settings, pins and attachment come from the last snapshot.
 class StatusFile {
  public:
-  /// An empty path: nothing is ever written.
+  /// An empty path writes nothing.
   explicit StatusFile(std::filesystem::path file) : file_(std::move(file)) {}
 
   /// Writes when it is due. Throws InputError when the file cannot be written.
   void update(const ViewerStatus& status);
 
-  /// What stands in the file, for --help.
+  /// The contents of the file, for --help.
   static constexpr const char* help =
       "With --status FILE the viewer replaces FILE about every 50 ms by a JSON object for scripts:\n"
       "  sequence, frame          counters of writes and of drawn frames\n"
-      "  first_frame_seconds      from the start of the program until its first frame was shown [s]\n"
-      "  scene, vertices, pins    what runs, and how many vertices are pinned\n"
+      "  first_frame_seconds      from the start of the program to its first frame on screen [s]\n"
+      "  scene, vertices, pins    the scene, its vertices and its pinned vertices\n"
       "  paused, step, time       the clock [s]\n"
-      "  settings                 all settings in force, by key\n"
+      "  settings                 all settings, by key\n"
       "  energy, max_stretch      [J], [-]\n"
-      "  grab                     null, or triangle, target [m], point [m], distance [m], pinned\n"
+      "  attachment               null, or triangle, target [m], point [m], distance [m], pinned\n"
       "  ghost                    null, or distance [m] (mean) and step_seconds [s]\n"
-      "  bodies                   name, on, position [m], shift [m] by hand, x and y of its middle in the window\n"
-      "  contacts                 with bodies and itself, and drawn (view.contacts), in the last step\n"
-      "  warning                  what is wrong with the solver on this cloth, or empty\n"
+      "  bodies                   name, on, position [m], shift [m] by the mouse, x and y of its centre in the window\n"
+      "  contacts                 with bodies, with itself, and drawn (view.contacts), in the last step\n"
+      "  warning                  when the solver does not suit this cloth; otherwise empty\n"
       "  camera                   position [m], focal_point [m], view_angle [degrees]\n"
-      "  window, view             sizes and the picture's place, in window coordinates\n"
-      "  panels, help             whether they are shown\n"
+      "  window, view             sizes and the position of the picture, in window coordinates\n"
+      "  panels, help             whether they are visible\n"
       "  widgets, buttons         rectangles by setting key or name, in window coordinates\n"
       "  cloth_points             places in the window where the cloth can be clicked\n"
-      "  free_point               a place in the picture beside the cloth, or null\n"
-      "  loading, message         what is being opened, and the last message\n"
-      "  loading_share            how much of it is done, 0 to 1; negative: not known\n"
-      "  status                   what the status line says";
+      "  free_point               a place in the picture without cloth, or null\n"
+      "  loading, message         the file that is being opened, and the last message\n"
+      "  loading_share            progress, 0 to 1; negative: unknown\n"
+      "  status                   the text of the status line";
 
  private:
   std::filesystem::path file_;

@@ -39,12 +39,12 @@ Monitor measureMonitor() {
   int x = 0;
   int y = 0;
   glfwGetMonitorWorkarea(monitor, &x, &y, &result.workWidth, &result.workHeight);
-  result.rows = std::min(mode->width, mode->height);  // it may stand upright
+  result.rows = std::min(mode->width, mode->height);  // it may be in portrait orientation
   result.refreshRate = std::clamp(mode->refreshRate, 30, 240);
   return result;
 }
 
-/// Opens the window in the size that was asked for, or in a comfortable one for the monitor.
+/// Opens the window in the requested size, or in a suitable size for the monitor.
 void resizeWindow(GLFWwindow* window, const ViewerOptions& options) {
   if (options.windowSize) {
     return;
@@ -61,15 +61,15 @@ std::pair<int, int> openingSize(const ViewerOptions& options) {
   return options.windowSize.value_or(std::pair(usualWidth, usualHeight));
 }
 
-/// True when one would want to look from elsewhere: the mesh came in another unit, or was turned upright.
+/// Whether the camera should be placed anew: the mesh has another unit or up axis.
 bool differsInSize(const Scene& a, const Scene& b) {
   constexpr double much = 1.5;
-  const double least = 0.02 * std::max(*std::max_element(a.summary.size.begin(), a.summary.size.end()),
+  const double tolerance = 0.02 * std::max(*std::max_element(a.summary.size.begin(), a.summary.size.end()),
                                        *std::max_element(b.summary.size.begin(), b.summary.size.end()));
   for (std::size_t axis = 0; axis < a.summary.size.size(); ++axis) {
-    // A flat cloth has a side of zero, and a little more of it is no other size.
-    const double one = a.summary.size[axis] + least;
-    const double other = b.summary.size[axis] + least;
+    // A flat cloth has a side of zero, so the comparison needs an absolute tolerance.
+    const double one = a.summary.size[axis] + tolerance;
+    const double other = b.summary.size[axis] + tolerance;
     if (one > much * other || other > much * one) {
       return true;
     }
@@ -101,7 +101,7 @@ void Viewer::run() {
   }
 }
 
-/// While nothing moves there is little to draw, so the processor rests; any event wakes the window at once.
+/// Waits when nothing moves, to save power. Any event wakes the window at once.
 void Viewer::awaitEvents() const {
   constexpr auto restless = std::chrono::milliseconds(800);
   const bool minimised = glfwGetWindowAttrib(window_.window(), GLFW_ICONIFIED) == GLFW_TRUE;
@@ -146,7 +146,7 @@ void Viewer::draw(const Snapshot& snapshot) {
   }
 }
 
-/// Puts the picture beside the panels: it must not lie under them, or half of the cloth would.
+/// Copies the picture into the free area beside the panels.
 void Viewer::blit(const UiRect& view) {
   int windowWidth = 0;
   int windowHeight = 0;
@@ -157,7 +157,7 @@ void Viewer::blit(const UiRect& view) {
 }
 
 void Viewer::pace(Clock::time_point start) {
-  // Some systems swap at once whatever the swap interval; the processor's time is better spent on the simulation.
+  // Some systems swap at once and ignore the swap interval. Waiting here leaves the processor to the simulation.
   const auto period = std::chrono::duration<double>(1.0 / measureMonitor().refreshRate);
   const auto spent = Clock::now() - start;
   if (spent < 0.75 * period) {
@@ -184,7 +184,7 @@ UiDisplay Viewer::measureDisplay(double fontScaleSetting) const {
   glfwGetFramebufferSize(window_.window(), &framebufferWidth, &framebufferHeight);
   glfwGetWindowContentScale(window_.window(), &contentScale, nullptr);
   display.density = static_cast<float>(std::max(1, framebufferWidth)) / static_cast<float>(std::max(1, display.width));
-  // Where window units are larger than pixels they already carry the monitor's scale.
+  // Where window units are larger than pixels, they already include the monitor's scale.
   display.scale = uiScale(fontScaleSetting, contentScale / display.density, measureMonitor().rows);
   return display;
 }
@@ -204,7 +204,7 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
     grownScene_ = differsInSize(*outcome->scene, *snapshot.scene) ? outcome->scene : nullptr;
   }
   if (outcome->kind == Kind::Rebuilt) {
-    // What the user changed while the scene was being built must not be lost.
+    // Keep the user's changes since the start of the build.
     for (auto& change : runningChanges(outcome->scene->settings, snapshot.settings)) {
       simulation_.post(std::move(change));
     }
@@ -231,13 +231,15 @@ void Viewer::followScene(const Snapshot& snapshot) {
   }
   if (!shownScene_->summary.warnings.empty()) {
     tell(shownScene_->summary.warnings.front());
+  } else if (!shownScene_->description.notes.empty()) {
+    tell(shownScene_->description.notes.front());
   }
 }
 
 bool Viewer::belongsToPanels(const InputEvent& event) {
   if (const auto* move = std::get_if<MoveEvent>(&event)) {
     mouse_ = move->position;
-    return false;  // a gesture that began in the picture goes on over the panels
+    return false;  // a drag that began in the picture continues over the panels
   }
   if (const auto* press = std::get_if<PressEvent>(&event)) {
     return panels_.covers(press->position);
@@ -246,7 +248,7 @@ bool Viewer::belongsToPanels(const InputEvent& event) {
     return panels_.covers(mouse_);
   }
   if (const auto* key = std::get_if<KeyEvent>(&event)) {
-    // A key that is held down must not close what its first press has opened.
+    // A held key must not close what its first press opened.
     const bool closes = key->key == Key::Escape && !key->repeated && !controller_.holdsCloth();
     return panels_.takesText() || (closes && panels_.closeOverlay());
   }
@@ -353,7 +355,7 @@ void Viewer::on(UiAction action, const Snapshot& snapshot) {
   }
 }
 
-/// A scene whose mesh is as its author wants it is loaded as it is; any other has to be built again.
+/// Loads the scene as it is when its mesh settings are the author's; otherwise builds it again.
 void Viewer::resetAll(const Snapshot& snapshot) {
   stats_.error.clear();
   const Scene& scene = *snapshot.scene;
@@ -369,7 +371,7 @@ void Viewer::resetAll(const Snapshot& snapshot) {
 
 void Viewer::stopLoadingOrQuit(const Snapshot& snapshot) {
   if (loader_.cancel()) {
-    tell("Stopped. The scene stays as it was");
+    tell("Stopped. The scene did not change");
   } else {
     quitOrAsk(snapshot);
   }
@@ -387,7 +389,7 @@ void Viewer::saveScreenshot(const Snapshot& snapshot) {
   try {
     const std::filesystem::path file =
         freeScreenshotName(std::filesystem::current_path(), snapshot.scene->description.name);
-    // Pins are there for the hand, not for a picture.
+    // Pins are a tool for the user, not part of a picture.
     Snapshot bare = snapshot;
     bare.settings.view.pins = false;
     const Image shown = renderer_.read();

@@ -18,19 +18,19 @@
 
 namespace drape {
 
-/// How the viewer was asked to start.
+/// The command-line options of the viewer.
 struct ViewerOptions {
   bool paused = false;
   std::optional<std::pair<int, int>> windowSize;  ///< [window units]
   std::filesystem::path statusFile;               ///< empty: none
 };
 
-/// The window: runs a scene on the simulation's thread, shows it, and turns what the user does into commands.
+/// The window: runs a scene on the simulation thread, draws it, and turns user input into commands.
 class Viewer {
  public:
   Viewer(const std::shared_ptr<const Scene>& scene, const ViewerOptions& options);
 
-  /// Until the user quits.
+  /// Returns when the user quits.
   void run();
 
  private:
@@ -69,19 +69,19 @@ class Viewer {
   StatusFile status_;
   SimulationThread simulation_;
 
-  std::shared_ptr<const Scene> shownScene_;   ///< whose name the title bar has
-  std::shared_ptr<const Scene> openedScene_;  ///< the last one that was opened, before any change of its settings
-  std::shared_ptr<const Scene> newScene_;     ///< on its way; it is to be looked at as its author wants
-  std::shared_ptr<const Scene> grownScene_;   ///< on its way; it is to be framed from the same direction
-  std::string notOpened_;                     ///< which of the files that were dropped are not opened, and why
+  std::shared_ptr<const Scene> shownScene_;   ///< the title bar has its name
+  std::shared_ptr<const Scene> openedScene_;  ///< the last opened scene, before any change of its settings
+  std::shared_ptr<const Scene> newScene_;     ///< on its way; the camera takes the author's view
+  std::shared_ptr<const Scene> grownScene_;   ///< on its way; the camera keeps its direction
+  std::string notOpened_;                     ///< dropped files that were not opened, and why
   UiStats stats_;
   UiDisplay display_;
   Vec2 mouse_ = Vec2::Zero();
   Clock::time_point lastFrame_ = Clock::now();
   Clock::time_point noticeEnds_ = Clock::now();
-  Clock::time_point lastChange_ = Clock::now();  ///< when something last moved, or the user did something
+  Clock::time_point lastChange_ = Clock::now();  ///< time of the last motion or user input
   std::int64_t frameCount_ = 0;
-  double firstFrameSeconds_ = 0.0;  ///< from the start of the program until the first frame was shown [s]
+  double firstFrameSeconds_ = 0.0;  ///< from the start of the program to the first frame on screen [s]
 };
 
 }  // namespace drape

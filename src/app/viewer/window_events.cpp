@@ -27,7 +27,7 @@ std::optional<MouseButton> mouseButton(int button) {
   }
 }
 
-/// Keys that are the same wherever letters are.
+/// Keys with the same position on all keyboards.
 std::optional<Key> fixedKey(int key) {
   static constexpr std::array<std::pair<int, Key>, 11> keys{{
       {GLFW_KEY_SPACE, Key::Space},
@@ -50,7 +50,7 @@ std::optional<Key> fixedKey(int key) {
   return std::nullopt;
 }
 
-/// Letters are where the user's keyboard layout has them, not where an American keyboard would.
+/// Letters follow the user's keyboard layout.
 std::optional<Key> letterKey(int key, int scancode, bool shift) {
   const char* name = glfwGetKeyName(key, scancode);
   const std::string_view text = name == nullptr ? std::string_view() : name;
@@ -79,7 +79,7 @@ std::optional<Key> letterKey(int key, int scancode, bool shift) {
   }
 }
 
-/// Keys that act on a text field by themselves. The codes of GLFW's keys without a letter begin with that of Escape.
+/// Keys that edit a text field. In GLFW the codes of keys without a letter begin with Escape.
 bool edits(int key, int modifiers) {
   const bool modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
   return (key >= GLFW_KEY_ESCAPE && !modifier) || (modifiers & GLFW_MOD_CONTROL) != 0;
@@ -89,7 +89,7 @@ bool edits(int key, int modifiers) {
 
 WindowEvents::WindowEvents(GLFWwindow* window) : window_(window) {
   glfwSetWindowUserPointer(window, this);
-  // ImGui's own callbacks are not installed: it is fed from the queue.
+  // ImGui's own callbacks are not installed; the queue feeds it.
   ImGui_ImplGlfw_InitForOpenGL(window, false);
   install();
   installPointer();
@@ -159,7 +159,7 @@ void WindowEvents::onMouseButton(int button, int action, int modifiers) {
                   .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
                   .control = (modifiers & GLFW_MOD_CONTROL) != 0,
                   .time = glfwGetTime()};
-  // Where the mouse was at the click: asking now would tell where it is by now, which may be elsewhere.
+  // The position at the time of the click. The current position may be another one.
   if (!pointer_) {
     pointer_ = RawMove{};
     glfwGetCursorPos(window_, &pointer_->x, &pointer_->y);
@@ -240,7 +240,8 @@ void WindowEvents::beginFrame() {
     clicked = clicked || std::holds_alternative<RawButton>(event);
   }
   ImGui_ImplGlfw_NewFrame();
-  // The backend asks for the mouse as it is now. Buttons and, while events wait, its place are those of this frame.
+  // The backend reads the current mouse state. Buttons and, while events wait, the position must be those of this
+  // frame.
   ImGuiIO& io = ImGui::GetIO();
   for (std::size_t i = 0; i < buttonsDown_.size(); ++i) {
     io.MouseDown[i] = buttonsDown_[i];

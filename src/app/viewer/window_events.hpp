@@ -12,11 +12,11 @@ struct GLFWwindow;
 
 namespace drape {
 
-/// Collects what happens to a window, in order, and hands it out frame by frame: to ImGui and to take(). What happens
-/// faster than frames are drawn is spread over several of them, so that no short tap is lost.
+/// Collects the events of a window and passes them on frame by frame, in order, to ImGui and to take(). Fast events are
+/// spread over several frames, so that no short tap is lost.
 class WindowEvents {
  public:
-  /// What may happen: input, files that are dropped on the window, or a click on the button that closes it.
+  /// Input events, dropped files, and a click on the button that closes the window.
   struct Batch {
     std::vector<InputEvent> input;
     std::vector<std::string> droppedFiles;
@@ -29,13 +29,13 @@ class WindowEvents {
   WindowEvents& operator=(const WindowEvents&) = delete;
   ~WindowEvents();
 
-  /// Tells ImGui what belongs to this frame, and the time that has passed; before UserInterface::build().
+  /// Passes the events of this frame and the elapsed time to ImGui. Call it before UserInterface::build().
   void beginFrame();
 
-  /// The input of this frame, and what else happened since the last call.
+  /// The input of this frame, and the other events since the last call.
   [[nodiscard]] Batch take();
 
-  /// True while input waits for a later frame.
+  /// Whether input waits for a later frame.
   [[nodiscard]] bool waiting() const { return !queue_.empty(); }
 
  private:
@@ -54,10 +54,10 @@ class WindowEvents {
 
   GLFWwindow* window_;
   InputQueue queue_;
-  std::optional<RawMove> pointer_;  // where the mouse was last reported to be
+  std::optional<RawMove> pointer_;  // last reported mouse position
   Batch batch_;
-  Vec2 mouse_ = Vec2::Zero();          // as of the events that were fed [window units]
-  std::array<bool, 5> buttonsDown_{};  // as of the events that were fed
+  Vec2 mouse_ = Vec2::Zero();          // after the events that were passed on [window units]
+  std::array<bool, 5> buttonsDown_{};  // after the events that were passed on
 };
 
 }  // namespace drape

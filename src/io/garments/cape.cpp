@@ -8,14 +8,14 @@
 namespace drape {
 namespace {
 
-constexpr double halfAngle = 1.5;  // it reaches that far around to either side, from the middle of the back [rad]
-constexpr double depth = 0.75;     // extent to the back over that to the sides [-]
-constexpr double middleZ = 0.055;  // of the axis about which it lies [m]
+constexpr double halfAngle = 1.5;  // angle to either side, from the middle of the back [rad]
+constexpr double depth = 0.75;     // ratio of the extent to the back and to the sides [-]
+constexpr double middleZ = 0.055;  // of its axis [m]
 constexpr int columns = 37;        // vertices along a border
-constexpr int yokeRows = 7;        // cells from the neck to the shoulders' edge
+constexpr int yokeRows = 7;        // cells from the neck to the edge of the shoulders
 constexpr int rows = 35;           // cells from there to the hem
 
-/// A border's distance from the axis and its height [m].
+/// The distance of a border from the axis, and its height [m].
 struct Level {
   double radius;
   double height;

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// A triangle with the circle through its corners.
+/// A triangle and its circumscribed circle.
 struct Cell {
   Triangle corners{};
   Vec2 centre;
@@ -29,13 +29,13 @@ Cell makeCell(const std::vector<Vec2>& points, int a, int b, int c) {
   return {{a, b, c}, origin + toCentre, toCentre.squaredNorm()};
 }
 
-/// Adds a point: the triangles whose circle holds it make way, and the hole is filled with a fan around the point.
+/// Adds a point: removes the triangles whose circle contains it, and fills the hole with a fan around the point.
 void insertPoint(const std::vector<Vec2>& points, int point, std::vector<Cell>& cells) {
-  // The border of the hole: sides that occur in one of its triangles only.
+  // The border of the hole: sides of exactly one of its triangles.
   std::map<std::pair<int, int>, int> sides;
   const auto makesWay = [&](const Cell& cell) {
     const double distance = (points[static_cast<std::size_t>(point)] - cell.centre).squaredNorm();
-    // A point on the circle stays outside, so that equal cases are decided in one way only.
+    // A point on the circle counts as outside, so that ties are resolved consistently.
     if (distance >= cell.squaredRadius * (1.0 - 1e-10)) {
       return false;
     }
@@ -61,7 +61,7 @@ std::vector<Triangle> delaunay(const std::vector<Vec2>& points) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  // Three far points around everything to begin with.
+  // Start with a triangle of three distant points around everything.
   const int count = static_cast<int>(points.size());
   const Vec2 middle = (low + high) / 2.0;
   const double reach = 1000.0 * (high - low).norm();

@@ -15,7 +15,7 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-/// The last digits of sines and cosines differ between machines; the choice of triangles must not.
+/// Rounds, since the last digits of sines and cosines differ between machines, and the triangulation must not.
 Vec2 rounded(const Vec2& point) {
   return (point * 1e9).array().round() / 1e9;
 }
@@ -34,7 +34,7 @@ double distanceToLine(const Vec2& point, const std::vector<Vec2>& line, bool clo
   return distance;
 }
 
-/// Whether a point of the lattice is well inside: nearer to the outline it would make flat triangles there.
+/// Whether a lattice point is inside with a clearance; near the outline it would make flat triangles.
 bool isFree(const FlatPattern& pattern, const Vec2& point, double clearance) {
   return isInside(pattern.outline, point) && distanceToLine(point, pattern.outline, true) >= clearance &&
          std::all_of(pattern.lines.begin(), pattern.lines.end(),
@@ -63,7 +63,7 @@ void addLattice(const FlatPattern& pattern, double edgeLength, std::vector<Vec2>
   }
 }
 
-/// The Delaunay triangles that are inside and not flat.
+/// The Delaunay triangles inside the pattern that are not flat.
 std::vector<Triangle> fill(const FlatPattern& pattern, const std::vector<Vec2>& points, double edgeLength) {
   std::vector<Triangle> triangles = delaunay(points);
   std::erase_if(triangles, [&](const Triangle& triangle) {
@@ -76,7 +76,7 @@ std::vector<Triangle> fill(const FlatPattern& pattern, const std::vector<Vec2>& 
   return triangles;
 }
 
-/// Moves every point from `firstFree` on to the middle of its neighbours, a few times.
+/// Moves every point from `firstFree` on to the mean of its neighbours, several times.
 void smooth(const std::vector<Triangle>& triangles, std::size_t firstFree, std::vector<Vec2>& points) {
   constexpr int passes = 10;
   for (int pass = 0; pass < passes; ++pass) {
@@ -153,7 +153,7 @@ FlatMesh meshPattern(const FlatPattern& pattern, double edgeLength) {
   FlatMesh mesh;
   mesh.points = pattern.outline;
   for (const std::vector<Vec2>& line : pattern.lines) {
-    // Its ends are points of the outline already.
+    // The ends of the line are already points of the outline.
     mesh.points.insert(mesh.points.end(), line.begin() + 1, line.end() - 1);
   }
   const std::size_t firstFree = mesh.points.size();

@@ -11,7 +11,7 @@ GarmentFile clothFile(const std::string& name, const RawMesh& raw) {
   return {name, objText(mesh.cloth.positions, mesh.render, comment)};
 }
 
-/// A thing that is drawn only: no texture coordinates.
+/// A solid for drawing, without texture coordinates.
 GarmentFile solidFile(const std::string& name, const RawMesh& raw) {
   const ClothMesh mesh = weldMesh(raw, name, {}).cloth;
   RenderMesh render;

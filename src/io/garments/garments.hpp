@@ -7,13 +7,13 @@
 
 namespace drape {
 
-/// Where the garments hang, in metres, y up, over a ground at y = 0. They are symmetric to x = 0, with the front
+/// The positions of the garments, in metres, y up, above a ground at y = 0. They are symmetric to x = 0, with the front
 /// towards +z.
 namespace garment {
 
 inline constexpr double waistHeight = 1.05;  ///< the skirt's upper border
 inline constexpr double waistRadius = 0.13;
-inline constexpr double hipHeight = 0.93;  ///< the line at which the skirt's second hoop holds it
+inline constexpr double hipHeight = 0.93;  ///< the height of the skirt's second hoop
 inline constexpr double hemHeight = 0.38;  ///< the skirt's lower border
 
 inline constexpr double shoulderHeight = 1.45;     ///< the T-shirt's and the poncho's upper line, at z = 0
@@ -26,17 +26,18 @@ inline constexpr double railLength = 1.9;
 inline constexpr double tableHeight = 0.74;
 inline constexpr double tableRadius = 0.45;
 
-/// Height of the T-shirt's shoulder line over x = 0 .. shoulderHalfWidth (and mirrored): level near the neck, then
-/// falling off [m].
+/// The height of the T-shirt's shoulder line over x = 0 .. shoulderHalfWidth (and mirrored): level near the neck, then
+/// falling [m].
 [[nodiscard]] double shoulderLine(double x);
 
-/// The skirt's radius at hipHeight: a cone that is half a disc when laid flat widens by this much from the waist [m].
+/// The radius of the skirt at hipHeight: a cone whose flat pattern is half a disc widens by this much from the waist
+/// [m].
 [[nodiscard]] double hipRadius();
 
 }  // namespace garment
 
-/// A flared skirt of two panels, each a quarter of a ring, sewn at x = -r and x = r, smooth down to the hips and in
-/// folds below. Triangulated, with texture coordinates in metres that are split at the seams; likewise below.
+/// A flared skirt of two panels, each a quarter of a ring, sewn at x = -r and x = r, smooth down to the hips and folded
+/// below. Triangulated, with texture coordinates in metres that are split at the seams, like the following garments.
 [[nodiscard]] RawMesh makeSkirt();
 
 /// A square poncho of a front and a back, sewn along the shoulder line y = shoulderHeight, z = 0 and folded over it.
@@ -45,11 +46,11 @@ inline constexpr double tableRadius = 0.45;
 /// A T-shirt: front and back, and two sleeves, sewn at shoulders, sides and armholes.
 [[nodiscard]] RawMesh makeTshirt();
 
-/// What the skirt hangs on: base, pole, and hoops that fit into its waist and its hips. No texture coordinates;
-/// likewise below.
+/// The stand of the skirt: base, pole, and hoops at its waist and hips. No texture coordinates, like the following
+/// solids.
 [[nodiscard]] RawMesh makeSkirtStand();
 
-/// What the T-shirt and the poncho hang on: base, pole, and a shoulder bar just below their shoulder lines.
+/// The stand of the T-shirt and the poncho: base, pole, and a shoulder bar just below their shoulder lines.
 [[nodiscard]] RawMesh makeHangerStand();
 
 /// A pole for a flag whose upper corner is at x = 0, y = flagTop.
@@ -58,20 +59,19 @@ inline constexpr double tableRadius = 0.45;
 /// A rail between two posts, for a curtain that hangs at z = 0.
 [[nodiscard]] RawMesh makeCurtainRail();
 
-/// A figure on a stand that fits into the T-shirt: head, trunk, arms and the upper part of the legs, in one smooth
-/// closed surface.
+/// A figure on a stand for the T-shirt: head, trunk, arms and upper legs, in one smooth closed surface.
 [[nodiscard]] RawMesh makeMannequin();
 
-/// A figure that glides along, in one smooth closed surface. It looks towards +z and stands over the ground at y = 0.
+/// A gliding figure, in one smooth closed surface. It faces +z and stands above the ground at y = 0.
 [[nodiscard]] RawMesh makeSkater();
 
-/// A cape that lies around the skater's shoulders, open in front. Its upper border is level, at y = 1.462.
+/// A cape around the skater's shoulders, open in front. Its upper border is level, at y = 1.462.
 [[nodiscard]] RawMesh makeCape();
 
 /// A round table with one leg.
 [[nodiscard]] RawMesh makeTable();
 
-/// A mesh file that is to be written.
+/// A mesh file to be written.
 struct GarmentFile {
   std::string name;  ///< "skirt.obj"
   std::string text;

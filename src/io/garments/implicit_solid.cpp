@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// The grid's nodes and cells; a cell has the number of its lowest node.
+/// The nodes and cells of a grid; a cell has the index of its lowest node.
 class NodeGrid {
  public:
   NodeGrid(const Vec3& min, const Vec3& max, double cell) : min_(min), cell_(cell) {
@@ -69,7 +69,7 @@ class SurfaceNet {
     return node[0] + 1 < grid_.count(0) && node[1] + 1 < grid_.count(1) && node[2] + 1 < grid_.count(2);
   }
 
-  /// In the middle of the points where the surface crosses the cell's edges.
+  /// Adds a vertex at the mean of the points where the surface crosses the cell's edges.
   void addVertex(const std::array<int, 3>& cell) {
     if (!hasCell(cell)) {
       return;
@@ -94,7 +94,7 @@ class SurfaceNet {
     }
   }
 
-  /// The four cells around an edge that crosses the surface make a quad, cut along its shorter diagonal.
+  /// Adds the quad of the four cells around an edge that crosses the surface, cut along its shorter diagonal.
   void addFace(const std::array<int, 3>& node, int axis) {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
@@ -143,7 +143,7 @@ void putOnSurface(const SolidDistance& distance, std::vector<Vec3>& positions) {
   }
 }
 
-/// Moves each vertex half of the way to the mean of its neighbours.
+/// Moves each vertex halfway to the mean of its neighbours.
 void evenOut(RawMesh& mesh) {
   std::vector<Vec3> sum(mesh.positions.size(), Vec3::Zero());
   std::vector<int> count(mesh.positions.size(), 0);

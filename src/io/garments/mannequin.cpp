@@ -7,8 +7,8 @@
 namespace drape {
 namespace {
 
-/// Parts in metres, for x >= 0; the other side mirrors them. They leave about a centimetre to the T-shirt as it is
-/// sewn: its front and back lie flat at the seams, so shoulders and arms must be slim.
+/// Parts in metres, for x >= 0; the other side mirrors them. They leave about a centimetre to the sewn T-shirt. Its
+/// front and back lie flat at the seams, so shoulders and arms must be slim.
 const Ellipsoid head{{0.0, 1.632, 0.014}, {0.076, 0.112, 0.094}};
 const TaperedBar neck{{0.0, 1.400, -0.004}, {0.0, 1.560, 0.008}, 0.048, 0.043};
 const TaperedBar shoulder{{0.0, 1.394, 0.0}, {0.170, 1.374, 0.0}, 0.038, 0.035, 0.8};

@@ -16,7 +16,7 @@ constexpr double neckHalfWidth = 0.11;   // [m]
 constexpr double frontNeckDepth = 0.12;  // [m]
 constexpr double backNeckDepth = 0.05;   // [m]
 constexpr double foldRadius = 0.025;     // of the bend over the shoulder line [m]
-constexpr double steepness = 1.36;       // of the sides that hang down [rad from level]
+constexpr double steepness = 1.36;       // of the hanging sides [rad from level]
 constexpr double waveHeight = 0.012;     // at the lower border [m]
 constexpr double waveLength = 0.3;       // [m]
 
@@ -33,7 +33,7 @@ FlatMesh meshHalf(double neckDepth) {
   return meshPattern({outline.points(), {}}, edgeLength);
 }
 
-/// Where a point of the front is: bent over the shoulder line, then straight down and a little outwards.
+/// The position of a point of the front: bent over the shoulder line, then straight down and slightly outwards.
 Vec3 place(const Vec2& flat) {
   const double down = -flat.y();
   const double angle = std::min(down / foldRadius, steepness);
@@ -51,7 +51,7 @@ RawMesh makePoncho() {
     const FlatMesh half = meshHalf(front ? frontNeckDepth : backNeckDepth);
     std::vector<Vec3> positions;
     for (const Vec2& point : half.points) {
-      // The back is the front turned by half a turn around the y axis.
+      // The back is the front rotated by half a turn about the y axis.
       const Vec3 place3 = place(point);
       positions.push_back(front ? place3 : Vec3(-place3.x(), place3.y(), -place3.z()));
     }

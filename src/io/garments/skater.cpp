@@ -6,16 +6,17 @@
 namespace drape {
 namespace {
 
-/// Parts in metres. It looks and glides towards +z, on its right leg (x < 0), the left one stretched out behind.
+/// Parts in metres. The figure faces and glides towards +z on its right leg (x < 0), with the left leg stretched
+/// behind.
 const Ellipsoid head{{0.0, 1.575, 0.160}, {0.074, 0.110, 0.094}};
 const TaperedBar neck{{0.0, 1.380, 0.085}, {0.0, 1.520, 0.135}, 0.052, 0.044};
 const TaperedBar shoulders{{-0.175, 1.350, 0.085}, {0.175, 1.350, 0.085}, 0.054, 0.054};
 const Ellipsoid chest{{0.0, 1.210, 0.060}, {0.165, 0.180, 0.098}};
 const Ellipsoid waist{{0.0, 1.030, 0.005}, {0.130, 0.160, 0.085}};
 const Ellipsoid hips{{0.0, 0.870, -0.045}, {0.165, 0.120, 0.105}};
-constexpr double fillet = 0.05;  // of these with each other
+constexpr double fillet = 0.05;  // between these parts [m]
 
-/// Limbs, each from the trunk outwards. What follows a bar begins where that ends.
+/// Limbs from the trunk outwards. Each bar begins at the end of the previous one.
 const std::array<std::array<TaperedBar, 3>, 4> limbs = {{
     {{{{-0.090, 0.830, -0.040}, {-0.100, 0.500, 0.150}, 0.088, 0.060},
       {{-0.100, 0.500, 0.150}, {-0.100, 0.130, -0.020}, 0.056, 0.044},
@@ -47,7 +48,7 @@ double distanceToSkater(const Vec3& p) {
 }  // namespace
 
 RawMesh makeSkater() {
-  // The grid begins where no cell happens to be passed twice.
+  // With this origin the surface crosses no cell twice.
   return surfaceOf(distanceToSkater, {-0.420, -0.016, -0.546}, {0.480, 1.740, 0.540}, 0.025);
 }
 

@@ -13,14 +13,14 @@ using namespace garment;
 constexpr double edgeLength = 0.026;  // [m]
 constexpr double pi = std::numbers::pi;
 
-/// A cone that is half a disc when laid flat: a point at slant distance s from its tip is s/2 from its axis.
+/// A cone whose flat pattern is half a disc: a point at slant distance s from the tip is s/2 from the axis.
 constexpr double slantPerRadius = 2.0;
 const double slantPerHeight = 1.0 / std::sqrt(0.75);
 const double waistSlant = waistRadius * slantPerRadius;
 const double hipSlant = waistSlant + (waistHeight - hipHeight) * slantPerHeight;
 
 /// Below the hips the skirt hangs in folds around a steeper cone.
-constexpr double flare = 0.15;  // [m] that it widens by for each metre of cloth
+constexpr double flare = 0.15;  // increase of the radius per metre of cloth [m]
 constexpr int folds = 12;
 const double dropPerSlant = std::sqrt(1.0 - flare * flare);
 const double hemSlant = hipSlant + (hipHeight - hemHeight) / dropPerSlant;
@@ -29,7 +29,7 @@ Vec2 flatPoint(double slant, double angle) {
   return {slant * std::sin(angle), -slant * std::cos(angle)};
 }
 
-/// A quarter of a ring, with the waist on top.
+/// A quarter of a ring, with the waist at the top.
 FlatMesh meshPanel() {
   constexpr double half = pi / 4.0;
   Outline outline(flatPoint(waistSlant, -half), edgeLength);
@@ -41,9 +41,9 @@ FlatMesh meshPanel() {
   return meshPattern({outline.points(), {hips}}, edgeLength);
 }
 
-/// A point of the cloth below the hips. With a mean radius R there is too much cloth by a factor 1 + b. Folds of the
-/// height 2 sqrt(b) R / n take it up, and moving points from their flanks towards their crests by b / (2 n) evens out
-/// how much cloth lies where.
+/// A point of the cloth below the hips. At mean radius R the cloth is too long by the factor 1 + b. Folds of the height
+/// 2 sqrt(b) R / n take up this length. Moving points from the flanks towards the crests by b / (2 n) distributes the
+/// cloth evenly.
 Vec3 placeInFolds(double slant, double azimuth) {
   const double below = slant - hipSlant;
   const double radius = hipRadius() + flare * below;
@@ -54,7 +54,7 @@ Vec3 placeInFolds(double slant, double azimuth) {
   return {r * std::sin(angle), hipHeight - below * dropPerSlant, r * std::cos(angle)};
 }
 
-/// Where a point of a panel is whose middle looks in the direction `facing` (0: +z).
+/// The position of a point of the panel whose middle faces `facing` (0: +z).
 Vec3 place(const Vec2& flat, double facing) {
   const double slant = flat.norm();
   const double azimuth = facing + slantPerRadius * std::atan2(flat.x(), -flat.y());

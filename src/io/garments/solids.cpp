@@ -10,11 +10,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Steps of a rounded end or edge.
+/// Segments of a rounded end or edge.
 constexpr int roundingSteps = 5;
 
-/// Joins rings of `segments` points each, which lie one after the other from `first` on, by triangles that face
-/// outwards when each ring runs counter-clockwise as seen against the direction in which the rings follow.
+/// Joins consecutive rings of `segments` points each, starting at `first`, by triangles. They face outwards when each
+/// ring runs counter-clockwise as seen against the direction of the sequence.
 void joinRings(int first, int rings, int segments, bool closed, RawMesh& solid) {
   for (int ring = 0; ring + (closed ? 0 : 1) < rings; ++ring) {
     const int lower = first + ring * segments;
@@ -30,12 +30,12 @@ void joinRings(int first, int rings, int segments, bool closed, RawMesh& solid) 
 /// A cross-section of a bar.
 struct Section {
   Vec3 centre;
-  Vec3 side;    ///< unit vector across the bar
-  Vec3 normal;  ///< unit vector across the bar and `side`
+  Vec3 side;    ///< unit vector perpendicular to the bar
+  Vec3 normal;  ///< unit vector perpendicular to the bar and `side`
   double radius = 0.0;
 };
 
-/// The cross-sections at the points of a path, turned as little as possible from one to the next.
+/// The cross-sections at the points of a path, with minimal rotation from one to the next.
 std::vector<Section> sectionsAlong(const std::vector<Vec3>& path, bool closed, double radius) {
   std::vector<Section> sections;
   const std::size_t count = path.size();

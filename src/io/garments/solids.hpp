@@ -6,20 +6,20 @@
 
 namespace drape {
 
-/// A point of a turned shape's silhouette.
+/// A point of the silhouette of a solid of revolution.
 struct SilhouettePoint {
   double radius = 0.0;  ///< from the y axis [m]
   double height = 0.0;  ///< [m]
 };
 
-/// Adds the solid that a silhouette, given from bottom to top, makes when it turns around the y axis.
+/// Adds the solid of revolution of a silhouette, from bottom to top, about the y axis.
 void addTurned(const std::vector<SilhouettePoint>& silhouette, int segments, RawMesh& solid);
 
-/// A quarter of a circle as part of a silhouette, from one point to the other. `outwardFirst`: it leaves the first
-/// point level (so that the corner bulges outwards and down), else upright.
+/// A quarter of a circle as part of a silhouette, between two points. With `outwardFirst` it starts horizontally (the
+/// corner bulges outwards and down), otherwise vertically.
 [[nodiscard]] std::vector<SilhouettePoint> rounding(SilhouettePoint from, SilhouettePoint to, bool outwardFirst);
 
-/// Adds a round bar along points, which must not turn sharply. An open bar gets rounded ends.
+/// Adds a round bar along points without sharp turns. An open bar gets rounded ends.
 void addBar(const std::vector<Vec3>& path, bool closed, double radius, int segments, RawMesh& solid);
 
 }  // namespace drape

@@ -12,14 +12,14 @@ using namespace garment;
 
 constexpr double pi = std::numbers::pi;
 constexpr double poleRadius = 0.011;     // [m]
-constexpr double hoopThickness = 0.006;  // radius of the bar that it is bent from [m]
-constexpr double hoopGap = 0.016;        // from a hoop to the cloth around it: contact keeps less than that [m]
+constexpr double hoopThickness = 0.006;  // radius of the bent bar [m]
+constexpr double hoopGap = 0.016;        // from a hoop to the cloth around it, more than the contact distance [m]
 constexpr double spokeRadius = 0.004;    // [m]
 constexpr double barRadius = 0.007;      // of the shoulder bar [m]
-constexpr double barDepth = 0.02;        // of its axis below the shoulder line: cloth on it falls to both sides [m]
-constexpr int roundSegments = 64;        // around base and pole
-constexpr int barSegments = 16;          // around bars
-constexpr double longest = 0.06;         // part of a bar or a pole: long triangles make contact slow [m]
+constexpr double barDepth = 0.02;  // of its axis below the shoulder line, so that cloth on it falls to both sides [m]
+constexpr int roundSegments = 64;  // around base and pole
+constexpr int barSegments = 16;    // around bars
+constexpr double longest = 0.06;   // maximum length of a segment: long triangles make contact slow [m]
 
 /// A straight bar.
 void addStraightBar(const Vec3& from, const Vec3& to, double radius, RawMesh& mesh) {
@@ -31,7 +31,7 @@ void addStraightBar(const Vec3& from, const Vec3& to, double radius, RawMesh& me
   addBar(axis, false, radius, barSegments, mesh);
 }
 
-/// A heavy base of that radius, a pole, and a knob that ends at `top`.
+/// A heavy base of that radius, a pole, and a knob whose top is at `top`.
 void addBaseAndPole(double baseRadius, double top, RawMesh& stand) {
   constexpr double knobRadius = 0.017;
   const double knobBottom = top - 2.0 * knobRadius;
@@ -65,7 +65,7 @@ Vec3 onCircle(double radius, double height, double angle) {
   return {radius * std::sin(angle), height, radius * std::cos(angle)};
 }
 
-/// A hoop around the pole, on spokes, whose outer side has that radius.
+/// A hoop around the pole, on spokes, with that outer radius.
 void addHoop(double outerRadius, double height, int spokes, RawMesh& stand) {
   const double radius = outerRadius - hoopThickness;
   std::vector<Vec3> hoop;

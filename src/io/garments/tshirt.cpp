@@ -19,10 +19,10 @@ constexpr double frontNeckDepth = 0.09;  // [m]
 constexpr double backNeckDepth = 0.025;  // [m]
 constexpr double sleeveLength = 0.19;    // [m]
 constexpr double sleeveWidth = 0.17;     // laid flat [m]
-constexpr double puffHeight = 0.11;      // how far front and back would stand off in the middle of a wide piece [m]
-constexpr double puffReach = 0.1;        // over which distance from a seam they do so [m]
-const Vec2 hemCorner(0.26, 0.79);        // [m]
-const Vec2 underarm(0.25, 1.2);          // [m]
+constexpr double puffHeight = 0.11;  // distance of front and back from the seam plane in the middle of a wide piece [m]
+constexpr double puffReach = 0.1;    // decay length of this distance near a seam [m]
+const Vec2 hemCorner(0.26, 0.79);    // [m]
+const Vec2 underarm(0.25, 1.2);      // [m]
 const Vec2 shoulder(shoulderHalfWidth, shoulderLine(shoulderHalfWidth));
 const Vec2 sleeveDirection = Vec2(0.88, -0.475).normalized();
 const Vec2 cuffTop = shoulder + sleeveLength * sleeveDirection;
@@ -32,13 +32,13 @@ Vec2 mirrored(const Vec2& point) {
   return {-point.x(), point.y()};
 }
 
-/// From the shoulder to the underarm, a little hollow.
+/// From the shoulder to the underarm, slightly concave.
 Vec2 armhole(double t) {
   const Vec2 hollow = (shoulder + underarm) / 2.0 - Vec2(0.04, 0.01);
   return (1.0 - t) * (1.0 - t) * shoulder + 2.0 * t * (1.0 - t) * hollow + t * t * underarm;
 }
 
-/// The outline of front or back with both sleeves, as it hangs.
+/// The outline of front or back with both sleeves, in the hanging position.
 Outline makeOutline(double neckDepth) {
   Outline outline(mirrored(hemCorner), edgeLength);
   outline.lineTo(hemCorner, false);
@@ -63,7 +63,7 @@ Outline makeOutline(double neckDepth) {
   return outline;
 }
 
-/// How far each point stands off the plane of the seams: z - reach^2 laplace(z) = height, and 0 where it is sewn.
+/// The distance of each point from the seam plane: z - reach^2 laplace(z) = height, and 0 at seams.
 std::vector<double> puff(const FlatMesh& mesh, const std::vector<bool>& sewn) {
   constexpr double coupling = 4.0 * puffReach * puffReach / (edgeLength * edgeLength);
   constexpr int passes = 400;
@@ -96,7 +96,7 @@ std::vector<Vec2> sleeveOutline() {
   return outline;
 }
 
-/// For each triangle how far its texture coordinates are moved aside: the sleeves lie apart from the body.
+/// The shift of the texture coordinates of each triangle: the sleeves lie apart from the body.
 std::vector<Vec2> chartsOf(const FlatMesh& mesh, const Vec2& aside) {
   constexpr double gap = 0.06;
   const std::vector<Vec2> sleeve = sleeveOutline();

@@ -18,7 +18,7 @@ std::string CaseFigure::text() const {
 }
 
 CaseTrial::CaseTrial(const CaseOptions& options) : options_(options) {
-  static_cast<void>(settings({}));  // wrong names are told before the work
+  static_cast<void>(settings({}));  // reports wrong names before the run
 }
 
 Settings CaseTrial::settings(const std::vector<std::string>& changes) const {
@@ -33,7 +33,7 @@ Settings CaseTrial::settings(const std::vector<std::string>& changes) const {
   }
   requireConsistent(settings);
   if (findSolver(settings.solver.name) == nullptr) {
-    throw UsageError("there is no solver '" + settings.solver.name + "'; 'drape-headless list solvers' shows them");
+    throw UsageError("there is no solver '" + settings.solver.name + "'; 'drape-headless list solvers' lists them");
   }
   return settings;
 }
@@ -62,7 +62,7 @@ double CaseTrial::seconds() const {
 
 void CaseTrial::tick() const {
   options_.mayStop();
-  if (seconds() > options_.mostSeconds) {
+  if (seconds() > options_.maxSeconds) {
     throw CaseTooSlow();
   }
 }
@@ -99,7 +99,7 @@ std::shared_ptr<const ClothModel> modelOf(const CaseCloth& cloth) {
 
 int stableSubsteps(const ClothModel& model, const Settings& settings) {
   constexpr double share = 0.5;
-  constexpr double finest = 1.0 / 30000.0;  // the paper's, for a method that no step makes stable [s]
+  constexpr double finest = 1.0 / 30000.0;  // the paper's step, for a method that is never stable [s]
   const SolverInfo* solver = findSolver(settings.solver.name);
   if (solver == nullptr || solver->stepLimit == nullptr) {
     return settings.step.substeps;

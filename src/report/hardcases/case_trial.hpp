@@ -13,15 +13,15 @@
 
 namespace drape {
 
-/// Thrown by a case that cannot go on, as when the numbers ended.
+/// Thrown by a case that cannot continue, for example after the state is no longer finite.
 struct CaseEnded {
   std::string why;
 };
 
-/// Thrown when a case takes too long.
+/// Thrown when a case exceeds its time limit.
 struct CaseTooSlow {};
 
-/// What a case works with: which solver is on trial, and where its figures go.
+/// The context of a case: the solver under test, and the results.
 class CaseTrial {
  public:
   explicit CaseTrial(const CaseOptions& options);
@@ -29,23 +29,23 @@ class CaseTrial {
   [[nodiscard]] const std::string& solver() const { return options_.solver; }
   [[nodiscard]] bool shortForm() const { return options_.shortForm; }
 
-  /// What the form that is run asks for.
+  /// The first value in the full form, the second in the short form.
   template <typename T>
   [[nodiscard]] T pick(T full, T brief) const {
     return options_.shortForm ? brief : full;
   }
 
-  /// The program's defaults with these settings ("key=value"), the solver on trial and what was asked for it.
+  /// The default settings with these changes ("key=value"), the solver under test and the user's changes.
   [[nodiscard]] Settings settings(const std::vector<std::string>& changes) const;
 
-  /// A figure that must not be larger than its limit. Of several with the same name the largest counts.
+  /// Adds a value that must not exceed its limit. Of several with the same name the largest counts.
   void expect(const std::string& name, const std::string& unit, double value, double limit);
-  /// A figure that is shown only.
+  /// Adds a value that is only shown.
   void show(const std::string& name, const std::string& unit, double value);
-  /// Something to be told beside the figures.
+  /// Adds a remark.
   void say(const std::string& words);
 
-  /// To be called every few steps. Throws CaseTooSlow, or what `mayStop` throws.
+  /// Call it every few steps. Throws CaseTooSlow, and forwards exceptions from `mayStop`.
   void tick() const;
 
   [[nodiscard]] const std::vector<CaseFigure>& figures() const { return figures_; }
@@ -66,28 +66,28 @@ struct CaseCloth {
   Settings settings;
   std::vector<Vec3> start;        ///< [m]; empty: the rest shape
   std::vector<Vec3> velocities;   ///< [m/s]; empty: at rest
-  std::vector<double> stiffness;  ///< of the springs, relative [-]; empty: all alike
-  std::vector<double> masses;     ///< of the vertices [kg]; empty: as the settings say
+  std::vector<double> stiffness;  ///< relative stiffness of the springs [-]; empty: equal
+  std::vector<double> masses;     ///< of the vertices [kg]; empty: from the settings
 };
 
-/// Where a case's sheet is held.
+/// The pins of a case's sheet.
 enum class Held { Nowhere, TwoCorners, OneCorner, TopEdge };
 
-/// A square sheet of 0.1 kg with so many vertices a side, about the origin: level, or upright with its top edge level.
+/// A square sheet of 0.1 kg with that number of vertices per side, centred on the origin: level, or upright.
 [[nodiscard]] CaseCloth sheetCloth(const Settings& settings, int resolution, Held held, double side = 1.0,
                                    bool upright = false);
 
-/// The model that a case's cloth becomes.
+/// The model of a case's cloth.
 [[nodiscard]] std::shared_ptr<const ClothModel> modelOf(const CaseCloth& cloth);
 
-/// In how many parts an explicit method has to take its step to stay at half of its stability limit; 1 for others.
+/// The number of substeps with which an explicit method stays at half of its stability limit; 1 for others.
 [[nodiscard]] int stableSubsteps(const ClothModel& model, const Settings& settings);
 
-/// Numbers that are the same at every run.
+/// Random numbers that are the same in every run.
 class CaseNumbers {
  public:
   explicit CaseNumbers(std::uint64_t seed) : engine_(seed) {}
-  /// From 0 to 1, evenly.
+  /// Uniform from 0 to 1.
   double next() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
 
  private:

@@ -2,7 +2,7 @@
 
 #include "report/hardcases/hard_case.hpp"
 
-/// The cases' runs. Each is defined in a file with its like, and has its place in the table of cases.cpp.
+/// The functions of the cases, grouped by file. The table of cases.cpp lists them.
 namespace drape::hardcases {
 
 // starts.cpp

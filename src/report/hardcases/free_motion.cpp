@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-/// Cases of cloth that nothing holds.
+/// Cases of free cloth.
 namespace drape::hardcases {
 namespace {
 
@@ -15,7 +15,7 @@ Vec3 middleOf(const std::vector<Vec3>& positions) {
          static_cast<double>(positions.size());
 }
 
-/// Where the cloth's mass is at home [m].
+/// The barycentre of the cloth [m].
 Vec3 barycentreOf(const ClothModel& model, const ClothState& state) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
@@ -27,7 +27,7 @@ Vec3 barycentreOf(const ClothModel& model, const ClothState& state) {
 }  // namespace
 
 void freeFall(CaseTrial& trial) {
-  constexpr double most = 1e-6;  // [m]
+  constexpr double limit = 1e-6;  // [m]
   const CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000", "damping=0.1", "precision=double"}),
                                      trial.pick(33, 17), Held::Nowhere);
   WatchedCloth watched(trial, cloth);
@@ -38,12 +38,12 @@ void freeFall(CaseTrial& trial) {
   for (std::size_t v = 0; v < rest.size(); ++v) {
     largest = std::max(largest, (watched.state().positions[v] - rest[v] - fall).norm());
   }
-  trial.expect("shape changed by", "m", largest, most);
+  trial.expect("shape changed by", "m", largest, limit);
   trial.show("fallen", "m", fall.norm());
 }
 
 void spinning(CaseTrial& trial) {
-  constexpr double most = 1e-6;
+  constexpr double limit = 1e-6;
   CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000", "gravity=0", "precision=double"}), trial.pick(33, 17),
                                Held::Nowhere);
   const Vec3 spin(2.0, 6.0, 3.0);   // [1/s]
@@ -61,8 +61,8 @@ void spinning(CaseTrial& trial) {
   for (int i = 0; i < parts; ++i) {
     watched.run(0.1);
     const Vec3 linearNow = linearMomentum(watched.model(), watched.state());
-    trial.expect("linear momentum lost", "of itself", (linearNow - linear).norm() / linear.norm(), most);
-    trial.expect("angular momentum lost", "of itself", (spinNow() - angular).norm() / angular.norm(), most);
+    trial.expect("linear momentum lost", "of itself", (linearNow - linear).norm() / linear.norm(), limit);
+    trial.expect("angular momentum lost", "of itself", (spinNow() - angular).norm() / angular.norm(), limit);
   }
 }
 

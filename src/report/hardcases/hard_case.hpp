@@ -9,14 +9,14 @@
 
 namespace drape {
 
-/// A figure that a case found, beside the most that it may be.
+/// A value of a case, with its limit.
 struct CaseFigure {
   std::string name;  ///< "energy gained"
   std::string unit;  ///< "%"; empty for a plain number
   double value = 0.0;
   double limit = std::numeric_limits<double>::infinity();  ///< infinite: shown only
 
-  /// What is not a number does not pass.
+  /// A NaN does not pass.
   [[nodiscard]] bool passes() const { return value <= limit; }
   /// "energy gained 3.2 % (at most 1)".
   [[nodiscard]] std::string text() const;
@@ -25,41 +25,41 @@ struct CaseFigure {
 enum class CaseOutcome {
   Passed,
   Failed,
-  GivenUp  ///< it took longer than it may; nothing is known
+  GivenUp  ///< it exceeded the time limit; the result is unknown
 };
 
 /// "passed", "failed" or "given up".
 [[nodiscard]] std::string_view wordFor(CaseOutcome outcome);
 
-/// How a solver did in a case.
+/// The result of a solver in a case.
 struct CaseResult {
   CaseOutcome outcome = CaseOutcome::Failed;
   std::vector<CaseFigure> figures;
-  std::string words;     ///< why it failed, and what else is to be said; may be empty
-  double seconds = 0.0;  ///< of the clock
+  std::string words;     ///< the reason of a failure, and remarks; may be empty
+  double seconds = 0.0;  ///< wall clock time
 };
 
-/// How cases are run.
+/// Options of the cases.
 struct CaseOptions {
   std::string solver = "one_iteration";
-  bool shortForm = false;                 ///< smaller cloths and shorter times: seconds for all of them together
-  std::vector<std::string> settings;      ///< "key=value" over the cases' own, as the solver's iterations
-  double mostSeconds = 60.0;              ///< a case that takes longer is given up
-  std::function<void()> mayStop = [] {};  ///< called now and then; may throw
+  bool shortForm = false;                 ///< smaller cloths and shorter times: seconds for all of them
+  std::vector<std::string> settings;      ///< "key=value", added to the settings of the cases
+  double maxSeconds = 60.0;               ///< time limit of a case
+  std::function<void()> mayStop = [] {};  ///< called regularly; may throw
 };
 
 class CaseTrial;
 
-/// A case that is hard for cloth solvers. It is declared once, in the table of cases.cpp.
+/// A case that is hard for cloth solvers, declared in the table of cases.cpp.
 struct HardCase {
   int number = 0;
   std::string_view name;       ///< "random_start"
-  std::string_view statement;  ///< what is asked, in one sentence
-  std::string_view rule;       ///< what is measured beside what every case is (docs/guide/hardcases.md)
+  std::string_view statement;  ///< description, in one sentence
+  std::string_view rule;       ///< criteria besides the general ones (docs/guide/hardcases.md)
   void (*run)(CaseTrial&) = nullptr;
 };
 
-/// Every case, by number.
+/// All cases, by number.
 [[nodiscard]] std::span<const HardCase> hardCaseTable();
 
 /// The case of that number or name. Throws UsageError when there is none.

@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-/// What fails, as short as it can be said: "energy gained 35 %".
+/// The failure in short: "energy gained 35 %".
 std::string faultOf(const ReportRow& row) {
   if (row.value("outcome", "") != "failed") {
     return row.value("outcome", "");
@@ -53,7 +53,7 @@ ReportRow hardCaseRow(const HardCase& hardCase, const CaseOptions& options, cons
 std::string figuresInWords(const CaseResult& result) {
   std::string text;
   for (const CaseFigure& one : result.figures) {
-    if (one.name != "farthest" || !one.passes()) {
+    if (one.name != "max distance" || !one.passes()) {
       text += (text.empty() ? "" : ", ") + one.text();
     }
   }
@@ -65,7 +65,8 @@ std::string hardCaseLine(const HardCase& hardCase, const CaseResult& result) {
   std::snprintf(start.data(), start.size(), "%2d  %-22s%-9s%8.2f s  ", hardCase.number,
                 std::string(hardCase.name).c_str(), std::string(wordFor(result.outcome)).c_str(), result.seconds);
   const std::string figures = figuresInWords(result);
-  const bool ended = result.outcome == CaseOutcome::GivenUp || result.words.starts_with("The numbers ended");
+  const bool ended =
+      result.outcome == CaseOutcome::GivenUp || result.words.starts_with("The state was no longer finite");
   return start.data() + (ended ? result.words : figures) + "\n";
 }
 
@@ -98,7 +99,7 @@ std::string hardCaseMarkdown(const ReportRows& rows) {
 }
 
 std::string hardCaseListMarkdown() {
-  std::string text = "| | case | what is asked | what is measured |\n|---|---|---|---|\n";
+  std::string text = "| | case | description | criterion |\n|---|---|---|---|\n";
   for (const HardCase& one : hardCaseTable()) {
     text += "| " + std::to_string(one.number) + " | `" + std::string(one.name) + "` | " + std::string(one.statement) +
             " | " + std::string(one.rule) + " |\n";

@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-/// Cases of what should not be in a mesh or asked for. Whatever it is, it is told in words, and what is left moves.
+/// Cases of invalid meshes and requests. Every defect must be reported, and the remaining cloth must move.
 namespace drape::hardcases {
 namespace {
 
-/// A level sheet without texture coordinates, with vertices of its own for each triangle: every corner comes several
-/// times.
+/// A level sheet without texture coordinates, in which each triangle has its own vertices: every corner is duplicated.
 RawMesh sheetOfLooseTriangles(const CaseTrial& trial, int resolution) {
   const ClothMesh sheet = sheetCloth(trial.settings({}), resolution, Held::Nowhere).mesh;
   RawMesh raw;
@@ -31,7 +30,7 @@ void addTriangle(RawMesh& raw, const Vec3& a, const Vec3& b, const Vec3& c) {
   raw.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// Imports the mesh, looks whether its summary tells of all these, and lets it fall from its first vertex.
+/// Imports the mesh, checks that its summary reports all defects, and lets it fall from its first vertex.
 void importAndRun(CaseTrial& trial, const RawMesh& raw, const std::vector<std::string>& toTell, double seconds) {
   const ImportedMesh mesh = weldMesh(raw, "case.obj", {});
   std::string told;
@@ -61,10 +60,10 @@ void looseMesh(CaseTrial& trial) {
   RawMesh raw = sheetOfLooseTriangles(trial, trial.pick(17, 9));
   const Vec3 a = raw.positions[0];
   const Vec3 b = raw.positions[1];
-  raw.positions.emplace_back(3.0, 0.0, 0.0);  // used by no face
+  raw.positions.emplace_back(3.0, 0.0, 0.0);  // without a face
   addTriangle(raw, a, b, 0.5 * (a + b) + Vec3(0.0, 0.1, 0.0));
   addTriangle(raw, a, b, 0.5 * (a + b) - Vec3(0.0, 0.1, 0.0));
-  addTriangle(raw, Vec3(2.0, 0.0, 0.0), Vec3(2.1, 0.0, 0.0), Vec3(2.0, 0.0, 0.1));  // a piece by itself
+  addTriangle(raw, Vec3(2.0, 0.0, 0.0), Vec3(2.1, 0.0, 0.0), Vec3(2.0, 0.0, 0.1));  // a separate piece
   importAndRun(trial, raw, {"to no face", "more than two faces", "separate pieces"}, trial.pick(2.0, 0.5));
 }
 

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-/// Cases of what the cloth is made of.
+/// Cases of extreme materials.
 namespace drape::hardcases {
 namespace {
 
-/// The largest elongation on the way, at each 1/150 s.
+/// The largest elongation during the run, at each 1/150 s.
 double strainOnTheWay(WatchedCloth& watched, double seconds) {
   double largest = 0.0;
   const auto steps = std::lround(seconds / watched.simulation().settings().step.timeStep);
@@ -60,7 +60,7 @@ void unevenSprings(CaseTrial& trial) {
 
 void unevenMasses(CaseTrial& trial) {
   constexpr double heavier = 1e5;
-  constexpr double most = 2.0;
+  constexpr double limit = 2.0;
   CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1e5"}), trial.pick(33, 9), Held::TwoCorners);
   CaseNumbers random(6);
   const auto even = modelOf(cloth);
@@ -71,12 +71,12 @@ void unevenMasses(CaseTrial& trial) {
   const double seconds = trial.pick(1.0, 0.3);
   const double converged = convergedStrain(trial, cloth, seconds);
   WatchedCloth watched(trial, cloth);
-  trial.expect("strain", "times the converged solve's", strainOnTheWay(watched, seconds) / converged, most);
+  trial.expect("strain", "times the converged solve's", strainOnTheWay(watched, seconds) / converged, limit);
 }
 
 void fineAndStiff(CaseTrial& trial) {
-  // The finer sheet, whose steps cost eight times as much, is looked at while tension first runs through it.
-  using Sizes = std::vector<std::pair<int, double>>;  // with the time that it falls [s]
+  // The finer sheet, whose steps cost eight times as much, is measured while the first tension wave runs through it.
+  using Sizes = std::vector<std::pair<int, double>>;  // with the simulated time [s]
   for (const auto& [size, seconds] : trial.pick<Sizes>({{129, 0.2}, {257, 0.04}}, {{129, 0.02}})) {
     WatchedCloth watched(trial, sheetCloth(trial.settings({"stiffness=1e5"}), size, Held::TwoCorners));
     const double strain = strainOnTheWay(watched, seconds);
@@ -91,11 +91,11 @@ void heavyGravity(CaseTrial& trial) {
 }
 
 void scales(CaseTrial& trial) {
-  constexpr double most = 1.0;  // [% of the diagonal]
+  constexpr double limit = 1.0;  // [% of the diagonal]
   const double seconds = trial.pick(0.5, 0.3);
   std::vector<Vec3> first;
   for (const double size : {1.0, 1e-3, 1e3}) {
-    // The same motion has lengths times s and times times sqrt(s), with the same mass: k / s.
+    // The same motion has lengths scaled by s and times scaled by sqrt(s), with the same mass: k / s.
     const double slower = std::sqrt(size);
     Settings settings = trial.settings({"precision=double"});
     settings.step.timeStep = slower / 600.0;
@@ -107,7 +107,7 @@ void scales(CaseTrial& trial) {
     first = first.empty() ? positions : first;
     const double diagonal = std::sqrt(2.0);
     trial.expect("difference between scales", "% of the diagonal", 100.0 * meanDistance(first, positions) / diagonal,
-                 most);
+                 limit);
   }
 }
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-/// Cases of what acts on the cloth from outside.
+/// Cases of external actions on the cloth.
 namespace drape::hardcases {
 namespace {
 
-/// The triangle of which that vertex is a corner, and the weights that take the vertex alone.
-GrabCommand grabOf(const ClothModel& model, int vertex, const Vec3& target) {
+/// An attachment to a single vertex, by a triangle of which it is a corner.
+AttachCommand attachTo(const ClothModel& model, int vertex, const Vec3& target) {
   const int triangle =
       model.vertexTriangles
           .values[static_cast<std::size_t>(model.vertexTriangles.begin[static_cast<std::size_t>(vertex)])];
@@ -31,19 +31,19 @@ Vec3 meanVelocity(const ClothModel& model, const ClothState& state) {
 }  // namespace
 
 void pinsTeleport(CaseTrial& trial) {
-  constexpr double mostStretch = 5.0;  // [%]
+  constexpr double stretchLimit = 5.0;  // [%]
   WatchedCloth watched(
       trial, sheetCloth(trial.settings({"stiffness=5000", "damping=0.1"}), trial.pick(33, 17), Held::TwoCorners));
   watched.run(trial.pick(1.0, 0.2));
   watched.apply(MovePinsCommand{Vec3(6.0, 8.0, 0.0)});
   watched.run(2.0);
-  trial.expect("stretch after 2 s", "%", 100.0 * maxStretch(watched.model(), watched.state()), mostStretch);
+  trial.expect("stretch after 2 s", "%", 100.0 * maxStretch(watched.model(), watched.state()), stretchLimit);
 }
 
 void storm(CaseTrial& trial) {
-  constexpr double mostReversed = 0.01;
+  constexpr double reversedLimit = 0.01;
   Settings settings = trial.settings({"stiffness=1000", "drag=1", "lift=0.5"});
-  settings.step.wind = Vec3(0.0, 0.0, 1e3);  // ten times what can be set
+  settings.step.wind = Vec3(0.0, 0.0, 1e3);  // ten times the maximum of the setting
   const int resolution = trial.pick(33, 17);
   WatchedCloth free(trial, sheetCloth(settings, resolution, Held::Nowhere, 1.0, true), EnergyRule::WindFrame);
   const Vec3 wind = settings.step.wind;
@@ -51,7 +51,7 @@ void storm(CaseTrial& trial) {
   for (int i = 0; i < steps; ++i) {
     free.step();
     const double along = (meanVelocity(free.model(), free.state()) - wind).dot(-wind) / wind.squaredNorm();
-    trial.expect("relative velocity reversed", "of the wind", std::max(0.0, -along), mostReversed);
+    trial.expect("relative velocity reversed", "of the wind", std::max(0.0, -along), reversedLimit);
   }
   WatchedCloth held(trial, sheetCloth(settings, resolution, Held::TwoCorners, 1.0, true), EnergyRule::NotCounted);
   held.run(trial.pick(1.0, 0.2));
@@ -60,22 +60,23 @@ void storm(CaseTrial& trial) {
 
 void thrown(CaseTrial& trial) {
   const int resolution = trial.pick(33, 17);
-  WatchedCloth watched(trial, sheetCloth(trial.settings({"stiffness=1000", "hand.stiffness=1e4", "hand.max_force=100"}),
-                                         resolution, Held::TwoCorners));
+  WatchedCloth watched(
+      trial, sheetCloth(trial.settings({"stiffness=1000", "attachment.stiffness=1e4", "attachment.max_force=100"}),
+                        resolution, Held::TwoCorners));
   watched.run(trial.pick(0.3, 0.1));
   const Settings& settings = watched.simulation().settings();
   const int vertex = (resolution / 2) * resolution + resolution / 2;
   const auto point = [&] { return watched.state().positions[static_cast<std::size_t>(vertex)]; };
   const Vec3 velocity(60.0, 80.0, 0.0);  // [m/s]
   Vec3 target = point();
-  watched.apply(grabOf(watched.model(), vertex, target));
+  watched.apply(attachTo(watched.model(), vertex, target));
   for (double time = 0.0; time < 0.1; time += settings.step.timeStep) {
     target += settings.step.timeStep * velocity;
-    watched.apply(MoveGrabCommand{target});
+    watched.apply(MoveAttachmentCommand{target});
     const Vec3 before = point();
-    watched.step([&] { return settings.hand.maxForce * (point() - before).norm(); });
+    watched.step([&] { return settings.attachment.maxForce * (point() - before).norm(); });
   }
-  watched.apply(ReleaseGrabCommand{});
+  watched.apply(DetachCommand{});
   watched.run(trial.pick(2.0, 0.5));
   trial.show("stretch at the end", "", maxStretch(watched.model(), watched.state()));
 }

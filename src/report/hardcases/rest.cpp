@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-/// Cases of cloth that should come to rest, and stay there.
+/// Cases of cloth that should come to rest and stay there.
 namespace drape::hardcases {
 namespace {
 
-/// The rates at which a cloth turns about a point [1/s]: L = I omega.
+/// The angular velocity of a cloth about a point [1/s]: L = I omega.
 Vec3 turning(const ClothModel& model, const ClothState& state, const Vec3& about) {
   Mat3 inertia = Mat3::Zero();
   Vec3 momentum = Vec3::Zero();
@@ -22,7 +22,7 @@ Vec3 turning(const ClothModel& model, const ClothState& state, const Vec3& about
   return inertia.ldlt().solve(momentum);
 }
 
-/// Root of the mean squared speed, by mass [m/s].
+/// The mass-weighted root mean square speed [m/s].
 double rmsSpeed(const ClothModel& model, const ClothState& state) {
   double sum = 0.0;
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {
@@ -31,17 +31,17 @@ double rmsSpeed(const ClothModel& model, const ClothState& state) {
   return std::sqrt(sum / model.totalMass());
 }
 
-constexpr double mostSpeed = 1e-3;  // [m/s]
+constexpr double speedLimit = 1e-3;  // [m/s]
 
-/// Over the last time: how fast vertices move, and how far each goes to and fro.
+/// At the end of the run: the speed and the oscillation of each vertex.
 void expectRest(CaseTrial& trial, WatchedCloth& watched, double seconds) {
-  constexpr double mostJitter = 1e-4;  // of an edge
+  constexpr double jitterLimit = 1e-4;  // share of an edge
   std::vector<Vec3> low = watched.state().positions;
   std::vector<Vec3> high = low;
   const auto steps = std::lround(seconds / watched.simulation().settings().step.timeStep);
   for (long i = 0; i < steps; ++i) {
     watched.step();
-    trial.expect("speed at rest", "m/s", largestSpeed(watched.state()), mostSpeed);
+    trial.expect("speed at rest", "m/s", largestSpeed(watched.state()), speedLimit);
     for (std::size_t v = 0; v < low.size(); ++v) {
       low[v] = low[v].cwiseMin(watched.state().positions[v]);
       high[v] = high[v].cwiseMax(watched.state().positions[v]);
@@ -51,22 +51,22 @@ void expectRest(CaseTrial& trial, WatchedCloth& watched, double seconds) {
   for (std::size_t v = 0; v < low.size(); ++v) {
     jitter = std::max(jitter, (high[v] - low[v]).norm());
   }
-  trial.expect("jitter", "of an edge", jitter / meanEdge(watched.model()), mostJitter);
+  trial.expect("jitter", "of an edge", jitter / meanEdge(watched.model()), jitterLimit);
 }
 
 }  // namespace
 
 void oneCorner(CaseTrial& trial) {
-  constexpr double mostTurning = 0.01;  // [1/s]
+  constexpr double turningLimit = 0.01;  // [1/s]
   const CaseCloth cloth =
       sheetCloth(trial.settings({"stiffness=1000", "damping=0.03"}), trial.pick(33, 9), Held::OneCorner);
   WatchedCloth watched(trial, cloth);
   watched.run(trial.pick(60.0, 40.0));
   const Vec3 pin = watched.state().positions[static_cast<std::size_t>(cloth.pins.front())];
   trial.expect("turning about its pin", "1/s", std::abs(turning(watched.model(), watched.state(), pin).y()),
-               mostTurning);
-  // Cloth that hangs in folds creeps for long where springs alone resist nothing: single vertices are not looked at.
-  trial.expect("speed at rest", "m/s", rmsSpeed(watched.model(), watched.state()), mostSpeed);
+               turningLimit);
+  // Folded cloth creeps for a long time, since springs alone do not resist bending. Single vertices are not checked.
+  trial.expect("speed at rest", "m/s", rmsSpeed(watched.model(), watched.state()), speedLimit);
 }
 
 void largeAtRest(CaseTrial& trial) {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-/// Cases that start in a place where no cloth should be.
+/// Cases with an extreme start.
 namespace drape::hardcases {
 namespace {
 
-/// A tube that stands upright, so wide and high that its springs are about alike. It fills space.
+/// An upright tube whose springs have nearly equal lengths. It is not flat.
 ClothMesh tube(int around, int rows) {
   constexpr double radius = 0.2;  // [m]
   ClothMesh mesh;
@@ -32,15 +32,15 @@ ClothMesh tube(int around, int rows) {
   return mesh;
 }
 
-/// Lets it unfold without gravity and looks how near the springs come to their rest lengths.
+/// Unfolds without gravity and measures how close the springs come to their rest lengths.
 void unfold(CaseTrial& trial, const CaseCloth& cloth, double seconds) {
-  constexpr double mostStrain = 1.0;  // [%]
+  constexpr double strainLimit = 1.0;  // [%]
   WatchedCloth watched(trial, cloth);
   watched.run(seconds);
-  trial.expect("strain left", "%", 100.0 * largestStrain(watched.model(), watched.state()), mostStrain);
+  trial.expect("strain left", "%", 100.0 * largestStrain(watched.model(), watched.state()), strainLimit);
 }
 
-/// Mean of the springs' lengths over their rest lengths [-].
+/// Mean ratio of the springs' lengths to their rest lengths [-].
 double meanLengthRatio(const ClothModel& model, const ClothState& state) {
   double sum = 0.0;
   for (const Spring& spring : model.springs) {
@@ -91,7 +91,7 @@ void flattened(CaseTrial& trial) {
 }
 
 void onePoint(CaseTrial& trial) {
-  constexpr double mostMissing = 10.0;  // [%]
+  constexpr double missingLimit = 10.0;  // [%]
   CaseCloth cloth =
       sheetCloth(trial.settings({"stiffness=1000", "damping=0.1", "gravity=0"}), trial.pick(33, 13), Held::Nowhere);
   cloth.start.assign(cloth.mesh.positions.size(), Vec3(0.0, 1.0, 0.0));
@@ -105,7 +105,7 @@ void onePoint(CaseTrial& trial) {
   WatchedCloth watched(trial, cloth);
   watched.run(trial.pick(5.0, 3.0));
   trial.expect("mean length missing", "%", 100.0 * (1.0 - meanLengthRatio(watched.model(), watched.state())),
-               mostMissing);
+               missingLimit);
   trial.show("largest strain", "", largestStrain(watched.model(), watched.state()));
 }
 

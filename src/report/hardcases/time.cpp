@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-/// Cases of time: of frames and of steps.
+/// Cases of frame times and time steps.
 namespace drape::hardcases {
 namespace {
 
-/// Steps as a viewer takes them whose frames are so long, until so many are taken.
+/// Takes that number of steps as a viewer with these frame times does.
 template <typename FrameTime>
 std::uint64_t hashAfter(CaseTrial& trial, const CaseCloth& cloth, int steps, FrameTime&& frameTime) {
   WatchedCloth watched(trial, cloth);
@@ -40,7 +40,7 @@ void randomFrames(CaseTrial& trial) {
 }
 
 void changedWhileRunning(CaseTrial& trial) {
-  constexpr double mostJump = 1.0;  // edges
+  constexpr double jumpLimit = 1.0;  // edges
   WatchedCloth watched(
       trial, sheetCloth(trial.settings({"stiffness=1000", "damping=0.05"}), trial.pick(33, 17), Held::TwoCorners));
   const auto jump = [&](const Command& command) {
@@ -53,7 +53,7 @@ void changedWhileRunning(CaseTrial& trial) {
       const Vec3 expected = before.positions[v] + h * before.velocities[v];
       largest = std::max(largest, (watched.state().positions[v] - expected).norm());
     }
-    trial.expect("jump", "edges", largest / meanEdge(watched.model()), mostJump);
+    trial.expect("jump", "edges", largest / meanEdge(watched.model()), jumpLimit);
     watched.run(0.1);
   };
   watched.run(trial.pick(2.0, 1.0));

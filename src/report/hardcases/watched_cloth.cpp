@@ -10,8 +10,8 @@
 namespace drape {
 namespace {
 
-constexpr double farAway = 1e5;     // [m]
-constexpr double mostGained = 1.0;  // [% of the scale]
+constexpr double farAway = 1e5;    // [m]
+constexpr double gainLimit = 1.0;  // [% of the scale]
 constexpr double percent = 100.0;
 
 std::shared_ptr<const Scene> sceneOf(const CaseCloth& cloth) {
@@ -85,18 +85,18 @@ void WatchedCloth::countAnew() {
 
 void WatchedCloth::watch() {
   if (simulation_.blewUp()) {
-    throw CaseEnded{"The numbers ended after " + std::to_string(state().time) + " s."};
+    throw CaseEnded{"The state was no longer finite after " + std::to_string(state().time) + " s."};
   }
   const auto& positions = state().positions;
-  const double farthest = std::accumulate(positions.begin(), positions.end(), 0.0, [](double most, const Vec3& x) {
-    return std::max(most, x.lpNorm<Eigen::Infinity>());
+  const double maxDistance = std::accumulate(positions.begin(), positions.end(), 0.0, [](double max, const Vec3& x) {
+    return std::max(max, x.lpNorm<Eigen::Infinity>());
   });
-  trial_.expect("farthest", "m", farthest, farAway);
+  trial_.expect("max distance", "m", maxDistance, farAway);
   if (rule_ != EnergyRule::NotCounted) {
     const double gained = percent * (energy() - startEnergy_ - allowed_) / scale_;
-    trial_.expect("energy gained", "%", gained < 0.0 ? 0.0 : gained, mostGained);
+    trial_.expect("energy gained", "%", gained < 0.0 ? 0.0 : gained, gainLimit);
   }
-  if (farthest > farAway) {
+  if (maxDistance > farAway) {
     throw CaseEnded{"It flew away after " + std::to_string(state().time) + " s."};
   }
 }
@@ -116,7 +116,7 @@ double largestStrain(const ClothModel& model, const ClothState& state) {
 
 double largestSpeed(const ClothState& state) {
   return std::accumulate(state.velocities.begin(), state.velocities.end(), 0.0,
-                         [](double most, const Vec3& v) { return std::max(most, v.norm()); });
+                         [](double max, const Vec3& v) { return std::max(max, v.norm()); });
 }
 
 }  // namespace drape

@@ -4,31 +4,32 @@
 
 namespace drape {
 
-/// Which energy may not grow by itself.
+/// Which energy must not grow without external work.
 enum class EnergyRule {
   Counted,    ///< kinetic, elastic and of gravity
-  WindFrame,  ///< the same with velocities against the air, for cloth that nothing holds: air can only take from it
-  NotCounted  ///< nothing is known of the work done from outside
+  WindFrame,  ///< the same with velocities relative to the air, for free cloth: air can only reduce it
+  NotCounted  ///< the external work is unknown
 };
 
-/// A simulation that is watched while it runs. What every case asks goes into the trial's figures:
-/// - "farthest": |x| stays below 1e5 m;
-/// - "energy gained": the energy rises above where it began, and what was allowed as work from outside, by at most 1 %
-///   of the scene's energy scale, which is m g D plus the kinetic and elastic energy at the beginning. D is the
-///   diagonal of the rest shape. Springs' damping can only take energy, so it is not counted.
-/// When the state stops being finite, CaseEnded is thrown.
+/// A simulation that is checked while it runs. It adds the general criteria to the results:
+/// - "max distance": |x| stays below 1e5 m;
+/// - "energy gained": the energy rises above its start value plus the allowed external work by at most 1 % of the
+/// scene's
+///   energy scale, which is m g D plus the kinetic and elastic energy at the start. D is the diagonal of the rest
+///   shape. Damping of the springs can only reduce energy, so it is not counted.
+/// It throws CaseEnded when the state is no longer finite.
 class WatchedCloth {
  public:
-  /// Explicit methods get as many substeps as their own stability limit asks for, to half of it.
+  /// Explicit methods get the substeps for half of their stability limit.
   WatchedCloth(CaseTrial& trial, const CaseCloth& cloth, EnergyRule rule = EnergyRule::Counted);
 
-  /// @param work that may have been done from outside in this step [J], asked after it; may be empty
+  /// @param work allowed external work of this step [J], evaluated after it; may be empty
   void step(const std::function<double()>& work = {});
-  /// The whole steps in that simulated time [s].
+  /// Takes the whole steps in that simulated time [s].
   void run(double seconds);
 
-  /// A command from outside. What energy a changed setting or a moved pin brings or takes is not the solver's doing:
-  /// the account begins anew.
+  /// Applies an external command. Energy from a changed setting or a moved pin is not an error of the solver, so the
+  /// balance starts again.
   void apply(const Command& command);
 
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }

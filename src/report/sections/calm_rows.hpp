@@ -7,7 +7,7 @@
 
 namespace drape {
 
-/// Whether a row of work_precision is a calm setting whose time and error are known.
+/// Whether a row of work_precision is a calm setting with known time and error.
 [[nodiscard]] inline bool isJudged(const ReportRow& row) {
   return row.value("state", "") == "calm" && row["us_per_simulated_second"].is_number() &&
          row["error_of_diagonal"].is_number();

@@ -12,15 +12,15 @@ namespace drape {
 namespace {
 
 constexpr double microseconds = 1e6;
-/// In a scene without its own interval: steps between two counts of the triangles that intersect.
+/// Default interval between two counts of intersecting triangles [steps].
 constexpr int usualInterval = 5;
 
-/// A scene and how it is looked at.
+/// A scene and its measurement.
 struct Meeting {
   const char* scene;
-  double seconds;                     ///< of the scene's time
-  std::vector<int> resolutions = {};  ///< of its grid; empty: the scene's own
-  bool withAndWithout = false;        ///< without self-collision, too
+  double seconds;                     ///< simulated time
+  std::vector<int> resolutions = {};  ///< of its grid; empty: that of the scene
+  bool withAndWithout = false;        ///< whether it also runs without self-collision
   int lookEvery = usualInterval;
 };
 
@@ -41,8 +41,7 @@ const std::vector<Meeting>& meetings(bool quick) {
   return quick ? few : all;
 }
 
-/// Which kinds of contact a scene has under its settings. The ground and the stand, which most scenes have, are not
-/// told.
+/// The kinds of contact of a scene with its settings, without the ground and the stand, which most scenes have.
 std::string modeOf(const Scene& scene) {
   const ContactParameters& contact = scene.settings.step.contact;
   std::string mode = contact.self == SelfCollision::Hash ? "hash" : "";
@@ -87,7 +86,7 @@ ReportRows measure(const Meeting& meeting, const std::vector<std::string>& setti
   return {rowOf(meeting, *scene, runCollision(*scene, meeting.seconds, meeting.lookEvery, context.mayStop))};
 }
 
-/// Adds the cells of one scene at one resolution; 0 is the scene's own.
+/// Adds the cells of one scene at one resolution; 0 is that of the scene.
 void addCells(const Meeting& meeting, int resolution, const ReportOptions& options, std::vector<Cell>& cells) {
   std::string key = meeting.scene;
   std::vector<std::string> settings{"threads=" + std::to_string(options.threads)};

@@ -17,7 +17,7 @@ double meanOf(const std::vector<double>& values) {
          static_cast<double>(std::max<std::size_t>(1, values.size()));
 }
 
-/// What each step of a run took [s].
+/// The durations of the steps of a run [s].
 struct StepCosts {
   std::vector<double> steps;
   std::vector<double> bodies;
@@ -40,7 +40,7 @@ struct StepCosts {
   }
 };
 
-/// Looks now and then for triangles that intersect.
+/// Counts intersecting triangles at intervals.
 class Lookout {
  public:
   Lookout(const ClothModel& model, const BodyWorld& world) : triangles_(model.triangles), world_(world) {}

@@ -6,24 +6,24 @@
 
 namespace drape {
 
-/// What contact cost in a run and what it let through.
+/// The cost of contact in a run, and the intersections that it left.
 struct CollisionRun {
   int steps = 0;
   double stepSeconds = 0.0;     ///< mean of a step, contact included [s]
-  double bodySeconds = 0.0;     ///< mean of what bodies took of it [s]
-  double selfSeconds = 0.0;     ///< mean of what self-collision took of it [s]
-  double longestContact = 0.0;  ///< the 99th percentile of both together [s]
-  int contacts = 0;             ///< most in a step
-  int overlapping = 0;          ///< most triangles that were inside a body when a step began
-  int infeasible = 0;           ///< most vertices in a step that found no place between bodies
-  int pairsWithSelf = 0;        ///< most triangle pairs of the cloth that intersected when it was looked
-  int pairsWithBodies = 0;      ///< most pairs of a cloth's and a body's triangle
-  double shareWithSelf = 0.0;   ///< of the times that it was looked, those with pairs of the cloth [-]
+  double bodySeconds = 0.0;     ///< mean part of the bodies [s]
+  double selfSeconds = 0.0;     ///< mean part of self-collision [s]
+  double longestContact = 0.0;  ///< 99th percentile of both together [s]
+  int contacts = 0;             ///< maximum in a step
+  int overlapping = 0;          ///< maximum number of triangles inside a body at the start of a step
+  int infeasible = 0;             ///< maximum number of infeasible vertices in a step
+  int pairsWithSelf = 0;        ///< maximum number of self-intersecting triangle pairs in a count
+  int pairsWithBodies = 0;      ///< maximum number of intersecting pairs of a cloth and a body triangle
+  double shareWithSelf = 0.0;   ///< share of the counts with self-intersecting pairs [-]
   bool finite = true;
 };
 
-/// Runs a scene, its bodies included, for so long and looks for intersecting triangles, by the exact intersection test, at every
-/// `lookEvery`-th step. 0: never.
+/// Runs a scene with its bodies for that time and counts intersecting triangles, with the exact intersection test, at
+/// every `lookEvery`-th step. 0: never.
 /// @param mayStop is called before each step and may throw
 [[nodiscard]] CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery,
                                         const std::function<void()>& mayStop);

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// What body contact may take for 1,000 triangles in a step, on one core [us].
+/// Target of body contact for 1,000 triangles in a step, on one core [us].
 constexpr double target = 300.0;
 
 bool hasHash(const ReportRow& row) {
@@ -28,16 +28,16 @@ std::string nameOf(const ReportRow& row) {
   return row.value("scene", "") + " (" + sizeText(row) + ")";
 }
 
-/// How many times as long contact takes as the rest of the step [-].
+/// The duration of contact relative to the rest of the step [-].
 double ratioOf(const ReportRow& row) {
   const double contact = numberIn(row, "contact_us_per_step");
   return contact / (numberIn(row, "us_per_step") - contact);
 }
 
 TextTable costs(const ReportRows& rows) {
-  TextTable table{"What contact costs",
-                  {"scene", "grid", "triangles", "mode", "method", "step [us]", "of that contact [us]", "99 % [us]",
-                   "contact / rest", "bodies [us a 1,000 triangles]"},
+  TextTable table{"Cost of contact",
+                  {"scene", "grid", "triangles", "mode", "method", "step [us]", "contact [us]", "99 % [us]",
+                   "contact / rest", "bodies [us per 1,000 triangles]"},
                   {}};
   for (const ReportRow& row : rows) {
     table.rows.push_back({row.value("scene", ""), sizeText(row), figure(row, "triangles", 7), row.value("mode", ""),
@@ -49,9 +49,9 @@ TextTable costs(const ReportRows& rows) {
 }
 
 TextTable leaks(const ReportRows& rows) {
-  TextTable table{"What it lets through",
-                  {"scene", "grid", "mode", "seconds", "most contacts", "pairs with bodies", "infeasible vertices",
-                   "pairs with itself", "looks with any"},
+  TextTable table{"Remaining intersections",
+                  {"scene", "grid", "mode", "seconds", "max contacts", "pairs with bodies", "infeasible vertices",
+                   "pairs with itself", "counts with any"},
                   {}};
   for (const ReportRow& row : rows) {
     table.rows.push_back({row.value("scene", ""), sizeText(row), row.value("mode", ""), figure(row, "seconds"),
@@ -62,7 +62,7 @@ TextTable leaks(const ReportRows& rows) {
   return table;
 }
 
-/// The rows for which that holds, by a figure, the largest first.
+/// The rows that satisfy the predicate, in descending order of a value.
 template <typename Predicate>
 ReportRows worstFirst(const ReportRows& rows, const char* key, const Predicate& isMeant) {
   ReportRows chosen;
@@ -73,11 +73,11 @@ ReportRows worstFirst(const ReportRows& rows, const char* key, const Predicate& 
   return chosen;
 }
 
-/// "sphere (33x33) 4, cape (mesh) 2": those with more than `least`.
-std::string listOf(const ReportRows& rows, const char* key, double least) {
+/// "sphere (33x33) 4, cape (mesh) 2": the scenes with more than `minimum`.
+std::string listOf(const ReportRows& rows, const char* key, double minimum) {
   std::string text;
   for (const ReportRow& row : rows) {
-    if (numberIn(row, key) > least) {
+    if (numberIn(row, key) > minimum) {
       text += (text.empty() ? "" : ", ") + nameOf(row) + " " + figure(row, key);
     }
   }
@@ -87,15 +87,17 @@ std::string listOf(const ReportRows& rows, const char* key, double least) {
 std::string aboutBodies(const ReportRows& rows) {
   const char* const pairsKey = "intersecting_pairs_bodies_max";
   const std::string through = listOf(worstFirst(rows, pairsKey, hasBodies), pairsKey, 0.0);
-  std::string text = through.empty() ? "No triangle of the cloth ever intersected one of a body. "
-                                     : "The cloth intersected a body, at most so many pairs at once: " + through + ". ";
+  std::string text = through.empty()
+                         ? "No cloth triangle ever intersected a body triangle. "
+                         : "The cloth intersected a body; the maximum number of pairs at once was: " + through + ". ";
   const char* const costKey = "bodies_us_per_1000_triangles";
   const std::string dear = listOf(worstFirst(rows, costKey, hasBodies), costKey, target);
-  text += "The aim is at most " + figure(target) + " us for 1,000 triangles in a step; ";
-  return text + (dear.empty() ? "all scenes keep it." : "above it are " + dear + ".");
+  text += "The target is at most " + figure(target) + " us for 1,000 triangles in a step; ";
+  return text + (dear.empty() ? "all scenes meet it." : "these are above it: " + dear + ".");
 }
 
-/// What the scheme let through, "fold (65x65) 27 of 893": of those that there are without it, where that was measured.
+/// The remaining intersections, "fold (65x65) 27 of 893": the second number is without the method, where it was
+/// measured.
 std::string leaksOf(const ReportRows& rows) {
   const char* const key = "intersecting_pairs_self_max";
   std::string text;
@@ -116,15 +118,16 @@ std::string leaksOf(const ReportRows& rows) {
 std::string aboutHash(const ReportRows& rows) {
   const std::string through = leaksOf(rows);
   return std::string(
-             "The paper's scheme (hash) compares vertices with vertices. Edges that cross between their ends, and a "
-             "vertex over the middle of a triangle, are seen only through the vertices near them: with a thickness of "
-             "three quarters of the mean edge a resting layer cannot pass, but a sharp fold has its triangles nearer "
-             "to each other than its vertices are, where ends of one edge never count. What moves farther than the "
-             "thickness and the margin of the search between two looks passes unseen, and once two layers have "
-             "crossed, the scheme holds them where they are. ") +
-         (through.empty() ? "In these runs it let nothing through."
-                          : "Here it let through, in pairs of triangles at once, of those that there are without it: " +
-                                through + ".");
+             "The paper's scheme (hash) compares vertices with vertices. It detects edges that cross between their "
+             "ends, and a "
+             "vertex over the middle of a triangle, only through nearby vertices. With a thickness of "
+             "three quarters of the mean edge a resting layer cannot pass. In a sharp fold the triangles are closer "
+             "to each other than the vertices, and ends of one edge never count. Motion that exceeds the "
+             "thickness and the search margin between two searches is not detected. When two layers have "
+             "crossed, the scheme keeps them crossed. ") +
+         (through.empty()
+              ? "In these runs nothing passed through."
+              : "Remaining pairs of triangles at once, and their number without the scheme: " + through + ".");
 }
 
 }  // namespace
@@ -133,11 +136,13 @@ std::vector<Block> showCollision(const ReportOptions&, const ReportRows& rows) {
   if (rows.empty()) {
     return {};
   }
-  return {Paragraph{"Scenes with contact, under their own settings. Times are means over all steps of a run of some "
-                    "seconds, first contact included, since a search for near pairs comes only now and then; the 99th "
-                    "percentile tells what a step with a search takes. Intersecting pairs are the maximum of the "
-                    "exact intersection tests, which run every 5th or 10th step."},
-          costs(rows), Paragraph{aboutBodies(rows)}, leaks(rows), Paragraph{aboutHash(rows)}};
+  return {
+      Paragraph{
+          "Scenes with contact, with their own settings. Times are means over all steps of a run of some "
+          "seconds, including the first contact, since the search for close pairs does not run in every step. The 99th "
+          "percentile is the cost of a step with a search. Intersecting pairs are the maximum that the exact "
+          "intersection test found, at every 5th or 10th step."},
+      costs(rows), Paragraph{aboutBodies(rows)}, leaks(rows), Paragraph{aboutHash(rows)}};
 }
 
 }  // namespace drape

@@ -4,7 +4,7 @@
 
 namespace drape {
 
-/// The collision section's tables and what they say in words, from its rows.
+/// The tables and texts of the collision section, from its rows.
 [[nodiscard]] std::vector<Block> showCollision(const ReportOptions& options, const ReportRows& rows);
 
 }  // namespace drape

@@ -11,13 +11,13 @@ namespace drape {
 namespace {
 
 constexpr const char* own = "auto";
-constexpr double finest = 1e-9;  // that an error is told to [m]
+constexpr double finest = 1e-9;  // resolution of errors [m]
 
 double costOf(const ReportRow& row) {
   return numberIn(row, "us_per_simulated_second");
 }
 
-/// Below which errors mean nothing [m].
+/// The level below which errors are meaningless [m].
 double floorOf(const ReportRows& rows) {
   double floor = finest;
   for (const ReportRow& row : rows) {
@@ -29,7 +29,7 @@ double floorOf(const ReportRows& rows) {
   return floor;
 }
 
-/// The least wrong setting, of `auto` or of all others, that takes no longer; null when there is none.
+/// The setting with the smallest error within the cost, of `auto` or of all others; null when there is none.
 const ReportRow* bestWithin(double cost, bool ofOwn, const ReportRows& rows) {
   const ReportRow* best = nullptr;
   for (const ReportRow& row : rows) {
@@ -41,7 +41,7 @@ const ReportRow* bestWithin(double cost, bool ofOwn, const ReportRows& rows) {
   return best;
 }
 
-/// A setting of `auto` and the one that it is held against, at one cost.
+/// A setting of `auto` and its rival at equal cost.
 struct Pairing {
   const ReportRow* setting = nullptr;
   const ReportRow* rival = nullptr;
@@ -68,7 +68,7 @@ void copy(ReportRow& row, const char* to, const ReportRow* from, const char* key
   row[to] = from == nullptr ? ReportRow(nullptr) : (*from)[key];
 }
 
-/// "auto.work=3 auto.soften=on" and what it cost.
+/// "auto.cost=3 auto.soften=on" and its cost.
 std::string settingText(const ReportRow& row) {
   return row.value("setting", "") + " (" + figure(row, "us_per_simulated_second") + " us)";
 }
@@ -88,7 +88,7 @@ ReportRow equalCostRow(const ReportRows& rows, ReportRow row) {
     copy(row, key, worst.setting, key);
   }
   row["points"] = pairings.size();
-  row["within"] = upTo(mostBehind);
+  row["within"] = upTo(maxErrorRatio);
   row["best"] = upTo(1.0);
   row["ratio"] = worst.rival == nullptr ? ReportRow(nullptr) : ReportRow(worst.ratio);
   copy(row, "by_method", worst.rival, "method");
@@ -106,21 +106,21 @@ std::vector<Block> equalCostBlocks(const ReportRows& answers) {
     points += row.value("points", 0);
     within += row.value("within", 0);
     best += row.value("best", 0);
-    if (numberIn(row, "ratio") > mostBehind) {
+    if (numberIn(row, "ratio") > maxErrorRatio) {
       behind.push_back(row);
     }
   }
   std::stable_sort(behind.begin(), behind.end(),
                    [](const ReportRow& a, const ReportRow& b) { return numberIn(a, "ratio") > numberIn(b, "ratio"); });
   std::vector<Block> blocks;
-  blocks.emplace_back(
-      Paragraph{"'auto' against the best other method at equal cost, at what each of its settings costs and with the "
-                "best of its own that takes no longer: at " +
-                std::to_string(points) + " such costs it has " + std::to_string(within) + " times at most " +
-                figure(mostBehind) + " times the other's error, and " + std::to_string(best) +
-                " times no more than it. Errors below what can be known count as that."});
-  TextTable table{"Where 'auto' is further behind at equal cost",
-                  {"cloth", "costs", "of them behind", "worst", "its error [m]", "times that of"},
+  blocks.emplace_back(Paragraph{
+      "'auto' and the best other method at equal cost. The costs are those of the settings of 'auto'; its best setting "
+      "within each cost counts. The error of 'auto' is at most " +
+      figure(maxErrorRatio) + " times the other's at " + std::to_string(within) + " of " + std::to_string(points) +
+      " such costs, and at most equal to it at " + std::to_string(best) +
+      ". Errors below the noise floor count as the noise floor."});
+  TextTable table{"Cloths where 'auto' has a larger error at equal cost",
+                  {"cloth", "costs", "larger at", "worst", "its error [m]", "times that of"},
                   {}};
   for (const ReportRow& row : behind) {
     table.rows.push_back(

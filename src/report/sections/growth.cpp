@@ -13,17 +13,17 @@ namespace {
 constexpr double microseconds = 1e6;
 constexpr double milliseconds = 1e3;
 constexpr double megabytes = 1e-6;
-/// Of the paper's explicit reference, for a method that no step makes stable [s].
+/// Step of the paper's explicit reference, for a method that is never stable [s].
 constexpr double finestStep = 1.0 / 30000.0;
-/// Nothing here grows faster than with this power of the number of vertices.
+/// Assumed upper bound for the exponent of all times.
 constexpr double cautiousExponent = 1.5;
 
-/// How long a cell may take [s]; larger grids are left out when they would take longer.
-double mostSeconds(const ReportOptions& options) {
+/// Time limit of a cell [s]; larger grids are skipped.
+double maxSeconds(const ReportOptions& options) {
   return options.quick ? 0.5 : 10.0;
 }
 
-/// In how many parts a method has to take its step to be stable.
+/// The number of substeps that makes a method stable.
 int stableSubsteps(const SolverInfo& solver, const Scene& scene) {
   const StepParameters& parameters = scene.settings.step;
   if (solver.stepLimit == nullptr) {
@@ -35,7 +35,7 @@ int stableSubsteps(const SolverInfo& solver, const Scene& scene) {
   return std::isfinite(longest) ? static_cast<int>(std::ceil(parameters.timeStep / longest * (1.0 - 1e-9))) : 1;
 }
 
-/// The row of the same method on the largest grid that is smaller; null when there is none.
+/// The row of the same method on the next smaller grid; null when there is none.
 const ReportRow* smaller(const ReportRows& rows, std::string_view method, int vertices) {
   const ReportRow* found = nullptr;
   for (const ReportRow& row : rows) {
@@ -44,7 +44,7 @@ const ReportRow* smaller(const ReportRows& rows, std::string_view method, int ve
   return found;
 }
 
-/// How long it would take to set up and to take the fewest steps, as the smaller grid lets expect [s].
+/// The expected duration of the set-up and the minimum number of steps, extrapolated from the smaller grid [s].
 double expectedSeconds(const ReportRow& before, int vertices) {
   if (before.contains("skipped")) {
     return HUGE_VAL;
@@ -55,7 +55,7 @@ double expectedSeconds(const ReportRow& before, int vertices) {
 
 ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportOptions& options,
                          const CellContext& context) {
-  constexpr int leastSteps = 3;
+  constexpr int minSteps = 3;
   const auto scene = gridScene("grid", resolution,
                                {"solver=" + std::string(solver.name), "threads=" + std::to_string(options.threads)});
   const ClothModel& model = *scene->model;
@@ -67,13 +67,13 @@ ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportO
     return context.own;
   }
   const ReportRow* before = smaller(context.section, solver.name, model.vertexCount());
-  if (before != nullptr && expectedSeconds(*before, model.vertexCount()) > mostSeconds(options)) {
+  if (before != nullptr && expectedSeconds(*before, model.vertexCount()) > maxSeconds(options)) {
     row["skipped"] = "would take too long";
     return {row};
   }
   Settings settings = scene->settings;
   settings.step.substeps = stableSubsteps(solver, *scene);
-  const TimingBudget budget{.seconds = options.quick ? 0.05 : 0.25, .leastSteps = leastSteps, .mostSteps = 1000};
+  const TimingBudget budget{.seconds = options.quick ? 0.05 : 0.25, .minSteps = minSteps, .maxSteps = 1000};
   const StepTiming timing = timeSteps(*scene, settings, budget, context.mayStop);
   const double median = medianOf(timing.stepSeconds);
   row["substeps"] = settings.step.substeps;
@@ -84,7 +84,7 @@ ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportO
   addSample(context.own, 0, "step_us", row);
   row["us_per_simulated_second"] =
       finiteOrNull(numberIn(row, "step_us") * settings.step.substeps / settings.step.timeStep);
-  row["seconds_at_least"] = timing.setupSeconds + (leastSteps + 1) * median;
+  row["seconds_at_least"] = timing.setupSeconds + (minSteps + 1) * median;
   return {row};
 }
 
@@ -162,8 +162,8 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
                                 plotOf(rows, "memory_mb", "Memory of the solver", "MB")};
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      "Every method with its default settings on the scene 'grid' with steps of 1/150 s; the explicit ones take as "
-      "many substeps as keep them stable. Set-up is by how much the first step takes longer than the others. Memory is "
+      "Every method with its default settings on the scene 'grid' with steps of 1/150 s. The explicit methods use as "
+      "many substeps as stability needs. Set-up is the additional time of the first step. Memory is "
       "what "
       "was allocated for the solver until then. Grids that would take too long are left out."});
   blocks.insert(blocks.end(), plots.begin(), plots.end());

@@ -11,15 +11,15 @@
 namespace drape {
 namespace {
 
-/// The full form of all cases takes a method minutes, so in a report only the method that has to pass them all has it;
-/// `drape-headless hardcases` has it for every method.
+/// The full form of all cases takes minutes per method. In a report only `auto`, which must pass all cases, gets it.
+/// `drape-headless hardcases` runs it for every method.
 bool isShort(const std::string& method, const ReportOptions& options) {
   return options.quick || method != "auto";
 }
 
-/// How long a method may take over a case [s]. What a quick report finds is tested, and must not hang on how busy the
-/// machine is.
-double mostSeconds(bool shortForm, const ReportOptions& options) {
+/// Time limit of a method for a case [s]. Tests check the results of a quick report, so these must not depend on the
+/// load of the machine.
+double maxSeconds(bool shortForm, const ReportOptions& options) {
   if (!shortForm) {
     return 30.0;
   }
@@ -31,14 +31,14 @@ ReportRows measureCase(const HardCase& one, const std::string& method, const Rep
   CaseOptions asked;
   asked.solver = method;
   asked.shortForm = isShort(method, options);
-  // What takes more iterations takes too long anyway.
+  // More iterations take too long in any case.
   asked.settings = {"threads=" + std::to_string(options.threads), "max_iterations=100"};
-  asked.mostSeconds = mostSeconds(asked.shortForm, options);
+  asked.maxSeconds = maxSeconds(asked.shortForm, options);
   asked.mayStop = context.mayStop;
   return {hardCaseRow(one, asked, runHardCase(one, asked))};
 }
 
-/// A quick report takes what users meet: the paper's method, and the one that chooses by itself.
+/// The methods of a quick report: the paper's and `auto`.
 std::vector<std::string> methodsFor(const ReportOptions& options) {
   std::vector<std::string> methods;
   for (const SolverInfo& solver : solverTable()) {
@@ -90,7 +90,7 @@ std::vector<std::string> methodsIn(const ReportRows& rows) {
 }
 
 StateMap mapOf(const RowOf& rows, const std::vector<std::string>& methods) {
-  StateMap map{"hard-cases", "Which case each method passes", "case", {}, {}, states()};
+  StateMap map{"hard-cases", "Cases that each method passes", "case", {}, {}, states()};
   for (const HardCase& one : hardCaseTable()) {
     map.columns.push_back(std::to_string(one.number));
   }
@@ -105,9 +105,9 @@ StateMap mapOf(const RowOf& rows, const std::vector<std::string>& methods) {
   return map;
 }
 
-/// What went wrong in each case that a method did not pass.
+/// The failures of each method, by case.
 TextTable faultsOf(const RowOf& rows, const std::vector<std::string>& methods) {
-  TextTable table{"What went wrong", {"method", "case", "outcome", "figures"}, {}};
+  TextTable table{"Failures", {"method", "case", "outcome", "figures"}, {}};
   for (const std::string& method : methods) {
     for (const HardCase& one : hardCaseTable()) {
       const auto found = rows.find({one.number, method});
@@ -121,7 +121,7 @@ TextTable faultsOf(const RowOf& rows, const std::vector<std::string>& methods) {
 }
 
 TextTable casesAsTable() {
-  TextTable table{"The cases", {"case", "what is asked", "what is measured"}, {}};
+  TextTable table{"The cases", {"case", "description", "criterion"}, {}};
   for (const HardCase& one : hardCaseTable()) {
     table.rows.push_back(
         {std::to_string(one.number) + " " + std::string(one.name), std::string(one.statement), std::string(one.rule)});
@@ -139,12 +139,13 @@ std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
   }
   const auto methods = methodsIn(rows);
   std::vector<Block> blocks;
-  blocks.emplace_back(Paragraph{
-      std::string("Cases that are hard for cloth solvers (docs/guide/hardcases.md), in their short form") +
-      (options.quick ? "" : ", for 'auto' in the full one") +
-      ". Every method has its default settings; the explicit ones take as many substeps as keep them at half of "
-      "their stability limit. In every case the numbers stay finite, no vertex goes farther than 1e5 m, and the energy "
-      "rises by no more than 1 % of the scene's scale beyond what was done from outside. Given up: it took too long."});
+  blocks.emplace_back(
+      Paragraph{std::string("Cases that are hard for cloth solvers (docs/guide/hardcases.md), in their short form") +
+                (options.quick ? "" : ", for 'auto' in the full form") +
+                ". Every method has its default settings; the explicit methods use as many substeps as half of "
+                "their stability limit needs. In every case the state must stay finite, no vertex may move beyond 1e5 "
+                "m, and the energy "
+                "may rise by at most 1 % of the scene's scale beyond external work. Given up: it took too long."});
   blocks.emplace_back(mapOf(cells, methods));
   blocks.emplace_back(casesAsTable());
   blocks.emplace_back(faultsOf(cells, methods));

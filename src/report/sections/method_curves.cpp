@@ -7,30 +7,30 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words upTo(int most) {
+Words upTo(int max) {
   Words words;
-  for (int value = 1; value <= most; value *= 2) {
+  for (int value = 1; value <= max; value *= 2) {
     words.push_back(std::to_string(value));
   }
   return words;
 }
 
-/// Of methods that are slow: fine steps of them take most of a report's time and tell little.
+/// For slow methods: their small steps would take most of a report's time and add little.
 Words few() {
   return {"1", "4", "16"};
 }
 
-/// All steps are of 1/150 s, so that substeps are what a shorter step is elsewhere.
+/// All steps are 1/150 s; substeps stand for shorter steps.
 std::vector<MethodCurve> listed() {
   const Words midpoint{"integration=theta", "theta=0.5"};
-  // The exact derivative is what makes Newton's method fast; what has not come to its end after 50 iterations is lost
-  // in buckling, and one step would last for seconds.
+  // The exact derivative makes Newton's method fast. A solve that needs more than 50 iterations is stuck in buckling,
+  // and one step would take seconds.
   const Words newton{"tolerance=1e-6", "derivative=exact", "max_iterations=50"};
-  // Stiff and fine cloth wants as many as there can be.
+  // Stiff and fine cloth needs many substeps.
   Words many = upTo(512);
   many.emplace_back("1000");
   const Words works{"3", "6", "10", "20", "30", "60", "100", "300", "1000"};
-  // All of the work allowed is to be spent, and no more: what it does not carry is softened.
+  // `auto` should use its whole cost budget and no more, so it softens the springs when needed.
   const Words budgeted{"auto.tolerance=1e-12", "auto.soften=on"};
   const Words thetas{"1", "0.75", "0.6", "0.55", "0.5"};
   return {
@@ -44,8 +44,8 @@ std::vector<MethodCurve> listed() {
        "theta",
        thetas,
        {"0.5", "0.75"}},
-      {"auto, work", "auto", budgeted, "auto.work", works, {"30"}},
-      {"auto, float, work", "auto", {budgeted[0], budgeted[1], "precision=float"}, "auto.work", works, {"30"}},
+      {"auto, work", "auto", budgeted, "auto.cost", works, {"30"}},
+      {"auto, float, cost", "auto", {budgeted[0], budgeted[1], "precision=float"}, "auto.cost", works, {"30"}},
       {"Chebyshev, iterations", "chebyshev", {}, "iterations", {"3", "5", "9", "17", "33"}, {"9"}},
       {"Chebyshev 5, substeps", "chebyshev", {"iterations=5"}, "substeps", upTo(32), {"4"}},
       {"CG, tolerance", "pcg", {}, "tolerance", {"0.3", "0.1", "1e-2", "1e-3", "1e-5"}, {"1e-2"}},

@@ -7,20 +7,20 @@
 
 namespace drape {
 
-/// A method with one of its settings varied: a curve of the work-precision diagrams.
+/// A method with one setting varied: a curve of the work-precision diagrams.
 struct MethodCurve {
   std::string label;
   std::string method;              ///< the solver's name
   std::vector<std::string> fixed;  ///< "key=value"
-  std::string varied;              ///< a setting's key
+  std::string varied;              ///< key of a setting
   std::vector<std::string> values;
-  std::vector<std::string> quick;  ///< what a quick report takes of them
+  std::vector<std::string> quick;  ///< the values of a quick report
 };
 
-/// Every solver is in it: one that is not listed by hand has its substeps varied.
+/// The curves of all solvers. A solver that is not listed explicitly has its substeps varied.
 [[nodiscard]] std::vector<MethodCurve> methodCurves();
 
-/// Whether it has loops of vector instructions: numbers of two precisions are offered then.
+/// Whether it has vectorised loops, and thus both precisions.
 [[nodiscard]] bool hasVectorLoops(const SolverInfo& solver);
 
 }  // namespace drape

@@ -11,8 +11,7 @@ struct CostAndError {
   double error = 0.0;
 };
 
-/// The entries than which no other is both at most as costly and at most as wrong (and not the same in both), by
-/// ascending cost. Entries that are not finite are on no front.
+/// The Pareto-optimal entries in cost and error, by ascending cost. Entries that are not finite are never optimal.
 [[nodiscard]] std::vector<std::size_t> paretoFront(std::span<const CostAndError> entries);
 
 }  // namespace drape

@@ -8,10 +8,10 @@
 
 namespace drape {
 
-/// Thrown out of a run that takes longer than it may.
+/// Thrown from a run that exceeds its time limit.
 struct TooSlow {};
 
-/// The time that the calling thread has had a processor for [s]: other programs' turns do not count.
+/// CPU time of the calling thread [s], without the time of other programs.
 inline double threadSeconds() {
   constexpr double nano = 1e-9;
   timespec time{};
@@ -19,24 +19,23 @@ inline double threadSeconds() {
   return static_cast<double>(time.tv_sec) + nano * static_cast<double>(time.tv_nsec);
 }
 
-/// How long a run in this thread may take, from now on, by the thread's own clock.
+/// The time limit of a run in this thread, starting now, in CPU time of the thread.
 class Patience {
  public:
-  Patience(std::function<void()> mayStop, double mostSeconds)
-      : mayStop_(std::move(mayStop)), mostSeconds_(mostSeconds) {}
+  Patience(std::function<void()> mayStop, double maxSeconds) : mayStop_(std::move(mayStop)), maxSeconds_(maxSeconds) {}
 
-  /// To be asked at each step. Throws TooSlow when the time is over, and what `mayStop` throws.
+  /// Call it at each step. Throws TooSlow after the limit, and forwards exceptions from `mayStop`.
   void ask() const {
     mayStop_();
-    if (spent() > mostSeconds_) {
+    if (spent() > maxSeconds_) {
       throw TooSlow();
     }
   }
 
-  /// Since it was made [s].
+  /// CPU time since construction [s].
   [[nodiscard]] double spent() const { return threadSeconds() - begin_; }
 
-  /// For a run that is to ask it. It must outlive the run.
+  /// The watch for a run with this limit. It must outlive the run.
   [[nodiscard]] Watch watch() const {
     Watch watch;
     watch.progress = [this](std::string_view, std::int64_t, std::int64_t) { ask(); };
@@ -45,7 +44,7 @@ class Patience {
 
  private:
   std::function<void()> mayStop_;
-  double mostSeconds_;
+  double maxSeconds_;
   double begin_ = threadSeconds();
 };
 

@@ -4,9 +4,8 @@
 
 namespace drape {
 
-/// Adds the row's figure `key` to the samples that earlier rounds left in `own` (rows of the same cell; the row of the
-/// same place counts), writes them as "samples", and makes the figure their median. Comparisons of two reports take
-/// their noise from there.
+/// Adds the row's value `key` to the samples of earlier rounds in `own` (rows of the same cell, same index), stores
+/// them as "samples", and replaces the value by their median. Comparisons of reports take the noise from these samples.
 void addSample(const ReportRows& own, std::size_t place, const char* key, ReportRow& row);
 
 }  // namespace drape

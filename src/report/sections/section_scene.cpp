@@ -21,7 +21,7 @@ std::shared_ptr<const Scene> gridScene(const std::string& name, int resolution,
   SceneDescription description = requireGrid(name);
   description.pins = pins.value_or(description.pins);
   description.settings.grid.resolution = resolution;
-  // Solvers are compared by the cloth's own motion: it falls freely through the ground.
+  // Without ground the cloth falls freely, so that only its own motion is compared.
   description.ground.reset();
   if (description.stand) {
     description.stand->body.reset();

@@ -9,16 +9,16 @@
 
 namespace drape {
 
-/// A built-in scene or scene file whose cloth is a grid, with so many vertices along its shorter side and these
-/// settings ("key=value") in place of its own, and other pins if given. Throws InputError when its cloth is no grid.
+/// A built-in scene or scene file with a grid, with this number of vertices along its shorter side, these settings
+/// ("key=value") in place of its own, and optionally other pins. Throws InputError when its cloth is not a grid.
 [[nodiscard]] std::shared_ptr<const Scene> gridScene(const std::string& name, int resolution,
                                                      const std::vector<std::string>& settings,
                                                      const std::optional<PinSelection>& pins = std::nullopt);
 
-/// Opens a scene; throws InputError when there is none of that name or its cloth is no grid.
+/// Opens a scene. Throws InputError when there is none of that name or its cloth is not a grid.
 SceneDescription requireGrid(const std::string& name);
 
-/// The scene's settings with others in their place.
+/// The scene's settings with these changes.
 [[nodiscard]] Settings changedSettings(const Scene& scene, const std::vector<std::string>& settings);
 
 }  // namespace drape

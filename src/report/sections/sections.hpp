@@ -2,8 +2,7 @@
 
 #include "report/section.hpp"
 
-/// Every section of the report: a function that describes it, defined in the file of its name, and its place in the
-/// list of sections.cpp. Nothing else has to know a new one.
+/// All sections of the report. Each is described by a function in the file of its name, and listed in sections.cpp.
 namespace drape::sections {
 
 Section table1();

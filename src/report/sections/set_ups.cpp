@@ -12,20 +12,19 @@
 namespace drape {
 namespace {
 
-/// A bend out of the plane, of a fiftieth of the length in the middle and uneven, so that a cloth that has to give way
-/// knows to which side; without it the first rounding errors would decide. `along` runs between the held edges,
-/// `across` along them.
+/// An uneven deflection out of the plane, by 1/50 of the length in the middle. It determines the side to which the
+/// cloth buckles; otherwise rounding errors would. `along` runs between the pinned edges, `across` along them.
 double bend(double along, double across, double length) {
   return 0.02 * length * std::cos(std::numbers::pi * along / length) * (1.0 + 0.3 * across / length);
 }
 
-/// A sheet between two edges that stand too near to each other.
+/// A sheet between two edges that are too close to each other.
 Vec3 crushed(const Vec3& rest, double length) {
   return {0.95 * rest.x(), rest.y() + bend(rest.x(), rest.z(), length), rest.z()};
 }
 
-/// A sheet that stood in the plane z = 0, its upper edge turned by an eighth against the lower one, about the axis
-/// between their middles.
+/// A sheet in the plane z = 0 with its upper edge rotated by 45 degrees against the lower one, about the axis through
+/// their midpoints.
 Vec3 twisted(const Vec3& standing, double length) {
   const Eigen::AngleAxisd turn(0.25 * std::numbers::pi * (standing.y() / length + 0.5), -Vec3::UnitY());
   return turn * Vec3(standing.x(), standing.y(), bend(standing.y(), standing.x(), length));
@@ -43,7 +42,7 @@ std::vector<SetUp> ownSetUps() {
               "grid"};
   twist.edges = {"top", "bottom"};
   twist.place = [](const Vec3& rest, double length) {
-    // The sheet of the scene lies; here it stands, its back edge up.
+    // The scene's sheet is level; here it is upright, with its back edge up.
     return twisted({rest.x(), -rest.z(), 0.0}, length);
   };
   return {hang, flag, crush, twist};
@@ -85,10 +84,10 @@ std::shared_ptr<const Scene> startedFrom(const Scene& scene, ClothState start) {
   return changed;
 }
 
-std::shared_ptr<const Scene> jittered(const Scene& scene, double most, unsigned seed) {
-  // The engine's numbers are the same everywhere, which those of the library's distributions are not.
+std::shared_ptr<const Scene> jittered(const Scene& scene, double amplitude, unsigned seed) {
+  // The engine gives the same numbers everywhere; the library's distributions do not.
   std::mt19937 random(seed);
-  const auto offset = [&] { return most * (2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0); };
+  const auto offset = [&] { return amplitude * (2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0); };
   ClothState start = scene.start;
   for (std::size_t v = 0; v < start.positions.size(); ++v) {
     const Vec3 move(offset(), offset(), offset());

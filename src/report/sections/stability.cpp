@@ -21,7 +21,7 @@
 namespace drape {
 namespace {
 
-double mostSeconds(const ReportOptions& options) {
+double maxSeconds(const ReportOptions& options) {
   return options.quick ? 5.0 : 0.4;
 }
 
@@ -29,7 +29,7 @@ int checkpointsOf(const ReportOptions& options) {
   return checkpointsIn(options.quick ? 0.5 : 1.0);
 }
 
-/// The cloth of some cells, and how it moves with small steps.
+/// The cloth of some cells, and its motion with small steps.
 class Ground {
  public:
   Ground(ReportOptions options, int resolution, std::string stiffness)
@@ -42,7 +42,7 @@ class Ground {
     return *scene_;
   }
 
-  /// Verlet at half of its stability limit: how much it moves, not exactly where.
+  /// Verlet at half of its stability limit, to measure the amount of motion.
   const Trajectory& motion(const Watch& watch) {
     if (motion_ == nullptr) {
       Settings settings = changedSettings(scene(), {"solver=verlet"});
@@ -64,7 +64,7 @@ class Ground {
   std::unique_ptr<Trajectory> motion_;
 };
 
-/// The largest rise of the total energy above the start's after any step, in units of m g D.
+/// The largest rise of the total energy above its start value after any step, in units of m g D.
 double energyGain(const Scene& scene, const StepParameters& parameters, const Trajectory& run) {
   const ClothModel& model = *scene.model;
   const double unit = model.totalMass() * parameters.gravity * diagonalOf(model);
@@ -80,7 +80,7 @@ double motionKeptOf(const ClothModel& model, const Trajectory& own, const Trajec
   return kept.value();
 }
 
-/// Whether the same was given up with a longer step already: a shorter one takes no less.
+/// Whether the same was too slow with a longer step already: a shorter step takes at least as long.
 bool isSlowWithLongerSteps(const ReportRows& rows, const ReportRow& row) {
   return std::any_of(rows.begin(), rows.end(), [&row](const ReportRow& other) {
     const auto same = [&](const char* key) { return other.value(key, ReportRow()) == row[key]; };
@@ -94,10 +94,10 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
   Watch patient;
   patient.progress = [&context](std::string_view, std::int64_t, std::int64_t) { context.mayStop(); };
   const Trajectory& reference = ground.motion(patient);
-  // What takes a solver more iterations is given up as too slow anyway, but only between steps can it be. The default
-  // work of `auto` takes seconds.
+  // A solve with more iterations would exceed the time limit, which is checked only between steps. The default cost
+  // budget of `auto` takes seconds.
   const Settings settings = changedSettings(
-      ground.scene(), {"solver=" + method, "time_step=" + timeStep, "max_iterations=100", "auto.work=50"});
+      ground.scene(), {"solver=" + method, "time_step=" + timeStep, "max_iterations=100", "auto.cost=50"});
   ReportRow row{{"method", method},
                 {"resolution", ground.resolution()},
                 {"stiffness", settings.step.stiffness},
@@ -106,7 +106,7 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
     row["state"] = "too slow";
     return {row};
   }
-  const Patience patience(context.mayStop, mostSeconds(options));
+  const Patience patience(context.mayStop, maxSeconds(options));
   Watch watch = patience.watch();
   watch.energyPeak = true;
   try {
@@ -122,7 +122,7 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
   return {row};
 }
 
-/// The words with gaps between them.
+/// The words, separated by blanks.
 std::string keyOf(std::initializer_list<std::string_view> words) {
   std::string key;
   for (const std::string_view word : words) {
@@ -169,7 +169,7 @@ int indexOf(const std::string& state) {
   return static_cast<int>(std::min<std::ptrdiff_t>(found - states().begin(), std::ssize(states()) - 1));
 }
 
-/// A method's map: a row for each cloth, a column for each step, the longest first.
+/// A method's map: a row per cloth, a column per step, the longest first.
 StateMap mapOf(const std::string& method, const ReportRows& rows) {
   StateMap map{"stability-" + method, method, "time step", {}, {}, states()};
   std::set<double, std::greater<>> steps;
@@ -194,7 +194,7 @@ StateMap mapOf(const std::string& method, const ReportRows& rows) {
   return map;
 }
 
-/// The paper's claim against the cells of its method.
+/// The paper's claim, compared with the cells of its method.
 std::string claimText(const ReportRows& rows) {
   std::map<std::string, int> counts;
   int all = 0;
@@ -211,20 +211,21 @@ std::string claimText(const ReportRows& rows) {
     }
   }
   std::string text = "The paper calls its method stable at any step. Of " + std::to_string(all) +
-                     " clothes and steps tried here with one_iteration " + std::to_string(counts["calm"]) +
+                     " cloths and steps tried here with one_iteration " + std::to_string(counts["calm"]) +
                      " are calm, " + std::to_string(counts["rattles"]) + " rattle, " +
                      std::to_string(counts["explodes"]) + " explode and " + std::to_string(counts["frozen"]) +
                      " are frozen";
-  return text + (first.empty() ? ". In these the claim holds." : "; the first that is not stable is " + first + ".");
+  return text + (first.empty() ? ". For these the claim holds." : "; the first unstable one is " + first + ".");
 }
 
 std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
       "The scene 'grid' (flat, at rest, two corners held, no damping, no air) with every method's default settings. "
-      "Nothing gives this cloth energy. Explodes: the numbers end, or the energy after a step has risen by more "
+      "This cloth gets no external energy. Explodes: the state is not finite, or the energy after a step has risen by "
+      "more "
       "than " +
-      figure(explodingGain) + " m g D above the start's, with D the diagonal of the cloth. Rattles: by more than " +
+      figure(explodingGain) + " m g D above its start value, with D the diagonal of the cloth. Rattles: by more than " +
       figure(rattlingGain) + " m g D. Frozen: it keeps less than " + figure(frozenMotion) +
       " of the motion that Verlet has at half of its stability limit. Calm: none of these. Too slow: it was given "
       "up."});

@@ -3,7 +3,7 @@
 namespace drape {
 
 std::string stabilityState(const StabilityFigures& figures) {
-  // Written so that what is not a number explodes.
+  // In this form a NaN counts as an explosion.
   if (!figures.finite || !(figures.energyGain <= explodingGain)) {
     return "explodes";
   }

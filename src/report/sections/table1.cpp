@@ -12,7 +12,7 @@
 namespace drape {
 namespace {
 
-/// What the paper's Table 1 prints [ms].
+/// The values of the paper's Table 1 [ms].
 struct Printed {
   int resolution;
   double update;
@@ -23,14 +23,14 @@ constexpr std::array printed{Printed{17, 0.5, 0.92}, Printed{33, 1.74, 3.54}};
 constexpr double milliseconds = 1e3;
 constexpr double nanoseconds = 1e9;
 constexpr int smallestFitted = 65;
-/// A 99th percentile of fewer steps would be their largest.
-constexpr std::size_t leastForPercentile = 200;
+/// With fewer steps a 99th percentile would be their maximum.
+constexpr std::size_t minForPercentile = 200;
 
-/// The largest grid whose self-collision is measured, in a quick report and in another.
+/// The largest grids with a measurement of self-collision, in a quick and in a full report.
 constexpr int largestFoldedQuickly = 33;
 constexpr int largestFolded = 65;
 
-/// The mean time that self-collision takes of a step [ms], over two seconds in which a sheet folds onto itself.
+/// The mean duration of self-collision per step [ms], over two seconds in which a sheet folds onto itself.
 double measureSelfCollision(int resolution, const std::string& precision, const ReportOptions& options,
                             const CellContext& context) {
   if (resolution > (options.quick ? largestFoldedQuickly : largestFolded)) {
@@ -47,11 +47,11 @@ ReportRows measureUpdate(int resolution, const std::string& precision, const Rep
   const auto scene =
       gridScene("grid", resolution,
                 {"solver=one_iteration", "precision=" + precision, "threads=" + std::to_string(options.threads)});
-  const TimingBudget budget{.seconds = options.quick ? 0.1 : 1.0, .leastSteps = 3, .mostSteps = 5000};
+  const TimingBudget budget{.seconds = options.quick ? 0.1 : 1.0, .minSteps = 3, .maxSteps = 5000};
   const StepTiming timing = timeSteps(*scene, scene->settings, budget, context.mayStop);
   const ClothModel& model = *scene->model;
   const double median = medianOf(timing.stepSeconds);
-  const bool enough = timing.stepSeconds.size() >= leastForPercentile;
+  const bool enough = timing.stepSeconds.size() >= minForPercentile;
   ReportRow row{{"resolution", resolution},
                 {"precision", precision},
                 {"vertices", model.vertexCount()},
@@ -93,7 +93,7 @@ SectionPlan plan(const ReportOptions& options) {
 TextTable tableOf(const ReportRows& rows) {
   TextTable table{"Time of a frame update (one step of one_iteration)",
                   {"grid", "numbers", "vertices", "springs", "triangles", "median [ms]", "99 % [ms]", "paper [ms]",
-                   "ns a spring", "self-collision [ms]", "paper's [ms]"},
+                   "ns per spring", "self-collision [ms]", "paper's [ms]"},
                   {}};
   for (const ReportRow& row : rows) {
     table.rows.push_back({gridText(row.value("resolution", 0)), row.value("precision", ""), figure(row, "vertices", 7),
@@ -104,7 +104,7 @@ TextTable tableOf(const ReportRows& rows) {
   return table;
 }
 
-/// Springs and times [s] of the grids that are too large to tell of the cost of beginning a step.
+/// Springs and times [s] of grids that are so large that the constant cost of a step is negligible.
 struct Growth {
   std::vector<double> springs;
   std::vector<double> times;
@@ -138,12 +138,12 @@ Plot plotOf(const ReportRows& rows) {
 std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      "One sweep a step of 1/150 s on the scene 'grid', with " + std::to_string(options.threads) +
+      "One sweep per step of 1/150 s on the scene 'grid', with " + std::to_string(options.threads) +
       (options.threads == 1 ? " thread" : " threads") +
-      ". The median of single steps, timed as the viewer takes them; the 99th percentile where there were at least " +
-      std::to_string(leastForPercentile) +
+      ". The median of single steps, timed as the viewer takes them; the 99th percentile for at least " +
+      std::to_string(minForPercentile) +
       " steps. Self-collision is the paper's scheme (hash) on a sheet of the same size that folds onto itself (scene "
-      "'fold'), the mean over the steps of two seconds. The paper's figures are of a machine of its time."});
+      "'fold'), the mean over the steps of two seconds. The paper's values are from a machine of its time."});
   blocks.emplace_back(tableOf(rows));
   for (const auto& [precision, growth] : growthOf(rows, smallestFitted)) {
     if (growth.springs.size() > 1) {

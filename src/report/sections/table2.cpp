@@ -16,7 +16,7 @@ namespace {
 
 constexpr int checkpoints = 25;
 
-/// What takes energy from the cloth.
+/// Sources of energy loss.
 struct Losses {
   const char* name;
   std::vector<std::string> settings;
@@ -64,7 +64,7 @@ ReportRow emptyRow(const Case& one, const Scene& scene, const std::string& metho
           {"mode", restarted ? "restarted" : "free-running"}};
 }
 
-/// eps and S at the checkpoints that both came to, their extremes and means.
+/// eps and S at the checkpoints of both runs, with extremes and means.
 void writeMeasures(const ErrorReport& report, ReportRow& row) {
   int within = 0;
   double epsMost = 0.0;
@@ -84,7 +84,7 @@ void writeMeasures(const ErrorReport& report, ReportRow& row) {
   }
   const auto count = static_cast<double>(report.checkpoints.size());
   const double none = std::numeric_limits<double>::quiet_NaN();
-  // Where the reference is no longer finite there is no eps.
+  // Without a finite reference there is no eps.
   const bool any = !report.checkpoints.empty() && std::isfinite(epsSum);
   row["checkpoints"] = report.checkpoints.size();
   row["checkpoints_within_paper"] = within;
@@ -94,8 +94,8 @@ void writeMeasures(const ErrorReport& report, ReportRow& row) {
   row["S_mean"] = finiteOrNull(any ? cosineSum / count : none);
 }
 
-/// How far the paper's reference is itself from the motion, at the last checkpoint that it came to: Verlet with the
-/// same step is of second order and nearly exact here [m].
+/// The error of the paper's reference at its last checkpoint, against Verlet with the same step, which is of second
+/// order and nearly exact here [m].
 double referenceError(const Scene& scene, const Trajectory& reference, const Watch& watch) {
   const Settings settings = changedSettings(scene, {"solver=verlet", std::string("time_step=") + paperReferenceStep});
   const Trajectory exact = runTrajectory(scene, settings, reference.checkpoints(), watch);
@@ -142,7 +142,7 @@ std::vector<Case> quickCases() {
   return cases;
 }
 
-/// The paper does not tell its stiffness: 10 N/m throughout, and stiffer springs for two of the starts.
+/// The paper does not give its stiffness: 10 N/m for all starts, and stiffer springs for two of them.
 std::vector<Case> allCases() {
   std::vector<Case> cases;
   for (const int resolution : {17, 33}) {

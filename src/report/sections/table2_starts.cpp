@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-/// The scene's sheet lies; here it stands, its back edge up.
+/// The scene's sheet is level; here it is upright, with its back edge up.
 Vec3 upright(const Vec3& rest, double) {
   return {rest.x(), -rest.z(), 0.0};
 }
@@ -29,7 +29,7 @@ Watch watchOf(const std::function<void()>& mayStop) {
   return watch;
 }
 
-/// Where the cloth comes to rest, from upright and jittered by up to a millimetre so that it may fold: ten seconds with
+/// The rest state, from an upright start with a jitter of up to a millimetre so that it may fold: ten seconds with
 /// thick air and damping.
 ClothState settled(const Scene& scene, const std::function<void()>& mayStop) {
   constexpr double millimetre = 1e-3;
@@ -41,7 +41,7 @@ ClothState settled(const Scene& scene, const std::function<void()>& mayStop) {
   return stateAtRest(run.states.back().positions);
 }
 
-/// Turned about the line of its pins, which runs along x.
+/// Rotates the cloth about the line of its pins, which runs along x.
 void tilt(const ClothModel& model, ClothState& state) {
   const auto pin =
       static_cast<std::size_t>(std::find(model.pinned.begin(), model.pinned.end(), true) - model.pinned.begin());
@@ -64,10 +64,10 @@ std::vector<Table2Start> allStarts() {
       {"flat, edge", "lies flat at rest, one edge held", sheet({}, edge)},
       {"hanging, two corners", "hangs from two corners, tilted by 20 degrees, at rest", sheet(twoCorners, {}), true},
       {"hanging, edge", "hangs from an edge, tilted by 20 degrees, at rest", sheet({}, edge), true},
-      {"swinging, two corners", "is that from two corners 0.4 s later, in full swing", sheet(twoCorners, {}), true,
+      {"swinging, two corners", "the start 'hanging, two corners' 0.4 s later, swinging", sheet(twoCorners, {}), true,
        0.4},
-      {"swinging, edge", "is that from an edge 0.4 s later, in full swing", sheet({}, edge), true, 0.4},
-      {"free fall", "lies flat at rest, nothing held", sheet({}, {})}};
+      {"swinging, edge", "the start 'hanging, edge' 0.4 s later, swinging", sheet({}, edge), true, 0.4},
+      {"free fall", "lies flat at rest, without pins", sheet({}, {})}};
   for (Table2Start& start : starts) {
     start.setUp.place = start.hanging ? upright : nullptr;
   }

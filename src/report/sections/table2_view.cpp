@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-/// What one plot shows: the runs of a method on one mesh.
+/// The contents of one plot: the runs of a method on one mesh.
 struct Pane {
   std::string method;
   int resolution;
@@ -23,7 +23,7 @@ bool isIn(const ReportRow& row, const Pane& pane) {
          row.value("mode", "") == pane.mode;
 }
 
-/// Rows that differ in nothing but the start: 0.1 kg, 10 N/m, neither damping nor air.
+/// Rows with the default conditions: 0.1 kg, 10 N/m, neither damping nor air.
 bool isPlain(const ReportRow& row) {
   return row.value("losses", "") == "none" && numberIn(row, "stiffness") == 10.0 && numberIn(row, "mass") > 0.075;
 }
@@ -57,10 +57,10 @@ Plot plotOf(const ReportRows& rows, const Pane& pane, bool isEps) {
   return plot;
 }
 
-/// @param isPlainOnly all rows share mass, stiffness and losses, which are left out then
+/// @param isPlainOnly all rows share mass, stiffness and losses, so these columns are omitted
 TextTable tableOf(const std::string& title, const ReportRows& rows, bool isPlainOnly) {
   TextTable table{title,
-                  {"start", "polygons", "method", "mode", "largest eps", "mean eps", "least S", "mean S",
+                  {"start", "polygons", "method", "mode", "largest eps", "mean eps", "smallest S", "mean S",
                    "within the paper's", "reference off [mm]"},
                   {}};
   if (!isPlainOnly) {
@@ -81,7 +81,7 @@ TextTable tableOf(const std::string& title, const ReportRows& rows, bool isPlain
   return table;
 }
 
-/// The row of the method and mode with the least of its largest eps, among those that came to the last checkpoint.
+/// The row of the method and mode with the smallest maximum of eps, among those that reached the last checkpoint.
 const ReportRow* nearest(const ReportRows& rows, const std::string& method, const std::string& mode) {
   const ReportRow* best = nullptr;
   for (const ReportRow& row : rows) {
@@ -102,7 +102,7 @@ std::string nearestText(const ReportRows& rows, const std::string& method, const
   }
   return "Of the " + mode + " runs of " + method + ", '" + row->value("start", "") + "' with " + figure(*row, "mass") +
          " kg, " + figure(*row, "stiffness", 6) + " N/m, losses: " + row->value("losses", "") + ", " +
-         figure(*row, "polygons", 6) + " polygons comes nearest, with eps of at most " + figure(*row, "eps_max") +
+         figure(*row, "polygons", 6) + " polygons comes closest, with eps of at most " + figure(*row, "eps_max") +
          ", " + figure(numberIn(*row, "eps_max") / paperLargestEps) + " times the paper's; " +
          figure(*row, "checkpoints_within_paper") + " of its 25 checkpoints are within it. ";
 }
@@ -121,12 +121,12 @@ std::string inPlainWords(const ReportRows& rows) {
     return row.value("start", "") != "free fall" && row.value("checkpoints", 0) == 25 && row["eps_max"].is_number() &&
            numberIn(row, "eps_max") <= paperLargestEps;
   });
-  text += any ? "So its figures can be had, under the conditions where eps is at most that. "
-              : "So its figures were had under none of these conditions. ";
+  text += any ? "So its values are possible, under the conditions where eps is at most that. "
+              : "So none of these conditions gives its values. ";
   return text +
-         "From rest nobody can have them: in the first interval the cloth falls freely, and backward Euler with five "
-         "steps falls (5 + 1) / 5 as far as the true motion, which is an eps of 0.04 whatever the cloth; pcg, which "
-         "solves each step's system, shows what is backward Euler's own. What one sweep adds to that is the "
+         "From rest they are impossible: in the first interval the cloth falls freely, and backward Euler with five "
+         "steps falls (5 + 1) / 5 as far as the true motion. This is an eps of 0.04 for any cloth. pcg, which "
+         "solves the system of each step, shows the part of backward Euler. One sweep adds the "
          "sluggishness "
          "that docs/theory/method.md tells of.";
 }
@@ -141,7 +141,7 @@ std::string referenceText(const ReportRows& rows) {
   }
   std::string text =
       "The reference is the paper's, explicit Euler with 1/30000 s. It gains energy at every step of an undamped cloth "
-      "(docs/theory/method.md): the last column tells how far it is, at its last checkpoint, from Verlet with the same "
+      "(docs/theory/method.md). The last column is its distance, at its last checkpoint, from Verlet with the same "
       "step, "
       "which is nearly exact.";
   if (!lost.empty()) {
@@ -161,7 +161,7 @@ std::vector<Block> showTable2(const ReportOptions&, const ReportRows& rows) {
   blocks.emplace_back(Paragraph{
       "eps (relative squared displacement error) and S (squared cosine) from checkpoint to checkpoint, 25 of them 1/30 "
       "s "
-      "apart, steps of 1/150 s, in double (docs/theory/measures.md). Free-running is a run of its own; restarted "
+      "apart, steps of 1/150 s, in double (docs/theory/measures.md). Free-running is one continuous run; restarted "
       "begins each "
       "interval where the reference is. Damping is 0.01 N s/m, air a drag of 0.5 and a lift of 0.3."});
   std::string starts = "The starts:";

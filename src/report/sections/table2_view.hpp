@@ -9,7 +9,7 @@ namespace drape {
 /// The largest eps that the paper prints in its Table 2 [-].
 inline constexpr double paperLargestEps = 0.000485;
 
-/// The tables, the plots over the checkpoints, and in words which start comes nearest to the paper.
+/// The tables, the plots over the checkpoints, and the start that comes closest to the paper.
 [[nodiscard]] std::vector<Block> showTable2(const ReportOptions& options, const ReportRows& rows);
 
 }  // namespace drape

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double microseconds = 1e6;
 
-/// 1, 2, 4 ... up to the processors of the machine, and these; at least 1 and 2.
+/// 1, 2, 4 ... up to the number of processors, which is included; at least 1 and 2.
 std::vector<int> threadCounts() {
   const int cores = std::max(2, static_cast<int>(std::thread::hardware_concurrency()));
   std::vector<int> counts;
@@ -30,7 +30,7 @@ ReportRows measureThreads(const std::string& method, int resolution, int threads
   const auto scene =
       gridScene("grid", resolution, {"solver=" + method, "precision=float", "threads=" + std::to_string(threads)});
   Settings settings = scene->settings;
-  const TimingBudget budget{.seconds = quick ? 0.03 : 0.2, .leastSteps = 3, .mostSteps = 2000};
+  const TimingBudget budget{.seconds = quick ? 0.03 : 0.2, .minSteps = 3, .maxSteps = 2000};
   const StepTiming timing = timeSteps(*scene, settings, budget, context.mayStop);
   ReportRow row{{"method", method},
                 {"resolution", resolution},
@@ -60,7 +60,7 @@ SectionPlan plan(const ReportOptions& options) {
   return plan;
 }
 
-/// The time with one thread of the row's method and size; not a number when there is none.
+/// The time of the same method and size with one thread; not a number when there is none.
 double aloneTime(const ReportRows& rows, const ReportRow& like) {
   for (const ReportRow& row : rows) {
     if (row["method"] == like["method"] && row["resolution"] == like["resolution"] && row.value("threads", 0) == 1) {
@@ -70,10 +70,10 @@ double aloneTime(const ReportRows& rows, const ReportRow& like) {
   return numberIn({}, "");
 }
 
-/// Curves of one method: over the size a curve for each number of threads, or over the threads one for each size.
+/// Curves of one method: over the size with a curve per number of threads, or over the threads with a curve per size.
 Plot plotOf(const ReportRows& rows, const std::string& method, bool overSize) {
   Plot plot{"threads-" + method + (overSize ? "-time" : "-speedup"),
-            method + (overSize ? ": time of a step" : ": how many times as fast as with one thread"),
+            method + (overSize ? ": time of a step" : ": speed-up over one thread"),
             {overSize ? "vertices" : "threads", overSize ? Scale::Logarithmic : Scale::Linear},
             {overSize ? "us" : "speed-up", overSize ? Scale::Logarithmic : Scale::Linear},
             {}};
@@ -98,8 +98,8 @@ Plot plotOf(const ReportRows& rows, const std::string& method, bool overSize) {
 std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      "Time of a step of 1/150 s on the scene 'grid' in float, by the wall clock, against the number of threads. The "
-      "result is the same to the last bit whatever their number. Threads that wait for each other can only be timed on "
+      "Time of a step of 1/150 s on the scene 'grid' in float, by the wall clock, over the number of threads. The "
+      "result is bit-identical for any number. Threads that wait for each other can only be timed on "
       "an idle machine."});
   std::set<std::string> methods;
   TextTable table{"Times", {"method", "grid", "threads", "step [us]", "speed-up"}, {}};

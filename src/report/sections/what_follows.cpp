@@ -13,12 +13,12 @@
 namespace drape {
 namespace {
 
-/// Shares of the cloth's diagonal that an error may have [-].
+/// Error limits as shares of the cloth's diagonal [-].
 constexpr std::array shares{1e-2, 1e-3, 1e-4};
-/// A frame of the screen [s], and what is to be spent on it [us].
+/// A frame of the screen [s], and its time budget [us].
 constexpr double frame = 1.0 / 60.0;
 constexpr double budget = 1000.0;
-/// What that is for a simulated second [us].
+/// The budget per simulated second [us].
 constexpr double budgetOfSecond = budget / frame;
 
 /// A cloth at a time.
@@ -43,7 +43,7 @@ void answer(ReportRow& row, const ReportRow* by) {
   }
 }
 
-/// Of a cloth's rows the cheapest one with at most that error; null when there is none.
+/// The cheapest row of a cloth with at most that error; null when there is none.
 const ReportRow* cheapest(const ReportRows& rows, double share) {
   const ReportRow* best = nullptr;
   for (const ReportRow& row : rows) {
@@ -56,7 +56,7 @@ const ReportRow* cheapest(const ReportRows& rows, double share) {
   return best;
 }
 
-/// Of a cloth's rows of a method the one with the least error within the budget; null when there is none.
+/// The row of a cloth and method with the smallest error within the budget; null when there is none.
 const ReportRow* bestWithin(const ReportRows& rows, const std::string& method) {
   const ReportRow* best = nullptr;
   for (const ReportRow& row : rows) {
@@ -114,7 +114,7 @@ std::string cheapestText(const ReportRow& row) {
 }
 
 TextTable cheapestTable(const ReportRows& rows) {
-  TextTable table{"Cheapest setting, with its time for a simulated second",
+  TextTable table{"Cheapest setting, with its time per simulated second",
                   {"cloth", "error under 1 %", "under 0.1 %", "under 0.01 %"},
                   {}};
   for (const ReportRow& row : rows) {
@@ -128,7 +128,7 @@ TextTable cheapestTable(const ReportRows& rows) {
   return table;
 }
 
-/// A cloth a row, a method a column.
+/// A row per cloth, a column per method.
 TextTable budgetTable(const ReportRows& rows) {
   ReportRows asked;
   for (const ReportRow& row : rows) {
@@ -137,7 +137,7 @@ TextTable budgetTable(const ReportRows& rows) {
     }
   }
   const std::vector<std::string> methods = methodsIn(asked);
-  TextTable table{"Least error for 1 ms a frame [% of the diagonal]", {"cloth"}, {}};
+  TextTable table{"Smallest error for 1 ms per frame [% of the diagonal]", {"cloth"}, {}};
   table.header.insert(table.header.end(), methods.begin(), methods.end());
   std::map<Setup, std::map<std::string, std::string>> errors;
   std::map<Setup, std::string> names;
@@ -155,7 +155,7 @@ TextTable budgetTable(const ReportRows& rows) {
   return table;
 }
 
-/// How often each method is the cheapest at one of the shares.
+/// How often each method is the cheapest at one of the error limits.
 std::string winnersText(const ReportRows& rows) {
   std::map<std::string, int> wins;
   int asked = 0;
@@ -175,10 +175,10 @@ std::string winnersText(const ReportRows& rows) {
 std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      "Computed from the section before, over the settings that were calm there. Errors are mean distances from the "
-      "converged motion at the time named, as a share of the cloth's diagonal. A frame is 1/60 s, so a millisecond a "
+      "Computed from the previous section, from its calm settings. Errors are mean distances from the "
+      "converged motion at that time, as a share of the cloth's diagonal. A frame is 1/60 s, so a millisecond per "
       "frame is " +
-      figure(budgetOfSecond) + " us for a simulated second."});
+      figure(budgetOfSecond) + " us per simulated second."});
   blocks.emplace_back(cheapestTable(rows));
   blocks.emplace_back(Paragraph{winnersText(rows)});
   blocks.emplace_back(budgetTable(rows));

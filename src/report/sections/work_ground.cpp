@@ -10,8 +10,8 @@
 namespace drape {
 namespace {
 
-/// The longest run that the search for the reference may begin, in springs times steps: a second or some of them.
-double mostWork(int resolution, bool quick) {
+/// The maximum cost of a run in the search for the reference, in springs times steps: some seconds at most.
+double maxCost(int resolution, bool quick) {
   constexpr int small = 17;
   constexpr int large = 33;
   if (quick) {
@@ -66,9 +66,9 @@ double WorkGround::noiseFloor(int checkpoint, const std::function<void()>& maySt
 void WorkGround::findReference(const std::function<void()>& mayStop) {
   ConvergenceTolerance tolerance;
   tolerance.absolute = quick_ ? 1e-5 : 1e-6;
-  tolerance.takeAnyway = true;  // each row tells what its reference is worth
-  tolerance.mostWork = mostWork(resolution_, quick_);
-  // Nothing is timed here, and the bits are the same with all the cores that there are.
+  tolerance.takeAnyway = true;  // each row states the quality of its reference
+  tolerance.maxCost = maxCost(resolution_, quick_);
+  // Nothing is timed here, and all threads give the same bits.
   Settings settings = convergedSettings(scene().settings);
   settings.step.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   try {
@@ -79,8 +79,7 @@ void WorkGround::findReference(const std::function<void()>& mayStop) {
 }
 
 void WorkGround::findFloor(const std::function<void()>& mayStop) {
-  // How far jitter carries is a matter of the motion and not of the last digit, so that the halving's first step will
-  // do.
+  // The growth of jitter is a property of the motion, so the first step of the halving is accurate enough.
   Settings settings = reference_->settings;
   for (std::size_t i = 0; i < reference_->halvings.size(); ++i) {
     settings.step.timeStep *= 2.0;

@@ -11,18 +11,18 @@
 
 namespace drape {
 
-/// Times at which errors are judged [s], and up to the last of them: checkpoints, steps of 1/150 s up to each.
+/// Times at which errors are measured [s], and for the last of them: checkpoints, steps of 1/150 s.
 inline constexpr std::array judgedTimes{0.2, 0.5};
 inline constexpr int judgedCheckpoints = 15;
 inline constexpr std::array stepsToJudged{30, 75};
 
-/// By how much a start is jittered to see how far that carries [m], and in how many ways.
+/// The amplitude of the jitter of a start [m], and the number of seeds.
 inline constexpr double jitterLength = 1e-6;
 inline constexpr int seedCount = 5;
-/// A motion is called chaotic where jitter has grown to more than this [m].
+/// A motion is chaotic when the jitter has grown beyond this [m].
 inline constexpr double chaoticFloor = 1e-4;
 
-/// A cloth that methods are compared on, with what they are held against; that is made when the first of them asks.
+/// A cloth for the comparison of methods, and its reference, which is made on first use.
 class WorkGround {
  public:
   WorkGround(SetUp setUp, int resolution, std::string stiffness, bool quick)
@@ -37,11 +37,11 @@ class WorkGround {
   /// The cloth from a jittered start; the seed is from 1 to seedCount.
   const Scene& jitteredScene(int seed);
 
-  /// Null when small steps come to no end here.
+  /// Null when small steps do not converge here.
   const Reference* reference(const std::function<void()>& mayStop);
 
-  /// How far a jitter of the start has carried the converged motion at that checkpoint: mean over the seeds of the mean
-  /// distance [m]. Not a number where there is no reference.
+  /// The growth of a jitter of the start until that checkpoint: mean over the seeds of the mean distance [m]. Not a
+  /// number without a reference.
   double noiseFloor(int checkpoint, const std::function<void()>& mayStop);
 
  private:

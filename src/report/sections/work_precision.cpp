@@ -20,20 +20,19 @@ namespace {
 
 constexpr double microseconds = 1e6;
 
-/// What a section's cells of one report may take.
+/// Time limits of the cells of a section.
 struct Limits {
-  double mostSeconds;  ///< of a run up to the last judged time; a setting that takes longer is given up [s]
-  double
-      repeatedSeconds;  ///< a run that takes longer is not repeated: what disturbs the clock does not matter then [s]
-  double timedSeconds;  ///< shorter runs are repeated so long in each round [s]
+  double maxSeconds;       ///< of a run up to the last time; a slower setting is skipped [s]
+  double repeatedSeconds;  ///< a longer run is not repeated, since disturbances of the clock are then negligible [s]
+  double timedSeconds;     ///< shorter runs are repeated this long in each round [s]
 };
 
 Limits limitsOf(bool quick) {
-  // What a quick report finds is tested, and must not hang on how busy the machine is.
+  // Tests check the results of a quick report, so these must not depend on the load of the machine.
   return quick ? Limits{30.0, 0.05, 2e-3} : Limits{0.08, 0.02, 3e-3};
 }
 
-/// A method with its setting.
+/// A method and its setting.
 struct Entry {
   MethodCurve curve;
   std::string value;
@@ -45,7 +44,7 @@ struct Entry {
     return all;
   }
 
-  /// "substeps=4 iterations=1": what the user would set besides the solver.
+  /// "substeps=4 iterations=1": the user's settings besides the solver.
   [[nodiscard]] std::string setting() const {
     std::string text = curve.varied + "=" + value;
     for (const std::string& fixed : curve.fixed) {
@@ -55,16 +54,16 @@ struct Entry {
   }
 };
 
-/// Time of the whole run by the thread's own clock up to each judged time, for a simulated second [us], the mean of as
-/// many runs as a clock needs to be exact. The solver has been set up before.
-std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settings& settings, double leastSeconds,
+/// CPU time of the whole run up to each judged time, per simulated second [us], the mean of as many runs as the clock
+/// needs. The solver's set-up is not included.
+std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settings& settings, double minSeconds,
                                                 const std::function<void()>& mayStop) {
   Stepper stepper(settings.solver.name);
   ClothState state = scene.start;
   stepper.step(*scene.model, settings.step, {}, state);
   std::array<double, judgedTimes.size()> spent{};
   int runs = 0;
-  for (double all = 0.0; all < leastSeconds || runs == 0; ++runs) {
+  for (double all = 0.0; all < minSeconds || runs == 0; ++runs) {
     state = scene.start;
     double seconds = 0.0;
     int step = 0;
@@ -85,7 +84,7 @@ std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settin
   return spent;
 }
 
-/// The row of a setting at a time, before anything is known of it.
+/// The row of a setting at a time, before any result.
 ReportRow emptyRow(WorkGround& ground, const Entry& entry, double time) {
   return {{"scene", ground.name()},
           {"resolution", ground.resolution()},
@@ -111,7 +110,7 @@ ReportRow emptyRow(WorkGround& ground, const Entry& entry, double time) {
           {"trusted", false}};
 }
 
-/// What a run came to at a judged time; nothing when it did not come there.
+/// The result of a run at a judged time; empty when it did not reach it.
 std::optional<ErrorSummary> summaryAt(const Scene& scene, const Trajectory& own, const Reference& reference,
                                       const ErrorReport& report, double time) {
   const auto summaries = summarise(*scene.model, own, reference, report, std::array{time});
@@ -119,7 +118,7 @@ std::optional<ErrorSummary> summaryAt(const Scene& scene, const Trajectory& own,
                                                                         : std::nullopt;
 }
 
-/// A run of a setting, from the start as it is (seed 0) or a jittered one, held against the reference.
+/// A run of a setting, from the original start (seed 0) or a jittered one, compared with the reference.
 struct JudgedRun {
   Trajectory own;
   ErrorReport report;
@@ -133,7 +132,7 @@ JudgedRun judgedRun(WorkGround& ground, const Settings& settings, const Referenc
   return run;
 }
 
-/// Writes what is known of the reference at the row's time. Returns whether that is enough to judge anything by.
+/// Writes the quality of the reference at the row's time. Returns whether it is sufficient for any comparison.
 bool writeReference(const Reference& reference, double diagonal, ReportRow& row) {
   constexpr double useful = 0.01;  // of the diagonal
   const int checkpoint = checkpointsIn(row["time"]);
@@ -146,7 +145,7 @@ bool writeReference(const Reference& reference, double diagonal, ReportRow& row)
   return difference <= useful * diagonal;
 }
 
-/// Writes the errors of the run from the start as it is.
+/// Writes the errors of the run from the original start.
 void writeErrors(const Scene& scene, const JudgedRun& run, const Reference& reference, ReportRow& row) {
   if (!writeReference(reference, run.report.diagonal, row)) {
     return;
@@ -163,8 +162,8 @@ void writeErrors(const Scene& scene, const JudgedRun& run, const Reference& refe
   }
 }
 
-/// Runs from jittered starts too, and writes how far the errors of all lie apart. What `error_mean` says stays that of
-/// the start as it is, which another run of the report finds again to the last bit.
+/// Also runs from jittered starts, and writes the range of the errors. `error_mean` remains that of the original start,
+/// which another report reproduces to the last bit.
 void writeSpread(WorkGround& ground, const Settings& settings, const Reference& reference, const Patience& patience,
                  ReportRows& rows) {
   std::vector<std::vector<double>> errors(rows.size());
@@ -192,7 +191,7 @@ bool isChaotic(const ReportRows& rows) {
   });
 }
 
-/// Errors at the judged times, without what they cost.
+/// Errors at the judged times, without costs.
 ReportRows judgedRows(WorkGround& ground, const Entry& entry, const Settings& settings, const Limits& limits,
                       const std::function<void()>& mayStop) {
   ReportRows rows;
@@ -207,14 +206,14 @@ ReportRows judgedRows(WorkGround& ground, const Entry& entry, const Settings& se
     row["noise_floor"] = finiteOrNull(ground.noiseFloor(checkpointsIn(row["time"]), mayStop));
   }
   try {
-    const Patience patience(mayStop, limits.mostSeconds);
+    const Patience patience(mayStop, limits.maxSeconds);
     const JudgedRun run = judgedRun(ground, settings, *reference, 0, patience);
     const double spent = patience.spent();
     for (ReportRow& row : rows) {
       writeErrors(ground.scene(), run, *reference, row);
     }
     if (isChaotic(rows) && spent < limits.repeatedSeconds) {
-      writeSpread(ground, settings, *reference, Patience(mayStop, limits.mostSeconds), rows);
+      writeSpread(ground, settings, *reference, Patience(mayStop, limits.maxSeconds), rows);
     }
   } catch (const TooSlow&) {
     for (ReportRow& row : rows) {
@@ -224,8 +223,8 @@ ReportRows judgedRows(WorkGround& ground, const Entry& entry, const Settings& se
   return rows;
 }
 
-/// How long a run with the entry's setting will take as the one before on its curve lets expect [s]: in proportion to
-/// what is counted (substeps, sweeps, iterations), else as long. 0 for the first of a curve.
+/// The expected duration of a run [s], from the previous one on its curve: proportional to the number of substeps,
+/// sweeps or iterations, otherwise equal. 0 for the first of a curve.
 double expectedSeconds(WorkGround& ground, const Entry& entry, const ReportRows& section) {
   double seconds = 0.0;
   for (const ReportRow& row : section) {
@@ -250,7 +249,7 @@ ReportRows measureEntry(WorkGround& ground, const Entry& entry, bool quick, cons
   const Limits limits = limitsOf(quick);
   const Settings settings = changedSettings(ground.scene(), entry.assignments());
   ReportRows rows = context.own;
-  if (rows.empty() && expectedSeconds(ground, entry, context.section) > limits.mostSeconds) {
+  if (rows.empty() && expectedSeconds(ground, entry, context.section) > limits.maxSeconds) {
     for (const double time : judgedTimes) {
       rows.push_back(emptyRow(ground, entry, time));
       rows.back()["state"] = "too slow";
@@ -274,10 +273,10 @@ ReportRows measureEntry(WorkGround& ground, const Entry& entry, bool quick, cons
 struct GroundPlan {
   int resolution;
   std::string stiffness;
-  bool fastMethods = false;  ///< those alone that run by vector instructions
+  bool fastMethods = false;  ///< only methods with vector instructions
 };
 
-/// The cloths of a set-up. A quick report has few, and only the first with all methods.
+/// The cloths of a set-up. A quick report has few, and only the first one has all methods.
 std::vector<GroundPlan> groundsOf(std::size_t setUp, bool quick) {
   constexpr std::size_t twist = 3;
   if (quick) {
@@ -288,7 +287,7 @@ std::vector<GroundPlan> groundsOf(std::size_t setUp, bool quick) {
   std::vector<GroundPlan> grounds;
   for (const int resolution : {17, 33, 65}) {
     for (const char* stiffness : {"10", "1000", "1e5"}) {
-      // The largest cloths take most of the time: all of them for the first set-up, one for each of the others.
+      // The largest cloths take most of the time: the first set-up has all of them, the others one each.
       if (setUp == 0 || resolution < 65 || std::string_view(stiffness) == "1000") {
         grounds.push_back({resolution, stiffness});
       }
@@ -299,7 +298,7 @@ std::vector<GroundPlan> groundsOf(std::size_t setUp, bool quick) {
 
 void addCells(const std::shared_ptr<WorkGround>& ground, bool quick, bool fastMethods, std::vector<Cell>& cells) {
   const std::string cloth = ground->name() + " " + gridText(ground->resolution()) + " " + ground->stiffness() + " N/m";
-  // What cells take lies far apart; this is about their mean.
+  // the durations of cells vary widely; this is about their mean
   const double weight = quick ? 0.03 : 0.045;
   for (const MethodCurve& curve : methodCurves()) {
     if (const SolverInfo* solver = findSolver(curve.method);
@@ -330,7 +329,7 @@ SectionPlan plan(const ReportOptions& options) {
 }  // namespace
 
 Section sections::workPrecision() {
-  return {"work_precision", "Error against work", plan, showWorkPrecision};
+  return {"work_precision", "Error against cost", plan, showWorkPrecision};
 }
 
 }  // namespace drape

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double millimetres = 1e3;
 
-/// What one diagram shows: scene, resolution, stiffness, time.
+/// The contents of one diagram: scene, resolution, stiffness, time.
 using Setup = std::tuple<std::string, int, double, double>;
 
 std::map<Setup, ReportRows> bySetup(const ReportRows& rows) {
@@ -48,7 +48,7 @@ std::string nameOf(const ReportRow& row) {
   return row.value("method", "") + " " + row.value("setting", "");
 }
 
-/// The rows on the front, by ascending cost. What is frozen or exploded has no place there.
+/// The rows on the front, by ascending cost. Frozen and exploded ones do not count.
 ReportRows frontOf(const ReportRows& rows) {
   ReportRows calm;
   std::vector<CostAndError> entries;
@@ -81,7 +81,7 @@ PlotPoint pointOf(const ReportRow& row) {
   return point;
 }
 
-/// A line where jitter of the start alone would put a method, or what the reference leaves open where that is more.
+/// A line at the error due to jitter of the start, or due to the reference when that is larger.
 void addFloor(const ReportRows& rows, Plot& plot) {
   Curve floor{"noise floor", {}, CurveStyle::Level};
   for (const ReportRow& row : rows) {
@@ -94,7 +94,7 @@ void addFloor(const ReportRows& rows, Plot& plot) {
 Plot plotOf(const Setup& setup, const ReportRows& rows) {
   Plot plot{fileOf(setup),
             titleOf(setup),
-            {"time for a simulated second [us]", Scale::Logarithmic},
+            {"time per simulated second [us]", Scale::Logarithmic},
             {"mean error [mm]", Scale::Logarithmic},
             {}};
   std::map<std::string, std::size_t> places;
@@ -116,7 +116,7 @@ Plot plotOf(const Setup& setup, const ReportRows& rows) {
 
 TextTable tableOf(const std::string& title, const ReportRows& rows) {
   TextTable table{title,
-                  {"method", "setting", "us a simulated second", "mean error [mm]", "rms error [mm]", "eps", "S",
+                  {"method", "setting", "us per simulated second", "mean error [mm]", "rms error [mm]", "eps", "S",
                    "motion kept", "state"},
                   {}};
   for (const ReportRow& row : rows) {
@@ -128,7 +128,7 @@ TextTable tableOf(const std::string& title, const ReportRows& rows) {
   return table;
 }
 
-/// The solvers that have vector instructions, by name.
+/// The names of the solvers with vector instructions.
 std::string fastMethods() {
   std::string names;
   for (const SolverInfo& solver : solverTable()) {
@@ -149,13 +149,12 @@ std::string referenceText(const ReportRows& rows) {
                                  [](const ReportRow& one) { return !one["reference_difference"].is_null(); });
   const ReportRow& row = told == rows.end() ? rows.front() : *told;
   if (!isJudged(rows)) {
-    return "Small steps came to no common end on this cloth: the last halving still moved it by " +
-           figure(millimetres * numberIn(row, "reference_difference")) + " mm, so nothing can be judged.";
+    return "Small steps did not converge on this cloth: the last halving still moved it by " +
+           figure(millimetres * numberIn(row, "reference_difference")) + " mm, so there is no reference.";
   }
   std::string text = "The last halving of the reference's step moved it by " +
                      figure(millimetres * numberIn(row, "reference_difference")) + " mm here";
-  text +=
-      row.value("trusted", false) ? ". " : ", which is more than asked for: smaller errors than that mean nothing. ";
+  text += row.value("trusted", false) ? ". " : ", which is above the tolerance: smaller errors are meaningless. ";
   text += "A jitter of the start by up to 0.001 mm moves it by " + figure(millimetres * numberIn(row, "noise_floor")) +
           " mm.";
   const auto slow = std::count_if(rows.begin(), rows.end(),
@@ -178,22 +177,22 @@ std::string stateOf(bool finite, const ErrorSummary& summary, double diagonal) {
 std::vector<Block> showWorkPrecision(const ReportOptions& options, const ReportRows& rows) {
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      "Mean distance from the converged motion against the time that one thread needs for a simulated second, steps of "
-      "1/150 s, in double where the curve's name does not say float, the set-up of the solver apart (it is in the "
+      "Mean distance from the converged motion over the time of one thread per simulated second. Steps are "
+      "1/150 s, in double unless the name of a curve says float. The set-up of the solver is not included (see the "
       "section on growth). Times are medians of repeats that alternate between the methods. A hollow mark is frozen: "
       "it "
       "kept less than half of the reference's motion. A cross at the upper edge exploded: it was not finite, moved "
       "more "
-      "than twice as much as the reference, or went further from it than the cloth is long. By vector instructions "
+      "than twice as much as the reference, or is farther from it than the length of the cloth. Vector instructions "
       "run " +
-      fastMethods() + "; XPBD by them in float alone; the others by plain loops over the same springs."});
+      fastMethods() + "; XPBD in float only. The others use plain loops over the same springs."});
   blocks.emplace_back(Paragraph{
-      "Where jitter of the start by up to 0.001 mm grows a hundredfold, the motion is chaotic: each setting is then "
+      "When a jitter of the start by up to 0.001 mm grows a hundredfold, the motion is chaotic. Each setting is then "
       "run "
-      "from five jittered starts too, and a band reaches from the least error of these to the largest. The dashed line "
-      "is how far jitter alone carries the converged motion; errors below it mean nothing. Settings that would take "
+      "from five jittered starts too, and a band shows the range of their errors. The dashed line "
+      "is the distance due to jitter alone; errors below it are meaningless. Settings that would take "
       "too "
-      "long are left out, and the curve ends."});
+      "long are skipped, and the curve ends."});
   std::string scenes = "The scenes:";
   for (const SetUp& setUp : comparedSetUps(options.scene)) {
     scenes += (scenes.ends_with(':') ? " '" : "; '") + setUp.name + "' is " + setUp.help;

@@ -8,8 +8,8 @@
 
 namespace drape {
 
-/// What became of a run: "exploded" when it was not finite up to there, moved more than twice as much as the reference,
-/// or is further from it than the cloth is long; "frozen" when it kept less than half of the reference's motion; else
+/// The state of a run: "exploded" when it was not finite, moved more than twice as much as the reference, or is farther
+/// from it than the length of the cloth; "frozen" when it moved less than half as much as the reference; otherwise
 /// "calm".
 [[nodiscard]] std::string stateOf(bool finite, const ErrorSummary& summary, double diagonal);
 

@@ -150,13 +150,14 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
       SliceStep<T> step = step_;
       step.timeStep = static_cast<T>(stages[s].kick * substep);
       step.energy = firstKick ? firstEnergy_.data() : lastKick ? lastEnergy_.data() : nullptr;
-      kick(step, plan, static_cast<T>(inputs.grab ? 0.0 : drift), firstKick ? &firstCoarse_ : &lastCoarse_, share);
+      kick(step, plan, static_cast<T>(inputs.attachment ? 0.0 : drift), firstKick ? &firstCoarse_ : &lastCoarse_,
+           share);
       if (plan.dampingStages > 0) {
-        damp(inputs.grab ? 0.0 : drift, share);
+        damp(inputs.attachment ? 0.0 : drift, share);
       }
-      if (inputs.grab) {
+      if (inputs.attachment) {
         if (share.member == 0) {
-          pullByHand(model, stages[s].kick * substep, *inputs.grab, *cloth_);
+          applyAttachmentImpulse(model, stages[s].kick * substep, *inputs.attachment, *cloth_);
         }
         team_.meet();
         driftSlices(*cloth_, static_cast<T>(drift), share);

@@ -145,7 +145,7 @@ bool RestWatch::canRest(const Facts& facts, const StepParameters& parameters, co
   const bool fades = parameters.damping > 0.0 || parameters.drag > 0.0;
   const bool held = facts.freePieces.empty() || meetsBodies(parameters, inputs);
   const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), standsStill);
-  return fades && held && still && !inputs.grab;
+  return fades && held && still && !inputs.attachment;
 }
 
 /// A trial: every free piece is moved a little to where weight and air push it. It is carried when contact with bodies

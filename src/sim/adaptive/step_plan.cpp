@@ -36,7 +36,7 @@ constexpr double firstOfLimit = 2.0;
 constexpr double mostOfLimit = 8.0;
 
 bool dependsOnPositionsAlone(const StepParameters& parameters, const StepInputs& inputs) {
-  return parameters.damping == 0.0 && parameters.drag == 0.0 && parameters.lift == 0.0 && !inputs.grab;
+  return parameters.damping == 0.0 && parameters.drag == 0.0 && parameters.lift == 0.0 && !inputs.attachment;
 }
 
 /// The value that no more than one in so many exceed; 0 of none.
@@ -259,7 +259,7 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   const double held = parameters.soften ? passes : passesAtMost(model, parameters);
   StepPlan softer = heldPlan(model, rates, parameters, held);
   softer.softens = true;
-  const bool carries = !inputs.grab && strainAtPins(rates, parameters, softer) < smallStrain;
+  const bool carries = !inputs.attachment && strainAtPins(rates, parameters, softer) < smallStrain;
   if (carries || medianShare(rates, parameters, softer) >= enoughStiffness) {
     return softer;
   }

@@ -53,7 +53,7 @@ HWY_INLINE Assembled<D> assembleRow(D d, const SlicedCloth<T>& cloth, const Slic
   if (step.drag != T(0) || step.lift != T(0)) {
     force = addAir(d, cloth, step, terms, slice, lane, force);
   }
-  addHands(d, step, slice, lane, force, diagonal);
+  addAttachment(d, step, slice, lane, force, diagonal);
   const hn::Vec<D> h = hn::Set(d, step.timeStep);
   return {force,
           {hn::MulAdd(h, coupled.xx, diagonal), hn::Mul(h, coupled.xy), hn::Mul(h, coupled.xz),

@@ -90,9 +90,9 @@ StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParam
     cloth.load(state, share);
     team_.meet();
     for (int i = 0; i < count; ++i) {
-      if (inputs.grab) {
+      if (inputs.attachment) {
         if (member == 0) {
-          setHand(model, *inputs.grab, cloth, step);
+          setAttachment(model, *inputs.attachment, cloth, step);
         }
         team_.meet();
       }

@@ -76,22 +76,22 @@ class XpbdMember {
 };
 
 /// Moves the corners of the triangle that is held.
-void projectHand(const ClothModel& model, double timeStep, const Grab& grab, HandConstraint& hand,
-                 ConstraintLanes& lanes) {
+void projectAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,
+                       AttachmentConstraint& constraint, ConstraintLanes& lanes) {
   std::array<float*, 3> corners{};
-  Vec3 reach = grab.target;
+  Vec3 reach = attachment.target;
   double inverseMass = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto v = static_cast<std::size_t>(model.triangles[static_cast<std::size_t>(grab.triangle)][c]);
+    const auto v = static_cast<std::size_t>(model.triangles[static_cast<std::size_t>(attachment.triangle)][c]);
     float* const x = lanes.vertices.data() + 4 * static_cast<std::size_t>(lanes.place[v]);
-    const double weight = grab.barycentric[static_cast<Eigen::Index>(c)];
+    const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
     reach -= weight * Vec3(static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]));
     inverseMass += weight * weight * static_cast<double>(x[3]);
     corners[c] = x;
   }
-  const Vec3 change = hand.correct(grab, timeStep, reach, inverseMass);
+  const Vec3 change = constraint.correct(attachment, timeStep, reach, inverseMass);
   for (std::size_t c = 0; c < 3; ++c) {
-    const double share = grab.barycentric[static_cast<Eigen::Index>(c)] * static_cast<double>(corners[c][3]);
+    const double share = attachment.barycentric[static_cast<Eigen::Index>(c)] * static_cast<double>(corners[c][3]);
     for (std::size_t k = 0; k < 3; ++k) {
       corners[c][k] += static_cast<float>(share * change[static_cast<Eigen::Index>(k)]);
     }
@@ -112,13 +112,13 @@ void ConstraintRun::xpbd(const ClothModel& model, const StepParameters& paramete
     for (int i = 0; i < count; ++i) {
       part.predict(state);
       if (member == 0) {
-        hand_ = {};
+        attachment_ = {};
       }
       for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
         part.project(iteration == 0);
-        if (inputs.grab) {
+        if (inputs.attachment) {
           if (member == 0) {
-            projectHand(model, parameters.timeStep, *inputs.grab, hand_, lanes);
+            projectAttachment(model, parameters.timeStep, *inputs.attachment, attachment_, lanes);
           }
           team_.meet();
         }

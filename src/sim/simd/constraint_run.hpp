@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/hand_constraint.hpp"
+#include "sim/attachment_constraint.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/simd/constraint_lanes.hpp"
 #include "sim/simd/thread_team.hpp"
@@ -18,7 +18,7 @@ class ConstraintRun {
  private:
   ThreadTeam team_;
   ModelCache<ConstraintLanes> lanes_;
-  HandConstraint hand_;
+  AttachmentConstraint attachment_;
 };
 
 }  // namespace drape

@@ -424,16 +424,17 @@ HWY_INLINE void storeTerms(D d, SpringTerms<T>& terms, int lane, const Lanes3<D>
 
 /// Adds what the hand does to the corners of its triangle: its force, and h^2 times its stiffness on the diagonal.
 template <class D, typename T>
-HWY_INLINE void addHands(D d, const SliceStep<T>& step, int slice, int lane, Lanes3<D>& force, hn::Vec<D>& diagonal) {
+HWY_INLINE void addAttachment(D d, const SliceStep<T>& step, int slice, int lane, Lanes3<D>& force,
+                              hn::Vec<D>& diagonal) {
   const int lanes = static_cast<int>(hn::Lanes(d));
-  for (const auto& hand : step.hands) {
-    if (hand.slice == slice && hand.lane >= lane && hand.lane < lane + lanes) {
+  for (const auto& corner : step.attachedCorners) {
+    if (corner.slice == slice && corner.lane >= lane && corner.lane < lane + lanes) {
       std::array<T, sliceLanes> only{};
-      only[static_cast<std::size_t>(hand.lane - lane)] = T(1);
+      only[static_cast<std::size_t>(corner.lane - lane)] = T(1);
       const auto mask = hn::LoadU(d, only.data());
-      force = multiplyAdd(Lanes3<D>{hn::Set(d, hand.forceX), hn::Set(d, hand.forceY), hn::Set(d, hand.forceZ)}, mask,
-                          force);
-      diagonal = hn::MulAdd(hn::Set(d, step.timeStep * step.timeStep * hand.stiffness), mask, diagonal);
+      force = multiplyAdd(Lanes3<D>{hn::Set(d, corner.forceX), hn::Set(d, corner.forceY), hn::Set(d, corner.forceZ)},
+                          mask, force);
+      diagonal = hn::MulAdd(hn::Set(d, step.timeStep * step.timeStep * corner.stiffness), mask, diagonal);
     }
   }
 }

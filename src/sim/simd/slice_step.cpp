@@ -35,50 +35,52 @@ SliceStep<T> sliceStepOf(const StepParameters& parameters) {
 }
 
 template <typename T>
-void setHand(const ClothModel& model, const Grab& grab, const SlicedCloth<T>& cloth, SliceStep<T>& step) {
-  const Triangle& corners = model.triangles[static_cast<std::size_t>(grab.triangle)];
+void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<T>& cloth,
+                   SliceStep<T>& step) {
+  const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
   Vec3 point = Vec3::Zero();
   Vec3 velocity = Vec3::Zero();
   std::array<int, 3> places{};
   for (std::size_t c = 0; c < 3; ++c) {
     places[c] = cloth.layout.place[static_cast<std::size_t>(corners[c])];
-    const double weight = grab.barycentric[static_cast<Eigen::Index>(c)];
+    const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
     point += weight * vectorAt(cloth.position, places[c]);
     velocity += weight * vectorAt(cloth.velocity, places[c]);
   }
-  const Vec3 offset = grab.target - point;
+  const Vec3 offset = attachment.target - point;
   const double distance = offset.norm();
-  const Vec3 force = kernels::boundedSpringForce(offset, grab.stiffness, grab.maxForce);
-  const double stiffness = distance > 0.0 ? force.norm() / distance : grab.stiffness;
+  const Vec3 force = kernels::boundedSpringForce(offset, attachment.stiffness, attachment.maxForce);
+  const double stiffness = distance > 0.0 ? force.norm() / distance : attachment.stiffness;
   const Vec3 pull = force - static_cast<double>(step.timeStep) * stiffness * velocity;
   for (std::size_t c = 0; c < 3; ++c) {
-    const double weight = grab.barycentric[static_cast<Eigen::Index>(c)];
-    step.hands[c] = {.slice = places[c] / sliceLanes,
-                     .lane = places[c] % sliceLanes,
-                     .forceX = static_cast<T>(weight * pull.x()),
-                     .forceY = static_cast<T>(weight * pull.y()),
-                     .forceZ = static_cast<T>(weight * pull.z()),
-                     .stiffness = static_cast<T>(weight * stiffness)};
+    const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
+    step.attachedCorners[c] = {.slice = places[c] / sliceLanes,
+                               .lane = places[c] % sliceLanes,
+                               .forceX = static_cast<T>(weight * pull.x()),
+                               .forceY = static_cast<T>(weight * pull.y()),
+                               .forceZ = static_cast<T>(weight * pull.z()),
+                               .stiffness = static_cast<T>(weight * stiffness)};
   }
 }
 
 template <typename T>
-void pullByHand(const ClothModel& model, double timeStep, const Grab& grab, SlicedCloth<T>& cloth) {
+void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,
+                            SlicedCloth<T>& cloth) {
   const double h = timeStep;
-  const Triangle& corners = model.triangles[static_cast<std::size_t>(grab.triangle)];
-  Vec3 reach = grab.target;
+  const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
+  Vec3 reach = attachment.target;
   double inverseMass = 0.0;
   std::array<double, 3> share{};  // w_i / m_i [1/kg]
   for (std::size_t c = 0; c < 3; ++c) {
     const auto v = static_cast<std::size_t>(corners[c]);
     const int place = cloth.layout.place[v];
-    const double weight = grab.barycentric[static_cast<Eigen::Index>(c)];
+    const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
     reach -= weight * (vectorAt(cloth.position, place) + 0.5 * h * vectorAt(cloth.velocity, place));
     share[c] = model.pinned[v] ? 0.0 : weight / model.vertexMass[v];
     inverseMass += weight * share[c];
   }
-  Vec3 impulse = (h * grab.stiffness / (1.0 + 0.5 * h * h * grab.stiffness * inverseMass)) * reach;
-  impulse *= std::min(1.0, h * grab.maxForce / std::max(impulse.norm(), std::numeric_limits<double>::min()));
+  Vec3 impulse = (h * attachment.stiffness / (1.0 + 0.5 * h * h * attachment.stiffness * inverseMass)) * reach;
+  impulse *= std::min(1.0, h * attachment.maxForce / std::max(impulse.norm(), std::numeric_limits<double>::min()));
   for (std::size_t c = 0; c < 3; ++c) {
     const int place = cloth.layout.place[static_cast<std::size_t>(corners[c])];
     const Vec3 velocity = vectorAt(cloth.velocity, place) + share[c] * impulse;
@@ -87,13 +89,15 @@ void pullByHand(const ClothModel& model, double timeStep, const Grab& grab, Slic
   }
 }
 
-template void pullByHand(const ClothModel& model, double timeStep, const Grab& grab, SlicedCloth<float>& cloth);
-template void pullByHand(const ClothModel& model, double timeStep, const Grab& grab, SlicedCloth<double>& cloth);
+template void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,
+                                     SlicedCloth<float>& cloth);
+template void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,
+                                     SlicedCloth<double>& cloth);
 template SliceStep<float> sliceStepOf(const StepParameters& parameters);
 template SliceStep<double> sliceStepOf(const StepParameters& parameters);
-template void setHand(const ClothModel& model, const Grab& grab, const SlicedCloth<float>& cloth,
-                      SliceStep<float>& step);
-template void setHand(const ClothModel& model, const Grab& grab, const SlicedCloth<double>& cloth,
-                      SliceStep<double>& step);
+template void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<float>& cloth,
+                            SliceStep<float>& step);
+template void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<double>& cloth,
+                            SliceStep<double>& step);
 
 }  // namespace drape

@@ -13,13 +13,15 @@ template <typename T>
 /// Puts the hand's pull at the cloth's present place into an implicit step: the force less h times its stiffness times
 /// the held point's velocity, and the stiffness, shared by the corners' weights.
 template <typename T>
-void setHand(const ClothModel& model, const Grab& grab, const SlicedCloth<T>& cloth, SliceStep<T>& step);
+void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<T>& cloth,
+                   SliceStep<T>& step);
 
 /// Changes the velocities of the corners of the hand's triangle by its impulse J on the held point p, from where the
 /// point ends: J = h k (target - p - h/2 u'), u' = u + W J, with u the point's velocity and W its inverse mass, the sum
 /// of w_i^2 / m_i. J is bounded like the force. Stable for any stiffness of the hand, so that an explicit step's own
 /// limit stays what it is.
 template <typename T>
-void pullByHand(const ClothModel& model, double timeStep, const Grab& grab, SlicedCloth<T>& cloth);
+void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,
+                            SlicedCloth<T>& cloth);
 
 }  // namespace drape

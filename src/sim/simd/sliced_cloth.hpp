@@ -68,7 +68,7 @@ struct LaneVectors {
 template <typename T>
 struct SliceStep {
   /// The hand at a corner of its triangle. Slice -1: there is none.
-  struct Hand {
+  struct AttachedCorner {
     int slice = -1;
     int lane = 0;
     T forceX = 0;
@@ -92,7 +92,7 @@ struct SliceStep {
   /// Of Chebyshev's acceleration, one a sweep: the answer counts by so much, 1 - weight the sweep before the last.
   /// Null: none.
   const T* weights = nullptr;
-  std::array<Hand, 3> hands = {};
+  std::array<AttachedCorner, 3> attachedCorners = {};
 
   /// Of Verlet: the drift after the kick is by the velocity from before it, which makes the step explicit Euler's.
   bool driftsByOldVelocity = false;

@@ -36,9 +36,9 @@ void SlicedRun::explicitEuler(const ClothModel& model, const StepParameters& par
         verletPhase(cloth, step, step.timeStep, share, phase);
         team_.meet();
       }
-      if (inputs.grab) {
+      if (inputs.attachment) {
         if (member == 0) {
-          pullByHand(model, parameters.timeStep, *inputs.grab, cloth);
+          applyAttachmentImpulse(model, parameters.timeStep, *inputs.attachment, cloth);
         }
         team_.meet();
       }
@@ -63,9 +63,9 @@ void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, con
     cloth.load(state, share);
     team_.meet();
     for (int i = 0; i < count; ++i) {
-      if (inputs.grab) {
+      if (inputs.attachment) {
         if (member == 0) {
-          setHand(model, *inputs.grab, cloth, step);
+          setAttachment(model, *inputs.attachment, cloth, step);
         }
         team_.meet();
       }
@@ -95,12 +95,12 @@ void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const Ste
       // The second half of a drift and the first of the next are one, unless the hand comes in between.
       const T next = i + 1 < count ? step.timeStep : half;
       for (int phase = 0; phase < (threads == 1 ? 1 : 2); ++phase) {
-        verletPhase(cloth, step, inputs.grab ? T(0) : next, share, phase);
+        verletPhase(cloth, step, inputs.attachment ? T(0) : next, share, phase);
         team_.meet();
       }
-      if (inputs.grab) {
+      if (inputs.attachment) {
         if (member == 0) {
-          pullByHand(model, parameters.timeStep, *inputs.grab, cloth);
+          applyAttachmentImpulse(model, parameters.timeStep, *inputs.attachment, cloth);
         }
         team_.meet();
         driftSlices(cloth, next, share);

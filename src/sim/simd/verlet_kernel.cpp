@@ -100,7 +100,7 @@ class VerletKernel {
       force = addAir(d, cloth_, step_, terms_, slice, lane, force);
     }
     auto unused = mass;
-    addHands(d, step_, slice, lane, force, unused);
+    addAttachment(d, step_, slice, lane, force, unused);
     const auto time = hn::Mul(hn::Set(d, step_.timeStep), hn::LoadU(d, cloth_.free.data() + i));
     V3 after = multiplyAdd(force, hn::Div(time, mass), v);
     if (step_.groups != nullptr) {

@@ -91,10 +91,10 @@ class AdaptiveStep {
         (*inputs.mayStop)();
       }
       const bool startIsKnown = guard_.knowsStart(plan, state.memory);
-      const bool looking = retake > 0 || inputs.grab || guard_.isDue(plan, state.memory);
+      const bool looking = retake > 0 || inputs.attachment || guard_.isDue(plan, state.memory);
       StepEnergy energy = run_.run(model, rates, parameters, inputs, plan, state, {looking && !startIsKnown, looking});
       energy.start = startIsKnown ? state.memory.energy : energy.start;
-      const double work = mostWorkOfWind(rates, parameters) + workOfHand(model, inputs, state);
+      const double work = mostWorkOfWind(rates, parameters) + attachmentWork(model, inputs, state);
       choice.passes += plan.cost();
       choice.levels = run_.levels();
       if (!guard_.grew(energy, work, retake > 0, state.memory)) {
@@ -124,19 +124,20 @@ class AdaptiveStep {
   }
 
   /// The most that the hand has done in the step that was run last [J].
-  [[nodiscard]] double workOfHand(const ClothModel& model, const StepInputs& inputs, const ClothState& state) {
-    if (!inputs.grab) {
+  [[nodiscard]] double attachmentWork(const ClothModel& model, const StepInputs& inputs, const ClothState& state) {
+    if (!inputs.attachment) {
       return 0.0;
     }
     after_ = state;
     run_.store(after_);
     Vec3 motion = Vec3::Zero();
-    const Triangle& corners = model.triangles[static_cast<std::size_t>(inputs.grab->triangle)];
+    const Triangle& corners = model.triangles[static_cast<std::size_t>(inputs.attachment->triangle)];
     for (std::size_t c = 0; c < 3; ++c) {
       const auto v = static_cast<std::size_t>(corners[c]);
-      motion += inputs.grab->barycentric[static_cast<Eigen::Index>(c)] * (after_.positions[v] - state.positions[v]);
+      motion +=
+          inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * (after_.positions[v] - state.positions[v]);
     }
-    return inputs.grab->maxForce * motion.norm();
+    return inputs.attachment->maxForce * motion.norm();
   }
 
   /// By XPBD, which cannot explode; what energy it makes, by a cloth that its few iterations leave stretched, is taken
@@ -149,7 +150,7 @@ class AdaptiveStep {
     }
     const double time = state.time;
     const double allowed = energyOf(model, parameters, state).total() + mostWorkOfWind(rates, parameters) +
-                           (inputs.grab ? inputs.grab->maxForce * parameters.timeStep : 0.0);
+                           (inputs.attachment ? inputs.attachment->maxForce * parameters.timeStep : 0.0);
     parameters.precision = Precision::Double;
     parameters.timeStep /= substeps;
     choice.passes += substeps * parameters.iterations;
@@ -274,7 +275,7 @@ std::string autoWarning(const ClothModel& model, const StepParameters& parameter
     const double carried = std::floor(held / costWithLevels) * heldTo / hardness;
     words << "The work allowed is too little for cloth so stiff and fine: stretching is carried by coarse groups, and "
           << "springs keep " << 100.0 * carried * carried
-          << " % of their stiffness. All of it needs auto.work = " << std::fixed << std::setprecision(0) << needed
+          << " % of their stiffness. All of it needs auto.cost = " << std::fixed << std::setprecision(0) << needed
           << (parameters.soften ? "." : " and auto.soften = off.");
   } else {
     words << "Cloth so stiff and fine takes up to " << 0.5 * hardness / passes
@@ -296,7 +297,7 @@ SolverInfo solvers::adaptive() {
           .source = "Drape (docs/theory/auto.md), on Stoermer-Verlet and Omelyan, Mryglod and Folk, 2002",
           .backwardEuler = false,
           .choosesSubsteps = true,
-          .settings = {"precision", "auto.work", "auto.soften", "auto.budget", "auto.tolerance"},
+          .settings = {"precision", "auto.cost", "auto.soften", "auto.budget", "auto.tolerance"},
           .warning = autoWarning,
           .stepLimit = nullptr,
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<AutoSolver>(); }};

@@ -17,7 +17,8 @@ namespace {
 /// 1: an undamped oscillator grows by that factor a step, and no step is stable. With x'' = -c x' - w^2 x it is stable
 /// up to h = c / w^2 where it still swings (c < 2 w).
 ///
-/// As with Verlet the hand's spring alone is implicit: see pullByHand. The loops stand in simd/verlet_kernel.cpp.
+/// As with Verlet the hand's spring alone is implicit: see applyAttachmentImpulse. The loops stand in
+/// simd/verlet_kernel.cpp.
 class ExplicitEulerSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,

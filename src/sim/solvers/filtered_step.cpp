@@ -19,11 +19,11 @@ StepReport FilteredStepSolver::step(const ClothModel& model, const StepParameter
     filtered_[i] = internalImpulse(model, parameters, state, i);
     external_[i] = (h / model.vertexMass[i]) * gravityAndAir(model, parameters, state, i);
   });
-  held_ = inputs.grab.has_value();
-  if (inputs.grab) {
-    addHand(model, h, *inputs.grab, state);
+  held_ = inputs.attachment.has_value();
+  if (inputs.attachment) {
+    addAttachment(model, h, *inputs.attachment, state);
   }
-  filter_.prepare(model, {h, parameters.stiffness, parameters.damping}, held_ ? &hand_ : nullptr);
+  filter_.prepare(model, {h, parameters.stiffness, parameters.damping}, held_ ? &attachment_ : nullptr);
   filter_.apply(parameters.threads, workers_, filtered_);
   findCorrection(model, state);
   move(model, parameters, state);
@@ -45,14 +45,15 @@ Vec3 FilteredStepSolver::internalImpulse(const ClothModel& model, const StepPara
   return h * (springForcesOn(model, parameters, state, vertex) + h * parameters.stiffness * difference);
 }
 
-void FilteredStepSolver::addHand(const ClothModel& model, double timeStep, const Grab& grab, const ClothState& state) {
-  const HandPull pull = handPull(model, grab, state);
-  hand_.vertices = pull.vertices;
-  hand_.additions = timeStep * timeStep * pull.stiffness * pull.weights;
+void FilteredStepSolver::addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,
+                                       const ClothState& state) {
+  const AttachmentForce pull = attachmentForce(model, attachment, state);
+  attachment_.vertices = pull.vertices;
+  attachment_.additions = timeStep * timeStep * pull.stiffness * pull.weights;
   const Vec3 impulse = timeStep * (pull.force - timeStep * pull.stiffness * pull.velocity);
   for (std::size_t c = 0; c < 3; ++c) {
-    handImpulse_[c] = pull.weights[static_cast<Eigen::Index>(c)] * impulse;
-    filtered_[pull.vertices[c]] += handImpulse_[c];
+    attachmentImpulse_[c] = pull.weights[static_cast<Eigen::Index>(c)] * impulse;
+    filtered_[pull.vertices[c]] += attachmentImpulse_[c];
   }
 }
 
@@ -65,10 +66,11 @@ void FilteredStepSolver::findCorrection(const ClothModel& model, const ClothStat
     for (const std::size_t v : piece) {
       impulse += model.vertexMass[v] * arm(v).cross(filtered_[v]);
     }
-    if (held_ && std::binary_search(piece.begin(), piece.end(), hand_.vertices[0])) {
+    if (held_ && std::binary_search(piece.begin(), piece.end(), attachment_.vertices[0])) {
       for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t v = hand_.vertices[c];
-        impulse -= arm(v).cross(handImpulse_[c] - hand_.additions[static_cast<Eigen::Index>(c)] * filtered_[v]);
+        const std::size_t v = attachment_.vertices[c];
+        impulse -=
+            arm(v).cross(attachmentImpulse_[c] - attachment_.additions[static_cast<Eigen::Index>(c)] * filtered_[v]);
       }
     }
     const Vec3 spin = -solveRigid(moments.inertia, impulse);

@@ -41,7 +41,7 @@ class FilteredStepSolver final : public Solver {
   /// h F, the internal impulse of a vertex [N s].
   static Vec3 internalImpulse(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                               std::size_t vertex);
-  void addHand(const ClothModel& model, double timeStep, const Grab& grab, const ClothState& state);
+  void addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment, const ClothState& state);
   void findCorrection(const ClothModel& model, const ClothState& state);
   void move(const ClothModel& model, const StepParameters& parameters, ClothState& state);
 
@@ -49,11 +49,11 @@ class FilteredStepSolver final : public Solver {
   Workers workers_;
   ConstantFilter filter_;
   ModelCache<std::vector<std::vector<std::size_t>>> pieces_;
-  std::vector<Vec3> filtered_;         // h M^-1 Ff, what the internal forces change the velocities by [m/s]
-  std::vector<Vec3> external_;         // h M^-1 Fext [m/s]
-  std::vector<Vec3> rotation_;         // c [m/s]; zero in pieces with pins
-  HandOnDiagonal hand_;                // while there is one
-  std::array<Vec3, 3> handImpulse_{};  // on its corners: h times its force, before its stiffness [N s]
+  std::vector<Vec3> filtered_;               // h M^-1 Ff, what the internal forces change the velocities by [m/s]
+  std::vector<Vec3> external_;               // h M^-1 Fext [m/s]
+  std::vector<Vec3> rotation_;               // c [m/s]; zero in pieces with pins
+  AttachmentDiagonal attachment_;            // while there is one
+  std::array<Vec3, 3> attachmentImpulse_{};  // on its corners: h times its force, before its stiffness [N s]
   bool held_ = false;
 };
 

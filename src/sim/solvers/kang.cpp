@@ -33,8 +33,8 @@ class KangSolver final : public Solver {
     workers_.forEach(parameters.threads, model.springs.size(),
                      [&](std::size_t s) { evaluateSpring(model, parameters, state, s); });
     workers_.forEach(parameters.threads, count, [&](std::size_t i) { start(model, parameters, state, i); });
-    if (inputs.grab) {
-      addHand(model, parameters.timeStep, handPull(model, *inputs.grab, state));
+    if (inputs.attachment) {
+      addAttachment(model, parameters.timeStep, attachmentForce(model, *inputs.attachment, state));
     }
     workers_.forEach(parameters.threads, count, [&](std::size_t i) { finish(model, parameters, state, i); });
     state.time += parameters.timeStep;
@@ -82,7 +82,7 @@ class KangSolver final : public Solver {
     p_[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : Vec3((parameters.timeStep / denominator) * force);
   }
 
-  void addHand(const ClothModel& model, double h, const HandPull& pull) {
+  void addAttachment(const ClothModel& model, double h, const AttachmentForce& pull) {
     for (std::size_t c = 0; c < 3; ++c) {
       const std::size_t v = pull.vertices[c];
       if (model.pinned[v]) {

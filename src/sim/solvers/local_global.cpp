@@ -42,7 +42,7 @@ class LocalGlobalSolver final : public Solver {
       inertia_[i] = h * (model.vertexMass[i] * state.velocities[i] + h * gravityAndAir(model, parameters, state, i));
       move_[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : Vec3(inertia_[i] / model.vertexMass[i]);
     });
-    useHand(model, h, inputs, state, changed);
+    useAttachment(model, h, inputs, state, changed);
     for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
       workers_.forEach(parameters.threads, model.springs.size(),
                        [&](std::size_t s) { turnSpring(model, parameters, state, s); });
@@ -84,20 +84,20 @@ class LocalGlobalSolver final : public Solver {
       rightSide_.row(static_cast<Eigen::Index>(row)) = sum.transpose();
     });
     ScalarSystem::Columns answer = system_.solve(rightSide_);
-    hand_.applyTo(answer);
+    attachment_.applyTo(answer);
     workers_.forEach(threads, vertices.size(), [&](std::size_t row) {
       move_[vertices[row]] = answer.row(static_cast<Eigen::Index>(row)).transpose();
     });
   }
 
   /// Puts the hand's force into the right side and its stiffness on the diagonal.
-  void useHand(const ClothModel& model, double h, const StepInputs& inputs, const ClothState& state,
-               bool factorChanged) {
-    if (!inputs.grab) {
-      hand_.clear();
+  void useAttachment(const ClothModel& model, double h, const StepInputs& inputs, const ClothState& state,
+                     bool factorChanged) {
+    if (!inputs.attachment) {
+      attachment_.clear();
       return;
     }
-    const HandPull pull = handPull(model, *inputs.grab, state);
+    const AttachmentForce pull = attachmentForce(model, *inputs.attachment, state);
     const Vec3 stiffness = h * h * pull.stiffness * pull.weights;
     for (std::size_t c = 0; c < 3; ++c) {
       const std::size_t v = pull.vertices[c];
@@ -105,7 +105,7 @@ class LocalGlobalSolver final : public Solver {
       const Vec3 lag = pull.velocity - state.velocities[v];
       inertia_[v] += h * h * pull.weights[corner] * pull.force - h * stiffness[corner] * lag;
     }
-    hand_.set(system_, factorChanged, pull.vertices, stiffness);
+    attachment_.set(system_, factorChanged, pull.vertices, stiffness);
   }
 
   void finish(const ClothModel& model, double h, ClothState& state) const {
@@ -122,7 +122,7 @@ class LocalGlobalSolver final : public Solver {
   std::vector<Vec3> inertia_;        // M (y - x_n), and the hand's force [kg m]
   std::vector<Vec3> move_;           // u = x - x_n [m]
   ScalarSystem::Columns rightSide_;  // [kg m]
-  DiagonalChange hand_;
+  DiagonalChange attachment_;
 };
 
 /// On sheets of 17 x 17 vertices, after 7/15 s, the positions are within three times the converged step's own error

@@ -108,8 +108,8 @@ class VbdSolver final : public Solver {
       largest += own;
       drag += (state.positions[j] - start_[j]) - way;
     }
-    if (inputs.grab) {
-      addHand(model, *inputs.grab, i, state, force, stiffness);
+    if (inputs.attachment) {
+      addAttachment(model, *inputs.attachment, i, state, force, stiffness);
     }
     const double isotropic = model.vertexMass[i] + static_cast<double>(end - begin) * h * parameters.damping;
     const Vec3 residual =
@@ -126,14 +126,14 @@ class VbdSolver final : public Solver {
   }
 
   /// The hand's spring, where vertex i is a corner of what it holds, with the stiffness of its chord.
-  static void addHand(const ClothModel& model, const Grab& grab, std::size_t i, const ClothState& state, Vec3& force,
-                      Mat3& stiffness) {
-    const Triangle& corners = model.triangles[static_cast<std::size_t>(grab.triangle)];
+  static void addAttachment(const ClothModel& model, const Attachment& attachment, std::size_t i,
+                            const ClothState& state, Vec3& force, Mat3& stiffness) {
+    const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
     const auto found = std::find(corners.begin(), corners.end(), static_cast<int>(i));
     if (found == corners.end()) {
       return;
     }
-    const HandPull pull = handPull(model, grab, state);
+    const AttachmentForce pull = attachmentForce(model, attachment, state);
     const double weight = pull.weights[found - corners.begin()];
     force += weight * pull.force;
     stiffness += (weight * weight * pull.stiffness) * Mat3::Identity();

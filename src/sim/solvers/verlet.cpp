@@ -14,8 +14,8 @@ namespace {
 /// (damping, air) is taken with the velocity of the step's start, which keeps the step explicit and makes it of first
 /// order in those forces.
 ///
-/// The hand's spring can be far stiffer than the cloth, so it alone is implicit: see pullByHand. The loops stand in
-/// simd/verlet_kernel.cpp.
+/// The hand's spring can be far stiffer than the cloth, so it alone is implicit: see applyAttachmentImpulse. The loops
+/// stand in simd/verlet_kernel.cpp.
 class VerletSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,

@@ -1,5 +1,5 @@
+#include "sim/attachment_constraint.hpp"
 #include "sim/colouring.hpp"
-#include "sim/hand_constraint.hpp"
 #include "sim/kernels.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/position_step.hpp"
@@ -27,7 +27,7 @@ namespace {
 ///
 /// Damping follows on the velocities, colour by colour: each spring's dashpot is solved implicitly for the two ends
 /// alone, J = h C_d (v_b' - v_a'), which keeps momentum and can never reverse what it brakes. The hand is a constraint
-/// of three components (HandConstraint).
+/// of three components (AttachmentConstraint).
 ///
 /// In float the same is done by vector instructions (simd/constraint_run.hpp).
 class XpbdSolver final : public BatchSolver {
@@ -53,14 +53,14 @@ class XpbdSolver final : public BatchSolver {
     state.positions.swap(start_);
     findInverseMasses(model);
     multiplier_.assign(model.springs.size(), 0.0);
-    hand_ = {};
+    attachment_ = {};
     for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
       forEachByColour(workers_, parameters.threads, colours, [&](std::size_t s) {
         const double stiffness = parameters.stiffness * model.springs[s].relativeStiffness;
         project(model.springs[s], h * h * stiffness, s, state);
       });
-      if (inputs.grab) {
-        projectHand(model, h, *inputs.grab, state);
+      if (inputs.attachment) {
+        projectAttachment(model, h, *inputs.attachment, state);
       }
     }
     velocitiesFromPositions(model, h, start_, state);
@@ -96,19 +96,19 @@ class XpbdSolver final : public BatchSolver {
     state.positions[b] += inverseMass_[b] * correction;
   }
 
-  void projectHand(const ClothModel& model, double h, const Grab& grab, ClothState& state) {
-    const Triangle& corners = model.triangles[static_cast<std::size_t>(grab.triangle)];
-    Vec3 reach = grab.target;
+  void projectAttachment(const ClothModel& model, double h, const Attachment& attachment, ClothState& state) {
+    const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
+    Vec3 reach = attachment.target;
     double weight = 0.0;
     for (Eigen::Index c = 0; c < 3; ++c) {
       const auto v = static_cast<std::size_t>(corners[static_cast<std::size_t>(c)]);
-      reach -= grab.barycentric[c] * state.positions[v];
-      weight += grab.barycentric[c] * grab.barycentric[c] * inverseMass_[v];
+      reach -= attachment.barycentric[c] * state.positions[v];
+      weight += attachment.barycentric[c] * attachment.barycentric[c] * inverseMass_[v];
     }
-    const Vec3 change = hand_.correct(grab, h, reach, weight);
+    const Vec3 change = attachment_.correct(attachment, h, reach, weight);
     for (Eigen::Index c = 0; c < 3; ++c) {
       const auto v = static_cast<std::size_t>(corners[static_cast<std::size_t>(c)]);
-      state.positions[v] += (grab.barycentric[c] * inverseMass_[v]) * change;
+      state.positions[v] += (attachment.barycentric[c] * inverseMass_[v]) * change;
     }
   }
 
@@ -127,7 +127,7 @@ class XpbdSolver final : public BatchSolver {
   ModelCache<RaggedRows<int>> colours_;
   std::vector<double> inverseMass_;  // w_i [1/kg], one a vertex; 0 where pinned
   std::vector<double> multiplier_;   // lambda [N s^2], one a spring
-  HandConstraint hand_;
+  AttachmentConstraint attachment_;
   std::vector<Vec3> start_;  // positions at the start of the step [m]
 };
 

@@ -31,7 +31,7 @@ TEST_F(StepPlanning, takesTheFourthOrderWhereTheBudgetGoesFarBeyondTheLimit) {
   EXPECT_EQ(chosen.passes(), 12);
 }
 
-TEST_F(StepPlanning, takesVerletWhereDampingAirOrAHandActOnVelocities) {
+TEST_F(StepPlanning, takesVerletWhereDampingAirOrAnAttachmentActOnVelocities) {
   parameters.stiffness = 10.0;
   parameters.damping = 1e-5;
   EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
@@ -39,7 +39,7 @@ TEST_F(StepPlanning, takesVerletWhereDampingAirOrAHandActOnVelocities) {
   parameters.drag = 1.0;
   EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
   parameters.drag = 0.0;
-  inputs.grab.emplace();
+  inputs.attachment.emplace();
   EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
 }
 
@@ -81,9 +81,9 @@ TEST_F(StepPlanning, doesWithoutLevelsWhereTheLoadHardlyStretchesTheHeldSprings)
   const StepPlan held = plan(30.0);
   EXPECT_FALSE(held.levels);
   EXPECT_EQ(held.substeps, 30);
-  inputs.grab.emplace();
+  inputs.attachment.emplace();
   EXPECT_TRUE(plan(30.0).levels) << "a hand pulls at one place";
-  inputs.grab.reset();
+  inputs.attachment.reset();
   parameters.wind = {100.0, 0.0, 0.0};
   parameters.drag = 1.0;
   EXPECT_TRUE(plan(30.0).levels) << "a storm";

@@ -87,9 +87,9 @@ Difference floatFromDouble(const ClothModel& model, StepParameters parameters, c
   return between(single, twice);
 }
 
-StepInputs handPulling() {
+StepInputs pullingAttachment() {
   StepInputs inputs;
-  inputs.grab = Grab{3, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.3, 0.5), 20.0, 2.0};
+  inputs.attachment = Attachment{3, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.3, 0.5), 20.0, 2.0};
   return inputs;
 }
 
@@ -106,7 +106,7 @@ TEST(XpbdInFloat, takesTheStepOfXpbdInDoubleToWithinTwoMicrometres) {
       parameters.drag = air ? 0.8 : 0.0;
       parameters.lift = air ? 0.5 : 0.0;
       parameters.wind = Vec3(1.0, 0.2, -2.0);
-      const Difference difference = floatFromDouble(*model, parameters, handPulling(), 1);
+      const Difference difference = floatFromDouble(*model, parameters, pullingAttachment(), 1);
       EXPECT_LT(difference.place, 2e-6) << mesh.name << (air ? " in air" : "");
       EXPECT_LT(difference.velocity, 3e-4) << mesh.name << (air ? " in air" : "");
     }
@@ -131,11 +131,12 @@ TEST(XpbdInFloat, takesManyStepsAtOnceAsOneAfterTheOtherToTheLastBit) {
     parameters.drag = drag;
     ClothState together = shaken(*model, 0.01, 3);
     ClothState apart = together;
-    const int iterations = findSolver("xpbd")->make()->steps(*model, parameters, handPulling(), 4, together).iterations;
+    const int iterations =
+        findSolver("xpbd")->make()->steps(*model, parameters, pullingAttachment(), 4, together).iterations;
     EXPECT_EQ(iterations, 4 * parameters.iterations);
     const auto solver = findSolver("xpbd")->make();
     for (int step = 0; step < 4; ++step) {
-      solver->step(*model, parameters, handPulling(), apart);
+      solver->step(*model, parameters, pullingAttachment(), apart);
     }
     EXPECT_EQ(stateHash(together), stateHash(apart)) << "drag " << drag;
   }

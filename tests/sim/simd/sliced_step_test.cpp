@@ -20,17 +20,17 @@ using testing::SteppingByHand;
 using testing::Turns;
 
 /// A hand on a triangle whose corners stand in more than one slice, where there is one.
-StepInputs handAcrossSlices(const ClothModel& model) {
+StepInputs attachmentAcrossSlices(const ClothModel& model) {
   const SliceLayout layout = buildSliceLayout(model);
   StepInputs inputs;
-  inputs.grab = Grab{0, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20.0, 2.0};
+  inputs.attachment = Attachment{0, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20.0, 2.0};
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     std::set<int> slices;
     for (const int vertex : model.triangles[t]) {
       slices.insert(layout.place[static_cast<std::size_t>(vertex)] / sliceLanes);
     }
     if (slices.size() > 1) {
-      inputs.grab->triangle = static_cast<int>(t);
+      inputs.attachment->triangle = static_cast<int>(t);
     }
   }
   return inputs;
@@ -43,10 +43,10 @@ std::vector<NamedMesh> smallMeshes() {
           {"pieces", testing::together(testing::fan(18), testing::sheet(3))}};
 }
 
-TEST(SlicedStep, equalsTheDenseReferenceOnUnevenMeshesWithAirAndAHandAcrossSlices) {
+TEST(SlicedStep, equalsTheDenseReferenceOnUnevenMeshesWithAirAndAnAttachmentAcrossSlices) {
   for (const NamedMesh& mesh : smallMeshes()) {
     const auto model = heldCloth(mesh.mesh);
-    const StepInputs inputs = handAcrossSlices(*model);
+    const StepInputs inputs = attachmentAcrossSlices(*model);
     for (const int sweeps : {1, 2, 3, 5}) {
       StepParameters parameters = everything();
       parameters.sweeps = sweeps;
@@ -124,7 +124,7 @@ TEST(SlicedStep, equalsASumOfDenseJacobiAnswersWithChebyshevsWeights) {
 TEST(SlicedStep, staysNearTheDenseReferenceInFloat) {
   for (const NamedMesh& mesh : smallMeshes()) {
     const auto model = heldCloth(mesh.mesh);
-    const StepInputs inputs = handAcrossSlices(*model);
+    const StepInputs inputs = attachmentAcrossSlices(*model);
     for (const auto variant : {ForceDerivative::Stabilised, ForceDerivative::Scalar, ForceDerivative::Axial}) {
       StepParameters parameters = everything();
       parameters.derivative = variant;
@@ -150,7 +150,7 @@ std::uint64_t hashOfSteps(const ClothModel& model, int sweeps, int members, Turn
   parameters.sweeps = sweeps;
   SteppingByHand<T> stepping(model, parameters, members, turns);
   ClothState state = shaken(model, 0.002, 3);
-  stepping.oneIteration(handAcrossSlices(model), 3, state);
+  stepping.oneIteration(attachmentAcrossSlices(model), 3, state);
   stepping.verlet(3, state);
   EXPECT_TRUE(isFinite(state));
   return stateHash(state);
@@ -193,7 +193,7 @@ TEST(SlicedStep, takesManyStepsAtOnceAsOneAfterTheOther) {
       StepParameters parameters = everything();
       parameters.precision = precision;
       parameters.timeStep = 1.0 / 1500.0;
-      const StepInputs inputs = handAcrossSlices(*model);
+      const StepInputs inputs = attachmentAcrossSlices(*model);
       ClothState together = shaken(*model, 0.002, 3);
       ClothState apart = together;
       findSolver(name)->make()->steps(*model, parameters, inputs, 4, together);

@@ -58,8 +58,8 @@ class SteppingByHand {
   void oneIteration(const StepInputs& inputs, int steps, ClothState& state) {
     eachMember(1, [&](const StepShare& share) { cloth_.load(state, share); });
     for (int i = 0; i < steps; ++i) {
-      if (inputs.grab) {
-        setHand(model_, *inputs.grab, cloth_, step_);
+      if (inputs.attachment) {
+        setAttachment(model_, *inputs.attachment, cloth_, step_);
       }
       for (int phase = 0; phase <= parameters_.sweeps; ++phase) {
         eachMember(parameters_.sweeps, [&](const StepShare& share) { oneIterationPhase(cloth_, step_, share, phase); });

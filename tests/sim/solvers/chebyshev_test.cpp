@@ -43,7 +43,7 @@ TEST(Chebyshev, isPlainJacobiForASpectralRadiusOfZero) {
   }
 }
 
-TEST(Chebyshev, convergesToTheExactSolveWithDampingAirAndHand) {
+TEST(Chebyshev, convergesToTheExactSolveWithDampingAirAndAttachment) {
   for (const auto& model : {pinnedSheet(5), testing::irregularSheet(5, {})}) {
     StepParameters parameters;
     parameters.damping = 0.02;
@@ -53,11 +53,11 @@ TEST(Chebyshev, convergesToTheExactSolveWithDampingAirAndHand) {
     parameters.iterations = 200;
     parameters.spectralRadius = 0.9;
     StepInputs inputs;
-    inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, 5.0};
+    inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, 5.0};
     ClothState state = shaken(*model, 0.03, 7);
     ClothState exact = state;
     findSolver("chebyshev")->make()->step(*model, parameters, inputs, state);
-    exactLinearStep(*model, parameters, inputs, testing::HandDerivative::Lumped, exact);
+    exactLinearStep(*model, parameters, inputs, testing::AttachmentDerivative::Lumped, exact);
     EXPECT_LT(largestDifference(state, exact), 1e-9);
   }
 }
@@ -71,7 +71,7 @@ TEST(Chebyshev, comesNearerToTheExactSolveThanAsManyPlainSweeps) {
   parameters.sweeps = 15;
   const ClothState start = shaken(*model, 0.01, 7);
   ClothState exact = start;
-  exactLinearStep(*model, parameters, {}, testing::HandDerivative::Lumped, exact);
+  exactLinearStep(*model, parameters, {}, testing::AttachmentDerivative::Lumped, exact);
   const double accelerated = largestDifference(after("chebyshev", *model, parameters, start), exact);
   const double plain = largestDifference(after("one_iteration", *model, parameters, start), exact);
   EXPECT_LT(accelerated, 0.5 * plain);

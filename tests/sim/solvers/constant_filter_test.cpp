@@ -20,9 +20,9 @@ StepParameters everything() {
   return p;
 }
 
-StepInputs hand(double maxForce) {
+StepInputs attachment(double maxForce) {
   StepInputs inputs;
-  inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
   return inputs;
 }
 
@@ -41,7 +41,7 @@ Expected filteredStep(const ClothModel& model, const StepParameters& p, const St
   const double h = p.timeStep;
   const Eigen::MatrixXd M = massMatrix(model);
   const Eigen::MatrixXd L = laplacian(model);
-  const DenseHand pull = denseHand(model, inputs, h, state);
+  const DenseAttachment pull = denseAttachment(model, inputs, h, state);
   const Rows x = rowsOf(state.positions);
   const Rows v = rowsOf(state.velocities);
   const Rows internal = springForces(model, p.stiffness, x) - (p.damping + h * p.stiffness) * (L * v);
@@ -78,18 +78,18 @@ double differenceFromDense(const char* solver, const std::vector<int>& pins, con
 
 TEST(Desbrun, equalsTheDenseStepOfAPinnedCloth) {
   EXPECT_LT(differenceFromDense("desbrun", {0, 4}, {}), 1e-12);
-  EXPECT_LT(differenceFromDense("desbrun", {0, 4}, hand(5.0)), 1e-12);
-  EXPECT_LT(differenceFromDense("desbrun", {0, 4}, hand(0.05)), 1e-12);
+  EXPECT_LT(differenceFromDense("desbrun", {0, 4}, attachment(5.0)), 1e-12);
+  EXPECT_LT(differenceFromDense("desbrun", {0, 4}, attachment(0.05)), 1e-12);
 }
 
 TEST(Desbrun, equalsTheDenseStepOfAFreeClothWithTheCorrectionOnPositions) {
   EXPECT_LT(differenceFromDense("desbrun", {}, {}), 1e-11);
-  EXPECT_LT(differenceFromDense("desbrun", {}, hand(5.0)), 1e-11);
+  EXPECT_LT(differenceFromDense("desbrun", {}, attachment(5.0)), 1e-11);
 }
 
 TEST(Meyer, equalsTheDenseStepOfAFreeClothWithTheCorrectionOnVelocities) {
   EXPECT_LT(differenceFromDense("meyer", {}, {}), 1e-11);
-  EXPECT_LT(differenceFromDense("meyer", {}, hand(5.0)), 1e-11);
+  EXPECT_LT(differenceFromDense("meyer", {}, attachment(5.0)), 1e-11);
 }
 
 TEST(Meyer, movesAPinnedClothAsDesbrunDoesToTheLastBit) {
@@ -167,7 +167,7 @@ TEST(ConstantFilter, givesTheSameWithTheDenseInverseAsWithTheSparseFactor) {
     impulse = random.next(1.0);
   }
   std::vector<Vec3> sparse = dense;
-  HandOnDiagonal held{{5, 0, 40}, Vec3(0.01, 0.02, 0.03)};
+  AttachmentDiagonal held{{5, 0, 40}, Vec3(0.01, 0.02, 0.03)};
   ConstantFilter one;
   one.prepare(*model, {1.0, 0.02, 0.0}, &held);
   one.apply(1, workers, dense);

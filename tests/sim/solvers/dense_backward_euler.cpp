@@ -46,14 +46,15 @@ void addSprings(const ClothModel& model, const StepParameters& p, const VectorXd
   }
 }
 
-void addHand(const ClothModel& model, const Grab& grab, double h, const VectorXd& x, Equations& equations) {
+void addAttachment(const ClothModel& model, const Attachment& attachment, double h, const VectorXd& x,
+                   Equations& equations) {
   MatrixXd weights = MatrixXd::Zero(3, x.size());  // held point = weights * x
   for (int c = 0; c < 3; ++c) {
-    const int v = model.triangles[static_cast<std::size_t>(grab.triangle)][static_cast<std::size_t>(c)];
-    weights.block<3, 3>(0, 3 * v) = grab.barycentric[c] * Mat3::Identity();
+    const int v = model.triangles[static_cast<std::size_t>(attachment.triangle)][static_cast<std::size_t>(c)];
+    weights.block<3, 3>(0, 3 * v) = attachment.barycentric[c] * Mat3::Identity();
   }
-  equations.residual += h * h * grab.stiffness * weights.transpose() * (weights * x - grab.target);
-  equations.jacobian += h * h * grab.stiffness * weights.transpose() * weights;
+  equations.residual += h * h * attachment.stiffness * weights.transpose() * (weights * x - attachment.target);
+  equations.jacobian += h * h * attachment.stiffness * weights.transpose() * weights;
 }
 
 }  // namespace
@@ -80,8 +81,8 @@ void denseBackwardEulerStep(const ClothModel& model, const StepParameters& p, co
     }
     Equations equations{mass.cwiseProduct(x - y), mass.asDiagonal()};
     addSprings(model, p, x, start, equations);
-    if (inputs.grab) {
-      addHand(model, *inputs.grab, h, x, equations);
+    if (inputs.attachment) {
+      addAttachment(model, *inputs.attachment, h, x, equations);
     }
     for (int i = 0; i < model.vertexCount(); ++i) {
       if (model.pinned[static_cast<std::size_t>(i)]) {

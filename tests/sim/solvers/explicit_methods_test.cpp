@@ -193,14 +193,14 @@ TEST(Verlet, isWithinAQuarterMillimetreOnSoftClothAndExplodesOnStiffAtTheSameSte
   EXPECT_GT(largestEnergy("verlet", *model, parameters, 14.0 / 30.0, stateAtRest(model->restPositions)), 1e6);
 }
 
-TEST(Verlet, bringsTheClothToAHandThatIsFarStifferThanTheCloth) {
+TEST(Verlet, bringsTheClothToAnAttachmentThatIsFarStifferThanTheCloth) {
   const auto model = buildClothModel(testing::sheet(9), 0.01, MassLumping::Uniform, {0, 8});
   StepParameters parameters;
   parameters.stiffness = 1.0;
   parameters.damping = 1e-3;
   parameters.timeStep = 0.9 * verletStepLimit(*model, parameters);
   StepInputs inputs;
-  inputs.grab = Grab{100, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0.4, 0.8), 500.0, 20.0};
+  inputs.attachment = Attachment{100, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0.4, 0.8), 500.0, 20.0};
   ClothState state = stateAtRest(model->restPositions);
   const auto solver = findSolver("verlet")->make();
   for (int step = 0; step < 2000; ++step) {
@@ -209,10 +209,10 @@ TEST(Verlet, bringsTheClothToAHandThatIsFarStifferThanTheCloth) {
   }
   Vec3 held = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    held += inputs.grab->barycentric[static_cast<Eigen::Index>(c)] *
+    held += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
             state.positions[static_cast<std::size_t>(model->triangles[100][c])];
   }
-  EXPECT_LT((held - inputs.grab->target).norm(), 0.01);
+  EXPECT_LT((held - inputs.attachment->target).norm(), 0.01);
 }
 
 TEST(Verlet, saysHowManySubstepsAreNeededAndIsContentWithThem) {

@@ -17,9 +17,9 @@ StepParameters everything() {
   return p;
 }
 
-StepInputs hand(double maxForce) {
+StepInputs attachment(double maxForce) {
   StepInputs inputs;
-  inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
   return inputs;
 }
 
@@ -30,7 +30,7 @@ TEST(Kang, equalsTheFormulaWithDenseMatrices) {
     const StepParameters p = everything();
     const double h = p.timeStep;
     ClothState state = shaken(*model, 0.03, 7);
-    const DenseHand pull = denseHand(*model, hand(maxForce), h, state);
+    const DenseAttachment pull = denseAttachment(*model, attachment(maxForce), h, state);
     const Eigen::MatrixXd coupling = (h * h * p.stiffness + h * p.damping) * laplacian(*model);
     const Eigen::MatrixXd W = massMatrix(*model) + coupling + h * h * pull.stiffness;
     const Eigen::MatrixXd inverse = free * Eigen::MatrixXd(W.diagonal().cwiseInverse().asDiagonal());
@@ -41,7 +41,7 @@ TEST(Kang, equalsTheFormulaWithDenseMatrices) {
                               (p.damping + h * p.stiffness) * (laplacian(*model) * v));
     const Rows first = inverse * impulse;
     const Rows expected = v + inverse * (impulse - off * first);
-    findSolver("kang")->make()->step(*model, p, hand(maxForce), state);
+    findSolver("kang")->make()->step(*model, p, attachment(maxForce), state);
     EXPECT_LT(distance(state, x + h * expected, expected), 1e-12);
   }
 }
@@ -55,8 +55,8 @@ TEST(Kang, equalsOneIterationWithTheScalarDerivative) {
   const auto kang = findSolver("kang")->make();
   const auto oneIteration = findSolver("one_iteration")->make();
   for (int step = 0; step < 50; ++step) {
-    kang->step(*model, p, hand(5.0), direct);
-    oneIteration->step(*model, p, hand(5.0), iterated);
+    kang->step(*model, p, attachment(5.0), direct);
+    oneIteration->step(*model, p, attachment(5.0), iterated);
   }
   EXPECT_LT(distance(direct, rowsOf(iterated.positions), rowsOf(iterated.velocities)), 1e-11);
 }

@@ -17,14 +17,15 @@ StepParameters everything() {
   return p;
 }
 
-StepInputs hand(double maxForce) {
+StepInputs attachment(double maxForce) {
   StepInputs inputs;
-  inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
   return inputs;
 }
 
 /// M (y - x_n), with the hand's force.
-Rows inertiaTerm(const ClothModel& model, const StepParameters& p, const DenseHand& pull, const ClothState& state) {
+Rows inertiaTerm(const ClothModel& model, const StepParameters& p, const DenseAttachment& pull,
+                 const ClothState& state) {
   const double h = p.timeStep;
   const Rows v = rowsOf(state.velocities);
   // The hand's force counts the held point's way in the step; its stiffness counts each corner's.
@@ -35,13 +36,13 @@ Rows inertiaTerm(const ClothModel& model, const StepParameters& p, const DenseHa
 /// The method as printed: absolute positions, x and d in turn.
 Rows alternate(const ClothModel& model, const StepParameters& p, const StepInputs& inputs, const ClothState& state) {
   const double h = p.timeStep;
-  const DenseHand pull = denseHand(model, inputs, h, state);
+  const DenseAttachment pull = denseAttachment(model, inputs, h, state);
   const Eigen::MatrixXd M = massMatrix(model);
   const Eigen::MatrixXd L = laplacian(model);
   const Rows x0 = rowsOf(state.positions);
   const Rows inertia = inertiaTerm(model, p, pull, state);
   const Eigen::MatrixXd A = M + (h * h * p.stiffness + h * p.damping) * L + h * h * pull.stiffness;
-  Rows x = x0 + freedom(model) * (M.inverse() * (inertiaTerm(model, p, denseHand(model, {}, h, state), state)));
+  Rows x = x0 + freedom(model) * (M.inverse() * (inertiaTerm(model, p, denseAttachment(model, {}, h, state), state)));
   for (int iteration = 0; iteration < p.iterations; ++iteration) {
     Rows right = M * x0 + inertia + h * p.damping * L * x0 + h * h * pull.stiffness * x0;
     for (const Spring& s : model.springs) {
@@ -59,7 +60,7 @@ Rows alternate(const ClothModel& model, const StepParameters& p, const StepInput
 Rows newton(const ClothModel& model, const StepParameters& p, const StepInputs& inputs, const ClothState& state) {
   const double h = p.timeStep;
   const Eigen::Index n = model.vertexCount();
-  const DenseHand pull = denseHand(model, inputs, h, state);
+  const DenseAttachment pull = denseAttachment(model, inputs, h, state);
   const Eigen::MatrixXd scalar = massMatrix(model) + h * p.damping * laplacian(model) + h * h * pull.stiffness;
   const Rows x0 = rowsOf(state.positions);
   const Rows inertia = inertiaTerm(model, p, pull, state);
@@ -102,7 +103,7 @@ Rows newton(const ClothModel& model, const StepParameters& p, const StepInputs& 
 TEST(LocalGlobal, equalsTheAlternationAsPrintedWithDenseMatrices) {
   for (const std::vector<int>& pins : {std::vector<int>{0, 4}, std::vector<int>{}}) {
     const auto model = unevenSheet(5, pins);
-    for (const StepInputs& inputs : {StepInputs{}, hand(5.0), hand(0.05)}) {
+    for (const StepInputs& inputs : {StepInputs{}, attachment(5.0), attachment(0.05)}) {
       StepParameters p = everything();
       p.iterations = 4;
       ClothState state = shaken(*model, 0.03, 7);
@@ -116,7 +117,7 @@ TEST(LocalGlobal, equalsTheAlternationAsPrintedWithDenseMatrices) {
 
 TEST(LocalGlobal, endsWhereNewtonFindsTheBackwardEulerStep) {
   const auto model = unevenSheet(5, {0, 4});
-  for (const StepInputs& inputs : {StepInputs{}, hand(5.0)}) {
+  for (const StepInputs& inputs : {StepInputs{}, attachment(5.0)}) {
     StepParameters p = everything();
     p.iterations = 3000;
     ClothState state = shaken(*model, 0.01, 7);
@@ -144,15 +145,15 @@ TEST(LocalGlobal, comesCloserToTheBackwardEulerStepWithEveryIteration) {
   }
 }
 
-TEST(LocalGlobal, forgetsTheHandThatLetGoAndFollowsOneThatTakesAnotherTriangle) {
+TEST(LocalGlobal, forgetsAReleasedAttachmentAndFollowsOneAtAnotherTriangle) {
   const auto model = unevenSheet(5, {0, 4});
   const StepParameters p = everything();
   ClothState fresh = shaken(*model, 0.03, 7);
   ClothState kept = fresh;
   const auto solver = findSolver("local_global")->make();
-  StepInputs elsewhere = hand(5.0);
-  elsewhere.grab->triangle = 20;
-  for (const StepInputs& inputs : {hand(5.0), elsewhere, StepInputs{}, hand(5.0)}) {
+  StepInputs elsewhere = attachment(5.0);
+  elsewhere.attachment->triangle = 20;
+  for (const StepInputs& inputs : {attachment(5.0), elsewhere, StepInputs{}, attachment(5.0)}) {
     solver->step(*model, p, inputs, kept);
     findSolver("local_global")->make()->step(*model, p, inputs, fresh);
     EXPECT_EQ(stateHash(kept), stateHash(fresh));

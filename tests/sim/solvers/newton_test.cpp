@@ -53,11 +53,11 @@ TEST(Newton, isTheDenseSolveOfTheLinearisedStepWithOneIteration) {
   for (const auto& model : {pinnedSheet(5), testing::irregularSheet(5), testing::irregularSheet(5, {})}) {
     for (const double maxForce : {50.0, 2.0}) {
       StepInputs inputs;
-      inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+      inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
       ClothState state = shaken(*model, 0.03, 7);
       ClothState exact = state;
       EXPECT_EQ(solver->step(*model, parameters, inputs, state).iterations, 1);
-      exactLinearStep(*model, parameters, inputs, testing::HandDerivative::Whole, exact);
+      exactLinearStep(*model, parameters, inputs, testing::AttachmentDerivative::Whole, exact);
       EXPECT_LT(largestDifference(state, exact), 1e-10);
     }
   }
@@ -173,7 +173,7 @@ TEST(Newton, takesFewestIterationsWithTheExactDerivative) {
   EXPECT_GT(iterations(ForceDerivative::Scalar), iterations(ForceDerivative::Stabilised));
 }
 
-TEST(Newton, settlesAHeldPointWhereHandAndWeightBalance) {
+TEST(Newton, settlesAnAttachedPointWhereMouseSpringAndWeightBalance) {
   const auto model = testing::irregularSheet(3, {});
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters;
@@ -181,18 +181,18 @@ TEST(Newton, settlesAHeldPointWhereHandAndWeightBalance) {
   parameters.damping = 0.5;
   parameters.timeStep = 1.0 / 30.0;
   StepInputs inputs;
-  inputs.grab = Grab{0, Vec3(0.2, 0.3, 0.5), Vec3(0.4, 0.5, 0.4), 40.0, 100.0};
+  inputs.attachment = Attachment{0, Vec3(0.2, 0.3, 0.5), Vec3(0.4, 0.5, 0.4), 40.0, 100.0};
   const auto solver = findSolver("newton")->make();
   for (int step = 0; step < 600; ++step) {
     EXPECT_TRUE(solver->step(*model, parameters, inputs, state).converged);
   }
   Vec3 point = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    point += inputs.grab->barycentric[static_cast<Eigen::Index>(c)] *
+    point += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
              state.positions[static_cast<std::size_t>(model->triangles[0][c])];
   }
-  const double below = 0.1 * parameters.gravity / inputs.grab->stiffness;
-  EXPECT_LT((point - inputs.grab->target + Vec3(0.0, below, 0.0)).norm(), 1e-3);
+  const double below = 0.1 * parameters.gravity / inputs.attachment->stiffness;
+  EXPECT_LT((point - inputs.attachment->target + Vec3(0.0, below, 0.0)).norm(), 1e-3);
 }
 
 }  // namespace

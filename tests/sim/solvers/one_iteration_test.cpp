@@ -66,11 +66,11 @@ TEST(OneIteration, equalsTheDenseReferenceForSeveralSweepsAndEverythingTogether)
   }
 }
 
-TEST(OneIteration, equalsTheDenseReferenceWhileAHandPulls) {
+TEST(OneIteration, equalsTheDenseReferenceWhileAnAttachmentPulls) {
   StepInputs inputs;
-  inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, 5.0};
+  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, 5.0};
   EXPECT_LT(differenceFromReference({}, inputs), 1e-10);
-  inputs.grab->maxForce = 0.05;
+  inputs.attachment->maxForce = 0.05;
   EXPECT_LT(differenceFromReference({}, inputs), 1e-10);
 }
 
@@ -176,19 +176,19 @@ TEST(OneIteration, isCalmAtALargeStepWhereExplicitStepsExplode) {
   EXPECT_LT(most, 1.0) << "[J]; the sheet starts with none, and about 0.5 J is known for this start";
 }
 
-TEST(OneIteration, neverPullsHarderThanTheHandMay) {
+TEST(OneIteration, neverPullsHarderThanTheAttachmentMay) {
   const auto model = buildClothModel(testing::sheet(3), 0.1, MassLumping::Uniform, {});
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters;
   parameters.gravity = 0.0;
   StepInputs inputs;
-  inputs.grab = Grab{0, Vec3(1.0, 0.0, 0.0), Vec3(1e6, 0.0, 0.0), 1e5, 2.0};
+  inputs.attachment = Attachment{0, Vec3(1.0, 0.0, 0.0), Vec3(1e6, 0.0, 0.0), 1e5, 2.0};
   oneIteration()->step(*model, parameters, inputs, state);
   double momentum = 0.0;
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {
     momentum += model->vertexMass[v] * state.velocities[v].norm();
   }
-  EXPECT_LE(momentum, inputs.grab->maxForce * parameters.timeStep * (1.0 + 1e-12));
+  EXPECT_LE(momentum, inputs.attachment->maxForce * parameters.timeStep * (1.0 + 1e-12));
   EXPECT_GT(momentum, 0.0);
 }
 

@@ -22,21 +22,22 @@ StepParameters withEverything() {
   return parameters;
 }
 
-StepInputs handWith(double maxForce) {
+StepInputs attachmentWith(double maxForce) {
   StepInputs inputs;
-  inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
   return inputs;
 }
 
-TEST(Pcg, equalsTheDenseSolveWithDampingAirAndHandWithPinsAndWithout) {
+TEST(Pcg, equalsTheDenseSolveWithDampingAirAndAttachmentWithPinsAndWithout) {
   const auto solver = findSolver("pcg")->make();
   for (const auto& model : {pinnedSheet(5), testing::irregularSheet(5), testing::irregularSheet(5, {})}) {
     for (const double maxForce : {50.0, 0.05}) {
       ClothState state = shaken(*model, 0.03, 7);
       ClothState exact = state;
       for (int step = 0; step < 5; ++step) {
-        EXPECT_TRUE(solver->step(*model, withEverything(), handWith(maxForce), state).converged);
-        exactLinearStep(*model, withEverything(), handWith(maxForce), testing::HandDerivative::Lumped, exact);
+        EXPECT_TRUE(solver->step(*model, withEverything(), attachmentWith(maxForce), state).converged);
+        exactLinearStep(*model, withEverything(), attachmentWith(maxForce), testing::AttachmentDerivative::Lumped,
+                        exact);
         EXPECT_LT(largestDifference(state, exact), 1e-9);
       }
     }
@@ -55,7 +56,7 @@ TEST(Pcg, equalsTheDenseSolveInEveryVariantOfTheForceDerivativeThatIsSemiDefinit
     ClothState state = shaken(*model, 0.03, 7);
     ClothState exact = state;
     const StepReport report = findSolver("pcg")->make()->step(*model, parameters, {}, state);
-    exactLinearStep(*model, parameters, {}, testing::HandDerivative::Lumped, exact);
+    exactLinearStep(*model, parameters, {}, testing::AttachmentDerivative::Lumped, exact);
     EXPECT_TRUE(report.converged);
     EXPECT_LT(largestDifference(state, exact), 1e-8) << static_cast<int>(variant);
   }
@@ -68,7 +69,7 @@ TEST(Pcg, equalsTheDenseSolveWithTheExactDerivativeWhereTheMatrixIsDefinite) {
   ClothState state = shaken(*model, 0.01, 7);
   ClothState exact = state;
   EXPECT_TRUE(findSolver("pcg")->make()->step(*model, parameters, {}, state).converged);
-  exactLinearStep(*model, parameters, {}, testing::HandDerivative::Lumped, exact);
+  exactLinearStep(*model, parameters, {}, testing::AttachmentDerivative::Lumped, exact);
   EXPECT_LT(largestDifference(state, exact), 1e-9);
 }
 
@@ -118,7 +119,7 @@ TEST(Pcg, comesNearerToTheExactSolveTheSmallerTheTolerance) {
   parameters.stiffness = 1e4;
   ClothState exact = shaken(*model, 0.03, 7);
   const ClothState start = exact;
-  exactLinearStep(*model, parameters, {}, testing::HandDerivative::Lumped, exact);
+  exactLinearStep(*model, parameters, {}, testing::AttachmentDerivative::Lumped, exact);
   double last = 1e3;
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
     parameters.tolerance = tolerance;

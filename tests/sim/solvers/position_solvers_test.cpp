@@ -36,19 +36,19 @@ double distanceFromBackwardEuler(std::string_view solver, const StepParameters& 
   return largestDifference(state, exact);
 }
 
-StepInputs handPulling() {
+StepInputs pullingAttachment() {
   StepInputs inputs;
-  inputs.grab = Grab{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.3, 0.5), 20.0, 1000.0};
+  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.3, 0.5), 20.0, 1000.0};
   return inputs;
 }
 
-TEST(Vbd, convergesToTheBackwardEulerStepWithDampingAndHand) {
+TEST(Vbd, convergesToTheBackwardEulerStepWithDampingAndAttachment) {
   StepParameters parameters;
   parameters.iterations = 2000;
   parameters.damping = 0.05;
   for (const double stiffness : {10.0, 100.0, 1000.0}) {
     parameters.stiffness = stiffness;
-    EXPECT_LT(distanceFromBackwardEuler("vbd", parameters, handPulling()), 1e-12) << stiffness << " N/m";
+    EXPECT_LT(distanceFromBackwardEuler("vbd", parameters, pullingAttachment()), 1e-12) << stiffness << " N/m";
   }
 }
 
@@ -140,9 +140,9 @@ TEST(Xpbd, differsFromTheBackwardEulerStepByAThirdPowerOfTheStepWhereSpringsTurn
   parameters.iterations = 3000;
   parameters.stiffness = 20.0;
   parameters.timeStep = 1.0 / 400.0;
-  const double coarse = distanceFromBackwardEuler("xpbd", parameters, handPulling());
+  const double coarse = distanceFromBackwardEuler("xpbd", parameters, pullingAttachment());
   parameters.timeStep /= 2.0;
-  const double fine = distanceFromBackwardEuler("xpbd", parameters, handPulling());
+  const double fine = distanceFromBackwardEuler("xpbd", parameters, pullingAttachment());
   EXPECT_LT(coarse, 1e-4);
   EXPECT_GT(std::log2(coarse / fine), 2.7) << coarse << " " << fine;
 }
@@ -176,12 +176,12 @@ TEST(Xpbd, dampsEvenVeryStronglyWithoutLosingMomentum) {
 
 class PositionSolver : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(PositionSolver, holdsALightMeshByAStiffHandAtALargeStep) {
+TEST_P(PositionSolver, holdsALightMeshByAStiffAttachmentAtALargeStep) {
   const auto model = buildClothModel(testing::sheet(9), 0.01, MassLumping::Uniform, {0, 8});
   StepParameters parameters;
   parameters.timeStep = 1.0 / 60.0;
   StepInputs inputs;
-  inputs.grab = Grab{100, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0.4, 0.8), 500.0, 20.0};
+  inputs.attachment = Attachment{100, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0.4, 0.8), 500.0, 20.0};
   ClothState state = stateAtRest(model->restPositions);
   const auto solver = findSolver(GetParam())->make();
   for (int step = 0; step < 300; ++step) {
@@ -192,29 +192,29 @@ TEST_P(PositionSolver, holdsALightMeshByAStiffHandAtALargeStep) {
   }
   Vec3 held = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    held += inputs.grab->barycentric[static_cast<Eigen::Index>(c)] *
+    held += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
             state.positions[static_cast<std::size_t>(model->triangles[100][c])];
   }
-  EXPECT_LT((held - inputs.grab->target).norm(), 0.02);
+  EXPECT_LT((held - inputs.attachment->target).norm(), 0.02);
   for (const Vec3& velocity : state.velocities) {
     EXPECT_LT(velocity.norm(), 1.0) << "what the hand stirred up should have died down";
   }
 }
 
-TEST_P(PositionSolver, neverPullsHarderThanTheHandMay) {
+TEST_P(PositionSolver, neverPullsHarderThanTheAttachmentMay) {
   const auto model = buildClothModel(testing::sheet(3), 0.1, MassLumping::Uniform, {});
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters;
   parameters.gravity = 0.0;
   parameters.iterations = 50;
   StepInputs inputs;
-  inputs.grab = Grab{0, Vec3(0.4, 0.3, 0.3), Vec3(1e6, 0.0, 0.0), 1e5, 2.0};
+  inputs.attachment = Attachment{0, Vec3(0.4, 0.3, 0.3), Vec3(1e6, 0.0, 0.0), 1e5, 2.0};
   findSolver(GetParam())->make()->step(*model, parameters, inputs, state);
   Vec3 momentum = Vec3::Zero();
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {
     momentum += model->vertexMass[v] * state.velocities[v];
   }
-  EXPECT_NEAR(momentum.norm(), inputs.grab->maxForce * parameters.timeStep, 1e-6);
+  EXPECT_NEAR(momentum.norm(), inputs.attachment->maxForce * parameters.timeStep, 1e-6);
 }
 
 TEST_P(PositionSolver, staysBoundedWhereStepsAreHugeAndStiffnessToo) {

@@ -73,7 +73,7 @@ TEST_P(ScalarMatrixSolver, survivesVerticesThatFallTogetherAndAClothHeldEverywhe
   EXPECT_TRUE(isFinite(run(*loose, {}, 3, stateAtRest(std::vector<Vec3>(9, Vec3(0.5, 0.0, 0.5))))));
   const auto held = withPins(*model, std::vector<bool>(9, true));
   StepInputs inputs;
-  inputs.grab = Grab{0, Vec3(1.0, 0.0, 0.0), Vec3(1.0, 1.0, 0.0), 500.0, 10.0};
+  inputs.attachment = Attachment{0, Vec3(1.0, 0.0, 0.0), Vec3(1.0, 1.0, 0.0), 500.0, 10.0};
   ClothState state = stateAtRest(held->restPositions);
   make()->step(*held, {}, inputs, state);
   EXPECT_EQ(stateHash(state), stateHash(stateAtRest(held->restPositions)));
@@ -175,26 +175,26 @@ TEST_P(ScalarMatrixSolver, comesCloserToTheMotionOfAPinnedSheetWithShorterSteps)
   EXPECT_LT(last, 1e-3) << "[m], with steps of about 1e-4 s";
 }
 
-TEST_P(ScalarMatrixSolver, doesNotTakeEnergyFromNothingWhileAStrongHandWavesTheCloth) {
+TEST_P(ScalarMatrixSolver, doesNotTakeEnergyFromNothingWhileAStrongAttachmentWavesTheCloth) {
   for (const std::vector<int>& pins : {std::vector<int>{0, 8}, std::vector<int>{}}) {
     for (const double h : {1.0 / 150.0, 1.0 / 30.0}) {
       const auto model = buildClothModel(sheet(9), 0.1, MassLumping::Uniform, pins);
       StepParameters p;
       p.timeStep = h;
       StepInputs inputs;
-      inputs.grab = Grab{40, Vec3(0.5, 0.3, 0.2), Vec3::Zero(), 500.0, 10.0};
+      inputs.attachment = Attachment{40, Vec3(0.5, 0.3, 0.2), Vec3::Zero(), 500.0, 10.0};
       ClothState state = stateAtRest(model->restPositions);
       const auto solver = make();
       double fastest = 0.0;
       for (int step = 0; step * h < 4.0; ++step) {
-        inputs.grab->target = Vec3(0.5 + 0.3 * std::sin(6.0 * step * h), 0.5, 0.5);
+        inputs.attachment->target = Vec3(0.5 + 0.3 * std::sin(6.0 * step * h), 0.5, 0.5);
         solver->step(*model, p, inputs, state);
         if (step * h > 2.0) {
           fastest = std::max(fastest, rowsOf(state.velocities).rowwise().norm().maxCoeff());
         }
       }
       EXPECT_LT(fastest, 20.0) << "[m/s]; the hand moves at up to 1.8 m/s";
-      EXPECT_LT((Vec3(state.positions[40]) - inputs.grab->target).norm(), 0.6);
+      EXPECT_LT((Vec3(state.positions[40]) - inputs.attachment->target).norm(), 0.6);
     }
   }
 }

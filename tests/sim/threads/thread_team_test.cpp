@@ -107,7 +107,7 @@ TEST(SlicedStepInThreads, hasTheSameBitsWithMoreThreadsThanCores) {
 
 class SolverInThreads : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(SolverInThreads, hasTheSameBitsWhileAHandPullsAcrossTheBoundaryOfShares) {
+TEST_P(SolverInThreads, hasTheSameBitsWhileAnAttachmentPullsAcrossTheBoundaryOfShares) {
   const bool coloured = std::string(GetParam()) == "xpbd";
   const auto model = testing::pinnedSheet(coloured ? 121 : 57);  // enough for two threads
   StepParameters parameters;
@@ -117,7 +117,8 @@ TEST_P(SolverInThreads, hasTheSameBitsWhileAHandPullsAcrossTheBoundaryOfShares) 
   parameters.timeStep = 1.0 / 1500.0;
   parameters.damping = 0.001;
   StepInputs inputs;
-  inputs.grab = Grab{static_cast<int>(model->triangles.size()) / 2, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20, 2};
+  inputs.attachment =
+      Attachment{static_cast<int>(model->triangles.size()) / 2, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20, 2};
   const auto hashWith = [&](int threads) {
     parameters.threads = threads;
     ClothState state = shaken(*model, 0.002, 3);

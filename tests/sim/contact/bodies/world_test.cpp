@@ -26,7 +26,7 @@ TEST(BodyWorld, carriesABodyFromTheEndOfOneStepToTheEndOfTheNext) {
   EXPECT_EQ(world.steps()[0].end.position, Vec3(0, 0, 0));
 }
 
-TEST(BodyWorld, followsTheHandAtABoundedSpeedAndForgetsItWithAReset) {
+TEST(BodyWorld, followsTheMouseAtABoundedSpeedAndForgetsItWithAReset) {
   BodyWorld world(twoBodies(), 0.0);
   world.shiftTowards(0, Vec3(0.0, 0.1, 0.0));
   world.advance(0.0, 0.01);

@@ -1,4 +1,4 @@
-#include "session/work_budget.hpp"
+#include "session/cost_budget.hpp"
 
 #include "settings/settings_table.hpp"
 
@@ -8,11 +8,12 @@
 namespace drape {
 namespace {
 
-constexpr double newest = 0.1;    // share of a new measurement in the mean
-constexpr double believed = 2.0;  // most that a measurement counts as, of the mean: the machine may have been busy
-constexpr double apart = 1.25;    // ratio from which on the work allowed is changed
+constexpr double newest = 0.1;  // weight of a new measurement in the mean
+constexpr double believed =
+    2.0;                        // a measurement counts at most this many times the mean: the machine may have been busy
+constexpr double apart = 1.25;  // the cost budget changes when it is off by this factor
 
-/// To two digits: what is changed now and then need not look exact.
+/// Rounds to two digits, since the budget changes only now and then.
 double rounded(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return std::round(value / unit) * unit;
@@ -20,7 +21,7 @@ double rounded(double value) {
 
 }  // namespace
 
-std::optional<double> WorkBudget::workAfter(const Settings& settings, const ClothModel& model, const StepReport& report,
+std::optional<double> CostBudget::budgetAfter(const Settings& settings, const ClothModel& model, const StepReport& report,
                                             double seconds) {
   const double spent = seconds - report.contact.bodySeconds - report.contact.selfSeconds;
   if (settings.automatic.budget == 0.0 || !report.choice || report.choice->passes <= 0 || model.springs.empty() ||
@@ -31,11 +32,11 @@ std::optional<double> WorkBudget::workAfter(const Settings& settings, const Clot
   cost_ = cost_ > 0.0 ? cost_ + newest * (std::min(cost, believed * cost_) - cost_) : cost;
   constexpr double milliseconds = 1e-3;
   constexpr double millions = 1e-6;
-  const auto& field = std::get<NumberField>(requireSetting("auto.work").field);
+  const auto& field = std::get<NumberField>(requireSetting("auto.cost").field);
   const double affordable = millions * settings.automatic.budget * milliseconds / budgetedTime / cost_;
-  const double work = std::clamp(rounded(affordable), field.min, field.max);
-  const double ratio = work / settings.step.work;
-  return ratio < apart && ratio > 1.0 / apart ? std::nullopt : std::optional(work);
+  const double budget = std::clamp(rounded(affordable), field.min, field.max);
+  const double ratio = budget / settings.step.work;
+  return ratio < apart && ratio > 1.0 / apart ? std::nullopt : std::optional(budget);
 }
 
 }  // namespace drape

@@ -1,4 +1,4 @@
-#include "sim/hand_limit.hpp"
+#include "sim/attachment_limit.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -27,8 +27,8 @@ double forceBorneBy(const ClothModel& model, const StepParameters& parameters, i
 
 }  // namespace
 
-double forceThatClothBears(const ClothModel& model, const StepParameters& parameters, int triangle,
-                           const Vec3& barycentric) {
+double maxAttachmentForce(const ClothModel& model, const StepParameters& parameters, int triangle,
+                          const Vec3& barycentric) {
   const Triangle& corners = model.triangles[static_cast<std::size_t>(triangle)];
   double force = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < 3; ++c) {

@@ -72,7 +72,7 @@ Pulled pulled(const Pull& pull, const Vec3& way) {
   result.before = maxStretch(simulation.model(), simulation.state());
   const int triangle = lowestTriangle(simulation);
   const Vec3 target = centreOf(simulation, triangle) + way;
-  simulation.apply(GrabCommand{triangle, Vec3::Constant(1.0 / 3.0), target});
+  simulation.apply(AttachCommand{triangle, Vec3::Constant(1.0 / 3.0), target});
   for (int i = 0; i < 10; ++i) {
     run(simulation, 0.05);
     result.most = std::max(result.most, maxStretch(simulation.model(), simulation.state()));
@@ -81,14 +81,14 @@ Pulled pulled(const Pull& pull, const Vec3& way) {
   return result;
 }
 
-TEST(Hand, doesNotStretchASkirtByMuchMoreThanAFifth) {
+TEST(Attachment, doesNotStretchASkirtByMuchMoreThanAFifth) {
   for (const Vec3& way : {Vec3(0.13, 0, 0), Vec3(0, -0.13, 0), Vec3(0, 0, 0.5)}) {
     EXPECT_LT(pulled({"skirt", {}}, way).most, 0.25) << way.transpose();
     EXPECT_LT(pulled({"skirt", {"stiffness=1000"}}, way).most, 0.25) << way.transpose();
   }
 }
 
-TEST(Hand, doesNotTearSoftClothAndDoesNotNeedToHoldBackOnStiffCloth) {
+TEST(Attachment, doesNotTearSoftClothAndDoesNotNeedToHoldBackOnStiffCloth) {
   const Pulled soft = pulled({"skirt", {"stiffness=10"}}, Vec3(0, 0, 0.13));
   EXPECT_LT(soft.most, 0.6) << "its own weight stretches it by " << soft.before;
   EXPECT_LT(soft.left, 0.02);
@@ -97,16 +97,16 @@ TEST(Hand, doesNotTearSoftClothAndDoesNotNeedToHoldBackOnStiffCloth) {
   EXPECT_LT(stiff.left, 0.05);
 }
 
-TEST(Hand, takesLightClothAlongAndMovesHeavyCloth) {
+TEST(Attachment, takesLightClothAlongAndMovesHeavyCloth) {
   EXPECT_LT(pulled({"grid", {"grid.resolution=17", "solver=auto", "mass=0.01"}}, Vec3(0, 0, 0.5)).left, 0.02);
   EXPECT_LT(pulled({"curtain", {}}, Vec3(0, 0, 0.5)).left, 0.1);
   // A skirt of 3 kg in place of 0.15 kg: a quarter of its weight takes its hem along.
   EXPECT_LT(pulled({"skirt", {"density=3"}}, Vec3(0, 0, 0.13)).left, 0.08);
 }
 
-TEST(Hand, neverPullsHarderThanTheSettingAllows) {
+TEST(Attachment, neverPullsHarderThanTheSettingAllows) {
   // The sheet would bear more than this.
-  const Pulled gentle = pulled({"grid", {"grid.resolution=17", "solver=auto", "hand.max_force=0.02"}}, Vec3(0, 0, 0.5));
+  const Pulled gentle = pulled({"grid", {"grid.resolution=17", "solver=auto", "attachment.max_force=0.02"}}, Vec3(0, 0, 0.5));
   EXPECT_GT(gentle.left, 0.2);
 }
 

@@ -1,4 +1,4 @@
-#include "session/work_budget.hpp"
+#include "session/cost_budget.hpp"
 
 #include "session/simulation.hpp"
 #include "test_scene.hpp"
@@ -25,12 +25,12 @@ class Budgeting : public ::testing::Test {
 
   std::shared_ptr<const Scene> scene_ = testing::smallGrid();
   Settings settings_ = scene_->settings;
-  WorkBudget budget_;
+  CostBudget budget_;
 };
 
 TEST_F(Budgeting, allowsTheWorkThatTheTimePaysFor) {
   settings_.automatic.budget = 2.0;
-  const auto work = budget_.workAfter(settings_, *scene_->model, ofPasses(10), tenPasses(4.0 * nanosecond));
+  const auto work = budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), tenPasses(4.0 * nanosecond));
   ASSERT_TRUE(work);
   EXPECT_NEAR(*work, 30.0, 0.5);  // 2 ms in 1/60 s at 4 ns an evaluation: 500,000 in 1/60 s, 30 million in a second
 }
@@ -40,7 +40,7 @@ TEST_F(Budgeting, takesContactForSomethingElse) {
   StepReport report = ofPasses(10);
   report.contact.bodySeconds = 0.001;
   report.contact.selfSeconds = 0.002;
-  const auto work = budget_.workAfter(settings_, *scene_->model, report, 0.003 + tenPasses(4.0 * nanosecond));
+  const auto work = budget_.budgetAfter(settings_, *scene_->model, report, 0.003 + tenPasses(4.0 * nanosecond));
   ASSERT_TRUE(work);
   EXPECT_NEAR(*work, 30.0, 0.5);
 }
@@ -48,12 +48,12 @@ TEST_F(Budgeting, takesContactForSomethingElse) {
 TEST_F(Budgeting, leavesSmallDifferencesSingleHiccupsAndOtherSolversAlone) {
   settings_.automatic.budget = 2.0;
   const double seconds = tenPasses(4.0 * nanosecond);
-  settings_.step.work = budget_.workAfter(settings_, *scene_->model, ofPasses(10), seconds).value();
-  EXPECT_FALSE(budget_.workAfter(settings_, *scene_->model, ofPasses(10), 1.1 * seconds));
-  EXPECT_FALSE(budget_.workAfter(settings_, *scene_->model, ofPasses(10), 1000.0 * seconds));
-  EXPECT_FALSE(WorkBudget().workAfter(settings_, *scene_->model, StepReport(), 100.0 * seconds));
+  settings_.step.work = budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), seconds).value();
+  EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), 1.1 * seconds));
+  EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), 1000.0 * seconds));
+  EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, StepReport(), 100.0 * seconds));
   settings_.automatic.budget = 0.0;
-  EXPECT_FALSE(WorkBudget().workAfter(settings_, *scene_->model, ofPasses(10), 100.0 * seconds));
+  EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, ofPasses(10), 100.0 * seconds));
 }
 
 TEST_F(Budgeting, followsAMachineThatBecomesSlower) {
@@ -62,7 +62,7 @@ TEST_F(Budgeting, followsAMachineThatBecomesSlower) {
   for (int step = 0; step < 100; ++step) {
     const double cost = (step < 20 ? 4.0 : 12.0) * nanosecond;
     settings_.step.work =
-        budget_.workAfter(settings_, *scene_->model, ofPasses(10), tenPasses(cost)).value_or(settings_.step.work);
+        budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), tenPasses(cost)).value_or(settings_.step.work);
   }
   EXPECT_NEAR(settings_.step.work, 10.0, 2.5);
 }
@@ -72,7 +72,7 @@ void hurry(Simulation& simulation) {
   simulation.apply(SetSettingCommand{"solver", std::string("auto")});
   simulation.apply(SetSettingCommand{"stiffness", 1e4});
   simulation.apply(SetSettingCommand{"auto.tolerance", 1e-9});
-  simulation.apply(SetSettingCommand{"auto.work", 1e4});
+  simulation.apply(SetSettingCommand{"auto.cost", 1e4});
   simulation.apply(SetSettingCommand{"auto.budget", 0.01});
 }
 

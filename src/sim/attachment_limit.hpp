@@ -9,7 +9,7 @@ namespace drape {
 /// force that stretches the springs around the point by about a fifth. It is no less than a quarter of the cloth's
 /// weight, so that a hand moves cloth that its own weight already stretches by more.
 /// @param triangle that is held  @param barycentric where it is held; sums to 1
-[[nodiscard]] double forceThatClothBears(const ClothModel& model, const StepParameters& parameters, int triangle,
-                                         const Vec3& barycentric);
+[[nodiscard]] double maxAttachmentForce(const ClothModel& model, const StepParameters& parameters, int triangle,
+                                        const Vec3& barycentric);
 
 }  // namespace drape
