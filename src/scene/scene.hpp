@@ -84,8 +84,16 @@ struct StandDescription {
   std::optional<Body> body = standBody();  ///< absent: it is drawn, but has no contact
 };
 
+/// The files of a scene. Either `scene` or `cloth` must be set.
+struct SceneParts {
+  std::string scene = {};                ///< a built-in scene, a scene file or a mesh file; empty: only the next two
+  std::string cloth = {};                ///< a mesh file for the cloth; empty: the cloth of the scene
+  std::vector<std::string> bodies = {};  ///< mesh files of additional bodies
+};
+
 /// A scene as it is written in its file (docs/guide/scenes.md), before anything is built.
 struct SceneDescription {
+  SceneParts parts;   ///< what it was opened from
   std::string name;   ///< "flag", or the file's name
   std::string title;  ///< "A flag in the wind"
   std::string help;
@@ -97,12 +105,12 @@ struct SceneDescription {
   std::optional<CameraPose> camera;  ///< absent: the cloth fills the view
   std::optional<StandDescription> stand;
   std::vector<BodyDescription> bodies;
-  std::optional<double> groundHeight;            ///< absent: groundHeightOf chooses it [m]
-  bool groundBelowCloth = false;                 ///< an automatic height is always below the cloth
+  std::optional<double> groundHeight;         ///< absent: groundHeightOf chooses it [m]
+  bool groundBelowCloth = false;              ///< an automatic height is always below the cloth
   std::optional<Body> ground = groundBody();  ///< absent: the cloth falls through the ground
-  bool opened = false;                           ///< a mesh file that was opened without a scene
-  Settings settings;                             ///< the defaults with the scene's values
-  std::vector<std::string> notes;                ///< about the scene file, for the user
+  bool opened = false;                        ///< a mesh file that was opened without a scene
+  Settings settings;                          ///< the defaults with the scene's values
+  std::vector<std::string> notes;             ///< about the scene file, for the user
 };
 
 /// The surface of a stand.

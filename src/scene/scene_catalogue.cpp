@@ -120,10 +120,14 @@ std::vector<SceneInfo> sceneList() {
 SceneDescription openScene(const std::string& nameOrPath) {
   for (const EmbeddedFile& file : embeddedScenes()) {
     if (sceneName(file) == nameOrPath) {
-      return parseScene(file.bytes, nameOrPath, std::string(file.name), {});
+      SceneDescription scene = parseScene(file.bytes, nameOrPath, std::string(file.name), {});
+      scene.parts.scene = nameOrPath;
+      return scene;
     }
   }
-  return openFile(nameOrPath);
+  SceneDescription scene = openFile(nameOrPath);
+  scene.parts.scene = nameOrPath;
+  return scene;
 }
 
 }  // namespace drape

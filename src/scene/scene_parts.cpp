@@ -74,6 +74,7 @@ SceneDescription openParts(const SceneParts& parts) {
     scene.groundBelowCloth = false;
     scene.groundHeight = 0.0;
   }
+  scene.parts = parts;
   return scene;
 }
 

@@ -95,21 +95,36 @@ void Simulation::reportOverlap() {
 
 void Simulation::stepGhost() {
   if (ghost_ && !ghost_->step(*model_, settings_, inputs_)) {
-    message_ = "The ghost (" + std::string(ghost_->solver().title) + ") blew up at " +
-               std::to_string(state_.time) + " s and was removed. Use more substeps, or another solver for it.";
+    message_ = "The ghost (" + std::string(ghost_->solver().title) + ") blew up at " + std::to_string(state_.time) +
+               " s and was removed. Use more substeps, or another solver for it.";
     settings_.ghost.solver = "off";
     useSolvers();
   }
 }
 
-void Simulation::replay(const std::vector<LoggedCommand>& log) {
+void Simulation::replay(const std::vector<LoggedCommand>& log, std::int64_t steps,
+                        const std::function<void()>& afterStep) {
   replaying_ = true;
-  for (const LoggedCommand& entry : log) {
-    while (stepsTaken_ < entry.step) {
-      step();
+  std::int64_t seen = stepsTaken_;
+  const auto notify = [&] {
+    if (afterStep && stepsTaken_ != seen) {
+      afterStep();
     }
+    seen = stepsTaken_;
+  };
+  // A step that blows up is undone, and would be taken for ever.
+  const auto stepTo = [&](std::int64_t end) {
+    for (bool goesOn = true; goesOn && stepsTaken_ < end; goesOn = !blewUp_) {
+      step();
+      notify();
+    }
+  };
+  for (const LoggedCommand& entry : log) {
+    stepTo(entry.step);
     apply(entry.command);
+    notify();
   }
+  stepTo(steps);
   replaying_ = false;
 }
 
@@ -211,9 +226,8 @@ void Simulation::on(const ResetCommand&) {
   blewUp_ = false;
   stepIndex_ = 0;
   attachment_.reset();
-  message_ = unfolded
-                 ? "The cloth starts folded flat. Drape added a millionth of its rest shape, so that it can unfold."
-                 : "";
+  message_ =
+      unfolded ? "The cloth starts folded flat. Drape added a millionth of its rest shape, so that it can unfold." : "";
 }
 
 void Simulation::on(const AttachCommand& command) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "session/command.hpp"
+#include "session/cost_budget.hpp"
 #include "session/ghost.hpp"
 #include "session/snapshot.hpp"
-#include "session/cost_budget.hpp"
 #include "sim/contact/bodies/world.hpp"
 #include "sim/stepper.hpp"
 
@@ -36,7 +36,10 @@ class Simulation {
 
   /// Runs the log of another simulation of the same scene, with the steps between its commands. The states are
   /// bit-identical.
-  void replay(const std::vector<LoggedCommand>& log);
+  /// @param steps to take in all; after the last command the rest of them follow
+  /// @param afterStep is called after each step
+  void replay(const std::vector<LoggedCommand>& log, std::int64_t steps = 0,
+              const std::function<void()>& afterStep = {});
 
   /// Fills `snapshot` with the current state, reusing its memory.
   void capture(Snapshot& snapshot) const;

@@ -44,7 +44,17 @@ SimulationThread::SimulationThread(std::shared_ptr<const Scene> scene, bool paus
 
 SimulationThread::~SimulationThread() {
   stop_ = true;
-  thread_.join();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+const Simulation& SimulationThread::finish() {
+  finish_ = true;
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+  return simulation_;
 }
 
 void SimulationThread::post(Command command) {
@@ -75,7 +85,7 @@ void SimulationThread::run() {
   RealTimeFactor factor;
   std::vector<Command> commands;
   auto last = Clock::now();
-  while (!stop_) {
+  while (!stop_ && !finish_) {
     const bool changed = drain(commands);
     const double elapsed = secondsSince(last);
     last = Clock::now();

@@ -25,6 +25,9 @@ class SimulationThread {
   /// Posts a command; it takes effect at the next step boundary. Any thread may call it.
   void post(Command command);
 
+  /// Ends the thread after the step in progress and returns its simulation.
+  [[nodiscard]] const Simulation& finish();
+
   /// The newest snapshot. Only the drawing thread may call it; the result is valid until its next call.
   [[nodiscard]] const Snapshot& latest();
 
@@ -38,7 +41,8 @@ class SimulationThread {
   CommandQueue queue_;
   TripleBuffer<Snapshot> snapshots_;
   double realTimeFactor_ = 0.0;
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> finish_{false};  // after the step in progress
+  std::atomic<bool> stop_{false};    // at once
   std::thread thread_;
 };
 

@@ -6,6 +6,7 @@
 #include "app/headless/run_stats.hpp"
 #include "app/headless/solver_notes.hpp"
 #include "app/progress_bar.hpp"
+#include "app/session_log.hpp"
 #include "session/simulation.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
@@ -22,8 +23,9 @@ namespace {
 
 struct RunArguments {
   SceneArguments scene;
-  double seconds = 1.0;
+  std::optional<double> seconds;
   int threads = 1;
+  std::string replay;  // the file of a session log
   std::string stats;
   std::string positions;
   double every = 0.0;
@@ -87,54 +89,96 @@ void warn(const Simulation& simulation) {
   }
 }
 
+/// The figures, positions and checks of a run, one step after the other.
+class RunOutputs {
+ public:
+  RunOutputs(const RunArguments& arguments, const Simulation& simulation, std::int64_t steps)
+      : stats_(arguments.stats, steps), progress_(std::in_place, "simulating", steps) {
+    if (!arguments.positions.empty()) {
+      positions_.emplace(arguments.positions, arguments.every, simulation.settings().step.timeStep);
+      positions_->sample(simulation.state());
+    }
+    if (arguments.checkIntersections > 0) {
+      intersections_.emplace(arguments.checkIntersections);
+      intersections_->observe(simulation);
+    }
+  }
+
+  void addStep(const Simulation& simulation) {
+    stats_.add(simulation);
+    if (positions_) {
+      positions_->sample(simulation.state());
+    }
+    if (intersections_) {
+      intersections_->observe(simulation);
+    }
+    progress_->show(++steps_);
+  }
+
+  /// Writes the files and prints the summary.
+  void finish(const Simulation& simulation) {
+    progress_.reset();
+    warn(simulation);
+    auto figures = stats_.toJson(simulation);
+    if (intersections_) {
+      intersections_->finish(simulation);
+      intersections_->addTo(figures);
+    }
+    stats_.write(figures);
+    if (positions_) {
+      positions_->close();
+    }
+    printSummary(simulation, figures);
+    if (intersections_) {
+      std::cout << intersections_->summary() << '\n';
+    }
+  }
+
+ private:
+  RunStats stats_;
+  std::optional<PositionWriter> positions_;
+  std::optional<IntersectionWatch> intersections_;
+  std::optional<ProgressBar> progress_;
+  std::int64_t steps_ = 0;
+};
+
+/// Runs a recorded session again. It must end in the same bits.
+void replay(const RunArguments& arguments) {
+  SessionLog log = readSessionLog(arguments.replay);
+  log.settings.emplace_back("threads", std::to_string(arguments.threads));
+  Simulation simulation(openLoggedScene(log));
+  RunOutputs outputs(arguments, simulation, log.steps);
+  simulation.replay(log.commands, log.steps, [&] { outputs.addStep(simulation); });
+  outputs.finish(simulation);
+  const std::string hash = toHex(stateHash(simulation.state()));
+  if (hash != log.stateHash) {
+    throw InputError(arguments.replay + ": the replay ends in state " + hash + ", the session ended in state " +
+                     log.stateHash + ". Either a mesh file or the version of Drape has changed since.");
+  }
+  std::cout << "the replay ends in the same state as the session\n";
+}
+
 void run(RunArguments arguments) {
-  arguments.scene.settings.push_back("threads=" + std::to_string(arguments.threads));
   if (!arguments.positions.empty() && !(arguments.every > 0.0)) {
     throw UsageError("--positions needs --every SECONDS: the simulated time between two samples");
   }
+  if (!arguments.replay.empty()) {
+    replay(arguments);
+    return;
+  }
+  if (!arguments.seconds) {
+    throw UsageError("--seconds is required: the simulated time [s]. Only --replay does without it.");
+  }
+  arguments.scene.settings.push_back("threads=" + std::to_string(arguments.threads));
   Simulation simulation(arguments.scene.load());
   printSolverWarnings(simulation.settings(), simulation.model());
-  const double timeStep = simulation.settings().step.timeStep;
-  const std::int64_t steps = stepsFor(arguments.seconds, timeStep);
-  std::optional<PositionWriter> positions;
-  if (!arguments.positions.empty()) {
-    positions.emplace(arguments.positions, arguments.every, timeStep);
-    positions->sample(simulation.state());
+  const std::int64_t steps = stepsFor(*arguments.seconds, simulation.settings().step.timeStep);
+  RunOutputs outputs(arguments, simulation, steps);
+  for (std::int64_t i = 0; i < steps && !simulation.blewUp(); ++i) {
+    simulation.step();
+    outputs.addStep(simulation);
   }
-  std::optional<IntersectionWatch> intersections;
-  if (arguments.checkIntersections > 0) {
-    intersections.emplace(arguments.checkIntersections);
-    intersections->observe(simulation);
-  }
-  RunStats stats(arguments.stats, steps);
-  {
-    ProgressBar progress("simulating", steps);
-    for (std::int64_t i = 0; i < steps && !simulation.blewUp(); ++i) {
-      simulation.step();
-      stats.add(simulation);
-      if (positions) {
-        positions->sample(simulation.state());
-      }
-      if (intersections) {
-        intersections->observe(simulation);
-      }
-      progress.show(i + 1);
-    }
-  }
-  warn(simulation);
-  auto figures = stats.toJson(simulation);
-  if (intersections) {
-    intersections->finish(simulation);
-    intersections->addTo(figures);
-  }
-  stats.write(figures);
-  if (positions) {
-    positions->close();
-  }
-  printSummary(simulation, figures);
-  if (intersections) {
-    std::cout << intersections->summary() << '\n';
-  }
+  outputs.finish(simulation);
   requireIntact(simulation);
 }
 
@@ -144,9 +188,16 @@ void addRunCommand(CLI::App& app) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", "Simulates without drawing and writes statistics");
   arguments->scene.addTo(*command);
-  command->add_option("--seconds", arguments->seconds, "Simulated time [s]")
-      ->required()
-      ->check(numberFrom(0.0, maxSeconds));
+  CLI::Option* seconds =
+      command->add_option("--seconds", arguments->seconds, "Simulated time [s]")->check(numberFrom(0.0, maxSeconds));
+  command
+      ->add_option("--replay", arguments->replay,
+                   "Run a session again that 'drape --record' wrote, and check that it ends in the same bits")
+      ->type_name("LOG")
+      ->check(notEmpty())
+      ->excludes(seconds)
+      ->excludes("scene")
+      ->excludes("--set");
   command->add_option("--threads", arguments->threads,
                       "Maximum number of threads of a step; the result does not depend on it");
   command->add_option("--stats", arguments->stats, "Write the statistics of the run to this file (JSON)")

@@ -42,6 +42,10 @@ int main(int argc, char** argv) {
   app.add_option("--status", options.statusFile, "Write the viewer's state to this file, for scripts (see below)")
       ->type_name("FILE")
       ->check(drape::notEmpty());
+  app.add_option("--record", options.recordFile,
+                 "Write the session to this file at the end, for 'drape-headless run --replay'")
+      ->type_name("FILE")
+      ->check(drape::notEmpty());
   app.set_version_flag("--version", std::string("drape ") + DRAPE_VERSION);
   app.footer(drape::StatusFile::help);
   return drape::runProgram(app, argc, argv, [&] {

@@ -1,5 +1,6 @@
 #include "app/viewer/viewer.hpp"
 
+#include "app/session_log.hpp"
 #include "app/viewer/process_age.hpp"
 #include "app/viewer/screenshot_name.hpp"
 #include "settings/settings_table.hpp"
@@ -65,7 +66,7 @@ std::pair<int, int> openingSize(const ViewerOptions& options) {
 bool differsInSize(const Scene& a, const Scene& b) {
   constexpr double much = 1.5;
   const double tolerance = 0.02 * std::max(*std::max_element(a.summary.size.begin(), a.summary.size.end()),
-                                       *std::max_element(b.summary.size.begin(), b.summary.size.end()));
+                                           *std::max_element(b.summary.size.begin(), b.summary.size.end()));
   for (std::size_t axis = 0; axis < a.summary.size.size(); ++axis) {
     // A flat cloth has a side of zero, so the comparison needs an absolute tolerance.
     const double one = a.summary.size[axis] + tolerance;
@@ -89,6 +90,9 @@ Viewer::Viewer(const std::shared_ptr<const Scene>& scene, const ViewerOptions& o
   resizeWindow(window_.window(), options);
   glfwSetWindowSizeLimits(window_.window(), 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwSwapInterval(1);
+  if (!options.recordFile.empty()) {
+    record_.emplace(options.recordFile, "the session log");
+  }
 }
 
 void Viewer::run() {
@@ -98,6 +102,9 @@ void Viewer::run() {
     updateStats(start);
     frame();
     pace(start);
+  }
+  if (record_) {
+    write(sessionLogOf(simulation_.finish()), *record_);
   }
 }
 

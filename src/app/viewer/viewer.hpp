@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/output_file.hpp"
 #include "app/viewer/status_file.hpp"
 #include "app/viewer/window_events.hpp"
 #include "render/renderer.hpp"
@@ -23,6 +24,7 @@ struct ViewerOptions {
   bool paused = false;
   std::optional<std::pair<int, int>> windowSize;  ///< [window units]
   std::filesystem::path statusFile;               ///< empty: none
+  std::string recordFile;                         ///< of the session log (app/session_log.hpp); empty: none
 };
 
 /// The window: runs a scene on the simulation thread, draws it, and turns user input into commands.
@@ -31,6 +33,7 @@ class Viewer {
   Viewer(const std::shared_ptr<const Scene>& scene, const ViewerOptions& options);
 
   /// Returns when the user quits.
+  /// Returns when the user quits. Then the session log is written; throws InputError when that fails.
   void run();
 
  private:
@@ -67,6 +70,7 @@ class Viewer {
   InteractionController controller_;
   SceneLoader loader_;
   StatusFile status_;
+  std::optional<OutputFile> record_;
   SimulationThread simulation_;
 
   std::shared_ptr<const Scene> shownScene_;   ///< the title bar has its name

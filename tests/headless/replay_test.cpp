@@ -1,0 +1,138 @@
+#include "app/command_json.hpp"
+#include "app/session_log.hpp"
+#include "program.hpp"
+#include "sim/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <memory>
+
+namespace drape::testing {
+namespace {
+
+/// A session with every command that a log can hold.
+std::unique_ptr<Simulation> busySession() {
+  auto session = std::make_unique<Simulation>(buildScene(openScene("sphere"), openScene("sphere").settings));
+  Simulation& simulation = *session;
+  const auto steps = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      simulation.step();
+    }
+  };
+  steps(3);
+  simulation.apply(SetSettingCommand{"wind.x", 2.5});
+  simulation.apply(SetSettingCommand{"drag", 1});
+  simulation.apply(AttachCommand{40, Vec3(0.2, 0.3, 0.5), Vec3(0.1, 1.4, 0.1)});
+  steps(5);
+  simulation.apply(MoveAttachmentCommand{Vec3(0.2, 1.6, 1.0 / 3.0)});
+  steps(5);
+  simulation.apply(TogglePinCommand{});
+  simulation.apply(DetachCommand{});
+  simulation.apply(MovePinsCommand{Vec3(0.0, 0.01, 0.0)});
+  simulation.apply(PauseCommand{true});
+  simulation.apply(SingleStepCommand{});
+  simulation.apply(PauseCommand{false});
+  simulation.apply(MoveBodyCommand{0, Vec3(0.05, 0.0, 0.0)});
+  simulation.apply(SetSurfaceCommand{0, {0.9, 0.7, 0.003}});
+  steps(5);
+  simulation.apply(SwitchBodyCommand{0, false});
+  simulation.apply(SetCostBudgetCommand{321.0});
+  steps(2);
+  return session;
+}
+
+std::string written(const SessionLog& log, const char* name = "session.json") {
+  const std::string file = (testFolder() / name).string();
+  OutputFile output(file, "the session log");
+  write(log, output);
+  return file;
+}
+
+TEST(Replay, endsInTheSameBitsAsTheSession) {
+  const auto session = busySession();
+  const std::string file = written(sessionLogOf(*session));
+  const Outcome outcome = headless("run --replay " + file + " --threads 2");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find(toHex(stateHash(session->state()))), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("same state as the session"), std::string::npos) << outcome.output;
+}
+
+TEST(Replay, followsAResetToTheSameBits) {
+  const auto session = busySession();
+  session->apply(ResetCommand{});
+  for (int i = 0; i < 4; ++i) {
+    session->step();
+  }
+  EXPECT_EQ(headless("run --replay " + written(sessionLogOf(*session))).status, 0);
+}
+
+TEST(Replay, keepsTheSettingsThatTheSceneWasOpenedWith) {
+  Settings settings = openScene("grid").settings;
+  settings.step.stiffness = 123.0;
+  settings.material.mass = 0.2;
+  settings.material.massGivenAs = "mass";
+  Simulation session(buildScene(openScene("grid"), settings));
+  session.step();
+  EXPECT_EQ(headless("run --replay " + written(sessionLogOf(session))).status, 0);
+}
+
+TEST(Replay, failsWhereTheEndDiffers) {
+  const auto session = busySession();
+  SessionLog log = sessionLogOf(*session);
+  std::get<SetSettingCommand>(log.commands.front().command).value = 2.6;
+  const Outcome outcome = headless("run --replay " + written(log));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.errors.find(log.stateHash), std::string::npos) << outcome.errors;
+}
+
+TEST(Replay, refusesWhatIsNoCompleteLog) {
+  const std::string whole = readFile(written(sessionLogOf(*busySession())));
+  const std::string file = (testFolder() / "damaged.json").string();
+  for (const std::string& text : {std::string(), std::string("{}"), whole.substr(0, whole.size() / 2)}) {
+    std::ofstream(file) << text;
+    const Outcome outcome = headless("run --replay " + file);
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_NE(outcome.errors.find(file), std::string::npos) << outcome.errors;
+  }
+  const Outcome missing = headless("run --replay " + (testFolder() / "missing.json").string());
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_NE(missing.errors.find("missing.json"), std::string::npos) << missing.errors;
+}
+
+TEST(Replay, refusesStepsThatDecreaseOrHaveNoEnd) {
+  SessionLog log = sessionLogOf(*busySession());
+  log.steps = 1;
+  EXPECT_NE(headless("run --replay " + written(log)).errors.find("\"steps\""), std::string::npos);
+  log.steps = std::int64_t{1} << 40;
+  EXPECT_EQ(headless("run --replay " + written(log)).status, 1);
+  log.steps = 100;
+  std::swap(log.commands.front(), log.commands.back());
+  EXPECT_NE(headless("run --replay " + written(log)).errors.find("decrease"), std::string::npos);
+}
+
+TEST(Replay, takesSceneAndSettingsFromTheLogAlone) {
+  EXPECT_EQ(headless("run grid --replay log.json").status, 2);
+  EXPECT_EQ(headless("run --replay log.json --set drag=1").status, 2);
+  EXPECT_EQ(headless("run --replay log.json --seconds 1").status, 2);
+  EXPECT_EQ(headless("run grid").status, 2) << "without a log --seconds is required";
+}
+
+TEST(CommandJson, keepsEveryCommandAndAllBits) {
+  const auto session = busySession();
+  ASSERT_GE(session->log().size(), 13U);
+  for (const LoggedCommand& entry : session->log()) {
+    const auto json = toJson(entry);
+    EXPECT_EQ(toJson(commandFrom(nlohmann::ordered_json::parse(json.dump()))), json);
+  }
+}
+
+TEST(CommandJson, namesAnEntryThatIsNoCommand) {
+  for (const char* text : {"{}", "3", R"({"step": 1, "command": "attach"})", R"({"step": 1, "command": "fly"})",
+                           R"({"step": 1, "command": "load_scene"})"}) {
+    EXPECT_THROW(static_cast<void>(commandFrom(nlohmann::ordered_json::parse(text))), InputError) << text;
+  }
+}
+
+}  // namespace
+}  // namespace drape::testing
