@@ -32,9 +32,9 @@ struct ReportStopped {};
 
 /// What a cell may ask while it measures.
 struct CellContext {
-  const ReportRows& section;              ///< what the section has found so far, this cell's last round included
-  const ReportRows& own;                  ///< this cell's rows after its last round; empty in the first
-  std::function<void()> mayStop = [] {};  ///< to be called now and then (each some ms): throws ReportStopped
+  const ReportRows& section;                ///< what the section has found so far, this cell's last round included
+  const ReportRows& own;                    ///< this cell's rows after its last round; empty in the first
+  std::function<void()> checkStop = [] {};  ///< to be called now and then (each some ms): throws ReportStopped
 };
 
 /// A part of a section that is measured by itself, and skipped when an earlier run of the report has it.

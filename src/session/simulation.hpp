@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,11 @@ class Simulation {
   /// finite state, pauses and says so. A ghost that stops being finite is taken away, and the first cloth goes on.
   void step();
 
-  /// To be called now and then within steps that take long. What it throws comes out of step(); what was simulated is
-  /// then of no more use.
-  void askWithinSteps(std::function<void()> mayStop) { mayStop_ = std::move(mayStop); }
+  /// When a stop is requested, a step that takes long throws StepStopped. The simulation is then of no more use.
+  void setStopToken(std::stop_token token) { inputs_.stop = std::move(token); }
+  /// The callback is called now and then within steps that take long. What it throws comes out of step(); the simulation
+  /// is then of no more use.
+  void setProgressCallback(std::function<void()> callback) { onProgress_ = std::move(callback); }
 
   /// Goes through a log that another simulation of the same scene wrote, taking the steps between its commands. The
   /// states are the same, bit for bit.
@@ -111,7 +114,7 @@ class Simulation {
   bool replaying_ = false;  // what the clock had to say stands in the log
   std::optional<Held> grab_;
   StepInputs inputs_;
-  std::function<void()> mayStop_;
+  std::function<void()> onProgress_;
   BodyWorld bodies_;
   std::int64_t stepIndex_ = 0;   // since the last reset
   std::int64_t stepsTaken_ = 0;  // since the scene was loaded

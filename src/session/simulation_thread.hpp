@@ -6,8 +6,8 @@
 #include "session/snapshot.hpp"
 #include "session/triple_buffer.hpp"
 
-#include <atomic>
 #include <memory>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -38,7 +38,7 @@ class SimulationThread {
   CommandQueue queue_;
   TripleBuffer<Snapshot> snapshots_;
   double realTimeFactor_ = 0.0;
-  std::atomic<bool> stop_{false};
+  std::stop_source stop_;
   std::thread thread_;
 };
 

@@ -23,7 +23,7 @@ struct Settings {
 
   /// Of the solver `auto`, beside what stands in `step`.
   struct Auto {
-    double budget = 0.0;  ///< computing time for each sixtieth of a second of motion [ms]; 0: step.work counts
+    double budget = 0.0;  ///< computing time for each sixtieth of a second of motion [ms]; 0: step.costBudget counts
   } automatic;
 
   struct Material {

@@ -210,7 +210,7 @@ const std::array table{
         IntegerField{[](Settings& s) -> int& { return s.step.maxIterations; }, 1, 100000},
         "A solve that has not reached its tolerance by then goes on with what it has, and says so."},
     SettingInfo{"auto.work", "Work allowed", "M/s", Advanced, SettingEffect::Step,
-        NumberField{[](Settings& s) -> double& { return s.step.work; }, 0.01, 1e6, true},
+        NumberField{[](Settings& s) -> double& { return s.step.costBudget; }, 0.01, 1e6, true},
         "Evaluations of a spring, in millions for a second of simulated time, that auto may spend. A core does about a "
         "thousand million in a second of the clock. Follows from auto.budget where that is given.",
         {}, {}, SettingScope::Everywhere, [](const Settings& s) { return s.automatic.budget == 0.0; }},

@@ -53,10 +53,10 @@ double timeForStep(const Settings& settings) {
 /// What is worth telling about the clock: why it is slow, or that there is nothing to do.
 std::optional<Message> paceMessage(const Snapshot& snapshot) {
   const auto& choice = snapshot.stepReport.choice;
-  if (choice && choice->resting) {
+  if (choice && choice->sleeping) {
     return Message{"The cloth is at rest", palette().muted};
   }
-  if (choice && choice->demand > stretchedBudget) {
+  if (choice && choice->costRatio > toleratedCostRatio) {
     return Message{snapshot.settings.step.soften ? "The cloth is softer than it was set, to keep pace"
                                                  : "The cloth is too stiff and too fine for real time",
                    palette().warning, WayOut::Soften};

@@ -39,10 +39,10 @@ TEST(Run, tellsWhatASolverThatChoosesForItselfChose) {
   EXPECT_NE(choice["words"].get<std::string>().find("substep"), std::string::npos);
   EXPECT_GE(choice["substeps"], 1.0);
   EXPECT_GE(choice["error"], 0.0);
-  EXPECT_GT(choice["passes_median"], 0.0);
-  EXPECT_GE(choice["passes_max"], choice["passes_median"]);
+  EXPECT_GT(choice["force_evaluations_median"], 0.0);
+  EXPECT_GE(choice["force_evaluations_max"], choice["force_evaluations_median"]);
   EXPECT_GE(choice["error_max"], choice["error"]);
-  EXPECT_EQ(choice["last_resort_steps"], 0);
+  EXPECT_EQ(choice["fallback_steps"], 0);
 }
 
 TEST(Run, tellsTheStabilityLimitWhereTheSolverHasOne) {

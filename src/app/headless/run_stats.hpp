@@ -37,9 +37,9 @@ class RunStats {
   int mostOverlaps_ = 0;
   double deepestOverlap_ = 0.0;  // [m]
   int mostSqueezed_ = 0;
-  std::vector<float> passes_;
-  int retakenSteps_ = 0;
-  int lastResortSteps_ = 0;
+  std::vector<float> forceEvaluations_;
+  int retriedSteps_ = 0;
+  int fallbackSteps_ = 0;
   double largestError_ = -1.0;  // [m]
 };
 

@@ -45,7 +45,7 @@ class CaseTrial {
   /// Something to be told beside the figures.
   void say(const std::string& words);
 
-  /// To be called every few steps. Throws CaseTooSlow, or what `mayStop` throws.
+  /// To be called every few steps. Throws CaseTooSlow, or what `checkStop` throws.
   void tick() const;
 
   [[nodiscard]] const std::vector<CaseFigure>& figures() const { return figures_; }

@@ -42,10 +42,10 @@ struct CaseResult {
 /// How cases are run.
 struct CaseOptions {
   std::string solver = "one_iteration";
-  bool shortForm = false;                 ///< smaller cloths and shorter times: seconds for all of them together
-  std::vector<std::string> settings;      ///< "key=value" over the cases' own, as the solver's iterations
-  double mostSeconds = 60.0;              ///< a case that takes longer is given up
-  std::function<void()> mayStop = [] {};  ///< called now and then; may throw
+  bool shortForm = false;                   ///< smaller cloths and shorter times: seconds for all of them together
+  std::vector<std::string> settings;        ///< "key=value" over the cases' own, as the solver's iterations
+  double mostSeconds = 60.0;                ///< a case that takes longer is given up
+  std::function<void()> checkStop = [] {};  ///< called now and then; may throw
 };
 
 class CaseTrial;

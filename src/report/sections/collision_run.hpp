@@ -24,8 +24,8 @@ struct CollisionRun {
 
 /// Runs a scene, its bodies included, for so long and looks for intersecting triangles, by the exact judge, at every
 /// `lookEvery`-th step. 0: never.
-/// @param mayStop is called before each step and may throw
+/// @param checkStop is called before each step and may throw
 [[nodiscard]] CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery,
-                                        const std::function<void()>& mayStop);
+                                        const std::function<void()>& checkStop);
 
 }  // namespace drape

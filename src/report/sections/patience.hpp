@@ -22,12 +22,12 @@ inline double threadSeconds() {
 /// How long a run in this thread may take, from now on, by the thread's own clock.
 class Patience {
  public:
-  Patience(std::function<void()> mayStop, double mostSeconds)
-      : mayStop_(std::move(mayStop)), mostSeconds_(mostSeconds) {}
+  Patience(std::function<void()> checkStop, double mostSeconds)
+      : checkStop_(std::move(checkStop)), mostSeconds_(mostSeconds) {}
 
-  /// To be asked at each step. Throws TooSlow when the time is over, and what `mayStop` throws.
+  /// To be asked at each step. Throws TooSlow when the time is over, and what `checkStop` throws.
   void ask() const {
-    mayStop_();
+    checkStop_();
     if (spent() > mostSeconds_) {
       throw TooSlow();
     }
@@ -44,7 +44,7 @@ class Patience {
   }
 
  private:
-  std::function<void()> mayStop_;
+  std::function<void()> checkStop_;
   double mostSeconds_;
   double begin_ = threadSeconds();
 };

@@ -92,7 +92,7 @@ bool isSlowWithLongerSteps(const ReportRows& rows, const ReportRow& row) {
 ReportRows measureCell(Ground& ground, const std::string& method, const std::string& timeStep,
                        const ReportOptions& options, const CellContext& context) {
   Watch patient;
-  patient.progress = [&context](std::string_view, std::int64_t, std::int64_t) { context.mayStop(); };
+  patient.progress = [&context](std::string_view, std::int64_t, std::int64_t) { context.checkStop(); };
   const Trajectory& reference = ground.motion(patient);
   // What takes a solver more iterations is given up as too slow anyway, but only between steps can it be. The default
   // work of `auto` takes seconds.
@@ -106,7 +106,7 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
     row["state"] = "too slow";
     return {row};
   }
-  const Patience patience(context.mayStop, mostSeconds(options));
+  const Patience patience(context.checkStop, mostSeconds(options));
   Watch watch = patience.watch();
   watch.energyPeak = true;
   try {

@@ -38,15 +38,15 @@ class WorkGround {
   const Scene& jitteredScene(int seed);
 
   /// Null when small steps come to no end here.
-  const Reference* reference(const std::function<void()>& mayStop);
+  const Reference* reference(const std::function<void()>& checkStop);
 
   /// How far a jitter of the start has carried the converged motion at that checkpoint: mean over the seeds of the mean
   /// distance [m]. Not a number where there is no reference.
-  double noiseFloor(int checkpoint, const std::function<void()>& mayStop);
+  double noiseFloor(int checkpoint, const std::function<void()>& checkStop);
 
  private:
-  void findReference(const std::function<void()>& mayStop);
-  void findFloor(const std::function<void()>& mayStop);
+  void findReference(const std::function<void()>& checkStop);
+  void findFloor(const std::function<void()>& checkStop);
 
   SetUp setUp_;
   int resolution_;
