@@ -12,7 +12,7 @@ constexpr double nanosecond = 1e-9;
 
 StepReport ofPasses(int passes) {
   StepReport report;
-  report.choice = StepChoice{.passes = passes};
+  report.choice = StepChoice{.forceEvaluations = passes};
   return report;
 }
 
