@@ -24,7 +24,7 @@ struct Task {
     parameters.precision = precision;
     parameters.errorTolerance = 1e-12;
     passes = static_cast<int>(std::ceil(parameters.timeStep / (0.9 * verletStepLimit(*model, parameters))));
-    parameters.work = (passes + 0.5) * static_cast<double>(model->springs.size()) * 1e-6 / parameters.timeStep;
+    parameters.costBudget = (passes + 0.5) * static_cast<double>(model->springs.size()) * 1e-6 / parameters.timeStep;
   }
 };
 
@@ -80,8 +80,8 @@ void addLevels(Suite& suite, const std::string& name, int resolution) {
     task.parameters.stiffness = 1e5;
     task.parameters.soften = true;
     task.passes = substeps;
-    task.parameters.work = (costWithLevels * substeps + 0.5) * static_cast<double>(task.model->springs.size()) * 1e-6 /
-                           task.parameters.timeStep;
+    task.parameters.costBudget = (costWithLevels * substeps + 0.5) * static_cast<double>(task.model->springs.size()) *
+                                 1e-6 / task.parameters.timeStep;
     return task;
   };
   const auto plain = [resolution] {

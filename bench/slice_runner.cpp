@@ -42,7 +42,7 @@ void SliceRunner<T>::phases(int member, int count) {
       } else {
         oneIterationPhase(cloth_, step_, share, phase);
       }
-      team_.meet();
+      team_.arriveAndWait();
     }
   }
 }

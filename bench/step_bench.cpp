@@ -81,7 +81,7 @@ void addConstraints(Suite& suite) {
     const ModelPtr model = grid(sheet);
     auto lanes = std::make_shared<ConstraintLanes>(*model);
     return {batch, [=, start = waving(*model)] {
-              loadPlaces(*model, start, *lanes, {0, lanes->places()});
+              loadVertices(*model, start, *lanes, {0, lanes->vertexCount()});
               return threadSeconds([&] {
                 for (int i = 0; i < batch; ++i) {
                   for (int c = 0; c < lanes->colours(); ++c) {

@@ -32,9 +32,9 @@ struct ReportStopped {};
 
 /// The context of a cell during its measurement.
 struct CellContext {
-  const ReportRows& section;              ///< all rows of the section so far, including this cell's last round
-  const ReportRows& own;                  ///< the rows of this cell's last round; empty in the first
-  std::function<void()> mayStop = [] {};  ///< call it every few ms; throws ReportStopped
+  const ReportRows& section;                ///< all rows of the section so far, including this cell's last round
+  const ReportRows& own;                    ///< the rows of this cell's last round; empty in the first
+  std::function<void()> checkStop = [] {};  ///< call it every few ms; throws ReportStopped
 };
 
 /// A part of a section that is measured separately, and skipped when an earlier run of the report has it.

@@ -133,18 +133,18 @@ class Runner {
   }
 
   void measure(Part& part, std::size_t index) {
-    const auto mayStop = [this] {
+    const auto checkStop = [this] {
       if (hooks_.stopped && hooks_.stopped()) {
         throw ReportStopped();
       }
     };
-    mayStop();
+    checkStop();
     if (hooks_.progress) {
       hooks_.progress(part.section->name, done_, total_);
     }
     const Cell& cell = part.plan.cells[index];
     ReportRows& rows = rows_[std::string(part.section->name)];
-    part.cells->put(index, cell.measure({rows, part.cells->of(index), mayStop}), rows);
+    part.cells->put(index, cell.measure({rows, part.cells->of(index), checkStop}), rows);
     done_ += cell.weight;
     if (hooks_.measured) {
       hooks_.measured(rows_);

@@ -67,13 +67,13 @@ double fittedExponent(const std::vector<double>& x, const std::vector<double>& y
 }
 
 StepTiming timeSteps(const Scene& scene, const Settings& settings, const TimingBudget& budget,
-                     const std::function<void()>& mayStop) {
+                     const std::function<void()>& checkStop) {
   StepTiming timing;
   ClothState state = scene.start;
   const double before = allocatedBytes();
   Stepper stepper(settings.solver.name);
   const auto step = [&] {
-    mayStop();
+    checkStop();
     return secondsOf([&] { stepper.step(*scene.model, settings.step, {}, state); });
   };
   const double first = step();

@@ -33,8 +33,8 @@ struct TimingBudget {
   int maxSteps = 2000;   ///< ... and maximum
 };
 
-/// @param mayStop is called before each step and may throw
+/// @param checkStop is called before each step and may throw
 [[nodiscard]] StepTiming timeSteps(const Scene& scene, const Settings& settings, const TimingBudget& budget,
-                                   const std::function<void()>& mayStop);
+                                   const std::function<void()>& checkStop);
 
 }  // namespace drape

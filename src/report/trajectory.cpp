@@ -61,7 +61,7 @@ class Runner {
     bodies_.advance(state.time, parameters_.timeStep);
     StepInputs inputs;
     inputs.bodies = &bodies_.steps();
-    inputs.mayStop = watch_.progress ? &mayStop_ : nullptr;
+    inputs.onProgress = watch_.progress ? &reportProgress_ : nullptr;
     const StepReport report = stepper_.step(model_, parameters_, inputs, state);
     trajectory_.unsolvedSteps += report.converged ? 0 : 1;
     trajectory_.largestResidual = std::max(trajectory_.largestResidual, report.residual);
@@ -80,7 +80,7 @@ class Runner {
     }
     if (watch_.progress) {
       ++stepsDone_;
-      mayStop_();
+      reportProgress_();
     }
   }
 
@@ -99,7 +99,7 @@ class Runner {
   BodyWorld bodies_;
   std::int64_t stepsDone_ = 0;
   std::int64_t stepsTotal_;
-  std::function<void()> mayStop_ = [this] { watch_.progress(watch_.label, stepsDone_, stepsTotal_); };
+  std::function<void()> reportProgress_ = [this] { watch_.progress(watch_.label, stepsDone_, stepsTotal_); };
   EnergyBalance balance_;
   ClothState before_;
   Trajectory trajectory_;

@@ -21,21 +21,21 @@ double rounded(double value) {
 
 }  // namespace
 
-std::optional<double> CostBudget::budgetAfter(const Settings& settings, const ClothModel& model, const StepReport& report,
-                                            double seconds) {
+std::optional<double> CostBudget::budgetAfter(const Settings& settings, const ClothModel& model,
+                                              const StepReport& report, double seconds) {
   const double spent = seconds - report.contact.bodySeconds - report.contact.selfSeconds;
-  if (settings.automatic.budget == 0.0 || !report.choice || report.choice->passes <= 0 || model.springs.empty() ||
-      !(spent > 0.0)) {
+  if (settings.automatic.budget == 0.0 || !report.choice || report.choice->forceEvaluations <= 0 ||
+      model.springs.empty() || !(spent > 0.0)) {
     return std::nullopt;
   }
-  const double cost = spent / (report.choice->passes * static_cast<double>(model.springs.size()));
+  const double cost = spent / (report.choice->forceEvaluations * static_cast<double>(model.springs.size()));
   cost_ = cost_ > 0.0 ? cost_ + newest * (std::min(cost, believed * cost_) - cost_) : cost;
   constexpr double milliseconds = 1e-3;
   constexpr double millions = 1e-6;
   const auto& field = std::get<NumberField>(requireSetting("auto.cost").field);
   const double affordable = millions * settings.automatic.budget * milliseconds / budgetedTime / cost_;
   const double budget = std::clamp(rounded(affordable), field.min, field.max);
-  const double ratio = budget / settings.step.work;
+  const double ratio = budget / settings.step.costBudget;
   return ratio < apart && ratio > 1.0 / apart ? std::nullopt : std::optional(budget);
 }
 

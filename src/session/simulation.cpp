@@ -35,7 +35,7 @@ void Simulation::step() {
   inputs_.attachment = currentAttachment();
   bodies_.advance(state_.time, settings_.step.timeStep);
   inputs_.bodies = &bodies_.steps();
-  inputs_.mayStop = mayStop_ ? &mayStop_ : nullptr;
+  inputs_.onProgress = onProgress_ ? &onProgress_ : nullptr;
   stepper_->keepContactWork(balance_.has_value());
   stepReport_ = stepper_->step(*model_, settings_.step, inputs_, state_);
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();

@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,13 @@ class Simulation {
   /// finite state, pauses and sets the message. An unstable ghost is removed; the first cloth continues.
   void step();
 
+  /// Sets the token that cancels a long step: a requested stop makes step() throw StepStopped. The simulation must not
+  /// be used after that.
+  void setStopToken(std::stop_token token) { inputs_.stop = std::move(token); }
+
   /// Sets a function that long steps call from time to time. An exception from it leaves step(). The simulation must
   /// not be used after that.
-  void askWithinSteps(std::function<void()> mayStop) { mayStop_ = std::move(mayStop); }
+  void setProgressCallback(std::function<void()> callback) { onProgress_ = std::move(callback); }
 
   /// Runs the log of another simulation of the same scene, with the steps between its commands. The states are
   /// bit-identical.
@@ -114,7 +119,7 @@ class Simulation {
   bool replaying_ = false;  // commands that depend on the clock come from the log
   std::optional<AttachedPoint> attachment_;
   StepInputs inputs_;
-  std::function<void()> mayStop_;
+  std::function<void()> onProgress_;
   BodyWorld bodies_;
   std::int64_t stepIndex_ = 0;   // since the last reset
   std::int64_t stepsTaken_ = 0;  // since the scene was loaded

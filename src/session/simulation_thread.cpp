@@ -16,9 +16,6 @@ constexpr double longestBurst = 1.0 / 120.0;  // [s]
 /// Longest sleep: the maximum delay of a command while nothing moves.
 constexpr double longestSleep = 0.004;  // [s]
 
-/// Aborts a long step when the thread must end.
-struct Stopped {};
-
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -27,23 +24,19 @@ double secondsSince(Clock::time_point start) {
 
 SimulationThread::SimulationThread(std::shared_ptr<const Scene> scene, bool paused) : simulation_(std::move(scene)) {
   simulation_.apply(PauseCommand{paused});
-  simulation_.askWithinSteps([this] {
-    if (stop_) {
-      throw Stopped();
-    }
-  });
+  simulation_.setStopToken(stop_.get_token());
   publish();
   thread_ = std::thread([this] {
     try {
       run();
-    } catch (const Stopped&) {
+    } catch (const StepStopped&) {
       // The aborted step is not needed.
     }
   });
 }
 
 SimulationThread::~SimulationThread() {
-  stop_ = true;
+  stop_.request_stop();
   if (thread_.joinable()) {
     thread_.join();
   }
@@ -85,7 +78,7 @@ void SimulationThread::run() {
   RealTimeFactor factor;
   std::vector<Command> commands;
   auto last = Clock::now();
-  while (!stop_ && !finish_) {
+  while (!stop_.stop_requested() && !finish_) {
     const bool changed = drain(commands);
     const double elapsed = secondsSince(last);
     last = Clock::now();

@@ -6,8 +6,8 @@
 #include "session/snapshot.hpp"
 #include "session/triple_buffer.hpp"
 
-#include <atomic>
 #include <memory>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -42,7 +42,7 @@ class SimulationThread {
   TripleBuffer<Snapshot> snapshots_;
   double realTimeFactor_ = 0.0;
   std::atomic<bool> finish_{false};  // after the step in progress
-  std::atomic<bool> stop_{false};    // at once
+  std::stop_source stop_;            // at once
   std::thread thread_;
 };
 

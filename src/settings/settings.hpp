@@ -22,7 +22,7 @@ struct Settings {
 
   /// Settings of the solver `auto` that are not in `step`.
   struct Auto {
-    double budget = 0.0;  ///< computing time for each 1/60 s of motion [ms]; 0: step.work counts
+    double budget = 0.0;  ///< computing time for each 1/60 s of motion [ms]; 0: step.costBudget counts
   } automatic;
 
   struct Material {

@@ -211,7 +211,7 @@ const std::array table{
         "Maximum number of iterations of a solve. A solve that reaches it before its tolerance reports that, and "
         "the step uses what it found."},
     SettingInfo{"auto.cost", "Cost budget", "M/s", Advanced, SettingEffect::Step,
-        NumberField{[](Settings& s) -> double& { return s.step.work; }, 0.01, 1e6, true},
+        NumberField{[](Settings& s) -> double& { return s.step.costBudget; }, 0.01, 1e6, true},
         "Maximum number of spring evaluations of auto, in millions per second of simulated time. One core does "
         "about 1000 million per second. auto.budget sets this value while it is not 0.",
         {}, {}, SettingScope::Everywhere, [](const Settings& s) { return s.automatic.budget == 0.0; }, "auto.work"},

@@ -20,19 +20,22 @@ struct StepHistory {
 
 /// What a method that chooses for itself has learnt on the way. Part of the state, so that a copy goes on the same way.
 struct StepMemory {
-  double passes = 0.0;  ///< evaluations of all springs that a step should have for its tolerance [-]; 0: not known yet
+  double forceEvaluations =
+      0.0;              ///< evaluations of all springs that a step should have for its tolerance [-]; 0: not known yet
   double error = -1.0;  ///< estimated mean position error after 0.2 s of such steps [m]; negative: not known yet
   int steps = 0;        ///< taken since there is something to remember [-]
-  int caution = 0;      ///< how often the energy guard lately had a step taken again [-]
-  int calm = 0;         ///< steps since then [-]
-  double gained = 0.0;  ///< energy that the last substeps' scheme made from nothing and that has not gone again [J]
-  double risen = 0.0;   ///< the same at the ends of the steps [J]
-  double energy = 0.0;  ///< that the last step ended with [J]
-  std::uint64_t mark = 0;  ///< of the state and the settings that this is the energy of; 0: not known
+  int retryLevel = 0;   ///< how often the energy guard lately had a step taken again [-]
+  int calmSteps = 0;    ///< steps since then [-]
+  double schemeEnergyDrift =
+      0.0;  ///< energy that the last substeps' scheme made from nothing and that has not gone again [J]
+  double energyDrift = 0.0;       ///< the same at the ends of the steps [J]
+  double energy = 0.0;            ///< that the last step ended with [J]
+  std::uint64_t fingerprint = 0;  ///< of the state and the settings that this is the energy of; 0: not known
   /// Where the vertices were at `anchorTime`, and have stayed near ever since [m]; null: they move.
-  std::shared_ptr<const std::vector<Vec3>> anchor = {};
-  double anchorTime = 0.0;      ///< [s]
-  std::uint64_t restsWith = 0;  ///< the mark of all that acts on a cloth that rests at its anchor; 0: it does not rest
+  std::shared_ptr<const std::vector<Vec3>> sleepReference = {};
+  double sleepReferenceTime = 0.0;  ///< [s]
+  std::uint64_t sleepFingerprint =
+      0;  ///< the mark of all that acts on a cloth that rests at its anchor; 0: it does not rest
 };
 
 /// What changes while a cloth moves. Plain data: a copy is a checkpoint.

@@ -49,9 +49,9 @@ std::string hardnessInWords(double hardness) {
 
 std::string schemeInWords(const StepChoice& choice) {
   std::string words = std::to_string(choice.substeps);
-  words += choice.lastResort ? " substep" : " explicit substep";
+  words += choice.usedFallback ? " substep" : " explicit substep";
   words += choice.substeps == 1 ? "" : "s";
-  if (choice.lastResort) {
+  if (choice.usedFallback) {
     return words + " of XPBD";
   }
   return choice.order == 4 ? words + " of fourth order" : words;
@@ -63,44 +63,45 @@ void StepChoice::add(const StepChoice& next) {
   const StepChoice before = *this;
   *this = next;
   substeps += before.substeps;
-  passes += before.passes;
-  retaken += before.retaken;
-  hardness += before.hardness;
-  demand = std::max(demand, before.demand);
-  stiffness = std::min(stiffness, before.stiffness);
-  lastResort = lastResort || before.lastResort;
-  resting = resting && before.resting;
+  forceEvaluations += before.forceEvaluations;
+  retries += before.retries;
+  hOmega += before.hOmega;
+  costRatio = std::max(costRatio, before.costRatio);
+  stiffnessScale = std::min(stiffnessScale, before.stiffnessScale);
+  usedFallback = usedFallback || before.usedFallback;
+  sleeping = sleeping && before.sleeping;
 }
 
 std::vector<std::pair<std::string_view, double>> figuresOf(const StepChoice& choice) {
   return {{"order", choice.order},
           {"substeps", choice.substeps},
-          {"passes", choice.passes},
-          {"hardness", choice.hardness},
-          {"demand", choice.demand},
-          {"stiffness", choice.stiffness},
-          {"levels", choice.levels},
-          {"retaken", choice.retaken},
+          {"force_evaluations", choice.forceEvaluations},
+          {"h_omega", choice.hOmega},
+          {"cost_ratio", choice.costRatio},
+          {"stiffness_scale", choice.stiffnessScale},
+          {"coarse_levels", choice.coarseLevels},
+          {"retries", choice.retries},
           {"error", choice.error},
-          {"gained", choice.gained},
-          {"last_resort", choice.lastResort ? 1.0 : 0.0},
-          {"resting", choice.resting ? 1.0 : 0.0}};
+          {"energy_drift", choice.energyDrift},
+          {"used_fallback", choice.usedFallback ? 1.0 : 0.0},
+          {"sleeping", choice.sleeping ? 1.0 : 0.0}};
 }
 
 std::string inWords(const StepChoice& choice, double seconds, double available) {
   constexpr double allOfIt = 0.995;
-  if (choice.resting) {
+  if (choice.sleeping) {
     return "at rest: nothing to do until something changes";
   }
-  std::string words = hardnessInWords(choice.hardness) + schemeInWords(choice);
-  if (choice.stiffness < allOfIt) {
-    words += " at " + brief(100.0 * choice.stiffness) + " % of the stiffness";
+  std::string words = hardnessInWords(choice.hOmega) + schemeInWords(choice);
+  if (choice.stiffnessScale < allOfIt) {
+    words += " at " + brief(100.0 * choice.stiffnessScale) + " % of the stiffness";
   }
-  if (choice.levels > 0) {
-    words += choice.levels == 1 ? " with 1 coarse level" : " with " + std::to_string(choice.levels) + " coarse levels";
+  if (choice.coarseLevels > 0) {
+    words += choice.coarseLevels == 1 ? " with 1 coarse level"
+                                      : " with " + std::to_string(choice.coarseLevels) + " coarse levels";
   }
-  if (choice.demand > stretchedBudget) {
-    words += ", " + brief(choice.demand) + " times the work allowed";
+  if (choice.costRatio > toleratedCostRatio) {
+    words += ", " + brief(choice.costRatio) + " times the work allowed";
     words += seconds >= available ? ": slow motion" : "";
   }
   if (available > 0.0) {
@@ -109,8 +110,8 @@ std::string inWords(const StepChoice& choice, double seconds, double available) 
   if (choice.error >= 0.0) {
     words += ", error " + lengthInWords(choice.error);
   }
-  if (choice.retaken > 0) {
-    words += choice.retaken == 1 ? ", taken again once" : ", taken again " + std::to_string(choice.retaken) + " times";
+  if (choice.retries > 0) {
+    words += choice.retries == 1 ? ", taken again once" : ", taken again " + std::to_string(choice.retries) + " times";
   }
   return words;
 }

@@ -8,22 +8,22 @@
 namespace drape {
 
 /// How far the work allowed is exceeded without a word: by that much the estimate of what is stable may be off.
-inline constexpr double stretchedBudget = 1.6;
+inline constexpr double toleratedCostRatio = 1.6;
 
 /// What a method that chooses for itself chose for a step, and what it thinks of it.
 struct StepChoice {
-  int order = 2;            ///< of the explicit scheme: 2 (Verlet) or 4 (PEFRL); 1 when the last resort took the step
-  int substeps = 1;         ///< equal parts that the step was taken in [-]
-  int passes = 1;           ///< evaluations of all springs, coarse levels as what they cost; with retakes [-]
-  double hardness = 0.0;    ///< time step times the mesh's largest local frequency [-]
-  double demand = 0.0;      ///< what the step was planned to cost, in the work allowed for it [-]
-  double stiffness = 1.0;   ///< share of their stiffness that the springs of the median vertex keep [-]
-  int levels = 0;           ///< coarse levels that carry tension [-]
-  int retaken = 0;          ///< how often the energy guard had the step taken again [-]
-  bool lastResort = false;  ///< the energy guard gave the step to a method that cannot explode
-  bool resting = false;     ///< the cloth rests, so that there was nothing to do
-  double error = -1.0;      ///< estimated mean position error after 0.2 s of such steps [m]; negative: not known yet
-  double gained = 0.0;      ///< energy that came from nowhere lately and has not gone again [J]
+  int order = 2;             ///< of the explicit scheme: 2 (Verlet) or 4 (PEFRL); 1 when the last resort took the step
+  int substeps = 1;          ///< equal parts that the step was taken in [-]
+  int forceEvaluations = 1;  ///< evaluations of all springs, coarse levels as what they cost; with retakes [-]
+  double hOmega = 0.0;       ///< time step times the mesh's largest local frequency [-]
+  double costRatio = 0.0;    ///< what the step was planned to cost, in the work allowed for it [-]
+  double stiffnessScale = 1.0;  ///< share of their stiffness that the springs of the median vertex keep [-]
+  int coarseLevels = 0;         ///< coarse levels that carry tension [-]
+  int retries = 0;              ///< how often the energy guard had the step taken again [-]
+  bool usedFallback = false;    ///< the energy guard gave the step to a method that cannot explode
+  bool sleeping = false;        ///< the cloth rests, so that there was nothing to do
+  double error = -1.0;       ///< estimated mean position error after 0.2 s of such steps [m]; negative: not known yet
+  double energyDrift = 0.0;  ///< energy that came from nowhere lately and has not gone again [J]
 
   /// Takes in the choice of the step that follows.
   void add(const StepChoice& next);

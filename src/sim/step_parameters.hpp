@@ -5,12 +5,12 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace drape {
 
-/// Which derivative of a spring's force the implicit methods put into their matrix (docs/theory/method.md compares
-/// them).
+/// The derivative of a spring's force in the matrix of implicit methods (docs/theory/method.md compares them).
 enum class ForceDerivative {
   Stabilised,  ///< the paper's eq. 16: exact when stretched, k (l0/L) d d^T when compressed
   Exact,       ///< the paper's eq. 15: k [(1 - l0/L) I + (l0/L) d d^T]; indefinite when compressed
@@ -19,24 +19,24 @@ enum class ForceDerivative {
   TensionOnly  ///< exact when stretched, nothing when compressed, as Choi and Ko (2002)
 };
 
-/// How a step's end is found from its start, with any solver of a backward-Euler step.
+/// The time integration, for all solvers of a backward-Euler step.
 enum class Integration {
   BackwardEuler,  ///< first order, damps fast motion strongly
   Theta,          ///< a backward-Euler step over theta h, extrapolated to h; theta = 1/2 is the implicit midpoint rule
   Bdf2            ///< second order from the last two states (backward differentiation formula)
 };
 
-/// The numbers that a step calculates with. States are kept in double whatever the step uses.
+/// The precision of a step's arithmetic. States are always stored in double.
 enum class Precision { Float, Double };
 
-/// The largest relaxation with which an even number of block-Jacobi sweeps is harmless. k sweeps with relaxation w
-/// answer a mode of the Jacobi eigenvalue mu >= -1 with g <= 1 + (2 w - 1)^(k+1) times the exact velocity change, and a
-/// backward- Euler oscillator stays stable while g <= 4/3; two sweeps reach that at w = 0.847.
+/// The largest relaxation for which an even number of block-Jacobi sweeps is stable. For a mode with Jacobi eigenvalue
+/// mu >= -1, k sweeps with relaxation w give g <= 1 + (2 w - 1)^(k+1) times the exact velocity change. A backward-Euler
+/// oscillator is stable for g <= 4/3; two sweeps reach that at w = 0.847.
 inline constexpr double evenSweepsRelaxation = 0.8;
 
 struct BodyStep;
 
-/// What a step needs to know besides the cloth itself. Any of it may change between two steps.
+/// The parameters of a step. Any of them may change between two steps.
 struct StepParameters {
   double timeStep = 1.0 / 150.0;  ///< h [s]
   double stiffness = 100.0;       ///< k_s [N/m] of every spring
@@ -47,42 +47,58 @@ struct StepParameters {
   double airDensity = 1.225;      ///< rho [kg/m^3]
   Vec3 wind = Vec3::Zero();       ///< velocity of the air [m/s]
 
-  int substeps = 1;                                          ///< equal parts that a step is taken in [-]
+  int substeps = 1;                                          ///< equal parts of a step [-]
   ForceDerivative derivative = ForceDerivative::Stabilised;  ///< of all implicit methods
   Integration integration = Integration::BackwardEuler;      ///< of all solvers of a backward-Euler step
   double theta = 0.5;                                        ///< of Integration::Theta, 1/2 to 1 [-]
   int sweeps = 1;                                            ///< block-Jacobi sweeps of one_iteration [-]
-  double relaxation = 1.0;                                   ///< damping of these sweeps; below 1: damped Jacobi [-]
-  int iterations = 10;                                       ///< of the methods that take a fixed number [-]
-  double spectralRadius = 0.8;                               ///< of the Jacobi iteration, for its acceleration [-]
-  double tolerance = 1e-6;                                   ///< relative residual at which a solve ends [-]
-  int maxIterations = 1000;                                  ///< at which a solve gives up [-]
-  double work = 500.0;           ///< that `auto` may do, 1e6 evaluations of a spring a simulated second [1e6/s]
-  bool soften = false;           ///< `auto` keeps to that by softer springs; else a step takes what it needs
-  double errorTolerance = 1e-4;  ///< of `auto`: mean position error that 0.2 s of motion may build up [m]
-  bool keepMomentum = false;     ///< free cloth is given back the momentum it lost
-  Precision precision = Precision::Double;  ///< of the methods that have both
+  double relaxation = 1.0;                                   ///< of these sweeps; below 1: damped Jacobi [-]
+  int iterations = 10;                                       ///< of methods with a fixed number of iterations [-]
+  double spectralRadius = 0.8;   ///< assumed for the Jacobi iteration, for its acceleration [-]
+  double tolerance = 1e-6;       ///< relative residual at which a solve ends [-]
+  int maxIterations = 1000;      ///< at which a solve gives up [-]
+  double costBudget = 500.0;     ///< of `auto`: spring evaluations per simulated second [1e6/s]
+  bool soften = false;           ///< `auto` keeps to the cost budget by softer springs; else a step may exceed it
+  double errorTolerance = 1e-4;  ///< of `auto`: allowed mean position error after 0.2 s of motion [m]
+  bool keepMomentum = false;     ///< restore the momentum of free cloth after each substep
+  Precision precision = Precision::Double;  ///< of methods that support both
   int threads = 1;                          ///< threads a step may use [-]; the result does not depend on it
 
   ContactParameters contact;
 };
 
-/// A hand that holds the cloth: a spring from a point on a triangle to a target, whose force is bounded.
+/// An attachment of the cloth, as by the mouse: a spring from a point on a triangle to a target, with a bounded force.
 struct Attachment {
   int triangle = 0;                 ///< index into ClothModel::triangles
   Vec3 barycentric = Vec3::Zero();  ///< weights of the triangle's corners, summing to 1
-  Vec3 target = Vec3::Zero();       ///< where the hand is [m]
+  Vec3 target = Vec3::Zero();       ///< [m]
   double stiffness = 0.0;           ///< [N/m]
   double maxForce = 0.0;            ///< the force never exceeds this [N]
 };
 
-/// What acts on the cloth from outside during one step.
+/// Thrown out of a step when StepInputs::stop requests a stop. `auto` and `newton` throw it with the state as it was at
+/// the start of the substep; the step is lost.
+struct StepStopped {};
+
+/// External actions on the cloth during one step.
 struct StepInputs {
   std::optional<Attachment> attachment;
-  const std::vector<BodyStep>* bodies = nullptr;  ///< that are there, over this step (contact/body.hpp); null: none
-  /// Called now and then by methods that may take seconds over a step. What it throws ends the step, and leaves the
-  /// state somewhere in it. Null: nobody wants to know.
-  const std::function<void()>* mayStop = nullptr;
+  const std::vector<BodyStep>* bodies = nullptr;  ///< over this step (contact/body.hpp); null: none
+  /// Methods whose steps may take seconds check it now and then and throw StepStopped.
+  std::stop_token stop = {};
+  /// Called at the same points, to show progress or to check a deadline. An exception that it throws ends the step like
+  /// StepStopped. Null if not needed.
+  const std::function<void()>* onProgress = nullptr;
 };
+
+/// Ends the step if a stop is requested, and reports progress.
+inline void checkStop(const StepInputs& inputs) {
+  if (inputs.stop.stop_requested()) {
+    throw StepStopped();
+  }
+  if (inputs.onProgress != nullptr) {
+    (*inputs.onProgress)();
+  }
+}
 
 }  // namespace drape

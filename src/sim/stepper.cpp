@@ -1,9 +1,9 @@
 #include "sim/stepper.hpp"
 
-#include "sim/adaptive/step_plan.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/error.hpp"
+#include "sim/local_rates.hpp"
 #include "sim/moving_frame.hpp"
 
 #include <algorithm>
@@ -79,7 +79,7 @@ int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& pa
 }
 
 int Stepper::contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters) {
-  const double rate = rate_.get(model, [](const ClothModel& m) { return localRatesOf(m).most; });
+  const double rate = rate_.get(model, [](const ClothModel& m) { return localRatesOf(m).percentile99; });
   const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rate);
   return std::max(1, static_cast<int>(std::min(std::ceil(hardness / maxContactHOmega), maxContactSubsteps)));
 }

@@ -17,25 +17,25 @@ std::optional<double> substeps(const StepChoice& choice) {
   return choice.substeps;
 }
 
-std::optional<double> passes(const StepChoice& choice) {
-  return choice.passes;
+std::optional<double> forceEvaluations(const StepChoice& choice) {
+  return choice.forceEvaluations;
 }
 
-std::optional<double> stiffness(const StepChoice& choice) {
-  return 100.0 * choice.stiffness;
+std::optional<double> stiffnessScale(const StepChoice& choice) {
+  return 100.0 * choice.stiffnessScale;
 }
 
 std::optional<double> error(const StepChoice& choice) {
   return choice.error < 0.0 ? std::nullopt : std::optional(1e3 * choice.error);
 }
 
-std::optional<double> gained(const StepChoice& choice) {
-  return 1e3 * choice.gained;
+std::optional<double> energyDrift(const StepChoice& choice) {
+  return 1e3 * choice.energyDrift;
 }
 
 bool isSofter(const MeasureSample& sample) {
   constexpr double allOfIt = 0.995;
-  return sample.choice && sample.choice->stiffness < allOfIt;
+  return sample.choice && sample.choice->stiffnessScale < allOfIt;
 }
 
 }  // namespace
@@ -44,15 +44,15 @@ void choicePlots(const PanelContext& context) {
   const auto& colours = palette().plot;
   const auto& samples = context.memory.measures.samples();
   const std::array work{PlotCurve{"Substeps", colours[0], chosen<substeps>},
-                        PlotCurve{"Force evaluations", colours[1], chosen<passes>}};
+                        PlotCurve{"Force evaluations", colours[1], chosen<forceEvaluations>}};
   timePlot(context, "Chosen", "per step", samples, work);
   if (std::any_of(samples.begin(), samples.end(), isSofter)) {
-    const std::array kept{PlotCurve{"Stiffness kept", colours[2], chosen<stiffness>}};
+    const std::array kept{PlotCurve{"Stiffness scale", colours[2], chosen<stiffnessScale>}};
     timePlot(context, "Stiffness scale", "%", samples, kept);
   }
   const std::array errors{PlotCurve{"Estimated error", colours[3], chosen<error>}};
   timePlot(context, "Position error in 0.2 s", "mm", samples, errors);
-  const std::array energy{PlotCurve{"From nowhere", colours[4], chosen<gained>}};
+  const std::array energy{PlotCurve{"Energy drift", colours[4], chosen<energyDrift>}};
   timePlot(context, "Energy drift", "mJ", samples, energy);
 }
 

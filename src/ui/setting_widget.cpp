@@ -114,8 +114,8 @@ Edit choiceWidget(PanelContext& context, const SettingInfo& info, const ChoiceFi
     widest = std::max(widest, ImGui::CalcTextSize(choice.title.c_str()).x);
   }
   const float needed = (widest + 2.0F * ImGui::GetStyle().FramePadding.x) * static_cast<float>(choices.size());
-  const bool sideBySide = choices.size() > 1 && choices.size() <= 3 && needed <= ImGui::CalcItemWidth();
-  return sideBySide ? segmentsWidget(context, info, choices, value) : comboWidget(context, info, choices, value);
+  const bool interleaved = choices.size() > 1 && choices.size() <= 3 && needed <= ImGui::CalcItemWidth();
+  return interleaved ? segmentsWidget(context, info, choices, value) : comboWidget(context, info, choices, value);
 }
 
 Edit fieldWidget(PanelContext& context, const SettingInfo& info, const SettingValue& value) {

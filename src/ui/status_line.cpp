@@ -1,5 +1,5 @@
+#include "session/cost_budget.hpp"
 #include "session/solver_warning.hpp"
-#include "session/work_budget.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/solver.hpp"
 #include "ui/panels.hpp"
@@ -53,10 +53,10 @@ double timeForStep(const Settings& settings) {
 /// A message about the speed of the simulation: why it is slow, or that the cloth is at rest.
 std::optional<Message> paceMessage(const Snapshot& snapshot) {
   const auto& choice = snapshot.stepReport.choice;
-  if (choice && choice->resting) {
+  if (choice && choice->sleeping) {
     return Message{"The cloth is at rest", palette().muted};
   }
-  if (choice && choice->demand > stretchedBudget) {
+  if (choice && choice->costRatio > toleratedCostRatio) {
     return Message{snapshot.settings.step.soften ? "The springs are softened to keep real time"
                                                  : "The cloth is too stiff and too fine for real time",
                    palette().warning, Remedy::Soften};

@@ -42,7 +42,7 @@ TEST(Run, tellsWhatASolverThatChoosesForItselfChose) {
   EXPECT_GT(choice["force_evaluations_median"], 0.0);
   EXPECT_GE(choice["force_evaluations_max"], choice["force_evaluations_median"]);
   EXPECT_GE(choice["error_max"], choice["error"]);
-  EXPECT_EQ(choice["fallback_solver_steps"], 0);
+  EXPECT_EQ(choice["fallback_steps"], 0);
 }
 
 TEST(Run, tellsTheStabilityLimitWhereTheSolverHasOne) {

@@ -94,7 +94,7 @@ TEST(MeasureSections, dropsWhatACellHadWhenItWasStoppedInside) {
   section.plan = [](const ReportOptions&) {
     SectionPlan plan;
     plan.cells.push_back({"a", 1.0, [](const CellContext& context) {
-                            context.mayStop();
+                            context.checkStop();
                             return ReportRows{{{"name", "a"}}};
                           }});
     return plan;

@@ -12,7 +12,7 @@ constexpr double nanosecond = 1e-9;
 
 StepReport ofPasses(int passes) {
   StepReport report;
-  report.choice = StepChoice{.passes = passes};
+  report.choice = StepChoice{.forceEvaluations = passes};
   return report;
 }
 
@@ -48,7 +48,7 @@ TEST_F(Budgeting, takesContactForSomethingElse) {
 TEST_F(Budgeting, leavesSmallDifferencesSingleHiccupsAndOtherSolversAlone) {
   settings_.automatic.budget = 2.0;
   const double seconds = tenPasses(4.0 * nanosecond);
-  settings_.step.work = budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), seconds).value();
+  settings_.step.costBudget = budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), seconds).value();
   EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), 1.1 * seconds));
   EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), 1000.0 * seconds));
   EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, StepReport(), 100.0 * seconds));
@@ -58,13 +58,13 @@ TEST_F(Budgeting, leavesSmallDifferencesSingleHiccupsAndOtherSolversAlone) {
 
 TEST_F(Budgeting, followsAMachineThatBecomesSlower) {
   settings_.automatic.budget = 2.0;
-  settings_.step.work = 30.0;
+  settings_.step.costBudget = 30.0;
   for (int step = 0; step < 100; ++step) {
     const double cost = (step < 20 ? 4.0 : 12.0) * nanosecond;
-    settings_.step.work =
-        budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), tenPasses(cost)).value_or(settings_.step.work);
+    settings_.step.costBudget = budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), tenPasses(cost))
+                                    .value_or(settings_.step.costBudget);
   }
-  EXPECT_NEAR(settings_.step.work, 10.0, 2.5);
+  EXPECT_NEAR(settings_.step.costBudget, 10.0, 2.5);
 }
 
 /// So much that no machine can pay for it, within so little time that the work allowed has to follow.
@@ -85,7 +85,7 @@ TEST_F(Budgeting, isLoggedSoThatAReplayTakesTheSameSteps) {
   simulation.apply(SingleStepCommand{});
   simulation.apply(PauseCommand{});  // so that the log tells of all steps
   EXPECT_GT(simulation.log().size(), 7U) << "the work allowed was changed";
-  EXPECT_LT(simulation.settings().step.work, 1e4);
+  EXPECT_LT(simulation.settings().step.costBudget, 1e4);
   Simulation again(scene_);
   again.replay(simulation.log());
   EXPECT_EQ(again.log().size(), simulation.log().size()) << "a replay adds nothing of its own";
@@ -102,7 +102,7 @@ TEST_F(Budgeting, asksNoClockWhenItIsOff) {
     simulation.step();
   }
   EXPECT_EQ(simulation.log().size(), commands);
-  EXPECT_EQ(simulation.settings().step.work, 1e4);
+  EXPECT_EQ(simulation.settings().step.costBudget, 1e4);
 }
 
 }  // namespace

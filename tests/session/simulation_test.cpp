@@ -279,7 +279,7 @@ TEST(Simulation, loadsAnotherSceneWithItsOwnSettings) {
 TEST(Simulation, letsOutOfAStepWhatIsThrownWithinIt) {
   struct Enough {};
   Simulation simulation(smallGrid(9, {"solver=newton", "tolerance=1e-9"}));
-  simulation.askWithinSteps([] { throw Enough(); });
+  simulation.setProgressCallback([] { throw Enough(); });
   EXPECT_THROW(simulation.step(), Enough);
   EXPECT_EQ(simulation.stepsTaken(), 0);
 }

@@ -72,9 +72,9 @@ void RunStats::add(const Simulation& simulation) {
   bodySeconds_.push_back(static_cast<float>(contact.bodySeconds));
   selfSeconds_.push_back(static_cast<float>(contact.selfSeconds));
   if (const auto& choice = simulation.lastStepReport().choice) {
-    passes_.push_back(static_cast<float>(choice->passes));
-    retakenSteps_ += choice->retaken > 0 ? 1 : 0;
-    fallbackSteps_ += choice->lastResort ? 1 : 0;
+    forceEvaluations_.push_back(static_cast<float>(choice->forceEvaluations));
+    retriedSteps_ += choice->retries > 0 ? 1 : 0;
+    fallbackSteps_ += choice->usedFallback ? 1 : 0;
     largestError_ = std::max(largestError_, choice->error);
   }
   maxOverlaps_ = std::max(maxOverlaps_, contact.overlaps);
@@ -92,12 +92,12 @@ nlohmann::ordered_json RunStats::contactJson(const ContactReport& last) const {
 nlohmann::ordered_json RunStats::choiceJson(const std::optional<StepChoice>& last) const {
   nlohmann::ordered_json json = drape::toJson(last);
   if (last) {
-    std::vector<float> passes = passes_;
-    std::sort(passes.begin(), passes.end());
-    json["force_evaluations_median"] = quantile(passes, 0.5);
-    json["force_evaluations_max"] = quantile(passes, 1.0);
-    json["retaken_steps"] = retakenSteps_;
-    json["fallback_solver_steps"] = fallbackSteps_;
+    std::vector<float> evaluations = forceEvaluations_;
+    std::sort(evaluations.begin(), evaluations.end());
+    json["force_evaluations_median"] = quantile(evaluations, 0.5);
+    json["force_evaluations_max"] = quantile(evaluations, 1.0);
+    json["retried_steps"] = retriedSteps_;
+    json["fallback_steps"] = fallbackSteps_;
     json["error_max"] = largestError_;
   }
   return json;

@@ -37,8 +37,8 @@ class RunStats {
   int maxOverlaps_ = 0;
   double deepestOverlap_ = 0.0;  // [m]
   int maxInfeasible_ = 0;
-  std::vector<float> passes_;
-  int retakenSteps_ = 0;
+  std::vector<float> forceEvaluations_;
+  int retriedSteps_ = 0;
   int fallbackSteps_ = 0;
   double largestError_ = -1.0;  // [m]
 };

@@ -61,7 +61,7 @@ double CaseTrial::seconds() const {
 }
 
 void CaseTrial::tick() const {
-  options_.mayStop();
+  options_.checkStop();
   if (seconds() > options_.maxSeconds) {
     throw CaseTooSlow();
   }

@@ -45,7 +45,7 @@ class CaseTrial {
   /// Adds a remark.
   void say(const std::string& words);
 
-  /// Call it every few steps. Throws CaseTooSlow, and forwards exceptions from `mayStop`.
+  /// Call it every few steps. Throws CaseTooSlow, and forwards exceptions from `checkStop`.
   void tick() const;
 
   [[nodiscard]] const std::vector<CaseFigure>& figures() const { return figures_; }

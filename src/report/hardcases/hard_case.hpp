@@ -42,10 +42,10 @@ struct CaseResult {
 /// Options of the cases.
 struct CaseOptions {
   std::string solver = "one_iteration";
-  bool shortForm = false;                 ///< smaller cloths and shorter times: seconds for all of them
-  std::vector<std::string> settings;      ///< "key=value", added to the settings of the cases
-  double maxSeconds = 60.0;               ///< time limit of a case
-  std::function<void()> mayStop = [] {};  ///< called regularly; may throw
+  bool shortForm = false;                   ///< smaller cloths and shorter times: seconds for all of them
+  std::vector<std::string> settings;        ///< "key=value", added to the settings of the cases
+  double maxSeconds = 60.0;                 ///< time limit of a case
+  std::function<void()> checkStop = [] {};  ///< called regularly; may throw
 };
 
 class CaseTrial;

@@ -31,7 +31,7 @@ std::shared_ptr<const Scene> sceneOf(const CaseCloth& cloth) {
 
 WatchedCloth::WatchedCloth(CaseTrial& trial, const CaseCloth& cloth, EnergyRule rule)
     : trial_(trial), rule_(rule), simulation_(sceneOf(cloth)) {
-  simulation_.askWithinSteps([&trial] { trial.tick(); });
+  simulation_.setProgressCallback([&trial] { trial.tick(); });
   countAnew();
 }
 

@@ -83,7 +83,7 @@ ReportRows measure(const Meeting& meeting, const std::vector<std::string>& setti
     assignSettingExpression(description.settings, expression);
   }
   const auto scene = buildScene(description, description.settings);
-  return {rowOf(meeting, *scene, runCollision(*scene, meeting.seconds, meeting.lookEvery, context.mayStop))};
+  return {rowOf(meeting, *scene, runCollision(*scene, meeting.seconds, meeting.lookEvery, context.checkStop))};
 }
 
 /// Adds the cells of one scene at one resolution; 0 is that of the scene.

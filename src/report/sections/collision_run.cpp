@@ -64,7 +64,7 @@ class Lookout {
 
 }  // namespace
 
-CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery, const std::function<void()>& mayStop) {
+CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery, const std::function<void()>& checkStop) {
   CollisionRun run;
   const StepParameters& parameters = scene.settings.step;
   Stepper stepper(scene.settings.solver.name);
@@ -74,7 +74,7 @@ CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery, con
   StepCosts costs;
   Lookout lookout(*scene.model, world);
   while (state.time < seconds && run.finite) {
-    mayStop();
+    checkStop();
     ContactReport contact;
     const double taken = secondsOf([&] {
       world.advance(state.time, parameters.timeStep);

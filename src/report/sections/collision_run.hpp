@@ -15,7 +15,7 @@ struct CollisionRun {
   double longestContact = 0.0;  ///< 99th percentile of both together [s]
   int contacts = 0;             ///< maximum in a step
   int overlapping = 0;          ///< maximum number of triangles inside a body at the start of a step
-  int infeasible = 0;             ///< maximum number of infeasible vertices in a step
+  int infeasible = 0;           ///< maximum number of infeasible vertices in a step
   int pairsWithSelf = 0;        ///< maximum number of self-intersecting triangle pairs in a count
   int pairsWithBodies = 0;      ///< maximum number of intersecting pairs of a cloth and a body triangle
   double shareWithSelf = 0.0;   ///< share of the counts with self-intersecting pairs [-]
@@ -24,8 +24,8 @@ struct CollisionRun {
 
 /// Runs a scene with its bodies for that time and counts intersecting triangles, with the exact intersection test, at
 /// every `lookEvery`-th step. 0: never.
-/// @param mayStop is called before each step and may throw
+/// @param checkStop is called before each step and may throw
 [[nodiscard]] CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery,
-                                        const std::function<void()>& mayStop);
+                                        const std::function<void()>& checkStop);
 
 }  // namespace drape

@@ -74,7 +74,7 @@ ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportO
   Settings settings = scene->settings;
   settings.step.substeps = stableSubsteps(solver, *scene);
   const TimingBudget budget{.seconds = options.quick ? 0.05 : 0.25, .minSteps = minSteps, .maxSteps = 1000};
-  const StepTiming timing = timeSteps(*scene, settings, budget, context.mayStop);
+  const StepTiming timing = timeSteps(*scene, settings, budget, context.checkStop);
   const double median = medianOf(timing.stepSeconds);
   row["substeps"] = settings.step.substeps;
   row["step_us"] = finiteOrNull(microseconds * median / settings.step.substeps);

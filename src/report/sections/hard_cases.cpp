@@ -34,7 +34,7 @@ ReportRows measureCase(const HardCase& one, const std::string& method, const Rep
   // More iterations take too long in any case.
   asked.settings = {"threads=" + std::to_string(options.threads), "max_iterations=100"};
   asked.maxSeconds = maxSeconds(asked.shortForm, options);
-  asked.mayStop = context.mayStop;
+  asked.checkStop = context.checkStop;
   return {hardCaseRow(one, asked, runHardCase(one, asked))};
 }
 

@@ -22,11 +22,12 @@ inline double threadSeconds() {
 /// The time limit of a run in this thread, starting now, in CPU time of the thread.
 class Patience {
  public:
-  Patience(std::function<void()> mayStop, double maxSeconds) : mayStop_(std::move(mayStop)), maxSeconds_(maxSeconds) {}
+  Patience(std::function<void()> checkStop, double maxSeconds)
+      : checkStop_(std::move(checkStop)), maxSeconds_(maxSeconds) {}
 
-  /// Call it at each step. Throws TooSlow after the limit, and forwards exceptions from `mayStop`.
+  /// Call it at each step. Throws TooSlow after the limit, and forwards exceptions from `checkStop`.
   void ask() const {
-    mayStop_();
+    checkStop_();
     if (spent() > maxSeconds_) {
       throw TooSlow();
     }
@@ -43,7 +44,7 @@ class Patience {
   }
 
  private:
-  std::function<void()> mayStop_;
+  std::function<void()> checkStop_;
   double maxSeconds_;
   double begin_ = threadSeconds();
 };

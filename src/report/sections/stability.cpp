@@ -92,7 +92,7 @@ bool isSlowWithLongerSteps(const ReportRows& rows, const ReportRow& row) {
 ReportRows measureCell(Ground& ground, const std::string& method, const std::string& timeStep,
                        const ReportOptions& options, const CellContext& context) {
   Watch patient;
-  patient.progress = [&context](std::string_view, std::int64_t, std::int64_t) { context.mayStop(); };
+  patient.progress = [&context](std::string_view, std::int64_t, std::int64_t) { context.checkStop(); };
   const Trajectory& reference = ground.motion(patient);
   // A solve with more iterations would exceed the time limit, which is checked only between steps. The default cost
   // budget of `auto` takes seconds.
@@ -106,7 +106,7 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
     row["state"] = "too slow";
     return {row};
   }
-  const Patience patience(context.mayStop, maxSeconds(options));
+  const Patience patience(context.checkStop, maxSeconds(options));
   Watch watch = patience.watch();
   watch.energyPeak = true;
   try {

@@ -39,7 +39,7 @@ double measureSelfCollision(int resolution, const std::string& precision, const 
   const auto scene = gridScene("fold", resolution,
                                {"solver=one_iteration", "self_collision=hash", "precision=" + precision,
                                 "threads=" + std::to_string(options.threads)});
-  return milliseconds * runCollision(*scene, 2.0, 0, context.mayStop).selfSeconds;
+  return milliseconds * runCollision(*scene, 2.0, 0, context.checkStop).selfSeconds;
 }
 
 ReportRows measureUpdate(int resolution, const std::string& precision, const ReportOptions& options,
@@ -48,7 +48,7 @@ ReportRows measureUpdate(int resolution, const std::string& precision, const Rep
       gridScene("grid", resolution,
                 {"solver=one_iteration", "precision=" + precision, "threads=" + std::to_string(options.threads)});
   const TimingBudget budget{.seconds = options.quick ? 0.1 : 1.0, .minSteps = 3, .maxSteps = 5000};
-  const StepTiming timing = timeSteps(*scene, scene->settings, budget, context.mayStop);
+  const StepTiming timing = timeSteps(*scene, scene->settings, budget, context.checkStop);
   const ClothModel& model = *scene->model;
   const double median = medianOf(timing.stepSeconds);
   const bool enough = timing.stepSeconds.size() >= minForPercentile;

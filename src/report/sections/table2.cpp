@@ -105,9 +105,9 @@ double referenceError(const Scene& scene, const Trajectory& reference, const Wat
 }
 
 ReportRows measureCase(const Case& one, const CellContext& context) {
-  const auto scene = buildStart(one.start, one.resolution, one.settings(), context.mayStop);
+  const auto scene = buildStart(one.start, one.resolution, one.settings(), context.checkStop);
   Watch watch;
-  watch.progress = [&context](std::string_view, std::int64_t, std::int64_t) { context.mayStop(); };
+  watch.progress = [&context](std::string_view, std::int64_t, std::int64_t) { context.checkStop(); };
   Reference reference;
   reference.settings = paperReferenceSettings(*scene);
   reference.trajectory = runTrajectory(*scene, reference.settings, checkpoints, watch);

@@ -23,21 +23,21 @@ SetUp sheet(std::vector<std::string> corners, std::vector<std::string> edges) {
   return setUp;
 }
 
-Watch watchOf(const std::function<void()>& mayStop) {
+Watch watchOf(const std::function<void()>& checkStop) {
   Watch watch;
-  watch.progress = [&mayStop](std::string_view, std::int64_t, std::int64_t) { mayStop(); };
+  watch.progress = [&checkStop](std::string_view, std::int64_t, std::int64_t) { checkStop(); };
   return watch;
 }
 
 /// The rest state, from an upright start with a jitter of up to a millimetre so that it may fold: ten seconds with
 /// thick air and damping.
-ClothState settled(const Scene& scene, const std::function<void()>& mayStop) {
+ClothState settled(const Scene& scene, const std::function<void()>& checkStop) {
   constexpr double millimetre = 1e-3;
   constexpr double seconds = 10.0;
   const Settings settings = changedSettings(
       scene, {"solver=pcg", "tolerance=1e-4", "time_step=1/60", "damping=0.05", "drag=5", "lift=0", "wind.x=0"});
   const Trajectory run =
-      runTrajectory(*jittered(scene, millimetre, 1), settings, checkpointsIn(seconds), watchOf(mayStop));
+      runTrajectory(*jittered(scene, millimetre, 1), settings, checkpointsIn(seconds), watchOf(checkStop));
   return stateAtRest(run.states.back().positions);
 }
 
@@ -88,16 +88,16 @@ Settings paperReferenceSettings(const Scene& scene) {
 
 std::shared_ptr<const Scene> buildStart(const Table2Start& start, int resolution,
                                         const std::vector<std::string>& settings,
-                                        const std::function<void()>& mayStop) {
+                                        const std::function<void()>& checkStop) {
   auto scene = buildSetUp(start.setUp, resolution, settings);
   if (start.hanging) {
-    ClothState state = settled(*scene, mayStop);
+    ClothState state = settled(*scene, checkStop);
     tilt(*scene->model, state);
     scene = startedFrom(*scene, std::move(state));
   }
   if (start.swing > 0.0) {
     ClothState state =
-        runTrajectory(*scene, paperReferenceSettings(*scene), checkpointsIn(start.swing), watchOf(mayStop))
+        runTrajectory(*scene, paperReferenceSettings(*scene), checkpointsIn(start.swing), watchOf(checkStop))
             .states.back();
     state.time = 0.0;
     scene = startedFrom(*scene, std::move(state));

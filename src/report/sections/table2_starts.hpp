@@ -31,9 +31,9 @@ inline constexpr const char* paperReferenceStep = "1/30000";
 [[nodiscard]] Settings paperReferenceSettings(const Scene& scene);
 
 /// The scene with that start and these settings ("key=value").
-/// @param mayStop is called at each step and may throw
+/// @param checkStop is called at each step and may throw
 [[nodiscard]] std::shared_ptr<const Scene> buildStart(const Table2Start& start, int resolution,
                                                       const std::vector<std::string>& settings,
-                                                      const std::function<void()>& mayStop);
+                                                      const std::function<void()>& checkStop);
 
 }  // namespace drape

@@ -31,7 +31,7 @@ ReportRows measureThreads(const std::string& method, int resolution, int threads
       gridScene("grid", resolution, {"solver=" + method, "precision=float", "threads=" + std::to_string(threads)});
   Settings settings = scene->settings;
   const TimingBudget budget{.seconds = quick ? 0.03 : 0.2, .minSteps = 3, .maxSteps = 2000};
-  const StepTiming timing = timeSteps(*scene, settings, budget, context.mayStop);
+  const StepTiming timing = timeSteps(*scene, settings, budget, context.checkStop);
   ReportRow row{{"method", method},
                 {"resolution", resolution},
                 {"vertices", scene->model->vertexCount()},

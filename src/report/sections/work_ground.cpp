@@ -20,9 +20,9 @@ double maxCost(int resolution, bool quick) {
   return resolution <= small ? 2e8 : resolution <= large ? 1e9 : 2.5e9;
 }
 
-Watch watchOf(const std::function<void()>& mayStop) {
+Watch watchOf(const std::function<void()>& checkStop) {
   Watch watch;
-  watch.progress = [&mayStop](std::string_view, std::int64_t, std::int64_t) { mayStop(); };
+  watch.progress = [&checkStop](std::string_view, std::int64_t, std::int64_t) { checkStop(); };
   return watch;
 }
 
@@ -44,26 +44,26 @@ const Scene& WorkGround::jitteredScene(int seed) {
   return *scene;
 }
 
-const Reference* WorkGround::reference(const std::function<void()>& mayStop) {
+const Reference* WorkGround::reference(const std::function<void()>& checkStop) {
   if (!tried_) {
-    findReference(mayStop);
+    findReference(checkStop);
     tried_ = true;
   }
   return reference_ ? &*reference_ : nullptr;
 }
 
-double WorkGround::noiseFloor(int checkpoint, const std::function<void()>& mayStop) {
-  if (reference(mayStop) == nullptr) {
+double WorkGround::noiseFloor(int checkpoint, const std::function<void()>& checkStop) {
+  if (reference(checkStop) == nullptr) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   if (floor_.empty()) {
-    findFloor(mayStop);
+    findFloor(checkStop);
   }
   const auto k = static_cast<std::size_t>(checkpoint);
   return k < floor_.size() ? floor_[k] : std::numeric_limits<double>::infinity();
 }
 
-void WorkGround::findReference(const std::function<void()>& mayStop) {
+void WorkGround::findReference(const std::function<void()>& checkStop) {
   ConvergenceTolerance tolerance;
   tolerance.absolute = quick_ ? 1e-5 : 1e-6;
   tolerance.takeAnyway = true;  // each row states the quality of its reference
@@ -72,19 +72,19 @@ void WorkGround::findReference(const std::function<void()>& mayStop) {
   Settings settings = convergedSettings(scene().settings);
   settings.step.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   try {
-    reference_ = convergedReference(scene(), settings, judgedCheckpoints, tolerance, watchOf(mayStop).progress);
+    reference_ = convergedReference(scene(), settings, judgedCheckpoints, tolerance, watchOf(checkStop).progress);
   } catch (const InputError&) {
     reference_.reset();
   }
 }
 
-void WorkGround::findFloor(const std::function<void()>& mayStop) {
+void WorkGround::findFloor(const std::function<void()>& checkStop) {
   // The growth of jitter is a property of the motion, so the first step of the halving is accurate enough.
   Settings settings = reference_->settings;
   for (std::size_t i = 0; i < reference_->halvings.size(); ++i) {
     settings.step.timeStep *= 2.0;
   }
-  const Watch watch = watchOf(mayStop);
+  const Watch watch = watchOf(checkStop);
   const Trajectory still = runTrajectory(scene(), settings, judgedCheckpoints, watch);
   floor_.assign(still.states.size(), 0.0);
   for (int seed = 1; seed <= seedCount; ++seed) {

@@ -38,15 +38,15 @@ class WorkGround {
   const Scene& jitteredScene(int seed);
 
   /// Null when small steps do not converge here.
-  const Reference* reference(const std::function<void()>& mayStop);
+  const Reference* reference(const std::function<void()>& checkStop);
 
   /// The growth of a jitter of the start until that checkpoint: mean over the seeds of the mean distance [m]. Not a
   /// number without a reference.
-  double noiseFloor(int checkpoint, const std::function<void()>& mayStop);
+  double noiseFloor(int checkpoint, const std::function<void()>& checkStop);
 
  private:
-  void findReference(const std::function<void()>& mayStop);
-  void findFloor(const std::function<void()>& mayStop);
+  void findReference(const std::function<void()>& checkStop);
+  void findFloor(const std::function<void()>& checkStop);
 
   SetUp setUp_;
   int resolution_;

@@ -57,7 +57,7 @@ struct Entry {
 /// CPU time of the whole run up to each judged time, per simulated second [us], the mean of as many runs as the clock
 /// needs. The solver's set-up is not included.
 std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settings& settings, double minSeconds,
-                                                const std::function<void()>& mayStop) {
+                                                const std::function<void()>& checkStop) {
   Stepper stepper(settings.solver.name);
   ClothState state = scene.start;
   stepper.step(*scene.model, settings.step, {}, state);
@@ -69,7 +69,7 @@ std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settin
     int step = 0;
     for (std::size_t k = 0; k < judgedTimes.size(); ++k) {
       for (; step < stepsToJudged[k]; ++step) {
-        mayStop();
+        checkStop();
         const double begin = threadSeconds();
         stepper.step(*scene.model, settings.step, {}, state);
         seconds += threadSeconds() - begin;
@@ -193,27 +193,27 @@ bool isChaotic(const ReportRows& rows) {
 
 /// Errors at the judged times, without costs.
 ReportRows judgedRows(WorkGround& ground, const Entry& entry, const Settings& settings, const Limits& limits,
-                      const std::function<void()>& mayStop) {
+                      const std::function<void()>& checkStop) {
   ReportRows rows;
   for (const double time : judgedTimes) {
     rows.push_back(emptyRow(ground, entry, time));
   }
-  const Reference* reference = ground.reference(mayStop);
+  const Reference* reference = ground.reference(checkStop);
   if (reference == nullptr) {
     return rows;
   }
   for (ReportRow& row : rows) {
-    row["noise_floor"] = finiteOrNull(ground.noiseFloor(checkpointsIn(row["time"]), mayStop));
+    row["noise_floor"] = finiteOrNull(ground.noiseFloor(checkpointsIn(row["time"]), checkStop));
   }
   try {
-    const Patience patience(mayStop, limits.maxSeconds);
+    const Patience patience(checkStop, limits.maxSeconds);
     const JudgedRun run = judgedRun(ground, settings, *reference, 0, patience);
     const double spent = patience.spent();
     for (ReportRow& row : rows) {
       writeErrors(ground.scene(), run, *reference, row);
     }
     if (isChaotic(rows) && spent < limits.repeatedSeconds) {
-      writeSpread(ground, settings, *reference, Patience(mayStop, limits.maxSeconds), rows);
+      writeSpread(ground, settings, *reference, Patience(checkStop, limits.maxSeconds), rows);
     }
   } catch (const TooSlow&) {
     for (ReportRow& row : rows) {
@@ -255,13 +255,13 @@ ReportRows measureEntry(WorkGround& ground, const Entry& entry, bool quick, cons
       rows.back()["state"] = "too slow";
     }
   } else if (rows.empty()) {
-    rows = judgedRows(ground, entry, settings, limits, context.mayStop);
+    rows = judgedRows(ground, entry, settings, limits, context.checkStop);
   }
   const double last = numberIn(rows.back(), "us_per_simulated_second") * judgedTimes.back() / microseconds;
   if (rows.back()["state"] == "too slow" || last > limits.repeatedSeconds) {
     return rows;
   }
-  const auto times = timedRun(ground.scene(), settings, limits.timedSeconds, context.mayStop);
+  const auto times = timedRun(ground.scene(), settings, limits.timedSeconds, context.checkStop);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     rows[k]["samples"].push_back(times.at(k));
     rows[k]["us_per_simulated_second"] = medianOf(rows[k]["samples"].get<std::vector<double>>());

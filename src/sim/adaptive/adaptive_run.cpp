@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-/// A kick and the drift after it, as parts of the substep.
+/// A kick and the drift after it, as fractions of the substep.
 struct Stage {
   double kick;
   double drift;
@@ -20,7 +20,7 @@ struct Stage {
 constexpr std::array verletStages{Stage{1.0, 0.5}};
 constexpr double verletStart = 0.5;
 
-/// Position extended Forest-Ruth like, eq. 20 of the paper with its values of xi, lambda and chi.
+/// The position-extended Forest-Ruth-like scheme (Omelyan, Mryglod and Folk, 2002, eq. 20), with its xi, lambda, chi.
 constexpr double xi = 0.1786178958448091;
 constexpr double lambda = -0.2123418310626054;
 constexpr double chi = -0.06626458266981849;
@@ -31,8 +31,9 @@ std::span<const Stage> stagesOf(ExplicitScheme scheme) {
   return scheme == ExplicitScheme::Pefrl ? std::span<const Stage>(pefrlStages) : std::span<const Stage>(verletStages);
 }
 
-/// A thread that is alone may be ended after so many substeps; several would wait for the one that was.
-constexpr int askEvery = 64;
+/// A single thread checks for a stop every so many substeps. Several threads do not: one that left alone would block
+/// the others at the barrier.
+constexpr int stopCheckInterval = 64;
 
 double startOf(ExplicitScheme scheme) {
   return scheme == ExplicitScheme::Pefrl ? xi : verletStart;
@@ -43,19 +44,19 @@ double startOf(ExplicitScheme scheme) {
 template <typename T>
 StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                const StepInputs& inputs, const StepPlan& plan, const ClothState& state,
-                               EnergyLooks looks) {
+                               EnergyRequest request) {
   cloth_ = &cloths_.get(model);
   step_ = sliceStepOf<T>(parameters);
   step_.liftRise = static_cast<T>(kernels::liftRise(parameters.airDensity));
   const double substep = parameters.timeStep / plan.substeps;
   damping_ = {.timedDamping = static_cast<T>(substep * parameters.damping), .stages = plan.dampingStages};
   if (plan.dampingStages > 0) {
-    dampBeside(model, rates);
+    prepareSplitDamping(model, rates);
   }
-  hold(model, rates, parameters, plan);
-  const auto places = static_cast<std::size_t>(cloth_->layout.slices()) * sliceLanes;
+  clampStiffness(model, rates, parameters, plan);
+  const auto lanes = static_cast<std::size_t>(cloth_->layout.slices()) * sliceLanes;
   for (std::vector<T>* energy : {&firstEnergy_, &lastEnergy_, &startEnergy_, &endEnergy_}) {
-    energy->resize(places);
+    energy->resize(lanes);
   }
   firstCoarse_ = lastCoarse_ = startCoarse_ = endCoarse_ = 0.0;
   const int threads = usefulThreads(cloth_->layout, parameters.threads);
@@ -63,84 +64,86 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth_->layout, 1, member, threads);
     cloth_->load(state, share);
-    if (looks.start) {
-      team_.meet();
+    if (request.start) {
+      team_.arriveAndWait();
       measure(plan, startEnergy_, startCoarse_, share);
     }
     move(model, inputs, plan, substep, share);
-    if (looks.end) {
+    if (request.end) {
       measure(plan, endEnergy_, endCoarse_, share);
     }
   });
   return {.first = sumOfLanes(firstEnergy_) + firstCoarse_,
           .last = sumOfLanes(lastEnergy_) + lastCoarse_,
-          .start = looks.start ? sumOfLanes(startEnergy_) + startCoarse_ : 0.0,
-          .end = looks.end ? sumOfLanes(endEnergy_) + endCoarse_ : 0.0,
-          .ends = looks.end};
+          .start = request.start ? sumOfLanes(startEnergy_) + startCoarse_ : 0.0,
+          .end = request.end ? sumOfLanes(endEnergy_) + endCoarse_ : 0.0,
+          .ends = request.end};
 }
 
-/// A few slivers slow nobody else down: they are damped as the stages bear that the others need.
+/// The number of stages follows from the 99th percentile of the damping rates. The damping of faster springs, as at
+/// slivers, is scaled down to what these stages allow.
 template <typename T>
-void AdaptiveRun<T>::dampBeside(const ClothModel& model, const LocalRates& rates) {
+void AdaptiveRun<T>::prepareSplitDamping(const ClothModel& model, const LocalRates& rates) {
   step_.damping = T(0);
-  step_.settles = false;
+  step_.updatesVelocity = false;
   gain_.resize(cloth_->layout.slices(), false);
   damping_.gain = &gain_;
-  const auto& shares = dampingShares_.get(model, [&](const ClothModel&) {
+  const auto& scales = dampingScales_.get(model, [&](const ClothModel&) {
     std::vector<SliceNumbers<T>> slots;
-    const auto share = [&](double rate) { return std::min(1.0, rates.mostDamping / rate); };
-    return fillSlots(*cloth_, rates.damping, share, slots) < 1.0 ? slots : std::vector<SliceNumbers<T>>();
+    const auto scaleOf = [&](double rate) { return std::min(1.0, rates.dampingPercentile99 / rate); };
+    return fillSlots(*cloth_, rates.damping, scaleOf, slots) < 1.0 ? slots : std::vector<SliceNumbers<T>>();
   });
-  damping_.shares = shares.empty() ? nullptr : shares.data();
+  damping_.dampingScales = scales.empty() ? nullptr : scales.data();
 }
 
 template <typename T>
-void AdaptiveRun<T>::hold(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                          const StepPlan& plan) {
+void AdaptiveRun<T>::clampStiffness(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                                    const StepPlan& plan) {
   const double h = parameters.timeStep / plan.substeps;
-  const Holding wanted{plan.carried, h, parameters.stiffness, plan.levels};
-  Holding& holding = holdings_.get(model, [](const ClothModel&) { return Holding{}; });
-  if (!(holding == wanted)) {
+  const StiffnessClamp wanted{plan.hOmegaLimit, h, parameters.stiffness, plan.usesCoarseLevels};
+  StiffnessClamp& clamp = clamps_.get(model, [](const ClothModel&) { return StiffnessClamp{}; });
+  if (!(clamp == wanted)) {
     double smallest = 1.0;
-    if (plan.carried > 0.0) {
-      const double most = plan.carried * plan.carried / (h * h * parameters.stiffness);
+    if (plan.hOmegaLimit > 0.0) {
+      const double maxRate = plan.hOmegaLimit * plan.hOmegaLimit / (h * h * parameters.stiffness);
       smallest = fillSlots(
-          *cloth_, rates.unit, [&](double rate) { return std::min(1.0, most / rate); }, shares_);
+          *cloth_, rates.frequencySquared, [&](double rate) { return std::min(1.0, maxRate / rate); },
+          stiffnessScales_);
     }
-    levelsAtWork_ = 0;
-    if (plan.levels) {
+    activeLevels_ = 0;
+    if (plan.usesCoarseLevels) {
       motion_ = coarse_
                     .get(model,
                          [&](const ClothModel& own) {
                            return std::make_unique<CoarseMotion<T>>(buildCoarseLevels(own), own, *cloth_);
                          })
                     .get();
-      levelsAtWork_ =
-          motion_->setStiffness(parameters.stiffness, (1.0 - smallest) * parameters.stiffness, plan.carried, h);
+      activeLevels_ =
+          motion_->setStiffness(parameters.stiffness, (1.0 - smallest) * parameters.stiffness, plan.hOmegaLimit, h);
     }
-    holding = wanted;
+    clamp = wanted;
   }
-  if (plan.carried > 0.0) {
-    step_.shares = shares_.data();
+  if (plan.hOmegaLimit > 0.0) {
+    step_.stiffnessScales = stiffnessScales_.data();
   }
-  if (levelsAtWork_ > 0) {
-    step_.groups = motion_->groups();
-    step_.pushes = &motion_->pushes();
+  if (activeLevels_ > 0) {
+    step_.aggregates = motion_->aggregates();
+    step_.aggregateAccelerations = &motion_->accelerations();
   }
 }
 
-/// All members of the team go through this together. The second part of a drift and the first of the next are one,
-/// unless the hand comes in between.
+/// All threads of the team run this together. The last drift of a substep and the first of the next are merged, unless
+/// the attachment acts between them.
 template <typename T>
 void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
                           const StepShare& share) {
   const auto stages = stagesOf(plan.scheme);
   const double start = startOf(plan.scheme);
   driftSlices(*cloth_, static_cast<T>(start * substep), share);
-  team_.meet();
+  team_.arriveAndWait();
   for (int i = 0; i < plan.substeps; ++i) {
-    if (inputs.mayStop != nullptr && share.first && share.last && i % askEvery == askEvery - 1) {
-      (*inputs.mayStop)();
+    if (share.first && share.last && i % stopCheckInterval == stopCheckInterval - 1) {
+      checkStop(inputs);
     }
     for (std::size_t s = 0; s < stages.size(); ++s) {
       const bool firstKick = i == 0 && s == 0;
@@ -159,9 +162,9 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
         if (share.member == 0) {
           applyAttachmentImpulse(model, stages[s].kick * substep, *inputs.attachment, *cloth_);
         }
-        team_.meet();
+        team_.arriveAndWait();
         driftSlices(*cloth_, static_cast<T>(drift), share);
-        team_.meet();
+        team_.arriveAndWait();
       }
     }
   }
@@ -170,43 +173,43 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
 template <typename T>
 void AdaptiveRun<T>::kick(const SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy,
                           const StepShare& share) {
-  if (levelsAtWork_ > 0 && plan.levels) {
+  if (activeLevels_ > 0 && plan.usesCoarseLevels) {
     if (share.member == 0) {
       motion_->accelerate(*cloth_, step.energy != nullptr);
       if (step.energy != nullptr) {
         *coarseEnergy = motion_->energy();
       }
     }
-    team_.meet();
+    team_.arriveAndWait();
   }
   const int phases = share.first && share.last ? 1 : 2;
   for (int phase = 0; phase < phases; ++phase) {
     verletPhase(*cloth_, step, drift, share, phase);
-    team_.meet();
+    team_.arriveAndWait();
   }
 }
 
-/// After a kick that has not settled.
+/// The damping stages and the drift after a kick that left its velocities in `start`.
 template <typename T>
 void AdaptiveRun<T>::damp(double drift, const StepShare& share) {
   for (int stage = 1; stage <= damping_.stages; ++stage) {
     dampingStage(*cloth_, damping_, stage, share);
-    team_.meet();
+    team_.arriveAndWait();
   }
   driftSlices(*cloth_, static_cast<T>(drift), share);
-  team_.meet();
+  team_.arriveAndWait();
 }
 
-/// A kick that lasts no time changes nothing and tells the energy of the cloth as it stands.
+/// The energy of the present state, by a kick of zero duration, which changes nothing.
 template <typename T>
 void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy,
                              const StepShare& share) {
   SliceStep<T> still = step_;
   still.timeStep = T(0);
   still.damping = still.drag = still.lift = T(0);
-  still.settles = true;
+  still.updatesVelocity = true;
   if (!plan.softens) {
-    still.shares = nullptr;
+    still.stiffnessScales = nullptr;
   }
   still.energy = energy.data();
   kick(still, plan, T(0), &coarseEnergy, share);

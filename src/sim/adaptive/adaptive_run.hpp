@@ -13,55 +13,58 @@
 
 namespace drape {
 
-/// The energy of a step: that of the springs as they are held and of the coarse levels, with what moves and what is
-/// lifted. At the ends it is that of the springs with all their stiffness, unless they are softened on purpose. In the
-/// middle of the first and the last substep it is had by the way, from forces that are evaluated in any case, as 1/2 m
-/// v.v' + V(x), which a scheme that is stable keeps but for what damping, air and hand do. At the step's ends it is the
-/// one that everybody else sees; there it comes and goes by up to (h omega)^2 / 4 of what vibrates.
+/// The energy in a step: kinetic, potential, of the clamped springs and of the coarse levels.
+///
+/// In the middle of the first and the last substep it is 1/2 m v.v' + V(x), from forces that are evaluated anyway. A
+/// stable scheme conserves it, except for the work of damping, air and attachment. At the ends of the step it is
+/// 1/2 m v.v + V(x), with the full stiffness of the springs unless they are softened. That energy oscillates by up to
+/// (h omega)^2 / 4 of the vibration energy.
 struct StepEnergy {
   double first = 0.0;  ///< in the middle of the first substep [J]
   double last = 0.0;   ///< in the middle of the last substep [J]
-  double start = 0.0;  ///< where the step begins, when it was asked for [J]
-  double end = 0.0;    ///< where it ends, when it was asked for [J]
-  bool ends = false;   ///< the two are known
+  double start = 0.0;  ///< at the start of the step, if requested [J]
+  double end = 0.0;    ///< at the end of the step, if requested [J]
+  bool ends = false;   ///< `start` and `end` are known
 };
 
-/// At which ends of a step its energy is asked for. Each costs a pass over the springs.
-struct EnergyLooks {
+/// At which ends of a step the energy is measured. Each costs a force evaluation.
+struct EnergyRequest {
   bool start = false;
   bool end = false;
 };
 
-/// Takes a step of a cloth as a plan says, by vector instructions and in the precision of T.
+/// Takes a step of a cloth by a plan, with vector instructions and in the precision of T.
 template <typename T>
 class AdaptiveRun {
  public:
-  /// Takes a step from `state`, which stays as it is. Call `store` to have the result.
+  /// Takes a step from `state`, which does not change. Call `store` for the result. Throws StepStopped when
+  /// `inputs.stop` asks to stop.
   StepEnergy run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                 const StepInputs& inputs, const StepPlan& plan, const ClothState& state, EnergyLooks looks);
+                 const StepInputs& inputs, const StepPlan& plan, const ClothState& state, EnergyRequest request);
 
-  /// Gives positions and velocities at the end of the step that was run last. `state` is the one that it began from.
+  /// Writes positions and velocities at the end of the last step. `state` is the state at its start.
   void store(ClothState& state);
 
-  /// How many coarse levels took part.
-  [[nodiscard]] int levels() const { return levelsAtWork_; }
+  /// Number of coarse levels in use.
+  [[nodiscard]] int levels() const { return activeLevels_; }
 
  private:
-  /// What the springs of a model keep under a plan; worked out again only when that changes.
-  struct Holding {
-    double carried = -1.0;
+  /// The inputs of the stiffness scales of a model. The scales are computed again only when these change.
+  struct StiffnessClamp {
+    double hOmegaLimit = -1.0;
     double substep = 0.0;
     double stiffness = 0.0;
-    bool levels = false;
+    bool usesCoarseLevels = false;
 
-    bool operator==(const Holding&) const = default;
+    bool operator==(const StiffnessClamp&) const = default;
   };
 
-  void hold(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan);
+  void clampStiffness(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                      const StepPlan& plan);
   void move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
             const StepShare& share);
   void kick(const SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy, const StepShare& share);
-  void dampBeside(const ClothModel& model, const LocalRates& rates);
+  void prepareSplitDamping(const ClothModel& model, const LocalRates& rates);
   void damp(double drift, const StepShare& share);
   void measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy, const StepShare& share);
 
@@ -70,13 +73,13 @@ class AdaptiveRun {
   SlicedCloth<T>* cloth_ = nullptr;
   ModelCache<std::unique_ptr<CoarseMotion<T>>> coarse_;
   CoarseMotion<T>* motion_ = nullptr;
-  ModelCache<Holding> holdings_;
-  std::vector<SliceNumbers<T>> shares_;
-  int levelsAtWork_ = 0;
+  ModelCache<StiffnessClamp> clamps_;
+  std::vector<SliceNumbers<T>> stiffnessScales_;
+  int activeLevels_ = 0;
   SliceStep<T> step_;
-  ModelCache<std::vector<SliceNumbers<T>>> dampingShares_;  // empty: all springs keep all of their damping
-  DampingRun<T> damping_;                                   // of a substep; no stages: it is part of the kick
-  LaneVectors<T> gain_;                                     // of velocity in a kick, for the stages of damping [m/s]
+  ModelCache<std::vector<SliceNumbers<T>>> dampingScales_;  // empty: all are 1
+  DampingRun<T> damping_;                                   // of a substep; no stages: damping is part of the kick
+  LaneVectors<T> gain_;                                     // velocity change of a kick, for the damping stages [m/s]
   std::vector<T> firstEnergy_;
   std::vector<T> lastEnergy_;
   std::vector<T> startEnergy_;

@@ -1,5 +1,7 @@
 #include "sim/adaptive/coarse_levels.hpp"
 
+#include "sim/adaptive/tuning.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <span>
@@ -8,18 +10,16 @@
 namespace drape {
 namespace {
 
-constexpr int fewestGroups = 12;  // a level of fewer vertices is not gathered any further
-
 std::span<const SpringEnd> endsOf(const ClothModel& model, std::size_t vertex) {
   const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
   const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
   return {model.springEnds.values.data() + begin, end - begin};
 }
 
-/// One list a vertex: those that an edge of the rim leads to, an edge that a single triangle has.
-using RimEnds = std::vector<std::vector<int>>;
+/// For each vertex its neighbours along the boundary. A boundary edge belongs to one triangle.
+using BoundaryNeighbours = std::vector<std::vector<int>>;
 
-RimEnds rimOf(const ClothModel& model) {
+BoundaryNeighbours boundaryOf(const ClothModel& model) {
   std::vector<std::pair<int, int>> edges;
   for (const Triangle& triangle : model.triangles) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -27,46 +27,48 @@ RimEnds rimOf(const ClothModel& model) {
     }
   }
   std::sort(edges.begin(), edges.end());
-  RimEnds rim(model.restPositions.size());
+  BoundaryNeighbours boundary(model.restPositions.size());
   for (auto same = edges.begin(); same != edges.end();) {
     const auto next = std::find_if(same, edges.end(), [&](const auto& edge) { return edge != *same; });
     if (next - same == 1) {
-      rim[static_cast<std::size_t>(same->first)].push_back(same->second);
-      rim[static_cast<std::size_t>(same->second)].push_back(same->first);
+      boundary[static_cast<std::size_t>(same->first)].push_back(same->second);
+      boundary[static_cast<std::size_t>(same->second)].push_back(same->first);
     }
     same = next;
   }
-  return rim;
+  return boundary;
 }
 
-/// The rim of the groups: where the rim below leads from one to another.
-RimEnds rimOf(const RimEnds& below, const std::vector<int>& groupOf, std::size_t groups) {
-  RimEnds rim(groups);
-  for (std::size_t i = 0; i < below.size(); ++i) {
-    for (const int j : below[i]) {
-      if (groupOf[i] != groupOf[static_cast<std::size_t>(j)]) {
-        rim[static_cast<std::size_t>(groupOf[i])].push_back(groupOf[static_cast<std::size_t>(j)]);
+/// The boundary of the aggregates, from the boundary of the finer level.
+BoundaryNeighbours boundaryOf(const BoundaryNeighbours& finer, const std::vector<int>& aggregateOf, std::size_t count) {
+  BoundaryNeighbours boundary(count);
+  for (std::size_t i = 0; i < finer.size(); ++i) {
+    for (const int j : finer[i]) {
+      if (aggregateOf[i] != aggregateOf[static_cast<std::size_t>(j)]) {
+        boundary[static_cast<std::size_t>(aggregateOf[i])].push_back(aggregateOf[static_cast<std::size_t>(j)]);
       }
     }
   }
-  for (std::vector<int>& ends : rim) {
+  for (std::vector<int>& ends : boundary) {
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   }
-  return rim;
+  return boundary;
 }
 
-/// Along the rim first, from what is pinned, then inwards ring by ring: groups lie in rows along free edges.
+/// The order in which roots are chosen: first along the boundary, starting at the pins, then inwards ring by ring.
+/// Aggregates then lie in straight rows along free edges.
 class VisitOrder {
  public:
-  VisitOrder(const ClothModel& model, const RimEnds& rim) : model_(model), rim_(rim), seen_(rim.size(), false) {
-    begin([&](std::size_t i) { return model.pinned[i]; });
-    begin([&](std::size_t i) { return !rim[i].empty(); });
-    goInwards(0);
-    for (std::size_t i = 0; i < seen_.size(); ++i) {  // what no rim and no pin leads to
+  VisitOrder(const ClothModel& model, const BoundaryNeighbours& boundary)
+      : model_(model), boundary_(boundary), seen_(boundary.size(), false) {
+    visitBoundary([&](std::size_t i) { return model.pinned[i]; });
+    visitBoundary([&](std::size_t i) { return !boundary[i].empty(); });
+    visitInterior(0);
+    for (std::size_t i = 0; i < seen_.size(); ++i) {  // vertices that are not connected to a boundary or a pin
       const std::size_t first = order_.size();
       add(i);
-      goInwards(first);
+      visitInterior(first);
     }
   }
 
@@ -80,14 +82,15 @@ class VisitOrder {
     }
   }
 
-  template <typename Is>
-  void begin(Is&& is) {
+  /// Visits the vertices with `isStart`, and from each the boundary.
+  template <typename IsStart>
+  void visitBoundary(IsStart&& isStart) {
     for (std::size_t i = 0; i < seen_.size(); ++i) {
-      if (is(i) && !seen_[i]) {
+      if (isStart(i) && !seen_[i]) {
         std::size_t next = order_.size();
         add(i);
         for (; next < order_.size(); ++next) {
-          for (const int j : rim_[order_[next]]) {
+          for (const int j : boundary_[order_[next]]) {
             add(static_cast<std::size_t>(j));
           }
         }
@@ -95,7 +98,7 @@ class VisitOrder {
     }
   }
 
-  void goInwards(std::size_t next) {
+  void visitInterior(std::size_t next) {
     for (; next < order_.size(); ++next) {
       for (const SpringEnd& end : endsOf(model_, order_[next])) {
         add(static_cast<std::size_t>(end.neighbour));
@@ -104,87 +107,90 @@ class VisitOrder {
   }
 
   const ClothModel& model_;
-  const RimEnds& rim_;
+  const BoundaryNeighbours& boundary_;
   std::vector<bool> seen_;
   std::vector<std::size_t> order_;
 };
 
-/// Seeds of which no two are tied, as many as there is room for; every other vertex goes with the nearest seed that it
-/// is tied to, along the rim if it lies there.
-class Grouping {
+/// Assigns each vertex to an aggregate. The roots are a maximal independent set; every other vertex joins the nearest
+/// adjacent root, on the boundary a root on the boundary if there is one.
+class Aggregation {
  public:
-  Grouping(const ClothModel& model, const RimEnds& rim) : model_(model), rim_(rim), seed_(rim.size(), false) {
-    const std::vector<std::size_t> order = VisitOrder(model, rim).order();
-    std::vector<bool> taken(rim.size(), false);
+  Aggregation(const ClothModel& model, const BoundaryNeighbours& boundary)
+      : model_(model), boundary_(boundary), isRoot_(boundary.size(), false) {
+    const std::vector<std::size_t> order = VisitOrder(model, boundary).order();
+    std::vector<bool> taken(boundary.size(), false);
     for (const std::size_t i : order) {
       if (!taken[i]) {
-        seed_[i] = true;
+        isRoot_[i] = true;
         for (const SpringEnd& end : endsOf(model, i)) {
           taken[static_cast<std::size_t>(end.neighbour)] = true;
         }
       }
     }
     for (const std::size_t i : order) {
-      seed_[i] = seed_[i] || seedOf(i) < 0;
+      isRoot_[i] = isRoot_[i] || rootOf(i) < 0;
     }
     number();
   }
 
   [[nodiscard]] int count() const { return count_; }
-  [[nodiscard]] std::vector<int> take() { return std::move(groupOf_); }
+  [[nodiscard]] std::vector<int> take() { return std::move(aggregateOf_); }
 
  private:
-  /// In the order of the vertices, so that a regular cloth has regular groups.
+  /// Numbers the aggregates in the order of their roots, so that a regular cloth has regular aggregates.
   void number() {
-    groupOf_.assign(seed_.size(), -1);
-    for (std::size_t i = 0; i < seed_.size(); ++i) {
-      if (seed_[i]) {
-        groupOf_[i] = count_++;
+    aggregateOf_.assign(isRoot_.size(), -1);
+    for (std::size_t i = 0; i < isRoot_.size(); ++i) {
+      if (isRoot_[i]) {
+        aggregateOf_[i] = count_++;
       }
     }
-    for (std::size_t i = 0; i < seed_.size(); ++i) {
-      if (!seed_[i]) {
-        groupOf_[i] = groupOf_[static_cast<std::size_t>(seedOf(i))];
+    for (std::size_t i = 0; i < isRoot_.size(); ++i) {
+      if (!isRoot_[i]) {
+        aggregateOf_[i] = aggregateOf_[static_cast<std::size_t>(rootOf(i))];
       }
     }
   }
 
-  /// The seed that a vertex goes with; -1: there is none next to it. Pinned and free ones never go together.
-  [[nodiscard]] int seedOf(std::size_t i) const {
+  /// The root that a vertex joins; -1 if no adjacent root has the same pinned state.
+  [[nodiscard]] int rootOf(std::size_t i) const {
     int nearest = -1;
     double distance = std::numeric_limits<double>::max();
-    const auto look = [&](int neighbour) {
+    const auto consider = [&](int neighbour) {
       const auto j = static_cast<std::size_t>(neighbour);
       const double length = (model_.restPositions[i] - model_.restPositions[j]).norm();
-      if (seed_[j] && model_.pinned[j] == model_.pinned[i] && length < distance) {
+      if (isRoot_[j] && model_.pinned[j] == model_.pinned[i] && length < distance) {
         nearest = neighbour;
         distance = length;
       }
     };
-    std::for_each(rim_[i].begin(), rim_[i].end(), look);
+    std::for_each(boundary_[i].begin(), boundary_[i].end(), consider);
     if (nearest < 0) {
       for (const SpringEnd& end : endsOf(model_, i)) {
-        look(end.neighbour);
+        consider(end.neighbour);
       }
     }
     return nearest;
   }
 
   const ClothModel& model_;
-  const RimEnds& rim_;
-  std::vector<bool> seed_;
-  std::vector<int> groupOf_;
+  const BoundaryNeighbours& boundary_;
+  std::vector<bool> isRoot_;
+  std::vector<int> aggregateOf_;
   int count_ = 0;
 };
 
-/// Between groups whose members are tied to each other, unless both are held.
-std::vector<Spring> springsBetween(const ClothModel& model, const std::vector<int>& groupOf, const ClothModel& groups) {
+/// Springs between aggregates whose members springs connect, unless both aggregates are pinned.
+std::vector<Spring> springsBetween(const ClothModel& model, const std::vector<int>& aggregateOf,
+                                   const ClothModel& aggregates) {
   std::vector<std::pair<int, int>> pairs;
   for (const Spring& spring : model.springs) {
-    const int a = groupOf[static_cast<std::size_t>(spring.a)];
-    const int b = groupOf[static_cast<std::size_t>(spring.b)];
-    const bool held = groups.pinned[static_cast<std::size_t>(a)] && groups.pinned[static_cast<std::size_t>(b)];
-    if (a != b && !held) {
+    const int a = aggregateOf[static_cast<std::size_t>(spring.a)];
+    const int b = aggregateOf[static_cast<std::size_t>(spring.b)];
+    const bool bothPinned =
+        aggregates.pinned[static_cast<std::size_t>(a)] && aggregates.pinned[static_cast<std::size_t>(b)];
+    if (a != b && !bothPinned) {
       pairs.emplace_back(std::minmax(a, b));
     }
   }
@@ -193,7 +199,7 @@ std::vector<Spring> springsBetween(const ClothModel& model, const std::vector<in
   std::vector<Spring> springs;
   for (const auto& [a, b] : pairs) {
     const Vec3 offset =
-        groups.restPositions[static_cast<std::size_t>(b)] - groups.restPositions[static_cast<std::size_t>(a)];
+        aggregates.restPositions[static_cast<std::size_t>(b)] - aggregates.restPositions[static_cast<std::size_t>(a)];
     springs.push_back({a, b, offset.norm()});
   }
   return springs;
@@ -215,29 +221,29 @@ RaggedRows<SpringEnd> endsOfSprings(const std::vector<Spring>& springs, std::siz
   return ends;
 }
 
-CoarseLevel levelAbove(const ClothModel& model, const RimEnds& rim) {
-  Grouping grouping(model, rim);
-  const auto count = static_cast<std::size_t>(grouping.count());
+CoarseLevel coarserLevel(const ClothModel& model, const BoundaryNeighbours& boundary) {
+  Aggregation aggregation(model, boundary);
+  const auto count = static_cast<std::size_t>(aggregation.count());
   CoarseLevel level;
-  level.groupOf = grouping.take();
-  auto groups = std::make_shared<ClothModel>();
-  groups->restPositions.assign(count, Vec3::Zero());
-  groups->vertexMass.assign(count, 0.0);
-  groups->vertexArea.assign(count, 0.0);
-  groups->pinned.assign(count, false);
-  groups->vertexTriangles.begin.assign(count + 1, 0);
-  for (std::size_t i = 0; i < level.groupOf.size(); ++i) {
-    const auto g = static_cast<std::size_t>(level.groupOf[i]);
-    groups->restPositions[g] += model.vertexMass[i] * model.restPositions[i];
-    groups->vertexMass[g] += model.vertexMass[i];
-    groups->pinned[g] = model.pinned[i];
+  level.aggregateOf = aggregation.take();
+  auto aggregates = std::make_shared<ClothModel>();
+  aggregates->restPositions.assign(count, Vec3::Zero());
+  aggregates->vertexMass.assign(count, 0.0);
+  aggregates->vertexArea.assign(count, 0.0);
+  aggregates->pinned.assign(count, false);
+  aggregates->vertexTriangles.begin.assign(count + 1, 0);
+  for (std::size_t i = 0; i < level.aggregateOf.size(); ++i) {
+    const auto g = static_cast<std::size_t>(level.aggregateOf[i]);
+    aggregates->restPositions[g] += model.vertexMass[i] * model.restPositions[i];
+    aggregates->vertexMass[g] += model.vertexMass[i];
+    aggregates->pinned[g] = model.pinned[i];
   }
   for (std::size_t g = 0; g < count; ++g) {
-    groups->restPositions[g] /= groups->vertexMass[g];
+    aggregates->restPositions[g] /= aggregates->vertexMass[g];
   }
-  groups->springs = springsBetween(model, level.groupOf, *groups);
-  groups->springEnds = endsOfSprings(groups->springs, count);
-  level.cloth = std::move(groups);
+  aggregates->springs = springsBetween(model, level.aggregateOf, *aggregates);
+  aggregates->springEnds = endsOfSprings(aggregates->springs, count);
+  level.cloth = std::move(aggregates);
   return level;
 }
 
@@ -245,16 +251,16 @@ CoarseLevel levelAbove(const ClothModel& model, const RimEnds& rim) {
 
 std::vector<CoarseLevel> buildCoarseLevels(const ClothModel& model) {
   std::vector<CoarseLevel> levels;
-  const ClothModel* below = &model;
-  RimEnds rim = rimOf(model);
-  while (below->vertexCount() > fewestGroups) {
-    CoarseLevel level = levelAbove(*below, rim);
-    if (level.cloth->springs.empty() || level.cloth->vertexCount() == below->vertexCount()) {
+  const ClothModel* finer = &model;
+  BoundaryNeighbours boundary = boundaryOf(model);
+  while (finer->vertexCount() > tuning.minAggregates) {
+    CoarseLevel level = coarserLevel(*finer, boundary);
+    if (level.cloth->springs.empty() || level.cloth->vertexCount() == finer->vertexCount()) {
       break;
     }
-    rim = rimOf(rim, level.groupOf, level.cloth->restPositions.size());
+    boundary = boundaryOf(boundary, level.aggregateOf, level.cloth->restPositions.size());
     levels.push_back(std::move(level));
-    below = levels.back().cloth.get();
+    finer = levels.back().cloth.get();
   }
   return levels;
 }

@@ -7,20 +7,22 @@
 
 namespace drape {
 
-/// A coarse level of a cloth: its vertices, or the groups of the level below, gathered in groups that move as one.
+/// A coarse level of a cloth: the vertices of the next finer level, gathered in aggregates.
 ///
-/// The groups are a cloth in their own right: each stands where its members' mean is, weighted by mass, has their mass
-/// together, and is tied to the groups next to it by springs that are as long as in the rest shape. Pinned and free
-/// vertices never share a group, so that a group of pinned ones is held and passes tension on to what holds it.
+/// The aggregates form a cloth model. An aggregate's rest position is the mass-weighted mean of its members, its mass
+/// is their sum, and springs with the rest distance as rest length connect neighbouring aggregates. Pinned and free
+/// vertices are never in one aggregate. So an aggregate of pinned vertices is pinned and transfers tension to the pins.
 struct CoarseLevel {
-  std::vector<int> groupOf;                 ///< one a member: the group that it is in
-  std::shared_ptr<const ClothModel> cloth;  ///< the groups; it has no triangles and no areas
+  std::vector<int> aggregateOf;             ///< of each vertex of the finer level
+  std::shared_ptr<const ClothModel> cloth;  ///< the aggregates as vertices; it has no triangles and no areas
 };
 
-/// Levels from fine to coarse, from the rest shape and the pins alone; the last one has no more than a few groups.
-/// A quarter to a third of the members are seeds, a maximal independent set that is begun along the rim, and every
-/// other goes with the nearest seed next to it. Along a free edge the groups so stand in a row: tension in a row that
-/// goes to and fro would find the slack in it (docs/theory/auto.md).
+/// Levels from fine to coarse. They depend on the rest shape and the pins only. The last level has few aggregates.
+///
+/// The roots of the aggregates are a maximal independent set of the spring graph, a quarter to a third of the vertices.
+/// Every other vertex joins the nearest adjacent root. The set starts along the boundary, so that the aggregates form
+/// straight rows along free edges: a zigzag row would straighten under tension before it carries load
+/// (docs/theory/auto.md).
 [[nodiscard]] std::vector<CoarseLevel> buildCoarseLevels(const ClothModel& model);
 
 }  // namespace drape

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/adaptive/coarse_levels.hpp"
-#include "sim/simd/group_means.hpp"
+#include "sim/simd/aggregate_means.hpp"
 #include "sim/simd/sliced_cloth.hpp"
 
 #include <cstdint>
@@ -9,43 +9,45 @@
 
 namespace drape {
 
-/// The coarse levels of a cloth at work: groups stand where their members' mean is, springs between them resist
-/// stretching, and what a group is accelerated by all its members are. The members' share of a group's force is their
-/// share of its mass, the transpose of the mean: linear and angular momentum stay what they are.
+/// Computes the accelerations from the coarse levels of a cloth. An aggregate's position is the mass-weighted mean of
+/// its members. Springs between aggregates resist stretching. All members get the aggregate's acceleration: the force
+/// is distributed by mass, the transpose of the mean, so linear and angular momentum are conserved.
 template <typename T>
 class CoarseMotion {
  public:
-  /// @param fine the cloth that the levels are of, as it is laid out
+  /// @param fine the layout of the cloth that the levels belong to
   CoarseMotion(const std::vector<CoarseLevel>& levels, const ClothModel& model, const SlicedCloth<T>& fine);
 
-  /// Gives each level's springs the stiffness that is still missing, as far as a substep carries it.
-  /// @param missing of the springs below [N/m]  @param carried what h omega the springs are held to [-]: each level to
-  /// a part of that
+  /// Gives the springs of each level the stiffness that is still missing, up to what is stable in a substep.
+  /// @param stiffness of the cloth [N/m]  @param missing stiffness that clamping removed [N/m]
+  /// @param hOmegaLimit to which the cloth's springs are clamped [-]; each level is clamped to a fraction of it
   /// @param timeStep the substep h [s]
-  /// @return how many levels have any
-  int setStiffness(double stiffness, double missing, double carried, double timeStep);
+  /// @return the number of levels in use
+  int setStiffness(double stiffness, double missing, double hOmegaLimit, double timeStep);
 
-  /// Works out the groups' accelerations for the cloth as it stands.
+  /// Computes the accelerations of the aggregates for the cloth's present positions.
+  /// @param measure whether to measure the energy too
   void accelerate(const SlicedCloth<T>& fine, bool measure);
 
-  /// Of the finest level: one group a place of the cloth, and the groups' accelerations.
-  [[nodiscard]] const std::int32_t* groups() const { return levels_.front().groupAt.data(); }
-  [[nodiscard]] const LaneVectors<T>& pushes() const { return levels_.front().cloth.start; }
+  /// The aggregate of each vertex of the cloth on the finest level, by permuted index.
+  [[nodiscard]] const std::int32_t* aggregates() const { return levels_.front().aggregateAt.data(); }
+  /// The accelerations of the aggregates of the finest level, coarser levels included [m/s^2].
+  [[nodiscard]] const LaneVectors<T>& accelerations() const { return levels_.front().cloth.start; }
 
-  /// Of all levels' springs, when it was measured last [J].
+  /// The energy of the springs of all levels when it was last measured [J].
   [[nodiscard]] double energy() const;
 
  private:
   struct Level {
     SlicedCloth<T> cloth;
-    std::vector<std::int32_t> groupAt = {};  // one a place of the level below, and as many more as fill its last slice
-    GroupMembers<T> members = {};            // places of the level below
-    std::vector<double> rates = {};          // omega^2 / k of each group [1/kg]
+    std::vector<std::int32_t> aggregateAt = {};  // of each lane of the finer level
+    AggregateMembers<T> members = {};            // permuted indices of the finer level
+    std::vector<double> rates = {};              // omega^2 / k of each aggregate [1/kg]
     std::vector<SliceNumbers<T>> stiffness = {};
     std::vector<T> energy = {};
   };
 
-  void addLevel(const CoarseLevel& source, const ClothModel& below, const SliceLayout& belowLayout);
+  void addLevel(const CoarseLevel& source, const ClothModel& finer, const SliceLayout& finerLayout);
 
   std::vector<Level> levels_;
   int active_ = 0;

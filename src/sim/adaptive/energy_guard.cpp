@@ -1,5 +1,6 @@
 #include "sim/adaptive/energy_guard.hpp"
 
+#include "sim/adaptive/tuning.hpp"
 #include "sim/inner_motion.hpp"
 #include "sim/pieces.hpp"
 #include "sim/simd/convert.hpp"
@@ -21,8 +22,8 @@ std::uint64_t sumOf(const std::vector<Vec3>& vectors) {
   return vectors.empty() ? 0 : sumOfBits(vectors.front().data(), 3 * vectors.size());
 }
 
-/// Mass times height, in four sums, since in one each addition would wait for the one before.
-double momentOf(const ClothModel& model, const ClothState& state) {
+/// Sum of mass times height [kg m]. Four partial sums: a single sum would wait for each addition.
+double massTimesHeight(const ClothModel& model, const ClothState& state) {
   constexpr std::size_t lanes = 4;
   std::array<double, lanes> sums{};
   for (std::size_t i = 0; i < state.positions.size(); ++i) {
@@ -31,45 +32,41 @@ double momentOf(const ClothModel& model, const ClothState& state) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// That the energy at the ends of steps may rise by, of all there is [-].
-constexpr double mostRise = 0.004;
-
-/// Of all that the energy depends on but the plan.
-std::uint64_t markOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
+/// The fingerprint of everything that the energy depends on, except the plan.
+std::uint64_t fingerprintOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
   return sumOf(state.positions) + 7 * sumOf(state.velocities) + bitsOf(parameters.stiffness) +
          3 * bitsOf(parameters.gravity) + 5 * bitsOf(parameters.timeStep) + 7 * bitsOf(model.unitFrequency);
 }
 
-std::uint64_t markOf(const StepPlan& plan) {
-  return plan.softens ? bitsOf(plan.carried) + static_cast<std::uint64_t>(plan.substeps) : 0;
+/// The plan's part of the fingerprint.
+std::uint64_t fingerprintOf(const StepPlan& plan) {
+  return plan.softens ? bitsOf(plan.hOmegaLimit) + static_cast<std::uint64_t>(plan.substeps) : 0;
 }
 
-/// Cloth at rest that nothing pulls at has no energy at all that a growth could be held against, but that of rounding:
-/// of springs that are off by the last bit of their places, and what that heats up in a step (roundingHeats). Where
-/// gravity pulls, its work is far above.
-double roundingIn(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                  const ClothState& state, double roundoff) {
-  constexpr double leastFall = 1e-2;  // [m^2/s^2]
-  constexpr double heatOfSubstep = 0.02;
-  constexpr double heldAgainst = 1000.0;  // growth may be a hundredth, and rounding ten times as much as this
-  if (parameters.gravity * rates.diagonal > leastFall) {
+/// The energy of rounding errors times a margin [J]; 0 with gravity, whose energy is far above it. Cloth at rest
+/// without gravity has no other energy: springs deviate by the rounding of positions, and each substep adds heat
+/// (roundingAddsEnergy). The guard needs it as a reference.
+double roundingEnergyOf(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                        const ClothState& state, double roundoff) {
+  if (parameters.gravity * rates.diagonal > tuning.minGuardedFallEnergy) {
     return 0.0;
   }
-  const double off = roundoff * farthestOf(state.positions);
-  const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rates.most);
-  const double springs = parameters.stiffness * static_cast<double>(model.springs.size()) * off * off;
-  const double heat = heatOfSubstep * rates.mass * parameters.stiffness * rates.most * off * off * (1.0 + hardness);
-  return heldAgainst * (springs + heat);
+  const double error = roundoff * maxCoordinate(state.positions);  // of a position [m]
+  const double hOmega = parameters.timeStep * std::sqrt(parameters.stiffness * rates.percentile99);
+  const double springs = parameters.stiffness * static_cast<double>(model.springs.size()) * error * error;
+  const double heat =
+      tuning.roundingHeat * rates.mass * parameters.stiffness * rates.percentile99 * error * error * (1.0 + hOmega);
+  return tuning.roundingMargin * (springs + heat);
 }
 
 }  // namespace
 
-double mostWorkOfWind(const LocalRates& rates, const StepParameters& parameters) {
-  return mostForceOfWind(rates, parameters) * parameters.wind.norm() * parameters.timeStep;
+double maxWindWork(const LocalRates& rates, const StepParameters& parameters) {
+  return maxWindForce(rates, parameters) * parameters.wind.norm() * parameters.timeStep;
 }
 
-double slowDown(const ClothModel& model, const std::vector<std::vector<std::size_t>>& freePieces, double energy,
-                ClothState& state) {
+double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<std::size_t>>& freePieces,
+                         double energy, ClothState& state) {
   if (energy <= 0.0) {
     return 0.0;
   }
@@ -79,75 +76,71 @@ double slowDown(const ClothModel& model, const std::vector<std::vector<std::size
   return inner.energy() - left;
 }
 
-void EnergyGuard::begin(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                        const ClothState& state, double roundoff) {
-  lifted_ = parameters.gravity * momentOf(model, state);
-  weight_ = parameters.gravity * rates.mass * rates.diagonal;
-  rounding_ = roundingIn(model, rates, parameters, state, roundoff);
-  mark_ = markOf(model, parameters, state);
-  windy_ = mostWorkOfWind(rates, parameters) > 0.0;
-  fades_ = parameters.damping != 0.0 || parameters.drag != 0.0 || parameters.lift != 0.0;
+void EnergyGuard::prepare(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                          const ClothState& state, double roundoff) {
+  startPotential_ = parameters.gravity * massTimesHeight(model, state);
+  fallEnergy_ = parameters.gravity * rates.mass * rates.diagonal;
+  roundingEnergy_ = roundingEnergyOf(model, rates, parameters, state, roundoff);
+  fingerprint_ = fingerprintOf(model, parameters, state);
+  hasWind_ = maxWindWork(rates, parameters) > 0.0;
+  dissipates_ = parameters.damping != 0.0 || parameters.drag != 0.0 || parameters.lift != 0.0;
 }
 
-bool EnergyGuard::knowsStart(const StepPlan& plan, const StepMemory& memory) const {
-  return memory.mark == mark_ + markOf(plan);
+bool EnergyGuard::isStartEnergyKnown(const StepPlan& plan, const StepMemory& memory) const {
+  return memory.fingerprint == fingerprint_ + fingerprintOf(plan);
 }
 
-bool EnergyGuard::isDue(const StepPlan& plan, const StepMemory& memory) const {
-  constexpr double passesALook = 24.0;
-  constexpr double calm = 0.5;  // of what it may rise by
-  const int every = std::max(1, static_cast<int>(passesALook / plan.cost()));
-  return memory.steps % every == 0 || windy_ || memory.caution > 0 || !knowsStart(plan, memory) ||
-         memory.risen > calm * mostRise * scaleOf(memory.energy, 1.0);
+bool EnergyGuard::isMeasurementDue(const StepPlan& plan, const StepMemory& memory) const {
+  const int every = std::max(1, static_cast<int>(tuning.evaluationsPerMeasurement / plan.cost()));
+  return memory.steps % every == 0 || hasWind_ || memory.retryLevel > 0 || !isStartEnergyKnown(plan, memory) ||
+         memory.energyDrift > tuning.calmDriftFraction * tuning.maxEnergyDrift * referenceEnergy(memory.energy, 1.0);
 }
 
-/// What growth is held against [J]: the motion and tension that there are, and what falling sets free.
-double EnergyGuard::scaleOf(double startEnergy, double ofFall) const {
-  return std::max(0.0, startEnergy - lifted_) + ofFall * weight_ + rounding_;
+/// Kinetic and elastic energy, a fraction of the energy of a fall, and the energy of rounding.
+double EnergyGuard::referenceEnergy(double startEnergy, double fallFraction) const {
+  return std::max(0.0, startEnergy - startPotential_) + fallFraction * fallEnergy_ + roundingEnergy_;
 }
 
-bool EnergyGuard::grew(const StepEnergy& energy, double work, bool again, StepMemory& memory) const {
-  constexpr double inAll = 0.01;
-  constexpr double inOneStep = 0.002;
-  constexpr double ofFall = 0.1;
-  constexpr double outOfHand = 0.05;  // at the ends: more than should be taken out of the motion
+bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, StepMemory& memory) const {
   const double growth = energy.last - energy.first;
   if (!std::isfinite(growth) || !std::isfinite(energy.end)) {
     return true;
   }
-  if (energy.ends && memory.risen + energy.end - energy.start - work > outOfHand * scaleOf(energy.start, 1.0)) {
+  if (energy.ends && memory.energyDrift + energy.end - energy.start - work >
+                         tuning.maxRemovedEnergy * referenceEnergy(energy.start, 1.0)) {
     return true;
   }
   if (growth <= 0.0) {
-    memory.gained = std::max(0.0, memory.gained + growth);
+    memory.schemeEnergyDrift = std::max(0.0, memory.schemeEnergyDrift + growth);
     return false;
   }
   const double unexplained = growth - work;
-  const double scale = scaleOf(energy.first, ofFall);
-  if (unexplained > (again ? inOneStep * scale : inAll * scale - memory.gained)) {
+  const double reference = referenceEnergy(energy.first, tuning.fallEnergyFraction);
+  if (unexplained > (isRetry ? tuning.maxSchemeDriftOfRetry * reference
+                             : tuning.maxSchemeDrift * reference - memory.schemeEnergyDrift)) {
     return true;
   }
-  memory.gained = again ? 0.0 : std::max(0.0, memory.gained + unexplained);
+  memory.schemeEnergyDrift = isRetry ? 0.0 : std::max(0.0, memory.schemeEnergyDrift + unexplained);
   return false;
 }
 
-void EnergyGuard::book(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan,
-                       const StepEnergy& energy, double work, ClothState& state) {
+void EnergyGuard::store(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan,
+                        const StepEnergy& energy, double work, ClothState& state) {
   StepMemory& memory = state.memory;
-  memory.mark = markOf(model, parameters, state) + markOf(plan);
+  memory.fingerprint = fingerprintOf(model, parameters, state) + fingerprintOf(plan);
   if (!energy.ends) {
     return;
   }
-  const double room = mostRise * scaleOf(energy.start, 1.0);
-  memory.risen += energy.end - energy.start - work;
-  if (fades_ || work > 0.0) {
-    memory.risen = std::max(0.0, memory.risen);
+  const double allowed = tuning.maxEnergyDrift * referenceEnergy(energy.start, 1.0);
+  memory.energyDrift += energy.end - energy.start - work;
+  if (dissipates_ || work > 0.0) {
+    memory.energyDrift = std::max(0.0, memory.energyDrift);
   }
-  const double taken = slowDown(model, pieces_.get(model, freePieces), memory.risen - room, state);
-  memory.risen -= taken;
-  memory.energy = energy.end - taken;
-  if (taken > 0.0) {
-    memory.mark = markOf(model, parameters, state) + markOf(plan);
+  const double removed = removeInnerMotion(model, pieces_.get(model, freePieces), memory.energyDrift - allowed, state);
+  memory.energyDrift -= removed;
+  memory.energy = energy.end - removed;
+  if (removed > 0.0) {
+    memory.fingerprint = fingerprintOf(model, parameters, state) + fingerprintOf(plan);
   }
 }
 

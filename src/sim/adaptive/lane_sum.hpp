@@ -8,7 +8,7 @@
 
 namespace drape {
 
-/// The sum of a whole number of slices. In lanes, since one sum after the other waits for each addition.
+/// The sum of the numbers of whole slices. One sum per lane: a single sum would wait for each addition.
 template <typename T>
 [[nodiscard]] double sumOfLanes(const std::vector<T>& values) {
   std::array<double, sliceLanes> lanes{};

@@ -8,15 +8,15 @@
 
 namespace drape {
 
-/// Fills one number a slot and lane with what `ofRate(rate)` makes of the larger rate of a spring's ends, and returns
-/// the smallest of them; 0 in lanes without a spring.
+/// Fills one number a slot and lane: `ofRate(rate)` with the larger rate of the spring's two ends, 0 in lanes without a
+/// spring. Returns the smallest value.
 /// @param rates omega_i^2 / k [1/kg], one a vertex of the model in its own order
 template <typename T, typename OfRate>
 double fillSlots(const SlicedCloth<T>& cloth, const std::vector<double>& rates, OfRate&& ofRate,
                  std::vector<SliceNumbers<T>>& slots) {
   const SliceLayout& layout = cloth.layout;
-  const auto rateAt = [&](int place) {
-    return rates[static_cast<std::size_t>(layout.order[static_cast<std::size_t>(place)])];
+  const auto rateAt = [&](int index) {
+    return rates[static_cast<std::size_t>(layout.order[static_cast<std::size_t>(index)])];
   };
   slots.assign(layout.slots.size(), {});
   double smallest = std::numeric_limits<double>::infinity();

@@ -1,6 +1,6 @@
 #include "sim/adaptive/step_plan.hpp"
 
-#include "sim/measures.hpp"
+#include "sim/adaptive/tuning.hpp"
 #include "sim/simd/damping_stages.hpp"
 #include "sim/stability.hpp"
 
@@ -11,220 +11,166 @@
 namespace drape {
 namespace {
 
-/// Of Verlet's estimated limit, which a sheet's true one exceeds by 9 % and more: where nothing rattles, and the most
-/// that a short budget is stretched to.
-constexpr double comfortable = 0.9;
-constexpr double atMost = 1.02;
-/// h omega that held springs are held to. Crumpled cloth is up to 1.22 times as fast as its rest shape.
-constexpr double heldTo = 1.8;
-/// A substep of the fourth order takes four passes and is stable to about h omega = 2.5.
-constexpr double passesOfFourthOrder = 2.0;
-/// Held springs that keep at least so much do without coarse levels.
-constexpr double enoughStiffness = 0.5;
-/// So do those that the load stretches by less than so much next to the pins (docs/theory/auto.md).
-constexpr double smallStrain = 0.001;
-/// The same where damping is taken by itself: its stages bear h omega = 1.62 at the worst of all rates.
-constexpr double heldBeside = 1.5;
-/// Stages of damping in a substep, at most: rounding grows with their square. In float, and in double.
-constexpr double mostStagesInFloat = 100.0;
-constexpr double mostStages = 10000.0;
-constexpr double fewestPasses = 4.0;
-/// Passes of a first step, about which nothing is known yet: on the safe side.
-constexpr double firstPasses = 64.0;
-constexpr double firstOfLimit = 2.0;
-/// No tolerance asks for more passes than so many times what is stable: a chaotic motion would ask without end.
-constexpr double mostOfLimit = 8.0;
-
 bool dependsOnPositionsAlone(const StepParameters& parameters, const StepInputs& inputs) {
   return parameters.damping == 0.0 && parameters.drag == 0.0 && parameters.lift == 0.0 && !inputs.attachment;
 }
 
-/// The value that no more than one in so many exceed; 0 of none.
-double smallestBut(std::vector<double>& values, std::size_t oneIn) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() - 1 - (values.size() - 1) / oneIn);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+/// H lambda of damping over the time step H, with the 99th percentile of the rates [-].
+double dampingNumber(const LocalRates& rates, const StepParameters& parameters) {
+  return parameters.timeStep * rates.dampingPercentile99 * parameters.damping;
 }
 
-/// How strong damping is over a whole step, h lambda with the largest rate but for the fastest hundredth [-].
-double dampedOver(const LocalRates& rates, const StepParameters& parameters) {
-  return parameters.timeStep * rates.mostDamping * parameters.damping;
-}
-
-/// The same for the fastest vertex.
-double fastestDampedOver(const ClothModel& model, const StepParameters& parameters) {
+/// The same with the largest rate.
+double maxDampingNumber(const ClothModel& model, const StepParameters& parameters) {
   return parameters.timeStep * model.unitDampingRate * parameters.damping;
 }
 
-/// Stages of damping by itself in each of so many substeps.
-int stagesIn(double damped, double substeps) {
+/// Damping stages in each substep.
+int dampingStagesFor(double damped, double substeps) {
   return dampingStages(damped / substeps);
 }
 
-/// What substeps cost that take damping by itself, in passes.
-double costBeside(double damped, double substeps) {
-  return substeps * (1.0 + costOfDampingStage * stagesIn(damped, substeps));
+/// Cost of substeps that integrate damping in stages, in force evaluations.
+double costWithSplitDamping(double damped, double substeps) {
+  return substeps * (1.0 + costOfDampingStage * dampingStagesFor(damped, substeps));
 }
 
-/// How many substeps with damping by itself so many passes pay for: n of them take about n + c sqrt(n damped). As many
-/// at least as keep the stages to what float bears.
-int substepsBeside(double damped, double passes) {
+/// The number of substeps with damping stages that cost so many force evaluations: n substeps cost about
+/// n + c sqrt(n damped). At least as many as keep the stages of a substep below their limit.
+int substepsWithSplitDamping(double damped, double evaluations) {
   const double root = 0.5 * costOfDampingStage * std::sqrt(damped);
-  const double paid = std::sqrt(root * root + std::max(0.0, passes)) - root;
-  const double fewest = damped / (mostStages * mostStages);
-  return static_cast<int>(std::max({1.0, std::ceil(fewest), std::floor(paid * paid)}));
+  const double affordable = std::sqrt(root * root + std::max(0.0, evaluations)) - root;
+  const double minimum = damped / (tuning.maxDampingStages * tuning.maxDampingStages);
+  return static_cast<int>(std::max({1.0, std::ceil(minimum), std::floor(affordable * affordable)}));
 }
 
-/// Springs that are held to what so many substeps carry. Damping is part of the kick where all vertices bear that.
-StepPlan heldAt(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, int substeps) {
-  const double inKick = 2.0 * fastestDampedOver(model, parameters) / substeps;
+/// A plan of so many substeps, with springs clamped to what is stable. Damping is part of the kick where that is stable
+/// for all vertices.
+StepPlan clampedPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, int substeps) {
+  const double inKick = 2.0 * maxDampingNumber(model, parameters) / substeps;
   if (inKick > 1.0) {
-    const int stages = stagesIn(dampedOver(rates, parameters), substeps);
-    return {.substeps = substeps, .carried = heldBeside, .dampingStages = stages};
+    const int stages = dampingStagesFor(dampingNumber(rates, parameters), substeps);
+    return {.substeps = substeps, .hOmegaLimit = tuning.clampHOmegaWithDampingStages, .dampingStages = stages};
   }
-  return {.substeps = substeps, .carried = std::sqrt(heldTo * heldTo - inKick)};
+  return {.substeps = substeps, .hOmegaLimit = std::sqrt(tuning.clampHOmega * tuning.clampHOmega - inKick)};
 }
 
-/// The same for what costs so many passes.
-StepPlan heldPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, double passes) {
-  const bool inKick = 2.0 * fastestDampedOver(model, parameters) <= std::floor(passes);
-  return heldAt(model, rates, parameters,
-                inKick ? static_cast<int>(passes) : substepsBeside(dampedOver(rates, parameters), passes));
+/// The same for a cost in force evaluations.
+StepPlan clampedPlanOfCost(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                           double cost) {
+  const bool inKick = 2.0 * maxDampingNumber(model, parameters) <= std::floor(cost);
+  return clampedPlan(
+      model, rates, parameters,
+      inKick ? static_cast<int>(cost) : substepsWithSplitDamping(dampingNumber(rates, parameters), cost));
 }
 
-/// The least that a step takes where springs and damping stay as they are.
-struct Need {
-  bool beside = false;  ///< damping by itself is cheaper than substeps for it
-  double calm = 0.0;    ///< substeps at a distance from the limit
-  double fewest = 0.0;  ///< substeps
-  double passes = 0.0;  ///< that the calm ones cost
+/// The substeps that a stable step needs without clamping.
+struct StableSteps {
+  bool splitDamping = false;  ///< damping stages are cheaper than more substeps
+  double comfortable = 0.0;   ///< substeps at a distance from the stability limit
+  double minimum = 0.0;       ///< substeps at the stability limit
+  double evaluations = 0.0;   ///< cost of the comfortable ones [force evaluations]
 };
 
-/// @param damped h lambda over the step, of damping by itself
-Need needOf(const ClothModel& model, const StepParameters& parameters, double damped) {
+/// @param damped H lambda for damping in stages [-]
+StableSteps stableStepsOf(const ClothModel& model, const StepParameters& parameters, double damped) {
   const double limit = parameters.timeStep / verletStepLimit(model, parameters);
-  const double hardness = parameters.timeStep * largestFrequency(model, parameters);
-  const double beside =
-      std::max({1.0, std::ceil(hardness / heldBeside), std::ceil(damped / (mostStages * mostStages))});
-  const double cost = costBeside(damped, beside);
-  if (cost < limit / comfortable) {
-    return {true, beside, beside, cost};
+  const double hOmega = parameters.timeStep * largestFrequency(model, parameters);
+  const double split = std::max({1.0, std::ceil(hOmega / tuning.clampHOmegaWithDampingStages),
+                                 std::ceil(damped / (tuning.maxDampingStages * tuning.maxDampingStages))});
+  const double cost = costWithSplitDamping(damped, split);
+  if (cost < limit / tuning.comfortableFraction) {
+    return {true, split, split, cost};
   }
-  return {false, std::ceil(limit / comfortable), std::ceil(limit / atMost), limit / comfortable};
+  return {false, std::ceil(limit / tuning.comfortableFraction), std::ceil(limit / tuning.limitFraction),
+          limit / tuning.comfortableFraction};
 }
 
-/// The share of its stiffness that a vertex of that rate [1/kg] keeps under a plan.
-double shareAt(double rate, const StepParameters& parameters, const StepPlan& plan) {
+/// The stiffness scale under a plan at a vertex with that omega^2 / k [1/kg].
+double stiffnessScaleAt(double rate, const StepParameters& parameters, const StepPlan& plan) {
   const double h = parameters.timeStep / plan.substeps;
-  const double speed = h * h * parameters.stiffness * rate;
-  return plan.carried > 0.0 && speed > 0.0 ? std::min(1.0, plan.carried * plan.carried / speed) : 1.0;
+  const double hOmegaSquared = h * h * parameters.stiffness * rate;
+  return plan.hOmegaLimit > 0.0 && hOmegaSquared > 0.0
+             ? std::min(1.0, plan.hOmegaLimit * plan.hOmegaLimit / hOmegaSquared)
+             : 1.0;
 }
 
-/// Springs that are held only where the fastest hundredth of the vertices are, however many substeps that takes.
-StepPlan barelyHeldPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                        int substeps) {
-  const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rates.most);
-  StepPlan plan = heldAt(model, rates, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / heldTo))));
-  if (shareAt(rates.most, parameters, plan) < 1.0) {
-    const double damped = std::sqrt(heldTo * heldTo - 1.0);
-    plan = heldAt(model, rates, parameters, std::max(substeps, static_cast<int>(std::ceil(hardness / damped))));
+/// Enough substeps that only springs at the fastest hundredth of the vertices are clamped.
+StepPlan minimallyClampedPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                              int substeps) {
+  const double hOmega = parameters.timeStep * std::sqrt(parameters.stiffness * rates.percentile99);
+  StepPlan plan = clampedPlan(model, rates, parameters,
+                              std::max(substeps, static_cast<int>(std::ceil(hOmega / tuning.clampHOmega))));
+  if (stiffnessScaleAt(rates.percentile99, parameters, plan) < 1.0) {
+    const double limitWithDamping = std::sqrt(tuning.clampHOmega * tuning.clampHOmega - 1.0);
+    plan = clampedPlan(model, rates, parameters,
+                       std::max(substeps, static_cast<int>(std::ceil(hOmega / limitWithDamping))));
   }
   return plan;
 }
 
-/// How far weight and wind would stretch the springs next to the pins [-], as they are held under a plan. Infinite
-/// where nothing is pinned: what carries the cloth then is not known.
+/// The strain of the springs at the pins under weight and wind, with the stiffness that a plan leaves [-]. Infinite
+/// without pins: the support of the cloth is then unknown.
 double strainAtPins(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {
-  constexpr double alongWind = 0.1;  // of the pressure from ahead, on cloth that gives way to it
-  const double wind = alongWind * mostForceOfWind(rates, parameters);
-  const double kept = shareAt(rates.median, parameters, plan) * parameters.stiffness;
-  return (parameters.gravity * rates.mass + wind) / (kept * rates.pinnedLength);
+  const double wind = tuning.windLoadFraction * maxWindForce(rates, parameters);
+  const double stiffness = stiffnessScaleAt(rates.median, parameters, plan) * parameters.stiffness;
+  return (parameters.gravity * rates.mass + wind) / (stiffness * rates.pinnedLength);
 }
 
-/// The passes that the tolerance asks for, whatever work is allowed.
-double passesWanted(const Need& need, const StepMemory& memory) {
-  const double wanted = memory.passes > 0.0 ? memory.passes : firstPasses + firstOfLimit * comfortable * need.passes;
-  const double stable = std::max(fewestPasses, need.passes);
-  return std::clamp(wanted, stable, mostOfLimit * std::max(stable, firstPasses / 8.0));
+/// The force evaluations that the error tolerance asks for, without regard to the cost budget.
+double evaluationsForTolerance(const StableSteps& need, const StepMemory& memory) {
+  const double wanted =
+      memory.forceEvaluations > 0.0
+          ? memory.forceEvaluations
+          : tuning.firstEvaluations + tuning.firstLimitFactor * tuning.comfortableFraction * need.evaluations;
+  const double stable = std::max(tuning.minEvaluations, need.evaluations);
+  return std::clamp(wanted, stable, tuning.maxLimitFactor * std::max(stable, tuning.minLimitEvaluations));
 }
 
 }  // namespace
 
-// In eight maxima, since in one each comparison would wait for the one before.
-double farthestOf(const std::vector<Vec3>& positions) {
+// Eight independent maxima: with a single one each comparison would wait for the previous one.
+double maxCoordinate(const std::vector<Vec3>& positions) {
   constexpr std::size_t lanes = 8;
-  std::array<double, lanes> most{};
+  std::array<double, lanes> maxima{};
   const double* const values = positions.empty() ? nullptr : positions.front().data();
   const std::size_t count = 3 * positions.size();
   for (std::size_t i = 0; i + lanes <= count; i += lanes) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      most[lane] = std::max(most[lane], std::abs(values[i + lane]));
+      maxima[lane] = std::max(maxima[lane], std::abs(values[i + lane]));
     }
   }
   for (std::size_t i = count - count % lanes; i < count; ++i) {
-    most[0] = std::max(most[0], std::abs(values[i]));
+    maxima[0] = std::max(maxima[0], std::abs(values[i]));
   }
-  return *std::max_element(most.begin(), most.end());
+  return *std::max_element(maxima.begin(), maxima.end());
 }
 
-LocalRates localRatesOf(const ClothModel& model) {
-  LocalRates rates;
-  std::vector<double> free;
-  std::vector<double> freeDamping;
-  for (std::size_t i = 0; i < model.restPositions.size(); ++i) {
-    const double ends = model.springEnds.begin[i + 1] - model.springEnds.begin[i];
-    rates.unit.push_back(model.pinned[i] ? 0.0 : unitFrequencySquared(model, i));
-    rates.damping.push_back(model.pinned[i] ? 0.0 : 2.0 * ends / model.vertexMass[i]);
-    if (!model.pinned[i]) {
-      free.push_back(rates.unit.back());
-      freeDamping.push_back(rates.damping.back());
-    }
-  }
-  rates.median = smallestBut(free, 2);
-  rates.most = smallestBut(free, 100);
-  rates.mostDamping = smallestBut(freeDamping, 100);
-  rates.diagonal = diagonalOf(model);
-  rates.mass = model.totalMass();
-  rates.area = model.restArea();
-  for (const Spring& spring : model.springs) {
-    const bool carries =
-        model.pinned[static_cast<std::size_t>(spring.a)] != model.pinned[static_cast<std::size_t>(spring.b)];
-    rates.pinnedLength += carries ? spring.relativeStiffness * spring.restLength : 0.0;
-  }
-  return rates;
-}
-
-double mostForceOfWind(const LocalRates& rates, const StepParameters& parameters) {
+double maxWindForce(const LocalRates& rates, const StepParameters& parameters) {
   const double speed = parameters.wind.norm();
   return 0.5 * parameters.airDensity * (parameters.drag + parameters.lift) * speed * speed * rates.area;
 }
 
-double passesInBudget(const ClothModel& model, const StepParameters& parameters) {
+double evaluationsInBudget(const ClothModel& model, const StepParameters& parameters) {
   const auto springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
-  return std::max(fewestPasses, parameters.work * 1e6 * parameters.timeStep / springs);
+  return std::max(tuning.minEvaluations, parameters.costBudget * 1e6 * parameters.timeStep / springs);
 }
 
-double passesAtMost(const ClothModel& model, const StepParameters& parameters) {
-  constexpr double evaluations = 2e9;  // of a spring: several seconds
+double maxEvaluations(const ClothModel& model, const StepParameters& parameters) {
   const double springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
-  return std::max(passesInBudget(model, parameters), evaluations / springs);
+  return std::max(evaluationsInBudget(model, parameters), tuning.maxSpringEvaluations / springs);
 }
 
-bool mayBeSoftened(const ClothModel& model, const StepParameters& parameters) {
-  return parameters.soften ||
-         needOf(model, parameters, fastestDampedOver(model, parameters)).passes > passesAtMost(model, parameters);
+bool maySoften(const ClothModel& model, const StepParameters& parameters) {
+  return parameters.soften || stableStepsOf(model, parameters, maxDampingNumber(model, parameters)).evaluations >
+                                  maxEvaluations(model, parameters);
 }
 
-StepPlan saferThan(StepPlan plan) {
-  constexpr double less = 0.8;
-  constexpr double asPlanned = 1.7;
-  const bool finer = !plan.softens || plan.carried < asPlanned;
-  plan.carried *= plan.softens && finer ? 0.5 : less;
+StepPlan saferPlan(StepPlan plan) {
+  const bool finer = !plan.softens || plan.hOmegaLimit < tuning.minRetryHOmega;
+  plan.hOmegaLimit *= plan.softens && finer ? 0.5 : tuning.retryClampFactor;
   if (finer) {
-    plan.substeps = 2 * plan.passes();
+    plan.substeps = 2 * plan.forceEvaluations();
   }
   plan.scheme = ExplicitScheme::Verlet;
   return plan;
@@ -232,81 +178,81 @@ StepPlan saferThan(StepPlan plan) {
 
 StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                   const StepInputs& inputs, const StepMemory& memory) {
-  constexpr double mostPasses = 1e6;
-  const double budget = std::min(mostPasses, passesInBudget(model, parameters));
-  const double damped = dampedOver(rates, parameters);
-  const Need need = needOf(model, parameters, damped);
-  const double passes = std::min(budget, passesWanted(need, memory));
-  const double hardness = parameters.timeStep * largestFrequency(model, parameters);
-  if (passes >= passesOfFourthOrder * hardness && dependsOnPositionsAlone(parameters, inputs)) {
-    return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(passes / 4.0)};
+  const double budget = std::min(tuning.maxBudgetedEvaluations, evaluationsInBudget(model, parameters));
+  const double damped = dampingNumber(rates, parameters);
+  const StableSteps need = stableStepsOf(model, parameters, damped);
+  const double evaluations = std::min(budget, evaluationsForTolerance(need, memory));
+  const double hOmega = parameters.timeStep * largestFrequency(model, parameters);
+  if (evaluations >= tuning.fourthOrderEvaluations * hOmega && dependsOnPositionsAlone(parameters, inputs)) {
+    return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(evaluations / 4.0)};
   }
-  const auto asTheyAre = [&](int substeps) {
-    return StepPlan{.substeps = substeps, .dampingStages = need.beside ? stagesIn(damped, substeps) : 0};
+  const auto unclamped = [&](int substeps) {
+    return StepPlan{.substeps = substeps, .dampingStages = need.splitDamping ? dampingStagesFor(damped, substeps) : 0};
   };
-  const double bearable = std::max(stretchedBudget * passes, costWithLevels * fewestPasses);
-  const int paid = need.beside ? substepsBeside(damped, passes) : static_cast<int>(passes);
-  const double fewestCost = need.beside ? need.passes : need.fewest;
-  const int substeps = static_cast<int>(need.fewest > paid && fewestCost <= bearable ? need.fewest : paid);
-  if (substeps >= need.fewest) {
-    return asTheyAre(substeps);
+  const double maxCost = std::max(toleratedCostRatio * evaluations, costWithLevels * tuning.minEvaluations);
+  const int affordable =
+      need.splitDamping ? substepsWithSplitDamping(damped, evaluations) : static_cast<int>(evaluations);
+  const double minCost = need.splitDamping ? need.evaluations : need.minimum;
+  const int substeps = static_cast<int>(need.minimum > affordable && minCost <= maxCost ? need.minimum : affordable);
+  if (substeps >= need.minimum) {
+    return unclamped(substeps);
   }
-  if (!mayBeSoftened(model, parameters)) {
-    // Slow in any case: at a distance from the limit, where energy comes and goes less and fewer steps are taken again.
-    const StepPlan barely = barelyHeldPlan(model, rates, parameters, substeps);
-    return barely.substeps < need.calm ? barely : asTheyAre(static_cast<int>(need.calm));
+  if (!maySoften(model, parameters)) {
+    // The step exceeds the budget anyway. So keep a distance from the stability limit, where the energy oscillates less
+    // and fewer steps are retried.
+    const StepPlan clamped = minimallyClampedPlan(model, rates, parameters, substeps);
+    return clamped.substeps < need.comfortable ? clamped : unclamped(static_cast<int>(need.comfortable));
   }
-  const double held = parameters.soften ? passes : passesAtMost(model, parameters);
-  StepPlan softer = heldPlan(model, rates, parameters, held);
+  const double cost = parameters.soften ? evaluations : maxEvaluations(model, parameters);
+  StepPlan softer = clampedPlanOfCost(model, rates, parameters, cost);
   softer.softens = true;
-  const bool carries = !inputs.attachment && strainAtPins(rates, parameters, softer) < smallStrain;
-  if (carries || medianShare(rates, parameters, softer) >= enoughStiffness) {
+  const bool hardlyLoaded = !inputs.attachment && strainAtPins(rates, parameters, softer) < tuning.smallStrain;
+  if (hardlyLoaded || medianStiffnessScale(rates, parameters, softer) >= tuning.enoughStiffness) {
     return softer;
   }
-  StepPlan withLevels = heldPlan(model, rates, parameters, std::max(fewestPasses, held / costWithLevels));
-  withLevels.levels = true;
+  StepPlan withLevels =
+      clampedPlanOfCost(model, rates, parameters, std::max(tuning.minEvaluations, cost / costWithLevels));
+  withLevels.usesCoarseLevels = true;
   withLevels.softens = true;
   return withLevels;
 }
 
-bool dampingRounds(const LocalRates& rates, const StepParameters& parameters) {
-  return dampedOver(rates, parameters) > mostStagesInFloat * mostStagesInFloat;
+bool dampingNeedsDouble(const LocalRates& rates, const StepParameters& parameters) {
+  return dampingNumber(rates, parameters) > tuning.maxDampingStagesInFloat * tuning.maxDampingStagesInFloat;
 }
 
-bool roundingHeats(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                   double farthest) {
-  constexpr double measured = 0.02;
-  constexpr double inMotion = 0.002;  // of what falling sets free, in a second [1/s]
-  constexpr double leastFall = 1.0;   // [m^2/s^2]
-  constexpr double atRest = 1e-7;     // [W/kg]
-  const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness);
-  const double passes = parameters.soften
-                            ? passesInBudget(model, parameters)
-                            : std::clamp(hardness * std::sqrt(rates.most) / heldTo, passesInBudget(model, parameters),
-                                         passesAtMost(model, parameters));
-  const double substeps = std::min(passes, hardness * model.unitFrequency / heldTo);
+bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                        double maxCoordinate) {
+  const double rootStiffness = parameters.timeStep * std::sqrt(parameters.stiffness);  // times sqrt(omega^2/k): h omega
+  const double evaluations =
+      parameters.soften ? evaluationsInBudget(model, parameters)
+                        : std::clamp(rootStiffness * std::sqrt(rates.percentile99) / tuning.clampHOmega,
+                                     evaluationsInBudget(model, parameters), maxEvaluations(model, parameters));
+  const double substeps = std::min(evaluations, rootStiffness * model.unitFrequency / tuning.clampHOmega);
   const double h = parameters.timeStep / std::max(1.0, substeps);
-  const double omegaSquared = std::min(parameters.stiffness * rates.median, heldTo * heldTo / (h * h));
-  const double rounding = 0x1p-24 * farthest;
-  const double heating = 0.5 * measured * omegaSquared * rounding * rounding / h;  // [W/kg]
+  const double omegaSquared =
+      std::min(parameters.stiffness * rates.median, tuning.clampHOmega * tuning.clampHOmega / (h * h));
+  const double rounding = 0x1p-24 * maxCoordinate;
+  const double heating = 0.5 * tuning.roundingHeat * omegaSquared * rounding * rounding / h;  // [W/kg]
   const bool comesToRest = (parameters.damping > 0.0 || parameters.drag > 0.0) && parameters.wind.isZero(0.0);
-  return heating > (comesToRest ? atRest : inMotion * std::max(leastFall, parameters.gravity * rates.diagonal));
+  return heating > (comesToRest ? tuning.maxHeatingAtRest
+                                : tuning.maxHeatingInMotion *
+                                      std::max(tuning.minFallEnergy, parameters.gravity * rates.diagonal));
 }
 
-bool roundingShows(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                   const StepMemory& memory, double farthest) {
-  constexpr double measured = 0.25;
-  constexpr double costOfDouble = 2.0;
-  const double passes = passesWanted(needOf(model, parameters, dampedOver(rates, parameters)), memory);
-  if (costOfDouble * passes > passesInBudget(model, parameters)) {
+bool roundingExceedsTolerance(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                              const StepMemory& memory, double maxCoordinate) {
+  const double evaluations =
+      evaluationsForTolerance(stableStepsOf(model, parameters, dampingNumber(rates, parameters)), memory);
+  if (tuning.doubleCost * evaluations > evaluationsInBudget(model, parameters)) {
     return false;
   }
-  const double count = passes * std::max(1.0, errorTime / parameters.timeStep);
-  return measured * 0x1p-24 * farthest * std::sqrt(count) > parameters.errorTolerance;
+  const double count = evaluations * std::max(1.0, errorTime / parameters.timeStep);
+  return tuning.roundingDrift * 0x1p-24 * maxCoordinate * std::sqrt(count) > parameters.errorTolerance;
 }
 
-double medianShare(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {
-  return shareAt(rates.median, parameters, plan);
+double medianStiffnessScale(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {
+  return stiffnessScaleAt(rates.median, parameters, plan);
 }
 
 }  // namespace drape

@@ -24,7 +24,7 @@ HWY_INLINE hn::Mask<D> lanesOfBits(D d, std::uint16_t bits, int lane) {
   return hn::LoadMaskBits(d, bytes.data());
 }
 
-/// Where the numbers of the lanes from `lane` on stand, in slots that differ from one to the other.
+/// Indices of the numbers of the lanes from `lane` on, in a slot of its own for each lane.
 template <class D>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> loadCorners(D, const std::uint16_t* slots, int lane) {
   static_assert(SpringTerms<hn::TFromD<D>>::stride == 64 + 16);
@@ -38,14 +38,14 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> loadCorners(D, const std::uint16_t* sl
   }
 }
 
-/// Offsets to the neighbours in slots that differ from lane to lane.
+/// Offsets to the neighbours, in a slot of its own for each lane.
 template <class D, typename T>
 HWY_INLINE Lanes3<D> gatherOffsets(D d, const SpringTerms<T>* terms, hn::Vec<hn::RebindToSigned<D>> at) {
   return {hn::GatherIndex(d, terms->x.data(), at), hn::GatherIndex(d, terms->y.data(), at),
           hn::GatherIndex(d, terms->z.data(), at)};
 }
 
-/// Twice the sum of the areas of each vertex's triangles, with their directions: what vertexNormal sums up.
+/// Twice the sum of the area vectors of each vertex's triangles, the same sum as in vertexNormal.
 template <class D, typename T>
 HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTerms<T>* terms, int slice, int lane) {
   const SliceLayout& layout = cloth.layout;
@@ -72,9 +72,10 @@ HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTe
   return sum;
 }
 
-/// force + drag and lift (eqs. 18-20), held to what would stop the vertex against the air within the step, as
-/// kernels::airForce. With w the velocity relative to the air, s = |w|, the unit normal n turned to face w, and q = n .
-/// w: drag = -K_D q w, and as (n x u) x u = (q/s) u - n for u = w/s, lift = K_L s (s - q) ((q/s^2) w - n).
+/// Adds drag and lift (eqs. 18-20) to `force`. They are limited to the force that stops the vertex relative to the air
+/// within the step, as in kernels::airForce. With w the velocity relative to the air, s = |w|, the unit normal n turned
+/// to face w, and q = n.w: drag = -K_D q w. As (n x u) x u = (q/s) u - n for u = w/s,
+/// lift = K_L s (s - q) ((q/s^2) w - n).
 template <class D, typename T>
 HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step, const SpringTerms<T>* terms,
                             int slice, int lane, const Lanes3<D>& force) {
@@ -97,8 +98,8 @@ HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>
   const auto drag = hn::Mul(hn::Mul(surface, hn::Set(d, step.drag)), q);
   auto side = facing;
   if (step.liftRise > T(0)) {
-    // Lift of at most R q', implicit in q' = p + h/m (f - R q'), where the kick takes q; p + h/m f is the side that all
-    // other forces take the vertex to.
+    // Lift is limited to R q', implicit in the normal velocity q' = p + h/m (f - R q') after the kick. p + h/m f is the
+    // normal velocity after the kick by all other forces; its sign tells the side that faces the air.
     const auto push = hn::Div(hn::Set(d, step.timeStep), mass);
     side = hn::MulAdd(push, hn::NegMulAdd(drag, facing, dot(normal, force)), facing);
     const auto rise = hn::Mul(hn::Mul(surface, hn::Set(d, step.liftRise)), speed);

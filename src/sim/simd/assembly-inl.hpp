@@ -12,16 +12,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace drape::HWY_NAMESPACE {
 
-/// What a vertex of each lane contributes to the backward-Euler system.
+/// The row of the backward-Euler system for the vertex of each lane.
 template <class D>
 struct Assembled {
-  Lanes3<D> force;      // f~_i (eqs. 8, 14, 18-20), the hand's pull included [N]
+  Lanes3<D> force;      // f~_i (eqs. 8, 14, 18-20), with the attachment's force [N]
   Symmetric<D> matrix;  // W'_ii = M_i + h sum_j (alpha I + beta o o^T) (eqs. 10, 13) [kg]
-  hn::Vec<D> diagonal;  // M_i and h^2 times the stiffness of the hand [kg]
+  hn::Vec<D> diagonal;  // M_i plus h^2 times the stiffness of the attachment [kg]
 };
 
-/// Evaluates the springs, the air and the hand for some lanes of a slice. The springs' terms are left in `terms`, one a
-/// slot of the slice.
+/// Evaluates springs, air and attachment for some lanes of a slice. Stores the terms of the springs in `terms`, one
+/// entry a slot of the slice.
 template <class D, typename T>
 HWY_INLINE Assembled<D> assembleRow(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step,
                                     SpringTerms<T>* HWY_RESTRICT terms, int slice, int lane) {

@@ -37,7 +37,7 @@ StepShare blockShareOf(const SliceLayout& layout, int member, int members) {
   return {.member = member,
           .begin = boundary(member),
           .end = boundary(member + 1),
-          .lag = layout.longestReach,
+          .lag = layout.sliceBandwidth,
           .sweeps = 0,
           .first = member == 0,
           .last = member + 1 == members};

@@ -14,8 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace drape::HWY_NAMESPACE {
 
-/// The inverse of a diagonal block, zero where pinned. With an indefinite force derivative a block need not be positive
-/// definite, which a preconditioner must be; its size alone is then taken.
+/// The inverse of a diagonal block, zero where pinned. A preconditioner must be positive definite, but with an
+/// indefinite force derivative a block may not be. It is then replaced by its Frobenius norm times the identity.
 template <class D>
 HWY_INLINE Symmetric<D> preconditionerOf(D d, const Symmetric<D>& block, hn::Vec<D> free) {
   const auto zero = hn::Zero(d);
@@ -76,7 +76,7 @@ class ConjugateKernel {
     }
   }
 
-  /// Adds a slice's numbers to its block's.
+  /// Adds a slice's numbers to those of its block.
   HWY_INLINE void sum(std::vector<SliceNumbers<T>>& blocks, int slice, int lane, V value) {
     const D d;
     T* const to = blocks[static_cast<std::size_t>(slice / blockSlices)].data() + lane;
@@ -102,7 +102,7 @@ class ConjugateKernel {
     sum(system_.norms, slice, lane, dot(residual, residual));
   }
 
-  /// A c = m c_i + h sum_j (alpha I + beta o o^T) (c_i - c_j), with m and what the hand adds to it.
+  /// A c = m c_i + h sum_j (alpha I + beta o o^T) (c_i - c_j), where m includes the attachment's stiffness.
   HWY_INLINE void multiplyLanes(int slice, int lane) {
     const D d;
     const int i = slice * sliceLanes + lane;

@@ -7,8 +7,8 @@
 namespace drape {
 namespace {
 
-/// One member's part of some steps. All go through it together, meet wherever one needs what another did, and draw the
-/// same conclusions from the same sums.
+/// The work of one thread in some steps. All threads run the same phases, wait for each other between them, and make
+/// the same decisions from the same sums.
 template <typename T>
 class ConjugateMember {
  public:
@@ -16,8 +16,8 @@ class ConjugateMember {
                   const StepShare& share, ThreadTeam& team)
       : cloth_(cloth), system_(system), step_(step), share_(share), team_(team) {}
 
-  /// It starts from zero: the last step's dv would be a better guess and yet lets the cloth explode, since what a
-  /// stopped iteration leaves over would be carried from step to step.
+  /// The iteration starts from zero. The dv of the last step would be a better guess, but the residual of a stopped
+  /// iteration would then accumulate from step to step, and the cloth blows up.
   StepReport step(const StepParameters& parameters) {
     phase(ConjugatePhase::Start);
     StepReport report;
@@ -38,7 +38,7 @@ class ConjugateMember {
       phase(ConjugatePhase::Multiply);
       const double curvature = system_.curvature();
       if (!(curvature > 0.0)) {
-        break;  // the matrix is indefinite: along this direction there is no minimum to go to
+        break;  // the matrix is indefinite: there is no minimum along this direction
       }
       phase(ConjugatePhase::Descend, descent / curvature);
       ++report.iterations;
@@ -56,7 +56,7 @@ class ConjugateMember {
 
   void phase(ConjugatePhase phase, double factor = 0.0) {
     conjugatePhase(cloth_, system_, step_, share_, phase, static_cast<T>(factor));
-    team_.meet();
+    team_.arriveAndWait();
   }
 
   SlicedCloth<T>& cloth_;
@@ -88,13 +88,13 @@ StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParam
     const StepShare share = blockShareOf(cloth.layout, member, threads);
     ConjugateMember<T> part(cloth, system, step, share, team_);
     cloth.load(state, share);
-    team_.meet();
+    team_.arriveAndWait();
     for (int i = 0; i < count; ++i) {
       if (inputs.attachment) {
         if (member == 0) {
           setAttachment(model, *inputs.attachment, cloth, step);
         }
-        team_.meet();
+        team_.arriveAndWait();
       }
       const StepReport one = part.step(parameters);
       if (member == 0) {

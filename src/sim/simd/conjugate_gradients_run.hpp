@@ -10,8 +10,8 @@
 
 namespace drape {
 
-/// Runs backward-Euler steps solved by conjugate gradients on a cloth that is laid out for vector instructions, in the
-/// precision and with the threads that the parameters ask for. The state is converted once for all of them.
+/// Runs backward-Euler steps with conjugate gradients on a sliced cloth, in the precision and with the threads of the
+/// parameters. The state is converted once for all steps.
 class ConjugateGradientsRun {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,

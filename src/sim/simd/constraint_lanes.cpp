@@ -8,9 +8,9 @@
 
 namespace drape {
 
-ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(model)), place(order.size()) {
+ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(model)), indexOf(order.size()) {
   for (std::size_t k = 0; k < order.size(); ++k) {
-    place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    indexOf[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
   }
   for (std::vector<float>* numbers : {&vertices, &predicted, &velocities}) {
     numbers->assign(4 * (order.size() + 1), 0.0F);
@@ -27,7 +27,7 @@ ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(mode
       springs.push_back(&model.springs[static_cast<std::size_t>(colours.values[static_cast<std::size_t>(i)])]);
     }
     std::sort(springs.begin(), springs.end(), [&](const Spring* s, const Spring* t) {
-      return place[static_cast<std::size_t>(s->a)] < place[static_cast<std::size_t>(t->a)];
+      return indexOf[static_cast<std::size_t>(s->a)] < indexOf[static_cast<std::size_t>(t->a)];
     });
     for (std::size_t i = 0; i < springs.size(); ++i) {
       const std::size_t lane = i % sliceLanes;
@@ -35,8 +35,8 @@ ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(mode
         batches.push_back(none);
         relativeStiffness.resize(even ? 0 : batches.size());
       }
-      batches.back().a[lane] = place[static_cast<std::size_t>(springs[i]->a)];
-      batches.back().b[lane] = place[static_cast<std::size_t>(springs[i]->b)];
+      batches.back().a[lane] = indexOf[static_cast<std::size_t>(springs[i]->a)];
+      batches.back().b[lane] = indexOf[static_cast<std::size_t>(springs[i]->b)];
       batches.back().restLength[lane] = static_cast<float>(springs[i]->restLength);
       if (!even) {
         relativeStiffness.back()[lane] = static_cast<float>(springs[i]->relativeStiffness);
@@ -53,9 +53,9 @@ LaneRange LaneRange::partOf(int member, int members) const {
   return {boundary(member), boundary(member + 1)};
 }
 
-void loadPlaces(const ClothModel& model, const ClothState& state, ConstraintLanes& constraints, LaneRange places) {
-  for (int place = places.begin; place < places.end; ++place) {
-    const auto k = static_cast<std::size_t>(place);
+void loadVertices(const ClothModel& model, const ClothState& state, ConstraintLanes& constraints, LaneRange range) {
+  for (int index = range.begin; index < range.end; ++index) {
+    const auto k = static_cast<std::size_t>(index);
     const auto v = static_cast<std::size_t>(constraints.order[k]);
     const bool free = !model.pinned[v];
     float* const x = constraints.vertices.data() + 4 * k;
@@ -69,13 +69,13 @@ void loadPlaces(const ClothModel& model, const ClothState& state, ConstraintLane
   }
 }
 
-void storePlaces(const ClothModel& model, const ConstraintLanes& constraints, ClothState& state, LaneRange places) {
+void storeVertices(const ClothModel& model, const ConstraintLanes& constraints, ClothState& state, LaneRange range) {
   const auto vectorAt = [](const std::vector<float>& numbers, std::size_t k) {
     const float* const from = numbers.data() + 4 * k;
     return Vec3(static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2]));
   };
-  for (int place = places.begin; place < places.end; ++place) {
-    const auto k = static_cast<std::size_t>(place);
+  for (int index = range.begin; index < range.end; ++index) {
+    const auto k = static_cast<std::size_t>(index);
     const auto v = static_cast<std::size_t>(constraints.order[k]);
     if (model.pinned[v]) {
       state.velocities[v].setZero();
@@ -86,13 +86,13 @@ void storePlaces(const ClothModel& model, const ConstraintLanes& constraints, Cl
   }
 }
 
-// In the two loops below the fourth number of a vertex is treated like the others, and left as it is: so the compiler
-// makes vector instructions of them by itself.
-void predictPlaces(ConstraintLanes& constraints, float timeStep, float gravity, LaneRange places) {
+// The two loops below treat the fourth number of a vertex like the coordinates and leave it unchanged. So the compiler
+// can vectorise them.
+void predictVertices(ConstraintLanes& constraints, float timeStep, float gravity, LaneRange range) {
   const std::array<float, 4> step{timeStep, timeStep, timeStep, 0.0F};
   const std::array<float, 4> fall{0.0F, -timeStep * gravity, 0.0F, 0.0F};
-  for (int place = places.begin; place < places.end; ++place) {
-    const std::size_t at = 4 * static_cast<std::size_t>(place);
+  for (int index = range.begin; index < range.end; ++index) {
+    const std::size_t at = 4 * static_cast<std::size_t>(index);
     float* const x = constraints.vertices.data() + at;
     float* const v = constraints.velocities.data() + at;
     float* const predicted = constraints.predicted.data() + at;
@@ -105,11 +105,11 @@ void predictPlaces(ConstraintLanes& constraints, float timeStep, float gravity, 
   }
 }
 
-void predictPlacesInAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
-                        ConstraintLanes& constraints, LaneRange places) {
+void predictWithAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                    ConstraintLanes& constraints, LaneRange range) {
   const auto h = static_cast<float>(parameters.timeStep);
-  for (int place = places.begin; place < places.end; ++place) {
-    const auto k = static_cast<std::size_t>(place);
+  for (int index = range.begin; index < range.end; ++index) {
+    const auto k = static_cast<std::size_t>(index);
     const auto vertex = static_cast<std::size_t>(constraints.order[k]);
     float* const x = constraints.vertices.data() + 4 * k;
     float* const v = constraints.velocities.data() + 4 * k;
@@ -125,11 +125,11 @@ void predictPlacesInAir(const ClothModel& model, const StepParameters& parameter
   }
 }
 
-void velocitiesFromPlaces(ConstraintLanes& constraints, float timeStep, LaneRange places) {
+void velocitiesFromVertices(ConstraintLanes& constraints, float timeStep, LaneRange range) {
   const float rate = 1.0F / timeStep;
   const std::array<float, 4> rates{rate, rate, rate, 0.0F};
-  for (int place = places.begin; place < places.end; ++place) {
-    const std::size_t at = 4 * static_cast<std::size_t>(place);
+  for (int index = range.begin; index < range.end; ++index) {
+    const std::size_t at = 4 * static_cast<std::size_t>(index);
     const float* const x = constraints.vertices.data() + at;
     const float* const predicted = constraints.predicted.data() + at;
     float* const v = constraints.velocities.data() + at;

@@ -8,10 +8,10 @@
 namespace drape {
 namespace {
 
-/// Batches of one colour that a thread should have at least: about 2 microseconds of work.
-constexpr int fewestBatches = 64;
+/// Fewest batches of one colour for a thread: about 2 microseconds of work.
+constexpr int minBatchesPerThread = 64;
 
-/// One member's part of some steps. All go through it together and meet wherever one needs what another did.
+/// The work of one thread in some steps. All threads run the same stages and wait for each other between them.
 class XpbdMember {
  public:
   XpbdMember(const ClothModel& model, const StepParameters& parameters, ConstraintLanes& lanes, ThreadTeam& team,
@@ -22,21 +22,21 @@ class XpbdMember {
         team_(team),
         member_(member),
         members_(members),
-        places_(LaneRange{0, lanes.places()}.partOf(member, members)),
+        range_(LaneRange{0, lanes.vertexCount()}.partOf(member, members)),
         timeStep_(static_cast<float>(parameters.timeStep)) {}
 
-  void load(const ClothState& state) { loadPlaces(model_, state, lanes_, places_); }
-  void store(ClothState& state) const { storePlaces(model_, lanes_, state, places_); }
+  void load(const ClothState& state) { loadVertices(model_, state, lanes_, range_); }
+  void store(ClothState& state) const { storeVertices(model_, lanes_, state, range_); }
 
   void predict(ClothState& state) {
     if (parameters_.drag == 0.0 && parameters_.lift == 0.0) {
-      predictPlaces(lanes_, timeStep_, static_cast<float>(parameters_.gravity), places_);
+      predictVertices(lanes_, timeStep_, static_cast<float>(parameters_.gravity), range_);
     } else {
       store(state);
-      team_.meet();
-      predictPlacesInAir(model_, parameters_, state, lanes_, places_);
+      team_.arriveAndWait();
+      predictWithAir(model_, parameters_, state, lanes_, range_);
     }
-    team_.meet();
+    team_.arriveAndWait();
   }
 
   void project(bool first) {
@@ -47,8 +47,8 @@ class XpbdMember {
   }
 
   void findVelocities() {
-    velocitiesFromPlaces(lanes_, timeStep_, places_);
-    team_.meet();
+    velocitiesFromVertices(lanes_, timeStep_, range_);
+    team_.arriveAndWait();
     if (parameters_.damping > 0.0) {
       eachColour([&](LaneRange part) {
         dampSprings(lanes_, static_cast<float>(parameters_.timeStep * parameters_.damping), part);
@@ -61,7 +61,7 @@ class XpbdMember {
   void eachColour(Visit&& visit) {
     for (std::size_t colour = 0; colour < static_cast<std::size_t>(lanes_.colours()); ++colour) {
       visit(LaneRange{lanes_.colourBegin[colour], lanes_.colourBegin[colour + 1]}.partOf(member_, members_));
-      team_.meet();
+      team_.arriveAndWait();
     }
   }
 
@@ -71,25 +71,25 @@ class XpbdMember {
   ThreadTeam& team_;
   int member_;
   int members_;
-  LaneRange places_;
+  LaneRange range_;
   float timeStep_;
 };
 
-/// Moves the corners of the triangle that is held.
+/// Moves the corners of the attachment's triangle.
 void projectAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,
                        AttachmentConstraint& constraint, ConstraintLanes& lanes) {
   std::array<float*, 3> corners{};
-  Vec3 reach = attachment.target;
+  Vec3 offset = attachment.target;
   double inverseMass = 0.0;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto v = static_cast<std::size_t>(model.triangles[static_cast<std::size_t>(attachment.triangle)][c]);
-    float* const x = lanes.vertices.data() + 4 * static_cast<std::size_t>(lanes.place[v]);
+    float* const x = lanes.vertices.data() + 4 * static_cast<std::size_t>(lanes.indexOf[v]);
     const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
-    reach -= weight * Vec3(static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]));
+    offset -= weight * Vec3(static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]));
     inverseMass += weight * weight * static_cast<double>(x[3]);
     corners[c] = x;
   }
-  const Vec3 change = constraint.correct(attachment, timeStep, reach, inverseMass);
+  const Vec3 change = constraint.correct(attachment, timeStep, offset, inverseMass);
   for (std::size_t c = 0; c < 3; ++c) {
     const double share = attachment.barycentric[static_cast<Eigen::Index>(c)] * static_cast<double>(corners[c][3]);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -104,11 +104,11 @@ void ConstraintRun::xpbd(const ClothModel& model, const StepParameters& paramete
                          ClothState& state) {
   ConstraintLanes& lanes = lanes_.get(model, [](const ClothModel& m) { return ConstraintLanes(m); });
   const int batchesAColour = static_cast<int>(lanes.batches.size()) / std::max(1, lanes.colours());
-  const int threads = usefulThreads(batchesAColour, fewestBatches, parameters.threads);
+  const int threads = usefulThreads(batchesAColour, minBatchesPerThread, parameters.threads);
   team_.run(threads, [&](int member) {
     XpbdMember part(model, parameters, lanes, team_, member, threads);
     part.load(state);
-    team_.meet();
+    team_.arriveAndWait();
     for (int i = 0; i < count; ++i) {
       part.predict(state);
       if (member == 0) {
@@ -120,7 +120,7 @@ void ConstraintRun::xpbd(const ClothModel& model, const StepParameters& paramete
           if (member == 0) {
             projectAttachment(model, parameters.timeStep, *inputs.attachment, attachment_, lanes);
           }
-          team_.meet();
+          team_.arriveAndWait();
         }
       }
       part.findVelocities();

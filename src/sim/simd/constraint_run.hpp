@@ -8,8 +8,8 @@
 
 namespace drape {
 
-/// Runs steps of XPBD in float by vector instructions, with the threads that the parameters ask for. The state is
-/// converted once for all of them; with air, which is evaluated in double, once for each.
+/// Runs XPBD steps in float with vector instructions and the threads of the parameters. The state is converted once for
+/// all steps; with air, which is evaluated in double, once for each step.
 class ConstraintRun {
  public:
   void xpbd(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,

@@ -5,7 +5,7 @@
 
 namespace drape {
 
-/// Coordinates of vertices, one array each.
+/// Coordinates of vertices, one array for each coordinate.
 template <typename T>
 struct Coordinates {
   T* x;
@@ -13,13 +13,13 @@ struct Coordinates {
   T* z;
 };
 
-/// Takes x y z x y z ... apart, and puts them together again.
+/// Converts between interleaved coordinates x y z x y z ... and one array for each coordinate.
 void splitCoordinates(const double* from, std::size_t count, const Coordinates<float>& to);
 void splitCoordinates(const double* from, std::size_t count, const Coordinates<double>& to);
 void joinCoordinates(const Coordinates<float>& from, std::size_t count, double* to);
 void joinCoordinates(const Coordinates<double>& from, std::size_t count, double* to);
 
-/// The sum of the bit patterns of so many numbers, modulo 2^64: a change of any one number shows.
+/// The sum of the bit patterns of the numbers, modulo 2^64. It changes when any one number changes.
 [[nodiscard]] std::uint64_t sumOfBits(const double* values, std::size_t count);
 
 }  // namespace drape

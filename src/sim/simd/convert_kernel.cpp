@@ -98,7 +98,7 @@ std::uint64_t sumBits(const double* values, std::size_t count) {
   for (; i + lanes <= count; i += lanes) {
     sum = hn::Add(sum, hn::BitCast(d, hn::LoadU(hn::RebindToFloat<decltype(d)>(), values + i)));
   }
-  // Lane by lane: for AVX-512 the compiler's own sum of all lanes is signed, and its overflow is undefined behaviour.
+  // Lane by lane: for AVX-512 the compiler's reduction is signed, and its overflow is undefined behaviour.
   HWY_ALIGN std::array<std::uint64_t, HWY_MAX_BYTES / sizeof(std::uint64_t)> parts{};
   hn::Store(sum, d, parts.data());
   std::uint64_t all = std::accumulate(parts.begin(), parts.end(), std::uint64_t{0});

@@ -26,7 +26,7 @@ class DampingKernel {
       : cloth_(cloth),
         layout_(cloth.layout),
         gain_(*run.gain),
-        shares_(run.shares),
+        dampingScales_(run.dampingScales),
         from_(stage % 2 == 1 ? cloth.velocity : cloth.start),
         to_(stage % 2 == 1 ? cloth.start : cloth.velocity),
         first_(stage == 1),
@@ -44,7 +44,7 @@ class DampingKernel {
   }
 
  private:
-  /// v_j = v_{j-1} + (mu_j - 1) (v_{j-1} - v_{j-2}) + mu~_j (h a - h D v_{j-1}), which leaves equal velocities equal.
+  /// v_j = v_{j-1} + (mu_j - 1) (v_{j-1} - v_{j-2}) + mu~_j (h a - h D v_{j-1}). Equal velocities stay equal.
   HWY_INLINE void damp(int slice, int lane) {
     const D d;
     const int i = slice * sliceLanes + lane;
@@ -55,8 +55,8 @@ class DampingKernel {
       const auto at = static_cast<std::size_t>(slot);
       const Neighbours<D> neighbours(layout_, layout_.slots[at], lane);
       const V3 difference = subtract(neighbours.load(from_), v);
-      if (shares_ != nullptr) {
-        sum = multiplyAdd(difference, hn::LoadU(d, shares_[at].data() + lane), sum);
+      if (dampingScales_ != nullptr) {
+        sum = multiplyAdd(difference, hn::LoadU(d, dampingScales_[at].data() + lane), sum);
         continue;
       }
       const auto present = hn::Ge(hn::LoadU(d, cloth_.restLength[at].data() + lane), hn::Zero(d));
@@ -82,7 +82,7 @@ class DampingKernel {
   SlicedCloth<T>& cloth_;
   const SliceLayout& layout_;
   LaneVectors<T>& gain_;
-  const SliceNumbers<T>* shares_;
+  const SliceNumbers<T>* dampingScales_;
   const LaneVectors<T>& from_;
   LaneVectors<T>& to_;
   bool first_;

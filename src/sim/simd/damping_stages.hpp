@@ -4,26 +4,28 @@
 
 namespace drape {
 
-/// How strong damping is taken by itself, in stages between which velocities alone change: dv/dt = a - D v over a
-/// substep h, with D v = C_d / m_i times the sum over springs of v_i - v_j, and the acceleration a held. These are the
-/// stages of the first-order Runge-Kutta-Legendre method (Meyer, Balsara and Aslam, 2014, J. Comput. Phys. 257, eqs.
-/// 9-12 and 21): s of them are stable to h lambda = s^2 + s, with lambda the largest rate of D, where s explicit
-/// substeps would be to 2 s. Each is a polynomial in D, so momentum is kept; and v = D^-1 a stays as it is, so that
-/// cloth that creeps does so at the right speed.
+/// The number of stages for strong damping in a substep with h lambda = `timesRate`; even.
+///
+/// Strong damping is split from the other forces. The stages integrate dv/dt = a - D v over a substep h with constant
+/// acceleration a and constant positions; D v is C_d / m_i times the sum over springs of v_i - v_j. They are the stages
+/// of the first-order Runge-Kutta-Legendre method (Meyer, Balsara and Aslam, 2014, J. Comput. Phys. 257, eqs. 9-12 and
+/// 21): s stages are stable up to h lambda = s^2 + s, with lambda the largest eigenvalue of D; s explicit substeps only
+/// up to 2 s. The result is a polynomial in D, so momentum is conserved. v = D^-1 a is a fixed point, so overdamped
+/// cloth creeps at the right speed.
 [[nodiscard]] int dampingStages(double timesRate);
 
-/// What the stages of one substep have in common.
+/// The parameters of the stages of one substep.
 template <typename T>
 struct DampingRun {
   T timedDamping = 0;  ///< h C_d [N s^2/m]
   int stages = 0;      ///< even, so that the last one ends in `velocity`
-  /// The share of its damping that each spring keeps, one number a slot and lane, 0 where there is none. Null: all.
-  const SliceNumbers<T>* shares = nullptr;
-  LaneVectors<T>* gain = nullptr;  ///< takes h a [m/s] in the first stage, for the others
+  /// Scale of each spring's damping [-], one number a slot and lane, 0 without a spring. Null: all are 1.
+  const SliceNumbers<T>* dampingScales = nullptr;
+  LaneVectors<T>* gain = nullptr;  ///< receives h a [m/s] in the first stage, for the others
 };
 
-/// One stage, counted from 1, for the slices of one thread. The first finds the velocity from before the kick in
-/// `velocity` and that from after it in `start`; each reads one of these and writes the other.
+/// One stage, counted from 1, for the slices of one thread. Before the first stage `velocity` has the velocities before
+/// the kick and `start` those after it. Each stage reads one of them and writes the other.
 void dampingStage(SlicedCloth<float>& cloth, const DampingRun<float>& run, int stage, const StepShare& share);
 void dampingStage(SlicedCloth<double>& cloth, const DampingRun<double>& run, int stage, const StepShare& share);
 

@@ -1,4 +1,4 @@
-// Included once for each instruction set, so the usual guard does not serve.
+// Included once for each instruction set, so it needs this guard.
 #if defined(DRAPE_SIM_SIMD_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef DRAPE_SIM_SIMD_LANES_INL_HPP
 #undef DRAPE_SIM_SIMD_LANES_INL_HPP
@@ -15,7 +15,7 @@ namespace drape::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// As many numbers as the machine's registers hold, and no more than a slice.
+/// As many lanes as the machine's registers have, but no more than a slice.
 template <typename T>
 using LanesOf = hn::CappedTag<T, sliceLanes>;
 
@@ -58,7 +58,7 @@ HWY_INLINE Lanes3<D> addCross(const Lanes3<D>& a, const Lanes3<D>& b, const Lane
           hn::NegMulAdd(a.y, b.x, hn::MulAdd(a.x, b.y, c.z))};
 }
 
-/// A symmetric 3x3 matrix a lane.
+/// A symmetric 3x3 matrix for each lane.
 template <class D>
 struct Symmetric {
   hn::Vec<D> xx, xy, xz, yy, yz, zz;
@@ -128,8 +128,8 @@ HWY_INLINE void store3(D d, const Lanes3<D>& value, LaneVectors<T>& vectors, std
   hn::StoreU(value.y, d, vectors.y.data() + at);
   hn::StoreU(value.z, d, vectors.z.data() + at);
   if constexpr (sizeof(T) == sizeof(float)) {
-    if (!vectors.sideBySide.empty()) {
-      T* const to = vectors.sideBySide.data() + 4 * at;
+    if (!vectors.interleaved.empty()) {
+      T* const to = vectors.interleaved.data() + 4 * at;
 #if HWY_TARGET == HWY_SCALAR
       hn::StoreU(value.x, d, to);
       hn::StoreU(value.y, d, to + 1);
@@ -164,7 +164,7 @@ HWY_INLINE void storeSymmetric(D d, const Symmetric<D>& value, SliceMatrices<T>&
   hn::StoreU(value.zz, d, to[5].data() + lane);
 }
 
-/// Three coordinates and a number beside them for each lane.
+/// Three coordinates and a fourth number for each lane.
 template <class D>
 struct Lanes4 {
   hn::Vec<D> x, y, z, w;
@@ -173,14 +173,14 @@ struct Lanes4 {
 #if HWY_TARGET == HWY_SCALAR
 
 template <class D>
-HWY_INLINE Lanes4<D> fetch4(D d, const float* sideBySide, const std::int32_t* table) {
-  const float* const from = sideBySide + 4 * static_cast<std::size_t>(*table);
+HWY_INLINE Lanes4<D> fetch4(D d, const float* interleaved, const std::int32_t* table) {
+  const float* const from = interleaved + 4 * static_cast<std::size_t>(*table);
   return {hn::LoadU(d, from), hn::LoadU(d, from + 1), hn::LoadU(d, from + 2), hn::LoadU(d, from + 3)};
 }
 
 template <class D>
-HWY_INLINE void store4(D d, const Lanes4<D>& value, float* sideBySide, const std::int32_t* table) {
-  float* const to = sideBySide + 4 * static_cast<std::size_t>(*table);
+HWY_INLINE void store4(D d, const Lanes4<D>& value, float* interleaved, const std::int32_t* table) {
+  float* const to = interleaved + 4 * static_cast<std::size_t>(*table);
   hn::StoreU(value.x, d, to);
   hn::StoreU(value.y, d, to + 1);
   hn::StoreU(value.z, d, to + 2);
@@ -189,31 +189,31 @@ HWY_INLINE void store4(D d, const Lanes4<D>& value, float* sideBySide, const std
 
 #else
 
-/// Blocks of 4 numbers for every 4th lane, side by side in one register.
+/// Blocks of 4 numbers, for every 4th lane, next to each other in one register.
 template <class D>
-HWY_INLINE hn::Vec<D> loadBlocks(D d, const float* sideBySide, const std::int32_t* table) {
+HWY_INLINE hn::Vec<D> loadBlocks(D d, const float* interleaved, const std::int32_t* table) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
   if constexpr (lanes == 4) {
-    return hn::LoadU(d, sideBySide + 4 * static_cast<std::size_t>(table[0]));
+    return hn::LoadU(d, interleaved + 4 * static_cast<std::size_t>(table[0]));
   } else {
     const hn::Half<D> half;
-    return hn::Combine(d, loadBlocks(half, sideBySide, table + lanes / 2), loadBlocks(half, sideBySide, table));
+    return hn::Combine(d, loadBlocks(half, interleaved, table + lanes / 2), loadBlocks(half, interleaved, table));
   }
 }
 
 template <class D>
-HWY_INLINE void storeBlocks(D d, hn::Vec<D> blocks, float* sideBySide, const std::int32_t* table) {
+HWY_INLINE void storeBlocks(D d, hn::Vec<D> blocks, float* interleaved, const std::int32_t* table) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
   if constexpr (lanes == 4) {
-    hn::StoreU(blocks, d, sideBySide + 4 * static_cast<std::size_t>(table[0]));
+    hn::StoreU(blocks, d, interleaved + 4 * static_cast<std::size_t>(table[0]));
   } else {
     const hn::Half<D> half;
-    storeBlocks(half, hn::LowerHalf(half, blocks), sideBySide, table);
-    storeBlocks(half, hn::UpperHalf(half, blocks), sideBySide, table + lanes / 2);
+    storeBlocks(half, hn::LowerHalf(half, blocks), interleaved, table);
+    storeBlocks(half, hn::UpperHalf(half, blocks), interleaved, table + lanes / 2);
   }
 }
 
-/// Rows to columns and back, within each block of 4 lanes.
+/// Transposes each block of 4 x 4 numbers.
 template <class D>
 HWY_INLINE Lanes4<D> transposed(D d, const Lanes4<D>& rows) {
   const hn::RepartitionToWide<D> wide;
@@ -227,21 +227,21 @@ HWY_INLINE Lanes4<D> transposed(D d, const Lanes4<D>& rows) {
           hn::BitCast(d, hn::InterleaveUpper(wide, high01, high23))};
 }
 
-/// The numbers of the places in `table`, each place fetched whole.
+/// Loads the interleaved numbers at the indices in `table`.
 template <class D>
-HWY_INLINE Lanes4<D> fetch4(D d, const float* sideBySide, const std::int32_t* table) {
-  return transposed(d, {loadBlocks(d, sideBySide, table), loadBlocks(d, sideBySide, table + 1),
-                        loadBlocks(d, sideBySide, table + 2), loadBlocks(d, sideBySide, table + 3)});
+HWY_INLINE Lanes4<D> fetch4(D d, const float* interleaved, const std::int32_t* table) {
+  return transposed(d, {loadBlocks(d, interleaved, table), loadBlocks(d, interleaved, table + 1),
+                        loadBlocks(d, interleaved, table + 2), loadBlocks(d, interleaved, table + 3)});
 }
 
-/// Puts them back. No place may be there twice, but for one that nobody reads.
+/// Stores them. No index may occur twice, except that of the dummy vertex.
 template <class D>
-HWY_INLINE void store4(D d, const Lanes4<D>& value, float* sideBySide, const std::int32_t* table) {
+HWY_INLINE void store4(D d, const Lanes4<D>& value, float* interleaved, const std::int32_t* table) {
   const Lanes4<D> rows = transposed(d, value);
-  storeBlocks(d, rows.x, sideBySide, table);
-  storeBlocks(d, rows.y, sideBySide, table + 1);
-  storeBlocks(d, rows.z, sideBySide, table + 2);
-  storeBlocks(d, rows.w, sideBySide, table + 3);
+  storeBlocks(d, rows.x, interleaved, table);
+  storeBlocks(d, rows.y, interleaved, table + 1);
+  storeBlocks(d, rows.z, interleaved, table + 2);
+  storeBlocks(d, rows.w, interleaved, table + 3);
 }
 
 #endif
@@ -257,7 +257,7 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> loadIndices(D, const std::int32_t* fro
   }
 }
 
-/// Where the neighbours of some lanes of a slot are.
+/// The neighbours of some lanes of a slot.
 template <class D>
 class Neighbours {
   using T = hn::TFromD<D>;
@@ -274,8 +274,8 @@ class Neighbours {
       return load3(d, vectors, first_);
     }
     if constexpr (sizeof(T) == sizeof(float)) {
-      if (!vectors.sideBySide.empty()) {
-        const Lanes4<D> values = fetch4(d, vectors.sideBySide.data(), table_);
+      if (!vectors.interleaved.empty()) {
+        const Lanes4<D> values = fetch4(d, vectors.interleaved.data(), table_);
         return {values.x, values.y, values.z};
       }
     }
@@ -290,8 +290,8 @@ class Neighbours {
   const std::int32_t* table_;
 };
 
-/// The force of a spring on its near end along the offset to the far one, k (1 - l0/L), and its damped derivative
-/// h J' = alpha I + beta o o^T (eqs. 13, 15, 16 and their rivals; see kernels::springDerivative).
+/// The force of a spring on its near end, k (1 - l0/L) times the offset o to its far end, and the derivative with
+/// damping h J' = alpha I + beta o o^T (eqs. 13, 15, 16 and other variants; see kernels::springDerivative).
 template <class D>
 struct SpringLanes {
   hn::Vec<D> elastic;  // [N/m]
@@ -299,11 +299,11 @@ struct SpringLanes {
   hn::Vec<D> beta;     // h b / L^2 [N s/m^3]
 };
 
-/// The part of a spring that every method needs: k (1 - l0/L), zero where a lane has no spring or no direction.
+/// The length of a spring relative to its rest length.
 template <class D>
 struct Elongation {
-  hn::Mask<D> present;   // there is a spring
-  hn::Mask<D> directed;  // and it is long enough to have a direction
+  hn::Mask<D> present;   // the lane has a spring
+  hn::Mask<D> directed;  // and the spring is long enough to have a direction
   hn::Vec<D> inverse;    // 1 / L [1/m]
   hn::Vec<D> ratio;      // l0 / L [-]
 };
@@ -327,7 +327,7 @@ HWY_INLINE hn::Vec<D> elasticOf(D d, const Elongation<D>& e, hn::Vec<D> stiffnes
   return hn::IfThenElseZero(e.directed, hn::Mul(stiffness, hn::Sub(one, e.ratio)));
 }
 
-/// Half the energy of a spring, 1/4 k (L - l0)^2: what either end has of it. @param elastic of elasticOf
+/// Half of a spring's energy, 1/4 k (L - l0)^2: the part of one end. @param elastic the result of elasticOf
 template <class D>
 HWY_INLINE hn::Vec<D> halfEnergyOf(D d, const Elongation<D>& e, const Lanes3<D>& offset, hn::Vec<D> rest,
                                    hn::Vec<D> stiffness, hn::Vec<D> elastic) {
@@ -337,15 +337,15 @@ HWY_INLINE hn::Vec<D> halfEnergyOf(D d, const Elongation<D>& e, const Lanes3<D>&
   return hn::Mul(hn::Set(d, hn::TFromD<D>(0.25)), hn::IfThenElse(e.directed, stretched, collapsed));
 }
 
-/// The accelerations of the groups that some places belong to.
+/// The accelerations of the aggregates of some lanes.
 template <class D, typename T>
-HWY_INLINE Lanes3<D> pushOf(D d, const LaneVectors<T>& pushes, const std::int32_t* groups) {
-  const auto indices = loadIndices(d, groups);
-  return {hn::GatherIndex(d, pushes.x.data(), indices), hn::GatherIndex(d, pushes.y.data(), indices),
-          hn::GatherIndex(d, pushes.z.data(), indices)};
+HWY_INLINE Lanes3<D> aggregateAcceleration(D d, const LaneVectors<T>& accelerations, const std::int32_t* aggregates) {
+  const auto indices = loadIndices(d, aggregates);
+  return {hn::GatherIndex(d, accelerations.x.data(), indices), hn::GatherIndex(d, accelerations.y.data(), indices),
+          hn::GatherIndex(d, accelerations.z.data(), indices)};
 }
 
-/// What all springs of a step have in common, loaded once.
+/// The parameters of all springs in a step, loaded once.
 template <class D>
 struct SpringConstants {
   hn::Vec<D> stiffness;       // k [N/m]
@@ -360,7 +360,7 @@ struct SpringConstants {
         damping(hn::Set(d, step.damping)),
         derivative(step.derivative) {}
 
-  /// Those of springs that are so many times as stiff, lane by lane.
+  /// The same with a relative stiffness for each lane.
   [[nodiscard]] HWY_INLINE SpringConstants times(hn::Vec<D> relative) const {
     SpringConstants own = *this;
     own.stiffness = hn::Mul(stiffness, relative);
@@ -369,9 +369,9 @@ struct SpringConstants {
   }
 };
 
-/// a and b of the derivative k (a I + b d d^T) in the variants of the paper's rivals, from l0/L and 1 - l0/L.
+/// a and b of the derivative k (a I + b d d^T) in the other variants, from l0/L and 1 - l0/L.
 template <class D>
-HWY_INLINE void rivalDerivative(D d, ForceDerivative variant, hn::Vec<D> slack, hn::Vec<D>& a, hn::Vec<D>& b) {
+HWY_INLINE void otherDerivative(D d, ForceDerivative variant, hn::Vec<D> slack, hn::Vec<D>& a, hn::Vec<D>& b) {
   const auto zero = hn::Zero(d);
   const auto one = hn::Set(d, hn::TFromD<D>(1));
   if (variant == ForceDerivative::Exact) {
@@ -394,10 +394,10 @@ HWY_INLINE SpringLanes<D> springLanes(D d, const SpringConstants<D>& constants, 
   const auto one = hn::Set(d, hn::TFromD<D>(1));
   const Elongation<D> e = elongationOf(d, offset, rest);
   const auto slack = hn::Sub(one, e.ratio);  // negative when compressed
-  auto a = hn::Max(slack, zero);             // eq. 16 drops what is negative
+  auto a = hn::Max(slack, zero);             // eq. 16 drops the negative part
   auto b = e.ratio;
   if (HWY_UNLIKELY(constants.derivative != ForceDerivative::Stabilised)) {
-    rivalDerivative(d, constants.derivative, slack, a, b);
+    otherDerivative(d, constants.derivative, slack, a, b);
   }
   const auto undirected = constants.derivative == ForceDerivative::TensionOnly ? zero : one;
   a = hn::IfThenElse(e.directed, a, undirected);
@@ -422,7 +422,7 @@ HWY_INLINE void storeTerms(D d, SpringTerms<T>& terms, int lane, const Lanes3<D>
   hn::StoreU(spring.beta, d, terms.beta.data() + lane);
 }
 
-/// Adds what the hand does to the corners of its triangle: its force, and h^2 times its stiffness on the diagonal.
+/// Adds the attachment's force at the corners of its triangle, and h^2 times its stiffness to the diagonal.
 template <class D, typename T>
 HWY_INLINE void addAttachment(D d, const SliceStep<T>& step, int slice, int lane, Lanes3<D>& force,
                               hn::Vec<D>& diagonal) {

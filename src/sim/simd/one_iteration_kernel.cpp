@@ -37,8 +37,8 @@ class OneIterationKernel {
         terms_(cloth.terms[static_cast<std::size_t>(share.member)].data()),
         inverses_(cloth.inverses[static_cast<std::size_t>(share.member)].data()) {}
 
-  /// Every sweep trails the one before it by the reach of the springs, so that what it needs is still in the cache.
-  /// Near the ends of a thread's share it has to wait for the other threads.
+  /// Every sweep lags behind the previous one by the bandwidth of the springs, so that its data are still in the cache.
+  /// The slices at the ends of a thread's share depend on other threads and are left to later phases.
   void firstPhase() {
     const int last = step_.sweeps;
     std::vector<int>& done = cloth_.done[static_cast<std::size_t>(share_.member)];
@@ -52,7 +52,7 @@ class OneIterationKernel {
       int before = assembled;
       for (int sweep = 1; sweep <= last; ++sweep) {
         int& next = done[static_cast<std::size_t>(sweep)];
-        while (next < share_.innerEnd(sweep) && layout_.reach[static_cast<std::size_t>(next)] < before) {
+        while (next < share_.innerEnd(sweep) && layout_.lastNeighbourSlice[static_cast<std::size_t>(next)] < before) {
           relax(sweep, next++);
         }
         before = next;
@@ -60,7 +60,7 @@ class OneIterationKernel {
     }
   }
 
-  /// What a sweep left at the ends of the share, when all threads have done the sweep before it.
+  /// The slices at the ends of the share, after all threads have finished the previous sweep.
   void laterPhase(int sweep) {
     for (int slice = share_.begin; slice < share_.innerBegin(sweep); ++slice) {
       relax(sweep, slice);
@@ -72,7 +72,7 @@ class OneIterationKernel {
 
  private:
   [[nodiscard]] SpringTerms<T>* termsOf(int slice) const {
-    return terms_ + static_cast<std::ptrdiff_t>(share_.shelf(slice)) * layout_.mostSlots;
+    return terms_ + static_cast<std::ptrdiff_t>(share_.ringSlot(slice)) * layout_.maxSlots;
   }
 
   HWY_INLINE void assemble(int slice) {
@@ -87,13 +87,13 @@ class OneIterationKernel {
     }
   }
 
-  /// p_i = h W_ii^-1 f~_i. A pinned vertex has no velocity to gain: its inverse is zero.
+  /// p_i = h W_ii^-1 f~_i. The inverse is zero at a pinned vertex.
   HWY_INLINE void assembleLanes(int slice, int lane) {
     const D d;
     const int i = slice * sliceLanes + lane;
     const Assembled<D> row = assembleRow(d, cloth_, step_, termsOf(slice), slice, lane);
     const Symmetric<D> inverse = row.matrix.inverse(hn::LoadU(d, cloth_.free.data() + i));
-    storeSymmetric(d, inverse, inverses_[share_.shelf(slice)], lane);
+    storeSymmetric(d, inverse, inverses_[share_.ringSlot(slice)], lane);
     store3(d, inverse.times(scaled(row.force, hn::Set(d, step_.timeStep))), cloth_.start, i);
   }
 
@@ -111,10 +111,10 @@ class OneIterationKernel {
       sum = multiplyAdd(dv, hn::LoadU(d, terms->alpha.data() + lane), sum);
       sum = multiplyAdd(offset, hn::Mul(hn::LoadU(d, terms->beta.data() + lane), dot(offset, dv)), sum);
     }
-    // The start of damped Jacobi is the relaxed p.
+    // Damped Jacobi starts from the relaxed p.
     const T scale = sweep == 1 ? step_.timeStep * step_.relaxation : step_.timeStep;
     const V3 start = load3(d, cloth_.start, i);
-    const V3 moved = loadSymmetric(d, inverses_[share_.shelf(slice)], lane).times(scaled(sum, hn::Set(d, scale)));
+    const V3 moved = loadSymmetric(d, inverses_[share_.ringSlot(slice)], lane).times(scaled(sum, hn::Set(d, scale)));
     V3 dv = add(moved, start);
     if (step_.weights != nullptr) {
       dv = accelerated(sweep, i, dv);
@@ -129,7 +129,7 @@ class OneIterationKernel {
     }
   }
 
-  /// x_(k+1) = w (answer - x_(k-1)) + x_(k-1), with zero before the start.
+  /// x_(k+1) = w (answer - x_(k-1)) + x_(k-1), with x_(-1) = 0.
   HWY_INLINE V3 accelerated(int sweep, int i, const V3& answer) {
     const D d;
     V3 old = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
@@ -141,7 +141,7 @@ class OneIterationKernel {
     return multiplyAdd(subtract(answer, old), hn::Set(d, step_.weights[sweep - 1]), old);
   }
 
-  /// v += dv, x += h v. All that read the old values of this slice have done so: the reach is symmetric.
+  /// v += dv, x += h v. No later slice reads the old values of this slice, since the spring graph is symmetric.
   HWY_INLINE void advanceLanes(int i, const V3& dv) {
     const D d;
     const V3 v = add(dv, load3(d, cloth_.velocity, i));

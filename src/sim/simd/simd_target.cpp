@@ -8,7 +8,7 @@
 namespace drape {
 
 std::string simdTarget() {
-  // Of those that were compiled and that the machine has, the lowest bit is the best.
+  // The lowest bit is the best target that was compiled and that the machine supports.
   const std::int64_t usable = hwy::SupportedTargets() & HWY_TARGETS;
   return hwy::TargetName(usable & -usable);
 }

@@ -4,7 +4,7 @@
 
 namespace drape {
 
-/// The instruction set that the vectorised steps use on this machine: "AVX2".
+/// The instruction set of the vectorised steps on this machine, as "AVX2".
 [[nodiscard]] std::string simdTarget();
 
 }  // namespace drape

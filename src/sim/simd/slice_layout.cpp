@@ -12,15 +12,15 @@
 namespace drape {
 namespace {
 
-/// A slot of consecutive neighbours that fewer lanes use costs more than its springs would as gathers.
-constexpr int fewestConsecutive = 10;
-constexpr int fewestCommonCorners = 3;
-/// What a gathered slot costs in consecutive ones, and by how much a mixed slice must be cheaper: both measured.
+/// Fewest lanes of a slot of consecutive neighbours. With fewer, gathers are cheaper.
+constexpr int minConsecutiveLanes = 10;
+constexpr int minCommonCorners = 3;
+/// Measured cost of a gathered slot in consecutive ones [-], and the factor by which a mixed slice must be cheaper [-].
 constexpr double gatheredCost = 1.6;
-constexpr double worthMixing = 0.8;
+constexpr double mixingGain = 0.8;
 
 struct LaneSpring {
-  int neighbour = 0;  // place
+  int neighbour = 0;  // permuted index
   int spring = 0;     // index into ClothModel::springs
 };
 
@@ -41,8 +41,8 @@ class SliceBuilder {
     layout_.cornerBegin.push_back(static_cast<int>(layout_.corners.size()));
   }
 
-  /// The last place that a spring of this slice leads to.
-  [[nodiscard]] int farthest() const {
+  /// The largest permuted index of a neighbour.
+  [[nodiscard]] int lastNeighbour() const {
     int last = first_;
     for (const auto& springs : springs_) {
       for (const LaneSpring& spring : springs) {
@@ -54,8 +54,8 @@ class SliceBuilder {
 
  private:
   [[nodiscard]] std::size_t vertexAt(int lane) const {
-    const int place = first_ + lane;
-    return static_cast<std::size_t>(layout_.order[static_cast<std::size_t>(place)]);
+    const int index = first_ + lane;
+    return static_cast<std::size_t>(layout_.order[static_cast<std::size_t>(index)]);
   }
 
   void collect(int lane) {
@@ -65,14 +65,14 @@ class SliceBuilder {
     auto& springs = springs_[static_cast<std::size_t>(lane)];
     for (std::size_t e = begin; e < end; ++e) {
       const SpringEnd& springEnd = model_.springEnds.values[e];
-      springs.push_back({layout_.place[static_cast<std::size_t>(springEnd.neighbour)], springEnd.spring});
+      springs.push_back({layout_.indexOf[static_cast<std::size_t>(springEnd.neighbour)], springEnd.spring});
     }
     orderAsFan(vertex, springs);
     slotOf_[static_cast<std::size_t>(lane)].assign(springs.size(), -1);
   }
 
-  /// Neighbours in the order in which the triangles around a vertex follow each other, so that the same two slots make
-  /// a triangle in most lanes. Where the triangles end, or are no fan, the next one starts at the lowest place left.
+  /// Sorts neighbours in the order of the triangle fan around a vertex, so that the same two slots form a triangle in
+  /// most lanes. Where the fan ends, or the triangles form no fan, the next part starts at the lowest index left.
   void orderAsFan(std::size_t vertex, std::vector<LaneSpring>& springs) const {
     std::sort(springs.begin(), springs.end(),
               [](const LaneSpring& a, const LaneSpring& b) { return a.neighbour < b.neighbour; });
@@ -86,9 +86,9 @@ class SliceBuilder {
       reached.insert(b);
     }
     std::vector<LaneSpring> fan;
-    const auto take = [&](int place) {
+    const auto take = [&](int index) {
       const auto found = std::find_if(springs.begin(), springs.end(),
-                                      [&](const LaneSpring& spring) { return spring.neighbour == place; });
+                                      [&](const LaneSpring& spring) { return spring.neighbour == index; });
       fan.push_back(*found);
       springs.erase(found);
     };
@@ -96,9 +96,9 @@ class SliceBuilder {
       const auto open = std::find_if(springs.begin(), springs.end(),
                                      [&](const LaneSpring& spring) { return !reached.contains(spring.neighbour); });
       take(open != springs.end() ? open->neighbour : springs.front().neighbour);
-      const auto left = [&](int place) {
+      const auto left = [&](int index) {
         return std::any_of(springs.begin(), springs.end(),
-                           [&](const LaneSpring& spring) { return spring.neighbour == place; });
+                           [&](const LaneSpring& spring) { return spring.neighbour == index; });
       };
       for (auto step = next.find(fan.back().neighbour); step != next.end() && left(step->second);
            step = next.find(fan.back().neighbour)) {
@@ -108,12 +108,12 @@ class SliceBuilder {
     springs.swap(fan);
   }
 
-  /// The places of a triangle's other two vertices, seen from one of them.
+  /// The permuted indices of a triangle's other two vertices.
   [[nodiscard]] std::pair<int, int> cornerOf(std::size_t vertex, int triangle) const {
     const Triangle& t = model_.triangles[static_cast<std::size_t>(triangle)];
     const std::size_t at = t[0] == static_cast<int>(vertex) ? 0 : t[1] == static_cast<int>(vertex) ? 1 : 2;
-    return {layout_.place[static_cast<std::size_t>(t[(at + 1) % 3])],
-            layout_.place[static_cast<std::size_t>(t[(at + 2) % 3])]};
+    return {layout_.indexOf[static_cast<std::size_t>(t[(at + 1) % 3])],
+            layout_.indexOf[static_cast<std::size_t>(t[(at + 2) % 3])]};
   }
 
   [[nodiscard]] int newSlot(SliceLayout::Slot slot) {
@@ -129,7 +129,7 @@ class SliceBuilder {
     slotOf_[static_cast<std::size_t>(lane)][spring] = slot;
   }
 
-  /// The springs of a slice by how far their far ends are from their near ones: (lane, index) of each.
+  /// The springs of a slice, as (lane, index), by the difference of the permuted indices of their ends.
   using ByOffset = std::map<int, std::vector<std::pair<int, std::size_t>>>;
 
   void addConsecutiveSlots() {
@@ -141,7 +141,7 @@ class SliceBuilder {
       }
     }
     std::erase_if(byOffset,
-                  [](const auto& entry) { return static_cast<int>(entry.second.size()) < fewestConsecutive; });
+                  [](const auto& entry) { return static_cast<int>(entry.second.size()) < minConsecutiveLanes; });
     if (!paysOff(byOffset)) {
       return;
     }
@@ -153,14 +153,14 @@ class SliceBuilder {
     }
   }
 
-  /// Whether consecutive slots make the slice cheaper. What they leave over must be gathered all the same, by the lane
-  /// that has most of it, and the neighbours' fan is torn apart between the two, which the normals pay for.
+  /// Whether consecutive slots make the slice cheaper. The remaining springs need gathers; the lane with most of them
+  /// determines how many. The fan is then split between both kinds of slots, which makes the normals more expensive.
   [[nodiscard]] bool paysOff(const ByOffset& consecutive) const {
     std::array<std::size_t, sliceLanes> left{};
-    std::size_t most = 0;
+    std::size_t maxSprings = 0;
     for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
       left[lane] = springs_[lane].size();
-      most = std::max(most, left[lane]);
+      maxSprings = std::max(maxSprings, left[lane]);
     }
     for (const auto& [offset, uses] : consecutive) {
       for (const auto& [lane, spring] : uses) {
@@ -169,7 +169,7 @@ class SliceBuilder {
     }
     const std::size_t gathered = *std::max_element(left.begin(), left.end());
     const double mixed = static_cast<double>(consecutive.size()) + gatheredCost * static_cast<double>(gathered);
-    return mixed < worthMixing * gatheredCost * static_cast<double>(most);
+    return mixed < mixingGain * gatheredCost * static_cast<double>(maxSprings);
   }
 
   void addGatheredSlots() {
@@ -198,11 +198,11 @@ class SliceBuilder {
     }
   }
 
-  /// The slot of the spring from a lane's vertex to a place.
-  [[nodiscard]] int slotTo(int lane, int place) const {
+  /// The slot of the spring from a lane's vertex to the vertex of that permuted index.
+  [[nodiscard]] int slotTo(int lane, int index) const {
     const auto& springs = springs_[static_cast<std::size_t>(lane)];
     const auto found = std::find_if(springs.begin(), springs.end(),
-                                    [&](const LaneSpring& spring) { return spring.neighbour == place; });
+                                    [&](const LaneSpring& spring) { return spring.neighbour == index; });
     return slotOf_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(found - springs.begin())];
   }
 
@@ -226,7 +226,7 @@ class SliceBuilder {
 
   void addCorner(const std::pair<int, int>& slots, const std::vector<int>& lanes, std::vector<int>& tables,
                  std::array<std::size_t, sliceLanes>& used) {
-    if (static_cast<int>(lanes.size()) >= fewestCommonCorners) {
+    if (static_cast<int>(lanes.size()) >= minCommonCorners) {
       SliceLayout::Corner corner{.slotA = static_cast<std::uint16_t>(slots.first),
                                  .slotB = static_cast<std::uint16_t>(slots.second)};
       for (const int lane : lanes) {
@@ -262,7 +262,7 @@ std::size_t bytesOf(const std::vector<T>& values) {
   return values.capacity() * sizeof(T);
 }
 
-/// Gives back what the growing of the tables left over.
+/// Frees unused capacity.
 void trim(SliceLayout& layout) {
   layout.slotBegin.shrink_to_fit();
   layout.slots.shrink_to_fit();
@@ -270,44 +270,45 @@ void trim(SliceLayout& layout) {
   layout.cornerBegin.shrink_to_fit();
   layout.corners.shrink_to_fit();
   layout.cornerTables.shrink_to_fit();
-  layout.reach.shrink_to_fit();
+  layout.lastNeighbourSlice.shrink_to_fit();
 }
 
 }  // namespace
 
 std::size_t SliceLayout::bytes() const {
-  return bytesOf(order) + bytesOf(place) + bytesOf(slotBegin) + bytesOf(slots) + bytesOf(springs) +
-         bytesOf(neighbourTables) + bytesOf(cornerBegin) + bytesOf(corners) + bytesOf(cornerTables) + bytesOf(reach);
+  return bytesOf(order) + bytesOf(indexOf) + bytesOf(slotBegin) + bytesOf(slots) + bytesOf(springs) +
+         bytesOf(neighbourTables) + bytesOf(cornerBegin) + bytesOf(corners) + bytesOf(cornerTables) +
+         bytesOf(lastNeighbourSlice);
 }
 
 SliceLayout buildSliceLayout(const ClothModel& model) {
   SliceLayout layout;
   layout.vertices = model.vertexCount();
   layout.order = stepOrder(model);
-  layout.place.resize(layout.order.size());
+  layout.indexOf.resize(layout.order.size());
   for (std::size_t k = 0; k < layout.order.size(); ++k) {
-    layout.place[static_cast<std::size_t>(layout.order[k])] = static_cast<int>(k);
+    layout.indexOf[static_cast<std::size_t>(layout.order[k])] = static_cast<int>(k);
   }
-  layout.ownOrder = std::is_sorted(layout.order.begin(), layout.order.end());
+  layout.isModelOrder = std::is_sorted(layout.order.begin(), layout.order.end());
   layout.slotBegin.push_back(0);
   layout.cornerBegin.push_back(0);
   const int slices = (layout.vertices + sliceLanes - 1) / sliceLanes;
   for (int slice = 0; slice < slices; ++slice) {
     SliceBuilder builder(model, layout, slice);
     builder.build();
-    layout.reach.push_back(std::max(slice, builder.farthest() / sliceLanes));
+    layout.lastNeighbourSlice.push_back(std::max(slice, builder.lastNeighbour() / sliceLanes));
     const int slots =
         layout.slotBegin[static_cast<std::size_t>(slice) + 1] - layout.slotBegin[static_cast<std::size_t>(slice)];
-    layout.mostSlots = std::max(layout.mostSlots, slots);
+    layout.maxSlots = std::max(layout.maxSlots, slots);
   }
-  // A slice may pass on only when all before it may: the reach must not fall.
-  for (std::size_t s = 1; s < layout.reach.size(); ++s) {
-    layout.reach[s] = std::max(layout.reach[s], layout.reach[s - 1]);
+  // Slices finish in order, so the values must not decrease.
+  for (std::size_t s = 1; s < layout.lastNeighbourSlice.size(); ++s) {
+    layout.lastNeighbourSlice[s] = std::max(layout.lastNeighbourSlice[s], layout.lastNeighbourSlice[s - 1]);
   }
   for (int s = 0; s < slices; ++s) {
-    layout.longestReach = std::max(layout.longestReach, layout.reach[static_cast<std::size_t>(s)] - s);
+    layout.sliceBandwidth = std::max(layout.sliceBandwidth, layout.lastNeighbourSlice[static_cast<std::size_t>(s)] - s);
   }
-  if (layout.mostSlots > std::numeric_limits<std::uint16_t>::max()) {
+  if (layout.maxSlots > std::numeric_limits<std::uint16_t>::max()) {
     throw InputError("a vertex of the cloth has more than 65535 springs");
   }
   trim(layout);

@@ -9,9 +9,9 @@ namespace drape {
 namespace {
 
 template <typename T>
-Vec3 vectorAt(const LaneVectors<T>& vectors, int place) {
-  return {static_cast<double>(vectors.x.data()[place]), static_cast<double>(vectors.y.data()[place]),
-          static_cast<double>(vectors.z.data()[place])};
+Vec3 vectorAt(const LaneVectors<T>& vectors, int index) {
+  return {static_cast<double>(vectors.x.data()[index]), static_cast<double>(vectors.y.data()[index]),
+          static_cast<double>(vectors.z.data()[index])};
 }
 
 }  // namespace
@@ -40,12 +40,12 @@ void setAttachment(const ClothModel& model, const Attachment& attachment, const 
   const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
   Vec3 point = Vec3::Zero();
   Vec3 velocity = Vec3::Zero();
-  std::array<int, 3> places{};
+  std::array<int, 3> indices{};
   for (std::size_t c = 0; c < 3; ++c) {
-    places[c] = cloth.layout.place[static_cast<std::size_t>(corners[c])];
+    indices[c] = cloth.layout.indexOf[static_cast<std::size_t>(corners[c])];
     const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
-    point += weight * vectorAt(cloth.position, places[c]);
-    velocity += weight * vectorAt(cloth.velocity, places[c]);
+    point += weight * vectorAt(cloth.position, indices[c]);
+    velocity += weight * vectorAt(cloth.velocity, indices[c]);
   }
   const Vec3 offset = attachment.target - point;
   const double distance = offset.norm();
@@ -54,8 +54,8 @@ void setAttachment(const ClothModel& model, const Attachment& attachment, const 
   const Vec3 pull = force - static_cast<double>(step.timeStep) * stiffness * velocity;
   for (std::size_t c = 0; c < 3; ++c) {
     const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
-    step.attachedCorners[c] = {.slice = places[c] / sliceLanes,
-                               .lane = places[c] % sliceLanes,
+    step.attachedCorners[c] = {.slice = indices[c] / sliceLanes,
+                               .lane = indices[c] % sliceLanes,
                                .forceX = static_cast<T>(weight * pull.x()),
                                .forceY = static_cast<T>(weight * pull.y()),
                                .forceZ = static_cast<T>(weight * pull.z()),
@@ -68,23 +68,23 @@ void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Atta
                             SlicedCloth<T>& cloth) {
   const double h = timeStep;
   const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
-  Vec3 reach = attachment.target;
+  Vec3 offset = attachment.target;
   double inverseMass = 0.0;
   std::array<double, 3> share{};  // w_i / m_i [1/kg]
   for (std::size_t c = 0; c < 3; ++c) {
     const auto v = static_cast<std::size_t>(corners[c]);
-    const int place = cloth.layout.place[v];
+    const int index = cloth.layout.indexOf[v];
     const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
-    reach -= weight * (vectorAt(cloth.position, place) + 0.5 * h * vectorAt(cloth.velocity, place));
+    offset -= weight * (vectorAt(cloth.position, index) + 0.5 * h * vectorAt(cloth.velocity, index));
     share[c] = model.pinned[v] ? 0.0 : weight / model.vertexMass[v];
     inverseMass += weight * share[c];
   }
-  Vec3 impulse = (h * attachment.stiffness / (1.0 + 0.5 * h * h * attachment.stiffness * inverseMass)) * reach;
+  Vec3 impulse = (h * attachment.stiffness / (1.0 + 0.5 * h * h * attachment.stiffness * inverseMass)) * offset;
   impulse *= std::min(1.0, h * attachment.maxForce / std::max(impulse.norm(), std::numeric_limits<double>::min()));
   for (std::size_t c = 0; c < 3; ++c) {
-    const int place = cloth.layout.place[static_cast<std::size_t>(corners[c])];
-    const Vec3 velocity = vectorAt(cloth.velocity, place) + share[c] * impulse;
-    cloth.velocity.set(static_cast<std::size_t>(place), static_cast<T>(velocity.x()), static_cast<T>(velocity.y()),
+    const int index = cloth.layout.indexOf[static_cast<std::size_t>(corners[c])];
+    const Vec3 velocity = vectorAt(cloth.velocity, index) + share[c] * impulse;
+    cloth.velocity.set(static_cast<std::size_t>(index), static_cast<T>(velocity.x()), static_cast<T>(velocity.y()),
                        static_cast<T>(velocity.z()));
   }
 }

@@ -6,20 +6,19 @@
 
 namespace drape {
 
-/// The parameters of a step in its own precision, without a hand.
+/// The parameters of a step in the precision T, without an attachment.
 template <typename T>
 [[nodiscard]] SliceStep<T> sliceStepOf(const StepParameters& parameters);
 
-/// Puts the hand's pull at the cloth's present place into an implicit step: the force less h times its stiffness times
-/// the held point's velocity, and the stiffness, shared by the corners' weights.
+/// Adds the attachment to an implicit step, at the cloth's present state: the force minus h times its stiffness times
+/// the velocity of the attached point, and the stiffness. Both are distributed by the weights of the corners.
 template <typename T>
 void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<T>& cloth,
                    SliceStep<T>& step);
 
-/// Changes the velocities of the corners of the hand's triangle by its impulse J on the held point p, from where the
-/// point ends: J = h k (target - p - h/2 u'), u' = u + W J, with u the point's velocity and W its inverse mass, the sum
-/// of w_i^2 / m_i. J is bounded like the force. Stable for any stiffness of the hand, so that an explicit step's own
-/// limit stays what it is.
+/// Applies the attachment's implicit impulse J to the velocities of its corners: J = h k (target - p - h/2 u') with
+/// u' = u + W J. p is the attached point, u its velocity and W its inverse mass, the sum of w_i^2 / m_i. J is bounded
+/// like the force. It is stable for any stiffness, so the attachment does not change the limit of an explicit step.
 template <typename T>
 void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,
                             SlicedCloth<T>& cloth);

@@ -8,12 +8,12 @@
 namespace drape {
 namespace {
 
-/// A thread's share of the vertices.
-struct Places {
+/// The permuted indices of a thread's share.
+struct IndexRange {
   std::size_t begin;
   std::size_t end;
 
-  Places(const SliceLayout& layout, const StepShare& share)
+  IndexRange(const SliceLayout& layout, const StepShare& share)
       : begin(static_cast<std::size_t>(share.begin) * sliceLanes),
         end(std::min(layout.order.size(), static_cast<std::size_t>(share.end) * sliceLanes)) {}
 };
@@ -24,37 +24,37 @@ Coordinates<T> coordinatesOf(LaneVectors<T>& vectors) {
 }
 
 template <typename T>
-void scatter(const SliceLayout& layout, Places places, const std::vector<Vec3>& from, LaneVectors<T>& to) {
+void scatter(const SliceLayout& layout, IndexRange range, const std::vector<Vec3>& from, LaneVectors<T>& to) {
   const Coordinates<T> out = coordinatesOf(to);
   const double* const values = from.data()->data();
-  if (layout.ownOrder) {
-    splitCoordinates(values + 3 * places.begin, places.end - places.begin,
-                     {out.x + places.begin, out.y + places.begin, out.z + places.begin});
+  if (layout.isModelOrder) {
+    splitCoordinates(values + 3 * range.begin, range.end - range.begin,
+                     {out.x + range.begin, out.y + range.begin, out.z + range.begin});
   } else {
-    for (std::size_t k = places.begin; k < places.end; ++k) {
+    for (std::size_t k = range.begin; k < range.end; ++k) {
       const double* const value = values + 3 * static_cast<std::size_t>(layout.order[k]);
       out.x[k] = static_cast<T>(value[0]);
       out.y[k] = static_cast<T>(value[1]);
       out.z[k] = static_cast<T>(value[2]);
     }
   }
-  for (std::size_t k = places.begin; !to.sideBySide.empty() && k < places.end; ++k) {
-    to.sideBySide[4 * k] = out.x[k];
-    to.sideBySide[4 * k + 1] = out.y[k];
-    to.sideBySide[4 * k + 2] = out.z[k];
+  for (std::size_t k = range.begin; !to.interleaved.empty() && k < range.end; ++k) {
+    to.interleaved[4 * k] = out.x[k];
+    to.interleaved[4 * k + 1] = out.y[k];
+    to.interleaved[4 * k + 2] = out.z[k];
   }
 }
 
 template <typename T>
-void gather(const SliceLayout& layout, Places places, LaneVectors<T>& from, std::vector<Vec3>& to) {
+void gather(const SliceLayout& layout, IndexRange range, LaneVectors<T>& from, std::vector<Vec3>& to) {
   const Coordinates<T> in = coordinatesOf(from);
   double* const values = to.data()->data();
-  if (layout.ownOrder) {
-    joinCoordinates({in.x + places.begin, in.y + places.begin, in.z + places.begin}, places.end - places.begin,
-                    values + 3 * places.begin);
+  if (layout.isModelOrder) {
+    joinCoordinates({in.x + range.begin, in.y + range.begin, in.z + range.begin}, range.end - range.begin,
+                    values + 3 * range.begin);
     return;
   }
-  for (std::size_t k = places.begin; k < places.end; ++k) {
+  for (std::size_t k = range.begin; k < range.end; ++k) {
     double* const value = values + 3 * static_cast<std::size_t>(layout.order[k]);
     value[0] = static_cast<double>(in.x[k]);
     value[1] = static_cast<double>(in.y[k]);
@@ -114,35 +114,35 @@ void SlicedCloth<T>::setMassesAndPins(const ClothModel& model) {
 
 template <typename T>
 void SlicedCloth<T>::load(const ClothState& state, const StepShare& share) {
-  const Places places(layout, share);
-  scatter(layout, places, state.positions, position);
-  scatter(layout, places, state.velocities, velocity);
-  // What is pinned has no velocity, and gains none; whatever it had before it was pinned would carry it on.
-  for (const int place : pinned) {
-    if (share.holds(place)) {
-      velocity.set(static_cast<std::size_t>(place), T(0), T(0), T(0));
+  const IndexRange range(layout, share);
+  scatter(layout, range, state.positions, position);
+  scatter(layout, range, state.velocities, velocity);
+  // Pinned vertices need zero velocity: a velocity from before they were pinned would move them.
+  for (const int index : pinned) {
+    if (share.contains(index)) {
+      velocity.set(static_cast<std::size_t>(index), T(0), T(0), T(0));
     }
   }
 }
 
 template <typename T>
 void SlicedCloth<T>::store(ClothState& state, const StepShare& share) {
-  const Places places(layout, share);
-  // What is pinned stays where it was, unrounded.
-  std::vector<Vec3>& held = heldPlaces[static_cast<std::size_t>(share.member)];
-  held.clear();
-  for (const int place : pinned) {
-    if (share.holds(place)) {
-      held.push_back(state.positions[static_cast<std::size_t>(layout.order[static_cast<std::size_t>(place)])]);
+  const IndexRange range(layout, share);
+  // Pinned vertices keep their unrounded positions.
+  std::vector<Vec3>& unrounded = pinnedPositions[static_cast<std::size_t>(share.member)];
+  unrounded.clear();
+  for (const int index : pinned) {
+    if (share.contains(index)) {
+      unrounded.push_back(state.positions[static_cast<std::size_t>(layout.order[static_cast<std::size_t>(index)])]);
     }
   }
-  gather(layout, places, position, state.positions);
-  gather(layout, places, velocity, state.velocities);
+  gather(layout, range, position, state.positions);
+  gather(layout, range, velocity, state.velocities);
   std::size_t next = 0;
-  for (const int place : pinned) {
-    if (share.holds(place)) {
-      const auto vertex = static_cast<std::size_t>(layout.order[static_cast<std::size_t>(place)]);
-      state.positions[vertex] = held[next++];
+  for (const int index : pinned) {
+    if (share.contains(index)) {
+      const auto vertex = static_cast<std::size_t>(layout.order[static_cast<std::size_t>(index)]);
+      state.positions[vertex] = unrounded[next++];
       state.velocities[vertex].setZero();
     }
   }
@@ -154,14 +154,14 @@ void SlicedCloth<T>::prepare(int threads, int sweeps) {
   terms.resize(std::max(terms.size(), members));
   inverses.resize(std::max(inverses.size(), members));
   done.resize(std::max(done.size(), members));
-  heldPlaces.resize(std::max(heldPlaces.size(), members));
+  pinnedPositions.resize(std::max(pinnedPositions.size(), members));
   for (int member = 0; member < threads; ++member) {
     const StepShare share = shareOf(layout, sweeps, member, threads);
     auto& own = terms[static_cast<std::size_t>(member)];
-    const auto needed = static_cast<std::size_t>(share.shelves()) * static_cast<std::size_t>(layout.mostSlots);
+    const auto needed = static_cast<std::size_t>(share.ringSlots()) * static_cast<std::size_t>(layout.maxSlots);
     own.resize(std::max(own.size(), needed));
     auto& matrices = inverses[static_cast<std::size_t>(member)];
-    matrices.resize(std::max(matrices.size(), static_cast<std::size_t>(share.shelves())));
+    matrices.resize(std::max(matrices.size(), static_cast<std::size_t>(share.ringSlots())));
   }
   if (sweeps > 1 && !change[0].sized()) {
     change[0].resize(layout.slices(), layout.irregular());
@@ -190,12 +190,12 @@ std::size_t SlicedCloth<T>::bytes() const {
 
 template <typename T>
 void driftSlices(SlicedCloth<T>& cloth, T time, const StepShare& share) {
-  if (cloth.position.sideBySide.empty()) {
+  if (cloth.position.interleaved.empty()) {
     const Coordinates<T> x = coordinatesOf(cloth.position);
     const Coordinates<T> v = coordinatesOf(cloth.velocity);
-    for (const auto& [place, speed] : {std::pair(x.x, v.x), std::pair(x.y, v.y), std::pair(x.z, v.z)}) {
+    for (const auto& [coordinate, speed] : {std::pair(x.x, v.x), std::pair(x.y, v.y), std::pair(x.z, v.z)}) {
       for (int i = share.begin * sliceLanes; i < share.end * sliceLanes; ++i) {
-        place[i] += time * speed[i];
+        coordinate[i] += time * speed[i];
       }
     }
     return;

@@ -1,28 +1,19 @@
 #include "sim/simd/sliced_cloth_cache.hpp"
 
-#include <bit>
+#include "sim/fingerprint.hpp"
 
 namespace drape {
 namespace {
 
-class Fingerprint {
- public:
-  void add(std::uint64_t value) { hash_ = (hash_ ^ value) * 0x100000001b3ULL; }
-  [[nodiscard]] std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
-};
-
-/// Of all that the layout depends on.
+/// The fingerprint of everything that the layout depends on.
 std::uint64_t topologyOf(const ClothModel& model) {
   Fingerprint fingerprint;
-  fingerprint.add(model.restPositions.size());
+  fingerprint.add(std::uint64_t{model.restPositions.size()});
   for (const Spring& spring : model.springs) {
     fingerprint.add((static_cast<std::uint64_t>(static_cast<std::uint32_t>(spring.a)) << 32U) |
                     static_cast<std::uint32_t>(spring.b));
-    fingerprint.add(std::bit_cast<std::uint64_t>(spring.restLength));
-    fingerprint.add(std::bit_cast<std::uint64_t>(spring.relativeStiffness));
+    fingerprint.add(spring.restLength);
+    fingerprint.add(spring.relativeStiffness);
   }
   for (const Triangle& triangle : model.triangles) {
     for (const int vertex : triangle) {

@@ -30,17 +30,17 @@ void SlicedRun::explicitEuler(const ClothModel& model, const StepParameters& par
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, 1, member, threads);
     cloth.load(state, share);
-    team_.meet();
+    team_.arriveAndWait();
     for (int i = 0; i < count; ++i) {
       for (int phase = 0; phase < (threads == 1 ? 1 : 2); ++phase) {
         verletPhase(cloth, step, step.timeStep, share, phase);
-        team_.meet();
+        team_.arriveAndWait();
       }
       if (inputs.attachment) {
         if (member == 0) {
           applyAttachmentImpulse(model, parameters.timeStep, *inputs.attachment, cloth);
         }
-        team_.meet();
+        team_.arriveAndWait();
       }
     }
     cloth.store(state, share);
@@ -61,17 +61,17 @@ void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, con
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, parameters.sweeps, member, threads);
     cloth.load(state, share);
-    team_.meet();
+    team_.arriveAndWait();
     for (int i = 0; i < count; ++i) {
       if (inputs.attachment) {
         if (member == 0) {
           setAttachment(model, *inputs.attachment, cloth, step);
         }
-        team_.meet();
+        team_.arriveAndWait();
       }
       for (int phase = 0; phase < phases; ++phase) {
         oneIterationPhase(cloth, step, share, phase);
-        team_.meet();
+        team_.arriveAndWait();
       }
     }
     cloth.store(state, share);
@@ -90,21 +90,21 @@ void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const Ste
     const StepShare share = shareOf(cloth.layout, 1, member, threads);
     cloth.load(state, share);
     driftSlices(cloth, half, share);
-    team_.meet();
+    team_.arriveAndWait();
     for (int i = 0; i < count; ++i) {
-      // The second half of a drift and the first of the next are one, unless the hand comes in between.
+      // The second half of a drift and the first half of the next are merged, unless the attachment acts between them.
       const T next = i + 1 < count ? step.timeStep : half;
       for (int phase = 0; phase < (threads == 1 ? 1 : 2); ++phase) {
         verletPhase(cloth, step, inputs.attachment ? T(0) : next, share, phase);
-        team_.meet();
+        team_.arriveAndWait();
       }
       if (inputs.attachment) {
         if (member == 0) {
           applyAttachmentImpulse(model, parameters.timeStep, *inputs.attachment, cloth);
         }
-        team_.meet();
+        team_.arriveAndWait();
         driftSlices(cloth, next, share);
-        team_.meet();
+        team_.arriveAndWait();
       }
     }
     cloth.store(state, share);

@@ -8,8 +8,8 @@
 
 namespace drape {
 
-/// Runs steps on a cloth that is laid out for vector instructions, in the precision and with the threads that the
-/// parameters ask for. The state is converted once for all of them.
+/// Runs steps on a sliced cloth, in the precision and with the threads of the parameters. The state is converted once
+/// for all steps.
 class SlicedRun {
  public:
   /// Steps of the one-iteration method with `parameters.sweeps` sweeps. `weights` of Chebyshev's acceleration, one a
@@ -21,8 +21,7 @@ class SlicedRun {
   void verlet(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
               ClothState& state);
 
-  /// Steps of explicit Euler, in double whatever the parameters ask for: it is for steps so short that in float most of
-  /// each would be lost to rounding.
+  /// Steps of explicit Euler, always in double: its steps are so short that float would lose most of each to rounding.
   void explicitEuler(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                      ClothState& state);
 

@@ -6,8 +6,8 @@
 namespace drape {
 namespace {
 
-/// About 5 microseconds of work in the cheapest step.
-constexpr int fewestSlices = 96;
+/// Fewest slices for a thread: about 5 microseconds of work in the cheapest step.
+constexpr int minSlicesPerThread = 96;
 
 }  // namespace
 
@@ -16,20 +16,20 @@ StepShare shareOf(const SliceLayout& layout, int sweeps, int member, int members
   return {.member = member,
           .begin = boundary(member),
           .end = boundary(member + 1),
-          .lag = layout.longestReach,
+          .lag = layout.sliceBandwidth,
           .sweeps = sweeps,
           .first = member == 0,
           .last = member + 1 == members};
 }
 
-int usefulThreads(int parts, int fewest, int threads) {
-  // Asking the system takes as long as a step of a small cloth.
+int usefulThreads(int parts, int minParts, int threads) {
+  // Static, since the system call takes as long as a step of a small cloth.
   static const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return std::clamp(parts / fewest, 1, std::min(threads, cores));
+  return std::clamp(parts / minParts, 1, std::min(threads, cores));
 }
 
 int usefulThreads(const SliceLayout& layout, int threads) {
-  return usefulThreads(layout.slices(), fewestSlices, threads);
+  return usefulThreads(layout.slices(), minSlicesPerThread, threads);
 }
 
 }  // namespace drape

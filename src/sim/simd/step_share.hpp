@@ -6,29 +6,30 @@
 
 namespace drape {
 
-/// The slices that one thread works on in a step, and which of them have to wait for other threads.
+/// The slices of one thread in a step.
 ///
-/// Within its share a thread lets every sweep trail the one before it by `lag` slices. At an end where another share
-/// begins, the first sweep cannot do the last `lag` slices before the other thread has evaluated its own, the second
-/// sweep not the last 2 lag slices, and so on: these are left for later phases, one a sweep, between which all meet.
+/// Within its share a thread lets every sweep lag behind the previous one by `lag` slices. At a boundary with another
+/// share the first sweep cannot process the last `lag` slices until the other thread has evaluated its own, the second
+/// sweep not the last 2 lag slices, and so on. These are left to later phases, one a sweep. All threads wait for each
+/// other between the phases.
 struct StepShare {
   int member = 0;     ///< of the team
   int begin = 0;      ///< slices
   int end = 0;        ///< slices
-  int lag = 0;        ///< the reach of the springs [slices]
+  int lag = 0;        ///< bandwidth of the springs [slices]
   int sweeps = 1;     ///< of the step
-  bool first = true;  ///< no share before this one
-  bool last = true;   ///< none after it
+  bool first = true;  ///< there is no share before this one
+  bool last = true;   ///< there is no share after this one
 
-  /// The slices of a sweep that need nothing of other shares.
+  /// The slices of a sweep that do not depend on other shares.
   [[nodiscard]] int innerBegin(int sweep) const { return first ? begin : std::min(end, begin + sweep * lag); }
   [[nodiscard]] int innerEnd(int sweep) const { return last ? end : std::max(innerBegin(sweep), end - sweep * lag); }
 
-  [[nodiscard]] bool holds(int place) const { return place >= begin * sliceLanes && place < end * sliceLanes; }
+  [[nodiscard]] bool contains(int index) const { return index >= begin * sliceLanes && index < end * sliceLanes; }
 
-  /// Where a slice's springs are kept from their evaluation to the last sweep: at the ends of the share each slice has
-  /// a place of its own, since it waits; in between a ring is enough.
-  [[nodiscard]] int shelf(int slice) const {
+  /// The slot that holds a slice's spring terms from their evaluation to the last sweep. Slices at the ends of the
+  /// share, which wait for other threads, have their own slots. All others share a ring.
+  [[nodiscard]] int ringSlot(int slice) const {
     const int front = innerBegin(sweeps);
     const int back = innerEnd(sweeps);
     if (slice < front) {
@@ -40,15 +41,15 @@ struct StepShare {
     return front - begin + end - back + slice % ring();
   }
   [[nodiscard]] int ring() const { return sweeps * lag + 1; }
-  [[nodiscard]] int shelves() const { return innerBegin(sweeps) - begin + end - innerEnd(sweeps) + ring(); }
+  [[nodiscard]] int ringSlots() const { return innerBegin(sweeps) - begin + end - innerEnd(sweeps) + ring(); }
 };
 
 /// The share of one of `members` threads.
 [[nodiscard]] StepShare shareOf(const SliceLayout& layout, int sweeps, int member, int members);
 
-/// How many of `threads` are worth having for that many parts of work, when each should have `fewest` of them at least:
-/// a small cloth is done before threads have found together. Never more than there are cores.
-[[nodiscard]] int usefulThreads(int parts, int fewest, int threads);
+/// The number of threads for so many parts of work, if each thread should have at least `minParts` of them: for a small
+/// cloth synchronisation costs more than it saves. At most `threads`, and at most the number of cores.
+[[nodiscard]] int usefulThreads(int parts, int minParts, int threads);
 
 /// The same for the slices of a cloth.
 [[nodiscard]] int usefulThreads(const SliceLayout& layout, int threads);

@@ -27,7 +27,7 @@ HWY_INLINE void accelerateLanes(SlicedCloth<T>& level, const TensionStep<T>& ste
     const auto offset = subtract(neighbours.load(level.position), x);
     const auto rest = hn::LoadU(d, level.restLength[at].data() + lane);
     auto elongation = elongationOf(d, offset, rest);
-    // A slack spring is as one that is not there.
+    // Compressed springs exert no force.
     elongation.present = hn::And(elongation.present, hn::Lt(elongation.ratio, hn::Set(d, T(1))));
     elongation.directed = hn::And(elongation.directed, elongation.present);
     const auto stiffness = hn::LoadU(d, step.stiffness[at].data() + lane);
@@ -39,8 +39,9 @@ HWY_INLINE void accelerateLanes(SlicedCloth<T>& level, const TensionStep<T>& ste
   }
   const auto free = hn::LoadU(d, level.free.data() + i);
   auto acceleration = scaled(force, hn::Div(free, hn::LoadU(d, level.mass.data() + i)));
-  if (step.groups != nullptr) {
-    acceleration = multiplyAdd(pushOf(d, *step.pushes, step.groups + i), free, acceleration);
+  if (step.aggregates != nullptr) {
+    acceleration =
+        multiplyAdd(aggregateAcceleration(d, *step.aggregateAccelerations, step.aggregates + i), free, acceleration);
   }
   if (HWY_UNLIKELY(step.energy != nullptr)) {
     hn::StoreU(energy, d, step.energy + i);

@@ -7,8 +7,8 @@
 namespace drape {
 namespace {
 
-/// About 50 microseconds; whoever waits longer lets others have the processor.
-constexpr int patience = 2000;
+/// Spins before a waiting thread yields the processor: about 50 microseconds.
+constexpr int spinLimit = 2000;
 
 void pauseBriefly() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -20,7 +20,7 @@ void pauseBriefly() {
 
 template <typename Condition>
 bool spinUntil(Condition&& condition) {
-  for (int i = 0; i < patience; ++i) {
+  for (int i = 0; i < spinLimit; ++i) {
     if (condition()) {
       return true;
     }
@@ -37,8 +37,8 @@ ThreadTeam::~ThreadTeam() {
 
 void ThreadTeam::dismiss() {
   leaving_ = true;
-  round_.fetch_add(1, std::memory_order_release);
-  round_.notify_all();
+  generation_.fetch_add(1, std::memory_order_release);
+  generation_.notify_all();
   for (std::thread& other : others_) {
     other.join();
   }
@@ -53,12 +53,12 @@ void ThreadTeam::resize(int count) {
   dismiss();
   count_ = count;
   for (int member = 1; member < count; ++member) {
-    others_.emplace_back([this, member, seen = round_.load(std::memory_order_relaxed)]() mutable {
+    others_.emplace_back([this, member, seen = generation_.load(std::memory_order_relaxed)]() mutable {
       for (;;) {
-        if (!spinUntil([&] { return round_.load(std::memory_order_acquire) != seen; })) {
-          round_.wait(seen, std::memory_order_acquire);
+        if (!spinUntil([&] { return generation_.load(std::memory_order_acquire) != seen; })) {
+          generation_.wait(seen, std::memory_order_acquire);
         }
-        if (round_.load(std::memory_order_acquire) == seen) {
+        if (generation_.load(std::memory_order_acquire) == seen) {
           continue;
         }
         ++seen;
@@ -86,25 +86,25 @@ void ThreadTeam::run(int count, const std::function<void(int member)>& body) {
   count_ = count;
   body_ = &body;
   busy_.store(count - 1, std::memory_order_relaxed);
-  round_.fetch_add(1, std::memory_order_release);
-  round_.notify_all();
+  generation_.fetch_add(1, std::memory_order_release);
+  generation_.notify_all();
   body(0);
   while (!spinUntil([&] { return busy_.load(std::memory_order_acquire) == 0; })) {
     std::this_thread::yield();
   }
 }
 
-void ThreadTeam::meet() {
+void ThreadTeam::arriveAndWait() {
   if (count_ <= 1) {
     return;
   }
-  const unsigned meeting = meetings_.load(std::memory_order_acquire);
+  const unsigned generation = barrierGeneration_.load(std::memory_order_acquire);
   if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == count_) {
     arrived_.store(0, std::memory_order_relaxed);
-    meetings_.store(meeting + 1, std::memory_order_release);
+    barrierGeneration_.store(generation + 1, std::memory_order_release);
     return;
   }
-  while (!spinUntil([&] { return meetings_.load(std::memory_order_acquire) != meeting; })) {
+  while (!spinUntil([&] { return barrierGeneration_.load(std::memory_order_acquire) != generation; })) {
     std::this_thread::yield();
   }
 }

@@ -7,8 +7,8 @@
 
 namespace drape {
 
-/// Threads that go through a step together and wait for each other between its phases: a step of a small cloth takes
-/// some microseconds, less than it takes to wake a thread. So they spin for a while before they sleep.
+/// Threads that run a step together and wait for each other between its phases. A step of a small cloth takes some
+/// microseconds, less than waking a thread. So they spin for a while before they sleep.
 class ThreadTeam {
  public:
   ThreadTeam() = default;
@@ -19,8 +19,8 @@ class ThreadTeam {
   /// Calls body(member) for the members 0 .. count - 1 at the same time, member 0 on the calling thread.
   void run(int count, const std::function<void(int member)>& body);
 
-  /// For the members of the running team: nobody passes before all have come.
-  void meet();
+  /// A barrier for the members of the running team.
+  void arriveAndWait();
 
  private:
   void work(int member);
@@ -31,11 +31,11 @@ class ThreadTeam {
   const std::function<void(int)>* body_ = nullptr;
   int count_ = 1;
   bool leaving_ = false;
-  // Each on a cache line of its own: who waits on one must not slow down who writes another.
-  alignas(64) std::atomic<unsigned> round_ = 0;     // grows when there is work
-  alignas(64) std::atomic<int> busy_ = 0;           // others that are still at it
-  alignas(64) std::atomic<int> arrived_ = 0;        // at the meeting
-  alignas(64) std::atomic<unsigned> meetings_ = 0;  // grows when all have come
+  // Separate cache lines: waiting on one must not slow down writes to another.
+  alignas(64) std::atomic<unsigned> generation_ = 0;         // incremented when there is work
+  alignas(64) std::atomic<int> busy_ = 0;                    // other threads that are still working
+  alignas(64) std::atomic<int> arrived_ = 0;                 // at the barrier
+  alignas(64) std::atomic<unsigned> barrierGeneration_ = 0;  // incremented when all have arrived
 };
 
 }  // namespace drape

@@ -30,23 +30,23 @@ class VerletKernel {
         terms_(cloth.terms[static_cast<std::size_t>(share.member)].data()),
         air_(step.drag != T(0) || step.lift != T(0)) {}
 
-  /// A slice takes its new velocity and drifts on once all that read its place and velocity have done so.
+  /// A slice is updated as soon as no other slice reads its old position and velocity.
   void firstPhase() {
     int settled = share_.innerBegin(1);
     for (int slice = share_.begin; slice < share_.end; ++slice) {
       for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(D()))) {
         kick(slice, lane);
       }
-      while (step_.settles && settled < share_.innerEnd(1) &&
-             layout_.reach[static_cast<std::size_t>(settled)] <= slice) {
+      while (step_.updatesVelocity && settled < share_.innerEnd(1) &&
+             layout_.lastNeighbourSlice[static_cast<std::size_t>(settled)] <= slice) {
         settle(settled++);
       }
     }
   }
 
-  /// The slices at the ends of the share, which other threads' kicks have read.
+  /// The slices at the ends of the share, whose old values other threads read.
   void laterPhase() {
-    if (!step_.settles) {
+    if (!step_.updatesVelocity) {
       return;
     }
     for (int slice = share_.begin; slice < share_.innerBegin(1); ++slice) {
@@ -80,8 +80,8 @@ class VerletKernel {
       if (HWY_UNLIKELY(uneven != nullptr)) {
         stiffness = hn::Mul(stiffness, hn::LoadU(d, uneven[at].data() + lane));
       }
-      if (step_.shares != nullptr) {
-        stiffness = hn::Mul(stiffness, hn::LoadU(d, step_.shares[at].data() + lane));
+      if (step_.stiffnessScales != nullptr) {
+        stiffness = hn::Mul(stiffness, hn::LoadU(d, step_.stiffnessScales[at].data() + lane));
       }
       const auto elastic = elasticOf(d, elongation, stiffness);
       force = multiplyAdd(offset, elastic, force);
@@ -103,8 +103,8 @@ class VerletKernel {
     addAttachment(d, step_, slice, lane, force, unused);
     const auto time = hn::Mul(hn::Set(d, step_.timeStep), hn::LoadU(d, cloth_.free.data() + i));
     V3 after = multiplyAdd(force, hn::Div(time, mass), v);
-    if (step_.groups != nullptr) {
-      after = multiplyAdd(pushOf(d, *step_.pushes, step_.groups + i), time, after);
+    if (step_.aggregates != nullptr) {
+      after = multiplyAdd(aggregateAcceleration(d, *step_.aggregateAccelerations, step_.aggregates + i), time, after);
     }
     if (HWY_UNLIKELY(step_.energy != nullptr)) {
       hn::StoreU(hn::MulAdd(hn::Mul(hn::Set(d, T(0.5)), mass), dot(v, after), energy), d, step_.energy + i);
@@ -127,7 +127,7 @@ class VerletKernel {
   const SliceLayout& layout_;
   const SliceStep<T>& step_;
   const StepShare& share_;
-  T drift_;  // time to drift on after the kick [s]
+  T drift_;  // time of the drift after the kick [s]
   SpringTerms<T>* terms_;
   bool air_;
 };

@@ -22,7 +22,7 @@ std::span<const SpringEnd> endsOf(const ClothModel& model, int vertex) {
   return {model.springEnds.values.data() + begin, static_cast<std::size_t>(degreeOf(model, vertex))};
 }
 
-/// Appends the vertices that are reached from `start`, ring by ring, each vertex's neighbours by ascending degree.
+/// Appends the vertices connected to `start`, breadth first, the neighbours of each vertex by ascending degree.
 void appendBreadthFirst(const ClothModel& model, int start, std::vector<bool>& seen, std::vector<int>& order) {
   const auto less = [&](int a, int b) {
     return std::make_pair(degreeOf(model, a), a) < std::make_pair(degreeOf(model, b), b);
@@ -43,7 +43,7 @@ void appendBreadthFirst(const ClothModel& model, int start, std::vector<bool>& s
   }
 }
 
-/// A vertex far from most others: the last one that is reached from any, twice over (George and Liu, 1979).
+/// A pseudo-peripheral vertex: the last one of a breadth-first search, repeated once (George and Liu, 1979).
 int peripheralVertex(const ClothModel& model, int start, const std::vector<bool>& seen) {
   for (int pass = 0; pass < 2; ++pass) {
     std::vector<bool> visited = seen;
@@ -79,14 +79,14 @@ void sortWindowsByDegree(const ClothModel& model, std::vector<int>& order) {
 }  // namespace
 
 int bandwidth(const ClothModel& model, const std::vector<int>& order) {
-  std::vector<int> place(order.size());
+  std::vector<int> index(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
-    place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    index[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
   }
   int widest = 0;
   for (const Spring& spring : model.springs) {
     widest = std::max(widest,
-                      std::abs(place[static_cast<std::size_t>(spring.a)] - place[static_cast<std::size_t>(spring.b)]));
+                      std::abs(index[static_cast<std::size_t>(spring.a)] - index[static_cast<std::size_t>(spring.b)]));
   }
   return widest;
 }
@@ -94,7 +94,7 @@ int bandwidth(const ClothModel& model, const std::vector<int>& order) {
 std::vector<int> stepOrder(const ClothModel& model) {
   std::vector<int> own(model.restPositions.size());
   std::iota(own.begin(), own.end(), 0);
-  // A sheet that is as wide as it is long has a bandwidth of about the root of its size in row order.
+  // A square sheet in row order has a bandwidth of about the square root of its number of vertices.
   const double small = 2.0 * std::sqrt(static_cast<double>(own.size())) + 16.0;
   if (static_cast<double>(bandwidth(model, own)) <= small) {
     return own;

@@ -6,12 +6,12 @@
 
 namespace drape {
 
-/// The order in which a step goes through the vertices: order[k] is the vertex of the model that comes k-th. The mesh's
-/// own order where neighbours are near each other in it already, as in a grid; else reverse Cuthill-McKee (1969), with
-/// vertices of equal numbers of springs put together in windows of 128, so that lanes do the same work.
+/// The order in which a step processes the vertices: order[k] is the vertex of the model with the permuted index k. It
+/// is the order of the mesh if its bandwidth is small, as in a grid. Otherwise it is reverse Cuthill-McKee (1969), with
+/// the vertices sorted by their number of springs within windows of 128, so that the lanes of a slice do equal work.
 [[nodiscard]] std::vector<int> stepOrder(const ClothModel& model);
 
-/// How far apart the ends of a spring are at most when the vertices stand in that order.
+/// The largest difference between the permuted indices of a spring's ends in that order.
 [[nodiscard]] int bandwidth(const ClothModel& model, const std::vector<int>& order);
 
 }  // namespace drape

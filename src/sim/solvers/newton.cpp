@@ -61,9 +61,7 @@ class NewtonSolver final : public Solver {
       return report;  // nothing but rounding is left over where it starts
     }
     while (current_.residual > parameters.tolerance * first && report.iterations < parameters.maxIterations) {
-      if (inputs.mayStop != nullptr) {
-        (*inputs.mayStop)();
-      }
+      checkStop(inputs);
       if (!findDirection(parameters.derivative) || !searchAlongIt()) {
         break;  // rounding is in the way of more
       }

@@ -20,46 +20,46 @@ TEST(CoarseLevels, gatherEveryVertexKeepTheMassAndShrinkToAFewGroups) {
   const auto levels = buildCoarseLevels(*model);
   ASSERT_GE(levels.size(), 3U);
   EXPECT_LE(levels.back().cloth->vertexCount(), 12);
-  const ClothModel* below = model.get();
+  const ClothModel* finer = model.get();
   for (const CoarseLevel& level : levels) {
-    ASSERT_EQ(level.groupOf.size(), below->restPositions.size());
+    ASSERT_EQ(level.aggregateOf.size(), finer->restPositions.size());
     std::vector<int> members(level.cloth->restPositions.size(), 0);
-    for (const int group : level.groupOf) {
-      ++members.at(static_cast<std::size_t>(group));
+    for (const int aggregate : level.aggregateOf) {
+      ++members.at(static_cast<std::size_t>(aggregate));
     }
     EXPECT_GT(*std::min_element(members.begin(), members.end()), 0);
     EXPECT_NEAR(level.cloth->totalMass(), model->totalMass(), 1e-12);
-    EXPECT_LT(level.cloth->vertexCount(), below->vertexCount());
-    below = level.cloth.get();
+    EXPECT_LT(level.cloth->vertexCount(), finer->vertexCount());
+    finer = level.cloth.get();
   }
 }
 
 TEST(CoarseLevels, keepPinnedVerticesInGroupsOfTheirOwnThatOthersHangFrom) {
   const auto model = pinnedSheet(17);
   for (const CoarseLevel& level : buildCoarseLevels(*model)) {
-    const ClothModel& groups = *level.cloth;
-    ASSERT_EQ(std::count(groups.pinned.begin(), groups.pinned.end(), true), 2);
-    for (std::size_t g = 0; g < groups.pinned.size(); ++g) {
-      if (groups.pinned[g]) {
-        EXPECT_GT(groups.springEnds.begin[g + 1], groups.springEnds.begin[g]);
+    const ClothModel& aggregates = *level.cloth;
+    ASSERT_EQ(std::count(aggregates.pinned.begin(), aggregates.pinned.end(), true), 2);
+    for (std::size_t g = 0; g < aggregates.pinned.size(); ++g) {
+      if (aggregates.pinned[g]) {
+        EXPECT_GT(aggregates.springEnds.begin[g + 1], aggregates.springEnds.begin[g]);
       }
     }
   }
   const CoarseLevel first = buildCoarseLevels(*model).front();
-  EXPECT_EQ(first.cloth->restPositions[static_cast<std::size_t>(first.groupOf[0])], model->restPositions[0]);
+  EXPECT_EQ(first.cloth->restPositions[static_cast<std::size_t>(first.aggregateOf[0])], model->restPositions[0]);
 }
 
 TEST(CoarseLevels, layGroupsAlongAFreeEdgeInAStraightRow) {
   constexpr int n = 33;
   const auto model = pinnedSheet(n);
   const CoarseLevel first = buildCoarseLevels(*model).front();
-  const ClothModel& groups = *first.cloth;
-  EXPECT_NEAR(groups.vertexCount(), n * n / 4, n) << "every second vertex of every second row";
+  const ClothModel& aggregates = *first.cloth;
+  EXPECT_NEAR(aggregates.vertexCount(), n * n / 4, n) << "every second vertex of every second row";
   // The last row is free: its groups stand as deep in the sheet as each other, but for those at the corners.
   std::vector<double> depths;
   for (int column = 4; column < n - 4; ++column) {
-    const auto group = static_cast<std::size_t>(first.groupOf[static_cast<std::size_t>((n - 1) * n + column)]);
-    depths.push_back(groups.restPositions[group].z());
+    const auto aggregate = static_cast<std::size_t>(first.aggregateOf[static_cast<std::size_t>((n - 1) * n + column)]);
+    depths.push_back(aggregates.restPositions[aggregate].z());
   }
   const auto [least, most] = std::minmax_element(depths.begin(), depths.end());
   EXPECT_LT(*most - *least, 0.15 / (n - 1)) << "a row that goes to and fro gives way before it holds";
@@ -98,7 +98,7 @@ TEST(CoarseLevels, areNoneForATriangleAndEndWithPiecesThatNothingTies) {
 }
 
 /// The accelerations that the levels give a cloth, one a vertex.
-std::vector<Vec3> pushesOf(const ClothModel& model, const std::vector<Vec3>& positions) {
+std::vector<Vec3> accelerationsOf(const ClothModel& model, const std::vector<Vec3>& positions) {
   SlicedCloth<double> cloth(model);
   cloth.prepare(1, 1);
   ClothState state = stateAtRest(positions);
@@ -106,13 +106,13 @@ std::vector<Vec3> pushesOf(const ClothModel& model, const std::vector<Vec3>& pos
   CoarseMotion<double> motion(buildCoarseLevels(model), model, cloth);
   EXPECT_GT(motion.setStiffness(1000.0, 900.0, 1.4, 1e-3), 1);
   motion.accelerate(cloth, false);
-  std::vector<Vec3> pushes;
+  std::vector<Vec3> accelerations;
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    const int group = motion.groups()[cloth.layout.place[v]];
-    const auto& from = motion.pushes();
-    pushes.emplace_back(from.x.data()[group], from.y.data()[group], from.z.data()[group]);
+    const int aggregate = motion.aggregates()[cloth.layout.indexOf[v]];
+    const auto& from = motion.accelerations();
+    accelerations.emplace_back(from.x.data()[aggregate], from.y.data()[aggregate], from.z.data()[aggregate]);
   }
-  return pushes;
+  return accelerations;
 }
 
 TEST(CoarseMotion, keepsTheMomentumOfStretchedFreeCloth) {
@@ -121,14 +121,14 @@ TEST(CoarseMotion, keepsTheMomentumOfStretchedFreeCloth) {
   for (Vec3& position : positions) {
     position = Vec3(1.2 * position.x(), position.y() + 0.2 * position.x() * position.x(), 1.1 * position.z());
   }
-  const std::vector<Vec3> pushes = pushesOf(*model, positions);
+  const std::vector<Vec3> accelerations = accelerationsOf(*model, positions);
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
   double size = 0.0;
-  for (std::size_t v = 0; v < pushes.size(); ++v) {
-    force += model->vertexMass[v] * pushes[v];
-    torque += positions[v].cross(model->vertexMass[v] * pushes[v]);
-    size += model->vertexMass[v] * pushes[v].norm();
+  for (std::size_t v = 0; v < accelerations.size(); ++v) {
+    force += model->vertexMass[v] * accelerations[v];
+    torque += positions[v].cross(model->vertexMass[v] * accelerations[v]);
+    size += model->vertexMass[v] * accelerations[v].norm();
   }
   EXPECT_GT(size, 0.1);
   EXPECT_LT(force.norm(), 1e-12 * size);
@@ -142,8 +142,8 @@ TEST(CoarseMotion, doesNothingToClothThatIsCompressedOrAtRest) {
     for (Vec3& position : positions) {
       position *= scale;
     }
-    for (const Vec3& push : pushesOf(*model, positions)) {
-      EXPECT_LT(push.norm(), 1e-6);
+    for (const Vec3& acceleration : accelerationsOf(*model, positions)) {
+      EXPECT_LT(acceleration.norm(), 1e-6);
     }
   }
 }

@@ -19,18 +19,18 @@ class LookingAtTheEnergy : public ::testing::Test {
     int due = 0;
     state = stateAtRest(model->restPositions);
     begin();
-    guard.book(*model, parameters, plan, StepEnergy{.ends = true}, 0.0, state);
-    state.memory.risen = risen;
-    state.memory.caution = caution;
+    guard.store(*model, parameters, plan, StepEnergy{.ends = true}, 0.0, state);
+    state.memory.energyDrift = risen;
+    state.memory.retryLevel = caution;
     for (state.memory.steps = 1; state.memory.steps <= 24; ++state.memory.steps) {
       begin();
-      due += guard.isDue(plan, state.memory) ? 1 : 0;
+      due += guard.isMeasurementDue(plan, state.memory) ? 1 : 0;
     }
     return due;
   }
 
   void begin() {
-    guard.begin(*model, localRatesOf(*model), parameters, state, 0.5 * std::numeric_limits<float>::epsilon());
+    guard.prepare(*model, localRatesOf(*model), parameters, state, 0.5 * std::numeric_limits<float>::epsilon());
   }
 
   std::shared_ptr<const ClothModel> model = testing::pinnedSheet(9);
@@ -66,10 +66,10 @@ TEST_F(LookingAtTheEnergy, isDueWhereTheClothIsNotAsTheLastStepLeftIt) {
   const StepPlan plan{.substeps = 6};
   state.memory.steps = 1;
   begin();
-  ASSERT_FALSE(guard.isDue(plan, state.memory));
+  ASSERT_FALSE(guard.isMeasurementDue(plan, state.memory));
   state.positions.back().y() += 0.01;
   begin();
-  EXPECT_TRUE(guard.isDue(plan, state.memory));
+  EXPECT_TRUE(guard.isMeasurementDue(plan, state.memory));
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ TEST_P(EveryMeshOfConstraints, hasEverySpringOnceAndNoVertexTwiceInAColour) {
     for (int i = lanes.colourBegin[c]; i < lanes.colourBegin[c + 1]; ++i) {
       const ConstraintLanes::Batch& batch = lanes.batches[static_cast<std::size_t>(i)];
       for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
-        if (batch.a[lane] == lanes.places()) {
-          EXPECT_EQ(batch.b[lane], lanes.places());
+        if (batch.a[lane] == lanes.vertexCount()) {
+          EXPECT_EQ(batch.b[lane], lanes.vertexCount());
           EXPECT_EQ(i + 1, lanes.colourBegin[c + 1]) << "only the last batch of a colour may have lanes to spare";
           continue;
         }

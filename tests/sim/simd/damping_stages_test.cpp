@@ -89,20 +89,20 @@ Vectors stagesOf(const ClothModel& model, const Kick& kick, int members, Turns t
   eachMember([&](const StepShare& share) { cloth.load(state, share); });
   for (std::size_t v = 0; v < kick.before.size(); ++v) {
     const Vec3 after = kick.before[v] + kick.gain[v];
-    cloth.start.set(static_cast<std::size_t>(cloth.layout.place[v]), static_cast<T>(after.x()),
+    cloth.start.set(static_cast<std::size_t>(cloth.layout.indexOf[v]), static_cast<T>(after.x()),
                     static_cast<T>(after.y()), static_cast<T>(after.z()));
   }
   LaneVectors<T> gain;
   gain.resize(cloth.layout.slices(), false);
-  std::vector<SliceNumbers<T>> shares(cloth.layout.slots.size());
-  for (std::size_t slot = 0; slot < shares.size(); ++slot) {
+  std::vector<SliceNumbers<T>> scales(cloth.layout.slots.size());
+  for (std::size_t slot = 0; slot < scales.size(); ++slot) {
     for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
-      shares[slot][lane] = cloth.restLength[slot][lane] < T(0) ? T(0) : static_cast<T>(kept);
+      scales[slot][lane] = cloth.restLength[slot][lane] < T(0) ? T(0) : static_cast<T>(kept);
     }
   }
   const DampingRun<T> run{.timedDamping = static_cast<T>(kick.timedDamping),
                           .stages = kick.stages,
-                          .shares = kept < 1.0 ? shares.data() : nullptr,
+                          .dampingScales = kept < 1.0 ? scales.data() : nullptr,
                           .gain = &gain};
   for (int stage = 1; stage <= kick.stages; ++stage) {
     eachMember([&](const StepShare& share) { dampingStage(cloth, run, stage, share); });

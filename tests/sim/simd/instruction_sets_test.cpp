@@ -79,7 +79,7 @@ ClothState stepsWith(const Kind& kind, const ClothModel& model, int steps) {
   parameters.damping = kind.damping;
   if (kind.levels) {
     parameters.stiffness = 5e3;
-    parameters.work = 0.001;
+    parameters.costBudget = 0.001;
     parameters.soften = true;
   }
   StepInputs inputs;

@@ -53,7 +53,7 @@ TEST_P(EveryMesh, standsInAnOrderThatIsAPermutation) {
   std::sort(sorted.begin(), sorted.end());
   for (int v = 0; v < model_->vertexCount(); ++v) {
     EXPECT_EQ(sorted[static_cast<std::size_t>(v)], v);
-    EXPECT_EQ(vertexAt(layout_.place[static_cast<std::size_t>(v)]), v);
+    EXPECT_EQ(vertexAt(layout_.indexOf[static_cast<std::size_t>(v)]), v);
   }
 }
 
@@ -135,14 +135,15 @@ TEST_P(EveryMesh, reachesAsFarAsItsSpringsForwardsAndBackAndNeverFalls) {
         if (layout_.springs[static_cast<std::size_t>(slot)][static_cast<std::size_t>(lane)] >= 0) {
           const int other = neighbourIn(static_cast<std::size_t>(slot), lane) / sliceLanes;
           farthest = std::max(farthest, other);
-          EXPECT_GE(layout_.reach[static_cast<std::size_t>(other)], slice) << "who is read must know of the reader";
+          EXPECT_GE(layout_.lastNeighbourSlice[static_cast<std::size_t>(other)], slice)
+              << "who is read must know of the reader";
         }
       }
     }
-    EXPECT_EQ(layout_.reach[s], farthest);
+    EXPECT_EQ(layout_.lastNeighbourSlice[s], farthest);
     longest = std::max(longest, farthest - slice);
   }
-  EXPECT_EQ(layout_.longestReach, longest);
+  EXPECT_EQ(layout_.sliceBandwidth, longest);
 }
 
 INSTANTIATE_TEST_SUITE_P(SliceLayout, EveryMesh, ::testing::ValuesIn(everyKindOfMesh()),
@@ -158,7 +159,8 @@ TEST(SliceLayout, bringsNeighboursTogetherThatARandomNumberingTookApart) {
   const auto model = heldCloth(testing::renumbered(testing::sheet(65), 9));
   const SliceLayout layout = buildSliceLayout(*model);
   EXPECT_TRUE(layout.irregular());
-  EXPECT_LE(layout.longestReach, 16) << "slices; there are 265, and the mesh's own numbering leads across all of them";
+  EXPECT_LE(layout.sliceBandwidth, 16)
+      << "slices; there are 265, and the mesh's own numbering leads across all of them";
 }
 
 /// So that a mesh of a million vertices fits beside everything else, and a small one into the cache.

@@ -27,7 +27,7 @@ StepInputs attachmentAcrossSlices(const ClothModel& model) {
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     std::set<int> slices;
     for (const int vertex : model.triangles[t]) {
-      slices.insert(layout.place[static_cast<std::size_t>(vertex)] / sliceLanes);
+      slices.insert(layout.indexOf[static_cast<std::size_t>(vertex)] / sliceLanes);
     }
     if (slices.size() > 1) {
       inputs.attachment->triangle = static_cast<int>(t);

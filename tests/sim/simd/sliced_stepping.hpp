@@ -108,11 +108,11 @@ void oneIterationByTeam(const ClothModel& model, const StepParameters& parameter
   team.run(parameters.threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, parameters.sweeps, member, parameters.threads);
     cloth.load(state, share);
-    team.meet();
+    team.arriveAndWait();
     for (int i = 0; i < steps; ++i) {
       for (int phase = 0; phase <= parameters.sweeps; ++phase) {
         oneIterationPhase(cloth, step, share, phase);
-        team.meet();
+        team.arriveAndWait();
       }
     }
     cloth.store(state, share);

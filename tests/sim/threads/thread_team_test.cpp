@@ -44,11 +44,11 @@ TEST(ThreadTeam, letsNobodyPassAMeetingBeforeAllHaveCome) {
     team.run(count, [&](int member) {
       for (int meeting = 0; meeting < 200; ++meeting) {
         written[static_cast<std::size_t>(member)] = meeting;
-        team.meet();
+        team.arriveAndWait();
         for (const int other : written) {
           mistakes += other != meeting ? 1 : 0;
         }
-        team.meet();
+        team.arriveAndWait();
       }
     });
     EXPECT_EQ(mistakes, 0) << count << " members";
@@ -63,7 +63,7 @@ TEST(ThreadTeam, growsAndShrinksBetweenRounds) {
       std::atomic<int> met = 0;
       team.run(count, [&](int member) {
         present += 1 << member;
-        team.meet();
+        team.arriveAndWait();
         met += present == (1 << count) - 1 ? 1 : 0;
       });
       EXPECT_EQ(present, (1 << count) - 1);

@@ -1,4 +1,4 @@
-#include "sim/adaptive/rest_watch.hpp"
+#include "sim/adaptive/sleep_detection.hpp"
 
 #include "sim/contact/bodies/body.hpp"
 #include "sim/measures.hpp"
@@ -38,7 +38,7 @@ class Resting : public ::testing::Test {
   int rest(int steps) {
     int resting = 0;
     for (int step = 0; step < steps; ++step) {
-      resting += stepper.step(*model, parameters, inputs, state).choice.value().resting ? 1 : 0;
+      resting += stepper.step(*model, parameters, inputs, state).choice.value().sleeping ? 1 : 0;
     }
     return resting;
   }
@@ -141,7 +141,7 @@ TEST_F(Resting, comesToClothOfAnySize) {
     parameters.damping /= slower;
     parameters.drag /= size * size * size;
     parameters.errorTolerance *= size;
-    parameters.work /= slower;
+    parameters.costBudget /= slower;
     int resting = 0;
     for (int round = 0; round < 120 && resting == 0; ++round) {
       resting = rest(150);

@@ -1,0 +1,205 @@
+#include "sim/adaptive/sleep_detection.hpp"
+
+#include "sim/adaptive/tuning.hpp"
+#include "sim/contact/bodies/body.hpp"
+#include "sim/contact/contact_stage.hpp"
+#include "sim/diagnostics.hpp"
+#include "sim/fingerprint.hpp"
+#include "sim/kernels.hpp"
+#include "sim/normals.hpp"
+#include "sim/pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace drape {
+namespace {
+
+void addPose(const Pose& pose, Fingerprint& fingerprint) {
+  fingerprint.add(pose.position);
+  for (int c = 0; c < 4; ++c) {
+    fingerprint.add(pose.rotation.coeffs()[c]);
+  }
+}
+
+bool isStill(const BodyStep& body) {
+  return body.start.position == body.end.position && body.start.rotation.coeffs() == body.end.rotation.coeffs() &&
+         std::equal(body.startVertices.begin(), body.startVertices.end(), body.endVertices.begin(),
+                    body.endVertices.end());
+}
+
+/// Whether every vertex is within that distance [m] of its earlier position.
+bool areNear(const std::vector<Vec3>& positions, const std::vector<Vec3>& before, double distance) {
+  return positions.size() == before.size() &&
+         std::equal(positions.begin(), positions.end(), before.begin(),
+                    [&](const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() <= distance * distance; });
+}
+
+/// Weight and the air's force on a vertex at rest [N].
+Vec3 externalForce(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& positions,
+                   std::size_t vertex) {
+  Vec3 weight(0.0, -model.vertexMass[vertex] * parameters.gravity, 0.0);
+  const double speed = parameters.wind.norm();
+  if (speed == 0.0 || (parameters.drag == 0.0 && parameters.lift == 0.0)) {
+    return weight;
+  }
+  const double area = model.vertexArea[vertex];
+  const double pressureArea = 0.5 * parameters.airDensity * area;
+  const Vec3 normal = vertexNormal(model, positions, static_cast<int>(vertex));
+  const Vec3 heading = -parameters.wind / speed;
+  return weight + kernels::dragForce(normal, speed, heading, pressureArea * parameters.drag) +
+         kernels::risingLiftForce(normal, speed, heading, pressureArea * parameters.lift,
+                                  kernels::liftRise(parameters.airDensity) * area);
+}
+
+/// The displacement of a piece as a whole by weight and air in the time of the trial [m].
+Vec3 trialDisplacement(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& positions,
+                       const std::vector<std::size_t>& piece) {
+  constexpr double seconds = tuning.supportTrialTime;
+  Vec3 force = Vec3::Zero();
+  double mass = 0.0;
+  for (const std::size_t v : piece) {
+    force += externalForce(model, parameters, positions, v);
+    mass += model.vertexMass[v];
+  }
+  return 0.5 * seconds * seconds / mass * force;
+}
+
+/// Whether contact removed at least a tenth of a piece's displacement at one of its vertices.
+bool isBlocked(const std::vector<std::size_t>& piece, const Vec3& displacement, const std::vector<Vec3>& before,
+               const std::vector<Vec3>& after) {
+  return std::any_of(piece.begin(), piece.end(), [&](std::size_t v) {
+    return (after[v] - before[v]).dot(displacement) < tuning.maxFreeFraction * displacement.squaredNorm();
+  });
+}
+
+/// Whether the state is still the one that fell asleep.
+bool isUnchanged(const ClothState& state) {
+  return state.positions == *state.memory.sleepReference &&
+         std::all_of(state.velocities.begin(), state.velocities.end(), [](const Vec3& v) { return v.isZero(0.0); });
+}
+
+}  // namespace
+
+bool SleepDetection::isAsleep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                              ClothState& state) {
+  const ModelData& data = models_.get(model, dataOf);
+  StepMemory& memory = state.memory;
+  if (!canSleep(data, parameters, inputs)) {
+    memory.sleepReference.reset();
+    memory.sleepFingerprint = 0;
+    return false;
+  }
+  if (memory.sleepFingerprint != 0) {
+    if (isUnchanged(state) && memory.sleepFingerprint == fingerprintOf(data, parameters, inputs)) {
+      return true;
+    }
+    memory.sleepReference.reset();
+    memory.sleepFingerprint = 0;
+  }
+  const double distance =
+      std::min(tuning.sleepToleranceFraction * parameters.errorTolerance, tuning.sleepEdgeFraction * data.meanEdge);
+  if (memory.sleepReference == nullptr || !areNear(state.positions, *memory.sleepReference, distance)) {
+    memory.sleepReference.reset();
+    if (memory.steps % tuning.sleepCheckInterval == 0) {
+      memory.sleepReference = std::make_shared<const std::vector<Vec3>>(state.positions);
+      memory.sleepReferenceTime = state.time;
+    }
+    return false;
+  }
+  if (state.time < memory.sleepReferenceTime + tuning.sleepTime) {
+    return false;
+  }
+  if (!isSupported(model, data, parameters, inputs, state)) {
+    memory.sleepReference.reset();
+    return false;
+  }
+  std::fill(state.velocities.begin(), state.velocities.end(), Vec3::Zero());
+  memory.sleepReference = std::make_shared<const std::vector<Vec3>>(state.positions);
+  memory.sleepFingerprint = fingerprintOf(data, parameters, inputs);
+  return true;
+}
+
+/// Free cloth can sleep only if there is a body that may support it.
+bool SleepDetection::canSleep(const ModelData& data, const StepParameters& parameters, const StepInputs& inputs) {
+  const bool damped = parameters.damping > 0.0 || parameters.drag > 0.0;
+  const bool canBeSupported = data.freePieces.empty() || meetsBodies(parameters, inputs);
+  const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), isStill);
+  return damped && canBeSupported && still && !inputs.attachment;
+}
+
+/// A trial: every free piece is displaced a little in the direction of weight and air. It is supported if contact with
+/// bodies blocks the displacement. Cloth that lies on other cloth is not supported: self-collision keeps it moving a
+/// little.
+bool SleepDetection::isSupported(const ClothModel& model, const ModelData& data, const StepParameters& parameters,
+                                 const StepInputs& inputs, const ClothState& state) {
+  if (data.freePieces.empty()) {
+    return true;
+  }
+  ClothState trial = state;
+  std::vector<Vec3> displacements;
+  for (const std::vector<std::size_t>& piece : data.freePieces) {
+    displacements.push_back(trialDisplacement(model, parameters, state.positions, piece));
+    for (const std::size_t v : piece) {
+      trial.positions[v] += displacements.back();
+      trial.velocities[v] = displacements.back() / parameters.timeStep;
+    }
+  }
+  StepParameters withBodies = parameters;
+  withBodies.contact.self = SelfCollision::Off;
+  contact_.begin(withBodies, inputs, state);
+  static_cast<void>(contact_.resolve(model, withBodies, inputs, trial));
+  std::size_t supported = 0;
+  while (supported < displacements.size() &&
+         isBlocked(data.freePieces[supported], displacements[supported], state.positions, trial.positions)) {
+    ++supported;
+  }
+  return supported == displacements.size();
+}
+
+SleepDetection::ModelData SleepDetection::dataOf(const ClothModel& model) {
+  ModelData data;
+  data.freePieces = freePieces(model);
+  data.meanEdge = meanEdge(model);
+  Fingerprint fingerprint;
+  for (std::size_t i = 0; i < model.vertexMass.size(); ++i) {
+    fingerprint.add(model.vertexMass[i]);
+    fingerprint.add(std::uint64_t{model.pinned[i]});
+  }
+  for (const Spring& spring : model.springs) {
+    fingerprint.add(static_cast<std::uint64_t>(spring.a));
+    fingerprint.add(static_cast<std::uint64_t>(spring.b));
+    fingerprint.add(spring.restLength);
+    fingerprint.add(spring.relativeStiffness);
+  }
+  data.fingerprint = fingerprint.value();
+  return data;
+}
+
+std::uint64_t SleepDetection::fingerprintOf(const ModelData& data, const StepParameters& parameters,
+                                            const StepInputs& inputs) {
+  Fingerprint fingerprint;
+  fingerprint.add(data.fingerprint);
+  const ContactParameters& contact = parameters.contact;
+  for (const double value : {parameters.stiffness, parameters.damping, parameters.gravity, parameters.drag,
+                             parameters.lift, parameters.airDensity, parameters.errorTolerance, contact.thickness,
+                             contact.selfThickness, contact.staticFriction, contact.kineticFriction}) {
+    fingerprint.add(value);
+  }
+  fingerprint.add(parameters.wind);
+  fingerprint.add(std::uint64_t{contact.bodies});
+  fingerprint.add(static_cast<std::uint64_t>(contact.self));
+  if (inputs.bodies != nullptr) {
+    for (const BodyStep& body : *inputs.bodies) {
+      addPose(body.start, fingerprint);
+      fingerprint.add(body.surface.thickness);
+      fingerprint.add(body.surface.staticFriction);
+      fingerprint.add(body.surface.kineticFriction);
+      std::for_each(body.startVertices.begin(), body.startVertices.end(), [&](const Vec3& v) { fingerprint.add(v); });
+    }
+  }
+  return fingerprint.value();
+}
+
+}  // namespace drape

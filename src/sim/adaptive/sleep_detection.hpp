@@ -1,0 +1,47 @@
+#pragma once
+
+#include "sim/cloth_model.hpp"
+#include "sim/cloth_state.hpp"
+#include "sim/contact/contact_stage.hpp"
+#include "sim/model_cache.hpp"
+#include "sim/step_parameters.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace drape {
+
+/// Detects cloth at rest and puts it to sleep until something changes.
+///
+/// Cloth sleeps when for one second no vertex moved further than a tenth of the error tolerance or a thousandth of the
+/// mean edge length. Damping or drag must act, there must be no attachment, and pins or bodies must support every
+/// piece: a piece without pins must lie on a body in the direction of its weight and the air's force. Its velocities
+/// are then set to zero. It sleeps as long as its state and everything that acts on it (settings, pins, masses, bodies)
+/// are bitwise the same.
+class SleepDetection {
+ public:
+  /// Whether the cloth sleeps, so that the step has nothing to do. Updates the state's memory.
+  [[nodiscard]] bool isAsleep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                              ClothState& state);
+
+ private:
+  /// Data of a model, computed once.
+  struct ModelData {
+    std::vector<std::vector<std::size_t>> freePieces;  // pieces without pins
+    double meanEdge = 0.0;                             // [m]
+    std::uint64_t fingerprint = 0;                     // of masses, pins and springs
+  };
+
+  [[nodiscard]] static ModelData dataOf(const ClothModel& model);
+  [[nodiscard]] static bool canSleep(const ModelData& data, const StepParameters& parameters, const StepInputs& inputs);
+  [[nodiscard]] bool isSupported(const ClothModel& model, const ModelData& data, const StepParameters& parameters,
+                                 const StepInputs& inputs, const ClothState& state);
+  [[nodiscard]] static std::uint64_t fingerprintOf(const ModelData& data, const StepParameters& parameters,
+                                                   const StepInputs& inputs);
+
+  ModelCache<ModelData> models_;
+  ContactStage contact_;  // of the trial that tests for support
+};
+
+}  // namespace drape

@@ -1,0 +1,158 @@
+#pragma once
+
+namespace drape {
+
+/// The tuned constants of the solver `auto`. h is a substep [s], H the time step [s], omega the largest local angular
+/// frequency of the mesh [1/s] (sim/stability.hpp). A force evaluation computes all springs once.
+struct AutoTuning {
+  // Stability of the explicit schemes.
+
+  /// Preferred h omega of Verlet, as a fraction of its estimated limit [-]. Larger: fewer substeps, larger energy
+  /// oscillations and more retries. Smaller: more substeps than needed.
+  double comfortableFraction = 0.9;
+  /// Largest h omega of Verlet, as a fraction of its estimated limit [-]. The true limit of a sheet is at least 9 %
+  /// above the estimate. Larger: steps near the limit become unstable. Smaller: springs are clamped earlier.
+  double limitFraction = 1.02;
+  /// h omega to which springs are clamped [-]. Crumpled cloth is up to 1.22 times as fast as its rest shape. Larger:
+  /// stiffer cloth, more retries. Smaller: softer cloth.
+  double clampHOmega = 1.8;
+  /// The same where damping is integrated in stages [-]. The stages are stable up to h omega = 1.62 for the worst
+  /// combination of spring and damping rates. Larger: unstable from 1.62 on. Smaller: softer cloth.
+  double clampHOmegaWithDampingStages = 1.5;
+  /// Force evaluations for H omega = 1 from which on the fourth-order scheme is used [-]. A substep takes 4 evaluations
+  /// and is stable up to about h omega = 2.5. Larger: Verlet is used longer. Smaller than 1.6: unstable.
+  double fourthOrderEvaluations = 2.0;
+  /// Most damping stages in a substep in float, and in any precision [-]. Rounding errors grow with the square of the
+  /// number of stages. Larger: more rounding error. Smaller: double precision, or more substeps, is used earlier.
+  double maxDampingStagesInFloat = 100.0;
+  double maxDampingStages = 10000.0;
+
+  // Cost.
+
+  /// Fewest force evaluations of a step [-]. Larger: simple scenes cost more. Smaller: small budgets give poor motion.
+  double minEvaluations = 4.0;
+  /// Most force evaluations that a cost budget can allow in a step [-]. Protects the conversion to an integer.
+  double maxBudgetedEvaluations = 1e6;
+  /// Most spring evaluations in a step whose springs keep their stiffness [-]: several seconds of computation. Larger:
+  /// the viewer waits longer. Smaller: springs are softened without `auto.soften` earlier.
+  double maxSpringEvaluations = 2e9;
+  /// Cost of a force evaluation in double, in evaluations in float [-].
+  double doubleCost = 2.0;
+
+  // Accuracy.
+
+  /// Force evaluations of the first step, before an error estimate exists: `firstEvaluations` plus
+  /// `firstLimitFactor` times those that a stable step needs [-]. Larger: the first steps are slower. Smaller: they
+  /// can exceed the error tolerance.
+  double firstEvaluations = 64.0;
+  double firstLimitFactor = 2.0;
+  /// Most evaluations that the tolerance can ask for, as a multiple of those that a stable step needs, but of no fewer
+  /// than `minLimitEvaluations` [-]. In chaotic motion the error estimate never falls below the tolerance. Larger: such
+  /// motion costs more. Smaller: tight tolerances are missed.
+  double maxLimitFactor = 8.0;
+  double minLimitEvaluations = 8.0;
+  /// Steps between error estimates after the first ones [-]. An estimate costs as much as two steps. Larger: cheaper,
+  /// slower adaptation.
+  int estimateInterval = 128;
+  /// The first steps are not used for estimates where the tolerance asks for more than this many times the evaluations
+  /// in the budget [-], until step `earlyEstimateEnd`. Larger: more effort for an estimate that can change little.
+  double unreachableFactor = 4.0;
+  int earlyEstimateEnd = 16;
+  /// The number of evaluations falls to this fraction at most after one estimate [-]. Larger: slower adaptation.
+  double maxDecrease = 0.5;
+  /// Rings of neighbours over which the error is averaged before its norm is taken [-]. Larger: more of the short waves
+  /// is ignored. Smaller: vibrations and rounding count as error.
+  int errorSmoothingRings = 3;
+
+  // Coarse levels.
+
+  /// Clamped springs that keep at least this much of their stiffness at the median vertex use no coarse levels [-].
+  /// Larger: levels are used more often. Smaller: cloth is softer where levels would help.
+  double enoughStiffness = 0.5;
+  /// No coarse levels are used where the load stretches the clamped springs at the pins by less than this [-]. Larger:
+  /// levels are used less, so hanging cloth stretches more. Smaller: levels disturb cloth that is hardly loaded.
+  double smallStrain = 0.001;
+  /// Fraction of the wind's largest force that counts as load of the pins [-]. Cloth gives way to the wind, so the full
+  /// force overestimates.
+  double windLoadFraction = 0.1;
+  /// Levels with at most this many aggregates are not coarsened further [-].
+  int minAggregates = 12;
+  /// A level is not used when this fraction of the stiffness, or less, is missing [-].
+  double negligibleStiffness = 1e-6;
+  /// h omega of a level, as a fraction of that of the springs: at most `maxLevelFraction`, and such that the sum of the
+  /// squares over all levels is at most `levelFractionSquares` [-]. All levels move the same vertices, so the squares
+  /// of their frequencies add. Larger: stiffer, more retries, and energy gain with many levels. Smaller: softer cloth.
+  double maxLevelFraction = 0.85;
+  double levelFractionSquares = 2.9;
+
+  // Energy guard and retries.
+
+  /// Allowed growth of the energy that a stable scheme conserves, as a fraction of the reference energy: summed over
+  /// all steps, and in a step that is retried [-]. Larger: instabilities are noticed later. Smaller: more retries.
+  double maxSchemeDrift = 0.01;
+  double maxSchemeDriftOfRetry = 0.002;
+  /// Part of m g D (D: diagonal of the rest shape) in the reference energy of that test [-]. Larger: less sensitive for
+  /// cloth that hardly moves.
+  double fallEnergyFraction = 0.1;
+  /// Allowed drift of the energy at the ends of steps, as a fraction of the reference energy [-]. Kinetic energy above
+  /// that is removed. Larger: visible energy gain. Smaller: more damping of violent motion.
+  double maxEnergyDrift = 0.004;
+  /// From this drift on the step is retried instead [-]. Larger: more kinetic energy is removed at once.
+  double maxRemovedEnergy = 0.05;
+  /// From this fraction of `maxEnergyDrift` on the energy is measured in each step [-]. Larger: drift can be noticed
+  /// late.
+  double calmDriftFraction = 0.5;
+  /// Force evaluations for one energy measurement in calm cloth [-]. Larger: cheaper, drift is noticed later.
+  double evaluationsPerMeasurement = 24.0;
+  /// Retries of a step before the fallback solver takes it [-]. Each doubles the substeps or softens the springs.
+  int maxRetries = 3;
+  /// Largest retry level that a step starts with [-].
+  int maxRetryLevel = 2;
+  /// Steps without a retry after which the retry level falls by one [-]. Larger: more careful for longer.
+  int calmSteps = 16;
+  /// Factor on the clamping limit in a retry of softened springs [-], until it falls below `minRetryHOmega`; then the
+  /// substeps are doubled. Smaller: softer cloth after a retry.
+  double retryClampFactor = 0.8;
+  double minRetryHOmega = 1.7;
+  /// Substeps of the fallback solver in a step [-].
+  int fallbackSubsteps = 8;
+
+  // Rounding.
+
+  /// Energy that rounding in float adds in a substep, in m omega^2 d^2 with d the rounding error of a position [-].
+  /// Measured (docs/theory/auto.md).
+  double roundingHeat = 0.02;
+  /// Mean position error of N force evaluations in float, in d sqrt(N) [-]. Measured (docs/theory/auto.md).
+  double roundingDrift = 0.25;
+  /// Allowed heating by rounding, as a fraction of the energy of a fall by the cloth's diagonal, in a second [1/s].
+  /// Larger: float gains visible energy. Smaller: double is used more often.
+  double maxHeatingInMotion = 0.002;
+  /// Smallest g D in that comparison [m^2/s^2], so that cloth without gravity need not be computed in double.
+  double minFallEnergy = 1.0;
+  /// Allowed heating by rounding of cloth that damping or drag bring to rest [W/kg]. Larger: float keeps cloth moving.
+  double maxHeatingAtRest = 1e-7;
+  /// Cloth with a smaller g D than this [m^2/s^2] may have no energy but that of rounding. The energy guard then adds
+  /// `roundingMargin` times the energy of rounding to its reference energy [-]. Its limit is a hundredth of the
+  /// reference, so rounding may be ten times the estimate.
+  double minGuardedFallEnergy = 1e-2;
+  double roundingMargin = 1000.0;
+
+  // Sleep detection.
+
+  /// Cloth sleeps when no vertex moved further than this fraction of the error tolerance, or this fraction of the mean
+  /// edge length, for `sleepTime` [-], [-], [s]. Larger distances, shorter time: slow motion stops. The opposite: cloth
+  /// sleeps late.
+  double sleepToleranceFraction = 0.1;
+  double sleepEdgeFraction = 1e-3;
+  double sleepTime = 1.0;
+  /// Steps between two reference positions of moving cloth [-]. Larger: cheaper, sleep begins later.
+  int sleepCheckInterval = 16;
+  /// Time of the trial fall that tests for support [s]: 0.5 mm down in still air.
+  double supportTrialTime = 0.01;
+  /// A piece is supported where contact leaves at most this fraction of the trial displacement [-].
+  double maxFreeFraction = 0.9;
+};
+
+inline constexpr AutoTuning tuning;
+
+}  // namespace drape
