@@ -1,6 +1,5 @@
 #include "sim/forces.hpp"
 
-#include "sim/external_forces.hpp"
 #include "sim/kernels.hpp"
 
 namespace drape {
@@ -19,20 +18,6 @@ Vec3 springForcesOn(const ClothModel& model, const StepParameters& parameters, c
     force += kernels::dampingForce(state.velocities[vertex], state.velocities[neighbour], parameters.damping);
   }
   return force;
-}
-
-void evaluateForces(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                    const ClothState& state, Workers& workers, std::vector<Vec3>& force) {
-  force.resize(state.positions.size());
-  workers.forEach(parameters.threads, force.size(), [&](std::size_t i) {
-    force[i] = springForcesOn(model, parameters, state, i) + gravityAndAir(model, parameters, state, i);
-  });
-  if (inputs.attachment) {
-    const AttachmentForce pull = attachmentForce(model, *inputs.attachment, state);
-    for (std::size_t c = 0; c < 3; ++c) {
-      force[pull.vertices[c]] += pull.weights[static_cast<Eigen::Index>(c)] * pull.force;
-    }
-  }
 }
 
 }  // namespace drape

@@ -36,28 +36,6 @@ std::vector<Vec3> forcesAtEnd(const ClothModel& model, const StepParameters& par
 
 }  // namespace
 
-double linearResidual(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                      const ClothState& before, const ClothState& after) {
-  Workers workers;
-  ImplicitSystem system;
-  system.assemble(model, parameters, inputs, before, workers);
-  std::vector<Vec3> dv(after.velocities.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < dv.size(); ++i) {
-    if (!model.pinned[i]) {
-      dv[i] = after.velocities[i] - before.velocities[i];
-    }
-  }
-  double residual = 0.0;
-  double scale = 0.0;
-  for (std::size_t i = 0; i < dv.size(); ++i) {
-    if (!model.pinned[i]) {
-      residual += (system.rightHandSide()[i] - system.row(model, parameters, dv, i)).squaredNorm();
-      scale += system.rightHandSide()[i].squaredNorm();
-    }
-  }
-  return relative(residual, scale);
-}
-
 double nonlinearResidual(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                          const ClothState& before, const ClothState& after) {
   const double h = parameters.timeStep;

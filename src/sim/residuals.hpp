@@ -10,11 +10,6 @@ namespace drape {
 /// step as one of `parameters.timeStep`, whatever parts it was taken in; for a method that does not solve backward
 /// Euler they tell how far it is from it, not how good it is. 0 when both sides vanish.
 
-/// |h f~ - W dv| / |h f~| with dv the change of velocity: the residual of the linear system (ImplicitSystem) about
-/// `before` [-]. 1 is as good as no change at all.
-[[nodiscard]] double linearResidual(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                    const ClothState& before, const ClothState& after);
-
 /// |M (v1 - v0) - h f(x1, v1)| / |h f(x0 + h v0, v0)|: the residual of the equations themselves [-], related to that of
 /// coasting on with the old velocity. Springs, damping and the hand stand at the end of the step; gravity and air at
 /// its start, as everywhere (docs/theory/method.md).

@@ -45,7 +45,6 @@ using InputEvent = std::variant<PressEvent, ReleaseEvent, MoveEvent, ScrollEvent
 class InteractionController {
  public:
   [[nodiscard]] const Camera& camera() const { return camera_; }
-  void setCamera(const Camera& camera) { camera_ = camera; }
 
   /// The part of the window with the picture.
   void setView(const UiRect& view) { view_ = view; }

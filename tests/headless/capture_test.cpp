@@ -1,5 +1,5 @@
+#include "compare_images.hpp"
 #include "program.hpp"
-#include "render/image.hpp"
 
 #include <gtest/gtest.h>
 #include <set>

@@ -2,8 +2,8 @@
 // somebody has looked at. A change that is meant is accepted with scripts/update-pictures; look at the new pictures
 // before you commit them.
 
+#include "compare_images.hpp"
 #include "render/camera.hpp"
-#include "render/image.hpp"
 #include "render/osmesa_context.hpp"
 #include "render/renderer.hpp"
 #include "session/simulation.hpp"

@@ -1,4 +1,4 @@
-#include "render/image.hpp"
+#include "compare_images.hpp"
 #include "sim/error.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "sim/energy_balance.hpp"
 
-#include "sim/forces.hpp"
+#include "all_forces.hpp"
 #include "sim/stepper.hpp"
 #include "test_meshes.hpp"
 
@@ -143,7 +143,7 @@ ClothState rungeKutta(const ClothModel& model, const StepParameters& parameters,
       stage.velocities[i] += part * h * accelerations.back()[i];
     }
     std::vector<Vec3> force;
-    evaluateForces(model, parameters, inputs, stage, workers, force);
+    testing::evaluateForces(model, parameters, inputs, stage, workers, force);
     for (std::size_t i = 0; i < count; ++i) {
       force[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : Vec3(force[i] / model.vertexMass[i]);
     }

@@ -1,5 +1,5 @@
+#include "all_forces.hpp"
 #include "sim/diagnostics.hpp"
-#include "sim/forces.hpp"
 #include "sim/stepper.hpp"
 #include "test_meshes.hpp"
 
@@ -107,13 +107,13 @@ ClothState reference(const ClothModel& model, StepParameters parameters) {
       }
     }
   };
-  evaluateForces(model, parameters, {}, state, workers, force);
+  testing::evaluateForces(model, parameters, {}, state, workers, force);
   for (int step = 0; step < 14 * 150; ++step) {
     kick();
     for (std::size_t i = 0; i < force.size(); ++i) {
       state.positions[i] += h * state.velocities[i];
     }
-    evaluateForces(model, parameters, {}, state, workers, force);
+    testing::evaluateForces(model, parameters, {}, state, workers, force);
     kick();
   }
   return state;

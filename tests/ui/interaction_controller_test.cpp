@@ -218,7 +218,9 @@ TEST_F(Interaction, TheCameraStaysNearTheCloth) {
 }
 
 TEST_F(Interaction, AnAuthorsCameraThatIsFarAwayDoesNotJump) {
-  controller_.setCamera(Camera(CameraPose{Vec3(0.0, -3.0, 90.0), Vec3(0.0, 1.0, 0.0), 35.0}));
+  Scene scene = *snapshot_.scene;
+  scene.camera = {Vec3(0.0, -3.0, 90.0), Vec3(0.0, 1.0, 0.0), 35.0};
+  controller_.lookAtScene(scene);
   send(ScrollEvent{0.01});
   EXPECT_NEAR((controller_.camera().pose().position - Vec3(0.0, -3.0, 90.0)).norm(), 0.0, 0.5);
 }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "sim/external_forces.hpp"
+#include "sim/forces.hpp"
+#include "sim/workers.hpp"
+
+#include <vector>
+
+namespace drape::testing {
+
+/// The forces on all vertices: springs, damping, gravity, air and the attachment [N]. Pinned vertices have them too.
+/// @param force one a vertex; resized
+inline void evaluateForces(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                           const ClothState& state, Workers& workers, std::vector<Vec3>& force) {
+  force.resize(state.positions.size());
+  workers.forEach(parameters.threads, force.size(), [&](std::size_t i) {
+    force[i] = springForcesOn(model, parameters, state, i) + gravityAndAir(model, parameters, state, i);
+  });
+  if (inputs.attachment) {
+    const AttachmentForce pull = attachmentForce(model, *inputs.attachment, state);
+    for (std::size_t c = 0; c < 3; ++c) {
+      force[pull.vertices[c]] += pull.weights[static_cast<Eigen::Index>(c)] * pull.force;
+    }
+  }
+}
+
+}  // namespace drape::testing
