@@ -13,9 +13,20 @@ namespace drape {
 
 using SettingValue = std::variant<double, int, bool, std::string>;
 
+/// Access to one member of the settings for reading and for writing.
+template <typename T>
+struct SettingAccess {
+  const T& (*get)(const Settings&);
+  T& (*ref)(Settings&);
+
+  /// @param accessor `[](auto& settings) -> auto& { return settings.member; }`
+  template <typename Accessor>
+  constexpr SettingAccess(Accessor accessor) : get(accessor), ref(accessor) {}
+};
+
 /// A real number within a closed range.
 struct NumberField {
-  double& (*ref)(Settings&);
+  SettingAccess<double> access;
   double min;
   double max;
   bool logarithmic;  ///< whether a slider is logarithmic
@@ -23,14 +34,14 @@ struct NumberField {
 
 /// A whole number within a closed range.
 struct IntegerField {
-  int& (*ref)(Settings&);
+  SettingAccess<int> access;
   int min;
   int max;
 };
 
 /// On or off.
 struct FlagField {
-  bool& (*ref)(Settings&);
+  SettingAccess<bool> access;
 };
 
 /// The name of a choice on the panel, and its meaning in one sentence. Both may be empty.

@@ -69,7 +69,7 @@ void assignNumber(Settings& settings, const SettingInfo& info, const NumberField
   if (!(number >= field.min && number <= field.max)) {
     refuse(info, formatNumber(number));
   }
-  field.ref(settings) = number;
+  field.access.ref(settings) = number;
 }
 
 void assignInteger(Settings& settings, const SettingInfo& info, const IntegerField& field, const SettingValue& value) {
@@ -77,7 +77,7 @@ void assignInteger(Settings& settings, const SettingInfo& info, const IntegerFie
   if (whole == nullptr || *whole < field.min || *whole > field.max) {
     refuse(info, quoted(formatValue(value)));
   }
-  field.ref(settings) = *whole;
+  field.access.ref(settings) = *whole;
 }
 
 void assignChoice(Settings& settings, const SettingInfo& info, const ChoiceField& field, const SettingValue& value) {
@@ -97,7 +97,7 @@ void assignFlag(Settings& settings, const SettingInfo& info, const FlagField& fi
   if (flag == nullptr) {
     refuse(info, quoted(formatValue(value)));
   }
-  field.ref(settings) = *flag;
+  field.access.ref(settings) = *flag;
 }
 
 SettingValue parseValue(const SettingInfo& info, std::string_view text) {
@@ -190,10 +190,8 @@ std::string formerKeyNote(std::string_view key) {
 }
 
 SettingValue settingValue(const Settings& settings, const SettingInfo& info) {
-  // The accessors return mutable references, so they need a copy.
-  Settings copy = settings;
   return std::visit(Overloaded{[&](const ChoiceField& field) -> SettingValue { return field.get(settings); },
-                               [&](const auto& field) -> SettingValue { return field.ref(copy); }},
+                               [&](const auto& field) -> SettingValue { return field.access.get(settings); }},
                     info.field);
 }
 
