@@ -1,4 +1,4 @@
-// What contact with bodies costs: cloth that falls onto each kind of body, from before it touches until it rests.
+// Cost of contact with bodies: cloth falls onto each kind of body and comes to rest.
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
 #include "scene/scene.hpp"
@@ -12,9 +12,9 @@ namespace drape::bench {
 namespace {
 
 constexpr int steps = 450;        // 1.5 s
-constexpr double target = 300.0;  // [us] a step and thousand triangles of the cloth
+constexpr double target = 300.0;  // [us] per step and thousand triangles of the cloth
 
-/// What a scene file would say of the cloth and of the body.
+/// The cloth and the body, in the syntax of scene files.
 struct Fall {
   std::string name;
   std::string cloth;
@@ -59,7 +59,7 @@ std::shared_ptr<const Scene> sceneOf(const Fall& fall) {
   return buildScene(description, description.settings);
 }
 
-/// The scene's bodies, or a sphere as a mesh, the one that is drawn.
+/// The bodies of the scene; a sphere as a mesh with its drawn surface.
 std::shared_ptr<const std::vector<Body>> bodiesOf(const Scene& scene) {
   if (!scene.bodies->empty()) {
     return scene.bodies;
@@ -71,7 +71,7 @@ std::shared_ptr<const std::vector<Body>> bodiesOf(const Scene& scene) {
   return std::make_shared<const std::vector<Body>>(1, body);
 }
 
-/// A whole fall; the time is that of its steps without contact, or of contact alone for every thousand triangles.
+/// A whole fall; the time of its steps without contact, or of contact alone per thousand triangles.
 Batch fallOn(const Fall& fall, bool contact) {
   const auto scene = sceneOf(fall);
   const auto bodies = bodiesOf(*scene);

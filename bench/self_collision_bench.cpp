@@ -1,5 +1,5 @@
-// What self-collision adds to a step: over the two seconds in which a sheet that is held along its middle folds onto
-// itself, searches for near pairs and the growing of charts included.
+// Cost of self-collision: a sheet that is pinned along its middle folds onto itself for two seconds, including searches
+// for near pairs and the growing of patches.
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
 #include "sim/stepper.hpp"
@@ -29,7 +29,7 @@ StepParameters folding(SelfCollision self) {
   return parameters;
 }
 
-/// A whole fold; the time is that of its steps, or of self-collision alone.
+/// A whole fold; the time of its steps, or of self-collision alone.
 Batch fold(int n, SelfCollision self) {
   const ModelPtr model = foldingSheet(n);
   return {static_cast<double>(steps), [model, self] {

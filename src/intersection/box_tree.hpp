@@ -8,20 +8,20 @@ namespace drape {
 
 using Box = Eigen::AlignedBox3d;
 
-/// A tree over boxes, for finding those that overlap. Boxes are closed and compared without rounding, so no pair that
-/// touches is missed.
+/// A bounding volume hierarchy over boxes, for finding overlapping pairs. Boxes are closed and compared without
+/// rounding, so touching pairs are found.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes);
 
-  /// Calls visit(i, j) once for each pair of boxes i < j that overlap, in an order that depends on the boxes alone.
+  /// Calls visit(i, j) once for each pair of boxes i < j that overlap, in an order that depends only on the boxes.
   void forEachPair(const std::function<void(int, int)>& visit) const;
 
   /// Calls visit(i, j) for each box i of this tree and j of the other that overlap.
   void forEachPair(const BoxTree& other, const std::function<void(int, int)>& visit) const;
 
  private:
-  /// Holds entries begin .. end - 1 of order_, and unless it is a leaf two nodes that hold half of them each.
+  /// Holds entries begin to end - 1 of order_. Unless it is a leaf, its two children hold half of them each.
   struct Node {
     Box box;
     int begin = 0;

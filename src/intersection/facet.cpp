@@ -9,8 +9,7 @@ using Point = Eigen::Vector3d;
 
 constexpr std::array<Projection, 3> projections = {{{0, 1}, {1, 2}, {2, 0}}};
 
-/// Of two segments in one plane, seen in a projection: whether their projections meet, or undecided where all four
-/// points fall on one line there.
+/// Whether the projections of two coplanar segments intersect; no value if all four projected points are collinear.
 enum class Crossing { Yes, No, OnOneLine };
 
 Crossing crossing(const Segment& a, const Segment& b, Projection p) {
@@ -30,8 +29,8 @@ bool overlapOnOneLine(const Segment& a, const Segment& b) {
   return !before(a1, b0) && !before(b1, a0);
 }
 
-/// Whether a segment in the triangle's plane meets it: no when one of the triangle's sides or the segment itself has
-/// the other on its far side.
+/// Whether a segment in the plane of a triangle intersects it. It does not if one of the triangle's sides, or the line
+/// of the segment, separates the two.
 bool meetInPlane(const Segment& segment, const Facet& facet) {
   const auto& [a, b, c] = facet.corners();
   const Projection p = facet.projection();
@@ -86,7 +85,7 @@ bool meet(const Segment& segment, const Facet& facet) {
   if (from == 0 && to == 0) {
     return meetInPlane(segment, facet);
   }
-  // The segment reaches the plane at one point: inside when its line passes all three sides in the same sense.
+  // The segment intersects the plane in one point. It is inside if the line passes all three sides in the same sense.
   const auto& [a, b, c] = facet.corners();
   const int ab = orientation(segment.from, segment.to, a, b);
   const int bc = orientation(segment.from, segment.to, b, c);

@@ -6,26 +6,26 @@
 
 namespace drape {
 
-/// Two points and all between them; one point when they are equal.
+/// A segment; a point if both ends are equal.
 struct Segment {
   Eigen::Vector3d from;
   Eigen::Vector3d to;
 };
 
-/// A triangle as what it is: where its corners lie on one line it is a segment or a point, and treated as such.
+/// A triangle. If its corners are collinear, it is treated as a segment or a point.
 class Facet {
  public:
   Facet(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
   [[nodiscard]] const std::array<Eigen::Vector3d, 3>& corners() const { return corners_; }
-  /// True when the triangle has an area.
+  /// Whether the triangle has an area.
   [[nodiscard]] bool hasArea() const { return hasArea_; }
-  /// A projection in which the triangle keeps an area, when it has one.
+  /// A projection in which the triangle has an area, if it has one.
   [[nodiscard]] Projection projection() const { return projection_; }
-  /// All of the triangle, when it has no area.
+  /// The whole triangle, if it has no area.
   [[nodiscard]] const Segment& segment() const { return segment_; }
 
-  /// On which side of the triangle's plane a point lies: 1, 0 (in it) or -1. Needs an area.
+  /// The side of the triangle's plane on which a point lies: 1, 0 (in the plane) or -1. Requires an area.
   [[nodiscard]] int sideOf(const Eigen::Vector3d& point) const {
     return orientation(corners_[0], corners_[1], corners_[2], point);
   }
@@ -43,10 +43,10 @@ class Facet {
 /// Whether a closed segment and a closed triangle have a point in common.
 [[nodiscard]] bool meet(const Segment& segment, const Facet& facet);
 
-/// The order of points along any line: by x, then y, then z.
+/// Lexicographic order by x, y, z, which orders the points of any line.
 [[nodiscard]] bool before(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// Whether three points lie on one line.
+/// Whether three points are collinear.
 [[nodiscard]] bool collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
 }  // namespace drape

@@ -29,7 +29,7 @@ Facet facetOf(const Surface& surface, const Corners& corners) {
   return {at(corners[0]), at(corners[1]), at(corners[2])};
 }
 
-/// A surface's triangles, ready for tests.
+/// The triangles of a surface, prepared for tests.
 struct Facets {
   std::vector<Facet> list;
   BoxTree tree;
@@ -58,7 +58,7 @@ struct Facets {
   }
 };
 
-/// Puts the vertices that `corners` shares with `other` in front, in the order of `other`'s; returns how many.
+/// Moves the vertices that `corners` shares with `other` to the front, in the order of `other`. Returns their number.
 int sharedFirst(Corners& corners, const Corners& other) {
   int shared = 0;
   for (const int vertex : other) {

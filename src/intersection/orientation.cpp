@@ -18,23 +18,23 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon() / 2.0;
 constexpr double volumeBound = (7.0 + 56.0 * epsilon) * epsilon;
 constexpr double areaBound = (3.0 + 16.0 * epsilon) * epsilon;
 
-/// The bounds hold as long as nothing over- or underflows. With differences up to `largest` products cannot overflow,
-/// and what all the underflows together can cost is below `underflow`.
+/// The bounds are valid without overflow and underflow. With differences up to `largest` products do not overflow, and
+/// the total error by underflow is below `underflow`.
 constexpr double largest = 1e30;
 constexpr double underflow = 1e-290;
 
-/// Shorter than this, whole coordinates fit the arithmetic of shortVolumeSign and shortAreaSign [bits].
+/// Maximum length of integer coordinates for shortVolumeSign and shortAreaSign [bits].
 constexpr int shortBits = 60;
 
 __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using)
 
-/// One coordinate of all points. A sign stays the same when it is multiplied by any power of two.
+/// One coordinate of all points. Scaling it by a power of two does not change signs of volumes.
 template <std::size_t N>
 using Coordinates = std::array<double, N>;
 template <std::size_t N>
 using Short = std::array<std::int64_t, N>;
 
-/// A double taken apart: mantissa * 2^exponent, the mantissa odd or 0. Without its sign.
+/// The absolute value of a double as mantissa * 2^exponent, with an odd mantissa or 0.
 struct Parts {
   std::uint64_t mantissa = 0;
   int exponent = 0;
@@ -54,7 +54,8 @@ struct Parts {
   }
 };
 
-/// Coordinates as whole numbers below 2^60, times one power of two; false where they differ too much in size.
+/// Converts coordinates to integers below 2^60, times one power of two. Returns false if their magnitudes differ too
+/// much.
 template <std::size_t N>
 bool toShort(const Coordinates<N>& values, Short<N>& whole) {
   int least = std::numeric_limits<int>::max();
@@ -77,7 +78,7 @@ bool toShort(const Coordinates<N>& values, Short<N>& whole) {
   return true;
 }
 
-/// The same, of any length.
+/// The same with integers of any length.
 template <std::size_t N>
 std::array<mpz_class, N> toLong(const Coordinates<N>& values) {
   int least = std::numeric_limits<int>::max();
@@ -93,7 +94,7 @@ std::array<mpz_class, N> toLong(const Coordinates<N>& values) {
   return whole;
 }
 
-/// The sign of x . m, for |x| < 2^61 and |m| < 2^123: m is cut into its upper and its lower 64 bits.
+/// The sign of x . m, for |x| < 2^61 and |m| < 2^123: m is split into its upper and lower 64 bits.
 int signOfSum(const std::array<std::int64_t, 3>& x, const std::array<Wide, 3>& m) {
   constexpr int half = 64;
   Wide upper = 0;
@@ -107,7 +108,7 @@ int signOfSum(const std::array<std::int64_t, 3>& x, const std::array<Wide, 3>& m
   return upper > 0 || (upper == 0 && rest) ? 1 : upper < 0 ? -1 : 0;
 }
 
-/// (b - a) . ((c - a) x (d - a)) of whole coordinates x, y, z of a, b, c, d.
+/// (b - a) . ((c - a) x (d - a)) of integer coordinates x, y, z of a, b, c, d.
 int shortVolumeSign(const std::array<Short<4>, 3>& whole) {
   const auto& [x, y, z] = whole;
   const auto minor = [](const Short<4>& u, const Short<4>& v) {
@@ -156,7 +157,7 @@ int signBeyond(double value, double bound) {
   return value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
-/// The sign, or 0 where rounding leaves it open.
+/// The sign, or 0 if the rounding error exceeds the value.
 int roundedVolumeSign(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Point ab = b - a;
   const Point ac = c - a;
@@ -176,7 +177,7 @@ int roundedAreaSign(const Point& a, const Point& b, const Point& c, Projection p
   return permanent < largest ? signBeyond(left - right, areaBound * permanent + underflow) : 0;
 }
 
-/// Whether all points have the same coordinate.
+/// Whether all points have equal coordinates along an axis.
 template <typename... Points>
 bool allLevel(int axis, const Point& first, const Points&... others) {
   return ((others[axis] == first[axis]) && ...);

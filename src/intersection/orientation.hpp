@@ -4,11 +4,11 @@
 
 namespace drape {
 
-/// The sign of the volume that b - a, c - a and d - a span, without any rounding: 1 when d lies on the side of the
-/// plane a, b, c from which these turn counter-clockwise, -1 on the other side, 0 exactly when the four points lie in
-/// one plane. A bound on the rounding error (after Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast
-/// Robust Geometric Predicates, 1997) settles nearly all; the rest is computed in whole numbers, of 128 bits or, where
-/// that is not enough, of any length (GMP). The coordinates must be finite.
+/// The exact sign of the volume that b - a, c - a and d - a span: 1 if d lies on the side of the plane a, b, c from
+/// which these are in counter-clockwise order, -1 on the other side, 0 if and only if the four points are coplanar. A
+/// bound of the rounding error (Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+/// Predicates, 1997) decides most cases. The others are computed with integers, of 128 bits or, if necessary, of any
+/// length (GMP). The coordinates must be finite.
 [[nodiscard]] int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                               const Eigen::Vector3d& d);
 
@@ -18,8 +18,8 @@ struct Projection {
   int v = 1;
 };
 
-/// The sign of the area that b - a and c - a span in a projection, without any rounding: 1 when a, b, c turn from u
-/// towards v, 0 exactly when they lie on a line there.
+/// The exact sign of the area that b - a and c - a span in a projection: 1 if a, b, c turn from u towards v, 0 if and
+/// only if they are collinear there.
 [[nodiscard]] int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                               Projection projection);
 

@@ -9,8 +9,8 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-/// Whether all of these points lie strictly beyond one of the sides of a triangle that begin at these corners, as seen
-/// in its projection. Quick, and enough for most neighbours in a sheet.
+/// Whether the projections of all these points lie strictly outside one of the given sides of a triangle. Side k starts
+/// at corner k. A fast test that decides most neighbours in a sheet.
 template <typename... Points>
 bool beyondASide(const Facet& triangle, std::initializer_list<std::size_t> sides, const Points&... points) {
   const auto& corners = triangle.corners();
@@ -33,19 +33,19 @@ bool besidePlane(const Facet& triangle, const Point& first, const Points&... oth
   return side != 0 && ((triangle.sideOf(others) == side) && ...);
 }
 
-/// Whether a triangle is clearly apart from another.
+/// Whether a triangle separates another by its sides or its plane.
 bool apart(const Facet& triangle, const Facet& other) {
   const auto& [a, b, c] = other.corners();
   return triangle.hasArea() && (beyondASide(triangle, {0, 1, 2}, a, b, c) || besidePlane(triangle, a, b, c));
 }
 
-/// Whether a triangle is clearly apart from another, but for the corner 0 that they share.
-bool apartButForCorner(const Facet& triangle, const Facet& other) {
+/// The same for triangles that share corner 0.
+bool apartExceptCorner(const Facet& triangle, const Facet& other) {
   const auto& [corner, a, b] = other.corners();
   return triangle.hasArea() && (beyondASide(triangle, {0, 2}, a, b) || besidePlane(triangle, a, b));
 }
 
-/// Whether the boundary of a triangle (all of it, where it has no area) meets another triangle.
+/// Whether the boundary of a triangle (all of it if it has no area) intersects another triangle.
 bool boundaryMeets(const Facet& triangle, const Facet& other) {
   if (!triangle.hasArea()) {
     return meet(triangle.segment(), other);
@@ -54,8 +54,8 @@ bool boundaryMeets(const Facet& triangle, const Facet& other) {
   return meet({a, b}, other) || meet({b, c}, other) || meet({c, a}, other);
 }
 
-/// Whether a point that is farthest from the shared corner within `triangle`, in whatever direction, lies in `other`.
-/// These points make up the side opposite to the corner; only a triangle without area may have its corner there.
+/// Whether the side of `triangle` opposite to the shared corner intersects `other`. Only a triangle without area may
+/// have its corner on that side.
 bool farSideMeets(const Facet& triangle, const Facet& other) {
   const auto& [corner, a, b] = triangle.corners();
   if (!triangle.hasArea()) {
@@ -67,7 +67,7 @@ bool farSideMeets(const Facet& triangle, const Facet& other) {
   return meet({a, b}, other);
 }
 
-/// Beyond which end of a segment a point of its line lies: -1 before its first, 1 after its last, 0 on it.
+/// Position of a point on the line of a segment: -1 before it, 0 on it, 1 after it.
 int beyond(const Point& point, const Segment& segment) {
   const auto [first, last] = std::minmax(segment.from, segment.to, before);
   return before(point, first) ? -1 : before(last, point) ? 1 : 0;
@@ -79,16 +79,16 @@ bool meet(const Facet& first, const Facet& second) {
   if (apart(first, second) || apart(second, first)) {
     return false;
   }
-  // What two convex pieces have in common ends on the boundary of one of them.
+  // The intersection of two convex sets has a point on the boundary of one of them.
   return boundaryMeets(first, second) || boundaryMeets(second, first);
 }
 
 bool meetBeyondCorner(const Facet& first, const Facet& second) {
-  if (apartButForCorner(first, second) || apartButForCorner(second, first)) {
+  if (apartExceptCorner(first, second) || apartExceptCorner(second, first)) {
     return false;
   }
-  // Along a ray from the corner both triangles are there from the start, so what they share ends at the far side of
-  // one.
+  // Along a ray from the corner the intersection is a segment that starts at the corner and ends at the opposite side
+  // of one of the triangles.
   return farSideMeets(first, second) || farSideMeets(second, first);
 }
 

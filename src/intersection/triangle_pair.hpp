@@ -4,14 +4,14 @@
 
 namespace drape {
 
-/// Whether two triangles that share no vertex have a point in common. Triangles are closed: touching counts.
+/// Whether two triangles without common vertices have a point in common. Triangles are closed: touching counts.
 [[nodiscard]] bool meet(const Facet& first, const Facet& second);
 
-/// Whether two triangles that share their corner 0 have any other point in common.
+/// Whether two triangles with a common corner 0 have another point in common.
 [[nodiscard]] bool meetBeyondCorner(const Facet& first, const Facet& second);
 
-/// Whether two triangles that share the edge between their corners 0 and 1 have any point in common that is not on it:
-/// one is folded flat onto the other.
+/// Whether two triangles with a common edge, between their corners 0 and 1, have a point in common outside it: one is
+/// folded flat onto the other.
 [[nodiscard]] bool meetBeyondEdge(const Facet& first, const Facet& second);
 
 }  // namespace drape

@@ -21,7 +21,7 @@ Facet facetOf(const Corners& t) {
   return {t[0], t[1], t[2]};
 }
 
-/// Pairs of triangles whose corners are taken from a few values a coordinate, so that they often touch.
+/// Pairs of triangles whose coordinates have few different values, so that they often touch.
 class Pairs {
  public:
   Corners next() { return {corner(), corner(), corner()}; }
@@ -33,7 +33,7 @@ class Pairs {
   std::uniform_int_distribution<int> step_{0, 6};
 };
 
-TEST(Cgal, agreesOnWhichTrianglesMeet) {
+TEST(Cgal, agreesOnWhichTrianglesIntersect) {
   Pairs pairs;
   int met = 0;
   int asked = 0;
@@ -41,7 +41,7 @@ TEST(Cgal, agreesOnWhichTrianglesMeet) {
     const Corners a = pairs.next();
     const Corners b = pairs.next();
     if (exact(a).is_degenerate() || exact(b).is_degenerate()) {
-      continue;  // CGAL does not take these
+      continue;  // CGAL does not accept these
     }
     ++asked;
     const bool expected = CGAL::do_intersect(exact(a), exact(b));
@@ -52,13 +52,13 @@ TEST(Cgal, agreesOnWhichTrianglesMeet) {
   EXPECT_LT(met, 3500);
 }
 
-/// True when the common part of two triangles is more than a point.
+/// Whether the intersection of two triangles is more than a point.
 bool shareMoreThanAPoint(const Corners& a, const Corners& b) {
   const auto common = CGAL::intersection(exact(a), exact(b));
   return common && boost::get<Kernel::Point_3>(&*common) == nullptr;
 }
 
-TEST(Cgal, agreesOnWhichTrianglesMeetBeyondASharedCorner) {
+TEST(Cgal, agreesOnWhichTrianglesIntersectBeyondASharedCorner) {
   Pairs pairs;
   int met = 0;
   int asked = 0;

@@ -15,8 +15,8 @@ Column column(const Vec3i& v, int last) {
   return {v[0], v[1], v[2], last};
 }
 
-/// Whether `target` is a combination of the columns with coefficients that are not negative, when these are linearly
-/// independent; false when they are not. By elimination without fractions.
+/// Whether `target` is a combination of linearly independent columns with non-negative coefficients; false if they are
+/// dependent. By fraction-free elimination.
 bool isCombination(std::vector<Column> columns, const Column& target) {
   const std::size_t unknowns = columns.size();
   columns.push_back(target);
@@ -57,7 +57,7 @@ bool isCombination(std::vector<Column> columns, const Column& target) {
   return true;
 }
 
-/// Caratheodory: a combination of any columns is one of independent columns, so of at most four.
+/// Caratheodory: a non-negative combination of columns is one of independent columns, hence of at most four.
 bool isCombinationOfSome(const std::vector<Column>& columns, const Column& target) {
   for (unsigned chosen = 1; chosen < (1U << columns.size()); ++chosen) {
     std::vector<Column> some;

@@ -48,7 +48,7 @@ int countOf(const Mesh& mesh) {
   return static_cast<int>(intersectingPairs(mesh.surface()).size());
 }
 
-TEST(Intersections, areCountedByHandWhereNoVertexIsShared) {
+TEST(Intersections, matchCountsByHandWithoutSharedVertices) {
   EXPECT_EQ(countOf(pairWith({3, 4, 5}, {{1, 1, -1}, {1, 1, 1}, {5, 5, 1}})), 1);   // pierced
   EXPECT_EQ(countOf(pairWith({3, 4, 5}, {{1, 1, 0}, {1, 1, 1}, {5, 5, 1}})), 1);    // touched by a corner
   EXPECT_EQ(countOf(pairWith({3, 4, 5}, {{2, 2, -1}, {2, 2, 1}, {5, 5, 1}})), 1);   // edge on edge
@@ -60,7 +60,7 @@ TEST(Intersections, areCountedByHandWhereNoVertexIsShared) {
   EXPECT_EQ(countOf(pairWith({3, 4, 5}, {{2, 2, 0}, {4, 3, 0}, {3, 4, 0}})), 1);   // touching, in the same plane
 }
 
-TEST(Intersections, areCountedByHandWhereOneVertexIsShared) {
+TEST(Intersections, matchCountsByHandWithOneSharedVertex) {
   EXPECT_EQ(countOf(pairWith({0, 3, 4}, {{-1, 0, 1}, {0, -1, 1}})), 0);
   EXPECT_EQ(countOf(pairWith({0, 3, 4}, {{1, 1, -1}, {1, 1, 1}})), 1);  // pierced along a line from the corner
   EXPECT_EQ(countOf(pairWith({0, 3, 4}, {{-1, -1, -1}, {-1, -1, 1}})), 0);
@@ -72,7 +72,7 @@ TEST(Intersections, areCountedByHandWhereOneVertexIsShared) {
   EXPECT_EQ(countOf(pairWith({0, 3, 4}, {{0, 0, 0}, {0, 0, 0}})), 0);   // no more than the corner itself
 }
 
-TEST(Intersections, areCountedByHandWhereAnEdgeIsShared) {
+TEST(Intersections, matchCountsByHandWithASharedEdge) {
   EXPECT_EQ(countOf(pairWith({1, 0, 3}, {{1, -1, 0}})), 0);  // flat, side by side
   EXPECT_EQ(countOf(pairWith({1, 0, 3}, {{1, 1, 1}})), 0);   // bent
   EXPECT_EQ(countOf(pairWith({1, 0, 3}, {{1, 1, 1e-300}})), 0);
@@ -107,7 +107,7 @@ TEST(Intersections, ofASheetThatIsFoldedInItsPlaneAreThoseOfItsLayers) {
   }
 }
 
-/// Vertices strewn anywhere, so that everything passes through everything.
+/// Random vertices, so that many triangles intersect.
 Mesh crumpled(int cells, unsigned seed) {
   Mesh mesh = sheet(cells);
   std::mt19937 random(seed);
@@ -118,7 +118,7 @@ Mesh crumpled(int cells, unsigned seed) {
   return mesh;
 }
 
-/// The same question to every two triangles alone, without any search.
+/// Tests every pair of triangles without a search structure.
 Pairs withoutSearch(const Mesh& mesh) {
   Pairs pairs;
   const int count = static_cast<int>(mesh.triangles.size());
@@ -134,7 +134,7 @@ Pairs withoutSearch(const Mesh& mesh) {
   return pairs;
 }
 
-TEST(Intersections, areFoundBySearchAsWithoutIt) {
+TEST(Intersections, areTheSameWithAndWithoutASearchStructure) {
   const Mesh mesh = crumpled(6, 5);
   const Pairs pairs = intersectingPairs(mesh.surface());
   EXPECT_GT(pairs.size(), 100U);
@@ -156,7 +156,7 @@ TEST(Intersections, doNotDependOnTheOrderOfTrianglesVerticesAndCorners) {
 TEST(Intersections, doNotChangeWithExactMotionsOfTheWhole) {
   Mesh mesh = crumpled(8, 7);
   for (Vec3& p : mesh.positions) {
-    p = (p * 1024.0).array().round() / 1024.0;  // room for what is added
+    p = (p * 1024.0).array().round() / 1024.0;  // leaves bits for the sums
   }
   const Pairs expected = intersectingPairs(mesh.surface());
   Mesh moved = mesh;
@@ -202,7 +202,7 @@ TEST(Intersections, ofNothingAreNone) {
   EXPECT_TRUE(intersectingPairs(sheet(1).surface(), nothing.surface()).empty());
 }
 
-TEST(Intersections, areNotLookedForInWhatIsNoSurface) {
+TEST(Intersections, requireAValidSurface) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity}) {

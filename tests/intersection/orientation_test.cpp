@@ -16,7 +16,7 @@ int signOf(Whole value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// The same sign in 128-bit whole numbers: exact for whole coordinates below 2^39.
+/// The same sign with 128-bit integers: exact for integer coordinates below 2^39.
 int wholeVolumeSign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const auto part = [](const Vec3& p, const Vec3& q, int axis) { return static_cast<Whole>(p[axis] - q[axis]); };
   Whole sum = 0;
@@ -33,7 +33,7 @@ int wholeAreaSign(const Vec3& a, const Vec3& b, const Vec3& c) {
                 static_cast<Whole>(b[1] - a[1]) * static_cast<Whole>(c[0] - a[0]));
 }
 
-/// What plain floating point says.
+/// The sign in plain floating point.
 int roundedVolumeSign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double volume = (b - a).dot((c - a).cross(d - a));
   return volume > 0.0 ? 1 : volume < 0.0 ? -1 : 0;

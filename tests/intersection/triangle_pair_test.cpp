@@ -14,14 +14,14 @@ namespace {
 
 using Vec3 = Eigen::Vector3d;
 
-/// A map from whole points to doubles that keeps lines and planes exactly.
+/// A map from integer points to doubles that preserves lines and planes exactly.
 using Map = std::function<Vec3(const Eigen::Vector3i&)>;
 
 Map plain() {
   return [](const Eigen::Vector3i& p) { return p.cast<double>(); };
 }
 
-/// Shears, so that no coordinate is left out, and moves far away, so that differences of products round.
+/// A shear, so that all coordinates matter, and a translation far away, so that differences of products are rounded.
 Map sheared(double scale) {
   return [scale](const Eigen::Vector3i& p) {
     Eigen::Matrix<double, 3, 3> shear;
@@ -39,7 +39,7 @@ const std::vector<Map>& maps() {
   return all;
 }
 
-/// All points of a box of whole points.
+/// All integer points of a box.
 std::vector<Eigen::Vector3i> pointsOf(int nx, int ny, int nz) {
   std::vector<Eigen::Vector3i> points;
   for (int x = 0; x < nx; ++x) {
@@ -65,7 +65,7 @@ std::vector<WholeTriangle> trianglesOf(const std::vector<Eigen::Vector3i>& point
   return triangles;
 }
 
-/// How often two triangles met, so that a test can tell that it saw both.
+/// Counts of both results, so that a test can check that both occurred.
 struct Tally {
   int yes = 0;
   int no = 0;
@@ -173,7 +173,7 @@ TEST(TrianglePair, agreesWithTheReferenceWhereAnEdgeIsShared) {
   }
 }
 
-TEST(TrianglePair, changesWithTheLastBit) {
+TEST(TrianglePair, dependsOnTheLastBit) {
   const Facet triangle({0.1, 0.2, 0.3}, {0.7, 0.9, 0.1}, {0.4, 0.3, 0.8});
   // A needle from above whose tip touches the corner, or ends one unit in the last place before it.
   const Vec3 tip(0.1, 0.2, 0.3);

@@ -1,7 +1,7 @@
 // Pins that a body carries brake nothing.
 #include "sim/moving_frame.hpp"
 
-#include "contact/meeting.hpp"
+#include "contact/contact_scene.hpp"
 #include "sim/measures.hpp"
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 namespace drape {
 namespace {
 
-using testing::Meeting;
+using testing::ContactScene;
 
 /// A sheet whose first row goes along with a body far away, evenly from the start, and moves with it.
-std::unique_ptr<Meeting> carriedSheet(const std::string& solver, const Vec3& velocity) {
+std::unique_ptr<ContactScene> carriedSheet(const std::string& solver, const Vec3& velocity) {
   constexpr int n = 6;
   Body carrier = testing::bodyAt(SphereShape{0.01}, Vec3(0.0, 9.0, 0.0));
   carrier.motion.keyframes.clear();
@@ -25,19 +25,19 @@ std::unique_ptr<Meeting> carriedSheet(const std::string& solver, const Vec3& vel
     pins.push_back(v);
     carrier.pins.push_back({v, -1});
   }
-  auto meeting = std::make_unique<Meeting>(buildClothModel(testing::sheet(n), 0.1, MassLumping::Area, pins),
-                                           std::vector<Body>{carrier}, solver);
-  meeting->parameters.timeStep = 1.0 / 300.0;
-  meeting->parameters.substeps = 4;
-  meeting->parameters.gravity = 0.0;
-  meeting->parameters.stiffness = 20.0;
-  meeting->parameters.damping = 0.1;
-  meeting->parameters.drag = 0.5;
-  meeting->parameters.wind = velocity;  // so that the air does not brake it
-  for (auto v = static_cast<std::size_t>(n); v < meeting->state.velocities.size(); ++v) {
-    meeting->state.velocities[v] = velocity;
+  auto scene = std::make_unique<ContactScene>(buildClothModel(testing::sheet(n), 0.1, MassLumping::Area, pins),
+                                              std::vector<Body>{carrier}, solver);
+  scene->parameters.timeStep = 1.0 / 300.0;
+  scene->parameters.substeps = 4;
+  scene->parameters.gravity = 0.0;
+  scene->parameters.stiffness = 20.0;
+  scene->parameters.damping = 0.1;
+  scene->parameters.drag = 0.5;
+  scene->parameters.wind = velocity;  // so that the air does not brake it
+  for (auto v = static_cast<std::size_t>(n); v < scene->state.velocities.size(); ++v) {
+    scene->state.velocities[v] = velocity;
   }
-  return meeting;
+  return scene;
 }
 
 double farthestFrom(const std::vector<Vec3>& rest, const Vec3& way, const ClothState& state) {
@@ -51,19 +51,19 @@ double farthestFrom(const std::vector<Vec3>& rest, const Vec3& way, const ClothS
 TEST(MovingFrame, letsASheetGoAlongWithItsPinsHoweverStronglyItIsDamped) {
   const Vec3 velocity(0.5, 0.3, 2.0);
   for (const SolverInfo& solver : solverTable()) {
-    const auto meeting = carriedSheet(std::string(solver.name), velocity);
-    meeting->run(0.3);
-    EXPECT_LT(farthestFrom(meeting->model().restPositions, 0.3 * velocity, meeting->state), 2e-5) << solver.name;
+    const auto scene = carriedSheet(std::string(solver.name), velocity);
+    scene->run(0.3);
+    EXPECT_LT(farthestFrom(scene->model().restPositions, 0.3 * velocity, scene->state), 2e-5) << solver.name;
   }
 }
 
 TEST(MovingFrame, doesTheSameUnderEveryIntegration) {
   const Vec3 velocity(0.5, 0.3, 2.0);
   for (const Integration integration : {Integration::Theta, Integration::Bdf2}) {
-    const auto meeting = carriedSheet("pcg", velocity);
-    meeting->parameters.integration = integration;
-    meeting->run(0.3);
-    EXPECT_LT(farthestFrom(meeting->model().restPositions, 0.3 * velocity, meeting->state), 2e-5);
+    const auto scene = carriedSheet("pcg", velocity);
+    scene->parameters.integration = integration;
+    scene->run(0.3);
+    EXPECT_LT(farthestFrom(scene->model().restPositions, 0.3 * velocity, scene->state), 2e-5);
   }
 }
 
@@ -72,15 +72,15 @@ TEST(MovingFrame, showsTheSameMotionAsARoomThatMoves) {
   const Vec3 velocity(1.0, -0.5, 0.5);
   std::vector<ClothState> ends;
   for (const Vec3& each : {Vec3(Vec3::Zero()), velocity}) {
-    const auto meeting = carriedSheet("xpbd", each);
-    const ClothState shaken = testing::shaken(meeting->model(), 0.02, 7);
+    const auto scene = carriedSheet("xpbd", each);
+    const ClothState shaken = testing::shaken(scene->model(), 0.02, 7);
     for (std::size_t v = 0; v < shaken.positions.size(); ++v) {
-      meeting->state.positions[v] = shaken.positions[v];
-      meeting->state.velocities[v] += shaken.velocities[v];
+      scene->state.positions[v] = shaken.positions[v];
+      scene->state.velocities[v] += shaken.velocities[v];
     }
-    meeting->parameters.gravity = 9.81;
-    meeting->run(0.3);
-    ends.push_back(meeting->state);
+    scene->parameters.gravity = 9.81;
+    scene->run(0.3);
+    ends.push_back(scene->state);
   }
   EXPECT_GT(farthestFrom(ends[0].positions, Vec3::Zero(), carriedSheet("xpbd", velocity)->state), 0.01);
   EXPECT_LT(farthestFrom(ends[0].positions, 0.3 * velocity, ends[1]), 1e-4);
@@ -97,11 +97,11 @@ TEST(MovingFrame, changesNothingWhereItRests) {
 }
 
 TEST(MovingFrame, leavesPinsThatNobodyCarriesWhereTheyAre) {
-  const auto meeting = carriedSheet("xpbd", Vec3(0.1, 0.2, 0.3));
-  std::vector<bool> pinned = meeting->model().pinned;
+  const auto scene = carriedSheet("xpbd", Vec3(0.1, 0.2, 0.3));
+  std::vector<bool> pinned = scene->model().pinned;
   pinned.back() = true;
-  Meeting other(withPins(meeting->model(), pinned), meeting->world().bodies(), "xpbd");
-  other.parameters = meeting->parameters;
+  ContactScene other(withPins(scene->model(), pinned), scene->world().bodies(), "xpbd");
+  other.parameters = scene->parameters;
   other.run(0.1);
   EXPECT_EQ(other.state.positions.back(), other.model().restPositions.back());
   EXPECT_EQ(other.state.velocities.back(), Vec3(0, 0, 0));

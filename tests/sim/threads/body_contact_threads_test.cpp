@@ -1,4 +1,4 @@
-#include "contact/meeting.hpp"
+#include "contact/contact_scene.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@ namespace drape {
 namespace {
 
 using testing::bodyAt;
-using testing::Meeting;
+using testing::ContactScene;
 
 /// A ball that swells and shrinks.
 std::shared_ptr<const MeshShape> swellingBall() {
@@ -28,15 +28,15 @@ TEST(BodyContactThreads, giveTheSameBitsOnMeshesAndOnWhatIsRound) {
       position += Vec3(-0.5, 0.305, -0.5);
     }
     const auto model = buildClothModel(sheet, 0.15, MassLumping::Area, {});
-    Meeting meeting(model,
-                    {bodyAt(swellingBall(), Vec3::Zero()), bodyAt(BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3(0.4, 0.0, 0.3)),
-                     bodyAt(SphereShape{0.1}, Vec3(-0.4, 0.2, 0.3))});
-    meeting.parameters.threads = threads;
-    meeting.parameters.timeStep = 1.0 / 150.0;
+    ContactScene scene(
+        model, {bodyAt(swellingBall(), Vec3::Zero()), bodyAt(BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3(0.4, 0.0, 0.3)),
+                bodyAt(SphereShape{0.1}, Vec3(-0.4, 0.2, 0.3))});
+    scene.parameters.threads = threads;
+    scene.parameters.timeStep = 1.0 / 150.0;
     int contacts = 0;
-    meeting.run(0.03, [&](const StepReport& report) { contacts += report.contact.bodyContacts; });
+    scene.run(0.03, [&](const StepReport& report) { contacts += report.contact.bodyContacts; });
     EXPECT_GT(contacts, 50);
-    hashes.push_back(stateHash(meeting.state));
+    hashes.push_back(stateHash(scene.state));
   }
   EXPECT_EQ(hashes[0], hashes[1]);
 }

@@ -7,7 +7,7 @@
 namespace drape {
 namespace {
 
-constexpr int maxIterations = 16;
+constexpr int maxGjkIterations = 16;
 constexpr double gapTolerance = 0.95;  // ratio of a sufficient gap to the distance of the hulls [-]
 constexpr double touching = 1e-9;      // distances below this count as zero [m]
 
@@ -95,7 +95,7 @@ HullGap HullGapSearch::search(const Vec3& along, const Wanted& wanted) {
   for (std::size_t i = 0; i < count_; ++i) {
     simplex_[i] = points_[i] - far.point;
   }
-  for (int iteration = 0; iteration < maxIterations && best_.atLeast < wanted.gap && reduce(); ++iteration) {
+  for (int iteration = 0; iteration < maxGjkIterations && best_.atLeast < wanted.gap && reduce(); ++iteration) {
     const double distance = offset_.norm();
     const bool isLess = distance < wanted.gap;
     if (isLess && (best_.atLeast >= wanted.minimum || distance < wanted.minimum)) {

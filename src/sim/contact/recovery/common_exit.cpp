@@ -13,7 +13,7 @@ constexpr double maxSlope = 3.0;  // maximum change of the distance to the body 
 constexpr double followersPerVertex = 0.5;  // maximum number of followers per vertex inside ...
 constexpr double extraFollowers = 16;       // ... and in addition
 
-enum class Mark : char { Unknown, Leaves, Follows, Free };
+enum class VertexRole : char { Unknown, Leaves, Follows, Free };
 
 }  // namespace
 
@@ -61,14 +61,14 @@ std::vector<CommonExit::Exit> CommonExit::find(double maxDistance, bool follow,
 bool CommonExit::findFollowers(const Direction& direction, std::vector<Exit>& followers) {
   const auto maxFollowers =
       static_cast<std::size_t>(followersPerVertex * static_cast<double>(vertices_.size()) + extraFollowers);
-  std::vector<Mark> marks(start_.size(), Mark::Unknown);
+  std::vector<VertexRole> roles(start_.size(), VertexRole::Unknown);
   std::vector<double> enters(start_.size(), 0.0);
   for (const int v : vertices_) {
-    marks[static_cast<std::size_t>(v)] = Mark::Leaves;
+    roles[static_cast<std::size_t>(v)] = VertexRole::Leaves;
   }
   const auto moves = [&](int v) {
-    const Mark mark = marks[static_cast<std::size_t>(v)];
-    return mark == Mark::Leaves || mark == Mark::Follows;
+    const VertexRole role = roles[static_cast<std::size_t>(v)];
+    return role == VertexRole::Leaves || role == VertexRole::Follows;
   };
   for (bool more = true; more;) {
     more = false;
@@ -79,16 +79,16 @@ bool CommonExit::findFollowers(const Direction& direction, std::vector<Exit>& fo
       }
       for (const int v : t) {
         const auto at = static_cast<std::size_t>(v);
-        if (marks[at] != Mark::Unknown || inside_[at] != 0) {
+        if (roles[at] != VertexRole::Unknown || inside_[at] != 0) {
           continue;
         }
-        marks[at] = Mark::Free;
+        roles[at] = VertexRole::Free;
         const std::optional<Passage> passage = solid_.passageAlong(start_[at], direction.along);
         if (!passage) {
           continue;
         }
         if (passage->enter <= direction.maxDistance) {
-          marks[at] = Mark::Follows;
+          roles[at] = VertexRole::Follows;
           enters[at] = passage->enter;
           followers.emplace_back(v, passage->exit);
           more = true;

@@ -7,9 +7,9 @@
 namespace drape {
 namespace {
 
-constexpr int maxIterations = 8;
-constexpr int maxFallbackIterations = 64;  // for a vertex without a feasible position so far
-constexpr double rounding = 1e-10;         // [m] far below the minimum separation
+constexpr int maxProjections = 8;
+constexpr int maxFallbackProjections = 64;  // for a vertex without a feasible position so far
+constexpr double planeTolerance = 1e-10;    // [m] far below the minimum separation
 
 double slack(const SeparatingPlane& plane, const Vec3& position) {
   return plane.normal.dot(position) - plane.height;
@@ -75,10 +75,10 @@ bool retreat(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fall
       from = fallback;
     }
   }
-  if (best < -rounding) {
+  if (best < -planeTolerance) {
     Vec3 found = from.position;
-    project(vertex.planes, maxFallbackIterations, found);
-    if (minSlack(vertex.planes, found) >= -rounding && (found - from.start).norm() <= vertex.displacementBound) {
+    project(vertex.planes, maxFallbackProjections, found);
+    if (minSlack(vertex.planes, found) >= -planeTolerance && (found - from.start).norm() <= vertex.displacementBound) {
       position = found;
       return true;
     }
@@ -88,13 +88,13 @@ bool retreat(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fall
   const double fraction = std::min(feasibleFraction(vertex.planes, from.position, position),
                                    distance > remaining ? remaining / distance : 1.0);
   position = from.position + fraction * (position - from.position);
-  return best >= -rounding;
+  return best >= -planeTolerance;
 }
 
 /// Whether a vertex exceeds its displacement bound.
 bool hasLeft(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fallbackOf, const Vec3& position) {
   for (int body = 0; body < vertex.bodies; ++body) {
-    if ((position - fallbackOf(body, vertex.index).start).norm() > vertex.displacementBound + rounding) {
+    if ((position - fallbackOf(body, vertex.index).start).norm() > vertex.displacementBound + planeTolerance) {
       return true;
     }
   }
@@ -130,9 +130,9 @@ int SeparatingPlaneFilter::apply(std::span<const SeparatingPlane> planes, std::s
     const bool free = inverseMass[v] > 0.0;
     const Vec3 before = positions[v];
     if (free) {
-      project(vertex.planes, maxIterations, positions[v]);
+      project(vertex.planes, maxProjections, positions[v]);
     }
-    const bool crossed = minSlack(vertex.planes, positions[v]) < -rounding;
+    const bool crossed = minSlack(vertex.planes, positions[v]) < -planeTolerance;
     if (crossed || (positions[v] != predicted[v] && hasLeft(vertex, fallbackOf, positions[v]))) {
       infeasible += free && retreat(vertex, fallbackOf, positions[v]) ? 0 : 1;
     }

@@ -43,7 +43,7 @@ TEST(BodyMotion, passesThroughItsKeyframes) {
   }
 }
 
-TEST(BodyMotion, hasAVelocityThatDoesNotJumpAndRestsAtItsEnds) {
+TEST(BodyMotion, hasAContinuousVelocityThatIsZeroAtItsEnds) {
   const BodyMotion motion = unequalKeys();
   constexpr double d = 1e-6;
   const auto velocity = [&](double time) -> Vec3 {
@@ -57,7 +57,7 @@ TEST(BodyMotion, hasAVelocityThatDoesNotJumpAndRestsAtItsEnds) {
   EXPECT_LT(velocity(1.0).norm(), 1e-3) << "all components turn back";
 }
 
-TEST(BodyMotion, thatLoopsGoesOnWithoutAStop) {
+TEST(BodyMotion, loopsWithoutAStop) {
   BodyMotion motion = unequalKeys();
   motion.loop = true;
   constexpr double d = 1e-5;
@@ -71,7 +71,7 @@ TEST(BodyMotion, thatLoopsGoesOnWithoutAStop) {
   }
 }
 
-TEST(BodyMotion, hasTheVelocityOfTheChordWhereItGoesOnAndThreeTimesTheSlowerSideAtMost) {
+TEST(BodyMotion, hasTheVelocityOfTheChordLimitedToThreeTimesTheSlowerSide) {
   constexpr double d = 1e-6;
   BodyMotion motion;
   motion.keyframes = {{0.0, Vec3(0, 0, 0), Vec3(0, 0, 0)},
@@ -83,8 +83,8 @@ TEST(BodyMotion, hasTheVelocityOfTheChordWhereItGoesOnAndThreeTimesTheSlowerSide
   EXPECT_NEAR(turned / (2.0 * d), 8.0 / 3.0, 1e-2);
 }
 
-/// Keys of a scene of the kind that overshot: a long way, a stay, a short way.
-BodyMotion withAStay() {
+/// Keyframes with a long motion, a rest and a short motion, for which unlimited cubic curves overshoot.
+BodyMotion withARest() {
   BodyMotion motion;
   motion.keyframes = {{0.0, Vec3(0.3, 1.0, -2.0), Vec3(0, 0, 0)},
                       {1.0, Vec3(0.1, 0.4, -0.7), Vec3(0.3, 1.2, 0)},
@@ -96,7 +96,7 @@ BodyMotion withAStay() {
 
 TEST(BodyMotion, standsStillBetweenEqualKeyframes) {
   for (const bool loop : {false, true}) {
-    BodyMotion motion = withAStay();
+    BodyMotion motion = withARest();
     motion.loop = loop;
     const Pose there = poseAt(motion, 1.0);
     for (double time = 1.0; time <= 1.6; time += 0.013) {
@@ -130,9 +130,9 @@ TEST(BodyMotion, neverOvershoots) {
       motion.loop = loop;
       double time = 0.0;
       for (int k = 0; k < 6; ++k) {
-        Vec3 place = random.next(1.0);
-        place.z() = std::round(place.z());  // often the same as the one before
-        motion.keyframes.push_back({time, place, Vec3::Zero()});
+        Vec3 position = random.next(1.0);
+        position.z() = std::round(position.z());  // often equal to the one before
+        motion.keyframes.push_back({time, position, Vec3::Zero()});
         time += 0.05 + std::abs(random.next(1.0).x());
       }
       motion.keyframes.back().position = motion.keyframes.front().position;
@@ -140,9 +140,9 @@ TEST(BodyMotion, neverOvershoots) {
         const Keyframe& from = motion.keyframes[k];
         const Keyframe& to = motion.keyframes[k + 1];
         for (int i = 0; i <= 40; ++i) {
-          const Vec3 place = poseAt(motion, from.time + i / 40.0 * (to.time - from.time)).position;
-          EXPECT_TRUE((place.array() >= from.position.cwiseMin(to.position).array() - 1e-12).all());
-          EXPECT_TRUE((place.array() <= from.position.cwiseMax(to.position).array() + 1e-12).all());
+          const Vec3 position = poseAt(motion, from.time + i / 40.0 * (to.time - from.time)).position;
+          EXPECT_TRUE((position.array() >= from.position.cwiseMin(to.position).array() - 1e-12).all());
+          EXPECT_TRUE((position.array() <= from.position.cwiseMax(to.position).array() + 1e-12).all());
         }
       }
     }

@@ -14,13 +14,13 @@ BodyStep turningStep() {
   return whole;
 }
 
-TEST(BodySubsteps, leaveABodyThatStandsStillWhereItIsToTheLastBit) {
+TEST(BodySubsteps, keepExactlyThePoseOfABodyAtRest) {
   BodyStep whole;
   whole.start.position = whole.end.position = Vec3(-0.02, 0.1, 0.7);
   whole.start.rotation = whole.end.rotation = Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized());
-  BodySubsteps parts;
+  BodySubsteps substeps;
   for (int part = 0; part < 7; ++part) {
-    const BodyStep step = parts.between({whole}, part / 7.0, (part + 1) / 7.0).front();
+    const BodyStep step = substeps.between({whole}, part / 7.0, (part + 1) / 7.0).front();
     EXPECT_EQ(step.start.position, whole.start.position) << part;
     EXPECT_EQ(step.end.position, whole.start.position) << part;
     EXPECT_EQ(step.start.rotation.coeffs(), whole.start.rotation.coeffs()) << part;
@@ -28,30 +28,30 @@ TEST(BodySubsteps, leaveABodyThatStandsStillWhereItIsToTheLastBit) {
   }
 }
 
-TEST(BodySubsteps, beginAndEndWithTheStepAndMeetInBetweenToTheLastBit) {
+TEST(BodySubsteps, connectExactlyToEachOtherAndToTheStep) {
   const std::vector<BodyStep> whole{turningStep()};
-  BodySubsteps parts;
-  const Pose first = parts.between(whole, 0.0, 1.0 / 3.0).front().start;
+  BodySubsteps substeps;
+  const Pose first = substeps.between(whole, 0.0, 1.0 / 3.0).front().start;
   EXPECT_EQ(first.position, whole.front().start.position);
   EXPECT_EQ(first.rotation.coeffs(), whole.front().start.rotation.coeffs());
-  const Pose before = parts.between(whole, 0.0, 1.0 / 3.0).front().end;
-  const BodyStep last = parts.between(whole, 1.0 / 3.0, 1.0).front();
+  const Pose before = substeps.between(whole, 0.0, 1.0 / 3.0).front().end;
+  const BodyStep last = substeps.between(whole, 1.0 / 3.0, 1.0).front();
   EXPECT_EQ(last.start.position, before.position);
   EXPECT_EQ(last.start.rotation.coeffs(), before.rotation.coeffs());
   EXPECT_EQ(last.end.position, whole.front().end.position);
   EXPECT_EQ(last.end.rotation.coeffs(), whole.front().end.rotation.coeffs());
 }
 
-TEST(BodySubsteps, goAndTurnEvenly) {
+TEST(BodySubsteps, translateAndRotateEvenly) {
   const std::vector<BodyStep> whole{turningStep()};
-  BodySubsteps parts;
-  const Pose half = parts.between(whole, 0.5, 1.0).front().start;
+  BodySubsteps substeps;
+  const Pose half = substeps.between(whole, 0.5, 1.0).front().start;
   EXPECT_LT((half.position - Vec3(0.2, 1.0, 0.4)).norm(), 1e-15);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.25 * std::numbers::pi, Vec3::UnitY()));
   EXPECT_LT(half.rotation.angularDistance(turn), 1e-12);
 }
 
-TEST(BodySubsteps, moveVerticesOfAMeshThatMovesInItself) {
+TEST(BodySubsteps, interpolateVerticesOfADeformingMesh) {
   const std::vector<Vec3> start{Vec3::Zero(), Vec3::UnitX()};
   const std::vector<Vec3> end{Vec3::Zero(), Vec3(1.0, 0.8, 0.0)};
   BodyStep deforming = turningStep();
@@ -61,11 +61,11 @@ TEST(BodySubsteps, moveVerticesOfAMeshThatMovesInItself) {
   rigid.startVertices = start;
   rigid.endVertices = start;
   const std::vector<BodyStep> whole{deforming, rigid};
-  BodySubsteps parts;
-  const std::vector<BodyStep>& quarter = parts.between(whole, 0.25, 0.5);
+  BodySubsteps substeps;
+  const std::vector<BodyStep>& quarter = substeps.between(whole, 0.25, 0.5);
   EXPECT_LT((quarter[0].startVertices[1] - Vec3(1.0, 0.2, 0.0)).norm(), 1e-15);
   EXPECT_LT((quarter[0].endVertices[1] - Vec3(1.0, 0.4, 0.0)).norm(), 1e-15);
-  EXPECT_EQ(quarter[1].startVertices.data(), start.data()) << "what is rigid stays as it is";
+  EXPECT_EQ(quarter[1].startVertices.data(), start.data()) << "a rigid mesh keeps its vertices";
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ std::shared_ptr<const std::vector<Body>> twoBodies() {
   return std::make_shared<const std::vector<Body>>(std::move(bodies));
 }
 
-TEST(BodyWorld, carriesABodyFromTheEndOfOneStepToTheEndOfTheNext) {
+TEST(BodyWorld, startsEachStepWhereTheLastOneEnded) {
   BodyWorld world(twoBodies(), 0.25);
   ASSERT_EQ(world.steps().size(), 2U);
   EXPECT_EQ(world.steps()[1].start.position, world.steps()[1].end.position);
@@ -26,7 +26,7 @@ TEST(BodyWorld, carriesABodyFromTheEndOfOneStepToTheEndOfTheNext) {
   EXPECT_EQ(world.steps()[0].end.position, Vec3(0, 0, 0));
 }
 
-TEST(BodyWorld, followsTheMouseAtABoundedSpeedAndForgetsItWithAReset) {
+TEST(BodyWorld, followsADragAtABoundedSpeedAndForgetsItWithAReset) {
   BodyWorld world(twoBodies(), 0.0);
   world.shiftTowards(0, Vec3(0.0, 0.1, 0.0));
   world.advance(0.0, 0.01);
@@ -41,7 +41,7 @@ TEST(BodyWorld, followsTheMouseAtABoundedSpeedAndForgetsItWithAReset) {
   EXPECT_EQ(world.pose(0).position, Vec3(0, 0, 0));
 }
 
-TEST(BodyWorld, leavesOutWhatIsSwitchedOff) {
+TEST(BodyWorld, omitsBodiesThatAreOff) {
   BodyWorld world(twoBodies(), 0.0);
   world.switchOn(0, false);
   ASSERT_EQ(world.steps().size(), 1U);
@@ -50,7 +50,7 @@ TEST(BodyWorld, leavesOutWhatIsSwitchedOff) {
   EXPECT_EQ(world.steps().size(), 2U);
 }
 
-TEST(BodyWorld, playsAMeshSequenceLinearlyBetweenItsFrames) {
+TEST(BodyWorld, interpolatesAMeshSequenceLinearlyBetweenItsFrames) {
   MeshShape mesh;
   mesh.positions = {Vec3(0, 0, 0)};
   mesh.frames = {{Vec3(0, 0, 0)}, {Vec3(1, 0, 0)}, {Vec3(1, 2, 0)}};
@@ -67,8 +67,7 @@ TEST(BodyWorld, playsAMeshSequenceLinearlyBetweenItsFrames) {
   EXPECT_EQ(positions[0], Vec3(0.5, 0, 0));
 }
 
-/// Twice the solid angle's worth of checks in one: every edge has two faces in opposite directions, and the volume is
-/// positive and a little below the true one.
+/// Every edge has two faces in opposite directions, and the volume is positive and slightly below the true one.
 void expectClosed(const BodySurface& surface, double volume, double tolerance) {
   std::map<std::pair<int, int>, int> edges;
   double six = 0.0;

@@ -10,8 +10,8 @@ namespace {
 
 using testing::RandomVectors;
 
-/// Random triangles, among them such without area, with corners on each other and with corners on a coarse lattice, so
-/// that things are parallel, in one plane or contact.
+/// Random triangles. Some have no area, coincident corners, or corners on a coarse lattice, so that features are
+/// parallel, coplanar or touching.
 Corners anyTriangle(RandomVectors& random, int kind) {
   Corners corners{random.next(1.0), random.next(1.0), random.next(1.0)};
   switch (kind % 6) {
@@ -39,7 +39,8 @@ bool areWeights(const Vec3& weights) {
   return (weights.array() >= 0.0).all() && std::abs(weights.sum() - 1.0) < 1e-12;
 }
 
-/// Convexity: a point of a triangle is the nearest to p if and only if no corner lies nearer along the way to p.
+/// Optimality condition for convex sets: a point x of a triangle is closest to p if and only if (c - x).(p - x) <= 0
+/// for all corners c.
 void expectNearest(const Vec3& point, const Corners& triangle, const Vec3& weights) {
   const Vec3 nearest = pointAt(triangle, weights);
   for (const Vec3& corner : triangle) {
@@ -80,7 +81,8 @@ TEST(ClosestPoints, nearestOfSegmentsMeetsTheOptimalityConditionForAnyPair) {
   }
 }
 
-/// The distance of two triangles by brute force: the nearest of many points of the first, each exactly to the second.
+/// The distance of two triangles by sampling: the minimum over many points of the first of the exact distance to the
+/// second.
 double sampledDistance(const Corners& first, const Corners& second) {
   constexpr int n = 40;
   double minimum = 1e9;
@@ -93,10 +95,10 @@ double sampledDistance(const Corners& first, const Corners& second) {
   return minimum;
 }
 
-TEST(ClosestPoints, gapOfTrianglesHasAPlaneBetweenThemAndIsTheirDistance) {
+TEST(ClosestPoints, gapOfTrianglesIsTheirDistanceAndHasASeparatingPlane) {
   RandomVectors random(3);
   int apart = 0;
-  int meeting = 0;
+  int intersecting = 0;
   for (int i = 0; i < 1200; ++i) {
     const Corners first = anyTriangle(random, i);
     Corners second = anyTriangle(random, i / 6);
@@ -115,18 +117,18 @@ TEST(ClosestPoints, gapOfTrianglesHasAPlaneBetweenThemAndIsTheirDistance) {
         }
       }
       EXPECT_LE(gap.distance, sampled + 1e-9);
-      EXPECT_GE(gap.distance, sampled - 0.08);  // what the sampling leaves out
+      EXPECT_GE(gap.distance, sampled - 0.08);  // error of the sampling
       EXPECT_NEAR((pointAt(first, gap.firstWeights) - pointAt(second, gap.secondWeights)).norm(), gap.distance, 1e-9);
     } else {
-      ++meeting;
+      ++intersecting;
       EXPECT_LT(sampled, 0.08);
     }
   }
   EXPECT_GT(apart, 600);
-  EXPECT_GE(meeting, 50);
+  EXPECT_GE(intersecting, 50);
 }
 
-TEST(ClosestPoints, nearestOfTriangleAndSegmentIsWhatManyPointsSay) {
+TEST(ClosestPoints, nearestOfTriangleAndSegmentAgreesWithSampling) {
   RandomVectors random(4);
   for (int i = 0; i < 600; ++i) {
     const Corners triangle = anyTriangle(random, i);

@@ -25,7 +25,7 @@ std::vector<std::int32_t> allLeaves(const SearchableMesh& mesh) {
   return leaves;
 }
 
-/// Between a triangle and a mesh, pair by pair [m]; 0 or less where they meet.
+/// Distance of a triangle and a mesh, pair by pair [m]; 0 or less if they intersect.
 double distanceTo(const SearchableMesh& mesh, const Corners& corners) {
   double minimum = std::numeric_limits<double>::infinity();
   for (const Triangle& triangle : mesh.shape.triangles) {
@@ -48,7 +48,7 @@ void expectToBeMeasured(const HullGap& gap, const SearchableMesh& mesh, const Co
   EXPECT_NEAR(gap.atLeast, lowestAlong(gap.normal, corners) - top, 1e-14);
 }
 
-TEST(HullGap, isTheDistanceToWhatIsConvexHoweverItBegins) {
+TEST(HullGap, isTheDistanceToAConvexMeshForAnyInitialDirection) {
   const SearchableMesh mesh = ball();
   const std::vector<std::int32_t> leaves = allLeaves(mesh);
   RandomVectors random(3);
@@ -70,7 +70,7 @@ TEST(HullGap, isTheDistanceToWhatIsConvexHoweverItBegins) {
   EXPECT_GT(apart, 20);
 }
 
-TEST(HullGap, endsWhereItIsWideEnoughOrCannotBe) {
+TEST(HullGap, searchEndsWhenTheGapIsWideEnoughOrCannotBe) {
   const SearchableMesh mesh = ball();
   const std::vector<std::int32_t> leaves = allLeaves(mesh);
   RandomVectors random(4);
@@ -80,7 +80,7 @@ TEST(HullGap, endsWhereItIsWideEnoughOrCannotBe) {
     const HullGap wide = HullGapSearch(mesh, false, leaves, corners).search(Vec3::UnitX(), {0.005, 0.001});
     expectToBeMeasured(wide, mesh, corners);
     EXPECT_LE(wide.atLeast, exact + 1e-12);
-    if (exact > 0.0053) {  // it may end within a twentieth
+    if (exact > 0.0053) {  // the tolerance is 5 %
       EXPECT_GE(wide.atLeast, 0.005);
     } else if (exact > 0.00106) {
       EXPECT_GE(wide.atLeast, 0.001);
@@ -88,7 +88,7 @@ TEST(HullGap, endsWhereItIsWideEnoughOrCannotBe) {
   }
 }
 
-TEST(HullGap, isNegativeWhereTheHullsMeet) {
+TEST(HullGap, isNegativeIfTheHullsIntersect) {
   const SearchableMesh mesh = ball();
   const std::vector<std::int32_t> leaves = allLeaves(mesh);
   RandomVectors random(5);
@@ -100,7 +100,7 @@ TEST(HullGap, isNegativeWhereTheHullsMeet) {
   }
 }
 
-TEST(HullGap, holdsForSliversPointsAndSegments) {
+TEST(HullGap, isValidForSliversPointsAndSegments) {
   const SearchableMesh mesh = ball();
   const std::vector<std::int32_t> leaves = allLeaves(mesh);
   RandomVectors random(6);
@@ -117,7 +117,7 @@ TEST(HullGap, holdsForSliversPointsAndSegments) {
   }
 }
 
-TEST(HullGap, endsWithPointsThatAreNotFinite) {
+TEST(HullGap, searchEndsWithPointsThatAreNotFinite) {
   const SearchableMesh mesh = ball();
   const std::vector<std::int32_t> leaves = allLeaves(mesh);
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -10,7 +10,7 @@
 namespace drape {
 namespace {
 
-/// Ground with hills, on whose edges and corners many points have several triangles that are as near.
+/// Ground with hills. Many points have several closest triangles, at edges and corners.
 MeshShape hills() {
   const ClothMesh sheet = testing::sheet(17);
   MeshShape shape{sheet.positions, sheet.triangles, {}, 1.0, false};
@@ -40,7 +40,7 @@ void expectSame(const NearestMeshPoint& a, const NearestMeshPoint& b) {
   EXPECT_EQ(a.normal, b.normal);
 }
 
-TEST(NearestSearch, findsTheSameBitsByWhatItRemembersAsByLookingAnew) {
+TEST(NearestSearch, findsTheSameBitsFromTheCacheAsByANewSearch) {
   const SearchableMesh mesh(hills());
   const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
   const Leaves all(mesh);
@@ -71,23 +71,24 @@ TEST(NearestSearch, findsTheSameBitsByWhatItRemembersAsByLookingAnew) {
   EXPECT_GT(remembered, 1000);
 }
 
-TEST(NearestSearch, findsTheSameBitsInTheWholeMeshAsAmongItsLeaves) {
+TEST(NearestSearch, findsTheSameBitsInTheWholeMeshAsInItsLeaves) {
   MeshShape shape = hills();
-  std::reverse(shape.triangles.begin(), shape.triangles.end());  // so that the tree does not begin with the first ones
+  std::reverse(shape.triangles.begin(),
+               shape.triangles.end());  // so that the tree does not start with the first triangles
   const SearchableMesh mesh(std::move(shape));
   const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
   const Leaves all(mesh);
   NearestSearch search(inStep);
   testing::RandomVectors random(4);
   for (int i = 0; i < 2000; ++i) {
-    // Above a corner all of its triangles are as near.
+    // Above a corner all of its triangles have the same distance.
     const Vec3 corner = mesh.shape.positions[static_cast<std::size_t>(i) % mesh.shape.positions.size()];
     const Vec3 point = i % 2 == 0 ? Vec3(corner + 0.01 * Vec3::UnitY()) : Vec3(corner + random.next(0.02));
     expectSame(search.anywhere(point, 0.05), search.among(all.leaves, all.boxes, point, 0.05));
   }
 }
 
-TEST(NearestSearch, remembersHowFarEverythingIsWhereNothingIsNear) {
+TEST(NearestSearch, cachesALowerBoundWhereNothingIsNear) {
   const SearchableMesh mesh(hills());
   const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
   const Leaves all(mesh);
@@ -99,7 +100,7 @@ TEST(NearestSearch, remembersHowFarEverythingIsWhereNothingIsNear) {
   EXPECT_LT(memory.validRadius, 0.0);
   EXPECT_GT(memory.clearRadius, 0.8);
   EXPECT_LE(memory.clearRadius, NearestSearch(inStep).anywhere(far, 2.0).gap);
-  search.remember(far, 0.01, 0.5, memory);  // beyond the leaves something may be nearer
+  search.remember(far, 0.01, 0.5, memory);  // triangles outside the leaves may be closer
   EXPECT_EQ(memory.clearRadius, 0.5);
 }
 

@@ -1,6 +1,6 @@
 #include "sim/contact/constraints/mesh_search.hpp"
 
-#include "contact/meeting.hpp"
+#include "contact/contact_scene.hpp"
 #include "sim/contact/closest_features/closest_points.hpp"
 #include "sim/contact/separating_planes/separating_plane_filter.hpp"
 #include "test_meshes.hpp"
@@ -47,7 +47,7 @@ MeshShape box() {
   return shape;
 }
 
-/// A sheet close above a mesh, which it does not meet, and what is to be searched.
+/// A sheet close above a mesh without intersections, and its search.
 struct Search {
   Search(MeshShape shape, int n, unsigned seed) : random(seed) {
     const bool hilly = shape.positions.size() < 500 && shape.positions.size() > 8;
@@ -72,8 +72,8 @@ struct Search {
     step.body = &body;
   }
 
-  /// Sends every vertex somewhere, and searches.
-  /// @param carry where the mesh takes a point
+  /// Searches for a random motion of every vertex.
+  /// @param carry motion of a point with the mesh
   void run(
       const Vec3& way, double spread, const std::function<Vec3(const Vec3&)>& carry = [](const Vec3& p) { return p; }) {
     predicted.clear();
@@ -102,15 +102,15 @@ struct Search {
     }
     EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, displacements, workers, 1, candidates));
     planesAtFirst = candidates.planes.size();
-    // Whatever may be moved anywhere needs all its planes.
+    // The vertices may be moved anywhere below, so all planes are needed.
     candidates.planes.clear();
     meshSearch.requestAllPlanes();
     EXPECT_FALSE(meshSearch.findPlanes(builder, inStep, cloth, clusters, displacements, workers, 1, candidates));
   }
 
-  /// Goes with every vertex as far in any direction as its planes and its displacementBounds allow.
-  /// @return how many vertices found no place
-  int goAnywhere(double spread, std::vector<Vec3>& positions) {
+  /// Moves every vertex in a random direction, and applies planes and displacement bounds.
+  /// @return number of infeasible vertices
+  int moveAnywhere(double spread, std::vector<Vec3>& positions) {
     positions = predicted;
     for (std::size_t v = 0; v < positions.size(); ++v) {
       positions[v] += random.next(spread * displacementBounds[v]);
@@ -136,17 +136,17 @@ struct Search {
   ContactOffsets offsets{0.004, 0.0024, 0.0004, 0.002};
   MeshSearch meshSearch;
   Candidates candidates;
-  std::size_t planesAtFirst = 0;  // before all triangles were asked for
+  std::size_t planesAtFirst = 0;  // before planes of all triangles were requested
 };
 
-TEST(MeshSearch, leavesNoWayIntoAMeshThatStandsStill) {
+TEST(MeshSearch, preventsAnyPathIntoARigidMesh) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     for (const MeshShape& shape : {hills(21), ball(), box()}) {
       Search search(shape, 14, seed);
       search.run(Vec3(0.01 * seed, -0.03, 0.0), 0.02);
       EXPECT_GT(search.candidates.planes.size(), 100U);
       std::vector<Vec3> positions;
-      EXPECT_EQ(search.goAnywhere(1.0, positions), 0);
+      EXPECT_EQ(search.moveAnywhere(1.0, positions), 0);
       for (std::size_t v = 0; v < positions.size(); ++v) {
         EXPECT_LE((positions[v] - search.start[v]).norm(), search.displacementBounds[v] + 1e-9);
       }
@@ -156,7 +156,7 @@ TEST(MeshSearch, leavesNoWayIntoAMeshThatStandsStill) {
   }
 }
 
-TEST(MeshSearch, leavesNoWayIntoAMeshThatMovesInItself) {
+TEST(MeshSearch, preventsAnyPathIntoADeformingMesh) {
   int infeasible = 0;
   for (unsigned seed = 0; seed < 6; ++seed) {
     MeshShape shape = hills(21);
@@ -169,16 +169,16 @@ TEST(MeshSearch, leavesNoWayIntoAMeshThatMovesInItself) {
     search.mesh->follow(search.before, search.after);
     search.run(Vec3::Zero(), 0.001, carry);
     std::vector<Vec3> positions;
-    const int here = search.goAnywhere(0.3, positions);
+    const int here = search.moveAnywhere(0.3, positions);
     infeasible += here;
     EXPECT_TRUE(here > 0 ||
                 testing::intersectingPairs(*search.model, positions, {search.after, shape.triangles}, Pose()) == 0)
         << "seed " << seed;
   }
-  EXPECT_LE(infeasible, 2);  // of 1176: planes of different triangles may leave no place although there is one
+  EXPECT_LE(infeasible, 2);  // of 1176: planes of different triangles can exclude all feasible positions
 }
 
-TEST(MeshSearch, touchesEachVertexAtThePointOfTheMeshThatIsNearest) {
+TEST(MeshSearch, contactsEachVertexAtTheClosestPointOfTheMesh) {
   int vertexContacts = 0;
   for (const MeshShape& shape : {hills(21), ball(), box()}) {
     Search search(shape, 14, 3);
@@ -202,7 +202,7 @@ TEST(MeshSearch, touchesEachVertexAtThePointOfTheMeshThatIsNearest) {
   EXPECT_GT(vertexContacts, 40);
 }
 
-TEST(MeshSearch, needsNoMorePlanesThanTrianglesOverWhatIsConvex) {
+TEST(MeshSearch, needsAtMostOnePlanePerTriangleOverAConvexMesh) {
   for (const MeshShape& shape : {ball(), box()}) {
     Search search(shape, 14, 5);
     search.run(Vec3(0.0, -0.01, 0.0), 0.0);
@@ -210,7 +210,7 @@ TEST(MeshSearch, needsNoMorePlanesThanTrianglesOverWhatIsConvex) {
   }
 }
 
-TEST(MeshSearch, sparesTrianglesThatGoNowhereNearUntilTheyAreAskedFor) {
+TEST(MeshSearch, skipsTrianglesThatStayAwayUntilTheyAreRequested) {
   Search still(ball(), 14, 5);
   still.run(Vec3::Zero(), 0.0);
   EXPECT_LT(still.planesAtFirst, still.candidates.planes.size());
@@ -246,7 +246,7 @@ TEST(MeshTree, hasEveryTriangleInOneLeafAndFindsTheLeavesInABox) {
   }
 }
 
-TEST(ClothClusters, haveEveryTriangleAndEveryVertexOnceHoweverTheyAreDivided) {
+TEST(ClothClusters, containEveryTriangleAndEveryVertexOnceForAnyDivision) {
   const auto model = testing::pinnedSheet(13);
   const ClothClusters clusters(*model);
   std::vector<int> triangles(model->triangles.size(), 0);

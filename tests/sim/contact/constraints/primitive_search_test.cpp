@@ -12,7 +12,7 @@ double gapTo(const BodyShape& shape, const Vec3& position) {
   return PrimitiveSearch(step, 0, ContactOffsets()).gapAt(position);
 }
 
-TEST(PrimitiveSearch, knowsHowFarAPlaceIsFromWhatIsRoundOrFlat) {
+TEST(PrimitiveSearch, computesSignedDistancesToPrimitives) {
   EXPECT_DOUBLE_EQ(gapTo(PlaneShape{}, Vec3(3.0, 0.2, -1.0)), 0.2);
   EXPECT_DOUBLE_EQ(gapTo(PlaneShape{}, Vec3(3.0, -0.1, -1.0)), -0.1);
   EXPECT_DOUBLE_EQ(gapTo(SphereShape{0.5}, Vec3(0.0, 0.6, 0.8)), 0.5);

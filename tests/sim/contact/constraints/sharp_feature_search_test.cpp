@@ -17,7 +17,7 @@ constexpr ContactOffsets offsets{0.004, 0.0024, 0.0004, 0.002};
 constexpr double close = 0.0032;
 constexpr double near = 0.008;
 
-/// Triangles of a cloth that lie anywhere close to a mesh, each by itself.
+/// Separate triangles at random positions close to a mesh.
 struct Cloth {
   std::vector<Vec3> start, predicted;
   std::vector<double> displacementBounds, inverseMass;
@@ -30,7 +30,7 @@ struct Cloth {
   }
 };
 
-Cloth strewnOver(const SearchableMesh& mesh, double size, unsigned seed) {
+Cloth scatteredOver(const SearchableMesh& mesh, double size, unsigned seed) {
   RandomVectors random(seed);
   Cloth cloth;
   for (int i = 0; i < 400; ++i) {
@@ -53,7 +53,7 @@ Cloth strewnOver(const SearchableMesh& mesh, double size, unsigned seed) {
   return cloth;
 }
 
-/// Looks at every pair.
+/// Tests every pair.
 class AllPairs {
  public:
   AllPairs(const ConstraintBuilder& builder, const SearchableMesh& mesh, const Cloth& cloth, Candidates& found)
@@ -96,7 +96,7 @@ class AllPairs {
   Candidates& found_;
 };
 
-/// In an order of their own.
+/// The contacts in a canonical order.
 std::vector<std::tuple<int, double, double, double, double>> sorted(const Candidates& found) {
   std::vector<std::tuple<int, double, double, double, double>> all;
   for (const ContactConstraint& contact : found.contacts) {
@@ -106,13 +106,13 @@ std::vector<std::tuple<int, double, double, double, double>> sorted(const Candid
   return all;
 }
 
-TEST(SharpFeatureSearch, findsExactlyWhatLookingAtEveryPairFinds) {
+TEST(SharpFeatureSearch, findsTheSameContactsAsATestOfEveryPair) {
   const BodySurface ball = surfaceOf(SphereShape{0.05});
   const BodySurface box = surfaceOf(BoxShape{Vec3(0.02, 0.01, 0.03)});
   for (const BodySurface& surface : {ball, box}) {
     for (const double size : {0.004, 0.03}) {
       const SearchableMesh mesh({surface.positions, surface.triangles, {}, 1.0, false});
-      const Cloth cloth = strewnOver(mesh, size, 5);
+      const Cloth cloth = scatteredOver(mesh, size, 5);
       const ClothInBody inBody = cloth.inBody();
       Body body;
       const BodyStep step{&body, {}, {}, mesh.shape.positions, mesh.shape.positions, {}};
@@ -128,7 +128,7 @@ TEST(SharpFeatureSearch, findsExactlyWhatLookingAtEveryPairFinds) {
       SharpFeatureSearch sharp(builder, inStep, inBody, cloth.nearest, close, near, found);
       AllPairs all(builder, mesh, cloth, expected);
       for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
-        Vec3 outwards = t % 2 == 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::UnitX());  // wherever it begins
+        Vec3 outwards = t % 2 == 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::UnitX());  // any initial direction
         sharp.search(static_cast<int>(t), leaves, boxes, 1.0, outwards);
         all.search(t);
       }

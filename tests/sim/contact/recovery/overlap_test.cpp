@@ -1,7 +1,7 @@
-// Cloth that starts inside a body: it comes out, no faster than it should, and nothing intersects afterwards.
+// Cloth that starts inside a body moves out at a bounded speed, and then nothing intersects.
 #include "sim/contact/recovery/overlap.hpp"
 
-#include "contact/meeting.hpp"
+#include "contact/contact_scene.hpp"
 #include "intersection/intersections.hpp"
 #include "test_meshes.hpp"
 
@@ -15,7 +15,7 @@ namespace drape {
 namespace {
 
 using testing::bodyAt;
-using testing::Meeting;
+using testing::ContactScene;
 
 std::shared_ptr<const ClothModel> sheetAt(int n, double size, const Vec3& middle, const Vec3& turn = Vec3::Zero()) {
   ClothMesh mesh = testing::sheet(n);
@@ -56,33 +56,33 @@ BodyShape meshOf(const BodyShape& shape, bool insideOut = false) {
   return std::make_shared<const MeshShape>(MeshShape{surface.positions, surface.triangles, {}, 1.0, false});
 }
 
-std::size_t judgedPairs(const Meeting& meeting, const Body& body) {
+std::size_t exactPairs(const ContactScene& scene, const Body& body) {
   BodySurface surface = surfaceOf(body.shape);
-  const Pose pose = poseAt(body.motion, meeting.state.time);
+  const Pose pose = poseAt(body.motion, scene.state.time);
   for (Vec3& position : surface.positions) {
     position = pose.toWorld(position);
   }
-  return intersectingPairs({meeting.state.positions, meeting.model().triangles}, {surface.positions, surface.triangles})
+  return intersectingPairs({scene.state.positions, scene.model().triangles}, {surface.positions, surface.triangles})
       .size();
 }
 
-/// How a cloth comes out of a body.
+/// How a cloth leaves a body.
 struct Escape {
   ContactReport first;    ///< of the first step
-  double time = 0.0;      ///< when all of it was out [s]
-  double fastest = 0.0;   ///< of its middle until then [m/s]
-  std::size_t pairs = 0;  ///< that intersect afterwards
+  double time = 0.0;      ///< when all of it has left [s]
+  double fastest = 0.0;   ///< maximum speed of its centre until then [m/s]
+  std::size_t pairs = 0;  ///< intersecting pairs afterwards
 };
 
-std::unique_ptr<Meeting> meetingOf(const std::shared_ptr<const ClothModel>& cloth, const Body& body, double gravity,
-                                   const std::string& solver = "xpbd") {
-  auto meeting = std::make_unique<Meeting>(cloth, std::vector<Body>{body}, solver);
-  meeting->parameters.timeStep = 1.0 / 100.0;
-  meeting->parameters.substeps = 4;
-  meeting->parameters.stiffness = 30.0;
-  meeting->parameters.damping = 0.01;
-  meeting->parameters.gravity = gravity;
-  return meeting;
+std::unique_ptr<ContactScene> sceneOf(const std::shared_ptr<const ClothModel>& cloth, const Body& body, double gravity,
+                                      const std::string& solver = "xpbd") {
+  auto scene = std::make_unique<ContactScene>(cloth, std::vector<Body>{body}, solver);
+  scene->parameters.timeStep = 1.0 / 100.0;
+  scene->parameters.substeps = 4;
+  scene->parameters.stiffness = 30.0;
+  scene->parameters.damping = 0.01;
+  scene->parameters.gravity = gravity;
+  return scene;
 }
 
 Vec3 middleOf(const std::vector<Vec3>& positions) {
@@ -90,28 +90,28 @@ Vec3 middleOf(const std::vector<Vec3>& positions) {
          static_cast<double>(positions.size());
 }
 
-Escape escapeOf(Meeting& meeting, const Body& body) {
+Escape escapeOf(ContactScene& scene, const Body& body) {
   constexpr double longest = 1.5;  // [s]
   Escape escape;
-  escape.first = meeting.step().contact;
-  Vec3 before = middleOf(meeting.state.positions);
+  escape.first = scene.step().contact;
+  Vec3 before = middleOf(scene.state.positions);
   ContactReport last = escape.first;
-  while (last.overlaps > 0 && meeting.state.time < longest) {
-    last = meeting.step().contact;
-    escape.time = meeting.state.time;
-    const Vec3 now = middleOf(meeting.state.positions);
-    escape.fastest = std::max(escape.fastest, (now - before).norm() / meeting.parameters.timeStep);
+  while (last.overlaps > 0 && scene.state.time < longest) {
+    last = scene.step().contact;
+    escape.time = scene.state.time;
+    const Vec3 now = middleOf(scene.state.positions);
+    escape.fastest = std::max(escape.fastest, (now - before).norm() / scene.parameters.timeStep);
     before = now;
   }
-  meeting.run(0.1, [](const StepReport& report) { EXPECT_EQ(report.contact.overlaps, 0); });
-  escape.pairs = judgedPairs(meeting, body);
+  scene.run(0.1, [](const StepReport& report) { EXPECT_EQ(report.contact.overlaps, 0); });
+  escape.pairs = exactPairs(scene, body);
   return escape;
 }
 
 void expectEscape(const char* what, const std::shared_ptr<const ClothModel>& cloth, const Body& body, double gravity,
                   const std::string& solver = "xpbd") {
-  const auto meeting = meetingOf(cloth, body, gravity, solver);
-  const Escape escape = escapeOf(*meeting, body);
+  const auto scene = sceneOf(cloth, body, gravity, solver);
+  const Escape escape = escapeOf(*scene, body);
   EXPECT_GT(escape.first.overlaps, 0) << what;
   EXPECT_GT(escape.first.deepestOverlap, 0.0) << what;
   EXPECT_LT(escape.time, 1.0) << what;
@@ -121,7 +121,7 @@ void expectEscape(const char* what, const std::shared_ptr<const ClothModel>& clo
   }
 }
 
-TEST(Overlap, aSheetWhollyInsideABoxComesOut) {
+TEST(Overlap, aSheetInsideABoxMovesOut) {
   const Body box = bodyAt(BoxShape{Vec3(0.3, 0.3, 0.3)}, Vec3::Zero(), Vec3(0.1, 0.2, 0.0));
   for (const double gravity : {0.0, 9.81}) {
     expectEscape("middle", sheetAt(11, 0.35, Vec3(0.01, 0.02, 0.0)), box, gravity);
@@ -131,19 +131,19 @@ TEST(Overlap, aSheetWhollyInsideABoxComesOut) {
   }
 }
 
-TEST(Overlap, aSheetWhollyInsideAClosedMeshComesOutWhicheverWayItsTrianglesFace) {
+TEST(Overlap, aSheetInsideAClosedMeshMovesOutForBothOrientations) {
   const auto sheet = sheetAt(11, 0.3, Vec3(0.01, 0.02, 0.0));
   expectEscape("facing outwards", sheet, bodyAt(meshOf(SphereShape{0.3}), Vec3::Zero()), 9.81);
   expectEscape("facing inwards", sheet, bodyAt(meshOf(SphereShape{0.3}, true), Vec3::Zero()), 0.0);
 }
 
-TEST(Overlap, aSheetWhollyInsideWhatIsRoundComesOut) {
+TEST(Overlap, aSheetInsideASphereOrCapsuleMovesOut) {
   const auto sheet = sheetAt(11, 0.3, Vec3::Zero());
   expectEscape("sphere", sheet, bodyAt(SphereShape{0.3}, Vec3::Zero()), 0.0);
   expectEscape("capsule", sheet, bodyAt(CapsuleShape{0.25, 0.2}, Vec3(0.0, -0.1, 0.0)), 9.81);
 }
 
-TEST(Overlap, aSheetThroughTheMiddleOfABodyComesOut) {
+TEST(Overlap, aSheetThroughTheMiddleOfABodyMovesOut) {
   const auto sheet = sheetAt(17, 0.9, Vec3(0.01, 0.0, 0.0));
   for (const double gravity : {0.0, 9.81}) {
     expectEscape("mesh", sheet, bodyAt(meshOf(SphereShape{0.2}), Vec3::Zero()), gravity);
@@ -153,7 +153,7 @@ TEST(Overlap, aSheetThroughTheMiddleOfABodyComesOut) {
   }
 }
 
-TEST(Overlap, aTubeThatIsNarrowerThanWhatItIsAroundGetsWiderWithAnySolver) {
+TEST(Overlap, aTubeTooNarrowForItsBodyWidensWithAnySolver) {
   const Body trunk = bodyAt(meshOf(CapsuleShape{0.2, 0.3}), Vec3::Zero());
   for (const char* solver : {"xpbd", "one_iteration", "auto"}) {
     expectEscape(solver, tube(32, 16, 0.19, 0.5), trunk, 0.0, solver);
@@ -162,7 +162,7 @@ TEST(Overlap, aTubeThatIsNarrowerThanWhatItIsAroundGetsWiderWithAnySolver) {
   expectEscape("aslant", tube(32, 16, 0.17, 0.5), aslant, 0.0);
 }
 
-TEST(Overlap, aSheetThroughTheMiddleOfAPostIsPulledOffItsEnd) {
+TEST(Overlap, aSheetThroughAPostLeavesOverItsEnd) {
   const auto sheet = sheetAt(17, 0.9, Vec3(0.01, 0.0, 0.0));
   const BodyShape post = CapsuleShape{0.1, 0.25};
   for (const double gravity : {0.0, 9.81}) {
@@ -172,7 +172,7 @@ TEST(Overlap, aSheetThroughTheMiddleOfAPostIsPulledOffItsEnd) {
   expectEscape("mesh", sheet, bodyAt(meshOf(post), Vec3::Zero()), 9.81);
 }
 
-/// The winding number of a tube's rings around an axis through the origin, which may be turned about x.
+/// The winding number of a ring of a tube around an axis through the origin, which is rotated about x.
 int windingAround(const std::vector<Vec3>& positions, int around, int ring, double turn) {
   const Eigen::Quaterniond back(Eigen::AngleAxisd(-turn, Vec3::UnitX()));
   double sum = 0.0;
@@ -186,28 +186,28 @@ int windingAround(const std::vector<Vec3>& positions, int around, int ring, doub
   return static_cast<int>(std::lround(sum / (2.0 * std::numbers::pi)));
 }
 
-TEST(Overlap, aSleeveThatALimbPassesThroughComesAroundIt) {
+TEST(Overlap, aSleevePiercedByALimbMovesAroundIt) {
   constexpr int around = 24;
   constexpr int along = 12;
   const auto sleeve = tube(around, along, 0.07, 0.25);
-  for (const double turn : {0.3, 0.5}) {  // [rad] the limb comes through the sleeve's wall before its ends
+  for (const double turn : {0.3, 0.5}) {  // [rad] the limb pierces the wall of the sleeve before its ends
     for (const bool round : {true, false}) {
       const BodyShape limb = CapsuleShape{0.04, 0.6};
       const Body body = bodyAt(round ? limb : meshOf(limb), Vec3::Zero(), Vec3(turn, 0.0, 0.0));
-      const auto meeting = meetingOf(sleeve, body, 0.0);
-      const Escape escape = escapeOf(*meeting, body);
+      const auto scene = sceneOf(sleeve, body, 0.0);
+      const Escape escape = escapeOf(*scene, body);
       EXPECT_GT(escape.first.overlaps, 0) << turn;
       EXPECT_LT(escape.time, 1.0) << turn;
       EXPECT_EQ(escape.pairs, 0U) << turn;
       for (int ring = 0; ring <= along; ++ring) {
-        EXPECT_EQ(windingAround(meeting->state.positions, around, ring, turn), 1) << turn << ", ring " << ring;
+        EXPECT_EQ(windingAround(scene->state.positions, around, ring, turn), 1) << turn << ", ring " << ring;
       }
     }
   }
 }
 
-TEST(CommonExit, isOneOnlyWhereWhatHangsOnThePieceCanFollow) {
-  // A sheet across a post can leave it at its ends only, one that ends soon behind it also sideways.
+TEST(CommonExit, requiresThatAdjacentClothCanFollow) {
+  // A sheet across a post can only leave over its ends; one that ends soon behind the post can also leave sideways.
   CapsuleSolid post({Vec3(0.0, -0.5, 0.0), Vec3(0.0, 0.5, 0.0)}, 0.1);
   const std::vector<Vec3> sideways{Vec3::UnitX()};
   for (const double size : {1.0, 0.3}) {
@@ -230,12 +230,12 @@ TEST(CommonExit, isOneOnlyWhereWhatHangsOnThePieceCanFollow) {
   }
 }
 
-TEST(Overlap, goesOnToTheSameBitsFromACopiedStateAndForAnyNumberOfThreads) {
+TEST(Overlap, continuesWithTheSameBitsFromACopiedStateAndForAnyNumberOfThreads) {
   const Body ball = bodyAt(meshOf(SphereShape{0.2}), Vec3::Zero());
   const auto sheet = sheetAt(34, 0.9, Vec3(0.01, 0.0, 0.0));
-  const auto first = meetingOf(sheet, ball, 9.81);
+  const auto first = sceneOf(sheet, ball, 9.81);
   first->run(0.05);
-  const auto second = meetingOf(sheet, ball, 9.81);
+  const auto second = sceneOf(sheet, ball, 9.81);
   second->state = first->state;
   second->parameters.threads = 3;
   for (int i = 0; i < 10; ++i) {
@@ -245,8 +245,8 @@ TEST(Overlap, goesOnToTheSameBitsFromACopiedStateAndForAnyNumberOfThreads) {
   }
 }
 
-TEST(Overlap, doesNotTellOfPinsInsideABody) {
-  // Held at one corner, which is inside; its neighbours are not.
+TEST(Overlap, doesNotReportPinsInsideABody) {
+  // Pinned at one corner, which is inside; its neighbours are not.
   const auto sheet = withPins(*sheetAt(5, 0.4, Vec3(0.2, 0.0, 0.2)), [] {
     std::vector<bool> pinned(25, false);
     pinned[0] = true;
@@ -254,26 +254,26 @@ TEST(Overlap, doesNotTellOfPinsInsideABody) {
   }());
   for (const BodyShape& shape : {BodyShape(SphereShape{0.05}), BodyShape(BoxShape{Vec3::Constant(0.05)})}) {
     const Body knob = bodyAt(shape, Vec3::Zero());
-    const auto meeting = meetingOf(sheet, knob, 9.81);
+    const auto scene = sceneOf(sheet, knob, 9.81);
     for (int i = 0; i < 20; ++i) {
-      EXPECT_EQ(meeting->step().contact.overlaps, 0);
+      EXPECT_EQ(scene->step().contact.overlaps, 0);
     }
-    EXPECT_EQ(meeting->state.positions[0], sheet->restPositions[0]);
+    EXPECT_EQ(scene->state.positions[0], sheet->restPositions[0]);
   }
 }
 
 TEST(Overlap, anOpenMeshHasNoInside) {
-  // A pit without a lid: what is in it may stay.
+  // A box without a lid: cloth in it may stay.
   BodySurface box = surfaceOf(BoxShape{Vec3::Constant(0.3)});
   box.triangles.resize(10);
-  const Body pit =
+  const Body openBox =
       bodyAt(std::make_shared<const MeshShape>(MeshShape{box.positions, box.triangles, {}, 1.0, false}), Vec3::Zero());
-  const auto meeting = meetingOf(sheetAt(9, 0.3, Vec3::Zero()), pit, 0.0);
-  EXPECT_EQ(meeting->step().contact.overlaps, 0);
-  EXPECT_EQ(meeting->state.positions, meeting->model().restPositions);
+  const auto scene = sceneOf(sheetAt(9, 0.3, Vec3::Zero()), openBox, 0.0);
+  EXPECT_EQ(scene->step().contact.overlaps, 0);
+  EXPECT_EQ(scene->state.positions, scene->model().restPositions);
 }
 
-/// The mesh of a shape, at rest.
+/// The mesh of a shape at rest.
 struct Still {
   explicit Still(const BodySurface& surface)
       : mesh(MeshShape{surface.positions, surface.triangles, {}, 1.0, false}),
@@ -282,7 +282,7 @@ struct Still {
   MeshInStep inStep;
 };
 
-TEST(MeshSolid, knowsItsInsideFromItsOutsideAlsoAboveItsVerticesAndEdges) {
+TEST(MeshSolid, classifiesPointsAlsoInLineWithItsVerticesAndEdges) {
   const Still box(surfaceOf(BoxShape{Vec3(0.25, 0.5, 0.75)}));
   MeshSolid solid(box.inStep);
   testing::RandomVectors random(4);
@@ -314,7 +314,7 @@ TEST(MeshSolid, countsARayThroughAnEdgeOrACornerOnce) {
   }
 }
 
-TEST(Solids, leadOutToTheirSurface) {
+TEST(Solids, returnExitsOnTheirSurface) {
   const Still ball(surfaceOf(SphereShape{0.5}));
   MeshSolid mesh(ball.inStep);
   CapsuleSolid round({Vec3(0.0, -0.1, 0.0), Vec3(0.0, 0.1, 0.0)}, 0.4);

@@ -18,7 +18,7 @@ namespace {
 using testing::lanesOf;
 using testing::sheet;
 
-/// A cloth in some shape with its patches.
+/// A cloth with its patches.
 struct PatchedCloth {
   ClothMesh mesh;
   CollisionFreePatches patches;
@@ -40,14 +40,14 @@ struct PatchedCloth {
   }
 };
 
-/// The sheet with every vertex moved by a function of its place.
+/// A sheet with every vertex mapped by a function.
 ClothMesh bent(int n, const std::function<Vec3(const Vec3&)>& shape) {
   ClothMesh mesh = sheet(n);
   std::transform(mesh.positions.begin(), mesh.positions.end(), mesh.positions.begin(), shape);
   return mesh;
 }
 
-/// Corners of a triangle seen along a direction, counter-clockwise.
+/// The projected corners of a triangle, counter-clockwise.
 using Flat = std::array<Vec2, 3>;
 
 Flat seenAlong(const ClothMesh& mesh, const Triangle& triangle, const Vec3& axis) {
@@ -65,7 +65,7 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// True when two triangles in the plane have more than a sliver in common: no side of either parts them.
+/// Whether two triangles in the plane overlap by more than a sliver: no side of either separates them.
 bool overlap(const Flat& a, const Flat& b) {
   for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -80,7 +80,7 @@ bool overlap(const Flat& a, const Flat& b) {
   return true;
 }
 
-/// Every patch faces its axis and covers no point of the plane twice, by comparing all of its triangles.
+/// Checks that every patch faces its axis and covers no point of the plane twice, by comparing all of its triangles.
 void expectCollisionFree(const PatchedCloth& cloth) {
   for (const CollisionFreePatch& patch : cloth.patches.patches) {
     const Vec3 axis(static_cast<double>(patch.axis[0]), static_cast<double>(patch.axis[1]),
@@ -100,7 +100,7 @@ void expectCollisionFree(const PatchedCloth& cloth) {
   }
 }
 
-/// Every triangle in one patch, every vertex in one patch, each border a circle.
+/// Checks that every triangle and every vertex is in exactly one patch.
 void expectPartition(const PatchedCloth& cloth) {
   std::multiset<Triangle> seen;
   for (const CollisionFreePatch& patch : cloth.patches.patches) {
@@ -127,14 +127,14 @@ Vec3 rolledUp(const Vec3& p, double turns) {
   return {radius * std::cos(angle), radius * std::sin(angle), p.z()};
 }
 
-/// A ramp that climbs around an axis: its normals hardly lean, yet it lies above itself.
+/// A helical ramp: its normals vary little, but it lies above itself.
 Vec3 ramp(const Vec3& p, double turns) {
   const double angle = -2.0 * std::numbers::pi * turns * p.x();
   const double radius = 0.5 + 0.5 * p.z();
   return {radius * std::cos(angle), 0.1 * turns * p.x(), radius * std::sin(angle)};
 }
 
-TEST(CollisionFreePatches, AFlatSheetIsOne) {
+TEST(CollisionFreePatches, OneForAFlatSheet) {
   for (const int n : {2, 5, 17, 33}) {
     const PatchedCloth cloth(sheet(n));
     EXPECT_EQ(cloth.patches.count(), 1);
@@ -143,23 +143,23 @@ TEST(CollisionFreePatches, AFlatSheetIsOne) {
   }
 }
 
-TEST(CollisionFreePatches, AGentlyWavingSheetIsOne) {
+TEST(CollisionFreePatches, OneForAGentlyWavingSheet) {
   const PatchedCloth cloth(
       bent(17, [](const Vec3& p) { return Vec3(p.x(), 0.05 * std::sin(9.0 * p.x() + 5.0 * p.z()), p.z()); }));
   EXPECT_EQ(cloth.patches.count(), 1);
   expectCollisionFree(cloth);
 }
 
-TEST(CollisionFreePatches, ARolledUpSheetIsCutByItsNormals) {
+TEST(CollisionFreePatches, ARolledUpSheetIsDividedByItsNormals) {
   const PatchedCloth cloth(bent(25, [](const Vec3& p) { return rolledUp(p, 2.5); }));
-  // Each patch spans 120 degrees of the roll at most.
+  // Each patch spans at most 120 degrees of the roll.
   EXPECT_GE(cloth.patches.count(), 7);
   EXPECT_LE(cloth.patches.count(), 14);
   expectCollisionFree(cloth);
   expectPartition(cloth);
 }
 
-TEST(CollisionFreePatches, ARampIsCutByItsBorderAlthoughAllItsNormalsAgree) {
+TEST(CollisionFreePatches, ARampIsDividedByItsBorderAlthoughItsNormalsAgree) {
   const PatchedCloth whole(bent(25, [](const Vec3& p) { return ramp(p, 0.9); }));
   EXPECT_EQ(whole.patches.count(), 1);
   const PatchedCloth cloth(bent(25, [](const Vec3& p) { return ramp(p, 2.5); }));
@@ -169,7 +169,7 @@ TEST(CollisionFreePatches, ARampIsCutByItsBorderAlthoughAllItsNormalsAgree) {
   expectPartition(cloth);
 }
 
-TEST(CollisionFreePatches, ACrumpledSheetIsCollisionFreeInEachOfThem) {
+TEST(CollisionFreePatches, AreCollisionFreeOnACrumpledSheet) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     testing::RandomVectors random(seed);
     ClothMesh mesh = sheet(13);
@@ -198,8 +198,8 @@ TEST(CollisionFreePatches, AClosedSurfaceNeedsAtLeastTwo) {
   expectCollisionFree(cloth);
 }
 
-TEST(CollisionFreePatches, TakeMeshesThatAreNoSurface) {
-  // Three triangles at one edge, one run through the wrong way round, one without area, and a vertex that none has.
+TEST(CollisionFreePatches, AcceptNonManifoldMeshes) {
+  // Three triangles at one edge, one with the wrong orientation, one without area, and a vertex without triangles.
   ClothMesh mesh;
   mesh.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
                     Vec3(0, 0, 1), Vec3(2, 0, 0), Vec3(1, 1, 0), Vec3(9, 9, 9)};
@@ -212,13 +212,13 @@ TEST(CollisionFreePatches, TakeMeshesThatAreNoSurface) {
   EXPECT_EQ(std::count(cloth.patches.patchOfVertex.begin(), cloth.patches.patchOfVertex.end(), loose), 1);
 }
 
-bool hold(const PatchedCloth& cloth, const ClothMesh& shape) {
+bool isValid(const PatchedCloth& cloth, const ClothMesh& shape) {
   std::vector<char> valid;
   return PatchCheck().failures(cloth.patches, lanesOf(shape.positions), valid) == 0;
 }
 
-TEST(CollisionFreePatches, AreMendedWhereTheyHoldNoLonger) {
-  // A roll; then one end of it is crumpled.
+TEST(CollisionFreePatches, AreRepairedWhereTheyAreInvalid) {
+  // A roll, one end of which is then crumpled.
   PatchedCloth cloth(bent(25, [](const Vec3& p) { return rolledUp(p, 1.5); }));
   const CollisionFreePatches before = cloth.patches;
   testing::RandomVectors random(5);
@@ -234,12 +234,12 @@ TEST(CollisionFreePatches, AreMendedWhereTheyHoldNoLonger) {
   EXPECT_LT(failed, before.count());
   PatchGrower().repair(patchMeshOf(*model), lanesOf(cloth.mesh.positions), before, valid, cloth.patches);
   EXPECT_GT(cloth.patches.count(), before.count());
-  EXPECT_TRUE(hold(cloth, cloth.mesh));
+  EXPECT_TRUE(isValid(cloth, cloth.mesh));
   expectCollisionFree(cloth);
   expectPartition(cloth);
 }
 
-TEST(PatchCheck, HoldsUntilTheClothBendsOutOfTheCone) {
+TEST(PatchCheck, SucceedsUntilTheClothBendsOutOfTheCone) {
   const auto bend = [](double degrees) {
     // A crease at x = 1/2; the axis is that of the flat sheet.
     const double angle = degrees * std::numbers::pi / 180.0;
@@ -249,20 +249,20 @@ TEST(PatchCheck, HoldsUntilTheClothBendsOutOfTheCone) {
     });
   };
   const PatchedCloth cloth(sheet(9));
-  EXPECT_TRUE(hold(cloth, bend(0.0)));
-  EXPECT_TRUE(hold(cloth, bend(84.0)));
-  EXPECT_FALSE(hold(cloth, bend(86.0)));
-  EXPECT_FALSE(hold(cloth, bend(170.0)));
+  EXPECT_TRUE(isValid(cloth, bend(0.0)));
+  EXPECT_TRUE(isValid(cloth, bend(84.0)));
+  EXPECT_FALSE(isValid(cloth, bend(86.0)));
+  EXPECT_FALSE(isValid(cloth, bend(170.0)));
 }
 
-TEST(PatchCheck, HoldsUntilABorderCrossesItself) {
+TEST(PatchCheck, SucceedsUntilABorderIntersectsItself) {
   const PatchedCloth cloth(bent(17, [](const Vec3& p) { return ramp(p, 0.9); }));
   ASSERT_EQ(cloth.patches.count(), 1);
-  EXPECT_TRUE(hold(cloth, bent(17, [](const Vec3& p) { return ramp(p, 0.98); })));
-  EXPECT_FALSE(hold(cloth, bent(17, [](const Vec3& p) { return ramp(p, 1.05); })));
+  EXPECT_TRUE(isValid(cloth, bent(17, [](const Vec3& p) { return ramp(p, 0.98); })));
+  EXPECT_FALSE(isValid(cloth, bent(17, [](const Vec3& p) { return ramp(p, 1.05); })));
 }
 
-TEST(BorderCheck, TellsSimplePolygonsFromOthers) {
+TEST(BorderCheck, DetectsSimplePolygons) {
   const auto simple = [](const std::vector<Vec2>& corners) {
     std::vector<Vec3> positions;
     std::vector<int> border;

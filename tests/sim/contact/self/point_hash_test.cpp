@@ -17,7 +17,7 @@ using Phase = std::array<float, 3>;
 
 constexpr Phase noPhase = {0.0F, 0.0F, 0.0F};
 
-/// Points in a box of so many metres, the patches ascending.
+/// Random points in a box of the given size [m], in ascending order of patches.
 SurfacePoints cloud(int count, int patches, double size, unsigned seed) {
   testing::RandomVectors random(seed);
   SurfacePoints points;
@@ -47,7 +47,7 @@ std::vector<VertexPair> pairsOf(const SurfacePoints& points, float reach, const 
   return pairs;
 }
 
-/// The cell of a point, worked out apart from the hash: `half` is by how much the grid is shifted, in cells.
+/// The cell of a point, computed independently of the hash. `offset` is the shift of the grid [m].
 std::array<double, 3> cellOf(const SurfacePoints& points, int i, double size, double offset) {
   const LaneBox box = boxOf(points.positions, 0, points.count);
   const Vec3 position = positionOf(points, i);
@@ -59,8 +59,8 @@ std::array<double, 3> cellOf(const SurfacePoints& points, int i, double size, do
   return cell;
 }
 
-TEST(PointHash, FindsExactlyTheNearPairsOfDifferentChartsThatShareACellOfEitherGrid) {
-  // The cells fit into the buckets, so that a bucket is a cell.
+TEST(PointHash, FindsExactlyTheNearPairsOfDifferentPatchesThatShareACellOfEitherGrid) {
+  // There are enough buckets, so each bucket is one cell.
   const SurfacePoints points = cloud(600, 5, 0.2, 1);
   const float reach = 0.03F;
   const double size = static_cast<double>(PointHash::cellsPerReach) * 0.03;
@@ -96,8 +96,8 @@ TEST(PointHash, FindsNoOtherPairsWhereManyCellsShareABucket) {
   }
 }
 
-/// Pairs of points of two patches, a given way apart, each far from the other pairs.
-SurfacePoints lonelyPairs(const std::vector<Vec3>& offsets, unsigned seed) {
+/// Pairs of points of two patches with given offsets, each pair far from the others.
+SurfacePoints isolatedPairs(const std::vector<Vec3>& offsets, unsigned seed) {
   testing::RandomVectors random(seed);
   SurfacePoints points;
   const auto count = offsets.size();
@@ -124,10 +124,10 @@ TEST(PointHash, MissesNoPairThatLiesAlongAnAxis) {
   for (int i = 0; i < 3000; ++i) {
     offsets.push_back(0.0099 * Vec3::Unit(i % 3));
   }
-  EXPECT_EQ(pairsOf(lonelyPairs(offsets, 3), 0.01F).size(), offsets.size());
+  EXPECT_EQ(pairsOf(isolatedPairs(offsets, 3), 0.01F).size(), offsets.size());
 }
 
-TEST(PointHash, MissesTheShareOfPairsThatItSays) {
+TEST(PointHash, MissesThePredictedFractionOfPairs) {
   testing::RandomVectors random(4);
   std::vector<Vec3> offsets;
   while (offsets.size() < 8000) {
@@ -136,7 +136,7 @@ TEST(PointHash, MissesTheShareOfPairsThatItSays) {
       offsets.emplace_back(0.0099 * direction.normalized());
     }
   }
-  const SurfacePoints points = lonelyPairs(offsets, 5);
+  const SurfacePoints points = isolatedPairs(offsets, 5);
   const double expected = PointHash::missedFraction(0.0099, 0.01);
   double missed = 0.0;
   constexpr int phases = 8;
@@ -150,7 +150,7 @@ TEST(PointHash, MissesTheShareOfPairsThatItSays) {
   EXPECT_NEAR(PointHash::missedFraction(0.005, 0.01), 0.042, 0.01);
 }
 
-TEST(PointHash, TellsWhatItHasCompared) {
+TEST(PointHash, ReportsWhichPairsItHasCompared) {
   const SurfacePoints points = cloud(300, 3, 0.2, 6);
   PointHash hash;
   std::vector<VertexPair> pairs;
@@ -170,7 +170,7 @@ TEST(PointHash, TellsWhatItHasCompared) {
   }
 }
 
-TEST(PointHash, TakesNoneOneAndManyPointsInOnePlace) {
+TEST(PointHash, AcceptsNoneOneAndManyPointsAtOnePosition) {
   EXPECT_TRUE(pairsOf(cloud(1, 1, 0.1, 7), 0.01F).empty());
   SurfacePoints none;
   none.resize(0);
@@ -179,7 +179,7 @@ TEST(PointHash, TakesNoneOneAndManyPointsInOnePlace) {
   EXPECT_TRUE(pairsOf(cloud(40, 1, 0.0, 8), 0.01F).empty());
 }
 
-TEST(HashGrid, GivesEachCellABucketWhereThereAreEnough) {
+TEST(HashGrid, GivesEachCellABucketIfThereAreEnough) {
   const LaneBox box = {{0.0F, 0.0F, 0.0F}, {1.0F, 0.4F, 0.1F}};
   const HashGrid grid = hashGridOver(box, {0.0F, 0.0F, 0.0F}, 0.1F, 30);
   EXPECT_EQ(grid.bits, (std::array<int, 3>{4, 3, 2}));

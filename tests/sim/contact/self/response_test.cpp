@@ -18,7 +18,7 @@ using testing::lanesOf;
 
 constexpr double h = 0.01;
 
-/// Vertices that nothing connects but the triangle that a cloth must have; each of its own mass.
+/// Vertices with different masses, unconnected except for the one triangle that a cloth must have.
 std::shared_ptr<const ClothModel> loosePoints(std::size_t count, const std::vector<int>& pins = {}) {
   ClothMesh mesh;
   for (std::size_t i = 0; i < count; ++i) {
@@ -32,7 +32,7 @@ std::shared_ptr<const ClothModel> loosePoints(std::size_t count, const std::vect
   return model;
 }
 
-/// Points that fly on for a step, x1 = x0 + h v, and then meet.
+/// Points that move freely for a step, x1 = x0 + h v, and then collide.
 struct Flight {
   std::shared_ptr<const ClothModel> model;
   std::vector<Vec3> start;
@@ -47,7 +47,7 @@ struct Flight {
     }
   }
 
-  int meet(const SelfResponse::Inputs& inputs, const std::vector<VertexPair>& pairs) {
+  int collide(const SelfResponse::Inputs& inputs, const std::vector<VertexPair>& pairs) {
     std::vector<ContactPoint> points;
     std::vector<std::uint64_t> scratch;
     ColouredPairs coloured;
@@ -71,38 +71,38 @@ struct Flight {
 constexpr SelfResponse::Inputs smooth = {h, 0.02, {0.0F, 0.0F}};
 constexpr SelfResponse::Inputs rough = {h, 0.02, {0.6F, 0.4F}};
 
-TEST(SelfResponse, StopsTwoThatMeetAtTheThicknessWithoutRebound) {
+TEST(SelfResponse, StopsAPairAtTheThicknessWithoutRebound) {
   Flight flight(loosePoints(3), {Vec3(0, 0, 0), Vec3(0.03, 0, 0), Vec3(9, 9, 9)},
                 {Vec3(2, 0, 0), Vec3(-2, 0, 0), Vec3(0, 0, 0)});
-  EXPECT_EQ(flight.meet(smooth, {{0, 1}}), 1);
+  EXPECT_EQ(flight.collide(smooth, {{0, 1}}), 1);
   EXPECT_NEAR(flight.distance(0, 1), 0.02, 1e-8);
-  // They come to the thickness by the end of this step; in the next they no longer approach.
+  // They reach the thickness at the end of this step; in the next step they no longer approach.
   flight = Flight(flight.model, flight.state.positions, flight.state.velocities);
-  flight.meet(smooth, {{0, 1}});
+  flight.collide(smooth, {{0, 1}});
   EXPECT_NEAR((flight.state.velocities[1] - flight.state.velocities[0]).norm(), 0.0, 1e-5);
   EXPECT_NEAR(flight.state.velocities[0].x(), (0.1 * 2.0 - 0.2 * 2.0) / 0.3, 1e-5);
 }
 
-TEST(SelfResponse, LeavesThoseAloneThatArePartingOrPassBeside) {
+TEST(SelfResponse, IgnoresPairsThatSeparateOrPassEachOther) {
   Flight parting(loosePoints(3), {Vec3(0, 0, 0), Vec3(0.015, 0, 0), Vec3(9, 9, 9)},
                  {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 0)});
-  EXPECT_EQ(parting.meet(rough, {{0, 1}}), 0);
+  EXPECT_EQ(parting.collide(rough, {{0, 1}}), 0);
   Flight beside(loosePoints(3), {Vec3(0, 0, 0), Vec3(0.03, 0.021, 0), Vec3(9, 9, 9)},
                 {Vec3(3, 0, 0), Vec3(-3, 0, 0), Vec3(0, 0, 0)});
   const std::vector<Vec3> before = beside.state.velocities;
-  beside.meet(smooth, {{0, 1}});
+  beside.collide(smooth, {{0, 1}});
   EXPECT_EQ(beside.distance(0, 1), (Vec3(-0.03, 0.021, 0)).norm());
 }
 
-TEST(SelfResponse, HoldsAtTheThicknessOneThatWouldPassThroughTheOther) {
+TEST(SelfResponse, KeepsTheThicknessIfOneWouldPassThroughTheOther) {
   Flight flight(loosePoints(3), {Vec3(0, 0, 0), Vec3(0.025, 0.004, 0), Vec3(9, 9, 9)},
                 {Vec3(10, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)});
-  flight.meet(smooth, {{0, 1}});
+  flight.collide(smooth, {{0, 1}});
   EXPECT_NEAR(flight.distance(0, 1), 0.02, 1e-8);
   EXPECT_GT((flight.state.positions[1] - flight.state.positions[0]).dot(flight.start[1] - flight.start[0]), 0.0);
 }
 
-TEST(SelfResponse, KeepsMomentumInACrowd) {
+TEST(SelfResponse, ConservesMomentumOfManyPairs) {
   testing::RandomVectors random(3);
   std::vector<Vec3> positions;
   std::vector<Vec3> velocities;
@@ -121,7 +121,7 @@ TEST(SelfResponse, KeepsMomentumInACrowd) {
     const Vec3 linear = linearMomentum(*flight.model, flight.state);
     const Vec3 angular = angularMomentum(*flight.model, flight.state, Vec3(1.0, 2.0, 3.0));
     const double energy = flight.kineticEnergy();
-    EXPECT_GT(flight.meet(inputs, pairs), 5);
+    EXPECT_GT(flight.collide(inputs, pairs), 5);
     EXPECT_LT((linearMomentum(*flight.model, flight.state) - linear).norm(), 1e-6);
     EXPECT_LT(flight.kineticEnergy(), energy);
     if (inputs.friction.staticCoefficient == 0.0F) {
@@ -130,36 +130,36 @@ TEST(SelfResponse, KeepsMomentumInACrowd) {
   }
 }
 
-TEST(SelfResponse, MovesOverlapsApartWithoutLeavingAVelocity) {
+TEST(SelfResponse, PushesOverlapsApartWithoutVelocity) {
   Flight flight(loosePoints(3), {Vec3(0, 0, 0), Vec3(0.01, 0, 0), Vec3(9, 9, 9)}, std::vector<Vec3>(3, Vec3(0, 0, 0)));
-  flight.meet(rough, {{0, 1}});
+  flight.collide(rough, {{0, 1}});
   EXPECT_NEAR(flight.distance(0, 1), 0.01 + static_cast<double>(SelfResponse::pushOut) * 0.01, 1e-8);
   EXPECT_EQ(flight.kineticEnergy(), 0.0);
   EXPECT_NEAR(0.1 * flight.state.positions[0].x() + 0.2 * flight.state.positions[1].x(), 0.002, 1e-9);
 }
 
-TEST(SelfResponse, DoesNotMoveWhatIsPinned) {
+TEST(SelfResponse, DoesNotMovePins) {
   Flight flight(loosePoints(3, {0}), {Vec3(0, 0, 0), Vec3(0.03, 0, 0), Vec3(9, 9, 9)},
                 {Vec3(0, 0, 0), Vec3(-3, 0.5, 0), Vec3(0, 0, 0)});
-  flight.meet(rough, {{0, 1}});
+  flight.collide(rough, {{0, 1}});
   EXPECT_EQ(flight.state.positions[0], Vec3(0, 0, 0));
   EXPECT_EQ(flight.state.velocities[0], Vec3(0, 0, 0));
   EXPECT_NEAR(flight.distance(0, 1), 0.02, 1e-4);
 }
 
-/// How fast a point still slides that was pressed against a pinned one at some slope of its velocity.
+/// The remaining slip of a point that hits a pinned one obliquely.
 double slideAfter(double down, double along) {
   Flight flight(loosePoints(3, {0}), {Vec3(0, 0, 0), Vec3(0, 0.02, 0), Vec3(9, 9, 9)},
                 {Vec3(0, 0, 0), Vec3(along, -down, 0), Vec3(0, 0, 0)});
-  flight.meet(rough, {{0, 1}});
+  flight.collide(rough, {{0, 1}});
   return flight.state.velocities[1].x();
 }
 
-TEST(SelfResponse, HoldsWithinTheConeOfStaticFrictionAndSlidesWithKineticBeyond) {
+TEST(SelfResponse, SticksWithinTheConeOfStaticFrictionAndSlidesOutside) {
   EXPECT_NEAR(slideAfter(0.1, 0.059), 0.0, 1e-4);
   for (const double down : {0.1, 0.05}) {
     const double slide = slideAfter(down, 0.2);
-    // What slides aside comes down a little around the other, which takes so much from the impulse.
+    // A sliding point moves down around the other one, which reduces the normal impulse.
     const double round = (0.02 - std::sqrt(0.02 * 0.02 - slide * h * slide * h)) / h;
     EXPECT_NEAR(slide, 0.2 - static_cast<double>(rough.friction.kineticCoefficient) * (down - round), 1e-4);
   }
@@ -175,7 +175,7 @@ TEST(ColouredPairs, ShareNoVertexWithinAColourAndKeepAllPairs) {
     }
   }
   for (int b = 41; b < 140; ++b) {
-    pairs.push_back({40, b});  // more at one vertex than there are colours
+    pairs.push_back({40, b});  // more pairs at one vertex than colours
   }
   std::vector<std::uint64_t> scratch;
   ColouredPairs coloured;
@@ -194,8 +194,8 @@ TEST(ColouredPairs, ShareNoVertexWithinAColourAndKeepAllPairs) {
   EXPECT_EQ(all, pairs);
 }
 
-TEST(SelfResponse, HoldsAStackApart) {
-  // Five in a row are pressed together from both ends.
+TEST(SelfResponse, SeparatesAStack) {
+  // Five points in a row are compressed from both ends.
   std::vector<Vec3> positions;
   std::vector<Vec3> velocities;
   std::vector<VertexPair> pairs;
@@ -207,7 +207,7 @@ TEST(SelfResponse, HoldsAStackApart) {
     }
   }
   Flight flight(loosePoints(5), positions, velocities);
-  flight.meet(smooth, pairs);
+  flight.collide(smooth, pairs);
   for (std::size_t i = 1; i < 5; ++i) {
     EXPECT_GT(flight.distance(i - 1, i), 0.02 - 0.02 * 0.02);
   }

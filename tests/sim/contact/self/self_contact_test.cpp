@@ -18,7 +18,7 @@ namespace {
 
 using testing::sheet;
 
-/// Two sheets of one cloth, the second so far above the first.
+/// Two sheets of one cloth, the second above the first.
 ClothMesh twoSheets(int n, double gap) {
   ClothMesh mesh = sheet(n);
   const int count = n * n;
@@ -49,7 +49,7 @@ StepParameters withSelfCollision() {
   return parameters;
 }
 
-/// A sheet that is held along its middle: its halves swing down and hit each other.
+/// A sheet that is pinned along its middle: its halves swing down and collide.
 struct Fold {
   std::shared_ptr<const ClothModel> model;
   ClothState state;
@@ -73,7 +73,7 @@ struct Fold {
   }
 };
 
-TEST(SelfContact, LeavesAClothAloneThatDoesNotTouchItself) {
+TEST(SelfContact, DoesNotChangeAClothWithoutSelfContact) {
   const auto model = testing::pinnedSheet(9);
   StepParameters parameters = withSelfCollision();
   Stepper with("one_iteration");
@@ -91,16 +91,16 @@ TEST(SelfContact, LeavesAClothAloneThatDoesNotTouchItself) {
   EXPECT_EQ(b.selfContact, nullptr);
 }
 
-/// What two sheets have that flew at each other, in proportion to what they had.
-struct Meeting {
+/// The result of a collision of two sheets, relative to the initial values.
+struct Collision {
   int contacts = 0;
   double linearLost = 0.0;
   double angularLost = 0.0;
-  double nearest = 1e9;  // height of the one over the other in thicknesses
+  double nearest = 1e9;  // minimum height of one over the other, in thicknesses
   double speedApart = 0.0;
 };
 
-Meeting meet(double friction, double stiffness) {
+Collision collide(double friction, double stiffness) {
   const auto model = buildClothModel(twoSheets(7, 0.3), 0.2, MassLumping::Uniform, {});
   ClothState state = stateAtRest(model->restPositions);
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {
@@ -117,37 +117,38 @@ Meeting meet(double friction, double stiffness) {
   const Vec3 linear = linearMomentum(*model, state);
   const Vec3 angular = angularMomentum(*model, state, Vec3::Zero());
   const double thickness = selfThicknessOf(*model, parameters.contact);
-  Meeting meeting;
+  Collision collision;
   for (int i = 0; i < 25; ++i) {
-    meeting.contacts += stepper.step(*model, parameters, {}, state).contact.selfContacts;
+    collision.contacts += stepper.step(*model, parameters, {}, state).contact.selfContacts;
     for (std::size_t v = 0; v < 49; ++v) {
-      meeting.nearest = std::min(meeting.nearest, (state.positions[v + 49].y() - state.positions[v].y()) / thickness);
+      collision.nearest =
+          std::min(collision.nearest, (state.positions[v + 49].y() - state.positions[v].y()) / thickness);
     }
   }
-  meeting.linearLost = (linearMomentum(*model, state) - linear).norm() / linear.norm();
-  meeting.angularLost = (angularMomentum(*model, state, Vec3::Zero()) - angular).norm() / angular.norm();
-  meeting.speedApart = (state.velocities[24 + 49] - state.velocities[24]).y();
-  return meeting;
+  collision.linearLost = (linearMomentum(*model, state) - linear).norm() / linear.norm();
+  collision.angularLost = (angularMomentum(*model, state, Vec3::Zero()) - angular).norm() / angular.norm();
+  collision.speedApart = (state.velocities[24 + 49] - state.velocities[24]).y();
+  return collision;
 }
 
-TEST(SelfContact, TwoSheetsThatMeetInTheAirKeepLinearMomentum) {
+TEST(SelfContact, CollidingSheetsConserveLinearMomentum) {
   for (const double friction : {0.0, 0.4}) {
-    const Meeting meeting = meet(friction, 100.0);
-    EXPECT_GT(meeting.contacts, 50);
-    EXPECT_LT(meeting.linearLost, 1e-6);
-    EXPECT_GT(meeting.nearest, 0.5);
-    EXPECT_LT(std::abs(meeting.speedApart), 0.5);  // of 3 m/s; without rebound they go on together
+    const Collision collision = collide(friction, 100.0);
+    EXPECT_GT(collision.contacts, 50);
+    EXPECT_LT(collision.linearLost, 1e-6);
+    EXPECT_GT(collision.nearest, 0.5);
+    EXPECT_LT(std::abs(collision.speedApart), 0.5);  // of 3 m/s; without rebound they move on together
   }
 }
 
-TEST(SelfContact, TwoSheetsThatMeetWithoutFrictionKeepAngularMomentum) {
-  // Without springs: the step of a spring that turns does not keep it exactly either.
-  const Meeting meeting = meet(0.0, 0.0);
-  EXPECT_GT(meeting.contacts, 50);
-  EXPECT_LT(meeting.angularLost, 1e-6);
+TEST(SelfContact, CollidingSheetsWithoutFrictionConserveAngularMomentum) {
+  // Without springs: the step of a rotating spring does not conserve it exactly either.
+  const Collision collision = collide(0.0, 0.0);
+  EXPECT_GT(collision.contacts, 50);
+  EXPECT_LT(collision.angularLost, 1e-6);
 }
 
-TEST(SelfContact, ASheetThatIsPressedOnAnotherStaysApartByTheThickness) {
+TEST(SelfContact, ASheetPressedOntoAnotherKeepsTheThickness) {
   const auto model = buildClothModel(twoSheets(7, 0.2), 0.2, MassLumping::Uniform, firstVertices(49));
   StepParameters parameters = withSelfCollision();
   parameters.contact.selfThickness = 0.05;
@@ -155,7 +156,7 @@ TEST(SelfContact, ASheetThatIsPressedOnAnotherStaysApartByTheThickness) {
   Stepper stepper("one_iteration");
   for (int i = 0; i < 300; ++i) {
     if (i == 150) {
-      parameters.gravity = 100.0;  // pressed on by ten times its weight
+      parameters.gravity = 100.0;  // ten times its weight
     }
     stepper.step(*model, parameters, {}, state);
   }
@@ -165,7 +166,7 @@ TEST(SelfContact, ASheetThatIsPressedOnAnotherStaysApartByTheThickness) {
   }
 }
 
-TEST(SelfContact, LayersRubAgainstEachOther) {
+TEST(SelfContact, LayersHaveFriction) {
   const auto model = buildClothModel(twoSheets(7, 0.05), 0.2, MassLumping::Uniform, firstVertices(49));
   const auto slide = [&](double friction) {
     StepParameters parameters = withSelfCollision();
@@ -211,7 +212,7 @@ TEST(SelfContact, ACopyOfAStateGoesOnToTheSameBits) {
   EXPECT_EQ(stateHash(fold.state), stateHash(copy.state));
 }
 
-TEST(SelfContact, HardlyMissesAPairOfDifferentChartsThatIsTooNear) {
+TEST(SelfContact, RarelyMissesAPairOfDifferentPatchesThatIsTooClose) {
   StepParameters parameters = withSelfCollision();
   Fold fold(17);
   Stepper stepper("one_iteration");
@@ -247,7 +248,7 @@ TEST(SelfContact, HardlyMissesAPairOfDifferentChartsThatIsTooNear) {
   EXPECT_LT(missed, near / 100);
 }
 
-TEST(SelfContact, GivesNoEnergyToStiffClothUnderASolverThatKeepsIt) {
+TEST(SelfContact, AddsNoEnergyToStiffClothWithAnEnergyConservingSolver) {
   StepParameters parameters = withSelfCollision();
   parameters.timeStep = 1.0 / 150.0;
   parameters.stiffness = 1000.0;
@@ -255,7 +256,7 @@ TEST(SelfContact, GivesNoEnergyToStiffClothUnderASolverThatKeepsIt) {
   Fold fold(17);
   Stepper stepper("auto");
   int contacts = 0;
-  double maximum = 0.0;  // [J]; it starts with none, and falling by its own length sets 1 free
+  double maximum = 0.0;  // [J]; initially 0; a fall by its own length releases 1 J
   for (int step = 0; step < 180; ++step) {
     contacts += fold.run(1, parameters, stepper).selfContacts;
     maximum = std::max(maximum, energyOf(*fold.model, parameters, fold.state).total());
@@ -265,13 +266,13 @@ TEST(SelfContact, GivesNoEnergyToStiffClothUnderASolverThatKeepsIt) {
   EXPECT_GT(stepper.contactSubsteps(), 1);
 }
 
-TEST(SelfContact, PairsThatTheRestShapeConnectsNeverCount) {
+TEST(SelfContact, PairsConnectedAtRestNeverCount) {
   const auto model = buildClothModel(sheet(9), 0.1, MassLumping::Uniform, {});
   StepParameters parameters = withSelfCollision();
   parameters.gravity = 0.0;
   parameters.stiffness = 0.0;
   parameters.contact.selfThickness = 0.3;  // 2.4 edges
-  // Folded to a right angle in the middle, so that there are two patches and all are near the fold.
+  // Folded in the middle, so that there are two patches and all vertices are near the fold.
   ClothState state = stateAtRest(model->restPositions);
   for (Vec3& x : state.positions) {
     const double over = std::max(0.0, x.x() - 0.5);
@@ -289,7 +290,7 @@ TEST(SelfContact, PairsThatTheRestShapeConnectsNeverCount) {
   }
 }
 
-TEST(SelfContact, LeavesAStateThatIsNotFiniteToOthers) {
+TEST(SelfContact, IgnoresAStateThatIsNotFinite) {
   const auto model = testing::pinnedSheet(5);
   ClothState state = stateAtRest(model->restPositions);
   const std::vector<Vec3> start = state.positions;

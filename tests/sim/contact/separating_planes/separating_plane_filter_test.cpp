@@ -7,7 +7,7 @@ namespace {
 
 using Fallback = SeparatingPlaneFilter::Fallback;
 
-/// One vertex that wants to be at `position`.
+/// Applies the filter to one vertex at `position`.
 int filter(const std::vector<SeparatingPlane>& planes, const Fallback& fallback, double bound, Vec3& position) {
   const std::vector<double> inverseMass{1.0};
   const std::vector<double> bounds{bound};
@@ -19,7 +19,7 @@ int filter(const std::vector<SeparatingPlane>& planes, const Fallback& fallback,
   return infeasible;
 }
 
-TEST(SeparatingPlaneFilter, leavesAloneWhatHoldsItsBarriersAndProjectsWhatDoesNot) {
+TEST(SeparatingPlaneFilter, projectsOnlyVerticesThatViolateTheirPlanes) {
   const std::vector<SeparatingPlane> ground{{0, 0, Vec3::UnitY(), 0.0}};
   Vec3 above(0.3, 0.1, 0.0);
   EXPECT_EQ(filter(ground, {Vec3::Zero(), Vec3::Zero()}, 1.0, above), 0);
@@ -29,14 +29,14 @@ TEST(SeparatingPlaneFilter, leavesAloneWhatHoldsItsBarriersAndProjectsWhatDoesNo
   EXPECT_EQ(below, Vec3(0.3, 0.0, 0.0));
 }
 
-TEST(SeparatingPlaneFilter, goesBackNoFartherThanTheSearchedRoomAllows) {
+TEST(SeparatingPlaneFilter, enforcesTheDisplacementBound) {
   Vec3 position(0.9, 0.0, 0.0);
   EXPECT_EQ(filter({}, {Vec3::Zero(), Vec3::Zero()}, 0.5, position), 0);
   EXPECT_NEAR(position.x(), 0.5, 1e-12);
 }
 
-TEST(SeparatingPlaneFilter, takesRefugeWhereTheBodyCarriesTheVertex) {
-  // The ground rose by 0.2 past the vertex, and a wall at an acute angle keeps projections from an end.
+TEST(SeparatingPlaneFilter, usesTheFallbackPosition) {
+  // The ground rose by 0.2 past the vertex, and a wall at an acute angle prevents convergence of the projections.
   const Vec3 wall = Vec3(0.02, -1.0, 0.0).normalized();
   const std::vector<SeparatingPlane> wedge{{0, 0, Vec3::UnitY(), 0.2}, {0, 0, wall, wall.y() * 0.21}};
   Vec3 position(-5.0, 0.0, 0.0);
@@ -46,7 +46,7 @@ TEST(SeparatingPlaneFilter, takesRefugeWhereTheBodyCarriesTheVertex) {
   }
 }
 
-TEST(SeparatingPlaneFilter, findsAPlaceWhereTheRefugeIsNone) {
+TEST(SeparatingPlaneFilter, findsAFeasiblePositionFromAnInfeasibleFallback) {
   const std::vector<SeparatingPlane> corner{{0, 0, Vec3::UnitY(), 0.1}, {0, 0, Vec3(1.0, 0.2, 0.0).normalized(), 0.1}};
   Vec3 position(0.0, -0.3, 0.0);
   EXPECT_EQ(filter(corner, {Vec3::Zero(), Vec3::Zero()}, 0.3, position), 0);
@@ -56,10 +56,10 @@ TEST(SeparatingPlaneFilter, findsAPlaceWhereTheRefugeIsNone) {
   EXPECT_LE(position.norm(), 0.3 + 1e-9);
 }
 
-TEST(SeparatingPlaneFilter, countsAVertexThatHasNoPlace) {
-  const std::vector<SeparatingPlane> press{{0, 0, Vec3::UnitY(), 0.1}, {0, 0, -Vec3::UnitY(), 0.1}};
+TEST(SeparatingPlaneFilter, countsAnInfeasibleVertex) {
+  const std::vector<SeparatingPlane> opposing{{0, 0, Vec3::UnitY(), 0.1}, {0, 0, -Vec3::UnitY(), 0.1}};
   Vec3 position = Vec3::Zero();
-  EXPECT_EQ(filter(press, {Vec3::Zero(), Vec3::Zero()}, 1.0, position), 1);
+  EXPECT_EQ(filter(opposing, {Vec3::Zero(), Vec3::Zero()}, 1.0, position), 1);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A solver that keeps energy, on bodies that put the cloth back where it does not want to be.
-#include "contact/meeting.hpp"
+// An energy-conserving solver with contact, which stretches springs.
+#include "contact/contact_scene.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/measures.hpp"
 #include "test_meshes.hpp"
@@ -10,9 +10,9 @@
 namespace drape {
 namespace {
 
-/// Puts a vertex so near to a side of a triangle that three slivers take its place.
+/// Divides a triangle into slivers by a vertex close to a side.
 void addSliver(ClothMesh& mesh, std::size_t triangle) {
-  constexpr double height = 1e-3;  // of the triangle's [-]
+  constexpr double height = 1e-3;  // over that of the triangle [-]
   const Triangle old = mesh.triangles[triangle];
   const auto at = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(old[k])]; };
   mesh.positions.emplace_back((1.0 - height) * (0.4 * at(0) + 0.6 * at(1)) + height * at(2));
@@ -23,7 +23,7 @@ void addSliver(ClothMesh& mesh, std::size_t triangle) {
 }
 
 /// A stiff free sheet a little above a body.
-testing::Meeting stiffSheetOver(const Body& body, double stiffness, bool sliver = false) {
+testing::ContactScene stiffSheetOver(const Body& body, double stiffness, bool sliver = false) {
   ClothMesh mesh = testing::sheet(17);
   if (sliver) {
     addSliver(mesh, mesh.triangles.size() / 2);
@@ -31,50 +31,50 @@ testing::Meeting stiffSheetOver(const Body& body, double stiffness, bool sliver 
   for (Vec3& position : mesh.positions) {
     position += Vec3(-0.5, 0.33, -0.5);
   }
-  testing::Meeting meeting(buildClothModel(mesh, 0.15, MassLumping::Area, {}), {body}, "auto");
-  meeting.parameters.timeStep = 1.0 / 150.0;
-  meeting.parameters.stiffness = stiffness;
-  meeting.parameters.damping = 0.003;
-  return meeting;
+  testing::ContactScene scene(buildClothModel(mesh, 0.15, MassLumping::Area, {}), {body}, "auto");
+  scene.parameters.timeStep = 1.0 / 150.0;
+  scene.parameters.stiffness = stiffness;
+  scene.parameters.damping = 0.003;
+  return scene;
 }
 
-/// @param mostStretch how much longer than at rest a spring may become, in its lengths
-void expectCalm(const char* what, testing::Meeting meeting, double mostStretch = 0.5) {
-  const double start = energyOf(meeting.model(), meeting.parameters, meeting.state).total();
+/// @param maxAllowedStretch of a spring, in rest lengths
+void expectNoEnergyGain(const char* what, testing::ContactScene scene, double maxAllowedStretch = 0.5) {
+  const double start = energyOf(scene.model(), scene.parameters, scene.state).total();
   double most = start;
   double longest = 0.0;
-  meeting.run(0.6, [&](const StepReport&) {
-    most = std::max(most, energyOf(meeting.model(), meeting.parameters, meeting.state).total());
-    longest = std::max(longest, maxStretch(meeting.model(), meeting.state));
+  scene.run(0.6, [&](const StepReport&) {
+    most = std::max(most, energyOf(scene.model(), scene.parameters, scene.state).total());
+    longest = std::max(longest, maxStretch(scene.model(), scene.state));
   });
   EXPECT_LT(most, start + 0.05) << what << " [J]";
-  EXPECT_LT(longest, mostStretch) << what;
+  EXPECT_LT(longest, maxAllowedStretch) << what;
 }
 
-TEST(AutoOnBodies, keepsStiffClothCalmThatIsPutBackByContact) {
+TEST(AutoOnBodies, doesNotAddEnergyToStiffClothInContact) {
   const Body ball = testing::bodyAt(SphereShape{0.3}, Vec3::Zero());
   const Body box = testing::bodyAt(BoxShape{Vec3(0.25, 0.3, 0.25)}, Vec3::Zero());
   for (const double stiffness : {500.0, 5000.0}) {
-    expectCalm("ball", stiffSheetOver(ball, stiffness));
-    expectCalm("box", stiffSheetOver(box, stiffness));
+    expectNoEnergyGain("ball", stiffSheetOver(ball, stiffness));
+    expectNoEnergyGain("box", stiffSheetOver(box, stiffness));
   }
 }
 
-TEST(AutoOnBodies, takesNoMoreRoundsForTheSakeOfASliver) {
+TEST(AutoOnBodies, needsNoMoreContactSubstepsBecauseOfASliver) {
   const Body box = testing::bodyAt(BoxShape{Vec3(0.25, 0.3, 0.25)}, Vec3::Zero());
-  testing::Meeting even = stiffSheetOver(box, 500.0);
-  testing::Meeting uneven = stiffSheetOver(box, 500.0, true);
-  const auto roundsNearIt = [](testing::Meeting& meeting) {
-    for (int step = 0; step < 15; ++step) {  // it falls by what it is above the box
-      meeting.step();
+  testing::ContactScene even = stiffSheetOver(box, 500.0);
+  testing::ContactScene uneven = stiffSheetOver(box, 500.0, true);
+  const auto substepsNearIt = [](testing::ContactScene& scene) {
+    for (int step = 0; step < 15; ++step) {  // it falls onto the box
+      scene.step();
     }
-    return meeting.stepper().contactSubsteps();
+    return scene.stepper().contactSubsteps();
   };
-  const int rounds = roundsNearIt(even);
-  EXPECT_GT(rounds, 2);
-  EXPECT_LE(roundsNearIt(uneven), rounds + 1);
-  expectCalm("box, with a sliver", std::move(uneven),
-             10.0);  // the side across the sliver has a thousandth of its length
+  const int substeps = substepsNearIt(even);
+  EXPECT_GT(substeps, 2);
+  EXPECT_LE(substepsNearIt(uneven), substeps + 1);
+  expectNoEnergyGain("box, with a sliver", std::move(uneven),
+                     10.0);  // the sliver's height is a thousandth of the triangle's
 }
 
 }  // namespace

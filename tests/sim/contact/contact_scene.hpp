@@ -16,7 +16,7 @@
 
 namespace drape::testing {
 
-/// How many pairs of a cloth's and a body's drawn triangles intersect, by exact arithmetic.
+/// The number of intersecting pairs of a cloth's and a body's drawn triangles, in exact arithmetic.
 inline int intersectingPairs(const ClothModel& model, const std::vector<Vec3>& cloth, const BodySurface& surface,
                              const Pose& pose) {
   std::vector<Vec3> body;
@@ -26,10 +26,10 @@ inline int intersectingPairs(const ClothModel& model, const std::vector<Vec3>& c
   return static_cast<int>(drape::intersectingPairs({cloth, model.triangles}, {body, surface.triangles}).size());
 }
 
-/// A cloth among bodies, moved by any solver.
-class Meeting {
+/// A cloth with bodies and a solver.
+class ContactScene {
  public:
-  Meeting(std::shared_ptr<const ClothModel> model, std::vector<Body> bodies, const std::string& solver = "xpbd")
+  ContactScene(std::shared_ptr<const ClothModel> model, std::vector<Body> bodies, const std::string& solver = "xpbd")
       : model_(std::move(model)),
         world_(std::make_shared<const std::vector<Body>>(std::move(bodies)), 0.0),
         stepper_(solver) {
@@ -43,7 +43,7 @@ class Meeting {
     return stepper_.step(*model_, parameters, inputs, state);
   }
 
-  /// Steps for that time [s] and calls `each(report)` after every step.
+  /// Simulates that time [s] and calls `each(report)` after every step.
   void run(double seconds, const std::function<void(const StepReport&)>& each = {}) {
     const auto steps = static_cast<int>(std::lround(seconds / parameters.timeStep));
     for (int i = 0; i < steps; ++i) {
@@ -78,7 +78,7 @@ class Meeting {
   Stepper stepper_;
 };
 
-/// A body that stands still there.
+/// A body at rest.
 inline Body bodyAt(BodyShape shape, const Vec3& position, const Vec3& rotation = Vec3::Zero()) {
   Body body;
   body.shape = std::move(shape);
@@ -86,7 +86,7 @@ inline Body bodyAt(BodyShape shape, const Vec3& position, const Vec3& rotation =
   return body;
 }
 
-/// A sheet without pins, moved and turned.
+/// A sheet without pins, translated and rotated.
 inline std::shared_ptr<const ClothModel> freeSheet(int n, double size, const Vec3& middle,
                                                    const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
   ClothMesh mesh = sheet(n);
