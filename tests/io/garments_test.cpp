@@ -21,7 +21,7 @@ Surface surfaceOf(const ImportedMesh& mesh) {
   return {mesh.cloth.positions, mesh.cloth.triangles};
 }
 
-/// The longest of all edges over the shortest.
+/// The ratio of the longest and the shortest edge.
 double edgeRatio(const ClothMesh& mesh) {
   double shortest = HUGE_VAL;
   double longest = 0.0;

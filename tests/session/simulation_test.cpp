@@ -149,7 +149,7 @@ TEST(Simulation, takesOneStepAndStaysPaused) {
 
 TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
   auto scene = std::make_shared<Scene>(*smallGrid());
-  scene->settings.step.stiffness = 1e7;  // far beyond what explicit steps of this length carry
+  scene->settings.step.stiffness = 1e7;  // far beyond the stability of explicit steps of this length
   scene->settings.solver.name = "verlet";
   Simulation simulation(scene);
   for (int i = 0; i < 200 && !simulation.paused(); ++i) {

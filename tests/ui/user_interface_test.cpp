@@ -101,7 +101,7 @@ TEST_F(ContactPanelTest, ChangesTheSurfaceOfOneBody) {
   EXPECT_NEAR(simulation_.bodies().surface(1).staticFriction, 0.2, 0.02);
   EXPECT_EQ(simulation_.bodies().surface(1).kineticFriction, simulation_.bodies().surface(1).staticFriction);
   EXPECT_TRUE(typeInto(widget("body.ground.thickness"), "thin").commands.empty());
-  // A right click gives back what the scene says.
+  // A right click restores the value of the scene.
   apply(click(widget("body.ground.thickness"), 0.5, 1));
   EXPECT_EQ(simulation_.bodies().surface(1).thickness, before.thickness);
   EXPECT_EQ(simulation_.bodies().surface(0), simulation_.scene().bodies->at(0).surface) << "the other one's is its own";
@@ -276,7 +276,7 @@ TEST_F(UserInterfaceTest, AClickOnTheStatusLineTellsOfTheSolver) {
 }
 
 TEST_F(UserInterfaceTest, TheStatusLineGrowsForALongMessage) {
-  simulation_.apply(SetSettingCommand{"solver", std::string("auto")});  // which has nothing to complain about
+  simulation_.apply(SetSettingCommand{"solver", std::string("auto")});  // which gives no warning
   settle();
   EXPECT_FALSE(panels_.buttons().contains("overlay.status"));
   stats_.notice =
