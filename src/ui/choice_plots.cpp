@@ -29,7 +29,7 @@ std::optional<double> error(const StepChoice& choice) {
   return choice.error < 0.0 ? std::nullopt : std::optional(1e3 * choice.error);
 }
 
-std::optional<double> gained(const StepChoice& choice) {
+std::optional<double> energyDrift(const StepChoice& choice) {
   return 1e3 * choice.gained;
 }
 
@@ -43,16 +43,16 @@ bool isSofter(const MeasureSample& sample) {
 void choicePlots(const PanelContext& context) {
   const auto& colours = palette().plot;
   const auto& samples = context.memory.measures.samples();
-  const std::array work{PlotCurve{"Substeps", colours[0], chosen<substeps>},
-                        PlotCurve{"Force evaluations", colours[1], chosen<passes>}};
-  timePlot(context, "Chosen", "per step", samples, work);
+  const std::array counts{PlotCurve{"Substeps", colours[0], chosen<substeps>},
+                          PlotCurve{"Force evaluations", colours[1], chosen<passes>}};
+  timePlot(context, "Chosen", "per step", samples, counts);
   if (std::any_of(samples.begin(), samples.end(), isSofter)) {
     const std::array kept{PlotCurve{"Stiffness kept", colours[2], chosen<stiffness>}};
     timePlot(context, "Stiffness scale", "%", samples, kept);
   }
   const std::array errors{PlotCurve{"Estimated error", colours[3], chosen<error>}};
   timePlot(context, "Position error in 0.2 s", "mm", samples, errors);
-  const std::array energy{PlotCurve{"From nowhere", colours[4], chosen<gained>}};
+  const std::array energy{PlotCurve{"Energy drift", colours[4], chosen<energyDrift>}};
   timePlot(context, "Energy drift", "mJ", samples, energy);
 }
 

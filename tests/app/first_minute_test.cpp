@@ -70,7 +70,7 @@ TEST(FirstMinute, MaterialAndAirAreInSightInAnOrdinaryWindow) {
     EXPECT_TRUE(row["visible"].get<bool>()) << key;
     EXPECT_LE(row["y"].get<double>() + row["height"].get<double>(), state["view"]["height"].get<double>()) << key;
   }
-  EXPECT_FALSE(state["widgets"].contains("solver")) << "what is numerical is in Advanced, which is closed";
+  EXPECT_FALSE(state["widgets"].contains("solver")) << "numerical settings are in Advanced, which is closed";
 }
 
 TEST(FirstMinute, EscapeAsksBeforeChangesAreLost) {
@@ -98,7 +98,7 @@ TEST(FirstMinute, EscapeQuitsAtOnceWhereNothingIsLost) {
 TEST(FirstMinute, ARightClickAndResetAllRestoreWhatTheSceneSays) {
   ViewerDriver viewer({"flag"});
   const Json scene = viewer.state()["settings"];
-  ASSERT_NE(scene["wind.x"], 0.0) << "the flag has wind of its own";
+  ASSERT_NE(scene["wind.x"], 0.0) << "the scene flag has wind";
   viewer.click(viewer.find("wind.x", 0.2));
   viewer.waitUntil("another wind", [&](const Json& s) { return s["settings"]["wind.x"] != scene["wind.x"]; });
   viewer.click(viewer.find("wind.x"), 3);

@@ -191,7 +191,7 @@ TEST(Window, AMouseDragMovesABodyWhichSweepsTheClothAlong) {
     return norm(s["bodies"][0]["shift"].get<Vector>() - expected) < 0.02 * norm(expected);
   });
   EXPECT_EQ(moved["camera"], before["camera"]) << "the view stays";
-  EXPECT_TRUE(moved["attachment"].is_null()) << "the cloth is not held";
+  EXPECT_TRUE(moved["attachment"].is_null()) << "there is no attachment";
   viewer.move({std::round(middle.x) + 2.0 * dx, std::round(middle.y)});
   viewer.waitUntil("the cloth to be touched", [](const Json& s) { return s["contacts"]["bodies"] > 0; });
   viewer.release();
@@ -199,7 +199,7 @@ TEST(Window, AMouseDragMovesABodyWhichSweepsTheClothAlong) {
   viewer.move(middle);
   EXPECT_LT(norm(viewer.frames()["bodies"][0]["shift"].get<Vector>() - released["bodies"][0]["shift"].get<Vector>()),
             0.02)
-      << "nobody holds it any more";
+      << "the attachment is gone";
   viewer.key("r");
   viewer.waitUntil("the ball to be back",
                    [](const Json& s) { return norm(s["bodies"][0]["shift"].get<Vector>()) == 0.0; });

@@ -99,7 +99,7 @@ TEST(Report, tellsWhatMovedSinceAnEarlierOne) {
   EXPECT_EQ(moved.status, 3) << moved.errors;
   EXPECT_NE(moved.output.find("10 faster"), std::string::npos) << moved.output;
   EXPECT_EQ(jsonIn(folder)["comparison"]["moved"].size(), 10U);
-  EXPECT_NE(readFile(folder / "report.html").find("What moved"), std::string::npos);
+  EXPECT_NE(readFile(folder / "report.html").find("Changes since an earlier report"), std::string::npos);
 }
 
 TEST(Report, refusesToCompareWithWhatCannotBeCompared) {

@@ -71,7 +71,7 @@ TEST(HardCases, giveExplicitMethodsTheSubstepsThatTheyNeed) {
   const CaseTrial trial(options);
   const Settings soft = trial.settings({"stiffness=10"});
   const Settings stiff = trial.settings({"stiffness=1000"});
-  const auto model = modelOf(sheetCloth(soft, 17, Held::TwoCorners));
+  const auto model = modelOf(sheetCloth(soft, 17, Pinned::TwoCorners));
   EXPECT_EQ(stableSubsteps(*model, soft), 4);  // its limit is 1/240 s, and a step is 1/150 s
   EXPECT_NEAR(stableSubsteps(*model, stiff), 10 * 3.2, 1.0);
   Settings implicit = stiff;

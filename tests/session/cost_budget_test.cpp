@@ -10,9 +10,9 @@ namespace {
 
 constexpr double nanosecond = 1e-9;
 
-StepReport withForceEvaluations(int passes) {
+StepReport withForceEvaluations(int count) {
   StepReport report;
-  report.choice = StepChoice{.passes = passes};
+  report.choice = StepChoice{.passes = count};
   return report;
 }
 
@@ -87,7 +87,7 @@ TEST_F(Budgeting, isLoggedSoThatAReplayTakesTheSameSteps) {
   }
   simulation.apply(SingleStepCommand{});
   simulation.apply(PauseCommand{});  // so that the log contains all steps
-  EXPECT_GT(simulation.log().size(), 7U) << "the work allowed was changed";
+  EXPECT_GT(simulation.log().size(), 7U) << "the cost budget changed";
   EXPECT_LT(simulation.settings().step.work, 1e4);
   Simulation again(scene_);
   again.replay(simulation.log());

@@ -54,7 +54,7 @@ TEST(Ghost, ofTheSameSolverGoesTheSameWay) {
   use(simulation);
   ASSERT_NE(simulation.ghost(), nullptr);
   EXPECT_EQ(stateHash(simulation.ghost()->state()), stateHash(simulation.state()))
-      << "hand, pins, mass and settings are the same for both";
+      << "attachment, pins, mass and settings are the same for both";
 }
 
 TEST(Ghost, beginsWhereTheFirstClothIsAndPartsFromIt) {

@@ -106,7 +106,7 @@ TEST(Simulation, pinsWhatIsHeldWhereItIsAndLetsItGoAgain) {
   Simulation simulation(smallGrid());
   EXPECT_EQ(pinCount(simulation), 2);
   simulation.apply(TogglePinCommand{});
-  EXPECT_EQ(pinCount(simulation), 2) << "nothing is held yet";
+  EXPECT_EQ(pinCount(simulation), 2) << "there is no attachment yet";
   simulation.apply(attachAt(simulation, 70, Vec3(0.0, 0.2, 0.0)));
   for (int i = 0; i < 50; ++i) {
     simulation.step();

@@ -94,7 +94,7 @@ TEST_F(ContactPanelTest, ChangesTheSurfaceOfOneBody) {
   EXPECT_EQ(simulation_.bodies().surface(1).staticFriction, before.staticFriction);
   apply(typeInto(widget("body.ground.kinetic_friction"), "99"));
   settle();
-  EXPECT_EQ(simulation_.bodies().surface(1).kineticFriction, 10.0) << "the most that is allowed";
+  EXPECT_EQ(simulation_.bodies().surface(1).kineticFriction, 10.0) << "the maximum";
   EXPECT_EQ(simulation_.bodies().surface(1).staticFriction, 10.0) << "which is never less";
   apply(drag(widget("body.ground.static_friction"), 0.9, 0.1));
   settle();
