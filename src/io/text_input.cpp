@@ -73,10 +73,10 @@ class Decoder {
     std::array<char, 65536> buffer{};
     while (isOpen() && left > 0) {
       char* out = buffer.data();
-      std::size_t room = buffer.size();
-      const bool done = iconv(handle_, &in, &left, &out, &room) != static_cast<std::size_t>(-1);
+      std::size_t available = buffer.size();
+      const bool done = iconv(handle_, &in, &left, &out, &available) != static_cast<std::size_t>(-1);
       const int problem = done ? 0 : errno;
-      text.append(buffer.data(), buffer.size() - room);
+      text.append(buffer.data(), buffer.size() - available);
       if (problem == EINVAL) {
         break;
       }

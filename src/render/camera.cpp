@@ -26,11 +26,11 @@ CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight, cons
   const double size = std::max(box.diagonal().norm(), smallestSize);
   CameraBounds bounds;
   bounds.lowest = std::min(groundHeight + clearance * size, pose.position.y());
-  const Vec3 room = Vec3::Constant(sideways * size);
-  bounds.focalPoints = Eigen::AlignedBox3d(box.min() - room, box.max() + room);
+  const Vec3 margin = Vec3::Constant(sideways * size);
+  bounds.focalPoints = Eigen::AlignedBox3d(box.min() - margin, box.max() + margin);
   bounds.focalPoints.min().y() = std::min(std::max(bounds.focalPoints.min().y(), bounds.lowest), box.max().y());
   bounds.focalPoints.extend(pose.focalPoint);
-  bounds.farthest = std::max(away * size, viewOffset(pose).norm());
+  bounds.maxDistance = std::max(away * size, viewOffset(pose).norm());
   return bounds;
 }
 
@@ -39,7 +39,7 @@ void Camera::keepWithin(const CameraBounds& bounds) {
   pose_.position += focalPoint - pose_.focalPoint;
   pose_.focalPoint = focalPoint;
   const Vec3 offset = viewOffset(pose_);
-  const double distance = std::min(offset.norm(), bounds.farthest);
+  const double distance = std::min(offset.norm(), bounds.maxDistance);
   if (distance < offset.norm()) {
     pose_.position = pose_.focalPoint + distance * offset.normalized();
   }

@@ -19,7 +19,7 @@ struct Ray {
 struct CameraBounds {
   Eigen::AlignedBox3d focalPoints;  ///< of the focal point [m]
   double lowest = 0.0;              ///< minimum height of the camera [m]
-  double farthest = 400.0;          ///< maximum distance to the focal point [m]
+  double maxDistance = 400.0;       ///< maximum distance to the focal point [m]
 };
 
 /// The bounds for things in `box` [m] on a ground at that height [m]. They always include `pose`, since the author of a

@@ -28,9 +28,9 @@ void Framebuffer::allocate() {
 
 /// Binds the multisampled part with `samples_` samples per pixel; 0: none. False when the driver refuses.
 bool Framebuffer::allocateSamples() {
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_SAMPLES, &most);
-  samples_ = std::clamp(samples_, 0, std::max(most, 0));
+  GLint maxSupported = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &maxSupported);
+  samples_ = std::clamp(samples_, 0, std::max(maxSupported, 0));
   glBindRenderbuffer(GL_RENDERBUFFER, sampledColour_.name());
   glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_RGBA8, width_, height_);
   glBindRenderbuffer(GL_RENDERBUFFER, sampledDepth_.name());

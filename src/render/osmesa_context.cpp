@@ -8,15 +8,15 @@
 #include <cstdint>
 #include <string_view>
 
-// Debian's GLEW asks glXGetProcAddressARB for the functions, and ImGui's OpenGL backend opens libGL for the same name.
-// Neither knows of off-screen Mesa, so a program that draws with it answers that name, and that library, itself.
+// Debian's GLEW gets the functions from glXGetProcAddressARB, and ImGui's OpenGL backend opens libGL for the same name.
+// Neither supports off-screen Mesa, so a program with OSMesa provides this function and redirects that library.
 extern "C" {
 
 __attribute__((visibility("default"))) void (*glXGetProcAddressARB(const unsigned char* name))() {
   return OSMesaGetProcAddress(static_cast<const char*>(static_cast<const void*>(name)));
 }
 
-// The linker's option --wrap asks for these names.
+// The linker's option --wrap needs these names.
 // NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
 void* __real_dlopen(const char* file, int mode);
 void* __wrap_dlopen(const char* file, int mode);
@@ -27,7 +27,7 @@ void* __wrap_dlopen(const char* file, int mode) {
 }
 
 #ifdef DRAPE_SANITIZED
-// OSMesa itself leaks a few hundred bytes a context. Only its own leaks are forgiven.
+// OSMesa leaks a few hundred bytes per context. Only these leaks are suppressed.
 const char* __lsan_default_suppressions();
 __attribute__((visibility("default"))) const char* __lsan_default_suppressions() {
   return "leak:libOSMesa\n";

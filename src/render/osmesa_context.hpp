@@ -7,8 +7,8 @@
 namespace drape {
 
 /// An OpenGL 3.3 core context without a window and without a display: Mesa's off-screen renderer, on the processor.
-/// Pictures are drawn into framebuffer objects; its own framebuffer is a few pixels that nobody looks at.
-/// For programs that link drape_osmesa and do not link drape_window. Throws InputError when it cannot be made.
+/// Pictures are drawn into framebuffer objects; its default framebuffer has a few unused pixels. For programs that link
+/// drape_osmesa and not drape_window. Throws InputError when it cannot be created.
 class OsmesaContext : public GlContext {
  public:
   OsmesaContext();

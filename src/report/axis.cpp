@@ -65,9 +65,9 @@ double Axis::share(double value) const {
 
 void Axis::makeLinear(double lowest, double highest) {
   if (highest == lowest) {
-    const double room = lowest == 0.0 ? 1.0 : std::abs(lowest);
-    lowest -= 0.5 * room;
-    highest += 0.5 * room;
+    const double margin = lowest == 0.0 ? 1.0 : std::abs(lowest);
+    lowest -= 0.5 * margin;
+    highest += 0.5 * margin;
   }
   const double step = niceStep((highest - lowest) / (maxLabels - 2));
   const double first = std::floor(lowest / step + 1e-9);

@@ -190,7 +190,7 @@ Json compareReports(const Json& older, const Report& report) {
 }
 
 std::vector<Block> showComparison(const Json& comparison) {
-  TextTable table{"What moved", {"section", "cell", "figure", "before", "after", "change", "verdict"}, {}};
+  TextTable table{"Changes", {"section", "cell", "figure", "before", "after", "change", "verdict"}, {}};
   for (const Json& row : comparison["moved"]) {
     table.rows.push_back(
         {row.value("section", ""),

@@ -73,14 +73,14 @@ void readUnit(const Settings::Mesh& settings, const FormatFacts& format, double 
   if (!reading.unitGuessed && isUsualSize(reading.metresPerUnit * largestExtent)) {
     return;
   }
-  constexpr std::size_t most = 3;
+  constexpr std::size_t maxAlternatives = 3;
   std::vector<std::string> others{guess.unit};
   others.insert(others.end(), guess.others.begin(), guess.others.end());
   others.emplace_back("m");  // the coordinates taken as they are
   for (const std::string& unit : others) {
     const bool known = std::any_of(reading.alternatives.begin(), reading.alternatives.end(),
                                    [&](const ReadingAlternative& each) { return each.value == unit; });
-    if (!known && unit != reading.unit && reading.alternatives.size() < most) {
+    if (!known && unit != reading.unit && reading.alternatives.size() < maxAlternatives) {
       reading.alternatives.push_back({"unit", unit});
     }
   }

@@ -43,9 +43,9 @@ bool isSofter(const MeasureSample& sample) {
 void choicePlots(const PanelContext& context) {
   const auto& colours = palette().plot;
   const auto& samples = context.memory.measures.samples();
-  const std::array work{PlotCurve{"Substeps", colours[0], chosen<substeps>},
-                        PlotCurve{"Force evaluations", colours[1], chosen<forceEvaluations>}};
-  timePlot(context, "Chosen", "per step", samples, work);
+  const std::array counts{PlotCurve{"Substeps", colours[0], chosen<substeps>},
+                          PlotCurve{"Force evaluations", colours[1], chosen<forceEvaluations>}};
+  timePlot(context, "Chosen", "per step", samples, counts);
   if (std::any_of(samples.begin(), samples.end(), isSofter)) {
     const std::array kept{PlotCurve{"Stiffness scale", colours[2], chosen<stiffnessScale>}};
     timePlot(context, "Stiffness scale", "%", samples, kept);

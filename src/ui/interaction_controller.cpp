@@ -61,8 +61,8 @@ CameraBounds boundsAround(const Snapshot& snapshot, const CameraPose& pose) {
 }  // namespace
 
 void InteractionController::handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output) {
-  const auto* held = std::get_if<Pulling>(&gesture_);
-  if (held != nullptr && held->scene != snapshot.scene) {
+  const auto* pulling = std::get_if<Pulling>(&gesture_);
+  if (pulling != nullptr && pulling->scene != snapshot.scene) {
     gesture_ = Idle{};  // another scene is running, so the attachment is gone
   }
   const auto* moving = std::get_if<MovingBody>(&gesture_);
@@ -176,10 +176,10 @@ void InteractionController::on(const MoveEvent& event, const Snapshot& snapshot,
     moveCamera(snapshot, [&](Camera& camera) { camera.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight); });
   } else if (std::holds_alternative<Panning>(gesture_)) {
     moveCamera(snapshot, [&](Camera& camera) { camera.pan(-moved.x(), moved.y()); });
-  } else if (const auto* held = std::get_if<Pulling>(&gesture_)) {
+  } else if (const auto* pulling = std::get_if<Pulling>(&gesture_)) {
     const Vec2 point = inView(event.position);
     output.commands.emplace_back(
-        MoveAttachmentCommand{camera_.pointAtDepthOf(held->point, point.x(), point.y(), width(), height())});
+        MoveAttachmentCommand{camera_.pointAtDepthOf(pulling->point, point.x(), point.y(), width(), height())});
   } else if (const auto* moving = std::get_if<MovingBody>(&gesture_)) {
     const Vec2 point = inView(event.position);
     const Vec3 target = camera_.pointAtDepthOf(moving->point, point.x(), point.y(), width(), height());

@@ -58,7 +58,7 @@ OverlayStack::OverlayStack(PanelContext& context, const UiRect& view)
   top_ = static_cast<float>(view.y) + padding_;
 }
 
-float OverlayStack::roomBelow() const {
+float OverlayStack::heightBelow() const {
   return std::max(ImGui::GetTextLineHeight(), 0.6F * (bottom_ - top_) - 2.0F * padding_);
 }
 

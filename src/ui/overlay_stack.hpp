@@ -28,7 +28,7 @@ class OverlayStack {
   /// Maximum width of a line of text in a box [window units].
   [[nodiscard]] float textWidth() const { return textWidth_; }
   /// Maximum height of the content of the next or the open box [window units].
-  [[nodiscard]] float roomBelow() const;
+  [[nodiscard]] float heightBelow() const;
 
  private:
   PanelContext& context_;

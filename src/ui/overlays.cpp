@@ -91,7 +91,7 @@ bool errorNotice(PanelContext& context, OverlayStack& stack) {
   const float widest = stack.textWidth() - button - style.ScrollbarSize;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
   // A very long message scrolls.
-  ImGui::BeginChild("text", {size.x + style.ScrollbarSize, std::min(size.y, stack.roomBelow())});
+  ImGui::BeginChild("text", {size.x + style.ScrollbarSize, std::min(size.y, stack.heightBelow())});
   ImGui::PushStyleColor(ImGuiCol_Text, palette().error);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + widest);
   ImGui::TextUnformatted(text.c_str());

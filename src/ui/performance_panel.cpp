@@ -57,10 +57,10 @@ void historyPlot(const PanelContext& context, const History& history) {
   if (history.count() < 2 || top <= 0.0F) {
     return;
   }
-  const float room = size.y - ImGui::GetFontSize() * 1.4F;  // the legend has its own strip at the top
+  const float plotHeight = size.y - ImGui::GetFontSize() * 1.4F;  // the legend has its own strip at the top
   const auto place = [&](int i) {
     const float x = low.x + size.x * static_cast<float>(i) / static_cast<float>(History::capacity - 1);
-    return ImVec2(x, low.y + size.y - 2.0F * context.scale - room * history.at(i) / top);
+    return ImVec2(x, low.y + size.y - 2.0F * context.scale - plotHeight * history.at(i) / top);
   };
   const ImU32 fill = ImGui::GetColorU32(palette().accentFill);
   const float floor = low.y + size.y;

@@ -133,10 +133,10 @@ void readingNotice(PanelContext& context, OverlayStack& stack) {
     return;  // the user has answered, and a scene is being built
   }
   stack.begin("reading");
-  const float room = stack.textWidth() - widthOfButtons(lines);
-  const bool beside = room > 12.0F * ImGui::GetFontSize();
+  const float textWidth = stack.textWidth() - widthOfButtons(lines);
+  const bool beside = textWidth > 12.0F * ImGui::GetFontSize();
   for (const Line& line : lines) {
-    drawLine(context, line, beside ? room : stack.textWidth(), beside);
+    drawLine(context, line, beside ? textWidth : stack.textWidth(), beside);
   }
   stack.end();
 }

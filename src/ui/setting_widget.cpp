@@ -88,9 +88,9 @@ Edit comboWidget(PanelContext& context, const SettingInfo& info, const std::vect
                  const std::string& value) {
   Edit edit{.value = value};
   const auto chosen = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.word == value; });
-  const float room =
+  const float textWidth =
       ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;  // beside the arrow
-  const std::string shown = chosen == choices.end() ? value : fitted(chosen->title, room);
+  const std::string shown = chosen == choices.end() ? value : fitted(chosen->title, textWidth);
   if (ImGui::BeginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const Choice& choice : choices) {
       if (ImGui::Selectable(choice.title.c_str(), choice.word == value) && choice.word != value) {

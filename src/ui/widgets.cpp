@@ -190,9 +190,9 @@ void steadyText(PanelContext& context, const std::string& name, const std::strin
     return;
   }
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec4 room(at.x, at.y, at.x + width, at.y + height);
+  const ImVec4 clip(at.x, at.y, at.x + width, at.y + height);
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ImGui::GetColorU32(colour),
-                                      text.c_str(), nullptr, width, &room);
+                                      text.c_str(), nullptr, width, &clip);
   ImGui::Dummy({width, height});
 }
 

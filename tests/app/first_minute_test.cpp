@@ -1,4 +1,4 @@
-// What somebody meets in the first minute with the window.
+// Tests of the first minute of a new user with the window.
 #include "viewer_driver.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(FirstMinute, TheStatusLineSpeaksOfTheClothAndAClickOnItOfTheSolver) {
 }
 
 TEST(FirstMinute, TheStatusLineSaysThatTheClockIsTooSlow) {
-  // More work than any machine does in time.
+  // Too slow for any machine.
   ViewerDriver viewer({"grid", "--set", "grid.resolution=33", "--set", "solver=newton", "--set", "substeps=30"});
   viewer.waitUntil("the pace",
                    [](const Json& s) { return status(s).find("real time: too slow") != std::string::npos; });
@@ -70,7 +70,7 @@ TEST(FirstMinute, MaterialAndAirAreInSightInAnOrdinaryWindow) {
     EXPECT_TRUE(row["visible"].get<bool>()) << key;
     EXPECT_LE(row["y"].get<double>() + row["height"].get<double>(), state["view"]["height"].get<double>()) << key;
   }
-  EXPECT_FALSE(state["widgets"].contains("solver")) << "what is numerical is in Advanced, which is closed";
+  EXPECT_FALSE(state["widgets"].contains("solver")) << "numerical settings are in Advanced, which is closed";
 }
 
 TEST(FirstMinute, EscapeAsksBeforeChangesAreLost) {
@@ -98,7 +98,7 @@ TEST(FirstMinute, EscapeQuitsAtOnceWhereNothingIsLost) {
 TEST(FirstMinute, ARightClickAndResetAllRestoreWhatTheSceneSays) {
   ViewerDriver viewer({"flag"});
   const Json scene = viewer.state()["settings"];
-  ASSERT_NE(scene["wind.x"], 0.0) << "the flag has wind of its own";
+  ASSERT_NE(scene["wind.x"], 0.0) << "the scene flag has wind";
   viewer.click(viewer.find("wind.x", 0.2));
   viewer.waitUntil("another wind", [&](const Json& s) { return s["settings"]["wind.x"] != scene["wind.x"]; });
   viewer.click(viewer.find("wind.x"), 3);
@@ -176,13 +176,13 @@ TEST(FirstMinute, ADragGoesOnBeyondTheWindowAndEndsThere) {
   // A window that is smaller than the display.
   ViewerDriver viewer({"curtain", "--paused"});
   viewer.resize(900, 600);
-  // Without a window manager the keyboard follows the mouse, unless somebody gives it to a window.
+  // Without a window manager the keyboard focus follows the mouse, unless it is set explicitly.
   viewer.send({"search", "--onlyvisible", "--name", "Drape", "windowfocus"});
   viewer.frames();
   const Place place = viewer.onCloth();
   drag(viewer, place, {1250.0, 780.0});
-  const Json outside =
-      viewer.waitUntil("the attachment", [](const Json& s) { return isAttached(s) && s["attachment"]["distance"] > 0.1; });
+  const Json outside = viewer.waitUntil(
+      "the attachment", [](const Json& s) { return isAttached(s) && s["attachment"]["distance"] > 0.1; });
   viewer.release();
   viewer.waitUntil("the mouse to let go", [](const Json& s) { return !isAttached(s); });
   EXPECT_EQ(outside["step"], 0);

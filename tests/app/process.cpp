@@ -15,7 +15,7 @@ namespace {
 
 constexpr int cannotStart = 127;
 
-/// In the child: never returns.
+/// Runs in the child; never returns.
 [[noreturn]] void become(const ProcessOptions& options, std::vector<char*>& arguments) {
   for (const auto& [name, value] : options.environment) {
     if (value.empty()) {

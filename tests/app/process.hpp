@@ -10,16 +10,16 @@
 
 namespace drape {
 
-/// How to start a program.
+/// Options for starting a program.
 struct ProcessOptions {
   std::vector<std::string> command{};                ///< program and arguments
   std::map<std::string, std::string> environment{};  ///< added to this process's; an empty value removes the variable
-  std::filesystem::path folder{};                    ///< to run in; empty: this process's
-  std::filesystem::path output{};                    ///< file for standard output and error; empty: nowhere
+  std::filesystem::path folder{};                    ///< working directory; empty: this process's
+  std::filesystem::path output{};                    ///< file for standard output and error; empty: discarded
   int inheritedPipe = -1;                            ///< a file descriptor that the program keeps; -1: none
 };
 
-/// A program that runs beside the test. Ended and waited for by the destructor.
+/// A program that runs during the test. The destructor ends it and waits for it.
 class Process {
  public:
   explicit Process(const ProcessOptions& options);
@@ -27,10 +27,10 @@ class Process {
   Process& operator=(const Process&) = delete;
   ~Process();
 
-  /// The exit status once it has ended by itself within that time; nothing when it still runs. 128 and more: a signal.
+  /// The exit status if the program ends within that time, otherwise empty. 128 and more: a signal.
   [[nodiscard]] std::optional<int> waitFor(double seconds);
 
-  /// Stops the program where it is, and lets it go on. What happens to it in between arrives all at once.
+  /// Stops and continues the program. Events in between arrive at once.
   void suspend() const;
   void resume() const;
 
@@ -41,7 +41,7 @@ class Process {
   std::optional<int> status_;
 };
 
-/// Runs a program to its end and gives its exit status.
+/// Runs a program to its end and returns its exit status.
 [[nodiscard]] int runToEnd(const ProcessOptions& options);
 
 }  // namespace drape

@@ -17,7 +17,7 @@
 namespace drape {
 namespace {
 
-constexpr auto patience = std::chrono::seconds(60);  // far more than is needed, for machines under load
+constexpr auto patience = std::chrono::seconds(60);  // ample, for machines under load
 constexpr const char* statusName = "status.json";
 
 std::string contentOf(const std::filesystem::path& file) {
@@ -27,7 +27,7 @@ std::string contentOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// The rectangle of a widget or a button; null when it is not there.
+/// The rectangle of a widget or a button; null when it does not exist.
 Json rectOf(const Json& state, const std::string& name) {
   for (const char* kind : {"widgets", "buttons"}) {
     if (state[kind].contains(name)) {
@@ -61,7 +61,7 @@ VirtualDisplay::VirtualDisplay(const std::string& size) {
       .command = {"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", size, "-nolisten", "tcp", "-noreset"},
       .inheritedPipe = ends[1]});
   close(ends[1]);
-  // The server writes its number once it is ready; when it cannot start, the pipe closes.
+  // The server writes its number when it is ready. When it cannot start, the pipe closes.
   char letter = 0;
   while (::read(ends[0], &letter, 1) == 1 && letter != '\n') {
     name_ += letter;
@@ -83,7 +83,7 @@ ViewerDriver::ViewerDriver(const std::vector<std::string>& arguments, const std:
                                                .environment = {{"DISPLAY", display_.name()}, {"WAYLAND_DISPLAY", ""}},
                                                .folder = folder_.path(),
                                                .output = folder_.path() / "output.txt"});
-  // The first frames fill the panels' layout.
+  // The panels need some frames for their layout.
   waitUntil("the first frames", [](const Json& state) { return state["frame"] >= 3; });
 }
 
@@ -92,7 +92,7 @@ std::optional<Json> ViewerDriver::read() const {
   if (text.empty()) {
     return std::nullopt;
   }
-  return Json::parse(text);  // it is replaced in one piece, so it must always parse
+  return Json::parse(text);  // the file is replaced atomically, so it always parses
 }
 
 Json ViewerDriver::state() {
@@ -154,7 +154,7 @@ void ViewerDriver::move(const Place& place) {
   frames();
 }
 
-// Between going down and coming up there are frames, as there are with a hand: ImGui sees keys and buttons by polling.
+// Frames pass between press and release, as with a real user: ImGui polls keys and buttons.
 void ViewerDriver::press(int button) {
   xdotool({"mousedown", std::to_string(button)});
   frames();
@@ -217,7 +217,7 @@ Place ViewerDriver::find(const std::string& name, double across) {
     const double y = rect["y"].get<double>() + rect["height"].get<double>() / 2.0;
     const double top = now["buttons"]["button.play"]["y"].get<double>() + 60.0;
     const double bottom = now["view"]["height"].get<double>() - 20.0;
-    // Only the sections scroll; what is above them, over the picture or in the status line stays where it is.
+    // Only the sections scroll; widgets above them, over the picture or in the status line do not.
     const bool overPicture = rect["x"].get<double>() >= now["view"]["x"].get<double>();
     const bool inHead = name == "scene.choice" || name == "button.play" || name == "button.step" ||
                         name == "button.reset" || name == "button.reset_all";

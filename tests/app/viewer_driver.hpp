@@ -15,7 +15,7 @@ namespace drape {
 
 using Json = nlohmann::json;
 
-/// A folder that goes away with this object.
+/// A folder that is removed with this object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -28,7 +28,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// A virtual display with nothing on it, on a number that is free.
+/// An empty virtual display with a free number.
 class VirtualDisplay {
  public:
   explicit VirtualDisplay(const std::string& size = "1280x800x24");
@@ -39,13 +39,13 @@ class VirtualDisplay {
   std::unique_ptr<Process> server_;
 };
 
-/// A place in the window.
+/// A position in the window.
 struct Place {
   double x = 0.0;
   double y = 0.0;
 };
 
-/// The viewer on a virtual display, used with mouse and keyboard, and looked at through its state file.
+/// The viewer on a virtual display, controlled with mouse and keyboard, and observed through its status file.
 class ViewerDriver {
  public:
   /// `size` of the window, on a display that is at least as large.
@@ -53,38 +53,38 @@ class ViewerDriver {
 
   /// The newest state.
   [[nodiscard]] Json state();
-  /// Waits until the state satisfies the predicate and gives that state; fails the test, naming `what`, after a while.
+  /// Waits until the state satisfies the predicate and returns it. Fails the test with `what` after a while.
   Json waitUntil(const std::string& what, const std::function<bool(const Json&)>& predicate);
-  /// Waits until so many more frames have been drawn, and gives the state.
+  /// Waits for this number of frames and returns the state.
   Json frames(int count = 3);
 
   void move(const Place& place);
   void press(int button = 1);
   void release(int button = 1);
   void click(const Place& place, int button = 1);
-  /// Two clicks where the mouse is, as quickly as they can be sent.
+  /// Two clicks at the mouse position, as fast as possible.
   void doubleClick();
   void wheel(bool nearer);
-  /// A key that acts when it goes down.
+  /// Presses a key that acts on press.
   void key(const std::string& name);
-  /// The same when the viewer may be gone afterwards.
+  /// The same for a key that may end the viewer.
   void tap(const std::string& name);
   void holdKey(const std::string& name);
   void letKeyGo(const std::string& name);
-  /// Any xdotool command, without waiting for what comes of it.
+  /// Sends any xdotool command without waiting for its effect.
   void send(const std::vector<std::string>& arguments) { xdotool(arguments); }
-  /// Sends xdotool commands while the viewer stands still, as if they came between two frames of a very slow machine.
+  /// Sends xdotool commands while the viewer is stopped, as if they came between two frames of a very slow machine.
   void betweenTwoFrames(const std::vector<std::vector<std::string>>& commands);
-  /// Drops files into the middle of the picture, and gives back whether the window took them.
+  /// Drops files into the middle of the picture. Returns whether the window accepted them.
   [[nodiscard]] bool drop(const std::vector<std::string>& files);
-  /// Gives the window another size.
+  /// Resizes the window.
   void resize(int width, int height);
-  /// Text and Enter into a field that has the keyboard.
+  /// Types text and Enter into the field with the keyboard focus.
   void type(const std::string& text);
 
-  /// Where a widget or a button is, scrolled into sight when need be.
+  /// The position of a widget or a button, scrolled into view if needed.
   Place find(const std::string& name, double across = 0.5);
-  /// A place where the cloth can be taken, and one beside it.
+  /// A position on the cloth, and one beside it.
   Place onCloth();
   Place besideCloth();
 

@@ -45,7 +45,7 @@ double cameraDistance(const Json& state) {
   return norm(state["camera"]["position"].get<Vector>() - state["camera"]["focal_point"].get<Vector>());
 }
 
-/// How far the hand must have moved in the world when the mouse has moved by so many window units.
+/// The expected motion of the target in the world for a mouse motion in window units.
 Vector expectedMove(const Json& state, const Vector& taken, double dx, double dy) {
   const auto eye = state["camera"]["position"].get<Vector>();
   const Vector forward = normalized(state["camera"]["focal_point"].get<Vector>() - eye);
@@ -65,7 +65,7 @@ bool isAttached(const Json& state) {
   return !state["attachment"].is_null();
 }
 
-/// Takes the cloth at a place and waits until the simulation says so.
+/// Presses on the cloth and waits until the simulation has the attachment.
 Json takeCloth(ViewerDriver& viewer, const Place& place) {
   viewer.move(place);
   viewer.press();
@@ -84,8 +84,9 @@ TEST_P(Pulling, TheHeldPointFollowsTheMouse) {
   constexpr double dx = 70.0;
   constexpr double dy = -45.0;
   viewer.move({place.x + dx, place.y + dy});
-  const Json moved = viewer.waitUntil(
-      "the target", [&](const Json& s) { return isAttached(s) && norm(s["attachment"]["target"].get<Vector>() - start) > 1e-3; });
+  const Json moved = viewer.waitUntil("the target", [&](const Json& s) {
+    return isAttached(s) && norm(s["attachment"]["target"].get<Vector>() - start) > 1e-3;
+  });
   const Vector expected = expectedMove(moved, start, dx, dy);
   const Vector actual = moved["attachment"]["target"].get<Vector>() - start;
   EXPECT_LT(norm(actual - expected), 0.01 * norm(expected));
@@ -138,7 +139,7 @@ TEST(Window, PPinsWhatIsHeldAndLetsItGoAgain) {
   viewer.waitUntil("one pin less", [&](const Json& s) { return s["pins"] == pins; });
 }
 
-/// A scene file in a folder of its own.
+/// A scene file in its own folder.
 class SceneFile {
  public:
   explicit SceneFile(const char* text) { std::ofstream(path()) << text; }
@@ -181,7 +182,7 @@ TEST(Window, AMouseDragMovesABodyWhichSweepsTheClothAlong) {
   viewer.move(middle);
   viewer.press();
   viewer.move({std::round(middle.x) + dx, std::round(middle.y)});
-  // The mouse has it where the ray through its middle enters it.
+  // The mouse hits the ball where the ray through its centre enters it.
   const auto centre = ball["position"].get<Vector>();
   const Vector towardsEye = normalized(before["camera"]["position"].get<Vector>() - centre);
   const Vector expected = expectedMove(before, centre + 0.12 * towardsEye, dx, 0.0);
@@ -190,7 +191,7 @@ TEST(Window, AMouseDragMovesABodyWhichSweepsTheClothAlong) {
     return norm(s["bodies"][0]["shift"].get<Vector>() - expected) < 0.02 * norm(expected);
   });
   EXPECT_EQ(moved["camera"], before["camera"]) << "the view stays";
-  EXPECT_TRUE(moved["attachment"].is_null()) << "the cloth is not held";
+  EXPECT_TRUE(moved["attachment"].is_null()) << "there is no attachment";
   viewer.move({std::round(middle.x) + 2.0 * dx, std::round(middle.y)});
   viewer.waitUntil("the cloth to be touched", [](const Json& s) { return s["contacts"]["bodies"] > 0; });
   viewer.release();
@@ -198,7 +199,7 @@ TEST(Window, AMouseDragMovesABodyWhichSweepsTheClothAlong) {
   viewer.move(middle);
   EXPECT_LT(norm(viewer.frames()["bodies"][0]["shift"].get<Vector>() - released["bodies"][0]["shift"].get<Vector>()),
             0.02)
-      << "nobody holds it any more";
+      << "the attachment is gone";
   viewer.key("r");
   viewer.waitUntil("the ball to be back",
                    [](const Json& s) { return norm(s["bodies"][0]["shift"].get<Vector>()) == 0.0; });
@@ -238,7 +239,8 @@ TEST(Window, ClothPulledOverABodySlidesOnIt) {
     viewer.move({place.x + 20.0 * i, place.y});
   }
   const Json pulled = viewer.waitUntil("the cloth to follow", [&](const Json& s) {
-    return isAttached(s) && s["attachment"]["distance"] < 0.02 && s["attachment"]["point"].get<Vector>()[0] > taken[0] + 0.2;
+    return isAttached(s) && s["attachment"]["distance"] < 0.02 &&
+           s["attachment"]["point"].get<Vector>()[0] > taken[0] + 0.2;
   });
   EXPECT_GT(pulled["contacts"]["bodies"], 0) << "it still lies on the table";
   EXPECT_LT(pulled["max_stretch"], 0.2) << "it slides as a whole";
@@ -360,7 +362,7 @@ TEST(Window, DoubleClickLooksAtThePoint) {
     return norm(s["camera"]["focal_point"].get<Vector>() - point) < 0.02 * cameraDistance(s);
   };
   ASSERT_FALSE(looksAtIt(before));
-  // Two clicks within a third of a second; under load the second may come too late, as with a slow hand.
+  // Two clicks within a third of a second; under load the second may be too late, so try again.
   for (int attempt = 0; attempt < 20 && !looksAtIt(viewer.state()); ++attempt) {
     viewer.doubleClick();
   }
@@ -379,12 +381,12 @@ TEST(Window, ASceneIsBuiltAgainWhenItsMeshChanges) {
   });
 }
 
-/// Opens the list of a choice and clicks on one of its words.
+/// Opens the list of a choice and clicks one of its words.
 void pickFromList(ViewerDriver& viewer, const std::string& key, const std::string& word) {
   const std::string entry = key + "=" + word;
   viewer.click(viewer.find(key));
   viewer.waitUntil("the list", [&](const Json& s) { return s["buttons"].contains(entry); });
-  const Json rect = viewer.frames()["buttons"][entry];  // a list finds its place in its second frame
+  const Json rect = viewer.frames()["buttons"][entry];  // a list gets its position in its second frame
   viewer.click({rect["x"].get<double>() + 10.0, rect["y"].get<double>() + rect["height"].get<double>() / 2.0});
 }
 
@@ -420,7 +422,7 @@ TEST(Window, AnotherSceneIsOpenedFromTheList) {
   ViewerDriver viewer({"grid", "--paused"});
   viewer.click(viewer.find("scene.choice"));
   viewer.waitUntil("the list", [](const Json& s) { return s["buttons"].contains("scene.choice=flag"); });
-  const Json list = viewer.frames();  // a list finds its place in its second frame
+  const Json list = viewer.frames();  // a list gets its position in its second frame
   const Json& entry = list["buttons"]["scene.choice=flag"];
   viewer.click({entry["x"].get<double>() + 10.0, entry["y"].get<double>() + 5.0});
   const Json flag = viewer.waitUntil("the flag", [](const Json& s) { return s["scene"] == "flag"; });
@@ -501,7 +503,7 @@ TEST(Window, EscapeLetsGoFirstAndQuitsThen) {
   EXPECT_EQ(viewer.process().waitFor(60.0), 0);
 }
 
-/// Runs the viewer without any display and gives its exit status and what it said.
+/// Runs the viewer without any display and returns its exit status and its messages.
 std::pair<int, std::string> runWithoutDisplay(const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;
   std::vector<std::string> command{DRAPE_PROGRAM};

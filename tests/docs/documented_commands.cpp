@@ -11,7 +11,7 @@
 namespace drape::testing {
 namespace {
 
-/// What follows the program's name in `text`, as a command; nothing when it calls none of the project's programs.
+/// Parses a command line; empty when it calls none of the project's programs.
 std::optional<DocumentedCommand> parse(const std::string& page, int line, std::string text) {
   static const std::regex shape(
       R"(^(scripts/|build/release/bin/)?(drape[a-z-]*|drape_bench|[a-z_]+_tests|cmake|ctest|[a-z-]+)( +\S.*)$)");
@@ -48,7 +48,7 @@ std::vector<std::string> codeSpans(const std::string& line) {
   return spans;
 }
 
-/// Goes through the lines of a page.
+/// Reads the lines of a page.
 class Page {
  public:
   Page(std::string name, const std::string& markdown) : name_(std::move(name)), stream_(markdown) {}
@@ -108,7 +108,7 @@ std::vector<DocumentedCommand> commandsIn(const std::string& page, const std::st
 
 std::vector<DocumentedCommand> documentedCommands(const std::filesystem::path& root) {
   std::vector<std::filesystem::path> pages{root / "README.md", root / "CONTRIBUTING.md"};
-  // The records in docs/experiments keep the commands of their day.
+  // The records in docs/experiments keep their original commands.
   for (const char* folder : {"docs", "docs/guide", "docs/theory"}) {
     for (const auto& entry : std::filesystem::directory_iterator(root / folder)) {
       if (entry.path().extension() == ".md") {

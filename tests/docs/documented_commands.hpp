@@ -7,19 +7,20 @@
 
 namespace drape::testing {
 
-/// A command line that the documentation prints.
+/// A command line in the documentation.
 struct DocumentedCommand {
   std::string page;     ///< the Markdown file, relative to the project's root
-  int line = 0;         ///< where it begins, counted from 1
+  int line = 0;         ///< of its start, from 1
   std::string program;  ///< first word, without its folder: "drape-headless", "run" for scripts/run
   bool script = false;  ///< the first word is in scripts/
   std::string text;     ///< the whole command line, continued lines joined, without a comment
-  /// It cannot be run as it stands: it has placeholders (`[SCENE|MESH]`, `--seconds T`, `...`), or names a subcommand
-  /// and nothing more (`drape-headless measure`).
+  /// It cannot be run as it is: it has placeholders (`[SCENE|MESH]`, `--seconds T`, `...`), or contains only a
+  /// subcommand
+  /// (`drape-headless measure`).
   bool synopsis = false;
 };
 
-/// For Google Test's messages: page, line and text.
+/// For messages of Google Test: page, line and text.
 std::ostream& operator<<(std::ostream& stream, const DocumentedCommand& command);
 
 /// The commands of README.md, CONTRIBUTING.md, the guide and the theory that call one of the project's programs or

@@ -1,4 +1,4 @@
-// Every command that the documentation prints is tried, so that a reader can copy it.
+// Tries every command of the documentation, so that readers can copy it.
 #include "documented_commands.hpp"
 #include "process.hpp"
 #include "viewer_driver.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int longestRun = 15;     // seconds after which a command counts as one that runs
+constexpr int longestRun = 15;     // a command that runs this long works [s]
 constexpr int timedOut = 124;      // status of timeout(1)
 constexpr double patience = 90.0;  // for a window on a machine under load [s]
 
@@ -26,7 +26,7 @@ std::string contentOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// "README_14_run": names a command among the tests.
+/// The name of a command among the tests: "README_14_run".
 std::string testName(const ::testing::TestParamInfo<DocumentedCommand>& info) {
   std::string name = info.param.page + "_" + std::to_string(info.param.line) + "_" + info.param.program + "_" +
                      std::to_string(info.index);
@@ -36,7 +36,7 @@ std::string testName(const ::testing::TestParamInfo<DocumentedCommand>& info) {
   return name;
 }
 
-/// A folder with the files that examples name: a T-shirt in centimetres and a scene.
+/// Creates the files of the examples: a T-shirt in centimetres and a scene.
 void addExampleFiles(const fs::path& folder) {
   std::ifstream metres(fs::path(DRAPE_SOURCE) / "assets/meshes/tshirt.obj");
   std::ofstream shirt(folder / "shirt.obj");
@@ -95,7 +95,7 @@ class Documentation : public ::testing::TestWithParam<DocumentedCommand> {
     EXPECT_TRUE(status == 0 || status == timedOut || failsCases) << "status " << status << ": " << contentOf(output());
   }
 
-  /// Each of the filter's patterns names a test; CTest runs the tests themselves.
+  /// Checks that each pattern of the filter matches a test; CTest runs the tests themselves.
   void findTests(const DocumentedCommand& command) {
     std::smatch filter;
     ASSERT_TRUE(std::regex_search(command.text, filter, std::regex("--gtest_filter='?([^' ]+)")));
@@ -116,7 +116,7 @@ class Documentation : public ::testing::TestWithParam<DocumentedCommand> {
     EXPECT_NE(contentOf(output()).find('"' + preset[1].str() + '"'), std::string::npos) << contentOf(output());
   }
 
-  /// The options that a synopsis names are in the program's help.
+  /// Checks that the options of a synopsis are in the program's help.
   void findOptions(const DocumentedCommand& command) {
     std::istringstream words(command.text);
     std::string program;
@@ -140,7 +140,7 @@ TEST_P(Documentation, printsCommandsThatWork) {
   SCOPED_TRACE(command);
   const bool window = (command.script && command.program == "run") || (!command.script && command.program == "drape");
   if (command.script && !window) {
-    // They install, build or measure for minutes, or run these tests.
+    // These scripts install, build or measure for minutes, or run these tests.
     const fs::path script = fs::path(DRAPE_SOURCE) / "scripts" / command.program;
     EXPECT_EQ(shell("test -x " + script.string() + " && bash -n " + script.string()), 0) << "there is no such script";
   } else if (command.program == "cmake" || command.program == "ctest") {

@@ -37,7 +37,7 @@ TEST(Measure, findsNoErrorInTheReferenceItself) {
   const auto json = measurementOf("--seconds 0.1 --against same_step --reference-set solver=one_iteration");
   EXPECT_EQ(json["checkpoints"][2]["mean_error"], 0.0);
   EXPECT_EQ(json["reference"]["kind"], "same_step");
-  EXPECT_GT(json["reference"]["largest_step_residual"], 1e-6);  // one sweep does not solve the step, and it shows
+  EXPECT_GT(json["reference"]["largest_step_residual"], 1e-6);  // one sweep does not solve the step
 }
 
 TEST(Measure, tellsHowFarTheConvergedReferenceIsFromHalfItsStep) {
@@ -59,7 +59,7 @@ TEST(Measure, holdsOneIterationAgainstBothReferences) {
   EXPECT_LT(solved["reference"]["largest_step_residual"], 1e-8);
   EXPECT_EQ(converged["reference"]["solver"], "verlet");
   EXPECT_EQ(converged["reference"]["doubt"], "");
-  // The time step's own error is in the one and not in the other.
+  // Only the converged reference shows the error of the time step.
   EXPECT_LT(10.0 * solved["checkpoints"][0]["mean_error"].get<double>(), converged["checkpoints"][0]["mean_error"]);
 }
 

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-/// What every command promises about its output and its exit status.
+/// Output and exit status of all commands.
 namespace drape::testing {
 namespace {
 
@@ -70,7 +70,7 @@ TEST(StandardOutput, ofAReaderThatHasEnoughIsNoConcernOfErrors) {
 }
 
 TEST(FileNames, mayBeAnyBytes) {
-  // A folder, a mesh and files whose names are no UTF-8.
+  // A folder, a mesh and files whose names are not UTF-8.
   const auto folder = testFolder() / "caf\xE9 \xFF";
   std::filesystem::create_directories(folder);
   const auto mesh = folder / "t\xFCr.obj";

@@ -5,7 +5,7 @@
 
 namespace drape::testing {
 
-/// What a program left behind.
+/// The result of a program.
 struct Outcome {
   int status = -1;     ///< exit status
   std::string output;  ///< standard output
@@ -15,7 +15,7 @@ struct Outcome {
 /// Runs drape-headless with arguments as a shell splits them.
 [[nodiscard]] Outcome headless(const std::string& arguments);
 
-/// The same with standard output redirected as a shell has it: ">/dev/full", ">&-". `output` stays empty.
+/// The same with redirected standard output, in shell syntax: ">/dev/full", ">&-". `output` stays empty.
 [[nodiscard]] Outcome headlessInto(const std::string& redirection, const std::string& arguments);
 
 /// The same for drape-report.
@@ -27,10 +27,10 @@ struct Outcome {
 /// Runs drape-report, as above.
 [[nodiscard]] Outcome report(const std::string& arguments);
 
-/// The same, but it is sent SIGINT (Ctrl-C) after so many seconds.
+/// The same, interrupted by SIGINT (Ctrl-C) after this number of seconds.
 [[nodiscard]] Outcome interruptedReport(int seconds, const std::string& arguments);
 
-/// A fresh folder for the running test.
+/// A new folder for the running test.
 [[nodiscard]] std::filesystem::path testFolder();
 
 [[nodiscard]] std::string readFile(const std::filesystem::path& file);

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// One whole quick report, which all the tests below read.
+/// One complete quick report, which all tests below read.
 class QuickReport : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -30,7 +30,7 @@ class QuickReport : public ::testing::Test {
 
   void SetUp() override { ASSERT_EQ(status_, 0); }
 
-  /// Rows of a section for which `isWanted` holds.
+  /// The rows of a section that satisfy `isWanted`.
   template <typename Predicate>
   static std::vector<Json> rows(const char* section, const Predicate& isWanted) {
     std::vector<Json> found;
@@ -105,7 +105,7 @@ TEST_F(QuickReport, holdsToItsSchema) {
 }
 
 TEST_F(QuickReport, findsNoSolveErrorWhereASolveConverged) {
-  // Different methods that solve the same step to the end come to the same place; what is left is the step's error.
+  // Methods that solve the same step to convergence agree; the remaining error is that of the step.
   const double newton = soft("newton", "substeps=1 tolerance=1e-6 derivative=exact max_iterations=50");
   EXPECT_NEAR(soft("vbd", "iterations=10") / newton, 1.0, 0.02);
   EXPECT_NEAR(soft("local_global", "iterations=10") / newton, 1.0, 0.02);
@@ -129,7 +129,7 @@ TEST_F(QuickReport, readsTheOrderOfConvergenceOffTheCurves) {
 }
 
 TEST_F(QuickReport, findsVerletAheadOnSoftClothAndAbsentOnStiff) {
-  // The most exact setting of all on soft cloth is one of Verlet's, or one of what takes Verlet there and more ...
+  // The most accurate setting on soft cloth is one of Verlet or of a higher-order relative ...
   auto soft = rows("work_precision", [](const Json& row) {
     return row["scene"] == "hang" && row["stiffness"] == 10.0 && row["time"] == 0.2 && row["state"] == "calm";
   });
@@ -138,7 +138,7 @@ TEST_F(QuickReport, findsVerletAheadOnSoftClothAndAbsentOnStiff) {
     return a["error_mean"].get<double>() < b["error_mean"].get<double>();
   });
   EXPECT_TRUE((*best)["method"] == "verlet" || (*best)["method"] == "auto") << *best;
-  // ... and on stiff cloth none of its short lists stays whole.
+  // ... and on stiff cloth all settings of its short lists explode.
   const auto stiff = rows("work_precision", [](const Json& row) {
     return row["scene"] == "hang" && row["stiffness"] == 1e5 && row["method"] == "verlet";
   });
@@ -194,7 +194,7 @@ TEST_F(QuickReport, namesAsCheapestWhatIsCheapestInItsOwnRows) {
   EXPECT_GT(named, 3);
 }
 
-/// The browser's command, or nothing where there is none.
+/// The command of a browser; empty when there is none.
 std::string browser() {
   for (const char* name : {"chromium", "google-chrome", "chromium-browser"}) {
     if (std::system((std::string("command -v ") + name + " >/dev/null 2>&1").c_str()) == 0) {
@@ -212,7 +212,7 @@ TEST_F(QuickReport, opensInABrowser) {
   const auto page = folder_ / "report.html";
   const auto dom = folder_ / "dom.html";
   const auto log = folder_ / "browser.log";
-  // The page is asked how wide it is laid out, and whether each picture has a size.
+  // A script in the page reports its layout width and the size of each picture.
   const auto probe = folder_ / "probe.html";
   std::string html = readFile(page);
   const std::string script =

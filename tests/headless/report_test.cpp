@@ -64,7 +64,7 @@ TEST(Report, measuresNothingAgainWhenItGoesOn) {
 
 TEST(Report, writesWhatItHasWhenItIsInterrupted) {
   const auto folder = testFolder();
-  // A full measurement of the frame update takes half a minute by its plan.
+  // A full measurement of the frame update takes half a minute.
   const Outcome outcome = interruptedReport(1, "--only table1 --output " + folder.string());
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.errors.find("--resume"), std::string::npos) << outcome.errors;
@@ -80,7 +80,7 @@ TEST(Report, tellsWhatMovedSinceAnEarlierOne) {
   const std::string arguments = "--quick --only table1 --output " + folder.string();
   ASSERT_EQ(report(arguments).status, 0);
   const std::string file = (folder / "report.json").string();
-  // Measured again in the same second or not, the figures of --resume are the same.
+  // --resume keeps the same values, whether or not it measures again.
   const Outcome same = report(arguments + " --resume --compare " + file);
   EXPECT_EQ(same.status, 0) << same.errors;
   EXPECT_NE(same.output.find("0 changed beyond noise"), std::string::npos) << same.output;
@@ -99,7 +99,7 @@ TEST(Report, tellsWhatMovedSinceAnEarlierOne) {
   EXPECT_EQ(moved.status, 3) << moved.errors;
   EXPECT_NE(moved.output.find("10 faster"), std::string::npos) << moved.output;
   EXPECT_EQ(jsonIn(folder)["comparison"]["moved"].size(), 10U);
-  EXPECT_NE(readFile(folder / "report.html").find("What moved"), std::string::npos);
+  EXPECT_NE(readFile(folder / "report.html").find("Changes since an earlier report"), std::string::npos);
 }
 
 TEST(Report, refusesToCompareWithWhatCannotBeCompared) {

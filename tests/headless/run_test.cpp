@@ -223,7 +223,7 @@ TEST(Run, countsIntersectingTrianglesOnlyWhenAsked) {
 }
 
 TEST(Run, findsTheStepAtWhichMostTrianglesIntersect) {
-  // A triangle that is held at its top, and one that falls through the space below it.
+  // A triangle pinned at its top, and one that falls through the space below it.
   auto folder = testFolder();
   folder += "_scene";  // statsOf empties the other one
   std::filesystem::create_directories(folder);
@@ -236,12 +236,12 @@ TEST(Run, findsTheStepAtWhichMostTrianglesIntersect) {
   const std::string command = scene.string() + " --check-intersections 1 --seconds ";
   const auto before = statsOf(command + "0.15");
   EXPECT_EQ(before["intersecting_pairs_max"], 0);
-  // The lower tip is 0.2 m above the held triangle and falls h^2 g n (n + 1) / 2 in n steps: past it in the 20th.
+  // The lower tip is 0.2 m above the pinned triangle and falls h^2 g n (n + 1) / 2 in n steps: past it in the 20th.
   const auto within = statsOf(command + "0.25");
   EXPECT_EQ(within["intersecting_pairs_max"], 1);
   EXPECT_EQ(within["intersecting_pairs_final"], 1);
   EXPECT_EQ(within["intersecting_pairs_worst_step"], 20);
-  // Its upper edge is 0.5 m above: through in the 32nd.
+  // Its upper edge is 0.5 m above and passes in the 32nd step.
   const auto after = statsOf(command + "0.4");
   EXPECT_EQ(after["intersecting_pairs_max"], 1);
   EXPECT_EQ(after["intersecting_pairs_final"], 0);

@@ -38,7 +38,7 @@ double smallestAngle(const FlatMesh& mesh) {
   return smallest;
 }
 
-/// A square of one metre with a half round bite out of its upper side.
+/// A square of one metre with a half disc cut out of its upper side.
 Outline bittenSquare() {
   Outline outline({-0.5, 0.0}, edgeLength);
   outline.lineTo({0.5, 0.0}, true);

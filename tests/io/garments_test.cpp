@@ -1,7 +1,7 @@
 #include "io/garments/garments.hpp"
 
-#include "io/mesh_import.hpp"
 #include "intersection/intersections.hpp"
+#include "io/mesh_import.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -21,7 +21,7 @@ Surface surfaceOf(const ImportedMesh& mesh) {
   return {mesh.cloth.positions, mesh.cloth.triangles};
 }
 
-/// The longest of all edges over the shortest.
+/// The ratio of the longest and the shortest edge.
 double edgeRatio(const ClothMesh& mesh) {
   double shortest = HUGE_VAL;
   double longest = 0.0;

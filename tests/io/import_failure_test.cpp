@@ -24,7 +24,7 @@ std::string problemOf(std::string_view name, std::string_view bytes) {
   return inputErrorOf([&] { (void)importMeshFromMemory(name, bytes, {}); });
 }
 
-/// Bytes that look random and are always the same.
+/// Pseudo-random bytes, the same in every run.
 std::string noise(std::size_t count) {
   std::string bytes;
   std::uint64_t state = 12345;
@@ -35,7 +35,7 @@ std::string noise(std::size_t count) {
   return bytes;
 }
 
-/// A folder of its own, removed at the end.
+/// A separate folder, removed at the end.
 class ImportFailure : public testing::Test {
  protected:
   void SetUp() override {
@@ -54,14 +54,14 @@ class ImportFailure : public testing::Test {
     return folder_ / name;
   }
 
-  /// Puts a shell script in the import program's place.
+  /// Replaces the import program by a shell script.
   void pretendReader(const std::string& script) {
     const fs::path program = write("reader", "#!/bin/sh\n" + script + "\n");
     fs::permissions(program, fs::perms::owner_all);
     setenv("DRAPE_MESH_IMPORT", program.c_str(), 1);
   }
 
-  /// The message for a sound file.
+  /// The message for a valid file.
   static std::string problemOfSoundFile(double timeLimit = 0.0) {
     ImportOptions options;
     options.timeLimit = timeLimit;
@@ -113,7 +113,8 @@ TEST_F(ImportFailure, listsTheFormatsForAnUnknownEnding) {
 }
 
 TEST_F(ImportFailure, saysWhatToExportInsteadOfAFormatThatIsNotRead) {
-  EXPECT_TRUE(contains(problemOfFile(write("a.fbx", "x")), "a.fbx: '.fbx' files are not supported. Open it in Blender"));
+  EXPECT_TRUE(
+      contains(problemOfFile(write("a.fbx", "x")), "a.fbx: '.fbx' files are not supported. Open it in Blender"));
   EXPECT_TRUE(contains(problemOfFile(write("a.DAE", "x")), "'.dae' files are not supported"));
   EXPECT_TRUE(contains(problemOfFile(write("a.zprj", "x")), "Marvelous Designer and export the garment as OBJ"));
 }
@@ -196,7 +197,7 @@ TEST_F(ImportFailure, cancelsWhileTheReaderWorks) {
   later.join();
 }
 
-/// No message is long, has control characters, or comes without the name of the file.
+/// Checks that a message is short, has no control characters, and contains the file name.
 void expectGoodMessage(const std::string& name, const std::string& message) {
   EXPECT_LT(message.size(), 400U) << message;
   EXPECT_TRUE(contains(message, name + ": ")) << message;

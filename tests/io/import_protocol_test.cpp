@@ -56,7 +56,7 @@ TEST(ImportProtocol, refusesCountsThatDoNotFitTheAnswer) {
       std::string changed = whole;
       std::memcpy(changed.data() + 8 * field, &value, sizeof(value));
       if (field == 4 && value == 4) {
-        continue;  // A number of skipped faces like any other.
+        continue;  // a valid number of skipped faces
       }
       EXPECT_THROW((void)decodeReply(changed), InputError) << "field " << field;
     }

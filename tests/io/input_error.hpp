@@ -7,7 +7,7 @@
 
 namespace drape {
 
-/// The message of the InputError that `action` throws; empty, and a failure, when it throws none.
+/// The message of the InputError that `action` throws; empty, with a test failure, when it throws none.
 template <typename Action>
 std::string inputErrorOf(Action&& action) {
   try {

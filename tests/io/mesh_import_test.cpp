@@ -142,7 +142,7 @@ TEST(MeshImport, readsAnOffFile) {
   EXPECT_EQ(mesh.summary.springs, 5);
 }
 
-/// The square of glbSquare as text, its buffer under the name `uri`.
+/// The square of glbSquare as text, with its buffer under the name `uri`.
 std::string gltfSquare(const std::string& uri) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
          R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{"byteLength":72,"uri":")" +

@@ -96,7 +96,7 @@ TEST(MeshWeld, givesTheSameAnswerTwice) {
 
 TEST(MeshWeld, dropsFacesWithARepeatedVertex) {
   RawMesh raw = seamSquare();
-  raw.triangles.push_back({1, 3, 4});  // Two of the three are one particle.
+  raw.triangles.push_back({1, 3, 4});  // two of the three are one particle
   const ImportedMesh mesh = weld(raw);
   EXPECT_EQ(mesh.summary.degenerateFaces, 1);
   EXPECT_EQ(mesh.cloth.triangles.size(), 2U);
@@ -238,7 +238,7 @@ TEST(MeshWeld, refusesClothBelowAMillimetreAndTakesASmallBody) {
 
 TEST(MeshWeld, keepsTextureCoordinatesWhereAShortEdgeIsMerged) {
   RawMesh raw = seamSquare();
-  raw.positions.emplace_back(1, 1e-5, 0);  // next to vertex 1, with texture coordinates of its own
+  raw.positions.emplace_back(1, 1e-5, 0);  // near vertex 1, with different texture coordinates
   raw.uvs.emplace_back(7, 7);
   raw.triangles = {{0, 1, 2}, {1, 6, 2}, {6, 4, 2}};
   ImportOptions options;

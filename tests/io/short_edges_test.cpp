@@ -5,7 +5,7 @@
 namespace drape {
 namespace {
 
-/// A square of 2 x 2 cells, rows from y = 0, whose vertex `moved` is put to `place`.
+/// A square of 2 x 2 cells, rows from y = 0, with the vertex `moved` at `place`.
 struct Sheet {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
@@ -47,8 +47,8 @@ TEST(ShortEdges, mergesAChainOfShortEdges) {
 }
 
 TEST(ShortEdges, keepsAnInnerEdgeBetweenTwoBorders) {
-  // Two triangles that share a short edge both of whose ends are on the border: a collapse would leave a single point
-  // between two borders.
+  // Two triangles share a short edge with both ends on the border: a collapse would leave a single point between two
+  // borders.
   const std::vector<Vec3> positions{{0, 0, 0}, {0, 1e-5, 0}, {1, 0, 0}, {-1, 0, 0}, {1, 1, 0}, {-1, 1, 0}};
   const std::vector<Triangle> triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 4}, {1, 5, 3}};
   const ShortEdges edges = collapseShortEdges(positions, triangles, 1e-3);
@@ -57,7 +57,7 @@ TEST(ShortEdges, keepsAnInnerEdgeBetweenTwoBorders) {
 }
 
 TEST(ShortEdges, keepsAnEdgeWhoseCollapseWouldTurnAFace) {
-  // Vertex 2 lies on the other side of the line through 0 and 1 than it would from vertex 3's place.
+  // Vertex 2 is on one side of the line through 0 and 1, and would be on the other side of the line from vertex 3.
   const Sheet sheet(4, Vec3(1, 1e-5, 0));
   std::vector<Vec3> positions = sheet.positions;
   positions[5] = Vec3(1.5, 0.5e-5, 0);  // below vertex 4, above vertex 1

@@ -9,7 +9,7 @@ namespace {
 
 const std::string sample = "v 0 0 0\nv 1 0 0\n";
 
-/// ASCII as UTF-16 or UTF-32: `width` bytes a letter.
+/// ASCII as UTF-16 or UTF-32: `width` bytes per character.
 std::string wide(const std::string& text, std::size_t width, bool bigEndian) {
   std::string bytes;
   for (const char letter : text) {

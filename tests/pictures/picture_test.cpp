@@ -1,6 +1,5 @@
-// Every built-in scene, half a second after its start or when there is something to see, against a picture that
-// somebody has looked at. A change that is meant is accepted with scripts/update-pictures; look at the new pictures
-// before you commit them.
+// Compares every built-in scene, half a second after its start or at a more interesting time, with a checked picture.
+// Accept an intended change with scripts/update-pictures, and check the new pictures before you commit them.
 
 #include "compare_images.hpp"
 #include "render/camera.hpp"
@@ -23,20 +22,20 @@ namespace {
 
 constexpr int width = 480;          // [pixels]
 constexpr int height = 360;         // [pixels]
-constexpr double usually = 0.5;     // after its start a scene is looked at [s]
+constexpr double usually = 0.5;     // default time of the picture after the start [s]
 constexpr int stepOfColour = 1;     // a processor without fused multiply-add rounds a colour to its neighbour
-constexpr int pixelsForgiven = 20;  // ... and now and then decides an outline's sample the other way
+constexpr int pixelsForgiven = 20;  // ... and sometimes resolves a sample of an outline differently
 
-/// What a picture shows.
+/// The contents of a picture.
 struct PictureCase {
-  std::string name;                   ///< of the file, without ending
+  std::string name;                   ///< of the file, without extension
   std::string scene;                  ///< a built-in scene
   std::vector<std::string> settings;  ///< "key=value"
-  double yaw = 0.0;                   ///< how far the camera goes around from where the scene puts it [rad]
+  double yaw = 0.0;                   ///< rotation of the camera about its focal point, from the scene's view [rad]
   double time = usually;              ///< after the start [s]
 };
 
-/// When to look at a built-in scene [s].
+/// The time for the picture of a built-in scene [s].
 double timeOf(const std::string& scene) {
   static const std::map<std::string, double> others{{"cape", 1.5}};
   const auto found = others.find(scene);
@@ -84,7 +83,7 @@ Image draw(const Snapshot& snapshot, double yaw) {
   return renderer.read();
 }
 
-/// Writes what was drawn and how it differs; returns a message that names the files.
+/// Writes the picture and its difference; returns a message that names the files.
 std::string keepEvidence(const PictureCase& picture, const Image& golden, const Image& actual) {
   const std::filesystem::path folder = DRAPE_ACTUAL_PICTURES;
   std::filesystem::create_directories(folder);

@@ -87,7 +87,7 @@ TEST(Camera, OrbitNeverGoesOverThePoles) {
     for (int i = 0; i < 5; ++i) {
       camera.orbit(0.1, pitch);
     }
-    // Up on the screen still has a part that points up in the world.
+    // The up direction of the screen still has an upward part in the world.
     EXPECT_GT(camera.viewMatrix()(1, 1), 0.0F);
     EXPECT_TRUE(camera.pose().position.allFinite());
   }

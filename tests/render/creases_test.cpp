@@ -7,7 +7,7 @@
 namespace drape {
 namespace {
 
-/// A strip of three squares folded along its two inner edges by the given angle [rad].
+/// A strip of three squares, folded along its two inner edges by the given angle [rad].
 CreasedMesh foldedStrip(double angle) {
   CreasedMesh mesh;
   Vec3 position(0.0, 0.0, 0.0);

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// The colour that a cleared picture has [0 to 255].
+/// The colour of a cleared picture [0 to 255].
 std::array<int, 3> clearedWith(Framebuffer& framebuffer, float red, float green, float blue) {
   framebuffer.begin(40, 30);
   glClearColor(red, green, blue, 1.0F);

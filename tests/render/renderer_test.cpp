@@ -28,7 +28,7 @@ int distanceOf(const Pixel& a, const Pixel& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
-/// The same scene with the cloth far out of sight.
+/// The same scene with the cloth out of view.
 Snapshot withoutCloth(Snapshot snapshot) {
   for (Vec3& position : snapshot.positions) {
     position.z() += 1000.0;
@@ -71,7 +71,7 @@ TEST_F(RendererTest, ClothIsWhereTheCameraProjectsIt) {
   const Camera camera = cameraInFront();
   int covered = 0;
   for (const Vec3& position : snapshot.positions) {
-    // A little towards the middle, so that vertices on the rim count too.
+    // Slightly towards the middle, so that vertices on the rim count too.
     const Vec3 inside = position + 0.03 * (Vec3(0.0, 0.9, position.z()) - position);
     const Vec2 place = camera.project(inside, width, height);
     const int x = static_cast<int>(place.x());
@@ -136,7 +136,7 @@ TEST_F(RendererTest, OutlinesAreBlendedFromFourSamples) {
   snapshot.settings.view.ground = false;
   const Image with = picture(snapshot);
   const Image without = picture(withoutCloth(snapshot));
-  // Along every row the left outline is crossed once; the pixel on it is a mixture of quarters.
+  // Every row crosses the left outline once; the pixel there is a mixture of quarters.
   std::set<int> quarters;
   for (int y = 80; y < 160; ++y) {
     for (int x = 1; x + 1 < width / 2; ++x) {
@@ -183,7 +183,7 @@ TEST_F(RendererTest, AttachmentAndPinsAreShown) {
   EXPECT_LT(compareImages(without, noPins, 8).pixels, 300);
 }
 
-/// The sheet with a ghost that is so far behind (+) or in front (-) of it.
+/// The sheet with a ghost at this distance behind (+) or in front (-) of it.
 Snapshot withGhost(Snapshot snapshot, double behind) {
   snapshot.ghost.emplace();
   snapshot.ghost->positions = snapshot.positions;
@@ -296,7 +296,7 @@ TEST_F(RendererTest, ContactsAreDrawnWithTheirNormals) {
       return pixelAt(image, static_cast<int>(place.x()), static_cast<int>(place.y()));
     };
     EXPECT_GT(distanceOf(pixelOf(with, foot), pixelOf(without, foot)), 10);
-    // The line that leads away from it is red.
+    // The drawn normal is red.
     const Pixel line = pixelOf(with, camera.project(contact.point + 0.02 * contact.normal, width, height));
     EXPECT_GT(line[0], line[1] + 60);
   }

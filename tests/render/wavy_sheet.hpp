@@ -5,12 +5,12 @@
 
 namespace drape {
 
-/// A snapshot of a sheet of one square metre that hangs in waves in the x-y plane around (0, 0.9, 0), with its front to
-/// +z and two pins; made by hand, so that pictures of it do not depend on how a cloth moves.
-/// `waveHeight` in [m]; 0 gives a flat sheet.
+/// A snapshot of a sheet of one square metre with waves, in the x-y plane around (0, 0.9, 0), with its front to +z and
+/// two pins. It is constructed directly, so that its pictures do not depend on the simulation. `waveHeight` in [m]; 0
+/// gives a flat sheet.
 [[nodiscard]] Snapshot wavySheet(double waveHeight);
 
-/// A camera that sees all of it from in front.
+/// A camera in front that sees all of it.
 [[nodiscard]] Camera cameraInFront();
 
 }  // namespace drape

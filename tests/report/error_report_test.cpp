@@ -47,7 +47,7 @@ TEST(ErrorReport, findsTheClosedFormErrorOfBackwardEulersFreeFall) {
     EXPECT_NEAR(at.rmsError, at.meanError, 1e-12);
     EXPECT_NEAR(at.motionKept, 1.0 + share, 1e-9);
     EXPECT_NEAR(at.energy.total() - at.balance.integrator(), 0.0, 1e-12);
-    // Velocities are exact, so the momentum is that of the fall; nothing turns.
+    // Velocities are exact, so the momentum is that of the fall; there is no rotation.
     const double momentum = -scene->model->totalMass() * scene->settings.step.gravity * at.time;
     EXPECT_NEAR(at.momentum.linear.y(), momentum, 1e-12);
     EXPECT_NEAR(at.referenceMomentum.linear.y(), momentum, 1e-12);
@@ -61,7 +61,7 @@ TEST(ErrorReport, ofARestartedRunCountsEachIntervalFromTheReference) {
   const Reference exact = exactFall(*scene, 3);
   const Trajectory own = runRestarted(*scene, scene->settings, exact.trajectory);
   const ErrorReport report = judge(*scene->model, scene->settings.step, own, exact);
-  // Each interval of five steps falls 2.5 g h^2 too far, whatever the speed at its beginning.
+  // Each interval of five steps falls 2.5 g h^2 too far, at any initial speed.
   for (const CheckpointReport& at : report.checkpoints) {
     EXPECT_NEAR(at.meanError, 2.5 * scene->settings.step.gravity / (150.0 * 150.0), 1e-12);
   }

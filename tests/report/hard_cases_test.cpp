@@ -71,8 +71,8 @@ TEST(HardCases, giveExplicitMethodsTheSubstepsThatTheyNeed) {
   const CaseTrial trial(options);
   const Settings soft = trial.settings({"stiffness=10"});
   const Settings stiff = trial.settings({"stiffness=1000"});
-  const auto model = modelOf(sheetCloth(soft, 17, Held::TwoCorners));
-  EXPECT_EQ(stableSubsteps(*model, soft), 4);  // its limit is 1/240 s, and a step 1/150 s
+  const auto model = modelOf(sheetCloth(soft, 17, Pinned::TwoCorners));
+  EXPECT_EQ(stableSubsteps(*model, soft), 4);  // its limit is 1/240 s, and a step is 1/150 s
   EXPECT_NEAR(stableSubsteps(*model, stiff), 10 * 3.2, 1.0);
   Settings implicit = stiff;
   implicit.solver.name = "pcg";
@@ -115,15 +115,15 @@ TEST(HardCases, becomeRowsLinesAndATable) {
   EXPECT_EQ(table, "| case | verlet | pcg |\n|---|---|---|\n| 4 crushed | energy gained 35 % | passed |\n");
 }
 
-/// Which cases a solver is known not to pass in their short form. Explicit steps at half of the rest shape's stability
-/// limit are too long for a sheet that is pressed together.
+/// Cases that a solver is known to fail in their short form. Explicit steps at half of the rest shape's stability limit
+/// are too long for a compressed sheet.
 std::set<int> knownToFail(const std::string& solver) {
   return solver == "verlet" ? std::set<int>{4} : std::set<int>{};
 }
 
 class HardCaseOf : public ::testing::TestWithParam<HardCase> {
  protected:
-  /// The one that shall pass them all; where it is not built in, the one that nearly does.
+  /// The solver that must pass all cases; without it, the one that nearly does.
   static std::string solver() { return findSolver("auto") != nullptr ? "auto" : "verlet"; }
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int checkpoints = 3;
 
-/// A converged reference by a method of first order, which takes many halvings.
+/// A converged reference by a first-order method, which needs many halvings.
 Reference firstOrder(const Scene& scene, const ConvergenceTolerance& tolerance) {
   return convergedReference(scene, testing::with(scene, {"solver=one_iteration", "sweeps=3"}), checkpoints, tolerance);
 }
@@ -35,7 +35,7 @@ TEST(ConvergedReference, halvesUntilTheDifferenceIsBelowTheToleranceAndIsThatNea
   finer.step.timeStep /= 16.0;
   const Trajectory truth = runTrajectory(*scene, finer, checkpoints);
   const double distance = meanDistance(truth.states.back().positions, reference.trajectory.states.back().positions);
-  EXPECT_GT(distance, 0.5 * last.difference);  // of first order: as much again is left
+  EXPECT_GT(distance, 0.5 * last.difference);  // of first order: the remaining error is as large
   EXPECT_LT(distance, 1.1 * last.difference);
 }
 
@@ -63,7 +63,7 @@ TEST(ConvergedReference, saysWhereItEndsWhenItIsNotConverged) {
     return firstOrder(*scene, tolerance);
   }();
   ASSERT_EQ(three.differences.size(), 4U);
-  // Something between what the first and the last checkpoint leave over, by three halvings.
+  // A tolerance between the remaining differences of the first and the last checkpoint, after three halvings.
   ConvergenceTolerance tolerance = exact;
   tolerance.maxHalvings = 1;
   tolerance.absolute = 0.5 * (three.differences[1] + three.differences[3]);
@@ -110,7 +110,7 @@ TEST(ConvergedReference, ofVerletApproachesTheLimitWithTheSquareOfItsStep) {
   ASSERT_GE(last, 2U);
   EXPECT_NEAR(reference.halvings[last - 2].difference / reference.halvings[last].difference, 16.0, 0.5);
 
-  // Another method of second order, from the other side of the house, tends to the same motion.
+  // A very different second-order method converges to the same motion.
   const Settings midpoint =
       testing::with(*scene, {"solver=newton", "integration=theta", "theta=0.5", "time_step=1/3000", "tolerance=1e-12"});
   const Trajectory truth = runTrajectory(*scene, midpoint, checkpoints);
@@ -129,7 +129,7 @@ TEST(ConvergedReference, beginsBelowHalfOfTheStabilityLimit) {
 }
 
 TEST(ConvergedReference, givesUpWhereHalvingBringsItNoNearer) {
-  // A stiff sheet that is pressed together gives way in ways that any rounding error decides.
+  // A compressed stiff sheet buckles in ways that depend on rounding errors.
   const auto scene = buildSetUp(comparedSetUps("crush").at(0), 9, {"stiffness=1e5", "precision=double"});
   ConvergenceTolerance tight;
   tight.absolute = 1e-9;

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// A section of three cells and two rounds, each of which counts how often it was measured.
+/// A section of three cells and two rounds; each cell counts its measurements.
 Section countingSection(const char* name) {
   Section section;
   section.name = name;

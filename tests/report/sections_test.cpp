@@ -21,7 +21,7 @@ const Section& sectionOf(std::string_view name) {
   return *std::find_if(table.begin(), table.end(), [name](const Section& section) { return section.name == name; });
 }
 
-/// The rows of the cell of that key in a quick report, after so many rounds.
+/// The rows of the cell with that key in a quick report, after this number of rounds.
 ReportRows measured(std::string_view section, const std::string& key, int rounds = 1) {
   ReportOptions options;
   options.quick = true;
@@ -36,7 +36,7 @@ ReportRows measured(std::string_view section, const std::string& key, int rounds
   return rows;
 }
 
-/// The first block of that kind.
+/// The first block of that type.
 template <typename Kind>
 const Kind* firstOf(const std::vector<Block>& blocks) {
   for (const Block& block : blocks) {
@@ -164,7 +164,7 @@ TEST(Stability, findsVerletCalmOrExplodedByItsLimit) {
 
 TEST(Growth, findsTheStepsThatVerletNeeds) {
   const auto row = measured("growth", "verlet 17x17").at(0);
-  EXPECT_GE(row["substeps"], 5);  // 1/240 s with 10 N/m, and sqrt(10) times less with the scene's 100
+  EXPECT_GE(row["substeps"], 5);  // the limit is 1/240 s with 10 N/m, and sqrt(10) times less with the scene's 100
   EXPECT_LE(row["substeps"], 7);
   EXPECT_GT(row["step_us"], 0.0);
   EXPECT_EQ(row["finite"], true);
@@ -204,7 +204,7 @@ TEST(Collision, runsAScenesBodiesAndLooksForPairsWithThem) {
   EXPECT_EQ(sphere["intersecting_pairs_bodies_max"], 0);
 }
 
-/// The words under the tables.
+/// The texts below the tables.
 std::string wordsOf(const ReportRows& rows) {
   std::string words;
   for (const Block& block : sectionOf("collision").show({}, rows)) {
@@ -229,7 +229,7 @@ TEST(Collision, saysInWordsWhatWentThroughAndWhatIsTooDear) {
   const std::string good =
       wordsOf({row("fold", "off", 9, 0, 0.0), row("fold", "hash", 0, 0, 0.0), row("sphere", "bodies", 7, 0, 299.0)});
   EXPECT_NE(good.find("No triangle of the cloth ever intersected one of a body"), std::string::npos) << good;
-  EXPECT_NE(good.find("all scenes keep it"), std::string::npos) << good;
+  EXPECT_NE(good.find("all scenes meet it"), std::string::npos) << good;
   EXPECT_NE(good.find("it let nothing through"), std::string::npos) << good;
   const std::string bad = wordsOf({row("fold", "off", 900, 0, 0.0), row("fold", "hash", 27, 0, 0.0),
                                    row("sphere", "bodies", 0, 3, 301.0), row("box", "bodies+hash", 0, 5, 20.0)});

@@ -70,7 +70,7 @@ TEST(Table2Starts, hangAtRestAndSwingAfterwards) {
   const std::vector<std::string> settings{"time_step=1/150", "mass=0.1", "stiffness=10", "precision=double"};
   const auto hanging = buildStart(startOf("hanging, edge"), 9, settings, [] {});
   EXPECT_EQ(energyOf(*hanging->model, hanging->settings.step, hanging->start).kinetic, 0.0);
-  // Tilted by 20 degrees about the held edge, so that the lowest vertices are so far out of the upright plane.
+  // Rotated by 20 degrees about the pinned edge, so the lowest vertices are out of the upright plane by this distance.
   const auto lowest = *std::min_element(hanging->start.positions.begin(), hanging->start.positions.end(),
                                         [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
   const Vec3 pin = hanging->start.positions[0];

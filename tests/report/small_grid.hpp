@@ -9,7 +9,7 @@
 
 namespace drape::testing {
 
-/// The built-in grid of 5 x 5 vertices under these settings ("key=value").
+/// The built-in grid with 5 x 5 vertices and these settings ("key=value").
 inline std::shared_ptr<const Scene> smallGrid(std::initializer_list<std::string> settings = {}) {
   SceneDescription description = openScene("grid");
   description.settings.grid.resolution = 5;
@@ -19,7 +19,7 @@ inline std::shared_ptr<const Scene> smallGrid(std::initializer_list<std::string>
   return buildScene(description, description.settings);
 }
 
-/// The scene's settings with others in their place.
+/// The scene's settings with these changes.
 inline Settings with(const Scene& scene, std::initializer_list<std::string> settings) {
   Settings changed = scene.settings;
   for (const std::string& expression : settings) {

@@ -45,7 +45,7 @@ TEST(SvgPlot, isWellFormedAndHoldsNothingThatIsNoNumber) {
 
 TEST(SvgPlot, drawsAMarkForEachPointThatHasAPlaceAndNamesEachCurve) {
   const std::string svg = svgOf(twoCurves());
-  // Three and one points and two in the legend; the hollow one is a circle too.
+  // Three points, one point, and two in the legend; the hollow mark is a circle too.
   EXPECT_EQ(countOf(svg, "<circle"), 6);
   EXPECT_EQ(countOf(svg, "class=\"hollow line0\""), 1);
   EXPECT_EQ(countOf(svg, "class=\"cross line1\""), 1);
@@ -63,7 +63,7 @@ TEST(SvgPlot, drawsALineThroughThePointsOfACurve) {
 TEST(SvgPlot, interruptsALineWhereAValueIsMissing) {
   Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
   plot.curves.push_back({"line", {{0.0, 0.0}, {1.0, 1.0}, {2.0, none}, {3.0, 1.0}, {4.0, 0.0}}});
-  EXPECT_EQ(countOf(svgOf(plot), "class=\"curve line0 dash0\""), 3);  // two pieces and the legend's
+  EXPECT_EQ(countOf(svgOf(plot), "class=\"curve line0 dash0\""), 3);  // two pieces and the one of the legend
 }
 
 TEST(SvgPlot, drawsABandWhereThereIsOne) {
@@ -80,7 +80,7 @@ TEST(SvgPlot, givesMarksAnotherShapeWhereColoursComeRoundAgain) {
     plot.curves.push_back({std::to_string(i), {{1.0 * i, 1.0}}});
   }
   const std::string svg = svgOf(plot);
-  EXPECT_EQ(countOf(svg, "<circle class=\"fill0\""), 2);  // the point and the legend's
+  EXPECT_EQ(countOf(svg, "<circle class=\"fill0\""), 2);  // the point and the one of the legend
   EXPECT_EQ(countOf(svg, "<path class=\"fill0\""), 4);    // a square and a triangle, each twice
   EXPECT_EQ(testing::XmlCheck::faultOf(svg), "");
 }

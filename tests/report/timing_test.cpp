@@ -31,13 +31,13 @@ TEST(TimeSteps, takesAsManyStepsAsItsBudgetAllows) {
   const auto count = [&asked] { ++asked; };
   EXPECT_EQ(
       timeSteps(*scene, scene->settings, {.seconds = 0.0, .minSteps = 4, .maxSteps = 9}, count).stepSeconds.size(), 4U);
-  EXPECT_EQ(asked, 5);  // and one before, which sets up
+  EXPECT_EQ(asked, 5);  // and one before, for the set-up
   EXPECT_EQ(
       timeSteps(*scene, scene->settings, {.seconds = 1e9, .minSteps = 4, .maxSteps = 9}, count).stepSeconds.size(), 9U);
 }
 
 TEST(TimeSteps, countsTheMemoryOfASolverWithADenseMatrix) {
-  // The inverse of the whole matrix: a number for each pair of vertices.
+  // The inverse of the whole matrix: one number per pair of vertices.
   const auto scene = testing::smallGrid({"solver=desbrun", "grid.resolution=21"});
   const StepTiming timing = timeSteps(*scene, scene->settings, {.seconds = 0.0, .minSteps = 1, .maxSteps = 1}, [] {});
   const double pairs = 441.0 * 441.0;

@@ -94,7 +94,7 @@ TEST(Trajectory, tellsEachStepOfItsProgress) {
 }
 
 TEST(Trajectory, endsAtTheLastFiniteCheckpointWhenTheClothBlowsUp) {
-  // Without the part of the derivative across the springs nothing holds stiff cloth.
+  // Without the transverse part of the derivative stiff cloth is unstable.
   const auto scene = testing::smallGrid({"grid.resolution=17", "stiffness=1e7", "derivative=axial"});
   const Trajectory trajectory = runTrajectory(*scene, scene->settings, 60);
   EXPECT_FALSE(trajectory.finite);

@@ -52,12 +52,12 @@ TEST(WhatFollows, isTheCheapestCalmSettingUnderEachError) {
 
 TEST(WhatFollows, isTheLeastErrorOfEachMethodForAMillisecondAFrame) {
   const ReportRows rows = whatFollows().derive(measured());
-  // 60000 us for a simulated second: the finer setting of the slow method is beyond it.
+  // 60000 us per simulated second: the finer setting of the slow method exceeds it.
   EXPECT_EQ(answer(rows, "budget", "method", "slow")["error_of_diagonal"], 5e-4);
   EXPECT_EQ(answer(rows, "budget", "method", "fast")["error_of_diagonal"], 8e-3);
 }
 
-/// `auto` among others: at that cost [us], with that error [m].
+/// A row of `auto` or another method, with that cost [us] and that error [m].
 ReportRow measuredRow(const char* method, double cost, double error, const char* state = "calm") {
   return {{"scene", "hang"},           {"resolution", 17},
           {"stiffness", 10.0},         {"time", 0.2},
@@ -70,9 +70,9 @@ ReportRow measuredRow(const char* method, double cost, double error, const char*
 TEST(WhatFollows, holdsAutoAgainstTheBestOtherMethodAtEqualCost) {
   SectionRows rows;
   rows["work_precision"] = {measuredRow("auto", 1.0, 0.5),    // the cheapest of all
-                            measuredRow("auto", 10.0, 0.06),  // twice as wrong as verlet at 10
+                            measuredRow("auto", 10.0, 0.06),  // twice the error of verlet at 10
                             measuredRow("auto", 20.0, 0.04),  // 1.33 times
-                            measuredRow("auto", 25.0, 0.9),   // the setting before is better and takes no longer
+                            measuredRow("auto", 25.0, 0.9),   // the previous setting is better and cheaper
                             measuredRow("auto", 30.0, 0.02),  // better
                             measuredRow("auto", 40.0, 2e-4),  // both below the noise floor
                             measuredRow("auto", 50.0, 9.0, "frozen"),

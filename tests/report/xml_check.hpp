@@ -7,8 +7,8 @@
 
 namespace drape::testing {
 
-/// What is wrong with an XML text: an element that is not closed, an attribute without quotes, a bare '&' or '<'. Empty
-/// when it is well formed. Knows elements, attributes, text, the XML declaration and DOCTYPE: what the report writes.
+/// The defect of an XML text: an element that is not closed, an attribute without quotes, a bare '&' or '<'. Empty when
+/// it is well formed. Supports elements, attributes, text, the XML declaration and DOCTYPE, as in the report.
 class XmlCheck {
  public:
   [[nodiscard]] static std::string faultOf(std::string_view xml) { return XmlCheck(xml).check(); }

@@ -14,7 +14,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double cell = 0.03;  // [m]
 
-/// The triangles whose middle is kept, with the vertices that they use.
+/// The triangles with a kept centre, and their vertices.
 ClothMesh part(const RawMesh& whole, const std::function<bool(const Vec3&)>& keeps) {
   ClothMesh mesh;
   std::vector<int> number(whole.positions.size(), -1);

@@ -7,22 +7,22 @@
 
 namespace drape::testing {
 
-/// A garment or a body that a test makes, y up, in metres.
+/// A garment or a body for tests, y up, in metres.
 struct TestShape {
   std::string name;
   ClothMesh mesh;
 };
 
-/// Sizes of a garment's parts [m]; what is not there has no length.
+/// Sizes of the parts of a garment [m]; 0 for missing parts.
 struct GarmentSizes {
   double height = 0.7;        ///< of the trunk, from hem to shoulder
   double chest = 0.24;        ///< half its width
   double depth = 0.5;         ///< its depth, as a share of its width [-]
   double flare = 1.0;         ///< width of the hem over that of the chest [-]
   double sleeve = 0.2;        ///< from the shoulder to the cuff, along the arm
-  double sleeveAngle = 45.0;  ///< below the level [degrees]; 0: as a T
+  double sleeveAngle = 45.0;  ///< below the horizontal [degrees]; 0: a T
   double neck = 0.09;         ///< half the width of the neck
-  double neckDepth = 0.06;    ///< how far the neck is cut out in front
+  double neckDepth = 0.06;    ///< depth of the neck in front
 };
 
 /// A shirt, a dress, or a tank top (no sleeves): a shell with openings for neck, arms and hem.
@@ -31,19 +31,19 @@ struct GarmentSizes {
 /// Trousers with legs of that length below the crotch [m].
 [[nodiscard]] ClothMesh trousers(double legs);
 
-/// A tube around the y axis, from y = 0 up; half widths at the hem and at the top [m]. A skirt, a strapless top.
+/// A tube around the y axis, from y = 0 up; half widths at the hem and at the top [m]. A skirt or a strapless top.
 [[nodiscard]] ClothMesh tube(double height, double hem, double top, double depth);
 
 /// A sock: one opening, and a foot towards +z.
 [[nodiscard]] ClothMesh sock();
 
-/// A figure, 1.7 m tall, its arms stretched out at that angle below the level [degrees]. Closed.
+/// A figure, 1.7 m tall, with its arms at that angle below the horizontal [degrees]. Closed.
 [[nodiscard]] ClothMesh figure(double armAngle);
 
 /// A flat sheet with its edges along two axes (0: x, 1: y, 2: z).
 [[nodiscard]] ClothMesh sheet(int across, int along, double width, double height, int resolution);
 
-/// Turns a mesh whose y points up so that z does, as a program writes it whose z points up.
+/// Rotates a mesh from y up to z up.
 [[nodiscard]] ClothMesh withZUp(ClothMesh mesh);
 
 /// All positions times a factor.
@@ -52,7 +52,7 @@ struct GarmentSizes {
 /// OBJ text of a mesh.
 [[nodiscard]] std::string objText(const ClothMesh& mesh);
 
-/// One of each of the above, in usual sizes.
+/// One of each shape, in usual sizes.
 [[nodiscard]] std::vector<TestShape> testShapes();
 
 }  // namespace drape::testing

@@ -13,7 +13,7 @@
 namespace drape {
 namespace {
 
-/// Files that a test opens as a user would.
+/// Tests with files that are opened as a user does.
 class MeshReadingTest : public ::testing::Test {
  protected:
   MeshReadingTest() {
@@ -117,7 +117,7 @@ TEST(MeshReading, WhatTheFormatPrescribesIsNotGuessed) {
 }
 
 TEST_F(MeshReadingTest, EveryAxisCanBeSaidToPointUp) {
-  // A point above the others along each axis in turn must come out on top.
+  // A vertex above the others along each axis must end on top.
   for (const auto& [up, apex] :
        {std::pair("x", Vec3(2, 0, 0)), std::pair("y", Vec3(0, 2, 0)), std::pair("z", Vec3(0, 0, 2)),
         std::pair("-y", Vec3(0, -2, 0)), std::pair("-z", Vec3(0, 0, -2))}) {

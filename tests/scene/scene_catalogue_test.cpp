@@ -10,7 +10,7 @@
 namespace drape {
 namespace {
 
-/// A folder that goes when the test ends.
+/// A folder that is removed after the test.
 class Folder {
  public:
   Folder() {
@@ -128,7 +128,7 @@ TEST(Scenes, haveTheirGroundAtZeroOrBelowClothThatStartsLower) {
   EXPECT_EQ(groundOf("0.5", ""), 0.0);
   EXPECT_NEAR(groundOf("0", ""), -0.25, 1e-12);
   EXPECT_NEAR(groundOf("-3", ""), -3.25, 1e-12);
-  // A sheet of 1 m that hangs from one edge reaches 1 m down; from one corner as far as its diagonal is long.
+  // A sheet of 1 m that hangs from one edge reaches 1 m down; from one corner it reaches the length of its diagonal.
   EXPECT_LT(groundOf("-3", "[pins]\nedges = [\"top\"]"), -4.0);
   EXPECT_GT(groundOf("-3", "[pins]\nedges = [\"top\"]"), -4.2);
   EXPECT_LT(groundOf("-3", "[pins]\ncorners = [\"top_left\"]"), -3.0 - std::sqrt(2.0));
@@ -144,7 +144,7 @@ TEST(Scenes, giveAnOpenedMeshAirDampingSelfCollisionAndASolidGroundBelowIt) {
   EXPECT_EQ(step.contact.self, SelfCollision::Hash);
   EXPECT_NE(bodyNamed(*scene, "ground"), nullptr);
   EXPECT_LT(scene->groundHeight, -0.2);
-  // A scene file starts from the table's defaults.
+  // A scene file starts from the defaults of the table.
   const auto mine = built(folder.write("mine.toml", "[cloth]\nmesh = \"sheet.obj\"\n"));
   EXPECT_EQ(mine->description.settings.step.drag, Settings().step.drag);
   EXPECT_EQ(mine->description.settings.step.contact.self, SelfCollision::Off);
@@ -200,13 +200,13 @@ TEST(Scenes, turnTheClothAboutItsOwnOriginBeforeTheyPlaceIt) {
   description.position = Vec3(3.0, 2.0, 1.0);
   description.settings.grid.resolution = 2;
   const auto scene = buildScene(description, description.settings);
-  // x becomes y: the sheet, which lay flat, stands in the plane x = 3, and its top left corner is below.
+  // x becomes y: the level sheet stands in the plane x = 3, with its top left corner below.
   EXPECT_NEAR((scene->start.positions[0] - Vec3(3.0, 1.5, 0.5)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((scene->start.positions[1] - Vec3(3.0, 2.5, 0.5)).norm(), 0.0, 1e-12);
   EXPECT_EQ(scene->start.positions[1], scene->model->restPositions[1]);
 }
 
-/// A quad like the one above, tilted a little more in each file.
+/// A quad like the one above, tilted more in each file.
 void writeFrames(const Folder& folder, int count) {
   for (int k = 0; k < count; ++k) {
     const std::string height = std::to_string(0.1 * k);
@@ -249,7 +249,7 @@ TEST(Scenes, readABodyThatMovesInItselfFromOneFileAFrame) {
     }
     EXPECT_NEAR(highest, 0.2 * static_cast<double>(k), 1e-6);
   }
-  // Pins go with the vertex of it that is nearest: none of them is left without one.
+  // Pins move with its nearest vertex: each pin gets one.
   ASSERT_EQ(scene->bodies->at(0).pins.size(), 5U);
   for (const CarriedPin& pin : scene->bodies->at(0).pins) {
     EXPECT_GE(pin.anchor, 0);

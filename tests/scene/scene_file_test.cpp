@@ -11,7 +11,7 @@ SceneDescription parse(std::string_view text) {
   return parseScene(text, "test", "test.toml", "/folder");
 }
 
-/// The message with which a scene is refused, or "" when it is taken.
+/// The message with which a scene is refused, or "" when it is accepted.
 std::string refusal(std::string_view text) {
   try {
     static_cast<void>(parse(text));

@@ -14,7 +14,7 @@
 namespace drape {
 namespace {
 
-/// Mesh and scene files in a folder of their own. Lengths in centimetres.
+/// Mesh and scene files in a separate folder. Lengths in centimetres.
 class PartsOfAScene : public ::testing::Test {
  protected:
   PartsOfAScene() : folder_(std::filesystem::temp_directory_path() / ("drape-parts-" + std::to_string(getpid()))) {

@@ -75,7 +75,7 @@ TEST(ShapePins, holdSkirtsAndTrousersByTheWaist) {
 }
 
 TEST(ShapePins, holdAFlatSheetByTwoCorners) {
-  // Vertices are numbered along the first axis; the last row is the upper one, or the one with the largest z.
+  // Vertices are ordered along the first axis; the last row is the upper one, or the one with the largest z.
   EXPECT_EQ(pinsByShape(testing::sheet(0, 1, 1.0, 2.0, 9)), (std::vector<int>{72, 80})) << "upright";
   EXPECT_EQ(pinsByShape(testing::sheet(2, 1, 3.0, 1.0, 9)), (std::vector<int>{72, 80}))
       << "upright, seen from the side";

@@ -17,7 +17,7 @@ int upOf(const ClothMesh& mesh) {
 constexpr int y = 1;
 constexpr int z = 2;
 
-/// The mesh turned by a quarter around the axis that points up, so that it looks to the side.
+/// The mesh rotated by a quarter turn about its up axis, so that it faces the side.
 ClothMesh lookingAside(ClothMesh mesh) {
   for (Vec3& position : mesh.positions) {
     position = Vec3(position.z(), position.y(), -position.x());
@@ -32,7 +32,7 @@ ClothMesh mirrored(ClothMesh mesh) {
   return mesh;
 }
 
-/// Every vertex moved by up to that much [m], the same in every run.
+/// Every vertex moved by up to this distance [m], the same in every run.
 ClothMesh jittered(ClothMesh mesh, double much) {
   std::mt19937 random(7);
   const auto next = [&] { return much * (2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0); };
@@ -44,7 +44,7 @@ ClothMesh jittered(ClothMesh mesh, double much) {
   return mesh;
 }
 
-/// The shapes that the tests make and the garments that come with the program.
+/// The shapes of the tests and the garments of the program.
 std::vector<testing::TestShape> allShapes() {
   std::vector<testing::TestShape> shapes = testing::testShapes();
   struct Own {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// How hard the hand pulls at cloths that bear more or less.
+/// Pulls by an attachment at cloths of different strength.
 namespace drape {
 namespace {
 
@@ -34,7 +34,7 @@ void run(Simulation& simulation, double seconds) {
   }
 }
 
-/// The triangle whose centre is lowest, which no pin holds.
+/// The triangle without pins whose centre is lowest.
 int lowestTriangle(const Simulation& simulation) {
   const auto height = [&](const Triangle& triangle) {
     double sum = 0.0;
@@ -57,14 +57,14 @@ Vec3 centreOf(const Simulation& simulation, int triangle) {
   return centre;
 }
 
-/// What a pull comes to within half a second.
+/// The result of a pull of half a second.
 struct Pulled {
   double before = 0.0;  ///< the largest stretch before it [-]
-  double most = 0.0;    ///< the largest stretch during it [-]
-  double left = 0.0;    ///< how far the held point is from the target at the end [m]
+  double during = 0.0;  ///< the largest stretch during it [-]
+  double left = 0.0;    ///< distance of the attached point from the target at the end [m]
 };
 
-/// Takes the lowest triangle and pulls it away.
+/// Attaches to the lowest triangle and pulls it away.
 Pulled pulled(const Pull& pull, const Vec3& way) {
   Simulation simulation(sceneOf(pull));
   run(simulation, pull.seconds);
@@ -75,7 +75,7 @@ Pulled pulled(const Pull& pull, const Vec3& way) {
   simulation.apply(AttachCommand{triangle, Vec3::Constant(1.0 / 3.0), target});
   for (int i = 0; i < 10; ++i) {
     run(simulation, 0.05);
-    result.most = std::max(result.most, maxStretch(simulation.model(), simulation.state()));
+    result.during = std::max(result.during, maxStretch(simulation.model(), simulation.state()));
   }
   result.left = (centreOf(simulation, triangle) - target).norm();
   return result;
@@ -83,30 +83,31 @@ Pulled pulled(const Pull& pull, const Vec3& way) {
 
 TEST(Attachment, doesNotStretchASkirtByMuchMoreThanAFifth) {
   for (const Vec3& way : {Vec3(0.13, 0, 0), Vec3(0, -0.13, 0), Vec3(0, 0, 0.5)}) {
-    EXPECT_LT(pulled({"skirt", {}}, way).most, 0.25) << way.transpose();
-    EXPECT_LT(pulled({"skirt", {"stiffness=1000"}}, way).most, 0.25) << way.transpose();
+    EXPECT_LT(pulled({"skirt", {}}, way).during, 0.25) << way.transpose();
+    EXPECT_LT(pulled({"skirt", {"stiffness=1000"}}, way).during, 0.25) << way.transpose();
   }
 }
 
 TEST(Attachment, doesNotTearSoftClothAndDoesNotNeedToHoldBackOnStiffCloth) {
   const Pulled soft = pulled({"skirt", {"stiffness=10"}}, Vec3(0, 0, 0.13));
-  EXPECT_LT(soft.most, 0.6) << "its own weight stretches it by " << soft.before;
+  EXPECT_LT(soft.during, 0.6) << "its own weight stretches it by " << soft.before;
   EXPECT_LT(soft.left, 0.02);
   const Pulled stiff = pulled({"grid", {"grid.resolution=17", "solver=auto", "stiffness=1e4"}}, Vec3(0, 0, 0.5));
-  EXPECT_LT(stiff.most, 0.1);
+  EXPECT_LT(stiff.during, 0.1);
   EXPECT_LT(stiff.left, 0.05);
 }
 
 TEST(Attachment, takesLightClothAlongAndMovesHeavyCloth) {
   EXPECT_LT(pulled({"grid", {"grid.resolution=17", "solver=auto", "mass=0.01"}}, Vec3(0, 0, 0.5)).left, 0.02);
   EXPECT_LT(pulled({"curtain", {}}, Vec3(0, 0, 0.5)).left, 0.1);
-  // A skirt of 3 kg in place of 0.15 kg: a quarter of its weight takes its hem along.
+  // A skirt of 3 kg instead of 0.15 kg: a quarter of its weight moves its hem.
   EXPECT_LT(pulled({"skirt", {"density=3"}}, Vec3(0, 0, 0.13)).left, 0.08);
 }
 
 TEST(Attachment, neverPullsHarderThanTheSettingAllows) {
-  // The sheet would bear more than this.
-  const Pulled gentle = pulled({"grid", {"grid.resolution=17", "solver=auto", "attachment.max_force=0.02"}}, Vec3(0, 0, 0.5));
+  // The limit of this sheet is higher.
+  const Pulled gentle =
+      pulled({"grid", {"grid.resolution=17", "solver=auto", "attachment.max_force=0.02"}}, Vec3(0, 0, 0.5));
   EXPECT_GT(gentle.left, 0.2);
 }
 

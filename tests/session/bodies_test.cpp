@@ -1,4 +1,4 @@
-// Bodies in a running simulation: what the hand and the panels do with them.
+// Bodies in a running simulation, moved by the mouse and changed by the panels.
 
 #include "scene/scene_file.hpp"
 #include "session/simulation.hpp"
@@ -110,7 +110,7 @@ TEST(Bodies, aBallThatIsDraggedSweepsTheClothAlong) {
 TEST(Bodies, clothThatIsPulledOverATableSlidesAndKeepsItsShape) {
   Simulation simulation(sheetOnTable());
   advance(simulation, 5);
-  // A triangle at the edge on the right; it is pulled slowly to the right, along the table.
+  // A triangle at the right edge, pulled slowly to the right along the table.
   const Triangle corner = simulation.model().triangles.back();
   const Vec3 taken = simulation.state().positions[static_cast<std::size_t>(corner[0])];
   const int triangle = static_cast<int>(simulation.model().triangles.size()) - 1;
@@ -266,7 +266,7 @@ TEST(Bodies, aLogWithBodiesIsReplayedToTheSameBits) {
   EXPECT_EQ(stateHash(again.state()), stateHash(original.state()));
   EXPECT_EQ(again.stepsTaken(), original.stepsTaken());
   EXPECT_EQ(again.bodies().pose(1).position, original.bodies().pose(1).position);
-  // ... and without one of these commands it goes another way.
+  // ... and without one of these commands the motion differs.
   std::vector<LoggedCommand> shorter = original.log();
   shorter.erase(shorter.end() - 2);
   Simulation other(scene);

@@ -10,7 +10,7 @@
 namespace drape {
 namespace {
 
-/// A sheet held at two corners by a body that moves and turns; the body itself is far from the sheet.
+/// A sheet pinned at two corners to a body that moves and rotates; the body itself is far from the sheet.
 std::shared_ptr<const Scene> carriedSheet(const std::string& solver) {
   const SceneDescription description = parseScene(R"(
 [cloth]
@@ -78,7 +78,7 @@ TEST(CarriedPins, areTakenAlongFromWhereTheyArePutByHand) {
 }
 
 TEST(CarriedPins, moveEvenlyOverTheSubsteps) {
-  // A step in many parts is as calm as it was: pins that jumped at its start would tear at their springs.
+  // A step with many substeps stays calm: pins that jumped at its start would overstretch their springs.
   const auto scene = carriedSheet("verlet");
   Simulation coarse(scene);
   coarse.apply(SetSettingCommand{"substeps", 40});

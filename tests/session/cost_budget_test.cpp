@@ -10,16 +10,16 @@ namespace {
 
 constexpr double nanosecond = 1e-9;
 
-StepReport ofPasses(int passes) {
+StepReport withForceEvaluations(int count) {
   StepReport report;
-  report.choice = StepChoice{.forceEvaluations = passes};
+  report.choice = StepChoice{.forceEvaluations = count};
   return report;
 }
 
 class Budgeting : public ::testing::Test {
  protected:
-  /// What ten passes cost when an evaluation of a spring takes so long [s].
-  [[nodiscard]] double tenPasses(double evaluation) const {
+  /// The duration of ten force evaluations at this time per spring evaluation [s].
+  [[nodiscard]] double tenForceEvaluations(double evaluation) const {
     return 10.0 * static_cast<double>(scene_->model->springs.size()) * evaluation;
   }
 
@@ -30,30 +30,32 @@ class Budgeting : public ::testing::Test {
 
 TEST_F(Budgeting, allowsTheWorkThatTheTimePaysFor) {
   settings_.automatic.budget = 2.0;
-  const auto work = budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), tenPasses(4.0 * nanosecond));
-  ASSERT_TRUE(work);
-  EXPECT_NEAR(*work, 30.0, 0.5);  // 2 ms in 1/60 s at 4 ns an evaluation: 500,000 in 1/60 s, 30 million in a second
+  const auto budget =
+      budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), tenForceEvaluations(4.0 * nanosecond));
+  ASSERT_TRUE(budget);
+  EXPECT_NEAR(*budget, 30.0, 0.5);  // 2 ms in 1/60 s at 4 ns per evaluation: 500,000 in 1/60 s, 30 million in a second
 }
 
 TEST_F(Budgeting, takesContactForSomethingElse) {
   settings_.automatic.budget = 2.0;
-  StepReport report = ofPasses(10);
+  StepReport report = withForceEvaluations(10);
   report.contact.bodySeconds = 0.001;
   report.contact.selfSeconds = 0.002;
-  const auto work = budget_.budgetAfter(settings_, *scene_->model, report, 0.003 + tenPasses(4.0 * nanosecond));
-  ASSERT_TRUE(work);
-  EXPECT_NEAR(*work, 30.0, 0.5);
+  const auto budget =
+      budget_.budgetAfter(settings_, *scene_->model, report, 0.003 + tenForceEvaluations(4.0 * nanosecond));
+  ASSERT_TRUE(budget);
+  EXPECT_NEAR(*budget, 30.0, 0.5);
 }
 
 TEST_F(Budgeting, leavesSmallDifferencesSingleHiccupsAndOtherSolversAlone) {
   settings_.automatic.budget = 2.0;
-  const double seconds = tenPasses(4.0 * nanosecond);
-  settings_.step.costBudget = budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), seconds).value();
-  EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), 1.1 * seconds));
-  EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), 1000.0 * seconds));
+  const double seconds = tenForceEvaluations(4.0 * nanosecond);
+  settings_.step.costBudget = budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), seconds).value();
+  EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), 1.1 * seconds));
+  EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), 1000.0 * seconds));
   EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, StepReport(), 100.0 * seconds));
   settings_.automatic.budget = 0.0;
-  EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, ofPasses(10), 100.0 * seconds));
+  EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, withForceEvaluations(10), 100.0 * seconds));
 }
 
 TEST_F(Budgeting, followsAMachineThatBecomesSlower) {
@@ -61,13 +63,14 @@ TEST_F(Budgeting, followsAMachineThatBecomesSlower) {
   settings_.step.costBudget = 30.0;
   for (int step = 0; step < 100; ++step) {
     const double cost = (step < 20 ? 4.0 : 12.0) * nanosecond;
-    settings_.step.costBudget = budget_.budgetAfter(settings_, *scene_->model, ofPasses(10), tenPasses(cost))
-                                    .value_or(settings_.step.costBudget);
+    settings_.step.costBudget =
+        budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), tenForceEvaluations(cost))
+            .value_or(settings_.step.costBudget);
   }
   EXPECT_NEAR(settings_.step.costBudget, 10.0, 2.5);
 }
 
-/// So much that no machine can pay for it, within so little time that the work allowed has to follow.
+/// Sets a cost budget that no machine can afford, with a short time budget, so that the cost budget must change.
 void hurry(Simulation& simulation) {
   simulation.apply(SetSettingCommand{"solver", std::string("auto")});
   simulation.apply(SetSettingCommand{"stiffness", 1e4});
@@ -83,8 +86,8 @@ TEST_F(Budgeting, isLoggedSoThatAReplayTakesTheSameSteps) {
     simulation.step();
   }
   simulation.apply(SingleStepCommand{});
-  simulation.apply(PauseCommand{});  // so that the log tells of all steps
-  EXPECT_GT(simulation.log().size(), 7U) << "the work allowed was changed";
+  simulation.apply(PauseCommand{});  // so that the log contains all steps
+  EXPECT_GT(simulation.log().size(), 7U) << "the cost budget changed";
   EXPECT_LT(simulation.settings().step.costBudget, 1e4);
   Simulation again(scene_);
   again.replay(simulation.log());

@@ -21,7 +21,7 @@ void set(Simulation& simulation, const char* key, const SettingValue& value) {
   ASSERT_EQ(simulation.message(), "");
 }
 
-/// What a user might do, with or without a ghost: the same for the first cloth.
+/// Typical actions of a user, with or without a ghost: the first cloth must be the same.
 void use(Simulation& simulation) {
   set(simulation, "wind.z", 2.0);
   set(simulation, "drag", 0.5);
@@ -54,7 +54,7 @@ TEST(Ghost, ofTheSameSolverGoesTheSameWay) {
   use(simulation);
   ASSERT_NE(simulation.ghost(), nullptr);
   EXPECT_EQ(stateHash(simulation.ghost()->state()), stateHash(simulation.state()))
-      << "hand, pins, mass and settings are the same for both";
+      << "attachment, pins, mass and settings are the same for both";
 }
 
 TEST(Ghost, beginsWhereTheFirstClothIsAndPartsFromIt) {
@@ -106,7 +106,7 @@ TEST(Ghost, comesWithASceneThatAsksForIt) {
   EXPECT_EQ(simulation.ghost(), nullptr) << "the other scene has none";
 }
 
-/// Force derivatives along the springs only let a large step blow up, and twenty small ones not.
+/// With axial force derivatives a large step blows up, and twenty small ones do not.
 std::shared_ptr<const Scene> explosive() {
   auto scene = std::make_shared<Scene>(*smallGrid());
   scene->settings.step.derivative = ForceDerivative::Axial;

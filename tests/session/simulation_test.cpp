@@ -106,7 +106,7 @@ TEST(Simulation, pinsWhatIsHeldWhereItIsAndLetsItGoAgain) {
   Simulation simulation(smallGrid());
   EXPECT_EQ(pinCount(simulation), 2);
   simulation.apply(TogglePinCommand{});
-  EXPECT_EQ(pinCount(simulation), 2) << "nothing is held yet";
+  EXPECT_EQ(pinCount(simulation), 2) << "there is no attachment yet";
   simulation.apply(attachAt(simulation, 70, Vec3(0.0, 0.2, 0.0)));
   for (int i = 0; i < 50; ++i) {
     simulation.step();
@@ -149,7 +149,7 @@ TEST(Simulation, takesOneStepAndStaysPaused) {
 
 TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
   auto scene = std::make_shared<Scene>(*smallGrid());
-  scene->settings.step.stiffness = 1e7;  // far beyond what explicit steps of this length carry
+  scene->settings.step.stiffness = 1e7;  // far beyond the stability of explicit steps of this length
   scene->settings.solver.name = "verlet";
   Simulation simulation(scene);
   for (int i = 0; i < 200 && !simulation.paused(); ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 using testing::smallGrid;
 
-/// Waits until a snapshot has a property; false after a generous time.
+/// Waits until a snapshot has a property; false after a long time.
 bool eventually(SimulationThread& simulation, const std::function<bool(const Snapshot&)>& wanted) {
   for (int i = 0; i < 4000; ++i) {
     if (wanted(simulation.latest())) {

@@ -12,7 +12,7 @@
 namespace drape {
 namespace {
 
-/// A scene that was simulated for a while, and what was captured of it.
+/// A scene after some simulated time, and its snapshot.
 struct Outcome {
   Simulation simulation;
   Snapshot snapshot;
@@ -27,7 +27,7 @@ Outcome simulated(const std::shared_ptr<const Scene>& scene, double seconds) {
   return outcome;
 }
 
-/// What is said of a small grid with these settings after that time; Solver and no words when nothing is.
+/// The diagnosis for a small grid with these settings after that time; Solver without text when there is none.
 StretchDiagnosis causeFor(const std::vector<std::string>& settings, double seconds = 1.0) {
   const Outcome outcome = simulated(testing::smallGrid(9, settings), seconds);
   EXPECT_TRUE(outcome.snapshot.overstretched.has_value()) << "stretch " << outcome.snapshot.maxStretch;

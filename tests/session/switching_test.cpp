@@ -15,7 +15,7 @@ double largestMove(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   return largest;
 }
 
-/// A soft sheet on its way down, in steps that every method can carry.
+/// A soft falling sheet, with steps that are stable with every method.
 Simulation calmSheet() {
   auto scene = std::make_shared<Scene>(*testing::smallGrid());
   scene->settings.step.stiffness = 10.0;
@@ -29,7 +29,7 @@ Simulation calmSheet() {
   return simulation;
 }
 
-/// Changes a setting in the middle of a run and holds the next step to what it would have been.
+/// Changes a setting during a run and compares the next step with the one without the change.
 void expectNoJump(Simulation& simulation, const char* key, const SettingValue& value) {
   Simulation unchanged(std::make_shared<Scene>(simulation.scene()));
   unchanged.replay(simulation.log());

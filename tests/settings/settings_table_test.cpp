@@ -9,7 +9,7 @@
 namespace drape {
 namespace {
 
-/// The message with which a value is refused, or "" when it is taken.
+/// The message with which a value is refused, or "" when it is accepted.
 std::string refusal(const std::string& expression) {
   Settings settings;
   try {

@@ -19,7 +19,7 @@ RawKey up(int key) {
   return {.key = key, .action = RawKey::Action::Up, .edits = key >= enter - 1};
 }
 
-/// How many events each frame takes until none is left.
+/// The number of events of each frame until the queue is empty.
 std::vector<std::size_t> framesOf(std::initializer_list<RawEvent> events) {
   InputQueue queue;
   for (const RawEvent& event : events) {

@@ -237,7 +237,7 @@ TEST_F(Interaction, ANarrowPictureShowsTheSceneFromFartherAway) {
   EXPECT_GT(distance(), 1.5 * wide);
 }
 
-/// The grid, and a ball beside it that is seen beside the cloth; looked at from above.
+/// The grid and a ball, which appears beside the cloth; seen from above.
 class BodyInteraction : public Interaction {
  protected:
   BodyInteraction() {
@@ -265,7 +265,7 @@ TEST_F(BodyInteraction, DraggingABodyMovesItAtTheDepthWhereItWasTaken) {
   ASSERT_EQ(moved.commands.size(), 1U);
   const auto& command = std::get<MoveBodyCommand>(moved.commands.front());
   EXPECT_EQ(command.body, 0);
-  // Taken where the ray through its middle enters it; that point is under the mouse then.
+  // The ray through the centre enters the ball there; that point is then under the mouse.
   const Vec3 middle(0.8, 1.3, 0.0);
   const Vec3 taken = middle + 0.1 * (before.position - middle).normalized();
   EXPECT_NEAR((inWindow(taken + command.shift) - (onBall_ + Vec2(40.0, 25.0))).norm(), 0.0, 0.5);

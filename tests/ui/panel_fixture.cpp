@@ -34,7 +34,7 @@ SettingValue lastValue(const UiOutput& output, const std::string& key) {
   return {};
 }
 
-// The window is tall enough for every section, so that no test has to scroll.
+// The window is tall enough for all sections, so that no test must scroll.
 PanelFixture::PanelFixture(const char* scene)
     : simulation_(builtScene(scene)),
       panels_({.width = 1280, .height = 3000, .density = 1.0F, .scale = 1.0F}, UserInterface::Backend::None) {
@@ -68,7 +68,7 @@ void PanelFixture::moveTo(const UiRect& rect, double across) {
 }
 
 UiOutput PanelFixture::click(const UiRect& place, double across, int button) {
-  const UiRect rect = place;  // the frames below replace what the reference points to
+  const UiRect rect = place;  // the frames below change the object of the reference
   moveTo(rect, across);
   settle();
   ImGui::GetIO().MouseDown[button] = true;

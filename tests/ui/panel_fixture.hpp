@@ -9,22 +9,22 @@
 
 namespace drape {
 
-/// The panels over a small simulation, with a mouse and a keyboard that a test moves. Nothing is drawn.
+/// The panels of a small simulation, with simulated mouse and keyboard. Nothing is drawn.
 class PanelFixture : public ::testing::Test {
  protected:
   explicit PanelFixture(const char* scene = "grid");
 
-  /// Lays out one frame and gives what the user asked for in it.
+  /// Lays out one frame and returns the user's requests.
   UiOutput frame();
-  /// The same a few times, so that what takes a frame to settle has settled.
+  /// The same several times, until the layout is stable.
   void settle();
-  /// Hands commands to the simulation, as the viewer would.
+  /// Passes commands to the simulation, as the viewer does.
   void apply(const UiOutput& output);
 
   void moveTo(const UiRect& rect, double across = 0.5);
-  /// Presses and lets go, a frame each.
+  /// Press and release, with a frame for each.
   UiOutput click(const UiRect& rect, double across = 0.5, int button = 0);
-  /// Presses at one place of a widget, moves to another and lets go. Gives everything that was asked for on the way.
+  /// Presses at one position of a widget, moves to another and releases. Returns all requests.
   UiOutput drag(const UiRect& rect, double from, double to);
   /// Ctrl+click, the text, Enter.
   UiOutput typeInto(const UiRect& rect, const std::string& text);
@@ -38,7 +38,7 @@ class PanelFixture : public ::testing::Test {
   UserInterface panels_;
 };
 
-/// Adds what the second asked for to the first.
+/// Appends the requests of the second to the first.
 void append(UiOutput& all, UiOutput more);
 
 /// The value of the last command that sets `key`; fails the test when there is none.

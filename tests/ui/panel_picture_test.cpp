@@ -11,7 +11,7 @@ namespace {
 constexpr int width = 1280;
 constexpr int height = 720;
 
-/// The panels over the picture, off screen: what a capture with panels does.
+/// The panels over the picture, off screen, as in a capture with panels.
 class PanelPicture : public ::testing::Test {
  protected:
   PanelPicture() : simulation_(scene()), panels_({width, height, 1.0F, 1.0F}, UserInterface::Backend::OpenGl) {
@@ -26,7 +26,7 @@ class PanelPicture : public ::testing::Test {
 
   Image draw(const UiStats& stats = {}) {
     UiOutput ignored;
-    // The first frames only measure: what is longer than the column, and then what wraps beside the scroll bar.
+    // The layout needs three frames: first the width of the column, then the line breaks beside the scroll bar.
     for (int frame = 0; frame < 3; ++frame) {
       panels_.build(snapshot_, stats, ignored);
     }

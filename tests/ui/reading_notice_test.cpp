@@ -5,7 +5,7 @@
 namespace drape {
 namespace {
 
-/// A scene as it comes from a file in centimetres with z up, small enough to be laid out quickly.
+/// A scene like one from a file in centimetres with z up, small enough for fast layout.
 std::shared_ptr<const Scene> withReading(const Scene& from) {
   auto scene = std::make_shared<Scene>(from);
   MeshReading reading;
@@ -28,7 +28,7 @@ class ReadingNotice : public PanelFixture {
     settle();
   }
 
-  /// The settings with which a click asks for the scene to be built again.
+  /// The settings of the rebuild that a click requests.
   Settings rebuiltBy(const std::string& name) {
     const UiOutput output = click(button(name));
     if (output.requests.size() != 1 || !std::holds_alternative<RebuildSceneRequest>(output.requests.front())) {

@@ -7,7 +7,7 @@
 namespace drape {
 namespace {
 
-/// A scene with bodies, opened and not yet touched.
+/// A scene with bodies, opened and unchanged.
 class SceneChanges : public ::testing::Test {
  protected:
   SceneChanges() : scene_(opened()), simulation_(scene_) {}

@@ -84,10 +84,10 @@ TEST_F(SettingWidget, WidgetsStayInsideTheColumn) {
 }
 
 TEST_F(SettingWidget, NoTitleIsCutShort) {
-  // A label has two fifths of its row, the widget the rest; and there is a little space between them.
-  const double room = widget("drag").width * 2.0 / 3.0 - 4.0;
+  // A label has two fifths of its row, the widget has the rest, with a small gap.
+  const double labelWidth = widget("drag").width * 2.0 / 3.0 - 4.0;
   for (const SettingInfo& info : settingsTable()) {
-    EXPECT_LT(ImGui::CalcTextSize(std::string(info.title).c_str()).x, room) << info.key;
+    EXPECT_LT(ImGui::CalcTextSize(std::string(info.title).c_str()).x, labelWidth) << info.key;
   }
 }
 
@@ -100,8 +100,8 @@ TEST_F(SettingWidget, DraggingASliderSetsTheValueUnderTheMouse) {
 
 TEST_F(SettingWidget, ASliderShowsWhatWasChosenUntilTheSimulationFollows) {
   const UiOutput output = drag(widget("drag"), 0.1, 0.5);
-  EXPECT_EQ(simulation_.settings().step.drag, 0.0) << "nobody has applied the commands yet";
-  // Right click does something only when the shown value is not the scene's.
+  EXPECT_EQ(simulation_.settings().step.drag, 0.0) << "the commands are not applied yet";
+  // A right click acts only when the value differs from the scene's.
   const UiOutput reset = click(widget("drag"), 0.5, 1);
   EXPECT_EQ(std::get<double>(lastValue(reset, "drag")), 0.0);
 }

@@ -94,14 +94,14 @@ TEST_F(ContactPanelTest, ChangesTheSurfaceOfOneBody) {
   EXPECT_EQ(simulation_.bodies().surface(1).staticFriction, before.staticFriction);
   apply(typeInto(widget("body.ground.kinetic_friction"), "99"));
   settle();
-  EXPECT_EQ(simulation_.bodies().surface(1).kineticFriction, 10.0) << "the most that is allowed";
+  EXPECT_EQ(simulation_.bodies().surface(1).kineticFriction, 10.0) << "the maximum";
   EXPECT_EQ(simulation_.bodies().surface(1).staticFriction, 10.0) << "which is never less";
   apply(drag(widget("body.ground.static_friction"), 0.9, 0.1));
   settle();
   EXPECT_NEAR(simulation_.bodies().surface(1).staticFriction, 0.2, 0.02);
   EXPECT_EQ(simulation_.bodies().surface(1).kineticFriction, simulation_.bodies().surface(1).staticFriction);
   EXPECT_TRUE(typeInto(widget("body.ground.thickness"), "thin").commands.empty());
-  // A right click gives back what the scene says.
+  // A right click restores the value of the scene.
   apply(click(widget("body.ground.thickness"), 0.5, 1));
   EXPECT_EQ(simulation_.bodies().surface(1).thickness, before.thickness);
   EXPECT_EQ(simulation_.bodies().surface(0), simulation_.scene().bodies->at(0).surface) << "the other one's is its own";
@@ -321,7 +321,7 @@ TEST_F(UserInterfaceTest, AClickOnTheStatusLineTellsOfTheSolver) {
 }
 
 TEST_F(UserInterfaceTest, TheStatusLineGrowsForALongMessage) {
-  simulation_.apply(SetSettingCommand{"solver", std::string("auto")});  // which has nothing to complain about
+  simulation_.apply(SetSettingCommand{"solver", std::string("auto")});  // which gives no warning
   settle();
   EXPECT_FALSE(panels_.buttons().contains("overlay.status"));
   stats_.notice =

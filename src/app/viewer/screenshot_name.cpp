@@ -8,9 +8,9 @@
 namespace drape {
 
 std::filesystem::path freeScreenshotName(const std::filesystem::path& folder, const std::string& scene) {
-  constexpr int most = 9999;
+  constexpr int maxNumber = 9999;
   const std::string stem = std::filesystem::path(scene).stem().string();
-  for (int number = 1; number <= most; ++number) {
+  for (int number = 1; number <= maxNumber; ++number) {
     std::array<char, 16> digits{};
     std::snprintf(digits.data(), digits.size(), "-%03d.png", number);
     std::filesystem::path file = folder / ((stem.empty() ? "drape" : stem) + digits.data());

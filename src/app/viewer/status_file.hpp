@@ -37,7 +37,7 @@ class StatusFile {
       "With --status FILE the viewer replaces FILE about every 50 ms by a JSON object for scripts:\n"
       "  sequence, frame          counters of writes and of drawn frames\n"
       "  first_frame_seconds      from the start of the program to its first frame on screen [s]\n"
-      "  scene, vertices, pins    the scene, its vertices and its pinned vertices\n"
+      "  scene, vertices, pins    name, number of vertices, number of pins\n"
       "  paused, step, time       the clock [s]\n"
       "  settings                 all settings, by key\n"
       "  energy, max_stretch      [J], [-]\n"

@@ -81,8 +81,8 @@ std::vector<double> puff(const FlatMesh& mesh, const std::vector<bool>& sewn) {
       }
     }
     for (std::size_t i = 0; i < height.size(); ++i) {
-      const bool held = i < sewn.size() && sewn[i];
-      height[i] = held ? 0.0 : (puffHeight + coupling * sum[i] / std::max(1, count[i])) / (1.0 + coupling);
+      const bool isSewn = i < sewn.size() && sewn[i];
+      height[i] = isSewn ? 0.0 : (puffHeight + coupling * sum[i] / std::max(1, count[i])) / (1.0 + coupling);
     }
   }
   return height;

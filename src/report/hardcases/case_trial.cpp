@@ -67,7 +67,7 @@ void CaseTrial::tick() const {
   }
 }
 
-CaseCloth sheetCloth(const Settings& settings, int resolution, Held held, double side, bool upright) {
+CaseCloth sheetCloth(const Settings& settings, int resolution, Pinned pinned, double side, bool upright) {
   const GridLayout layout = layoutOf({resolution, side, side});
   CaseCloth cloth{makeGrid(layout, upright ? GridSource::Plane::Vertical : GridSource::Plane::Horizontal).cloth,
                   {},
@@ -76,13 +76,13 @@ CaseCloth sheetCloth(const Settings& settings, int resolution, Held held, double
                   {},
                   {},
                   {}};
-  if (held == Held::OneCorner || held == Held::TwoCorners) {
+  if (pinned == Pinned::OneCorner || pinned == Pinned::TwoCorners) {
     cloth.pins.push_back(layout.index(0, 0));
   }
-  if (held == Held::TwoCorners) {
+  if (pinned == Pinned::TwoCorners) {
     cloth.pins.push_back(layout.index(0, layout.columns - 1));
   }
-  for (int column = 0; held == Held::TopEdge && column < layout.columns; ++column) {
+  for (int column = 0; pinned == Pinned::TopEdge && column < layout.columns; ++column) {
     cloth.pins.push_back(layout.index(0, column));
   }
   return cloth;

@@ -71,10 +71,10 @@ struct CaseCloth {
 };
 
 /// The pins of a case's sheet.
-enum class Held { Nowhere, TwoCorners, OneCorner, TopEdge };
+enum class Pinned { Nowhere, TwoCorners, OneCorner, TopEdge };
 
 /// A square sheet of 0.1 kg with that number of vertices per side, centred on the origin: level, or upright.
-[[nodiscard]] CaseCloth sheetCloth(const Settings& settings, int resolution, Held held, double side = 1.0,
+[[nodiscard]] CaseCloth sheetCloth(const Settings& settings, int resolution, Pinned pinned, double side = 1.0,
                                    bool upright = false);
 
 /// The model of a case's cloth.

@@ -29,7 +29,7 @@ Vec3 barycentreOf(const ClothModel& model, const ClothState& state) {
 void freeFall(CaseTrial& trial) {
   constexpr double limit = 1e-6;  // [m]
   const CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000", "damping=0.1", "precision=double"}),
-                                     trial.pick(33, 17), Held::Nowhere);
+                                     trial.pick(33, 17), Pinned::Nowhere);
   WatchedCloth watched(trial, cloth);
   watched.run(trial.pick(2.0, 1.0));
   const std::vector<Vec3>& rest = watched.model().restPositions;
@@ -45,7 +45,7 @@ void freeFall(CaseTrial& trial) {
 void spinning(CaseTrial& trial) {
   constexpr double limit = 1e-6;
   CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000", "gravity=0", "precision=double"}), trial.pick(33, 17),
-                               Held::Nowhere);
+                               Pinned::Nowhere);
   const Vec3 spin(2.0, 6.0, 3.0);   // [1/s]
   const Vec3 drift(0.3, 0.4, 0.0);  // [m/s]
   for (const Vec3& position : cloth.mesh.positions) {

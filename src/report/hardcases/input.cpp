@@ -12,7 +12,7 @@ namespace {
 
 /// A level sheet without texture coordinates, in which each triangle has its own vertices: every corner is duplicated.
 RawMesh sheetOfLooseTriangles(const CaseTrial& trial, int resolution) {
-  const ClothMesh sheet = sheetCloth(trial.settings({}), resolution, Held::Nowhere).mesh;
+  const ClothMesh sheet = sheetCloth(trial.settings({}), resolution, Pinned::Nowhere).mesh;
   RawMesh raw;
   for (const Triangle& triangle : sheet.triangles) {
     const auto first = static_cast<int>(raw.positions.size());
@@ -72,7 +72,7 @@ void nothingThere(CaseTrial& trial) {
   const auto seconds = trial.pick(1.0, 0.3);
   const int resolution = trial.pick(17, 9);
 
-  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=0"}), resolution, Held::TwoCorners);
+  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=0"}), resolution, Pinned::TwoCorners);
   WatchedCloth dust(trial, cloth);
   dust.run(seconds);
   const double fall = 0.5 * cloth.settings.step.gravity * seconds * seconds;
@@ -80,7 +80,7 @@ void nothingThere(CaseTrial& trial) {
   const double fallen = cloth.mesh.positions[middle].y() - dust.state().positions[middle].y();
   trial.expect("fall without stiffness off by", "%", 100.0 * std::abs(fallen / fall - 1.0), 5.0);
 
-  WatchedCloth weightless(trial, sheetCloth(trial.settings({"stiffness=1000"}), resolution, Held::TwoCorners));
+  WatchedCloth weightless(trial, sheetCloth(trial.settings({"stiffness=1000"}), resolution, Pinned::TwoCorners));
   weightless.apply(SetSettingCommand{"mass", 0.0});
   untold += weightless.simulation().message().empty() ? 1 : 0;
   trial.say("Mass 0: " + weightless.simulation().message());
@@ -92,7 +92,7 @@ void nothingThere(CaseTrial& trial) {
     trial.say(error.what());
   }
 
-  CaseCloth doubled = sheetCloth(trial.settings({"stiffness=1000"}), resolution, Held::TwoCorners);
+  CaseCloth doubled = sheetCloth(trial.settings({"stiffness=1000"}), resolution, Pinned::TwoCorners);
   doubled.mesh.positions.push_back(doubled.mesh.positions.back());
   const auto last = static_cast<int>(doubled.mesh.positions.size()) - 1;
   doubled.mesh.triangles.push_back({last - 1, last, 0});

@@ -49,7 +49,7 @@ double convergedStrain(const CaseTrial& trial, const CaseCloth& cloth, double se
 
 void unevenSprings(CaseTrial& trial) {
   constexpr double stiffer = 1e5;
-  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=10"}), trial.pick(33, 9), Held::TwoCorners);
+  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=10"}), trial.pick(33, 9), Pinned::TwoCorners);
   CaseNumbers random(5);
   cloth.stiffness.resize(modelOf(cloth)->springs.size());
   std::generate(cloth.stiffness.begin(), cloth.stiffness.end(), [&] { return random.next() < 0.5 ? stiffer : 1.0; });
@@ -61,7 +61,7 @@ void unevenSprings(CaseTrial& trial) {
 void unevenMasses(CaseTrial& trial) {
   constexpr double heavier = 1e5;
   constexpr double limit = 2.0;
-  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1e5"}), trial.pick(33, 9), Held::TwoCorners);
+  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1e5"}), trial.pick(33, 9), Pinned::TwoCorners);
   CaseNumbers random(6);
   const auto even = modelOf(cloth);
   cloth.masses = even->vertexMass;
@@ -78,7 +78,7 @@ void fineAndStiff(CaseTrial& trial) {
   // The finer sheet, whose steps cost eight times as much, is measured while the first tension wave runs through it.
   using Sizes = std::vector<std::pair<int, double>>;  // with the simulated time [s]
   for (const auto& [size, seconds] : trial.pick<Sizes>({{129, 0.2}, {257, 0.04}}, {{129, 0.02}})) {
-    WatchedCloth watched(trial, sheetCloth(trial.settings({"stiffness=1e5"}), size, Held::TwoCorners));
+    WatchedCloth watched(trial, sheetCloth(trial.settings({"stiffness=1e5"}), size, Pinned::TwoCorners));
     const double strain = strainOnTheWay(watched, seconds);
     trial.show("largest strain at " + gridText(size), "", strain);
   }
@@ -86,7 +86,7 @@ void fineAndStiff(CaseTrial& trial) {
 
 void heavyGravity(CaseTrial& trial) {
   WatchedCloth watched(
-      trial, sheetCloth(trial.settings({"stiffness=1000", "gravity=981"}), trial.pick(33, 17), Held::TwoCorners));
+      trial, sheetCloth(trial.settings({"stiffness=1000", "gravity=981"}), trial.pick(33, 17), Pinned::TwoCorners));
   trial.show("largest strain", "", strainOnTheWay(watched, trial.pick(1.0, 0.5)));
 }
 
@@ -100,7 +100,7 @@ void scales(CaseTrial& trial) {
     Settings settings = trial.settings({"precision=double"});
     settings.step.timeStep = slower / 600.0;
     settings.step.stiffness = 100.0 / size;
-    WatchedCloth watched(trial, sheetCloth(settings, trial.pick(17, 9), Held::TwoCorners, size));
+    WatchedCloth watched(trial, sheetCloth(settings, trial.pick(17, 9), Pinned::TwoCorners, size));
     watched.run(seconds * slower);
     std::vector<Vec3> positions = watched.state().positions;
     std::for_each(positions.begin(), positions.end(), [&](Vec3& position) { position /= size; });

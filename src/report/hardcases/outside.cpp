@@ -33,7 +33,7 @@ Vec3 meanVelocity(const ClothModel& model, const ClothState& state) {
 void pinsTeleport(CaseTrial& trial) {
   constexpr double stretchLimit = 5.0;  // [%]
   WatchedCloth watched(
-      trial, sheetCloth(trial.settings({"stiffness=5000", "damping=0.1"}), trial.pick(33, 17), Held::TwoCorners));
+      trial, sheetCloth(trial.settings({"stiffness=5000", "damping=0.1"}), trial.pick(33, 17), Pinned::TwoCorners));
   watched.run(trial.pick(1.0, 0.2));
   watched.apply(MovePinsCommand{Vec3(6.0, 8.0, 0.0)});
   watched.run(2.0);
@@ -45,7 +45,7 @@ void storm(CaseTrial& trial) {
   Settings settings = trial.settings({"stiffness=1000", "drag=1", "lift=0.5"});
   settings.step.wind = Vec3(0.0, 0.0, 1e3);  // ten times the maximum of the setting
   const int resolution = trial.pick(33, 17);
-  WatchedCloth free(trial, sheetCloth(settings, resolution, Held::Nowhere, 1.0, true), EnergyRule::WindFrame);
+  WatchedCloth free(trial, sheetCloth(settings, resolution, Pinned::Nowhere, 1.0, true), EnergyRule::WindFrame);
   const Vec3 wind = settings.step.wind;
   const auto steps = trial.pick(150, 40);
   for (int i = 0; i < steps; ++i) {
@@ -53,16 +53,16 @@ void storm(CaseTrial& trial) {
     const double along = (meanVelocity(free.model(), free.state()) - wind).dot(-wind) / wind.squaredNorm();
     trial.expect("relative velocity reversed", "of the wind", std::max(0.0, -along), reversedLimit);
   }
-  WatchedCloth held(trial, sheetCloth(settings, resolution, Held::TwoCorners, 1.0, true), EnergyRule::NotCounted);
-  held.run(trial.pick(1.0, 0.2));
-  trial.show("stretch of held cloth", "", maxStretch(held.model(), held.state()));
+  WatchedCloth pinned(trial, sheetCloth(settings, resolution, Pinned::TwoCorners, 1.0, true), EnergyRule::NotCounted);
+  pinned.run(trial.pick(1.0, 0.2));
+  trial.show("stretch of pinned cloth", "", maxStretch(pinned.model(), pinned.state()));
 }
 
 void thrown(CaseTrial& trial) {
   const int resolution = trial.pick(33, 17);
   WatchedCloth watched(
       trial, sheetCloth(trial.settings({"stiffness=1000", "attachment.stiffness=1e4", "attachment.max_force=100"}),
-                        resolution, Held::TwoCorners));
+                        resolution, Pinned::TwoCorners));
   watched.run(trial.pick(0.3, 0.1));
   const Settings& settings = watched.simulation().settings();
   const int vertex = (resolution / 2) * resolution + resolution / 2;

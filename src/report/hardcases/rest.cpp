@@ -59,7 +59,7 @@ void expectRest(CaseTrial& trial, WatchedCloth& watched, double seconds) {
 void oneCorner(CaseTrial& trial) {
   constexpr double turningLimit = 0.01;  // [1/s]
   const CaseCloth cloth =
-      sheetCloth(trial.settings({"stiffness=1000", "damping=0.03"}), trial.pick(33, 9), Held::OneCorner);
+      sheetCloth(trial.settings({"stiffness=1000", "damping=0.03"}), trial.pick(33, 9), Pinned::OneCorner);
   WatchedCloth watched(trial, cloth);
   watched.run(trial.pick(60.0, 40.0));
   const Vec3 pin = watched.state().positions[static_cast<std::size_t>(cloth.pins.front())];
@@ -71,7 +71,7 @@ void oneCorner(CaseTrial& trial) {
 
 void largeAtRest(CaseTrial& trial) {
   const CaseCloth cloth =
-      sheetCloth(trial.settings({"stiffness=1000", "damping=0.03"}), trial.pick(100, 17), Held::TopEdge, 1.0, true);
+      sheetCloth(trial.settings({"stiffness=1000", "damping=0.03"}), trial.pick(100, 17), Pinned::TopEdge, 1.0, true);
   WatchedCloth watched(trial, cloth);
   watched.run(trial.pick(59.0, 9.5));
   expectRest(trial, watched, trial.pick(1.0, 0.5));

@@ -54,7 +54,8 @@ double meanLengthRatio(const ClothModel& model, const ClothState& state) {
 }  // namespace
 
 void randomStart(CaseTrial& trial) {
-  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000", "damping=0.1"}), trial.pick(33, 13), Held::TwoCorners);
+  CaseCloth cloth =
+      sheetCloth(trial.settings({"stiffness=1000", "damping=0.1"}), trial.pick(33, 13), Pinned::TwoCorners);
   CaseNumbers random(1);
   cloth.start = cloth.mesh.positions;
   for (std::size_t v = 0; v < cloth.start.size(); ++v) {
@@ -93,7 +94,7 @@ void flattened(CaseTrial& trial) {
 void onePoint(CaseTrial& trial) {
   constexpr double missingLimit = 10.0;  // [%]
   CaseCloth cloth =
-      sheetCloth(trial.settings({"stiffness=1000", "damping=0.1", "gravity=0"}), trial.pick(33, 13), Held::Nowhere);
+      sheetCloth(trial.settings({"stiffness=1000", "damping=0.1", "gravity=0"}), trial.pick(33, 13), Pinned::Nowhere);
   cloth.start.assign(cloth.mesh.positions.size(), Vec3(0.0, 1.0, 0.0));
   const auto hashAfter = [&](double seconds) {
     WatchedCloth watched(trial, cloth);
@@ -111,7 +112,7 @@ void onePoint(CaseTrial& trial) {
 
 void crushed(CaseTrial& trial) {
   constexpr double left = 0.01;
-  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000", "gravity=0"}), trial.pick(33, 17), Held::Nowhere);
+  CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000", "gravity=0"}), trial.pick(33, 17), Pinned::Nowhere);
   cloth.start = cloth.mesh.positions;
   for (Vec3& position : cloth.start) {
     position *= left;

@@ -31,7 +31,7 @@ std::uint64_t hashAfter(CaseTrial& trial, const CaseCloth& cloth, int steps, Fra
 void randomFrames(CaseTrial& trial) {
   constexpr double shortest = 0.001;  // [s]
   constexpr double longest = 0.1;     // [s]
-  const CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000"}), trial.pick(33, 17), Held::TwoCorners);
+  const CaseCloth cloth = sheetCloth(trial.settings({"stiffness=1000"}), trial.pick(33, 17), Pinned::TwoCorners);
   const int steps = trial.pick(450, 60);
   CaseNumbers random(11);
   const auto uneven = hashAfter(trial, cloth, steps, [&] { return shortest + (longest - shortest) * random.next(); });
@@ -42,7 +42,7 @@ void randomFrames(CaseTrial& trial) {
 void changedWhileRunning(CaseTrial& trial) {
   constexpr double jumpLimit = 1.0;  // edges
   WatchedCloth watched(
-      trial, sheetCloth(trial.settings({"stiffness=1000", "damping=0.05"}), trial.pick(33, 17), Held::TwoCorners));
+      trial, sheetCloth(trial.settings({"stiffness=1000", "damping=0.05"}), trial.pick(33, 17), Pinned::TwoCorners));
   const auto jump = [&](const Command& command) {
     watched.apply(command);
     const ClothState before = watched.state();
@@ -66,7 +66,7 @@ void changedWhileRunning(CaseTrial& trial) {
 void longSteps(CaseTrial& trial) {
   for (const char* step : {"time_step=1/30", "time_step=1/24", "time_step=1/15"}) {
     WatchedCloth watched(trial,
-                         sheetCloth(trial.settings({"stiffness=1000", step}), trial.pick(33, 17), Held::TwoCorners));
+                         sheetCloth(trial.settings({"stiffness=1000", step}), trial.pick(33, 17), Pinned::TwoCorners));
     watched.run(trial.pick(2.0, 0.5));
   }
 }

@@ -44,7 +44,7 @@ std::vector<MethodCurve> listed() {
        "theta",
        thetas,
        {"0.5", "0.75"}},
-      {"auto, work", "auto", budgeted, "auto.cost", works, {"30"}},
+      {"auto, cost", "auto", budgeted, "auto.cost", works, {"30"}},
       {"auto, float, cost", "auto", {budgeted[0], budgeted[1], "precision=float"}, "auto.cost", works, {"30"}},
       {"Chebyshev, iterations", "chebyshev", {}, "iterations", {"3", "5", "9", "17", "33"}, {"9"}},
       {"Chebyshev 5, substeps", "chebyshev", {"iterations=5"}, "substeps", upTo(32), {"4"}},

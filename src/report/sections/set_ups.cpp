@@ -31,15 +31,16 @@ Vec3 twisted(const Vec3& standing, double length) {
 }
 
 std::vector<SetUp> ownSetUps() {
-  SetUp hang{"hang", "a flat sheet that falls from two held corners (the scene grid)", "grid"};
+  SetUp hang{"hang", "a flat sheet that falls from two pinned corners (the scene grid)", "grid"};
   SetUp flag{"flag", "a flag in the wind, with damping, drag and lift (the scene flag)", "flag"};
-  SetUp crush{"crush", "a horizontal sheet, slightly bent, whose two held edges stand at 0.95 of its width", "grid"};
+  SetUp crush{"crush", "a horizontal sheet, slightly bent, whose two pinned edges stand at 0.95 of its width", "grid"};
   crush.edges = {"left", "right"};
   crush.place = crushed;
-  SetUp twist{"twist",
-              "an upright sheet, slightly bent, held at its upper and lower edge, these turned against each other by "
-              "45 degrees",
-              "grid"};
+  SetUp twist{
+      "twist",
+      "an upright sheet, slightly bent, pinned at its upper and lower edge, which are rotated against each other by "
+      "45 degrees",
+      "grid"};
   twist.edges = {"top", "bottom"};
   twist.place = [](const Vec3& rest, double length) {
     // The scene's sheet is level; here it is upright, with its back edge up.

@@ -221,7 +221,7 @@ std::string claimText(const ReportRows& rows) {
 std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      "The scene 'grid' (flat, at rest, two corners held, no damping, no air) with every method's default settings. "
+      "The scene 'grid' (flat, at rest, two pinned corners, no damping, no air) with every method's default settings. "
       "This cloth gets no external energy. Explodes: the state is not finite, or the energy after a step has risen by "
       "more "
       "than " +

@@ -59,9 +59,9 @@ std::vector<Table2Start> allStarts() {
   const std::vector<std::string> twoCorners{"top_left", "top_right"};
   const std::vector<std::string> edge{"top"};
   std::vector<Table2Start> starts{
-      {"flat, two corners", "lies flat at rest, two corners held", sheet(twoCorners, {})},
-      {"flat, one corner", "lies flat at rest, one corner held", sheet({"top_left"}, {})},
-      {"flat, edge", "lies flat at rest, one edge held", sheet({}, edge)},
+      {"flat, two corners", "lies flat at rest, two pinned corners", sheet(twoCorners, {})},
+      {"flat, one corner", "lies flat at rest, one pinned corner", sheet({"top_left"}, {})},
+      {"flat, edge", "lies flat at rest, one pinned edge", sheet({}, edge)},
       {"hanging, two corners", "hangs from two corners, tilted by 20 degrees, at rest", sheet(twoCorners, {}), true},
       {"hanging, edge", "hangs from an edge, tilted by 20 degrees, at rest", sheet({}, edge), true},
       {"swinging, two corners", "the start 'hanging, two corners' 0.4 s later, swinging", sheet(twoCorners, {}), true,

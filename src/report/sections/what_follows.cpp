@@ -162,7 +162,7 @@ std::string winnersText(const ReportRows& rows) {
   for (const ReportRow& row : rows) {
     if (row.value("question", "") == "cheapest") {
       ++asked;
-      wins[row["method"].is_null() ? "nobody" : row.value("method", "")] += 1;
+      wins[row["method"].is_null() ? "none" : row.value("method", "")] += 1;
     }
   }
   std::string text = "Of these " + std::to_string(asked) + " places";
@@ -194,7 +194,7 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
 }  // namespace
 
 Section sections::whatFollows() {
-  return {"what_follows", "What follows", nullptr, show, derive};
+  return {"what_follows", "Conclusions", nullptr, show, derive};
 }
 
 }  // namespace drape
