@@ -42,7 +42,7 @@ Momentum momentumOf(const ClothModel& model, const ClothState& state) {
 
 }  // namespace
 
-ErrorReport judge(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
+ErrorReport errorsAgainstReference(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
                   const Reference& reference) {
   const Trajectory& truth = reference.trajectory;
   ErrorReport report;

@@ -50,7 +50,7 @@ struct ErrorSummary {
 
 /// Compares `own` with `reference`, up to the end of the shorter one.
 /// @param parameters of the method, for its energies
-[[nodiscard]] ErrorReport judge(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
+[[nodiscard]] ErrorReport errorsAgainstReference(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
                                 const Reference& reference);
 
 /// The summary at the checkpoint nearest to each of these times [s]. It omits times beyond the run and checkpoints

@@ -128,7 +128,7 @@ JudgedRun judgedRun(WorkGround& ground, const Settings& settings, const Referenc
                     const Patience& patience) {
   const Scene& scene = seed == 0 ? ground.scene() : ground.jitteredScene(seed);
   JudgedRun run{runTrajectory(scene, settings, judgedCheckpoints, patience.watch()), {}};
-  run.report = judge(*scene.model, settings.step, run.own, reference);
+  run.report = errorsAgainstReference(*scene.model, settings.step, run.own, reference);
   return run;
 }
 
