@@ -8,9 +8,9 @@
 
 namespace drape {
 
-/// How many pairs of a cloth's triangle and a body's triangle intersect, by exact arithmetic (intersection/intersections.hpp).
-/// Bodies that are on count as they are drawn, where they are at the end of the step. A plane is not the square that is
-/// drawn: each triangle that touches it or is below it counts once.
+/// How many pairs of a cloth's triangle and a body's triangle intersect, by exact arithmetic
+/// (intersection/intersections.hpp). Bodies that are on count as they are drawn, where they are at the end of the step.
+/// A plane is not the square that is drawn: each triangle that touches it or is below it counts once.
 /// @param positions of the cloth [m]
 /// @param triangles of the cloth
 [[nodiscard]] std::size_t pairsWithBodies(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,

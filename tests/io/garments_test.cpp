@@ -1,7 +1,7 @@
 #include "io/garments/garments.hpp"
 
-#include "io/mesh_import.hpp"
 #include "intersection/intersections.hpp"
+#include "io/mesh_import.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>

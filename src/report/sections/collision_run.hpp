@@ -22,8 +22,8 @@ struct CollisionRun {
   bool finite = true;
 };
 
-/// Runs a scene, its bodies included, for so long and looks for intersecting triangles, by the exact intersection test, at every
-/// `lookEvery`-th step. 0: never.
+/// Runs a scene, its bodies included, for so long and looks for intersecting triangles, by the exact intersection test,
+/// at every `lookEvery`-th step. 0: never.
 /// @param mayStop is called before each step and may throw
 [[nodiscard]] CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery,
                                         const std::function<void()>& mayStop);
