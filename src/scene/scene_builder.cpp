@@ -156,7 +156,7 @@ std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& descripti
   return bodies;
 }
 
-/// The vertex nearest to a place of a mesh that moves in itself, as it begins; -1 for other shapes.
+/// The vertex nearest to a place of a deforming mesh, as it begins; -1 for other shapes.
 int anchorNear(const BodyShape& shape, const Vec3& place) {
   const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&shape);
   if (mesh == nullptr || (*mesh)->frames.empty()) {

@@ -37,7 +37,7 @@ struct BodyStatus {
   Vec3 shift = Vec3::Zero();  ///< by hand, from where its own motion puts it [m]
   bool on = true;
   SurfaceProperties surface;
-  std::vector<Vec3> vertices;  ///< of a mesh that moves in itself, in its own frame [m]; else empty
+  std::vector<Vec3> vertices;  ///< of a deforming mesh, in its own frame [m]; else empty
 };
 
 /// A picture of the running simulation at a step boundary. All that the renderer and the panels ever see of it.
