@@ -231,7 +231,7 @@ scale = 2
 frames = { first = 1, last = 3, rate = 10, loop = true }
 )";
 
-TEST(Scenes, readABodyThatMovesInItselfFromOneFileAFrame) {
+TEST(Scenes, readADeformingBodyFromOneFileAFrame) {
   const Folder folder;
   writeFrames(folder, 3);
   const SceneDescription description = openScene(folder.write("tilting.toml", tiltingScene));

@@ -96,7 +96,7 @@ TEST(CarriedPins, moveEvenlyOverTheSubsteps) {
   }
 }
 
-TEST(CarriedPins, goWithTheNearestVertexOfAMeshThatMovesInItself) {
+TEST(CarriedPins, goWithTheNearestVertexOfADeformingMesh) {
   MeshShape mesh;
   mesh.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   mesh.triangles = {{0, 1, 2}};

@@ -9,8 +9,7 @@ namespace drape {
 
 /// A direction along which points of the cloth are separated from the vertices of some leaves of a mesh.
 struct HullGap {
-  double atLeast = -std::numeric_limits<double>::infinity();  ///< width of the gap, a lower bound of the distance [m];
-                                                              ///< negative: they overlap
+  double atLeast = -std::numeric_limits<double>::infinity();  ///< width of the gap [m]; negative: they overlap
   Vec3 normal = Vec3::UnitY();                                ///< towards the cloth
   double top = std::numeric_limits<double>::infinity();       ///< maximum of the leaves along the normal [m]
 };

@@ -33,8 +33,7 @@ struct MeshInStep {
 
 /// The point of a mesh that is closest to a vertex of the cloth.
 struct NearestMeshPoint {
-  double gap = std::numeric_limits<double>::infinity();  ///< at the start of the pass [m]; infinite: there is none
-                                                         ///< within the search radius
+  double gap = std::numeric_limits<double>::infinity();  ///< at the start of the pass [m]; infinite: none found
   int triangle = -1;
   Vec3 weights = Vec3::Zero();  ///< of the triangle's corners
   Vec3 normal = Vec3::UnitY();  ///< towards the cloth

@@ -51,7 +51,7 @@ void NearestSearch::remember(const Vec3& point, double within, double beyond, Ne
     return;
   }
   memory.clearRadius = std::sqrt(minSquaredDistance_);
-  // After a displacement of `within`, the closest triangle is at most that much farther from there than now.
+  // After a displacement of `within`, only triangles within the present distance plus twice that can be closest.
   const double far = memory.clearRadius + 2.0 * within;
   for (std::size_t i = 0; i < toBox_.size(); ++i) {
     if (toBox_[i] <= roundedUp * far * far) {

@@ -36,8 +36,8 @@ void ConstraintBuilder::addContact(const ClothInBody& cloth, std::size_t t, cons
 
 void ConstraintBuilder::addPlanes(const ClothInBody& cloth, std::size_t t, const Vec3& normal, double height,
                                   double gap, Candidates& candidates) const {
-  const double limit = height + std::min(offsets_.minimumSeparation,
-                                         gap);  // vertices that are already closer must not come closer still
+  // Cloth that is already closer than the minimum separation must not come closer still.
+  const double limit = height + std::min(offsets_.minimumSeparation, gap);
   const Vec3 world = step_.end.rotation * normal;
   const double origin = world.dot(step_.end.position);
   for (const int v : cloth.triangles[t]) {

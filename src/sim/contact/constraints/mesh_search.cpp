@@ -202,7 +202,7 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
     }
     return;
   }
-  const auto displacement = [&](int v) {
+  const auto squaredDisplacement = [&](int v) {
     return (vectorAt(cloth.predicted, v) - vectorAt(cloth.start, v)).squaredNorm();
   };
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -212,8 +212,9 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
       continue;
     }
     const Triangle& corners = cloth.triangles[t];
-    const double longest =
-        std::sqrt(std::max({displacement(corners[0]), displacement(corners[1]), displacement(corners[2])})) + rounding;
+    const double longest = std::sqrt(std::max({squaredDisplacement(corners[0]), squaredDisplacement(corners[1]),
+                                               squaredDisplacement(corners[2])})) +
+                           rounding;
     if (distances_[t] >= offsets.edgeOffset + longest) {
       continue;  // it stays too far away
     }

@@ -53,8 +53,7 @@ FaceRegion SharpFeatureSearch::region() const {
   const Vec3 ac = start_[2] - start_[0];
   const Vec3 across = ab.cross(ac);
   const double area = across.squaredNorm();
-  constexpr double thin =
-      1e-12;  // squared sine of the angle between two sides; for slivers the weights are not checked
+  constexpr double thin = 1e-12;  // squared sine of the angle between two sides; for slivers all points count
   if (area > thin * ab.squaredNorm() * ac.squaredNorm()) {
     region.weights = {ac.cross(across) / area, across.cross(ab) / area};
   }

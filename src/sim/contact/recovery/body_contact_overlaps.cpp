@@ -15,9 +15,9 @@ constexpr int minRings = 3;                // rings of triangles around the over
 constexpr double ringsPerWidth = 1.0;      // additional rings per triangle of the overlap's width
 
 /// The vector, limited to a maximum length.
-Vec3 shortened(const Vec3& vector, double maximum) {
+Vec3 limited(const Vec3& vector, double maxLength) {
   const double length = vector.norm();
-  return length > maximum ? Vec3(maximum / length * vector) : vector;
+  return length > maxLength ? Vec3(maxLength / length * vector) : vector;
 }
 
 /// The first vertex of each connected piece of a cloth.
@@ -82,9 +82,9 @@ void BodyContact::extendBoundsForRecovery() {
   for (std::size_t b = 0; b < nearCount_; ++b) {
     const NearBody& near = near_[b];
     if (near.overlaps) {
-      const double maximum = near.offsets.recoveryStepAt(std::numeric_limits<double>::max());
+      const double maxStep = near.offsets.recoveryStepAt(std::numeric_limits<double>::max());
       for (const int v : near.overlap.members()) {
-        displacementBounds_[static_cast<std::size_t>(v)] += maximum;
+        displacementBounds_[static_cast<std::size_t>(v)] += maxStep;
       }
     }
   }
@@ -99,11 +99,11 @@ bool BodyContact::overlaps() const {
 std::vector<bool> BodyContact::verticesAtOverlap(const Cloth& cloth, const NearBody& near) {
   const std::vector<Triangle>& triangles = cloth.model.triangles;
   const std::vector<bool> pierces = near.meshSearch.pierces(triangles.size());
-  std::vector<bool> beside(predicted_.size(), false);
+  std::vector<bool> atOverlap(predicted_.size(), false);
   std::vector<int> newest;
   const auto mark = [&](int v, std::vector<int>& marked) {
-    if (!beside[static_cast<std::size_t>(v)]) {
-      beside[static_cast<std::size_t>(v)] = true;
+    if (!atOverlap[static_cast<std::size_t>(v)]) {
+      atOverlap[static_cast<std::size_t>(v)] = true;
       marked.push_back(v);
     }
   };
@@ -127,7 +127,7 @@ std::vector<bool> BodyContact::verticesAtOverlap(const Cloth& cloth, const NearB
     }
     newest.swap(next);
   }
-  return beside;
+  return atOverlap;
 }
 
 /// Limits the speed of cloth at an overlap. Cloth that has left a body pulls at cloth that is still inside; without a
@@ -139,12 +139,12 @@ void BodyContact::limitDisplacementsAtOverlap(const Cloth& cloth) {
     if (!near.overlaps) {
       continue;
     }
-    const std::vector<bool> beside = verticesAtOverlap(cloth, near);
+    const std::vector<bool> atOverlap = verticesAtOverlap(cloth, near);
     for (std::size_t v = 0; v < predicted_.size(); ++v) {
-      if (beside[v] && !cloth.model.pinned[v]) {
+      if (atOverlap[v] && !cloth.model.pinned[v]) {
         const Vec3 carried = near.step->end.toWorld(near.start[v]);
         slowed_.push_back({v, carried - cloth.start[v]});
-        predicted_[v] = carried + shortened(predicted_[v] - carried, maxSpeedAtOverlap * cloth.parameters.timeStep);
+        predicted_[v] = carried + limited(predicted_[v] - carried, maxSpeedAtOverlap * cloth.parameters.timeStep);
       }
     }
   }
@@ -152,9 +152,9 @@ void BodyContact::limitDisplacementsAtOverlap(const Cloth& cloth) {
 
 void BodyContact::limitVelocitiesAtOverlap(const Cloth& cloth, ClothState& state) const {
   for (const SlowedVertex& each : slowed_) {
-    const Vec3 still = each.move / cloth.parameters.timeStep;
+    const Vec3 bodyVelocity = each.displacement / cloth.parameters.timeStep;
     Vec3& velocity = state.velocities[each.vertex];
-    velocity = still + shortened(velocity - still, maxSpeedAtOverlap);
+    velocity = bodyVelocity + limited(velocity - bodyVelocity, maxSpeedAtOverlap);
   }
 }
 

@@ -11,9 +11,8 @@
 namespace drape {
 namespace {
 
-constexpr double tearRatio = 3.0;  // maximum distance between the exits of a side's ends, over its length [-]
-constexpr double maxPullRatio =
-    3.0;  // maximum common exit distance, over the length by which the piece would be torn [-]
+constexpr double tearRatio = 3.0;        // maximum distance between the exits of a side's ends, over its length [-]
+constexpr double maxPullRatio = 3.0;     // maximum common exit distance, over the elongation of the piece [-]
 constexpr double directExitRatio = 1.5;  // common exit distance that is always allowed, over the depth of the piece [-]
 constexpr double maxTornRatio = 0.2;     // maximum fraction of torn sides between a part and the rest that it joins [-]
 constexpr double minMainRatio = 0.6;     // minimum fraction of a piece that the other parts can join [-]

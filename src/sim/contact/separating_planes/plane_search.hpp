@@ -43,9 +43,8 @@ class PlaneSearch {
     Vec3 normal = Vec3::UnitY();
     double startLow = 0.0;      // minimum over the triangle of the cloth at its start [m]
     double predictedLow = 0.0;  // and at its predicted positions [m]
-    double startTop = -std::numeric_limits<double>::infinity();  // maximum over the covered part of the mesh, at the
-                                                                 // start of the pass [m]
-    double endTop = -std::numeric_limits<double>::infinity();    // and at the end of the step [m]
+    double startTop = -std::numeric_limits<double>::infinity();  // maximum of the covered part, at the start [m]
+    double endTop = -std::numeric_limits<double>::infinity();    // and at the end [m]
 
     void cover(double start, double end) {
       startTop = std::max(startTop, start);

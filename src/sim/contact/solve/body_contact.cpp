@@ -123,7 +123,7 @@ bool BodyContact::searchVertexContacts(const Cloth& cloth, bool atEnd) {
     }
     const int before = candidates_.overlaps;
     const PrimitiveSearch body(*near.step, static_cast<int>(b), offsets);
-    searchCapsule(cloth, inBody, body);
+    searchPrimitive(cloth, inBody, body);
     if (candidates_.overlaps > before && !std::holds_alternative<PlaneShape>(near.step->body->shape)) {
       newlyFound = findPrimitiveOverlap(cloth, near, body.solid()) || newlyFound;
     }
@@ -183,16 +183,16 @@ bool BodyContact::requestPlanesAround(const Cloth& cloth, bool all, const std::v
   if (!any) {
     return false;
   }
-  bool newlyFound = false;
+  bool anySkipped = false;
   for (std::size_t b = 0; b < nearCount_; ++b) {
     if (near_[b].mesh != nullptr && near_[b].meshSearch.requestPlanesAround(cloth.model.triangles, moved_)) {
-      newlyFound = true;
+      anySkipped = true;
       if (all) {
         near_[b].meshSearch.requestAllPlanes();
       }
     }
   }
-  return newlyFound;
+  return anySkipped;
 }
 
 /// Applies the separating planes. Searches the planes of skipped triangles when their vertices are moved.
@@ -206,11 +206,11 @@ int BodyContact::applySeparatingPlanes(const Cloth& cloth, bool atEnd, std::vect
     return SeparatingPlaneFilter::Fallback{near.step->end.toWorld(start), near.step->end.toWorld(start + move)};
   };
   solved_ = positions;
-  for (int round = 1;; ++round) {
+  for (int attempt = 1;; ++attempt) {
     const int infeasible =
         filter_.apply(candidates_.planes, inverseMass_.get(cloth.model, inverseMassOf), displacementBounds_,
                       static_cast<int>(nearCount_), fallbackOf, cloth.predicted, positions);
-    if (!requestPlanesAround(cloth, round >= maxPartialPlaneSearches, positions)) {
+    if (!requestPlanesAround(cloth, attempt >= maxPartialPlaneSearches, positions)) {
       return infeasible;
     }
     candidates_.planes.resize(firstOfMeshes_);
@@ -266,7 +266,7 @@ void BodyContact::tightenBounds() {
   }
 }
 
-void BodyContact::searchCapsule(const Cloth& cloth, const ClothInBody& inBody, const PrimitiveSearch& body) {
+void BodyContact::searchPrimitive(const Cloth& cloth, const ClothInBody& inBody, const PrimitiveSearch& body) {
   const auto count = static_cast<int>(cloth.model.triangles.size());
   if (cloth.parameters.threads <= 1) {
     body.search(inBody, 0, static_cast<std::size_t>(count), candidates_);
@@ -341,12 +341,12 @@ void BodyContact::correctVelocities(const Cloth& cloth, ClothState& state) {
   active_.clear();
   goals_.clear();
   for (const ContactConstraint& contact : candidates_.contacts) {
-    const double above = contact.normal.dot(pointOf(contact, state.positions)) - contact.height - contact.offset;
-    constexpr double near = 0.1;
-    if (above < near * contact.offset || contact.offset <= 0.0) {
-      const Vec3 still = contact.bodyDisplacement / h;
+    const double excess = contact.normal.dot(pointOf(contact, state.positions)) - contact.height - contact.offset;
+    constexpr double near = 0.1;  // ratio to the required distance [-]
+    if (excess < near * contact.offset || contact.offset <= 0.0) {
+      const Vec3 bodyVelocity = contact.bodyDisplacement / h;
       active_.push_back(contact);
-      goals_.push_back({contact.normal.dot(still) - std::max(0.0, above) / h, still});
+      goals_.push_back({contact.normal.dot(bodyVelocity) - std::max(0.0, excess) / h, bodyVelocity});
     }
   }
   solver_.solve(active_, goals_, inverseMass_.get(cloth.model, inverseMassOf), velocityIterations, state.velocities);

@@ -21,17 +21,16 @@ namespace drape {
 /// Contact of a cloth with bodies (docs/theory/contact.md).
 ///
 /// Each step is considered in the frame of each body, in which a rigid body stands still. A pass has these stages:
-/// 1. Transform the cloth into the frames of the bodies and bound the displacement of each vertex.
+///
+/// 1. Transform the cloth into the frames of the bodies, and bound the displacement of each vertex.
 /// 2. Find the cloth that is inside bodies, and its exits.
-/// 3. Find contacts of vertices and solve for impulses with friction. On meshes also find contacts of edges and faces
-/// at
-///    the positions that result, and solve again.
+/// 3. Find contacts of vertices, and solve for impulses with friction. On meshes, find contacts of edges and faces at
+///    the solved positions, and solve again.
 /// 4. Find planes that separate each triangle of the cloth from every part of the bodies that it could reach.
-/// 5. Project the vertices onto the permitted side of the planes of their triangles. So nothing intersects, whatever
-/// the
-///    impulses did.
-/// If this moved the cloth far, the constraints no longer fit the bodies well. Then another pass starts from the
-/// result. After the last pass the velocities are corrected.
+/// 5. Project the vertices onto the permitted side of the planes of their triangles, so that nothing intersects.
+///
+/// If this moved the cloth far, the constraints no longer fit the bodies. Then another pass starts from the result. The
+/// velocities are corrected after the last pass.
 class BodyContact {
  public:
   /// Corrects positions and velocities of `state`, which a solver predicted from `start`.
@@ -102,13 +101,13 @@ class BodyContact {
   const std::vector<OwnedFeatures>& ownedOf(const Cloth& cloth);
   const ClothClusters& clustersOf(const ClothModel& model);
   const std::vector<int>& piecesOf(const ClothModel& model);
-  void searchCapsule(const Cloth& cloth, const ClothInBody& inBody, const PrimitiveSearch& body);
+  void searchPrimitive(const Cloth& cloth, const ClothInBody& inBody, const PrimitiveSearch& body);
   bool runPass(const Cloth& cloth, const std::vector<Vec3>* previous, ContactReport& report,
                std::vector<Vec3>& positions);
   void correctPositions(const Cloth& cloth, std::vector<Vec3>& positions);
   [[nodiscard]] bool needsAnotherPass(const Cloth& cloth, const std::vector<Vec3>* previous,
                                       const std::vector<Vec3>& positions) const;
-  [[nodiscard]] double gapTo(const NearBody& near, const Vec3& position, double maximum) const;
+  [[nodiscard]] double gapTo(const NearBody& near, const Vec3& position, double maxGap) const;
   void correctVelocities(const Cloth& cloth, ClothState& state);
   SearchableMesh* meshOf(const BodyStep& step);
 
@@ -117,11 +116,11 @@ class BodyContact {
   ModelCache<std::vector<int>> pieces_;  // one vertex of each connected piece
   std::uint64_t models_ = 0;             // number of models so far
   ModelCache<std::vector<double>> inverseMass_;
-  std::map<const Body*, std::unique_ptr<SearchableMesh>>
-      meshes_;                                       // never iterated over, since the order of addresses varies
-  std::map<const Body*, MeshClearance> clearances_;  // likewise
-  std::vector<Vec3> localStart_;                     // used by motionIn [m]
-  std::vector<Vec3> localEnd_;                       // likewise
+  // Never iterated over, since the order of addresses varies.
+  std::map<const Body*, std::unique_ptr<SearchableMesh>> meshes_;
+  std::map<const Body*, MeshClearance> clearances_;
+  std::vector<Vec3> localStart_;  // used by motionIn [m]
+  std::vector<Vec3> localEnd_;    // likewise
   std::vector<NearBody> near_;
   std::size_t nearCount_ = 0;
   std::vector<double> displacementBounds_;  // of each vertex from the start of the pass [m]
@@ -141,7 +140,7 @@ class BodyContact {
   /// A vertex inside a body or next to such cloth.
   struct SlowedVertex {
     std::size_t vertex = 0;
-    Vec3 move = Vec3::Zero();  // displacement of the body there over the step [m]
+    Vec3 displacement = Vec3::Zero();  // of the body there over the step [m]
   };
   std::vector<SlowedVertex> slowed_;
 };

@@ -32,21 +32,20 @@ bool BodyContact::needsAnotherPass(const Cloth& cloth, const std::vector<Vec3>* 
     }
     const NearBody& near = near_[static_cast<std::size_t>(contact.body)];
     const Vec3 position = pointOf(contact, positions);
-    const double above = contact.normal.dot(position) - contact.height;
-    const double within = maxGapErrorRatio * near.offsets.contactOffset;
-    return near.overlaps || above <= within ||
-           std::abs(gapTo(near, near.step->end.toLocal(position), above + within) - above) > within;
+    const double gap = contact.normal.dot(position) - contact.height;
+    const double tolerance = maxGapErrorRatio * near.offsets.contactOffset;
+    return near.overlaps || gap <= tolerance ||
+           std::abs(gapTo(near, near.step->end.toLocal(position), gap + tolerance) - gap) > tolerance;
   });
 }
 
-/// Distance of a position in a body's frame to the body at the end of the step [m]; infinite beyond `maximum` on
-/// meshes.
-double BodyContact::gapTo(const NearBody& near, const Vec3& position, double maximum) const {
+/// Distance of a position in a body's frame to the body at the end of the step [m]. On meshes infinite beyond `maxGap`.
+double BodyContact::gapTo(const NearBody& near, const Vec3& position, double maxGap) const {
   if (near.mesh == nullptr) {
     return PrimitiveSearch(*near.step, 0, near.offsets).gapAt(position);
   }
   const MeshInStep mesh = near.meshInStep(true);
-  return NearestSearch(mesh).anywhere(position, maximum).gap;
+  return NearestSearch(mesh).anywhere(position, maxGap).gap;
 }
 
 }  // namespace drape
