@@ -1,5 +1,5 @@
+#include "session/cost_budget.hpp"
 #include "session/solver_warning.hpp"
-#include "session/work_budget.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/solver.hpp"
 #include "ui/panels.hpp"
