@@ -20,12 +20,12 @@ inline double threadSeconds() {
 }
 
 /// The time limit of a run in this thread, starting now, in CPU time of the thread.
-class Patience {
+class TimeLimit {
  public:
-  Patience(std::function<void()> mayStop, double maxSeconds) : mayStop_(std::move(mayStop)), maxSeconds_(maxSeconds) {}
+  TimeLimit(std::function<void()> mayStop, double maxSeconds) : mayStop_(std::move(mayStop)), maxSeconds_(maxSeconds) {}
 
   /// Call it at each step. Throws TooSlow after the limit, and forwards exceptions from `mayStop`.
-  void ask() const {
+  void check() const {
     mayStop_();
     if (spent() > maxSeconds_) {
       throw TooSlow();
@@ -38,7 +38,7 @@ class Patience {
   /// The watch for a run with this limit. It must outlive the run.
   [[nodiscard]] Watch watch() const {
     Watch watch;
-    watch.progress = [this](std::string_view, std::int64_t, std::int64_t) { ask(); };
+    watch.progress = [this](std::string_view, std::int64_t, std::int64_t) { check(); };
     return watch;
   }
 
