@@ -292,8 +292,8 @@ ImportReply import(const std::string& format) {
 int main(int argumentCount, char** arguments) {
   if (argumentCount != 3 || isatty(STDIN_FILENO) != 0) {
     constexpr std::string_view usage =
-        "usage: drape-mesh-import FORMAT CPU_SECONDS < MESH > REPLY\nDrape starts this program; it is not for use by "
-        "hand.\n";
+        "usage: drape-mesh-import FORMAT CPU_SECONDS < MESH > REPLY\nDrape starts this program; do not run it "
+        "directly.\n";
     return write(STDERR_FILENO, usage.data(), usage.size()) < 0 ? EXIT_FAILURE : 2;
   }
   limitThisProcess(std::strtol(arguments[2], nullptr, 10));

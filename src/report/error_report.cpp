@@ -42,8 +42,8 @@ Momentum momentumOf(const ClothModel& model, const ClothState& state) {
 
 }  // namespace
 
-ErrorReport errorsAgainstReference(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
-                  const Reference& reference) {
+ErrorReport compareWithReference(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
+                                 const Reference& reference) {
   const Trajectory& truth = reference.trajectory;
   ErrorReport report;
   report.diagonal = diagonalOf(model);

@@ -50,8 +50,8 @@ struct ErrorSummary {
 
 /// Compares `own` with `reference`, up to the end of the shorter one.
 /// @param parameters of the method, for its energies
-[[nodiscard]] ErrorReport errorsAgainstReference(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
-                                const Reference& reference);
+[[nodiscard]] ErrorReport compareWithReference(const ClothModel& model, const StepParameters& parameters,
+                                               const Trajectory& own, const Reference& reference);
 
 /// The summary at the checkpoint nearest to each of these times [s]. It omits times beyond the run and checkpoints
 /// without valid vertices.

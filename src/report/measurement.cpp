@@ -38,7 +38,7 @@ Measurement measure(const Scene& scene, const Settings& settings, const Measurem
   if (measurement.own.checkpoints() < 1) {
     throw InputError("the cloth blew up before the first checkpoint; use a smaller time step or a lower stiffness");
   }
-  measurement.report = errorsAgainstReference(*scene.model, settings.step, measurement.own, measurement.reference);
+  measurement.report = compareWithReference(*scene.model, settings.step, measurement.own, measurement.reference);
   measurement.summaries =
       summarise(*scene.model, measurement.own, measurement.reference, measurement.report, plan.summaryTimes);
   return measurement;

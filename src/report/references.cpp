@@ -15,7 +15,7 @@ namespace drape {
 namespace {
 
 /// The number of consecutive halvings without improvement that ends the search.
-constexpr int patience = 3;
+constexpr int maxFruitless = 3;
 /// A halving that leaves more than this share of the difference did not help.
 constexpr double helpful = 0.7;
 
@@ -109,17 +109,17 @@ void accept(Reference& reference, Trajectory finer, const ConvergenceTolerance& 
   reference.trajectory = std::move(finer);
 }
 
-/// Whether the last halvings still improved the first failing checkpoint.
-class Hope {
+/// Detects that the last halvings no longer improve the first failing checkpoint.
+class ProgressCheck {
  public:
-  [[nodiscard]] bool lost(const Reference& reference) {
+  [[nodiscard]] bool hasStalled(const Reference& reference) {
     const auto failing = static_cast<std::size_t>(reference.trusted) + 1;
     const double difference = failing < reference.differences.size() ? reference.differences[failing] : 0.0;
     const bool helped = failing != failing_ || difference < helpful * difference_;
     fruitless_ = helped ? 0 : fruitless_ + 1;
     failing_ = failing;
     difference_ = difference;
-    return fruitless_ >= patience;
+    return fruitless_ >= maxFruitless;
   }
 
  private:
@@ -129,7 +129,7 @@ class Hope {
 };
 
 /// Why the halving ended.
-enum class Ending { Passed, Hopeless, TooMuchWork };
+enum class Ending { Passed, Stalled, TooExpensive };
 
 std::string doubtAbout(const Reference& reference, Ending ending) {
   const auto failing = static_cast<std::size_t>(reference.trusted) + 1;
@@ -139,8 +139,8 @@ std::string doubtAbout(const Reference& reference, Ending ending) {
   return "The reference does not converge after " + timeOf(reference.trusted) + ": halving its step to " +
          shortNumber(reference.settings.step.timeStep) + " s still moved the cloth by " +
          shortNumber(1000.0 * reference.differences[failing]) + " mm (mean) at " + timeOf(reference.trusted + 1) +
-         (ending == Ending::Hopeless ? ", and finer steps do not reduce this: the motion is chaotic there. "
-                                     : ", and finer steps would take too long. ") +
+         (ending == Ending::Stalled ? ", and finer steps do not reduce this: the motion is chaotic there. "
+                                    : ", and finer steps would take too long. ") +
          "Later checkpoints have no reference.";
 }
 
@@ -151,16 +151,16 @@ double workOf(const Scene& scene, double timeStep, int checkpoints) {
 /// Halves the step until every checkpoint passes or another limit ends it.
 Ending halve(Reference& reference, const Scene& scene, int checkpoints, const ConvergenceTolerance& tolerance,
              const Watch& watch) {
-  Hope hope;
+  ProgressCheck progressCheck;
   for (int i = 0; reference.trusted < checkpoints; ++i) {
     const double timeStep = 0.5 * reference.settings.step.timeStep;
     if (i == tolerance.maxHalvings || workOf(scene, timeStep, checkpoints) > tolerance.maxCost) {
-      return Ending::TooMuchWork;
+      return Ending::TooExpensive;
     }
     reference.settings.step.timeStep = timeStep;
     accept(reference, runTrajectory(scene, inLongSteps(reference.settings), checkpoints, watch), tolerance);
-    if (hope.lost(reference)) {
-      return Ending::Hopeless;
+    if (progressCheck.hasStalled(reference)) {
+      return Ending::Stalled;
     }
   }
   return Ending::Passed;

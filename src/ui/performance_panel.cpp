@@ -28,7 +28,7 @@ void balancePlot(const PanelContext& context) {
   const auto& colours = palette().plot;
   const std::array curves{PlotCurve{"Damping", colours[0], balanceOf<&EnergyBalance::damping>},
                           PlotCurve{"Air", colours[2], balanceOf<&EnergyBalance::air>},
-                          PlotCurve{"Hand", colours[1], balanceOf<&EnergyBalance::attachment>},
+                          PlotCurve{"Mouse", colours[1], balanceOf<&EnergyBalance::attachment>},
                           PlotCurve{"Contact", colours[3], balanceOf<&EnergyBalance::contact>},
                           PlotCurve{"Method", colours[4], balanceOf<&EnergyBalance::integrator>}};
   timePlot(context, "Energy added or removed so far", "J", context.memory.measures.samples(), curves);

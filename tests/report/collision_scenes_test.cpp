@@ -9,7 +9,7 @@ namespace drape {
 namespace {
 
 constexpr double duration = 0.3;  // [s]
-constexpr int lookEvery = 6;      // steps between two counts
+constexpr int countEvery = 6;     // steps between two counts
 const auto noInterruption = [] {};
 
 CollisionRun beginningOf(const std::string& name, const std::vector<std::string>& changes) {
@@ -18,7 +18,7 @@ CollisionRun beginningOf(const std::string& name, const std::vector<std::string>
   for (const std::string& change : changes) {
     assignSettingExpression(settings, change);
   }
-  return runCollision(*buildScene(description, settings), duration, lookEvery, noInterruption);
+  return runCollision(*buildScene(description, settings), duration, countEvery, noInterruption);
 }
 
 void expectNothingInsideBodies(const CollisionRun& run, const std::string& what) {

@@ -34,7 +34,7 @@ TEST(ErrorReport, findsTheClosedFormErrorOfBackwardEulersFreeFall) {
   const auto scene = testing::smallGrid({"pins=none"});
   const Reference exact = exactFall(*scene, 4);
   const Trajectory own = runTrajectory(*scene, scene->settings, 4, {.energy = true});
-  const ErrorReport report = errorsAgainstReference(*scene->model, scene->settings.step, own, exact);
+  const ErrorReport report = compareWithReference(*scene->model, scene->settings.step, own, exact);
   ASSERT_EQ(report.checkpoints.size(), 4U);
   // After n steps backward Euler has fallen g h^2 n (n + 1) / 2 instead of g h^2 n^2 / 2.
   const double drop = scene->settings.step.gravity / (150.0 * 150.0);
@@ -60,7 +60,7 @@ TEST(ErrorReport, ofARestartedRunCountsEachIntervalFromTheReference) {
   const auto scene = testing::smallGrid({"pins=none"});
   const Reference exact = exactFall(*scene, 3);
   const Trajectory own = runRestarted(*scene, scene->settings, exact.trajectory);
-  const ErrorReport report = errorsAgainstReference(*scene->model, scene->settings.step, own, exact);
+  const ErrorReport report = compareWithReference(*scene->model, scene->settings.step, own, exact);
   // Each interval of five steps falls 2.5 g h^2 too far, at any initial speed.
   for (const CheckpointReport& at : report.checkpoints) {
     EXPECT_NEAR(at.meanError, 2.5 * scene->settings.step.gravity / (150.0 * 150.0), 1e-12);
@@ -72,7 +72,7 @@ TEST(ErrorReport, ofARestartedRunCountsEachIntervalFromTheReference) {
 TEST(ErrorReport, isAllZeroForTheReferenceItself) {
   const auto scene = testing::smallGrid();
   const Reference reference = solverReference(*scene, scene->settings, 3);
-  const ErrorReport report = errorsAgainstReference(*scene->model, scene->settings.step, reference.trajectory, reference);
+  const ErrorReport report = compareWithReference(*scene->model, scene->settings.step, reference.trajectory, reference);
   for (const CheckpointReport& at : report.checkpoints) {
     EXPECT_EQ(at.displacement.eps, 0.0);
     EXPECT_EQ(at.meanError, 0.0);
@@ -85,7 +85,7 @@ TEST(ErrorReport, ofAFrozenClothIsOneWithNothingKept) {
   const Reference reference = solverReference(*scene, scene->settings, 3);
   Trajectory frozen;
   frozen.states.assign(4, scene->start);
-  const ErrorReport report = errorsAgainstReference(*scene->model, scene->settings.step, frozen, reference);
+  const ErrorReport report = compareWithReference(*scene->model, scene->settings.step, frozen, reference);
   EXPECT_DOUBLE_EQ(report.checkpoints[0].displacement.eps, 1.0);
   EXPECT_EQ(report.checkpoints[0].motionKept, 0.0);
   const double times[] = {0.1};
@@ -96,7 +96,7 @@ TEST(ErrorReport, marksWhatLiesBeyondTheReferencesCheck) {
   const auto scene = testing::smallGrid();
   Reference reference = solverReference(*scene, scene->settings, 3);
   reference.trusted = 2;
-  const ErrorReport report = errorsAgainstReference(*scene->model, scene->settings.step, reference.trajectory, reference);
+  const ErrorReport report = compareWithReference(*scene->model, scene->settings.step, reference.trajectory, reference);
   EXPECT_TRUE(report.checkpoints[1].trusted);
   EXPECT_FALSE(report.checkpoints[2].trusted);
 }
@@ -105,7 +105,7 @@ TEST(ErrorSummary, standsAtTheNearestCheckpointAndLeavesOutWhatIsBeyondTheRun) {
   const auto scene = testing::smallGrid({"pins=none"});
   const Reference exact = exactFall(*scene, 4);
   const Trajectory own = runTrajectory(*scene, scene->settings, 4);
-  const ErrorReport report = errorsAgainstReference(*scene->model, scene->settings.step, own, exact);
+  const ErrorReport report = compareWithReference(*scene->model, scene->settings.step, own, exact);
   const double times[] = {0.07, 0.5};
   const auto summaries = summarise(*scene->model, own, exact, report, times);
   ASSERT_EQ(summaries.size(), 1U);

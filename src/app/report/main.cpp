@@ -67,11 +67,11 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
 }
 
 /// Saves the measurements every few seconds, since the program may be killed.
-class Keeper {
+class ReportSaver {
  public:
-  Keeper(const ReportFolder& folder, Report& report) : folder_(folder), report_(report) {}
+  ReportSaver(const ReportFolder& folder, Report& report) : folder_(folder), report_(report) {}
 
-  void keep() {
+  void save() {
     constexpr std::chrono::seconds pause(5);
     if (std::chrono::steady_clock::now() - last_ > pause) {
       folder_.writeJson(report_);
@@ -129,7 +129,7 @@ bool run(const ReportArguments& arguments, StopSignal& stop) {
     older = readReport(arguments.compare);  // read it now: the program may overwrite this file
     requireComparable(older, report);
   }
-  Keeper keeper(folder, report);
+  ReportSaver saver(folder, report);
   {
     ProgressLine progress;
     RunHooks hooks;
@@ -139,7 +139,7 @@ bool run(const ReportArguments& arguments, StopSignal& stop) {
       progress.show(section, done, total);
     };
     hooks.outOfTime = [&] { return progress.spent() > allowance.forRepeats; };
-    hooks.measured = [&keeper](const SectionRows&) { keeper.keep(); };
+    hooks.measured = [&saver](const SectionRows&) { saver.save(); };
     report.complete = measureSections(report.options, report.rows, hooks);
   }
   const bool moved = compare(older, report);

@@ -16,28 +16,28 @@ constexpr double microseconds = 1e6;
 constexpr int usualInterval = 5;
 
 /// A scene and its measurement.
-struct Meeting {
+struct ContactScene {
   const char* scene;
   double seconds;                     ///< simulated time
   std::vector<int> resolutions = {};  ///< of its grid; empty: that of the scene
   bool withAndWithout = false;        ///< whether it also runs without self-collision
-  int lookEvery = usualInterval;
+  int countEvery = usualInterval;
 };
 
-const std::vector<Meeting>& meetings(bool quick) {
-  static const std::vector<Meeting> few{{"fold", 3.0, {17, 33}, true}, {"sphere", 0.6, {17}}};
-  static const std::vector<Meeting> all{{"fold", 3.0, {17, 33, 65}, true},
-                                        {"edge_drop", 2.0, {}, true},
-                                        {"falling_sheet", 1.5, {}, false, 10},
-                                        {"falling_sheet_in_air", 2.5, {}, false, 10},
-                                        {"sphere", 2.0, {33}},
-                                        {"sphere", 1.5, {65}},
-                                        {"sphere", 0.8, {129}},
-                                        {"turning_sphere", 5.0, {}, false, 10},
-                                        {"flag_on_pole", 4.0, {}, false, 10},
-                                        {"tablecloth", 2.0},
-                                        {"mannequin", 2.0},
-                                        {"cape", 6.24, {}, false, 10}};
+const std::vector<ContactScene>& contactScenes(bool quick) {
+  static const std::vector<ContactScene> few{{"fold", 3.0, {17, 33}, true}, {"sphere", 0.6, {17}}};
+  static const std::vector<ContactScene> all{{"fold", 3.0, {17, 33, 65}, true},
+                                             {"edge_drop", 2.0, {}, true},
+                                             {"falling_sheet", 1.5, {}, false, 10},
+                                             {"falling_sheet_in_air", 2.5, {}, false, 10},
+                                             {"sphere", 2.0, {33}},
+                                             {"sphere", 1.5, {65}},
+                                             {"sphere", 0.8, {129}},
+                                             {"turning_sphere", 5.0, {}, false, 10},
+                                             {"flag_on_pole", 4.0, {}, false, 10},
+                                             {"tablecloth", 2.0},
+                                             {"mannequin", 2.0},
+                                             {"cape", 6.24, {}, false, 10}};
   return quick ? few : all;
 }
 
@@ -51,17 +51,17 @@ std::string modeOf(const Scene& scene) {
   return mode.empty() ? "off" : mode;
 }
 
-ReportRow rowOf(const Meeting& meeting, const Scene& scene, const CollisionRun& run) {
+ReportRow rowOf(const ContactScene& contactScene, const Scene& scene, const CollisionRun& run) {
   const double thousands = static_cast<double>(scene.model->triangles.size()) / 1000.0;
   const bool grid = std::holds_alternative<GridSource>(scene.description.source);
-  return {{"scene", meeting.scene},
+  return {{"scene", contactScene.scene},
           {"resolution", grid ? ReportRow(scene.settings.grid.resolution) : ReportRow(nullptr)},
           {"vertices", scene.model->vertexCount()},
           {"triangles", scene.model->triangles.size()},
           {"bodies", scene.bodies->size()},
           {"method", scene.settings.solver.name},
           {"mode", modeOf(scene)},
-          {"seconds", meeting.seconds},
+          {"seconds", contactScene.seconds},
           {"steps", run.steps},
           {"us_per_step", finiteOrNull(microseconds * run.stepSeconds)},
           {"contact_us_per_step", finiteOrNull(microseconds * (run.bodySeconds + run.selfSeconds))},
@@ -77,29 +77,33 @@ ReportRow rowOf(const Meeting& meeting, const Scene& scene, const CollisionRun& 
           {"finite", run.finite}};
 }
 
-ReportRows measure(const Meeting& meeting, const std::vector<std::string>& settings, const CellContext& context) {
-  SceneDescription description = openScene(meeting.scene);
+ReportRows measure(const ContactScene& contactScene, const std::vector<std::string>& settings,
+                   const CellContext& context) {
+  SceneDescription description = openScene(contactScene.scene);
   for (const std::string& expression : settings) {
     assignSettingExpression(description.settings, expression);
   }
   const auto scene = buildScene(description, description.settings);
-  return {rowOf(meeting, *scene, runCollision(*scene, meeting.seconds, meeting.lookEvery, context.checkStop))};
+  return {rowOf(contactScene, *scene,
+                runCollision(*scene, contactScene.seconds, contactScene.countEvery, context.checkStop))};
 }
 
 /// Adds the cells of one scene at one resolution; 0 is that of the scene.
-void addCells(const Meeting& meeting, int resolution, const ReportOptions& options, std::vector<Cell>& cells) {
-  std::string key = meeting.scene;
+void addCells(const ContactScene& contactScene, int resolution, const ReportOptions& options,
+              std::vector<Cell>& cells) {
+  std::string key = contactScene.scene;
   std::vector<std::string> settings{"threads=" + std::to_string(options.threads)};
   if (resolution > 0) {
     key += " " + gridText(resolution);
     settings.push_back("grid.resolution=" + std::to_string(resolution));
   }
-  const double weight = 1e-3 * (resolution > 0 ? resolution * resolution : 1500) * meeting.seconds;
+  const double weight = 1e-3 * (resolution > 0 ? resolution * resolution : 1500) * contactScene.seconds;
   const auto add = [&](const std::string& suffix) {
-    cells.push_back({key + suffix, weight,
-                     [&meeting, settings](const CellContext& context) { return measure(meeting, settings, context); }});
+    cells.push_back({key + suffix, weight, [&contactScene, settings](const CellContext& context) {
+                       return measure(contactScene, settings, context);
+                     }});
   };
-  if (!meeting.withAndWithout) {
+  if (!contactScene.withAndWithout) {
     add("");
     return;
   }
@@ -112,12 +116,12 @@ void addCells(const Meeting& meeting, int resolution, const ReportOptions& optio
 
 SectionPlan plan(const ReportOptions& options) {
   SectionPlan plan;
-  for (const Meeting& meeting : meetings(options.quick)) {
-    if (meeting.resolutions.empty()) {
-      addCells(meeting, 0, options, plan.cells);
+  for (const ContactScene& contactScene : contactScenes(options.quick)) {
+    if (contactScene.resolutions.empty()) {
+      addCells(contactScene, 0, options, plan.cells);
     }
-    for (const int resolution : meeting.resolutions) {
-      addCells(meeting, resolution, options, plan.cells);
+    for (const int resolution : contactScene.resolutions) {
+      addCells(contactScene, resolution, options, plan.cells);
     }
   }
   return plan;

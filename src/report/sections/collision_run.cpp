@@ -41,9 +41,9 @@ struct StepCosts {
 };
 
 /// Counts intersecting triangles at intervals.
-class Lookout {
+class IntersectionCounter {
  public:
-  Lookout(const ClothModel& model, const BodyWorld& world) : triangles_(model.triangles), world_(world) {}
+  IntersectionCounter(const ClothModel& model, const BodyWorld& world) : triangles_(model.triangles), world_(world) {}
 
   void look(const std::vector<Vec3>& positions, CollisionRun& run) {
     const auto self = static_cast<int>(intersectingPairs({positions, triangles_}).size());
@@ -64,7 +64,7 @@ class Lookout {
 
 }  // namespace
 
-CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery, const std::function<void()>& checkStop) {
+CollisionRun runCollision(const Scene& scene, double seconds, int countEvery, const std::function<void()>& checkStop) {
   CollisionRun run;
   const StepParameters& parameters = scene.settings.step;
   Stepper stepper(scene.settings.solver.name);
@@ -72,7 +72,7 @@ CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery, con
   BodyWorld world(scene.bodies, state.time);
   StepInputs inputs;
   StepCosts costs;
-  Lookout lookout(*scene.model, world);
+  IntersectionCounter counter(*scene.model, world);
   while (state.time < seconds && run.finite) {
     checkStop();
     ContactReport contact;
@@ -86,8 +86,8 @@ CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery, con
     run.overlapping = std::max(run.overlapping, contact.overlaps);
     run.infeasible = std::max(run.infeasible, contact.infeasible);
     run.finite = isFinite(state);
-    if (lookEvery > 0 && run.finite && static_cast<int>(costs.steps.size()) % lookEvery == 0) {
-      lookout.look(state.positions, run);
+    if (countEvery > 0 && run.finite && static_cast<int>(costs.steps.size()) % countEvery == 0) {
+      counter.look(state.positions, run);
     }
   }
   costs.addTo(run);

@@ -23,9 +23,9 @@ struct CollisionRun {
 };
 
 /// Runs a scene with its bodies for that time and counts intersecting triangles, with the exact intersection test, at
-/// every `lookEvery`-th step. 0: never.
+/// every `countEvery`-th step. 0: never.
 /// @param checkStop is called before each step and may throw
-[[nodiscard]] CollisionRun runCollision(const Scene& scene, double seconds, int lookEvery,
+[[nodiscard]] CollisionRun runCollision(const Scene& scene, double seconds, int countEvery,
                                         const std::function<void()>& checkStop);
 
 }  // namespace drape

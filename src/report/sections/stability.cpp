@@ -1,9 +1,9 @@
 #include "sim/stability.hpp"
 #include "report/number_text.hpp"
-#include "report/sections/patience.hpp"
 #include "report/sections/section_scene.hpp"
 #include "report/sections/sections.hpp"
 #include "report/sections/stability_rule.hpp"
+#include "report/sections/time_limit.hpp"
 #include "report/trajectory.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/measures.hpp"
@@ -106,8 +106,8 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
     row["state"] = "too slow";
     return {row};
   }
-  const Patience patience(context.checkStop, maxSeconds(options));
-  Watch watch = patience.watch();
+  const TimeLimit timeLimit(context.checkStop, maxSeconds(options));
+  Watch watch = timeLimit.watch();
   watch.energyPeak = true;
   try {
     const Trajectory own = runTrajectory(ground.scene(), settings, checkpointsOf(options), watch);

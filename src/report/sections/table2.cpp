@@ -120,7 +120,7 @@ ReportRows measureCase(const Case& one, const CellContext& context) {
       const Trajectory own = restarted ? runRestarted(*scene, settings, reference.trajectory, watch)
                                        : runTrajectory(*scene, settings, checkpoints, watch);
       ReportRow row = emptyRow(one, *scene, method, restarted);
-      writeMeasures(errorsAgainstReference(*scene->model, settings.step, own, reference), row);
+      writeMeasures(compareWithReference(*scene->model, settings.step, own, reference), row);
       row["reference_checkpoints"] = reference.trajectory.checkpoints();
       row["reference_error_mean"] = finiteOrNull(referenceOff);
       rows.push_back(row);

@@ -1,9 +1,9 @@
 #include "report/error_report.hpp"
 #include "report/number_text.hpp"
 #include "report/sections/method_curves.hpp"
-#include "report/sections/patience.hpp"
 #include "report/sections/section_scene.hpp"
 #include "report/sections/sections.hpp"
+#include "report/sections/time_limit.hpp"
 #include "report/sections/work_ground.hpp"
 #include "report/sections/work_precision_view.hpp"
 #include "report/timing.hpp"
@@ -125,10 +125,10 @@ struct JudgedRun {
 };
 
 JudgedRun judgedRun(WorkGround& ground, const Settings& settings, const Reference& reference, int seed,
-                    const Patience& patience) {
+                    const TimeLimit& timeLimit) {
   const Scene& scene = seed == 0 ? ground.scene() : ground.jitteredScene(seed);
-  JudgedRun run{runTrajectory(scene, settings, judgedCheckpoints, patience.watch()), {}};
-  run.report = errorsAgainstReference(*scene.model, settings.step, run.own, reference);
+  JudgedRun run{runTrajectory(scene, settings, judgedCheckpoints, timeLimit.watch()), {}};
+  run.report = compareWithReference(*scene.model, settings.step, run.own, reference);
   return run;
 }
 
@@ -164,11 +164,11 @@ void writeErrors(const Scene& scene, const JudgedRun& run, const Reference& refe
 
 /// Also runs from jittered starts, and writes the range of the errors. `error_mean` remains that of the original start,
 /// which another report reproduces to the last bit.
-void writeSpread(WorkGround& ground, const Settings& settings, const Reference& reference, const Patience& patience,
+void writeSpread(WorkGround& ground, const Settings& settings, const Reference& reference, const TimeLimit& timeLimit,
                  ReportRows& rows) {
   std::vector<std::vector<double>> errors(rows.size());
   for (int seed = 1; seed <= seedCount; ++seed) {
-    const JudgedRun run = judgedRun(ground, settings, reference, seed, patience);
+    const JudgedRun run = judgedRun(ground, settings, reference, seed, timeLimit);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const auto summary = summaryAt(ground.jitteredScene(seed), run.own, reference, run.report, rows[k]["time"]);
       if (summary && std::isfinite(summary->meanError)) {
@@ -206,14 +206,14 @@ ReportRows judgedRows(WorkGround& ground, const Entry& entry, const Settings& se
     row["noise_floor"] = finiteOrNull(ground.noiseFloor(checkpointsIn(row["time"]), checkStop));
   }
   try {
-    const Patience patience(checkStop, limits.maxSeconds);
-    const JudgedRun run = judgedRun(ground, settings, *reference, 0, patience);
-    const double spent = patience.spent();
+    const TimeLimit timeLimit(checkStop, limits.maxSeconds);
+    const JudgedRun run = judgedRun(ground, settings, *reference, 0, timeLimit);
+    const double spent = timeLimit.spent();
     for (ReportRow& row : rows) {
       writeErrors(ground.scene(), run, *reference, row);
     }
     if (isChaotic(rows) && spent < limits.repeatedSeconds) {
-      writeSpread(ground, settings, *reference, Patience(checkStop, limits.maxSeconds), rows);
+      writeSpread(ground, settings, *reference, TimeLimit(checkStop, limits.maxSeconds), rows);
     }
   } catch (const TooSlow&) {
     for (ReportRow& row : rows) {

@@ -20,13 +20,13 @@ inline double threadSeconds() {
 }
 
 /// The time limit of a run in this thread, starting now, in CPU time of the thread.
-class Patience {
+class TimeLimit {
  public:
-  Patience(std::function<void()> checkStop, double maxSeconds)
+  TimeLimit(std::function<void()> checkStop, double maxSeconds)
       : checkStop_(std::move(checkStop)), maxSeconds_(maxSeconds) {}
 
   /// Call it at each step. Throws TooSlow after the limit, and forwards exceptions from `checkStop`.
-  void ask() const {
+  void check() const {
     checkStop_();
     if (spent() > maxSeconds_) {
       throw TooSlow();
@@ -39,7 +39,7 @@ class Patience {
   /// The watch for a run with this limit. It must outlive the run.
   [[nodiscard]] Watch watch() const {
     Watch watch;
-    watch.progress = [this](std::string_view, std::int64_t, std::int64_t) { ask(); };
+    watch.progress = [this](std::string_view, std::int64_t, std::int64_t) { check(); };
     return watch;
   }
 
