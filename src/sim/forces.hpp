@@ -9,14 +9,14 @@
 
 namespace drape {
 
-/// All the forces on the vertices of a cloth: springs, damping, gravity, air and the hand, gathered spring by spring
-/// for each vertex, so that the sums do not depend on the number of threads. Pinned vertices feel them too; what holds
-/// them is not part of this.
+/// All forces on the vertices of a cloth: springs, damping, gravity, air and attachment. Each vertex sums over its
+/// springs, so the result does not depend on the number of threads. Pinned vertices get forces too, without the
+/// reaction force.
 /// @param force one a vertex [N]; resized
 void evaluateForces(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                     const ClothState& state, Workers& workers, std::vector<Vec3>& force);
 
-/// The forces of all springs' elongation k (L - l0) d and damping on one vertex [N].
+/// The elastic forces k (L - l0) d and the damping forces of all springs on one vertex [N].
 [[nodiscard]] Vec3 springForcesOn(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                                   std::size_t vertex);
 

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Energy of the hand's bounded spring [J]: a parabola that goes on as a straight line where the force is bounded.
+/// Energy of the attachment's bounded spring [J]: quadratic, then linear where the force is bounded.
 double handEnergy(const Grab& grab, double distance) {
-  const double reach = grab.maxForce / grab.stiffness;  // where the bound begins [m]
+  const double linearFrom = grab.maxForce / grab.stiffness;  // distance at which the bound begins [m]
   return grab.stiffness * distance <= grab.maxForce ? 0.5 * grab.stiffness * distance * distance
-                                                    : grab.maxForce * (distance - 0.5 * reach);
+                                                    : grab.maxForce * (distance - 0.5 * linearFrom);
 }
 
 /// Its second derivative [N/m].
@@ -30,8 +30,8 @@ Mat3 handStiffness(const Grab& grab, const Vec3& offset) {
 
 }  // namespace
 
-void IncrementalPotential::begin(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                 const ClothState& state, Workers& workers) {
+void IncrementalPotential::prepare(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                   const ClothState& state, Workers& workers) {
   model_ = &model;
   parameters_ = &parameters;
   workers_ = &workers;
@@ -49,7 +49,7 @@ void IncrementalPotential::begin(const ClothModel& model, const StepParameters& 
   springSize_.resize(springs);
   workers.forEach(parameters.threads, vertices,
                   [&](std::size_t i) { external_[i] = gravityAndAir(model, parameters, state, i); });
-  workers.forEach(parameters.threads, springs, [&](std::size_t s) { beginSpring(s, state); });
+  workers.forEach(parameters.threads, springs, [&](std::size_t s) { prepareSpring(s, state); });
   grab_ = inputs.grab;
   if (grab_) {
     handStartOffset_ = grab_->target;
@@ -61,7 +61,7 @@ void IncrementalPotential::begin(const ClothModel& model, const StepParameters& 
   }
 }
 
-void IncrementalPotential::beginSpring(std::size_t spring, const ClothState& state) {
+void IncrementalPotential::prepareSpring(std::size_t spring, const ClothState& state) {
   const Spring& ends = model_->springs[spring];
   const Vec3 offset =
       state.positions[static_cast<std::size_t>(ends.b)] - state.positions[static_cast<std::size_t>(ends.a)];
@@ -85,7 +85,7 @@ void IncrementalPotential::evaluateSpring(std::size_t spring, const std::vector<
   const Vec3 change = h * (vb - va);
   const Vec3 offset = startOffsets_[spring] + change;
   const double length = offset.norm();
-  // L - l0 = (L^2 - l0^2) / (L + l0), where L^2 is that of x0 and what the change adds.
+  // L - l0 = (L^2 - l0^2) / (L + l0), with L^2 computed from its value at x0 and the change since.
   const double excess = startExcess_[spring] + change.dot(2.0 * startOffsets_[spring] + change);
   const double both = length + ends.restLength;
   const double elongation = both > 0.0 ? excess / both : 0.0;
@@ -197,10 +197,10 @@ void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& he
     for (std::size_t d = c; d < 3; ++d) {
       const double weight =
           grab_->barycentric[static_cast<Eigen::Index>(c)] * grab_->barycentric[static_cast<Eigen::Index>(d)];
-      // Corners that are one vertex share a diagonal block, where both halves of the pair belong.
-      const double share = c != d && corners[c] == corners[d] ? 2.0 : 1.0;
+      // If two corners are the same vertex, both halves of the pair belong to its diagonal block.
+      const double factor = c != d && corners[c] == corners[d] ? 2.0 : 1.0;
       hessian.add(model, static_cast<std::size_t>(corners[c]), static_cast<std::size_t>(corners[d]),
-                  (share * weight) * stiffness);
+                  (factor * weight) * stiffness);
     }
   }
 }

@@ -24,7 +24,7 @@ struct Scene {
     parameters.lift = 0.5;
     parameters.wind = Vec3(1.0, 0.5, -0.3);
     inputs.grab = Grab{7, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
-    potential.begin(*model, parameters, inputs, state, workers);
+    potential.prepare(*model, parameters, inputs, state, workers);
     testing::RandomVectors random(10);
     for (int i = 0; i < model->vertexCount(); ++i) {
       velocities.push_back(i == 5 ? Vec3(Vec3::Zero()) : random.next(1.0));

@@ -10,11 +10,10 @@ namespace {
 ///
 ///     x_m = x + h/2 v,   v' = v + h a(x_m, v),   x' = x_m + h/2 v'
 ///
-/// Symplectic, time-reversible and of second order for forces that depend on positions. What depends on velocities
-/// (damping, air) is taken with the velocity of the step's start, which keeps the step explicit and makes it of first
-/// order in those forces.
+/// Symplectic, time-reversible and of second order for forces that depend on positions. Damping and air use the
+/// velocity at the start of the step. So the step is explicit, and of first order in these forces.
 ///
-/// The hand's spring can be far stiffer than the cloth, so it alone is implicit: see pullByHand. The loops stand in
+/// The attachment's spring can be far stiffer than the cloth, so it is implicit: see pullByHand. The loops are in
 /// simd/verlet_kernel.cpp.
 class VerletSolver final : public BatchSolver {
  public:
@@ -39,9 +38,9 @@ SolverInfo solvers::verlet() {
       .name = "verlet",
       .title = "Verlet (explicit)",
       .help =
-          "Stoermer-Verlet: symplectic, second order, one evaluation of the forces a step. The most accurate method "
-          "for its price while the step is below the mesh's stability limit; above it the cloth blows up, and stiff "
-          "or fine cloth has a low limit.",
+          "Stoermer-Verlet: symplectic, of second order, with one force evaluation a step. The most accurate method "
+          "for its cost while the step is below the stability limit of the mesh. Above the limit the cloth blows up. "
+          "Stiff or fine cloth has a low limit.",
       .source = "Stoermer, 1907; Verlet, 1967, Computer experiments on classical fluids",
       .backwardEuler = false,
       .settings = {"precision"},
