@@ -58,7 +58,7 @@ std::vector<Spring> springsOf(const ClothMesh& mesh) {
   return springs;
 }
 
-/// Turns pairs (row, value), visited in order, into ragged rows. `forEach` calls its argument with every pair.
+/// Collects pairs (row, value) in ragged rows, in their order. `forEach` calls its argument with every pair.
 template <typename T, typename ForEach>
 RaggedRows<T> collectRows(int rows, const ForEach& forEach) {
   RaggedRows<T> result;
@@ -111,9 +111,9 @@ std::vector<double> vertexAreasOf(const ClothMesh& mesh) {
   return areas;
 }
 
-/// A vertex that hardly any area belongs to would get hardly any mass and make the system stiff without bound, so area
-/// lumping gives every vertex at least this share of the mean.
-constexpr double smallestMassShare = 0.05;
+/// With area lumping every vertex gets at least this fraction of the mean mass. A vertex of tiny area would otherwise
+/// have almost no mass and make the system arbitrarily stiff.
+constexpr double minMassFraction = 0.05;
 
 std::vector<double> massesOf(const ClothModel& model, double totalMass, MassLumping lumping) {
   if (!(totalMass > 0.0) || !std::isfinite(totalMass)) {
@@ -127,18 +127,18 @@ std::vector<double> massesOf(const ClothModel& model, double totalMass, MassLump
     return masses;
   }
   std::transform(model.vertexArea.begin(), model.vertexArea.end(), masses.begin(),
-                 [&](double share) { return std::max(share, smallestMassShare * area / count); });
+                 [&](double vertexArea) { return std::max(vertexArea, minMassFraction * area / count); });
   const double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
   std::for_each(masses.begin(), masses.end(), [&](double& mass) { mass *= totalMass / sum; });
   return masses;
 }
 
-/// The fastest local motion that the rest shape and damping allow, at the vertices that can move.
+/// Computes the largest local frequency and damping rate of the free vertices in the rest shape.
 void findRates(ClothModel& model) {
   model.unitFrequency = 0.0;
   model.stiffestSpring =
       std::accumulate(model.springs.begin(), model.springs.end(), model.springs.empty() ? 1.0 : 0.0,
-                      [](double most, const Spring& spring) { return std::max(most, spring.relativeStiffness); });
+                      [](double largest, const Spring& spring) { return std::max(largest, spring.relativeStiffness); });
   model.unitDampingRate = 0.0;
   for (std::size_t i = 0; i < model.restPositions.size(); ++i) {
     if (model.pinned[i]) {

@@ -12,10 +12,10 @@ struct Spring {
   int a = 0;                       ///< vertex index, a < b
   int b = 0;                       ///< vertex index
   double restLength = 0.0;         ///< [m]
-  double relativeStiffness = 1.0;  ///< times the setting's stiffness is this spring's [-]
+  double relativeStiffness = 1.0;  ///< factor on the stiffness of the settings [-]
 };
 
-/// A spring as one of its ends sees it.
+/// A spring, seen from one of its ends.
 struct SpringEnd {
   int neighbour = 0;  ///< vertex at the other end
   int spring = 0;     ///< index into ClothModel::springs
@@ -28,35 +28,36 @@ struct RaggedRows {
   std::vector<T> values;
 };
 
-/// How the mass of the cloth is spread over its vertices.
+/// How the mass of the cloth is distributed over its vertices.
 enum class MassLumping {
   Uniform,  ///< the same mass at every vertex, as in the paper
-  Area,     ///< a third of each adjacent triangle's rest area, so that the mesh's resolution does not matter
+  Area,  ///< proportional to a third of the adjacent triangles' rest area, so that results do not depend on the mesh's
+         ///< resolution
 };
 
-/// A triangle mesh in its rest shape: what a cloth is made from.
+/// A triangle mesh in its rest shape, from which a cloth is built.
 struct ClothMesh {
   std::vector<Vec3> positions;      ///< rest positions [m], one a vertex
   std::vector<Triangle> triangles;  ///< indices into positions
 };
 
-/// Everything about a cloth that does not change while it moves: rest mesh, springs, masses and pins.
-/// Immutable once built; a change of mass or pins makes a new model.
+/// The constant data of a cloth: rest mesh, springs, masses and pins. Immutable once built; a change of mass or pins
+/// makes a new model.
 struct ClothModel : std::enable_shared_from_this<ClothModel> {
   std::vector<Vec3> restPositions;   ///< [m]
   std::vector<Triangle> triangles;   ///< front is counter-clockwise
-  std::vector<Spring> springs;       ///< the mesh's edges, sorted by (a, b)
-  RaggedRows<SpringEnd> springEnds;  ///< for each vertex its springs, neighbours ascending
-  RaggedRows<int> vertexTriangles;   ///< for each vertex the triangles it belongs to, ascending
+  std::vector<Spring> springs;       ///< one for each edge of the mesh, sorted by (a, b)
+  RaggedRows<SpringEnd> springEnds;  ///< the springs of each vertex, by ascending neighbour
+  RaggedRows<int> vertexTriangles;   ///< the triangles of each vertex, ascending
   std::vector<double> vertexArea;    ///< a third of the adjacent triangles' rest area [m^2]
   std::vector<double> vertexMass;    ///< [kg]
-  std::vector<bool> pinned;          ///< true where a vertex is held where it is
+  std::vector<bool> pinned;          ///< true for fixed vertices
   double unitFrequency = 0.0;        ///< largest local angular frequency for springs of 1 N/m [1/s], see stability.hpp
   double unitDampingRate = 0.0;      ///< largest 2 n_i / m_i, for a damping of 1 N s/m [1/s]
   double stiffestSpring = 1.0;       ///< largest relativeStiffness [-]; 1 without springs
 
   [[nodiscard]] int vertexCount() const { return static_cast<int>(restPositions.size()); }
-  /// True when all springs are equally stiff.
+  /// True if all springs are equally stiff.
   [[nodiscard]] bool evenlyStiff() const;
   [[nodiscard]] double restArea() const;   ///< [m^2]
   [[nodiscard]] double totalMass() const;  ///< [kg]
@@ -71,15 +72,15 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
 [[nodiscard]] std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double totalMass,
                                                                 MassLumping lumping, const std::vector<int>& pins);
 
-/// The same cloth with another mass [kg]. Throws InputError when it is not positive.
+/// The same cloth with another mass [kg]. Throws InputError if it is not positive.
 [[nodiscard]] std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double totalMass,
                                                          MassLumping lumping);
 
-/// The same cloth with these masses [kg], one a vertex. Throws InputError when one is not positive and finite.
+/// The same cloth with these masses [kg], one a vertex. Throws InputError if one is not positive and finite.
 [[nodiscard]] std::shared_ptr<const ClothModel> withVertexMasses(const ClothModel& model, std::vector<double> masses);
 
-/// The same cloth with springs of different stiffness: `relative` has one factor a spring, times which the setting's
-/// stiffness is the spring's [-]. Throws InputError when one is negative or not finite.
+/// The same cloth with springs of different stiffness. `relative` has one factor a spring on the stiffness of the
+/// settings [-]. Throws InputError if one is negative or not finite.
 [[nodiscard]] std::shared_ptr<const ClothModel> withSpringStiffness(const ClothModel& model,
                                                                     const std::vector<double>& relative);
 

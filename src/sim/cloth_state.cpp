@@ -23,13 +23,13 @@ std::uint64_t hashVectors(std::uint64_t hash, const std::vector<Vec3>& vectors) 
   return hash;
 }
 
-/// A cloth that blows up passes through numbers that are finite and have no finite length or energy.
-constexpr double mostFinite = 1e15;
+/// Larger numbers count as not finite: while a cloth blows up, its numbers can be finite but their squares are not.
+constexpr double maxFinite = 1e15;
 
-/// A comparison with what is not a number is false.
+/// False for NaN too, since every comparison with NaN is false.
 bool allFinite(const std::vector<Vec3>& vectors) {
   return std::all_of(vectors.begin(), vectors.end(),
-                     [](const Vec3& vector) { return (vector.array().abs() <= mostFinite).all(); });
+                     [](const Vec3& vector) { return (vector.array().abs() <= maxFinite).all(); });
 }
 
 }  // namespace
@@ -60,8 +60,8 @@ std::uint64_t stateHash(const ClothState& state) {
 std::string toHex(std::uint64_t hash) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text(16, '0');
-  for (auto place = text.rbegin(); place != text.rend(); ++place, hash >>= 4U) {
-    *place = digits[hash & 0xFU];
+  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, hash >>= 4U) {
+    *digit = digits[hash & 0xFU];
   }
   return text;
 }

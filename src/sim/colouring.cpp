@@ -9,7 +9,7 @@ namespace {
 
 constexpr int none = -1;
 
-/// The smallest colour that `taken` does not mark; `taken` is grown so that it can be marked.
+/// The smallest colour that is free in `taken`. Grows `taken` to include it.
 int smallestFree(std::vector<bool>& taken) {
   const auto found = std::find(taken.begin(), taken.end(), false);
   const auto colour = static_cast<int>(found - taken.begin());
@@ -19,7 +19,7 @@ int smallestFree(std::vector<bool>& taken) {
   return colour;
 }
 
-/// The indices gathered by their colour, ascending within each.
+/// The indices of each colour, ascending.
 RaggedRows<int> gatherByColour(const std::vector<int>& colourOf) {
   const int colours = colourOf.empty() ? 0 : *std::max_element(colourOf.begin(), colourOf.end()) + 1;
   RaggedRows<int> rows;
@@ -36,10 +36,11 @@ RaggedRows<int> gatherByColour(const std::vector<int>& colourOf) {
   return rows;
 }
 
-/// Marks or unmarks in `taken` the colours that `colourOf` names for what `index` takes from each spring at a vertex.
+/// Sets the entries of `taken` to `value` for the colours around a vertex. `index` maps a spring end to the item
+/// (spring or neighbour) whose colour counts.
 template <typename Index>
-void mark(const ClothModel& model, std::size_t vertex, const std::vector<int>& colourOf, const Index& index, bool value,
-          std::vector<bool>& taken) {
+void setTaken(const ClothModel& model, std::size_t vertex, const std::vector<int>& colourOf, const Index& index,
+              bool value, std::vector<bool>& taken) {
   const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
   const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
   for (std::size_t e = begin; e < end; ++e) {
@@ -59,11 +60,11 @@ RaggedRows<int> colourSprings(const ClothModel& model) {
   for (std::size_t s = 0; s < model.springs.size(); ++s) {
     const auto a = static_cast<std::size_t>(model.springs[s].a);
     const auto b = static_cast<std::size_t>(model.springs[s].b);
-    mark(model, a, colourOf, springOf, true, taken);
-    mark(model, b, colourOf, springOf, true, taken);
+    setTaken(model, a, colourOf, springOf, true, taken);
+    setTaken(model, b, colourOf, springOf, true, taken);
     const int colour = smallestFree(taken);
-    mark(model, a, colourOf, springOf, false, taken);
-    mark(model, b, colourOf, springOf, false, taken);
+    setTaken(model, a, colourOf, springOf, false, taken);
+    setTaken(model, b, colourOf, springOf, false, taken);
     colourOf[s] = colour;
   }
   return gatherByColour(colourOf);
@@ -74,9 +75,9 @@ RaggedRows<int> colourVertices(const ClothModel& model) {
   std::vector<bool> taken;
   const auto neighbourOf = [](const SpringEnd& end) { return end.neighbour; };
   for (std::size_t v = 0; v < colourOf.size(); ++v) {
-    mark(model, v, colourOf, neighbourOf, true, taken);
+    setTaken(model, v, colourOf, neighbourOf, true, taken);
     const int colour = smallestFree(taken);
-    mark(model, v, colourOf, neighbourOf, false, taken);
+    setTaken(model, v, colourOf, neighbourOf, false, taken);
     colourOf[v] = colour;
   }
   return gatherByColour(colourOf);

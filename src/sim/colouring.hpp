@@ -5,17 +5,17 @@
 
 namespace drape {
 
-/// The springs in colours, such that no two of one colour share a vertex: row c holds the springs of colour c,
-/// ascending. Greedy in the order of the springs, so the same for the same mesh; with D springs at the vertex that has
-/// most, at most 2 D - 1 colours. What changes both ends of a spring can take the springs of a colour in parallel and
-/// still give the same bits for any number of threads.
+/// Colours the springs so that no two of one colour share a vertex. Row c has the springs of colour c, ascending.
+/// Greedy in the order of the springs; at most 2 D - 1 colours, where D is the largest number of springs at a vertex.
+/// Loops that change both ends of a spring can process one colour in parallel, with the same result for any number of
+/// threads.
 [[nodiscard]] RaggedRows<int> colourSprings(const ClothModel& model);
 
-/// The vertices in colours, such that no two of one colour share a spring: row c holds the vertices of colour c,
-/// ascending. Greedy in the order of the vertices; at most D + 1 colours.
+/// Colours the vertices so that no two of one colour share a spring. Row c has the vertices of colour c, ascending.
+/// Greedy in the order of the vertices; at most D + 1 colours.
 [[nodiscard]] RaggedRows<int> colourVertices(const ClothModel& model);
 
-/// Calls visit(i) for every index, one colour after the other, within a colour on several threads.
+/// Calls visit(i) for every index, colour by colour; on several threads within a colour.
 template <typename Visit>
 void forEachByColour(Workers& workers, int threads, const RaggedRows<int>& colours, Visit&& visit) {
   for (std::size_t c = 0; c + 1 < colours.begin.size(); ++c) {

@@ -5,7 +5,7 @@
 namespace drape {
 namespace {
 
-/// Columns of the inverse that are solved for at once, and rows that are multiplied at once: both stay in the cache.
+/// Number of columns solved at once, and of rows multiplied at once, so that both stay in the cache.
 constexpr Eigen::Index blockSize = 128;
 
 }  // namespace
@@ -56,7 +56,7 @@ void ConstantFilter::invert() {
   }
 }
 
-/// Row by row the sums run over the columns in order, however the rows are shared out.
+/// The sum of each row runs over the columns in order, so it does not depend on the number of threads.
 void ConstantFilter::multiply(int threads, Workers& workers) {
   const Eigen::Index size = inverse_.rows();
   workers.forRange(threads, static_cast<int>(size), [&](int begin, int end) {

@@ -9,32 +9,44 @@
 
 namespace drape {
 
+<<<<<<< HEAD
 /// What the hand adds to the diagonal of the filter's matrix.
 struct AttachmentDiagonal {
   std::array<std::size_t, 3> vertices{};  ///< the corners that it holds
   Vec3 additions = Vec3::Zero();          ///< h^2 w_c times its stiffness [kg]
+=======
+/// Additions of the attachment to the diagonal of the filter's matrix.
+struct HandOnDiagonal {
+  std::array<std::size_t, 3> vertices{};  ///< the corners of its triangle
+  Vec3 additions = Vec3::Zero();          ///< h^2 w_c times its stiffness, w_c being the weight of corner c [kg]
+>>>>>>> terms-sim
 };
 
-/// The constant filter of Desbrun, Schroeder and Barr (1999): backward Euler for springs of which only the scalar part
-/// k of the derivative is kept has the same matrix at every step, and its inverse, worked out beforehand, takes from
-/// the forces what the step could not carry. In print, for equal masses, Ff = W F with W = (I - h^2/m H)^-1; for masses
-/// that differ, Ff = M A^-1 F with A = M - h^2 H = M + sum_s w_s L_s, which is the same where they do not. Without pins
-/// the forces' sum stays what it was.
+/// The constant filter of Desbrun, Schroeder and Barr (1999). Backward Euler with the scalar part k of the spring
+/// derivative has the same matrix at every step. Its precomputed inverse filters the forces. The paper has equal
+/// masses: Ff = W F with W = (I - h^2/m H)^-1. For different masses Ff = M A^-1 F with A = M - h^2 H = M + sum_s w_s
+/// L_s, which is the same for equal masses. Without pins the filter conserves the sum of the forces.
 ///
-/// The inverse is kept as the dense matrix that was published up to `largestDense` vertices (8 n^2 bytes), as a sparse
-/// Cholesky factor above.
+/// Up to `largestDense` free vertices the inverse is a dense matrix (8 n^2 bytes), as in the paper. Above that a sparse
+/// Cholesky factor is used.
 class ConstantFilter {
  public:
   static constexpr std::size_t largestDense = 4096;
 
-  /// @param largest up to how many free vertices the inverse is dense
+  /// @param largest number of free vertices up to which the inverse is dense
   explicit ConstantFilter(std::size_t largest = largestDense) : largest_(largest) {}
 
+<<<<<<< HEAD
   /// Makes the filter that of the given model and weight.
   /// @param hand what is added to the diagonal of A, or nullptr
   void prepare(const ClothModel& model, const ScalarWeight& weight, const AttachmentDiagonal* attachment);
+=======
+  /// Computes the filter for the given model and weight, if they changed.
+  /// @param hand additions to the diagonal of A, or nullptr
+  void prepare(const ClothModel& model, const ScalarWeight& weight, const HandOnDiagonal* hand);
+>>>>>>> terms-sim
 
-  /// Replaces impulses h F [N s], one a vertex, by the velocity changes A^-1 h F = h M^-1 Ff [m/s]; zero where pinned.
+  /// Replaces impulses h F [N s], one a vertex, by velocity changes A^-1 h F = h M^-1 Ff [m/s]; zero where pinned.
   void apply(int threads, Workers& workers, std::vector<Vec3>& impulses);
 
  private:
@@ -44,8 +56,13 @@ class ConstantFilter {
 
   std::size_t largest_;
   ScalarSystem system_;
+<<<<<<< HEAD
   DiagonalChange attachment_;
   Eigen::MatrixXd inverse_;         // A^-1 [1/kg], symmetric; empty where the factor is used
+=======
+  DiagonalChange hand_;
+  Eigen::MatrixXd inverse_;  // A^-1 [1/kg], symmetric; empty if the factor is used
+>>>>>>> terms-sim
   ScalarSystem::Columns impulses_;  // [N s]
   ScalarSystem::Columns changes_;   // of the velocities [m/s]
 };

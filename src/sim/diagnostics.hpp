@@ -17,10 +17,10 @@ struct Energy {
 
 [[nodiscard]] Energy energyOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state);
 
-/// The largest elongation of a spring, (L - l0) / l0 [-]: 0 when none is longer than at rest.
+/// The largest strain of a spring, (L - l0) / l0 [-]; 0 if no spring is stretched.
 [[nodiscard]] double maxStretch(const ClothModel& model, const ClothState& state);
 
-/// The mean length of the springs at rest [m]; 0 without springs.
+/// The mean rest length of the springs [m]; 0 without springs.
 [[nodiscard]] double meanEdge(const ClothModel& model);
 
 }  // namespace drape

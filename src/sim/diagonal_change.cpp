@@ -19,17 +19,17 @@ void DiagonalChange::set(const ScalarSystem& system, bool changed, const std::ar
   active_ = !rows_.empty();
   additions_.resize(static_cast<Eigen::Index>(rows_.size()));
   for (Eigen::Index c = 0; c < additions_.size(); ++c) {
-    additions_[c] = additions[places_[static_cast<std::size_t>(c)]];
+    additions_[c] = additions[corners_[static_cast<std::size_t>(c)]];
   }
 }
 
 void DiagonalChange::findColumns(const ScalarSystem& system) {
   rows_.clear();
-  places_.clear();
+  corners_.clear();
   for (std::size_t c = 0; c < vertices_.size(); ++c) {
     if (const int row = system.rows()[vertices_[c]]; row >= 0) {
       rows_.push_back(row);
-      places_.push_back(static_cast<Eigen::Index>(c));
+      corners_.push_back(static_cast<Eigen::Index>(c));
     }
   }
   Eigen::MatrixXd units = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(system.vertices().size()),
@@ -45,16 +45,16 @@ void DiagonalChange::applyTo(ScalarSystem::Columns& answer) const {
     return;
   }
   const Eigen::Index count = columns_.cols();
-  Eigen::MatrixXd held(count, 3);
+  Eigen::MatrixXd rightSide(count, 3);
   Eigen::MatrixXd small = Eigen::MatrixXd::Identity(count, count);
   for (Eigen::Index r = 0; r < count; ++r) {
     const int row = rows_[static_cast<std::size_t>(r)];
-    held.row(r) = answer.row(row);
+    rightSide.row(r) = answer.row(row);
     small.row(r) += columns_.row(row).cwiseProduct(additions_.transpose());
   }
-  const Eigen::MatrixXd stopped = small.partialPivLu().solve(held);
+  const Eigen::MatrixXd solution = small.partialPivLu().solve(rightSide);
   for (Eigen::Index c = 0; c < count; ++c) {
-    answer -= columns_.col(c) * (additions_[c] * stopped.row(c));
+    answer -= columns_.col(c) * (additions_[c] * solution.row(c));
   }
 }
 

@@ -7,25 +7,25 @@
 
 namespace drape {
 
-/// A ScalarSystem with something added to three of its diagonal entries, differently at every step: what the hand's
-/// stiffness adds where it holds. The factor stays as it is; the three columns Z of the inverse, worked out when the
-/// hand takes another triangle or the factor changes, turn the answer u of the system into that of the changed one
-/// (Sherman, Morrison and Woodbury):
+/// Additions to three diagonal entries of a ScalarSystem, for the stiffness of an attachment. They differ from step to
+/// step, but the factor does not change. The solution u of the system becomes that of the changed system by the formula
+/// of Sherman, Morrison and Woodbury:
 ///
 ///     u - Z D (I + Z_c D)^-1 u_c
 ///
-/// with D the additions, and the index c for their rows.
+/// D are the additions, the index c means their rows, and Z are the three columns of the inverse. Z is computed when
+/// the attachment moves to another triangle or the factor changes.
 class DiagonalChange {
  public:
-  /// Nothing is added.
+  /// Removes the additions.
   void clear();
 
-  /// @param changed whether the factor of the system did since the last call
-  /// @param vertices to whose diagonal is added; pinned ones do not count
+  /// @param changed whether the factor of the system changed since the last call
+  /// @param vertices whose diagonals change; pinned ones are ignored
   /// @param additions [kg], not negative
   void set(const ScalarSystem& system, bool changed, const std::array<std::size_t, 3>& vertices, const Vec3& additions);
 
-  /// Makes the system's answer the changed system's.
+  /// Converts a solution of the system to one of the changed system.
   void applyTo(ScalarSystem::Columns& answer) const;
 
  private:
@@ -34,10 +34,10 @@ class DiagonalChange {
   bool known_ = false;  // columns_ belong to vertices_ and the factor
   bool active_ = false;
   std::array<std::size_t, 3> vertices_{};
-  std::vector<int> rows_;             // of the vertices that are free
-  std::vector<Eigen::Index> places_;  // where they stand among the three
-  Eigen::VectorXd additions_;         // D [kg]
-  Eigen::MatrixXd columns_;           // Z [1/kg]
+  std::vector<int> rows_;              // of the free vertices
+  std::vector<Eigen::Index> corners_;  // their indices among the three
+  Eigen::VectorXd additions_;          // D [kg]
+  Eigen::MatrixXd columns_;            // Z [1/kg]
 };
 
 }  // namespace drape

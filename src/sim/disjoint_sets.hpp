@@ -7,7 +7,7 @@
 
 namespace drape {
 
-/// Sets of things that only ever grow together. Each is known by its lowest member.
+/// A disjoint-set forest (union-find). Each set is represented by its lowest member.
 class DisjointSets {
  public:
   explicit DisjointSets(int count) : parent_(static_cast<std::size_t>(count)) {
@@ -22,7 +22,7 @@ class DisjointSets {
     return item;
   }
 
-  /// True when the two were apart before.
+  /// Merges the sets of two items. True if they were different before.
   bool join(int a, int b) {
     const auto [low, high] = std::minmax({root(a), root(b)});
     parentOf(high) = low;

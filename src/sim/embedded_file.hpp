@@ -4,9 +4,9 @@
 
 namespace drape {
 
-/// A file that was put into the program when it was built.
+/// A file embedded in the program at build time.
 struct EmbeddedFile {
-  std::string_view name;   ///< path below the folder it was taken from, with forward slashes
+  std::string_view name;   ///< path relative to its source folder, with forward slashes
   std::string_view bytes;  ///< its content
 };
 

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// -C_d (v_a - v_b) on a and its opposite on b, spring by spring.
+/// The work of -C_d (v_a - v_b) on a and its opposite on b, for all springs.
 double dampingWork(const ClothModel& model, double damping, const ClothState& before, const ClothState& after) {
   if (damping == 0.0) {
     return 0.0;
@@ -32,7 +32,7 @@ double airWork(const ClothModel& model, const StepParameters& parameters, const 
   }
   StepParameters airOnly = parameters;
   airOnly.gravity = 0.0;
-  // The air's force is bounded by what would stop a vertex within one evaluation of it, which is a substep.
+  // The air's force is limited to the force that stops a vertex within a substep.
   airOnly.timeStep = parameters.timeStep / parameters.substeps;
   double work = 0.0;
   for (std::size_t i = 0; i < after.positions.size(); ++i) {
@@ -44,15 +44,15 @@ double airWork(const ClothModel& model, const StepParameters& parameters, const 
   return work;
 }
 
-/// What holds a pinned vertex against all that acts on it [N].
-Vec3 holdingForce(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
-                  std::size_t vertex) {
+/// The reaction force on a pinned vertex [N].
+Vec3 reactionForce(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                   std::size_t vertex) {
   return -springForcesOn(model, parameters, state, vertex) - gravityAndAir(model, parameters, state, vertex);
 }
 
-/// Of bodies on the pins that they carry.
-double carryingWork(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                    const ClothState& before, const ClothState& after) {
+/// The work of bodies on the pins that they move.
+double bodyPinWork(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                   const ClothState& before, const ClothState& after) {
   if (inputs.bodies == nullptr) {
     return 0.0;
   }
@@ -64,7 +64,7 @@ double carryingWork(const ClothModel& model, const StepParameters& parameters, c
       const auto v = static_cast<std::size_t>(pin.vertex);
       if (model.pinned[v]) {
         const Vec3 motion = after.positions[v] - before.positions[v];
-        work += 0.5 * motion.dot(holdingForce(model, part, before, v) + holdingForce(model, part, after, v));
+        work += 0.5 * motion.dot(reactionForce(model, part, before, v) + reactionForce(model, part, after, v));
       }
     }
   }
@@ -94,12 +94,21 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
   if (unresolved != nullptr) {
     contact_ += end - energyOf(model, parameters, *unresolved).total();
   }
+<<<<<<< HEAD
   const ClothState& left = unresolved != nullptr ? *unresolved : after;  // by the method
   damping_ += dampingWork(model, parameters.damping, before, left);
   air_ += airWork(model, parameters, before, left);
   contact_ += carryingWork(model, parameters, inputs, before, left);
   if (inputs.attachment) {
     attachment_ += attachmentWork(model, *inputs.attachment, before, left);
+=======
+  const ClothState& solved = unresolved != nullptr ? *unresolved : after;  // without the correction by contact
+  damping_ += dampingWork(model, parameters.damping, before, solved);
+  air_ += airWork(model, parameters, before, solved);
+  contact_ += bodyPinWork(model, parameters, inputs, before, solved);
+  if (inputs.grab) {
+    hand_ += handWork(model, *inputs.grab, before, solved);
+>>>>>>> terms-sim
   }
 }
 

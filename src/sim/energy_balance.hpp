@@ -7,34 +7,43 @@
 
 namespace drape {
 
-/// Where the energy of a cloth went: what damping, air, the hand and contact did to it over the steps that were added,
-/// and what is left to explain, which is the method's own doing. Work of a force f over a step from x0 to x1 is taken
-/// by the trapezoidal rule, (x1 - x0) . (f(0) + f(1)) / 2, whatever rule the method uses, so that two methods are held
-/// to the same account. No work is done on a pinned vertex, unless a body carries it along: that is the body's.
+/// The energy balance of a cloth over the added steps: the work of damping, air, attachment and contact, and the
+/// remainder, which is the error of the integrator. The work of a force f over a step from x0 to x1 is computed by the
+/// trapezoidal rule, (x1 - x0) . (f(0) + f(1)) / 2, for every method, so that methods are comparable. Pinned vertices
+/// do no work, unless a body moves them; that counts as contact.
 ///
-/// The rule's own error falls with h^2, as does the integrator's part of a converged second-order method. Settings that
-/// change between two steps (stiffness, gravity) are no error of the method: each step is judged under its own.
+/// The error of the rule falls with h^2, as does the integrator's part of a converged second-order method. Settings
+/// that change between two steps (stiffness, gravity) cause no error: each step is evaluated with its own settings.
 class EnergyBalance {
  public:
-  /// Adds one step. `parameters` and `inputs` are those under which it was taken from `before` to `after`.
-  /// @param unresolved the state that the method left before contact corrected it, or nullptr when nothing did
-  /// @param earlierContact what contact had given or taken by then, where a step is taken in rounds [J]
+  /// Adds one step from `before` to `after`, with its `parameters` and `inputs`.
+  /// @param unresolved the state before contact corrected it, or nullptr if it did not
+  /// @param earlierContact energy change by contact in the earlier contact substeps of the step [J]
   void add(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
            const ClothState& before, const ClothState& after, const ClothState* unresolved = nullptr,
            double earlierContact = 0.0);
 
   /// Change of kinetic + elastic + potential energy [J].
   [[nodiscard]] double change() const { return change_; }
-  /// Work of the springs' damping [J]: negative where it takes energy.
+  /// Work of the springs' damping [J]; negative if it removes energy.
   [[nodiscard]] double damping() const { return damping_; }
-  /// Work of drag and lift [J]: of either sign in wind.
+  /// Work of drag and lift [J]; of either sign in wind.
   [[nodiscard]] double air() const { return air_; }
+<<<<<<< HEAD
   /// Work of the hand [J].
   [[nodiscard]] double attachment() const { return attachment_; }
   /// What contact gave or took [J]: bodies that move or carry pins, friction, impacts, pushing out of an overlap.
   [[nodiscard]] double contact() const { return contact_; }
   /// Change less these works [J]: positive where the method made energy from nothing, negative where it lost some.
   [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - attachment_ - contact_; }
+=======
+  /// Work of the attachment [J].
+  [[nodiscard]] double hand() const { return hand_; }
+  /// Energy change by contact [J]: moving bodies and their pins, friction, impacts, resolved overlaps.
+  [[nodiscard]] double contact() const { return contact_; }
+  /// Energy change minus all of these [J]: positive if the method gained energy, negative if it lost energy.
+  [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - hand_ - contact_; }
+>>>>>>> terms-sim
 
  private:
   double change_ = 0.0;

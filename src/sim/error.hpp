@@ -5,14 +5,14 @@
 
 namespace drape {
 
-/// Bad input from outside: a file, a setting, a scene. The message is for the user and says what is wrong, where,
-/// and what to do about it. Programs print it and exit with status 1.
+/// Invalid input: a file, a setting, a scene. The message is for the user and tells what is wrong, where, and what to
+/// do. Programs print it and exit with status 1.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The program was called wrongly (unknown option, setting out of range). Programs exit with status 2.
+/// Wrong usage of a program (unknown option, setting out of range). Programs exit with status 2.
 class UsageError : public InputError {
  public:
   using InputError::InputError;

@@ -13,13 +13,18 @@ namespace drape {
 [[nodiscard]] Vec3 gravityAndAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                                  std::size_t vertex);
 
+<<<<<<< HEAD
 /// The hand's pull at the corners of the triangle that it holds.
 struct AttachmentForce {
+=======
+/// The force of the attachment at the corners of its triangle.
+struct HandPull {
+>>>>>>> terms-sim
   std::array<std::size_t, 3> vertices{};  ///< the triangle's corners
   Vec3 weights = Vec3::Zero();            ///< of the corners, summing to 1
-  Vec3 force = Vec3::Zero();              ///< on the held point [N]; corner c feels weights[c] of it
-  Vec3 velocity = Vec3::Zero();           ///< of the held point [m/s]
-  double stiffness = 0.0;                 ///< |force| over the distance to the target [N/m]: less where it is bounded
+  Vec3 force = Vec3::Zero();              ///< on the attached point [N]; corner c gets weights[c] of it
+  Vec3 velocity = Vec3::Zero();           ///< of the attached point [m/s]
+  double stiffness = 0.0;  ///< |force| over the distance to the target [N/m]; smaller if the force is bounded
 };
 
 [[nodiscard]] AttachmentForce attachmentForce(const ClothModel& model, const Attachment& attachment,

@@ -45,17 +45,17 @@ std::vector<double> distancesFromPins(const ClothModel& model) {
   return distance;
 }
 
-/// For each of the cuts: the mass beyond it and how stiff the springs across it are against a strain.
+/// For each cut the mass beyond it and the stiffness of the springs across it.
 struct CutSums {
   std::vector<double> mass = std::vector<double>(cuts, 0.0);  // [kg]
   std::vector<double> stiffness =
       std::vector<double>(cuts, 0.0);  // of springs of 1 N/m: force for each unit of strain [m]
 };
 
-CutSums sumOverCuts(const ClothModel& model, const std::vector<double>& distance, double farthest) {
+CutSums sumOverCuts(const ClothModel& model, const std::vector<double>& distance, double maxDistance) {
   CutSums sums;
-  const auto cutAt = [&](double d) {  // how many cuts are nearer than d
-    return std::min(cuts, static_cast<std::size_t>(std::ceil(d / farthest * static_cast<double>(cuts))));
+  const auto cutAt = [&](double d) {  // number of cuts nearer than d
+    return std::min(cuts, static_cast<std::size_t>(std::ceil(d / maxDistance * static_cast<double>(cuts))));
   };
   for (std::size_t v = 0; v < distance.size(); ++v) {
     if (distance[v] < unreached) {
@@ -71,7 +71,7 @@ CutSums sumOverCuts(const ClothModel& model, const std::vector<double>& distance
     if (!(farther < unreached) || !(spring.restLength > 0.0)) {
       continue;
     }
-    // Under a strain e away from the pins a spring at an angle to it is strained by e c^2 and pulls with its share c.
+    // With a strain e away from the pins, a spring at an angle of cosine c is strained by e c^2; c of its force counts.
     const double cosine = std::min(1.0, (farther - nearer) / spring.restLength);
     for (std::size_t cut = cutAt(nearer); cut < cutAt(farther); ++cut) {
       sums.stiffness[cut] += spring.relativeStiffness * spring.restLength * cosine * cosine * cosine;
@@ -84,14 +84,14 @@ CutSums sumOverCuts(const ClothModel& model, const std::vector<double>& distance
 
 double strainByWeight(const ClothModel& model, const StepParameters& parameters) {
   const std::vector<double> distance = distancesFromPins(model);
-  double farthest = 0.0;
+  double maxDistance = 0.0;
   for (const double each : distance) {
-    farthest = each < unreached ? std::max(farthest, each) : farthest;
+    maxDistance = each < unreached ? std::max(maxDistance, each) : maxDistance;
   }
-  if (!(farthest > 0.0)) {
+  if (!(maxDistance > 0.0)) {
     return 0.0;
   }
-  const CutSums sums = sumOverCuts(model, distance, farthest);
+  const CutSums sums = sumOverCuts(model, distance, maxDistance);
   double strain = 0.0;
   for (std::size_t cut = 0; cut < cuts; ++cut) {
     if (sums.stiffness[cut] > 0.0) {

@@ -5,10 +5,10 @@
 
 namespace drape {
 
-/// How far the cloth's own weight stretches the springs that carry most of it, at rest, as a share of their length [-].
-/// An estimate: the weight of all that hangs farther from the pins than some distance, measured along the springs, is
-/// carried by the springs that cross that distance; the largest such strain over the distances counts. It takes springs
-/// to pull along their rest direction. 0 for cloth without pins, infinite for cloth without stiffness.
+/// The largest strain of the springs under the cloth's weight at rest [-], an estimate. The springs that cross a given
+/// distance from the pins, measured along the springs, carry the weight of everything beyond it. The largest strain
+/// over all distances counts. Springs are assumed to pull along their rest direction. 0 for cloth without pins,
+/// infinite for cloth without stiffness.
 [[nodiscard]] double strainByWeight(const ClothModel& model, const StepParameters& parameters);
 
 }  // namespace drape

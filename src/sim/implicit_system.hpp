@@ -10,18 +10,19 @@
 namespace drape {
 
 /// The linear system of one backward-Euler step, W dv = h f~ with W = M - h^2 J and f~ = f + h J v (eqs. 5-9), with the
-/// damping of eqs. 12-14, in 3x3 blocks and without an assembled matrix: the blocks J_ij stand at the springs.
+/// damping of eqs. 12-14. It consists of 3x3 blocks. The matrix is not assembled: the blocks J_ij are stored per
+/// spring.
 ///
 /// | here           | paper                                                              |
 /// |----------------|--------------------------------------------------------------------|
 /// | diagonal       | W'_ii = M_i + h^2 sum_j J_ij + n_i h C_d I (eqs. 10, 13)           |
 /// | coupling       | h^2 sum_j J'_ij dv_j, J'_ij = J_ij + (C_d / h) I (eqs. 11, 13)     |
-/// | rightHandSide  | h f~_i, with gravity, springs, damping, air and hand (eqs. 8, 14)  |
+/// | rightHandSide  | h f~_i, with gravity, springs, damping, air, attachment (eqs. 8, 14) |
 ///
-/// A pinned vertex has dv = 0; whoever solves the system sees to that. The hand's stiffness is lumped on the diagonal.
+/// A pinned vertex has dv = 0; the solver must ensure that. The attachment's stiffness is lumped on the diagonal.
 class ImplicitSystem {
  public:
-  /// Evaluates everything at the given state.
+  /// Computes the system at the given state.
   void assemble(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                 const ClothState& state, Workers& workers);
 
@@ -32,7 +33,7 @@ class ImplicitSystem {
   /// J_ij, one a spring [N/m].
   [[nodiscard]] const std::vector<Mat3>& springBlocks() const { return springBlocks_; }
 
-  /// h^2 sum_j J'_ij dv_j, what the neighbours of vertex i add to its row [N s].
+  /// h^2 sum_j J'_ij dv_j, the contribution of vertex i's neighbours to its row [N s].
   [[nodiscard]] Vec3 coupling(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& dv,
                               std::size_t vertex) const;
 
@@ -50,13 +51,12 @@ class ImplicitSystem {
   void addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment, const ClothState& state);
 
   std::vector<Mat3> springBlocks_;
-  std::vector<Vec3> springForces_;  // per spring, on its first end: elastic, damping and its share of h J v [N]
+  std::vector<Vec3> springForces_;  // per spring, on its first end: elastic, damping and its part of h J v [N]
   std::vector<Mat3> diagonal_;
   std::vector<Vec3> rightHandSide_;
 };
 
-/// The end of a backward-Euler step whose velocity change is known: v += dv, x += h v. Pinned vertices stay, with
-/// velocity zero.
+/// Ends a backward-Euler step with the velocity change dv: v += dv, x += h v. Pinned vertices stay, with zero velocity.
 void advance(const ClothModel& model, double timeStep, const std::vector<Vec3>& dv, ClothState& state);
 
 }  // namespace drape

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-/// The formulas of the method, as pure functions: one vertex or one spring at a time, no model and no state. Equation
-/// numbers are those of the paper on the one-iteration implicit mass-spring step (docs/theory/method.md tells which
-/// paper, and where its print is departed from).
+/// The formulas of the method, as pure functions of one vertex or one spring. Equation numbers are those of the paper
+/// on the one-iteration implicit mass-spring step (docs/theory/method.md cites it and lists the differences from it).
 ///
 /// | symbol | meaning                                         | unit   |
 /// |--------|-------------------------------------------------|--------|
@@ -20,7 +19,7 @@
 /// | K      | 1/2 rho C S, air density, coefficient, area     | kg/m   |
 namespace drape::kernels {
 
-/// Springs shorter than this share of their rest length have no direction to speak of.
+/// Springs shorter than this fraction of their rest length have no direction.
 inline constexpr double shortestLength = 1e-9;
 
 /// The force that a spring exerts on vertex i [N]: towards j when it is stretched.
@@ -43,7 +42,7 @@ inline constexpr double shortestLength = 1e-9;
 /// | Axial        | k d d^T                       | k d d^T                        | always; only along the spring |
 /// | TensionOnly  | k [(1 - r) I + r d d^T]       | 0                              | always; only when stretched   |
 ///
-/// A spring without direction (L -> 0) couples with k I, or with nothing when only tension counts.
+/// A spring without direction (L -> 0) couples with k I; with zero for TensionOnly.
 [[nodiscard]] inline Mat3 springDerivative(const Vec3& offset, double restLength, double stiffness,
                                            ForceDerivative variant = ForceDerivative::Stabilised) {
   const double length = offset.norm();
@@ -76,8 +75,8 @@ inline constexpr double shortestLength = 1e-9;
   return (-dragFactor * std::abs(normal.dot(heading)) * speed * speed) * heading;
 }
 
-/// Lift (eqs. 19, 20): K (1 - |n.v^|) |v|^2 U [N] with U = (n x v^) x v^, where n is turned to face v^. The print lacks
-/// the absolute value; without it a vertex seen from behind would be lifted twice.
+/// Lift (eqs. 19, 20): K (1 - |n.v^|) |v|^2 U [N] with U = (n x v^) x v^, where n is turned to face v^. The paper lacks
+/// the absolute value; without it the factor would be up to 2 where the back of the surface faces v^.
 [[nodiscard]] inline Vec3 liftForce(const Vec3& normal, double speed, const Vec3& heading, double liftFactor) {
   const double facing = normal.dot(heading);
   const Vec3 front = facing < 0.0 ? Vec3(-normal) : normal;
@@ -85,25 +84,25 @@ inline constexpr double shortestLength = 1e-9;
   return (liftFactor * (1.0 - std::abs(facing)) * speed * speed) * direction;
 }
 
-/// How steeply the lift of a thin plate rises from none where it lies along the wind: the force is at most
-/// R S |n.v| |v| with R = 1/2 rho 2 pi (thin aerofoils: Anderson, Fundamentals of Aerodynamics, eq. 4.33).
+/// The slope of a thin plate's lift at zero incidence: the force is at most R S |n.v| |v| with R = 1/2 rho 2 pi (thin
+/// aerofoils: Anderson, Fundamentals of Aerodynamics, eq. 4.33).
 /// @param airDensity rho [kg/m^3]  @return R [kg/m^3]
 [[nodiscard]] inline double liftRise(double airDensity) {
   return std::numbers::pi * airDensity;
 }
 
-/// The lift above, but no more than that of a thin plate: continuous where the surface lies along v^ [N].
+/// The lift above, limited to that of a thin plate; continuous at zero incidence [N].
 /// @param riseFactor R S [kg/m]
 [[nodiscard]] inline Vec3 risingLiftForce(const Vec3& normal, double speed, const Vec3& heading, double liftFactor,
                                           double riseFactor) {
   const Vec3 force = liftForce(normal, speed, heading, liftFactor);
-  const double most = riseFactor * std::abs(normal.dot(heading)) * speed * speed;
+  const double limit = riseFactor * std::abs(normal.dot(heading)) * speed * speed;
   const double size = force.norm();
-  return size > most ? Vec3(force * (most / size)) : force;
+  return size > limit ? Vec3(force * (limit / size)) : force;
 }
 
-/// The air's force on a vertex [N], held back to what would stop it against the air within one step. Evaluated at the
-/// start of the step as the paper has it, drag alone could otherwise throw a light vertex back faster than it came.
+/// The air's force on a vertex [N], limited to the force that stops it relative to the air within one step. Otherwise
+/// drag, evaluated at the start of the step as in the paper, could reverse and increase the velocity of a light vertex.
 /// @param velocity of the vertex relative to the air [m/s]  @param mass [kg]  @param timeStep [s]
 [[nodiscard]] inline Vec3 airForce(const Vec3& normal, const Vec3& velocity, double dragFactor, double liftFactor,
                                    double mass, double timeStep) {

@@ -8,19 +8,19 @@
 
 namespace drape {
 
-/// How one motion of a cloth differs from another, the reference. docs/theory/measures.md tells what each is good for.
+/// Measures of the difference between a motion of a cloth and a reference. docs/theory/measures.md explains them.
 
-/// Mean distance between two sets of positions [m], over all vertices, pinned ones too. Both have the same size; 0 for
-/// none.
+/// Mean distance between two sets of positions of the same size [m], over all vertices, pinned ones included; 0 for
+/// empty sets.
 [[nodiscard]] double meanDistance(std::span<const Vec3> a, std::span<const Vec3> b);
 
 /// Root of the mean squared distance [m], as above. Never less than the mean distance.
 [[nodiscard]] double rmsDistance(std::span<const Vec3> a, std::span<const Vec3> b);
 
-/// Diagonal of the bounding box of a cloth's rest shape [m]: what distances are related to.
+/// Diagonal of the bounding box of a cloth's rest shape [m], the unit of relative distances.
 [[nodiscard]] double diagonalOf(const ClothModel& model);
 
-/// Where the vertices were at two checkpoints, one after the other. Four views of the same size.
+/// Positions at two successive checkpoints. Four views of the same size.
 struct CheckpointPair {
   std::span<const Vec3> before;           ///< the method at the earlier checkpoint [m]
   std::span<const Vec3> after;            ///< the method at the later checkpoint [m]
@@ -28,39 +28,39 @@ struct CheckpointPair {
   std::span<const Vec3> referenceAfter;   ///< the reference at the later checkpoint [m]
 };
 
-/// A vertex whose reference moved less than this share of the diagonal from one checkpoint to the next is still: an
-/// error relative to its motion says nothing about it.
+/// A vertex is still if its reference moved less than this fraction of the diagonal between the checkpoints. An error
+/// relative to its motion is then meaningless.
 inline constexpr double stillShare = 1e-6;
 
-/// The paper's two measures of a motion between two checkpoints. With D_i the displacement of vertex i by the method
-/// and R_i by the reference, means over the vertices that are neither pinned nor still:
+/// The paper's two measures of a motion between two checkpoints. D_i is the displacement of vertex i by the method, R_i
+/// by the reference. The means are over the vertices that are neither pinned nor still:
 ///
 ///     eps = mean |D_i - R_i|^2 / |R_i|^2                  "relative squared displacement error"
 ///     S   = mean (D_i . R_i)^2 / (|D_i|^2 |R_i|^2)        "squared cosine"; 0 for a vertex with D_i = 0
 ///
 /// A frozen cloth has eps = 1 and S = 0; the reference itself eps = 0 and S = 1.
 struct DisplacementError {
-  double eps = 0.0;            ///< [-]; not a number when no vertex is left to judge
-  double squaredCosine = 0.0;  ///< S [-]; not a number when no vertex is left to judge
-  int vertices = 0;            ///< that the means are over
-  int stillVertices = 0;       ///< free vertices that are left out since their reference hardly moved
-  double stillMotion = 0.0;    ///< the largest displacement by the method of one that is left out so [m]
+  double eps = 0.0;            ///< [-]; NaN if there is no vertex for the mean
+  double squaredCosine = 0.0;  ///< S [-]; NaN if there is no vertex for the mean
+  int vertices = 0;            ///< number of vertices in the means
+  int stillVertices = 0;       ///< number of free vertices that are still
+  double stillMotion = 0.0;    ///< largest displacement of a still vertex by the method [m]
 };
 
 /// @param diagonal of the scene [m], see diagonalOf
 [[nodiscard]] DisplacementError displacementError(const ClothModel& model, const CheckpointPair& pair, double diagonal);
 
-/// How much of the reference's motion a method keeps,
+/// The motion of a method relative to the reference,
 ///
 ///     sqrt(sum m_i |D_i|^2) / sqrt(sum m_i |R_i|^2)
 ///
-/// over all vertices and all the pairs of checkpoints that were added: 1 moves as much as the reference (not
-/// necessarily there), 0 is frozen, more than 1 moves too much.
+/// over all vertices and all added pairs of checkpoints. 1: as much motion as the reference, not necessarily in the
+/// same direction; 0: frozen; above 1: too much motion.
 class MotionKept {
  public:
   void add(const ClothModel& model, const CheckpointPair& pair);
 
-  /// [-]. 1 when neither moves, infinite when only the method does.
+  /// [-]. 1 if neither moves, infinite if only the method moves.
   [[nodiscard]] double value() const;
 
  private:
@@ -68,7 +68,7 @@ class MotionKept {
   double reference_ = 0.0;  // sum m_i |R_i|^2 [kg m^2]
 };
 
-/// The above for one pair of checkpoints [-].
+/// The same for one pair of checkpoints [-].
 [[nodiscard]] double motionKept(const ClothModel& model, const CheckpointPair& pair);
 
 }  // namespace drape

@@ -7,12 +7,12 @@
 
 namespace drape {
 
-/// Something that is worked out once for each model: a colouring, a sparsity pattern, a factorisation. It is made again
-/// only when another model comes along.
+/// A value that is computed once for each model: a colouring, a sparsity pattern, a factorisation. It is computed again
+/// when the model changes.
 template <typename T>
 class ModelCache {
  public:
-  /// The value for that model; `make(model)` makes it when it is not there yet.
+  /// The value for that model; `make(model)` computes it if necessary.
   template <typename Make>
   T& get(const ClothModel& model, Make&& make) {
     const std::shared_ptr<const ClothModel> known = model_.lock();
@@ -24,7 +24,7 @@ class ModelCache {
   }
 
  private:
-  std::weak_ptr<const ClothModel> model_;  // tells the model apart from a later one at the same address
+  std::weak_ptr<const ClothModel> model_;  // distinguishes the model from a later one at the same address
   std::unique_ptr<T> value_;
 };
 

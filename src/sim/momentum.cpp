@@ -60,8 +60,8 @@ MomentumKeeper::Target MomentumKeeper::targetOf(const ClothModel& model, const S
   return target;
 }
 
-void MomentumKeeper::before(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                            const ClothState& state) {
+void MomentumKeeper::prepare(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                             const ClothState& state) {
   pull_.reset();
   if (inputs.attachment) {
     pull_ = attachmentForce(model, *inputs.attachment, state);
@@ -73,6 +73,7 @@ void MomentumKeeper::before(const ClothModel& model, const StepParameters& param
   }
 }
 
+<<<<<<< HEAD
 void MomentumKeeper::after(const ClothModel& model, double timeStep, double reach, ClothState& state) {
   const Vec3 attachmentMotion = pull_ ? Vec3(attachedPointOf(*pull_, state) - attachedPoint_) : Vec3(Vec3::Zero());
   const Pieces& pieces = pieces_.get(model, freePieces);
@@ -84,31 +85,59 @@ void MomentumKeeper::after(const ClothModel& model, double timeStep, double reac
 void MomentumKeeper::correct(const ClothModel& model, double timeStep, double reach,
                              const std::vector<std::size_t>& piece, const Target& target, const Vec3& attachmentMotion,
                              ClothState& state) const {
+=======
+void MomentumKeeper::correct(const ClothModel& model, double timeStep, double driftTime, ClothState& state) {
+  const Vec3 handMove = pull_ ? Vec3(attachedPointOf(*pull_, state) - handPoint_) : Vec3(Vec3::Zero());
+  const Pieces& pieces = pieces_.get(model, freePieces);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    correctPiece(model, timeStep, driftTime, pieces[p], targets_[p], handMove, state);
+  }
+}
+
+void MomentumKeeper::correctPiece(const ClothModel& model, double timeStep, double driftTime,
+                                  const std::vector<std::size_t>& piece, const Target& target, const Vec3& handMove,
+                                  ClothState& state) const {
+>>>>>>> terms-sim
   const MassMoments moments = momentsOf(model, piece, state.positions);
-  Vec3 linear = target.linear - linearMomentumOf(model, piece, state);  // what is missing
+  Vec3 linear = target.linear - linearMomentumOf(model, piece, state);  // missing
   Vec3 angular = target.angular;
-  // The positions move with the correction, so that it changes the angular momentum by
-  // sum m r x (omega x r) + reach sum m (omega x r) x v, which is still linear in omega.
+  // The correction also moves the positions. So it changes the angular momentum by
+  // sum m r x (omega x r) + driftTime sum m (omega x r) x v, which is linear in omega.
   Mat3 inertia = moments.inertia;
   for (const std::size_t v : piece) {
     const Vec3 arm = state.positions[v] - moments.barycentre;
     const Vec3& velocity = state.velocities[v];
     angular -= model.vertexMass[v] * arm.cross(velocity);
-    inertia += (reach * model.vertexMass[v]) * (arm * velocity.transpose() - arm.dot(velocity) * Mat3::Identity());
+    inertia += (driftTime * model.vertexMass[v]) * (arm * velocity.transpose() - arm.dot(velocity) * Mat3::Identity());
   }
+<<<<<<< HEAD
   // The hand's impulse is h (F - stiffness (way of the held point)), and the correction is part of that way: it meets
   // the mass `attachmentMass` at the held point. The first unknown, a, is eliminated from the two equations.
   double attachmentMass = 0.0;  // [kg]
   Vec3 held = Vec3::Zero();     // from the barycentre to the held point now [m]
   const Vec3& arm = target.attachmentArm;
+=======
+  // The attachment's impulse is h (F - stiffness (displacement of the attached point)), and the correction is part of
+  // that displacement: it acts like the mass `hand` at the attached point. The first unknown, a, is eliminated from the
+  // two equations.
+  double hand = 0.0;         // [kg]
+  Vec3 held = Vec3::Zero();  // from the barycentre to the attached point now [m]
+  const Vec3& arm = target.handArm;
+>>>>>>> terms-sim
   if (target.held) {
     held = attachedPointOf(*pull_, state) - moments.barycentre;
     const Vec3 impulse = timeStep * (pull_->force - pull_->stiffness * attachmentMotion);
     linear += impulse;
     angular += arm.cross(impulse);
+<<<<<<< HEAD
     attachmentMass = timeStep * reach * pull_->stiffness;
     inertia += (attachmentMass * moments.mass / (moments.mass + attachmentMass)) *
                (arm.dot(held) * Mat3::Identity() - held * arm.transpose());
+=======
+    hand = timeStep * driftTime * pull_->stiffness;
+    inertia +=
+        (hand * moments.mass / (moments.mass + hand)) * (arm.dot(held) * Mat3::Identity() - held * arm.transpose());
+>>>>>>> terms-sim
   }
   const Vec3 spin =
       solveRigid(inertia, angular - (attachmentMass / (moments.mass + attachmentMass)) * arm.cross(linear));
@@ -116,7 +145,7 @@ void MomentumKeeper::correct(const ClothModel& model, double timeStep, double re
   for (const std::size_t v : piece) {
     const Vec3 change = shift + spin.cross(state.positions[v] - moments.barycentre);
     state.velocities[v] += change;
-    state.positions[v] += reach * change;
+    state.positions[v] += driftTime * change;
   }
 }
 

@@ -17,40 +17,48 @@ namespace drape {
 /// The sum of m (x - about) x v over all vertices [kg m^2/s].
 [[nodiscard]] Vec3 angularMomentum(const ClothModel& model, const ClothState& state, const Vec3& about);
 
-/// Gives every piece of a cloth that no pin holds the momentum back that a step took from it: springs and damping act
-/// between two vertices and so cannot change it, but a step that solves its system approximately does.
+/// Restores the momentum of every free piece of a cloth after a step. Springs and damping act between two vertices and
+/// cannot change the momentum of a piece, but a step that solves its system approximately does.
 ///
-/// After a step the velocities of a piece get the rigid motion c = a + omega x r, and its positions the way that c
-/// covers, so that
-/// - its linear momentum is the one before, plus h times gravity, air and hand;
-/// - its angular momentum about its barycentre, which moves, is the one before, plus h times their torque.
-/// Gravity and air count as they were at the start of the step; the hand is followed to the end of it, as the implicit
-/// methods do, since otherwise a stiff hand would throw a light piece about. A piece on a line has no inertia about
-/// that line and keeps the spin that it has there. Pieces with pins are left alone: what holds them takes momentum
-/// rightly.
+/// After a step the rigid motion c = a + omega x r is added to the velocities of a piece, and its displacement to the
+/// positions, so that
+/// - the linear momentum is that before the step plus h times gravity, air and attachment;
+/// - the angular momentum about the moving barycentre is that before the step plus h times their torque.
+/// Gravity and air count as at the start of the step. The attachment's force is implicit, as in the implicit methods;
+/// otherwise a stiff attachment would be unstable with a light piece. A piece on a line has no inertia about that line
+/// and keeps its rotation about it. Pieces with pins are not corrected, since the pins change their momentum.
 class MomentumKeeper {
  public:
-  /// Looks at the cloth before a step.
-  void before(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-              const ClothState& state);
+  /// Stores the momentum before a step.
+  void prepare(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+               const ClothState& state);
 
-  /// Corrects the state after the step that began with `before`.
-  /// @param reach the time [s] for which the velocity at the step's end acts on the positions: h for backward Euler
-  void after(const ClothModel& model, double timeStep, double reach, ClothState& state);
+  /// Corrects the state after the step that `prepare` began.
+  /// @param driftTime time [s] for which the velocity at the end of the step acts on the positions: h for backward
+  /// Euler
+  void correct(const ClothModel& model, double timeStep, double driftTime, ClothState& state);
 
  private:
   using Pieces = std::vector<std::vector<std::size_t>>;
 
-  /// What a piece should have at the end of the step, the hand left out.
+  /// The momentum of a piece at the end of the step, without the attachment.
   struct Target {
+<<<<<<< HEAD
     Vec3 linear = Vec3::Zero();         // [kg m/s]
     Vec3 angular = Vec3::Zero();        // about the barycentre [kg m^2/s]
     bool held = false;                  // by the hand
     Vec3 attachmentArm = Vec3::Zero();  // from the barycentre to the held point [m]
+=======
+    Vec3 linear = Vec3::Zero();   // [kg m/s]
+    Vec3 angular = Vec3::Zero();  // about the barycentre [kg m^2/s]
+    bool held = false;            // by the attachment
+    Vec3 handArm = Vec3::Zero();  // from the barycentre to the attached point [m]
+>>>>>>> terms-sim
   };
 
   static Target targetOf(const ClothModel& model, const StepParameters& parameters,
                          const std::vector<std::size_t>& piece, const ClothState& state,
+<<<<<<< HEAD
                          const std::optional<AttachmentForce>& pull, const Vec3& attachedPoint);
   void correct(const ClothModel& model, double timeStep, double reach, const std::vector<std::size_t>& piece,
                const Target& target, const Vec3& attachmentMotion, ClothState& state) const;
@@ -59,6 +67,16 @@ class MomentumKeeper {
   std::vector<Target> targets_;
   std::optional<AttachmentForce> pull_;
   Vec3 attachedPoint_ = Vec3::Zero();  // where the held point was [m]
+=======
+                         const std::optional<HandPull>& pull, const Vec3& handPoint);
+  void correctPiece(const ClothModel& model, double timeStep, double driftTime, const std::vector<std::size_t>& piece,
+                    const Target& target, const Vec3& handMove, ClothState& state) const;
+
+  ModelCache<Pieces> pieces_;
+  std::vector<Target> targets_;
+  std::optional<HandPull> pull_;
+  Vec3 handPoint_ = Vec3::Zero();  // the attached point before the step [m]
+>>>>>>> terms-sim
 };
 
 }  // namespace drape

@@ -3,7 +3,7 @@
 namespace drape {
 namespace {
 
-/// Adds `move` to the positions and `velocity` to the velocities of what is free.
+/// Adds `move` to the positions and `velocity` to the velocities of free vertices.
 void shift(const ClothModel& model, const Vec3& move, const Vec3& velocity, std::vector<Vec3>& positions,
            std::vector<Vec3>& velocities) {
   for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -16,14 +16,20 @@ void shift(const ClothModel& model, const Vec3& move, const Vec3& velocity, std:
 
 }  // namespace
 
-StepParameters MovingFrame::seen(StepParameters parameters) const {
+StepParameters MovingFrame::toFrame(StepParameters parameters) const {
   parameters.wind -= velocity_;
   return parameters;
 }
 
+<<<<<<< HEAD
 StepInputs MovingFrame::seen(StepInputs inputs, double timeStep) const {
   if (inputs.attachment) {
     inputs.attachment->target -= timeStep * velocity_;
+=======
+StepInputs MovingFrame::toFrame(StepInputs inputs, double timeStep) const {
+  if (inputs.grab) {
+    inputs.grab->target -= timeStep * velocity_;
+>>>>>>> terms-sim
   }
   return inputs;
 }
@@ -32,7 +38,7 @@ void MovingFrame::enter(const ClothModel& model, double timeStep, ClothState& st
   if (!moves_) {
     return;
   }
-  entered_ = state.positions;
+  startPositions_ = state.positions;
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     if (model.pinned[v]) {
       state.positions[v] -= timeStep * velocity_;
@@ -51,11 +57,11 @@ void MovingFrame::leave(const ClothModel& model, double timeStep, ClothState& st
   }
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     if (model.pinned[v]) {
-      state.positions[v] = entered_[v];
+      state.positions[v] = startPositions_[v];
     }
   }
   shift(model, timeStep * velocity_, velocity_, state.positions, state.velocities);
-  if (state.history.timeStep > 0.0) {  // it is of the start of this step now
+  if (state.history.timeStep > 0.0) {  // the history is now that of the start of this step
     shift(model, Vec3::Zero(), velocity_, state.history.positions, state.history.velocities);
   }
 }

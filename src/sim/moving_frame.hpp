@@ -8,28 +8,28 @@
 
 namespace drape {
 
-/// A frame that moves evenly during a step, with the mean velocity of what is pinned. To a solver pins are at rest:
-/// where they move, damping between them and their neighbours would brake the cloth. Seen from a frame that goes along
-/// they rest indeed, and everything else is as it was (Galilei), for any solver. Pins that move differently from each
-/// other, as on a body that turns, keep what they have against the mean.
+/// A frame of reference that moves with the mean velocity of the pins during a step. Solvers assume that pins are at
+/// rest: with moving pins, the damping of their springs would slow the cloth down. In the moving frame the pins are at
+/// rest, and nothing else changes (Galilean invariance), for any solver. Pins that move differently, as on a rotating
+/// body, keep their velocities relative to the mean.
 class MovingFrame {
  public:
-  /// @param velocity of the frame [m/s]; zero: nothing is changed, to the last bit
+  /// @param velocity of the frame [m/s]; zero: nothing changes, bit for bit
   explicit MovingFrame(const Vec3& velocity) : velocity_(velocity), moves_(!velocity.isZero(0.0)) {}
 
-  /// What acts on the cloth, as seen from the frame.
-  [[nodiscard]] StepParameters seen(StepParameters parameters) const;
-  [[nodiscard]] StepInputs seen(StepInputs inputs, double timeStep) const;
+  /// Parameters and inputs relative to the frame.
+  [[nodiscard]] StepParameters toFrame(StepParameters parameters) const;
+  [[nodiscard]] StepInputs toFrame(StepInputs inputs, double timeStep) const;
 
-  /// Goes over to the frame, at the start of a step of that length [s], and back at its end. What is pinned is where it
-  /// is at the end of the step, before and after.
+  /// Transforms the state to the frame at the start of a step of that length [s], and back at its end. The pins must be
+  /// at their positions at the end of the step.
   void enter(const ClothModel& model, double timeStep, ClothState& state);
   void leave(const ClothModel& model, double timeStep, ClothState& state) const;
 
  private:
   Vec3 velocity_;
   bool moves_;
-  std::vector<Vec3> entered_;  // where the vertices were when the frame was entered [m]
+  std::vector<Vec3> startPositions_;  // at `enter` [m]
 };
 
 }  // namespace drape

@@ -6,8 +6,8 @@
 
 namespace drape {
 
-/// The unit normal of a vertex in the given positions: the mean of its triangles' normals weighted by their areas.
-/// Zero where the triangles cancel or have no area.
+/// The unit normal of a vertex at the given positions: the mean of its triangles' normals, weighted by area. Zero if
+/// they cancel or have no area.
 [[nodiscard]] Vec3 vertexNormal(const ClothModel& model, std::span<const Vec3> positions, int vertex);
 
 }  // namespace drape

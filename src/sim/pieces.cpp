@@ -5,7 +5,7 @@
 namespace drape {
 namespace {
 
-/// Everything that springs connect to `first`, ascending; marks it as seen.
+/// The vertices that springs connect to `first`, ascending. Marks them as seen.
 std::vector<std::size_t> pieceAround(const ClothModel& model, std::size_t first, std::vector<bool>& seen) {
   std::vector<std::size_t> piece{first};
   seen[first] = true;

@@ -6,8 +6,8 @@
 
 namespace drape {
 
-/// The pieces of a cloth that nothing holds: sets of vertices that springs connect, without a pinned vertex among them.
-/// Pieces in the order of their first vertex, vertices ascending.
+/// The free pieces of a cloth: connected components of the spring graph without pinned vertices. Pieces are in the
+/// order of their first vertices, vertices ascending.
 [[nodiscard]] std::vector<std::vector<std::size_t>> freePieces(const ClothModel& model);
 
 }  // namespace drape

@@ -9,13 +9,13 @@
 
 namespace drape {
 
-/// Where the vertices would go without springs, damping and hand: y = x + h v + h^2 a, with gravity and the air at the
-/// start of the step; the start of the methods that solve for positions. Pinned vertices stay.
+/// Predicts positions without springs, damping and attachment: y = x + h v + h^2 a, with gravity and air at the start
+/// of the step. Methods that solve for positions start there. Pinned vertices stay.
 /// @param predicted one a vertex [m]; resized
 void predictPositions(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                       Workers& workers, std::vector<Vec3>& predicted);
 
-/// Ends a step whose positions are known: v = (x - start) / h. Pinned vertices have velocity zero.
+/// Ends a step whose positions are solved: v = (x - start) / h. Pinned vertices have zero velocity.
 void velocitiesFromPositions(const ClothModel& model, double timeStep, const std::vector<Vec3>& start,
                              ClothState& state);
 

@@ -18,7 +18,7 @@ double relative(double squaredResidual, double squaredScale) {
   return squaredResidual > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
 }
 
-/// f(x, v) of springs, damping and hand at `end`, of gravity and air at `start` [N].
+/// f(x, v) of springs, damping and attachment at `end`, of gravity and air at `start` [N].
 std::vector<Vec3> forcesAtEnd(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                               const ClothState& start, const ClothState& end) {
   std::vector<Vec3> force(end.positions.size());

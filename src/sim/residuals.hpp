@@ -6,13 +6,25 @@
 
 namespace drape {
 
-/// How well a step from `before` to `after` satisfies what backward Euler asks of it, over free vertices. Both take the
-/// step as one of `parameters.timeStep`, whatever parts it was taken in; for a method that does not solve backward
-/// Euler they tell how far it is from it, not how good it is. 0 when both sides vanish.
+/// Relative residuals of the backward-Euler equations for a step from `before` to `after`, over free vertices. Both
+/// treat the step as one of `parameters.timeStep`, without regard to substeps. For a method that does not solve
+/// backward Euler they tell the distance from backward Euler, not the quality. 0 if both numerator and denominator
+/// vanish.
 
+<<<<<<< HEAD
 /// |M (v1 - v0) - h f(x1, v1)| / |h f(x0 + h v0, v0)|: the residual of the equations themselves [-], related to that of
 /// coasting on with the old velocity. Springs, damping and the hand stand at the end of the step; gravity and air at
 /// its start, as everywhere (docs/theory/method.md).
+=======
+/// |h f~ - W dv| / |h f~| with dv the change of velocity: the residual of the linear system (ImplicitSystem) about
+/// `before` [-]. 1 is the residual of dv = 0.
+[[nodiscard]] double linearResidual(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                    const ClothState& before, const ClothState& after);
+
+/// |M (v1 - v0) - h f(x1, v1)| / |h f(x0 + h v0, v0)|: the residual of the nonlinear equations, relative to that of a
+/// step with constant velocity [-]. Springs, damping and attachment count at the end of the step, gravity and air at
+/// its start (docs/theory/method.md).
+>>>>>>> terms-sim
 [[nodiscard]] double nonlinearResidual(const ClothModel& model, const StepParameters& parameters,
                                        const StepInputs& inputs, const ClothState& before, const ClothState& after);
 

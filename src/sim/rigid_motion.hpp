@@ -10,14 +10,14 @@ namespace drape {
 struct MassMoments {
   double mass = 0.0;               ///< [kg]
   Vec3 barycentre = Vec3::Zero();  ///< [m]
-  Mat3 inertia = Mat3::Zero();     ///< about the barycentre [kg m^2]; singular where the vertices are collinear
+  Mat3 inertia = Mat3::Zero();     ///< about the barycentre [kg m^2]; singular if the vertices are collinear
 };
 
 [[nodiscard]] MassMoments momentsOf(const ClothModel& model, std::span<const std::size_t> vertices,
                                     const std::vector<Vec3>& positions);
 
-/// The shortest x with matrix x = right side, in the sense of least squares where the matrix is singular: a rigid
-/// motion about an axis that a piece has no inertia about is zero.
+/// The shortest x with matrix x = right side, in the sense of least squares if the matrix is singular. The rotation
+/// about an axis without inertia is then zero.
 [[nodiscard]] Vec3 solveRigid(const Mat3& matrix, const Vec3& rightSide);
 
 }  // namespace drape

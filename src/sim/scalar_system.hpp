@@ -11,7 +11,7 @@
 
 namespace drape {
 
-/// What a spring couples its ends with in a constant matrix, w = h^2 k + h C_d [kg].
+/// The weight of a spring in a constant matrix, w = h^2 k + h C_d [kg].
 struct ScalarWeight {
   double timeStep = 0.0;   ///< h [s]
   double stiffness = 0.0;  ///< k of a spring of relative stiffness 1 [N/m]
@@ -23,25 +23,25 @@ struct ScalarWeight {
   [[nodiscard]] bool operator==(const ScalarWeight&) const = default;
 };
 
-/// The constant matrix A = M + sum_s w_s L_s of one row a vertex, and its Cholesky factor: M the masses, L_s the
-/// Laplacian of one spring (1 on its ends' diagonals, -1 between them) and w_s its weight. It is the matrix of backward
-/// Euler for springs without rest length; x, y and z are solved for one by one. Pinned vertices have neither row nor
-/// column; they stay on their neighbours' diagonals.
+/// The constant matrix A = M + sum_s w_s L_s with one row a vertex, and its Cholesky factor. M are the masses, L_s is
+/// the Laplacian of one spring (1 on the diagonals of its ends, -1 between them) and w_s its weight. It is the matrix
+/// of backward Euler for springs without rest length; x, y and z are solved separately. Pinned vertices have neither
+/// row nor column, but count on the diagonals of their neighbours.
 ///
-/// Factored again only when the weight or the model changes, ordered again only when the model does.
+/// It is factored again only when the weight or the model changes, and ordered again only when the model changes.
 class ScalarSystem {
  public:
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;  ///< x, y, z; one row a free vertex
 
-  /// Makes the factor that of the given model and weight. True when it had to be computed.
+  /// Computes the factor for the given model and weight, if necessary. True if it was computed.
   bool prepare(const ClothModel& model, const ScalarWeight& weight);
 
-  /// The vertices that are not pinned, ascending: vertex of each row.
+  /// The free vertices, ascending: the vertex of each row.
   [[nodiscard]] const std::vector<std::size_t>& vertices() const { return pattern_->vertices; }
-  /// The row of each vertex, -1 where it is pinned.
+  /// The row of each vertex, -1 if it is pinned.
   [[nodiscard]] const std::vector<int>& rows() const { return pattern_->rows; }
 
-  /// A^-1 b. Not a number where A could not be factored, as with infinite stiffness.
+  /// A^-1 b. NaN if A could not be factored, as with infinite stiffness.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& rightSides) const;
 
  private:

@@ -15,15 +15,15 @@
 
 namespace drape {
 
-/// How a step went, for methods that iterate until something is reached or choose for themselves.
+/// Statistics of a step.
 struct StepReport {
-  int iterations = 0;                     ///< taken, over all substeps [-]; 0 for methods that do not count any
-  double residual = 0.0;                  ///< relative residual of the last solve [-]; 0 where it is not computed
-  bool converged = true;                  ///< false when a solve gave up before its tolerance
-  ContactReport contact = {};             ///< what the cloth met; it is looked at once a step
-  std::optional<StepChoice> choice = {};  ///< of methods that choose for themselves
+  int iterations = 0;                     ///< over all substeps [-]; 0 for methods without iterations
+  double residual = 0.0;                  ///< relative residual of the last solve [-]; 0 if it is not computed
+  bool converged = true;                  ///< false if a solve ended above its tolerance
+  ContactReport contact = {};             ///< contacts of the step
+  std::optional<StepChoice> choice = {};  ///< of the solver `auto`
 
-  /// Takes in how the next step went.
+  /// Adds the report of the next step.
   void add(const StepReport& next) {
     iterations += next.iterations;
     residual = next.residual;
@@ -36,8 +36,8 @@ struct StepReport {
   }
 };
 
-/// A method that advances a cloth by one time step. A solver keeps only scratch memory and what can be computed again
-/// from its arguments, so that a step depends on nothing but its arguments.
+/// A method that advances a cloth by one time step. A solver keeps only scratch memory and cached values, so that a
+/// step depends only on its arguments.
 class Solver {
  public:
   Solver() = default;
@@ -45,35 +45,34 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
   virtual ~Solver() = default;
 
-  /// Advances positions, velocities and time of `state` by `parameters.timeStep`. Pinned vertices stay where they are,
-  /// with velocity zero.
+  /// Advances positions, velocities and time of `state` by `parameters.timeStep`. Pinned vertices stay, with zero
+  /// velocity.
   virtual StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                           ClothState& state) = 0;
 
-  /// The same as `count` steps one after the other, to the last bit. A solver that keeps a cloth in a form of its own
-  /// converts it once only.
+  /// The same as `count` single steps, bit for bit. A solver with its own data layout converts the state only once.
   virtual StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                            int count, ClothState& state);
 };
 
-/// How a solver presents itself, and what it needs.
+/// The description of a solver.
 struct SolverInfo {
   std::string_view name;                   ///< as typed by the user: "one_iteration"
   std::string_view title;                  ///< as shown: "One iteration (implicit)"
-  std::string_view help;                   ///< what it is in one sentence, then what it costs and when it fails
-  std::string_view source;                 ///< who published it
-  bool backwardEuler = false;              ///< solves a backward-Euler step, so other integrations can stand on it
-  bool choosesSubsteps = false;            ///< takes a time step in as many parts as it likes: `substeps` is not for it
-  std::vector<std::string_view> settings;  ///< keys of the settings that it reads and that not every solver reads
-  /// What is wrong with it on this cloth under these parameters, in words; empty when nothing is. May be null.
+  std::string_view help;                   ///< the method in one sentence, then its cost and limits
+  std::string_view source;                 ///< publication
+  bool backwardEuler = false;              ///< solves a backward-Euler step, which other integrations can use
+  bool choosesSubsteps = false;            ///< chooses its substeps and ignores the setting `substeps`
+  std::vector<std::string_view> settings;  ///< keys of the settings that it reads and that not all solvers read
+  /// A warning about this cloth and these parameters for the user; empty if there is none. May be null.
   std::string (*warning)(const ClothModel&, const StepParameters&) = nullptr;
-  /// The longest substep [s] with which it stays stable on this cloth; 0 when there is none, infinite when any will do.
-  /// Null for methods that have no such limit.
+  /// The longest stable substep on this cloth [s]; 0 if there is none, infinite if every substep is stable. Null for
+  /// methods without such a limit.
   double (*stepLimit)(const ClothModel&, const StepParameters&) = nullptr;
   std::unique_ptr<Solver> (*make)() = nullptr;
 };
 
-/// Every solver there is; the first is the paper's.
+/// All solvers; the first is the paper's.
 [[nodiscard]] std::span<const SolverInfo> solverTable();
 
 /// The solver of that name, or nullptr.

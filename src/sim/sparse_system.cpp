@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-// The three columns of a free vertex hold the lower triangle of its own block, then the blocks of its neighbours of
-// higher index, in ascending order. Column c therefore begins with 3 - c values of the diagonal block, and the rows of
-// its p-th neighbour stand 3 p values further on.
+// The three columns of a free vertex hold the lower triangle of its diagonal block, then the blocks of its neighbours
+// of higher index, ascending. So column c begins with 3 - c values of the diagonal block. The rows of its p-th
+// neighbour begin 3 p values later.
 
 namespace drape {
 namespace {

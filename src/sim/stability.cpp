@@ -11,8 +11,8 @@
 namespace drape {
 namespace {
 
-/// More cannot be set (settings_table.cpp).
-constexpr double mostSubsteps = 1000.0;
+/// The largest number of substeps in the settings (settings_table.cpp).
+constexpr double maxSubsteps = 1000.0;
 
 }  // namespace
 
@@ -65,39 +65,40 @@ std::string stepLimitWarning(const StepParameters& parameters, double limit) {
   words << "The time step is above this mesh's stability limit of " << stepInWords(limit) << ": the cloth "
         << "can blow up. ";
   const double needed = std::ceil(parameters.timeStep / limit * (1.0 - 1e-12));
-  if (needed <= mostSubsteps) {
+  if (needed <= maxSubsteps) {
     words << "Use " << needed << " substeps.";
   } else {
-    words << "Use softer or heavier cloth, or an implicit solver.";
+    words << "Use softer or heavier cloth or an implicit solver.";
   }
   return words.str();
 }
 
 std::string stiffFoldsWarning(const ClothModel& model, const StepParameters& parameters) {
-  constexpr double bearable = 0.1;  // of (h omega)^2
-  const double needed = parameters.timeStep * largestFrequency(model, parameters) / std::sqrt(bearable);
+  constexpr double limit = 0.1;  // of (h omega)^2
+  const double needed = parameters.timeStep * largestFrequency(model, parameters) / std::sqrt(limit);
   if (needed <= parameters.substeps) {
     return {};
   }
   std::ostringstream words;
-  words << "Folding resists like stretching at this stiffness and time step: the cloth moves far too slowly. Use ";
-  if (needed <= mostSubsteps) {
+  words << "At this stiffness and time step folding meets as much resistance as stretching: the cloth moves far too "
+           "slowly. Use ";
+  if (needed <= maxSubsteps) {
     words << std::ceil(needed) << " substeps or ";
   }
   words << "softer cloth.";
   return words.str();
 }
 
-std::string slackWarning(const ClothModel& model, const StepParameters& parameters, double reach) {
-  const double carried = std::sqrt(reach * parameters.iterations);
-  const double needed = parameters.timeStep * largestFrequency(model, parameters) / carried;
+std::string slackWarning(const ClothModel& model, const StepParameters& parameters, double perIteration) {
+  const double maxHOmega = std::sqrt(perIteration * parameters.iterations);
+  const double needed = parameters.timeStep * largestFrequency(model, parameters) / maxHOmega;
   if (needed <= parameters.substeps) {
     return {};
   }
   std::ostringstream words;
   words << parameters.iterations << (parameters.iterations == 1 ? " iteration is" : " iterations are")
-        << " too few for this stiffness and time step: the cloth is softer than asked for. ";
-  if (needed <= mostSubsteps) {
+        << " too few for this stiffness and time step: the cloth is softer than specified. ";
+  if (needed <= maxSubsteps) {
     words << "Use " << std::ceil(needed) << " substeps or more iterations.";
   } else {
     words << "Use more iterations, or a solver that solves for all springs at once.";

@@ -38,13 +38,13 @@ std::string lengthInWords(double metres) {
   return metres < 0.1 ? "about " + brief(metres * 1e3) + " mm" : "about " + brief(metres) + " m";
 }
 
-std::string hardnessInWords(double hardness) {
+std::string hOmegaInWords(double hOmega) {
   constexpr double soft = 8.0;
   constexpr double stiff = 80.0;
-  if (hardness < soft) {
+  if (hOmega < soft) {
     return "soft cloth: ";
   }
-  return hardness < stiff ? "stiff cloth: " : "very stiff cloth: ";
+  return hOmega < stiff ? "stiff cloth: " : "very stiff cloth: ";
 }
 
 std::string schemeInWords(const StepChoice& choice) {
@@ -88,12 +88,12 @@ std::vector<std::pair<std::string_view, double>> figuresOf(const StepChoice& cho
 }
 
 std::string inWords(const StepChoice& choice, double seconds, double available) {
-  constexpr double allOfIt = 0.995;
+  constexpr double almostFull = 0.995;
   if (choice.sleeping) {
-    return "at rest: nothing to do until something changes";
+    return "at rest: nothing is computed until something changes";
   }
-  std::string words = hardnessInWords(choice.hOmega) + schemeInWords(choice);
-  if (choice.stiffnessScale < allOfIt) {
+  std::string words = hOmegaInWords(choice.hOmega) + schemeInWords(choice);
+  if (choice.stiffnessScale < almostFull) {
     words += " at " + brief(100.0 * choice.stiffnessScale) + " % of the stiffness";
   }
   if (choice.coarseLevels > 0) {
@@ -101,7 +101,7 @@ std::string inWords(const StepChoice& choice, double seconds, double available) 
                                       : " with " + std::to_string(choice.coarseLevels) + " coarse levels";
   }
   if (choice.costRatio > toleratedCostRatio) {
-    words += ", " + brief(choice.costRatio) + " times the work allowed";
+    words += ", " + brief(choice.costRatio) + " times the cost budget";
     words += seconds >= available ? ": slow motion" : "";
   }
   if (available > 0.0) {
@@ -111,7 +111,7 @@ std::string inWords(const StepChoice& choice, double seconds, double available) 
     words += ", error " + lengthInWords(choice.error);
   }
   if (choice.retries > 0) {
-    words += choice.retries == 1 ? ", taken again once" : ", taken again " + std::to_string(choice.retries) + " times";
+    words += choice.retries == 1 ? ", 1 retry" : ", " + std::to_string(choice.retries) + " retries";
   }
   return words;
 }

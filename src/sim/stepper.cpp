@@ -13,9 +13,10 @@
 namespace drape {
 namespace {
 
-/// The part of a BDF2 step that its solver takes.
+/// The fraction of a BDF2 step that its backward-Euler solve covers.
 constexpr double bdf2Part = 2.0 / 3.0;
 
+<<<<<<< HEAD
 /// The hardness h omega of a round between two contacts, at most, and how many rounds a step may have. A sheet of 17 x
 /// 17 vertices and 5000 N/m that fell onto a box had 30 kJ after 0.6 s of whole steps of 1/150 s, gained 2 J in rounds
 /// of 8, and nothing in rounds of 4; a T-shirt of 1000 N/m, pinned at the neck, with self-collision alone 1.9 kJ after
@@ -36,9 +37,29 @@ void addLater(const ContactReport& later, ContactReport& total) {
   total.infeasible += later.infeasible;
   total.bodySeconds += later.bodySeconds;
   total.selfSeconds += later.selfSeconds;
+=======
+/// Largest h omega of a contact substep, for solvers that choose their substeps, and largest number of contact substeps
+/// in a step. Stiff cloth gains energy with longer contact substeps, without limit when they are much longer (figures:
+/// docs/experiments/2026-11-22-contact-substeps.md).
+constexpr double maxRoundHOmega = 4.0;
+constexpr double maxRounds = 128.0;
+
+/// Longest contact substep of any solver. The solver ignores contacts: if n supporting vertices carry the weight of N,
+/// they sink into the body by about N/n g h^2 before contact corrects them. The cloth below them stretches by as much
+/// and swings. Longer contact substeps add energy.
+constexpr double maxRoundTime = 1.0 / 300.0;  // [s]
+
+/// Adds the report of a later contact substep of the same step. Overlaps are those at the start of the step.
+void addLater(const ContactReport& round, ContactReport& total) {
+  total.bodyContacts = std::max(total.bodyContacts, round.bodyContacts);
+  total.selfContacts = std::max(total.selfContacts, round.selfContacts);
+  total.squeezed += round.squeezed;
+  total.bodySeconds += round.bodySeconds;
+  total.selfSeconds += round.selfSeconds;
+>>>>>>> terms-sim
 }
 
-/// A state that was put there since the last step, as by a new scene, has no history or one of another size.
+/// A state that was replaced since the last step, as by a new scene, has no history, or one of another size.
 bool hasHistory(const ClothState& state, double timeStep) {
   return state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
 }
@@ -63,25 +84,42 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                const ClothState& state) {
   constexpr double rounding = 1e-9;  // [-]
-  const bool meetsItself = info_->choosesSubsteps && ContactStage::isNearItself(parameters, state);
+  const bool nearItself = info_->choosesSubsteps && ContactStage::isNearItself(parameters, state);
   const bool bodies = meetsBodies(parameters, inputs);
-  if (!meetsItself && !bodies) {
+  if (!nearItself && !bodies) {
     return 1;
   }
+<<<<<<< HEAD
   const int shortest = info_->choosesSubsteps ? contactSubstepsForStiffness(model, parameters) : 1;
   const int nearItself = meetsItself ? shortest : 1;
+=======
+  const int forStiffness = info_->choosesSubsteps ? roundsForStiffness(model, parameters) : 1;
+  const int forSelfCollision = nearItself ? forStiffness : 1;
+>>>>>>> terms-sim
   if (!bodies) {
-    return nearItself;
+    return forSelfCollision;
   }
+<<<<<<< HEAD
   const int fewest = static_cast<int>(std::ceil(parameters.timeStep / longestContactSubstep * (1.0 - rounding)));
   const int nearBodies = std::max(fewest, shortest);
   return nearBodies > nearItself && contact_.isNearBodies(model, parameters, inputs, state) ? nearBodies : nearItself;
+=======
+  const int forTime = static_cast<int>(std::ceil(parameters.timeStep / maxRoundTime * (1.0 - rounding)));
+  const int forBodies = std::max(forTime, forStiffness);
+  return forBodies > forSelfCollision && contact_.isNearBodies(model, parameters, inputs, state) ? forBodies
+                                                                                                 : forSelfCollision;
+>>>>>>> terms-sim
 }
 
 int Stepper::contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters) {
   const double rate = rate_.get(model, [](const ClothModel& m) { return localRatesOf(m).percentile99; });
+<<<<<<< HEAD
   const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rate);
   return std::max(1, static_cast<int>(std::min(std::ceil(hardness / maxContactHOmega), maxContactSubsteps)));
+=======
+  const double hOmega = parameters.timeStep * std::sqrt(parameters.stiffness * rate);
+  return std::max(1, static_cast<int>(std::min(std::ceil(hOmega / maxRoundHOmega), maxRounds)));
+>>>>>>> terms-sim
 }
 
 StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters,
@@ -120,29 +158,34 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   StepReport total;
   contact_.begin(parameters, inputs, state);
   planPins(model, inputs, state);
-  const int substeps = info_->choosesSubsteps && pinWays_.empty() ? 1 : parameters.substeps;
+  const int substeps = info_->choosesSubsteps && pinMotions_.empty() ? 1 : parameters.substeps;
   part.timeStep = parameters.timeStep / substeps;
-  if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum && pinWays_.empty()) {
+  if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum && pinMotions_.empty()) {
     state.history.timeStep = 0.0;
     total = solver_->steps(model, part, inputs, substeps, state);
   } else {
     MovingFrame frame(meanPinVelocity(model, parameters.timeStep));
-    const StepParameters seen = frame.seen(part);
-    const StepInputs acting = frame.seen(inputs, part.timeStep);
+    const StepParameters inFrame = frame.toFrame(part);
+    const StepInputs acting = frame.toFrame(inputs, part.timeStep);
     for (int i = 0; i < substeps; ++i) {
       movePins((i + 1.0) / substeps, state);
       frame.enter(model, part.timeStep, state);
-      total.add(substep(model, seen, acting, state));
+      total.add(substep(model, inFrame, acting, state));
       frame.leave(model, part.timeStep, state);
     }
   }
+<<<<<<< HEAD
   total.contact = contact_.resolve(model, parameters, inputs, state, 1.0 / contactSubsteps_);
   state.time = end;  // not the sum of the parts, which rounds
+=======
+  total.contact = contact_.resolve(model, parameters, inputs, state, 1.0 / rounds_);
+  state.time = end;  // not the sum of the substeps, which has rounding errors
+>>>>>>> terms-sim
   return total;
 }
 
 void Stepper::planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state) {
-  pinWays_.clear();
+  pinMotions_.clear();
   if (inputs.bodies == nullptr) {
     return;
   }
@@ -150,26 +193,26 @@ void Stepper::planPins(const ClothModel& model, const StepInputs& inputs, const 
     for (const CarriedPin& pin : body.body->pins) {
       const auto v = static_cast<std::size_t>(pin.vertex);
       if (model.pinned[v]) {
-        pinWays_.push_back({v, state.positions[v], carriedBy(body, pin, state.positions[v])});
+        pinMotions_.push_back({v, state.positions[v], carriedBy(body, pin, state.positions[v])});
       }
     }
   }
 }
 
-void Stepper::movePins(double share, ClothState& state) const {
-  for (const PinWay& way : pinWays_) {
-    state.positions[way.vertex] = way.from + share * (way.to - way.from);
+void Stepper::movePins(double fraction, ClothState& state) const {
+  for (const PinMotion& pin : pinMotions_) {
+    state.positions[pin.vertex] = pin.from + fraction * (pin.to - pin.from);
   }
 }
 
-/// Of all pins, while carried ones go their ways in that time [m/s].
+/// The mean velocity of all pins if the moving ones take that time [m/s].
 Vec3 Stepper::meanPinVelocity(const ClothModel& model, double seconds) const {
   Vec3 sum = Vec3::Zero();
-  if (pinWays_.empty()) {
+  if (pinMotions_.empty()) {
     return sum;
   }
-  for (const PinWay& way : pinWays_) {
-    sum += way.to - way.from;
+  for (const PinMotion& pin : pinMotions_) {
+    sum += pin.to - pin.from;
   }
   const auto pins = std::count(model.pinned.begin(), model.pinned.end(), true);
   return sum / (static_cast<double>(pins) * seconds);
@@ -180,10 +223,10 @@ StepReport Stepper::substep(const ClothModel& model, const StepParameters& param
   if (!parameters.keepMomentum) {
     return integrate(model, parameters, inputs, state);
   }
-  const double reach = reachOf(parameters, state) * parameters.timeStep;
-  momentum_.before(model, parameters, inputs, state);
+  const double driftTime = driftFraction(parameters, state) * parameters.timeStep;
+  momentum_.prepare(model, parameters, inputs, state);
   const StepReport report = integrate(model, parameters, inputs, state);
-  momentum_.after(model, parameters.timeStep, reach, state);
+  momentum_.correct(model, parameters.timeStep, driftTime, state);
   return report;
 }
 
@@ -191,7 +234,7 @@ Integration Stepper::integrationOf(const StepParameters& parameters) const {
   return info_->backwardEuler ? parameters.integration : Integration::BackwardEuler;
 }
 
-double Stepper::reachOf(const StepParameters& parameters, const ClothState& state) const {
+double Stepper::driftFraction(const StepParameters& parameters, const ClothState& state) const {
   switch (integrationOf(parameters)) {
     case Integration::Theta:
       return parameters.theta;
@@ -241,7 +284,7 @@ StepReport Stepper::bdf2Step(const ClothModel& model, StepParameters parameters,
   const double timeStep = parameters.timeStep;
   if (hasHistory(state, timeStep)) {
     for (std::size_t i = 0; i < state.positions.size(); ++i) {
-      // A vertex that has just been pinned still has a history in which it moves.
+      // A vertex that was pinned since the last step still has a history of motion.
       if (!model.pinned[i]) {
         state.positions[i] += (state.positions[i] - state.history.positions[i]) / 3.0;
         state.velocities[i] += (state.velocities[i] - state.history.velocities[i]) / 3.0;

@@ -11,26 +11,25 @@
 
 namespace drape {
 
-/// Advances a cloth by one time step: substeps (unless the solver chooses its own), the integration and the solver that
-/// the parameters ask for. What a solver does with its step is its own; what stands around it is here, so that it need
-/// not be written for each.
+/// Advances a cloth by one time step. It does everything around a solver: substeps (unless the solver chooses them),
+/// the integration, momentum, moving pins and contact.
 ///
 /// With S(h) a solver's backward-Euler step from (x, v):
 /// - theta:  (x', v') = (x, v) + (S(theta h) - (x, v)) / theta. For theta = 1/2 this is the implicit midpoint rule.
-/// - BDF2:   S(2/3 h) from (x*, v*) = 4/3 (x_n, v_n) - 1/3 (x_{n-1}, v_{n-1}). The first step, and the first after the
-///   step length changed, is one of backward Euler.
+/// - BDF2:   S(2/3 h) from (x*, v*) = 4/3 (x_n, v_n) - 1/3 (x_{n-1}, v_{n-1}). The first step, and the first after a
+///   change of the step length, is a backward-Euler step.
 ///
-/// With `keepMomentum`, the MomentumKeeper stands around every substep, and contact around the whole step. Pins that a
-/// body carries are taken along before every substep, evenly over the step; to the solver they are at rest, as all
-/// pins, and so it works in a frame that goes along with them (MovingFrame).
+/// With `keepMomentum` the MomentumKeeper corrects every substep. Contact acts at the end of the step. Pins on a body
+/// move before every substep, evenly over the step. Solvers assume pins at rest, so they work in a frame that moves
+/// with the pins (MovingFrame).
 ///
-/// Near bodies a step is taken in rounds of at most 1/300 s, each with its own contact and its share of the
-/// substeps. A solver that chooses its substeps keeps the energy it finds, and is fed by springs that drew cloth into a
-/// body, or into itself, and that contact then made longer. So its rounds are as short as the cloth is stiff, but for
-/// the fastest hundredth of the vertices: a sliver must not make the whole cloth a hundred times as expensive.
+/// Near bodies a step is divided into contact substeps of at most 1/300 s. Each has its own contact and its part of the
+/// substeps. A solver that chooses its substeps conserves energy: when springs pull cloth into a body or into itself
+/// and contact then stretches them, that energy stays. So its contact substeps are shorter for stiffer cloth, by the
+/// 99th percentile of the local frequencies: a few slivers do not make the whole cloth expensive.
 class Stepper {
  public:
-  /// Throws InputError when there is no solver of that name.
+  /// Throws InputError if there is no solver of that name.
   explicit Stepper(std::string_view solver);
 
   [[nodiscard]] const SolverInfo& info() const { return *info_; }
@@ -39,24 +38,32 @@ class Stepper {
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state);
 
-  /// What contact did in the last step, or in the last round of it.
+  /// Contact in the last step, or in its last contact substep.
   [[nodiscard]] const ContactStage& contact() const { return contact_; }
+<<<<<<< HEAD
   /// In how many rounds the last step was taken.
   [[nodiscard]] int contactSubsteps() const { return contactSubsteps_; }
   /// Whether to keep account of what contact gives and takes in the rounds of a step, which costs two sums over the
   /// springs a round. Off at first.
+=======
+  /// Number of contact substeps of the last step.
+  [[nodiscard]] int rounds() const { return rounds_; }
+  /// Whether to measure the energy change by contact in the contact substeps, which costs two sums over the springs in
+  /// each. Off by default.
+>>>>>>> terms-sim
   void keepContactWork(bool kept) { keepsContactWork_ = kept; }
-  /// What contact gave or took in the rounds before the last one [J]; 0 where no account is kept.
+  /// Energy change by contact in the contact substeps before the last one [J]; 0 if it is not measured.
   [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
 
  private:
-  /// Of a pin that a body carries, over the step [m].
-  struct PinWay {
+  /// The motion of a pin on a body over the step [m].
+  struct PinMotion {
     std::size_t vertex = 0;
     Vec3 from = Vec3::Zero();
     Vec3 to = Vec3::Zero();
   };
 
+<<<<<<< HEAD
   [[nodiscard]] int contactSubstepsOf(const ClothModel& model, const StepParameters& parameters,
                                       const StepInputs& inputs, const ClothState& state);
   /// Of a solver that keeps the energy it finds.
@@ -66,10 +73,21 @@ class Stepper {
   /// A step, or a round of one, with contact at its end.
   StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                              ClothState& state);
+=======
+  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                             const ClothState& state);
+  /// Number of contact substeps for a solver that chooses its substeps.
+  [[nodiscard]] int roundsForStiffness(const ClothModel& model, const StepParameters& parameters);
+  StepReport stepInRounds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                          int rounds, ClothState& state);
+  /// A step, or a contact substep, with contact at its end.
+  StepReport round(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                   ClothState& state);
+>>>>>>> terms-sim
 
   void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
-  /// Puts carried pins where they are after that share of the step.
-  void movePins(double share, ClothState& state) const;
+  /// Moves pins on bodies to their positions after that fraction of the step.
+  void movePins(double fraction, ClothState& state) const;
   [[nodiscard]] Vec3 meanPinVelocity(const ClothModel& model, double seconds) const;
 
   StepReport substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -79,8 +97,8 @@ class Stepper {
   StepReport thetaStep(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state);
   StepReport bdf2Step(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state);
 
-  /// For how much of a substep the velocity at its end acts on the positions [-].
-  [[nodiscard]] double reachOf(const StepParameters& parameters, const ClothState& state) const;
+  /// The fraction of a substep for which the velocity at its end acts on the positions [-].
+  [[nodiscard]] double driftFraction(const StepParameters& parameters, const ClothState& state) const;
   [[nodiscard]] Integration integrationOf(const StepParameters& parameters) const;
 
   const SolverInfo* info_;
@@ -90,10 +108,15 @@ class Stepper {
   ContactStage contact_;
   BodySubsteps bodySubsteps_;
   bool keepsContactWork_ = false;
+<<<<<<< HEAD
   int contactSubsteps_ = 1;
   ModelCache<double> rate_;          // omega^2 / k of nearly all vertices [1/kg]
+=======
+  int rounds_ = 1;
+  ModelCache<double> rate_;  // 99th percentile of omega^2 / k [1/kg]
+>>>>>>> terms-sim
   double earlierContactWork_ = 0.0;  // [J]
-  std::vector<PinWay> pinWays_;
+  std::vector<PinMotion> pinMotions_;
 };
 
 }  // namespace drape

@@ -14,11 +14,11 @@
 namespace drape {
 namespace {
 
-/// Below this a loop costs less than waking another thread.
-constexpr int shortestParallelLoop = 2048;
+/// Shorter loops cost less than waking another thread.
+constexpr int minParallelLoop = 2048;
 
-/// Tells ThreadSanitizer what TBB, which is not built with it, sees to: the pieces of a loop come after what was before
-/// it, and before what comes after it. Nothing is told of the pieces among each other.
+/// Tells ThreadSanitizer about the synchronisation of TBB, which is not built with it: the parts of a loop happen after
+/// the code before the loop and before the code after it. There is no order among the parts.
 class Order {
  public:
 #ifdef __SANITIZE_THREAD__
@@ -57,11 +57,11 @@ Workers::Workers() = default;
 Workers::~Workers() = default;
 
 void Workers::forRange(int threads, int count, const std::function<void(int begin, int end)>& body) {
-  if (threads <= 1 || count < shortestParallelLoop) {
+  if (threads <= 1 || count < minParallelLoop) {
     body(0, count);
     return;
   }
-  // More threads than the machine has would only wait for each other.
+  // More threads than cores would only wait for each other.
   const int useful = std::min(threads, oneapi::tbb::info::default_concurrency());
   if (!arena_ || arena_->threads != useful) {
     arena_ = std::make_unique<Arena>(useful);

@@ -6,8 +6,8 @@
 
 namespace drape {
 
-/// Threads for loops over vertices or springs. A loop body writes only what belongs to its own indices, so the result
-/// does not depend on how many threads there are.
+/// Threads for loops over vertices or springs. A loop body writes only the data of its own indices, so the result does
+/// not depend on the number of threads.
 class Workers {
  public:
   Workers();
@@ -15,8 +15,8 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
   ~Workers();
 
-  /// Calls body(begin, end) on pieces that together cover 0 .. count - 1, on at most `threads` threads; short loops
-  /// stay on the calling one.
+  /// Calls body(begin, end) on ranges that together cover 0 .. count - 1, on at most `threads` threads. Short loops run
+  /// on the calling thread.
   void forRange(int threads, int count, const std::function<void(int begin, int end)>& body);
 
   /// Calls visit(i) for every index i from 0 to count - 1.

@@ -13,24 +13,29 @@ TEST(StepChoice, isToldInASentence) {
 TEST(StepChoice, tellsWhatSpringsKeepAndWhoCarriesTheRest) {
   const StepChoice choice{.substeps = 17, .hOmega = 622.0, .stiffnessScale = 0.00243, .coarseLevels = 4, .retries = 1};
   EXPECT_EQ(inWords(choice),
-            "very stiff cloth: 17 explicit substeps at 0.24 % of the stiffness with 4 coarse levels, taken again once");
+            "very stiff cloth: 17 explicit substeps at 0.24 % of the stiffness with 4 coarse levels, 1 retry");
 }
 
 TEST(StepChoice, namesTheFourthOrderAndTheLastResort) {
   EXPECT_EQ(inWords({.order = 4, .substeps = 1, .hOmega = 1.0, .error = 3e-8}),
             "soft cloth: 1 explicit substep of fourth order, error about 30 nm");
   EXPECT_EQ(inWords({.order = 1, .substeps = 4, .hOmega = 1.0, .retries = 4, .usedFallback = true}),
-            "soft cloth: 4 substeps of XPBD, taken again 4 times");
+            "soft cloth: 4 substeps of XPBD, 4 retries");
 }
 
 TEST(StepChoice, saysThatTheClockFallsBehindAndThatThereIsNothingToDo) {
   EXPECT_EQ(inWords({.substeps = 305, .hOmega = 622.0, .costRatio = 17.9}, 0.3, 0.0067),
-            "very stiff cloth: 305 explicit substeps, 18 times the work allowed: slow motion, 300 ms of 6.7 ms");
+            "very stiff cloth: 305 explicit substeps, 18 times the cost budget: slow motion, 300 ms of 6.7 ms");
   EXPECT_EQ(inWords({.substeps = 305, .hOmega = 622.0, .costRatio = 17.9}, 0.003, 0.0067),
-            "very stiff cloth: 305 explicit substeps, 18 times the work allowed, 3 ms of 6.7 ms");
+            "very stiff cloth: 305 explicit substeps, 18 times the cost budget, 3 ms of 6.7 ms");
   EXPECT_EQ(inWords({.substeps = 30, .hOmega = 62.0, .costRatio = 1.5}), "stiff cloth: 30 explicit substeps");
+<<<<<<< HEAD
   EXPECT_EQ(inWords({.substeps = 0, .forceEvaluations = 0, .sleeping = true}),
             "at rest: nothing to do until something changes");
+=======
+  EXPECT_EQ(inWords({.substeps = 0, .forceEvaluations = 0, .sleeping = true}),
+            "at rest: nothing is computed until something changes");
+>>>>>>> terms-sim
 }
 
 TEST(StepChoice, isToldInFiguresByName) {

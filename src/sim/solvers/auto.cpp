@@ -161,9 +161,9 @@ class AdaptiveStep {
     choice.usedFallback = true;
     state.memory.schemeEnergyDrift = 0.0;
     for (int i = 0; i < substeps; ++i) {
-      momentum_.before(model, parameters, inputs, state);
+      momentum_.prepare(model, parameters, inputs, state);
       fallback_->step(model, parameters, inputs, state);
-      momentum_.after(model, parameters.timeStep, parameters.timeStep, state);
+      momentum_.correct(model, parameters.timeStep, parameters.timeStep, state);
     }
     state.time = time;
     removeInnerMotion(model, pieces_.get(model, freePieces), energyOf(model, parameters, state).total() - allowed,

@@ -4,7 +4,8 @@
 
 namespace drape {
 
-/// A solver that takes its steps in batches, since it keeps the cloth in a form of its own: one step is a batch of one.
+/// A solver that takes steps in batches, because it converts the state to its own data layout. One step is a batch of
+/// one.
 class BatchSolver : public Solver {
  public:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,

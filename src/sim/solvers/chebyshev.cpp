@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-/// The weights omega_1, omega_2 ... of the iterations.
+/// The weights omega_1, omega_2, ... of the iterations.
 class Weights {
  public:
   explicit Weights(double spectralRadius) : square_(spectralRadius * spectralRadius) {}
@@ -25,7 +25,7 @@ class Weights {
   int count_ = 0;
 };
 
-/// The weights of the sweeps that follow on p, see ChebyshevSolver.
+/// The weights of the sweeps after the start p, see ChebyshevSolver.
 std::vector<double> weightsOfSweeps(const StepParameters& parameters) {
   const bool even = parameters.iterations % 2 == 0;
   std::vector<double> weights(even ? 1U : 0U, 1.0);
@@ -36,20 +36,20 @@ std::vector<double> weightsOfSweeps(const StepParameters& parameters) {
   return weights;
 }
 
-/// Block Jacobi on the system of the one-iteration method, with Chebyshev's semi-iteration on top (Wang 2015). With
-/// B(x) one block-Jacobi sweep and rho what is taken for the iteration's spectral radius,
+/// Block Jacobi on the system of the one-iteration method, accelerated by Chebyshev's semi-iteration (Wang 2015). With
+/// B(x) one block-Jacobi sweep and rho the assumed spectral radius of the iteration,
 ///
 ///     x_(k+1) = omega_(k+1) (B(x_k) - x_(k-1)) + x_(k-1)
 ///     omega_1 = 1,  omega_2 = 2 / (2 - rho^2),  omega_(k+1) = 4 / (4 - rho^2 omega_k)
 ///
-/// The start is p_i = h W_ii^-1 f~_i as in one_iteration, whose error in a mode of the Jacobi eigenvalue mu is mu, and
-/// an odd number n of iterations multiplies it by T_n: an even polynomial of mu. An even number would make it an odd
-/// one, which nears -1 where mu does and doubles the answer: stiff cloth would rattle, as it does with an even number
-/// of plain sweeps. So for an even n the start counts as the first iteration, then comes one plain sweep, then n - 2
-/// weighted ones: mu^2 T_(n-2). Both vanish at mu = 0, so that nothing is left of the error as the step goes to zero.
+/// The start is p_i = h W_ii^-1 f~_i as in one_iteration. Its error in a mode of the Jacobi eigenvalue mu is mu, and n
+/// iterations multiply it by T_n. For odd n the product is an even polynomial of mu. For even n it would be odd: it
+/// approaches -1 as mu does, which doubles the answer, and stiff cloth would oscillate, as with an even number of plain
+/// sweeps. So for even n the start counts as the first iteration, followed by one plain sweep and n - 2 weighted ones:
+/// mu^2 T_(n-2). Both polynomials vanish at mu = 0, so the error vanishes as the step goes to zero.
 class ChebyshevSolver final : public BatchSolver {
  public:
-  /// The sweeps are those of the one-iteration method with weights. A plain sweep is one whose weight is 1.
+  /// The sweeps are those of the one-iteration method with weights. A plain sweep has weight 1.
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
     const std::vector<double> ofSweeps = weightsOfSweeps(parameters);
@@ -64,9 +64,8 @@ class ChebyshevSolver final : public BatchSolver {
   SlicedRun run_;
 };
 
-/// What is left of the error of a mode of the Jacobi eigenvalue mu, with its sign: the solver's recursion on one
-/// number.
-double errorLeft(const std::vector<double>& weights, double mu) {
+/// The remaining error of a mode with Jacobi eigenvalue mu, signed: the solver's recursion for one number.
+double remainingError(const std::vector<double>& weights, double mu) {
   double current = mu;
   double previous = 0.0;
   for (const double weight : weights) {
@@ -76,10 +75,10 @@ double errorLeft(const std::vector<double>& weights, double mu) {
   return current;
 }
 
-/// A backward-Euler oscillator whose velocity change is g times the exact one rattles when g > 4/3 and the oscillator
-/// is stiff; an error of the opposite sign makes g that large.
+/// A stiff backward-Euler oscillator is unstable if its velocity change is g > 4/3 times the exact one. A remaining
+/// error below -1/3 means that.
 std::string warningOf(const ClothModel& model, const StepParameters& parameters) {
-  constexpr double mostOvershoot = 1.0 / 3.0;
+  constexpr double maxOvershoot = 1.0 / 3.0;
   constexpr int samples = 64;
   const double h = parameters.timeStep / parameters.substeps;
   const double omega = largestFrequency(model, parameters);
@@ -88,16 +87,16 @@ std::string warningOf(const ClothModel& model, const StepParameters& parameters)
   const std::vector<double> weights = weightsOfSweeps(parameters);
   for (int i = 0; i <= samples; ++i) {
     const double mu = radius * (2.0 * i / samples - 1.0);
-    if (errorLeft(weights, mu) < -mostOvershoot) {
-      return "The iterations overshoot at this stiffness and time step: the cloth may rattle. Take more iterations or "
-             "a smaller spectral radius.";
+    if (remainingError(weights, mu) < -maxOvershoot) {
+      return "The iterations overshoot at this stiffness and time step: the cloth may oscillate. Use more iterations "
+             "or a smaller spectral radius.";
     }
   }
-  // As much as plain sweeps leave where one_iteration calls itself slack.
-  constexpr double mostLeft = 0.12;
-  if (errorLeft(weights, radius) > mostLeft) {
-    return "Too few iterations for this stiffness and time step: the cloth is slack. Take more iterations, a larger "
-           "spectral radius, or substeps.";
+  // The remaining error of plain sweeps where the warning of one_iteration begins.
+  constexpr double maxError = 0.12;
+  if (remainingError(weights, radius) > maxError) {
+    return "Too few iterations for this stiffness and time step: the cloth is slack. Use more iterations, a larger "
+           "spectral radius or substeps.";
   }
   return {};
 }
@@ -109,10 +108,10 @@ SolverInfo solvers::chebyshev() {
       .name = "chebyshev",
       .title = "Chebyshev (implicit)",
       .help =
-          "Backward Euler whose linear system is solved by block Jacobi with Chebyshev acceleration: the sweeps of "
-          "one_iteration, each weighted against the one before last. An iteration costs what a sweep costs and "
-          "brings stiff cloth further. Takes a fixed number of iterations whatever is left of the error; too large a "
-          "spectral radius overshoots, and stiff cloth then rattles.",
+          "Backward Euler. Block Jacobi with Chebyshev acceleration solves the linear system: the sweeps of "
+          "one_iteration with weights. An iteration costs as much as a sweep and converges faster for stiff cloth. The "
+          "number of iterations is fixed. With too large a spectral radius the iterations overshoot, and stiff cloth "
+          "oscillates.",
       .source =
           "Wang (2015), A Chebyshev semi-iterative approach for accelerating projective and position-based "
           "dynamics",

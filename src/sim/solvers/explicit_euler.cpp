@@ -13,12 +13,16 @@ namespace {
 
 /// Explicit Euler: x' = x + h v, v' = v + h a(x, v), both from the start of the step.
 ///
-/// It turns x'' = -w^2 x by the matrix [1, h; -h w^2, 1], whose eigenvalues 1 +- i h w are of size sqrt(1 + h^2 w^2) >
-/// 1: an undamped oscillator grows by that factor a step, and no step is stable. With x'' = -c x' - w^2 x it is stable
-/// up to h = c / w^2 where it still swings (c < 2 w).
+/// A step of x'' = -w^2 x is the matrix [1, h; -h w^2, 1]. Its eigenvalues 1 +- i h w have the size sqrt(1 + h^2 w^2) >
+/// 1: an undamped oscillator grows by that factor in each step, so no step is stable. x'' = -c x' - w^2 x is stable up
+/// to h = c / w^2 if it is underdamped (c < 2 w).
 ///
+<<<<<<< HEAD
 /// As with Verlet the hand's spring alone is implicit: see applyAttachmentImpulse. The loops stand in
 /// simd/verlet_kernel.cpp.
+=======
+/// As with Verlet, only the attachment's spring is implicit: see pullByHand. The loops are in simd/verlet_kernel.cpp.
+>>>>>>> terms-sim
 class ExplicitEulerSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
@@ -31,9 +35,9 @@ class ExplicitEulerSolver final : public BatchSolver {
   SlicedRun run_;
 };
 
-/// A spring that is not compressed is at most k / C_d as stiff in any direction as it is damped, hence so is the whole
-/// cloth: c / w^2 >= C_d / k in every mode, with k that of the stiffest spring. The second bound is that of a mode too
-/// strongly damped to swing.
+/// The stiffness of an uncompressed spring in any direction is at most k / C_d times its damping. This holds for the
+/// whole cloth: c / w^2 >= C_d / k in every mode, with k of the stiffest spring. The second bound is that of an
+/// overdamped mode.
 double stepLimit(const ClothModel& model, const StepParameters& parameters) {
   constexpr double unlimited = std::numeric_limits<double>::infinity();
   const double swinging = largestFrequency(model, parameters) > 0.0
@@ -57,10 +61,8 @@ std::string explicitEulerWarning(const ClothModel& model, const StepParameters& 
   const double growth = std::log1p(std::pow(h * largestFrequency(model, parameters), 2));
   std::ostringstream words;
   words.precision(2);
-  words
-      << "Explicit Euler gains energy at every step, however short. At this one the cloth's fastest motion doubles its "
-         "energy every "
-      << h * std::log(2.0) / growth << " s. Take much shorter steps, add damping or choose another solver.";
+  words << "Explicit Euler gains energy at any time step. At this one the energy of the fastest motion doubles every "
+        << h * std::log(2.0) / growth << " s. Use much shorter steps, add damping or choose another solver.";
   return words.str();
 }
 
@@ -70,9 +72,9 @@ SolverInfo solvers::explicitEuler() {
   return {.name = "explicit_euler",
           .title = "Explicit Euler",
           .help =
-              "The simplest integrator: position and velocity both go on from the start of the step. One evaluation of "
-              "the forces a step and first order; it gains energy at any step unless springs are damped, so it serves "
-              "only as a reference with tiny steps (the paper takes 1/30000 s).",
+              "The simplest integrator, of first order, with one force evaluation a step. Position and velocity are "
+              "extrapolated from the start of the step. Without damping it gains energy at any step, so it serves only "
+              "as a reference with tiny steps (1/30000 s in the paper).",
           .source = "Euler (1768), Institutiones calculi integralis",
           .backwardEuler = false,
           .settings = {},

@@ -62,7 +62,7 @@ void FilteredStepSolver::findCorrection(const ClothModel& model, const ClothStat
   for (const auto& piece : pieces_.get(model, freePieces)) {
     const MassMoments moments = momentsOf(model, piece, state.positions);
     const auto arm = [&](std::size_t v) { return Vec3(state.positions[v] - moments.barycentre); };
-    Vec3 impulse = Vec3::Zero();  // h T, without the hand's [N m s]
+    Vec3 impulse = Vec3::Zero();  // h T, without the attachment's [N m s]
     for (const std::size_t v : piece) {
       impulse += model.vertexMass[v] * arm(v).cross(filtered_[v]);
     }

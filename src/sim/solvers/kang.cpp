@@ -7,21 +7,21 @@
 namespace drape {
 namespace {
 
-/// The direct update of Kang, Choi, Cho and Lee (2001): backward Euler with the scalar derivative k I, of which one
-/// iteration is written out, so that no matrix is left and every vertex divides by one number.
+/// The direct update of Kang, Choi, Cho and Lee (2001): backward Euler with the scalar derivative k I and one explicit
+/// iteration. No matrix is left, and every vertex divides by one number.
 ///
 ///     F~_i = F_i + h sum_j k (v_j - v_i)
 ///     dv_i = [h F~_i + h^2 sum_j k h F~_j / (m_j + h^2 k n_j)] / (m_i + h^2 k n_i)
 ///
-/// then v += dv, x += h v. It is the solver one_iteration with one sweep and the derivative `scalar`, in loops of its
-/// own that have only scalars to divide by.
+/// then v += dv, x += h v. It equals the solver one_iteration with one sweep and the derivative `scalar`, in cheaper
+/// loops that divide by scalars.
 ///
-/// What the print leaves open, and what is done here:
+/// Choices that the paper leaves open:
 /// - Damping -C_d (v_i - v_j) is part of F, and implicit: n_i h C_d joins the denominators, h C_d the coupling h^2 k.
-/// - A pinned vertex has dv = 0 and hands nothing on; its neighbours keep its spring in their denominators.
-/// - Masses may differ: m_i stands where the print has one mass.
-/// - Gravity, air and hand stand in F, and so are filtered like the springs; the hand's stiffness, shared out over the
-///   corners that it holds, joins their denominators.
+/// - A pinned vertex has dv = 0 and F~ = 0; its springs still count in the denominators of its neighbours.
+/// - Masses may differ: m_i replaces the single mass of the paper.
+/// - Gravity, air and attachment are part of F, so they are filtered like the springs. The attachment's stiffness is
+///   distributed over the corners of its triangle and joins their denominators.
 class KangSolver final : public Solver {
  public:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -42,14 +42,14 @@ class KangSolver final : public Solver {
   }
 
  private:
-  /// h^2 k + h C_d, what a spring couples its ends with [kg].
+  /// h^2 k + h C_d, the coupling of a spring's ends [kg].
   static double couplingOf(const ClothModel& model, const StepParameters& parameters, const SpringEnd& end) {
     const double h = parameters.timeStep;
     const double relative = model.springs[static_cast<std::size_t>(end.spring)].relativeStiffness;
     return h * (h * (parameters.stiffness * relative) + parameters.damping);
   }
 
-  /// The spring's share of F~ on its first end: force, damping and h k (v_b - v_a).
+  /// The spring's part of F~ on its first end: force, damping and h k (v_b - v_a).
   void evaluateSpring(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                       std::size_t s) {
     const Spring& spring = model.springs[s];
@@ -124,10 +124,9 @@ SolverInfo solvers::kang() {
   return {.name = "kang",
           .title = "Kang direct update",
           .help =
-              "Backward Euler with the spring constant as the whole force derivative, and one iteration written out as "
-              "a formula: no matrix, one division a vertex. The cheapest implicit step, and hard to make explode. "
-              "Cloth moves as if through honey, since folding meets as much resistance as stretching does: small steps "
-              "and soft springs suit it best.",
+              "Backward Euler with the spring constant as the whole force derivative and one explicit iteration: no "
+              "matrix, one division a vertex. The cheapest implicit step, and very stable. Folding meets as much "
+              "resistance as stretching, so cloth moves too slowly. Best with small steps and soft springs.",
           .source = "Kang, Choi, Cho and Lee (2001), in The Visual Computer 17",
           .backwardEuler = true,
           .settings = {},

@@ -13,21 +13,21 @@ namespace {
 ///
 ///     1/2 |x - y|^2_M + h^2 k / 2 sum_s |x_a - x_b - d_s|^2,   |d_s| = l0,   y = x_n + h v_n + h^2 M^-1 f_ext
 ///
-/// over x and the directions d_s, alternately: for given x each d_s points along its spring (local), for given d the x
-/// solves a linear system whose matrix never changes (global),
+/// over x and the directions d_s, alternately. For given x each d_s points along its spring (local step). For given d
+/// the x solve a linear system with a constant matrix (global step),
 ///
 ///     (M + h^2 k L + h C_d L) x = M y + h^2 k sum_s A_s d_s + h C_d L x_n.
 ///
-/// The paper has no damping of this form; ours comes of the force -C_d L (x - x_n) / h at the step's end. Solved is for
-/// u = x - x_n, which is small where the cloth is slow and zero where it is pinned, so that the two terms of C_d
-/// cancel:
+/// The paper has no damping of this form; here it is the force -C_d L (x - x_n) / h at the end of the step. The unknown
+/// is u = x - x_n, which is small for slow cloth and zero at pins. The two terms of C_d then cancel:
 ///
 ///     (M + (h^2 k + h C_d) L) u = h M v_n + h^2 f_ext + h^2 k sum_s A_s (d_s - (x_a - x_b)_n)
 ///
 /// Then v = u / h. The first directions are those at y.
 ///
-/// The hand's stiffness, that of the chord at the start of the step and lumped on the corners that it holds as in the
-/// other implicit methods, changes three diagonal entries at every step; the factor stays (diagonal_change.hpp).
+/// The attachment's stiffness, the secant stiffness at the start of the step, is lumped on the corners of its triangle
+/// as in the other implicit methods. It changes three diagonal entries at every step without a new factor
+/// (diagonal_change.hpp).
 class LocalGlobalSolver final : public Solver {
  public:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -45,7 +45,7 @@ class LocalGlobalSolver final : public Solver {
     useAttachment(model, h, inputs, state, changed);
     for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
       workers_.forEach(parameters.threads, model.springs.size(),
-                       [&](std::size_t s) { turnSpring(model, parameters, state, s); });
+                       [&](std::size_t s) { updateDirection(model, parameters, state, s); });
       solveGlobally(model, parameters.threads);
     }
     finish(model, h, state);
@@ -53,9 +53,10 @@ class LocalGlobalSolver final : public Solver {
   }
 
  private:
-  /// The local step. h^2 k (x_b - x_a - d_s) with x at the start of the step and d_s as it is now: what the spring adds
-  /// to the right side of its first end [kg m].
-  void turnSpring(const ClothModel& model, const StepParameters& parameters, const ClothState& state, std::size_t s) {
+  /// The local step: h^2 k (x_b - x_a - d_s) with x at the start of the step and the present d_s, the spring's part of
+  /// the right side of its first end [kg m].
+  void updateDirection(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                       std::size_t s) {
     const Spring& spring = model.springs[s];
     const auto a = static_cast<std::size_t>(spring.a);
     const auto b = static_cast<std::size_t>(spring.b);
@@ -63,7 +64,7 @@ class LocalGlobalSolver final : public Solver {
     const Vec3 now = before + move_[b] - move_[a];
     const double length = now.norm();
     const double weight = parameters.timeStep * parameters.timeStep * parameters.stiffness * spring.relativeStiffness;
-    // A spring without direction exerts no force: its d is what it is.
+    // A spring without direction exerts no force: d_s equals its offset.
     const bool directed = length > kernels::shortestLength * spring.restLength;
     stretch_[s] = weight * (before - (directed ? Vec3((spring.restLength / length) * now) : now));
   }
@@ -90,11 +91,19 @@ class LocalGlobalSolver final : public Solver {
     });
   }
 
+<<<<<<< HEAD
   /// Puts the hand's force into the right side and its stiffness on the diagonal.
   void useAttachment(const ClothModel& model, double h, const StepInputs& inputs, const ClothState& state,
                      bool factorChanged) {
     if (!inputs.attachment) {
       attachment_.clear();
+=======
+  /// Adds the attachment's force to the right side and its stiffness to the diagonal.
+  void useHand(const ClothModel& model, double h, const StepInputs& inputs, const ClothState& state,
+               bool factorChanged) {
+    if (!inputs.grab) {
+      hand_.clear();
+>>>>>>> terms-sim
       return;
     }
     const AttachmentForce pull = attachmentForce(model, *inputs.attachment, state);
@@ -119,14 +128,14 @@ class LocalGlobalSolver final : public Solver {
   Workers workers_;
   ScalarSystem system_;
   std::vector<Vec3> stretch_;        // per spring: h^2 k (x_b - x_a - d_s) [kg m]
-  std::vector<Vec3> inertia_;        // M (y - x_n), and the hand's force [kg m]
+  std::vector<Vec3> inertia_;        // M (y - x_n), with the attachment's force [kg m]
   std::vector<Vec3> move_;           // u = x - x_n [m]
   ScalarSystem::Columns rightSide_;  // [kg m]
   DiagonalChange attachment_;
 };
 
-/// On sheets of 17 x 17 vertices, after 7/15 s, the positions are within three times the converged step's own error
-/// while (h omega)^2 is below ten times the iterations, and ten times as far off at a hundred times.
+/// On sheets of 17 x 17 vertices, after 7/15 s, the position error is up to three times that of the converged step
+/// while (h omega)^2 is below 10 times the iterations, and ten times as large at 100 times the iterations.
 std::string localGlobalWarning(const ClothModel& model, const StepParameters& parameters) {
   return slackWarning(model, parameters, 10.0);
 }
@@ -138,11 +147,10 @@ SolverInfo solvers::localGlobal() {
       .name = "local_global",
       .title = "Local/global springs",
       .help =
-          "Backward Euler as a minimum, found by turns: every spring takes its direction, then a linear system with a "
-          "constant matrix takes the vertices there. Costs one solve with a sparse factor an iteration; the factor "
-          "is computed again when time step, stiffness, damping, mass or pins change. Never explodes. With few "
-          "iterations cloth that is stiff for its step looks frozen and turns too slowly: raise iterations or "
-          "shorten the step.",
+          "Backward Euler by alternating minimisation: first the direction of every spring, then all positions from a "
+          "linear system with a constant matrix. An iteration costs one solve with a sparse factor. The factor is "
+          "computed again when the time step, stiffness, damping, mass or pins change. It never blows up. With few "
+          "iterations stiff cloth looks frozen and rotates too slowly: use more iterations or shorter steps.",
       .source = "Liu, Bargteil, O'Brien and Kavan (2013), Fast simulation of mass-spring systems",
       .backwardEuler = true,
       .settings = {"iterations"},

@@ -4,26 +4,25 @@
 
 namespace drape {
 
-/// Meyer, Debunne, Desbrun and Barr (2001): the constant filter of `desbrun`, with the rotation that it brings in taken
-/// back from the velocities (filtered_step.hpp has the equations).
+/// Meyer, Debunne, Desbrun and Barr (2001): the constant filter of `desbrun`, with the rotation that it adds removed
+/// from the velocities (filtered_step.hpp has the equations).
 ///
-/// What could be established of the paper: it splits a spring's force k (x_j - x_i) - k l0 d into a linear part, taken
-/// implicitly with the same constant matrix, and a part of constant size that only turns, taken as it is at the start
-/// of the step, whose error is made up for by a correction of the torque. Filtering the whole force and h times its
-/// linear part's change is the same step. Not established: whether external forces pass through the matrix (a patent
-/// of the same authors, US 6,573,897, filed in 2000, keeps them out, and corrects locations, as in 1999), and how the
-/// corrected locations reach the velocities. So what sets this solver apart from `desbrun` here is one decision of
-/// ours: the correction changes the velocities, and through them the positions, which keeps the angular momentum of
-/// cloth without pins to rounding. As there, overlong springs are not shortened afterwards.
+/// The paper splits a spring's force k (x_j - x_i) - k l0 d into a linear part and a part of constant size. The linear
+/// part is implicit, with the same constant matrix. The other part is explicit, and a correction of the torque
+/// compensates its error. Filtering the whole force and h times the change of its linear part is the same step. We
+/// could not establish whether external forces pass through the matrix, and how the corrected positions change the
+/// velocities. (A patent of the same authors, US 6,573,897, filed in 2000, does not filter external forces and corrects
+/// positions, as in 1999.) So this solver differs from `desbrun` by a decision of ours: the correction changes the
+/// velocities, and through them the positions. This conserves the angular momentum of free cloth to rounding. As in
+/// `desbrun`, overlong springs are not shortened afterwards.
 SolverInfo solvers::meyer() {
   return {
       .name = "meyer",
       .title = "Meyer constant filter",
       .help =
-          "As desbrun, a constant matrix filters the spring forces, but the rotation that it brings in is taken back "
-          "from the velocities: cloth that nothing holds keeps its momentum and its spin exactly. Same cost, same "
-          "set-up whenever time step, stiffness, damping, mass or pins change, same stiff folds; what is pinned "
-          "moves as with desbrun to the last digit.",
+          "Like desbrun, but the rotation that the filter adds is removed from the velocities. So free cloth conserves "
+          "its linear and angular momentum. The cost, the setup after changes of the time step, stiffness, damping, "
+          "mass or pins, and the stiff folds are the same. Cloth with pins moves exactly as with desbrun.",
       .source =
           "Meyer, Debunne, Desbrun and Barr (2001), Interactive animation of cloth-like objects in virtual reality",
       .backwardEuler = false,

@@ -10,12 +10,12 @@
 namespace drape {
 namespace {
 
-/// A share of the slope's promise that a step must keep (Armijo's condition).
+/// Fraction of the decrease predicted by the slope that a step must reach (Armijo's condition).
 constexpr double sufficientDecrease = 1e-4;
-/// Steps shorter than 2^-30 of Newton's change nothing any more.
-constexpr int mostHalvings = 30;
+/// Steps shorter than 2^-30 of Newton's have no effect.
+constexpr int maxHalvings = 30;
 
-/// The Cholesky factorisation of a cloth's Hessian; the ordering and the pattern of the factor belong to the model.
+/// The Cholesky factorisation of a cloth's Hessian. Ordering and pattern are computed once for a model.
 struct Factorisation {
   explicit Factorisation(const ClothModel& model) : hessian(model) {
     if (hessian.lower().rows() > 0) {
@@ -26,20 +26,20 @@ struct Factorisation {
   Eigen::SimplicialLLT<SparseSystem::Matrix, Eigen::Lower> cholesky;
 };
 
-/// Backward Euler solved to the end: Newton's method with a line search on the incremental potential (Gast et al. 2015
-/// for the potential; Nocedal and Wright, Numerical Optimization, algorithms 3.1 and 3.2).
+/// Converged backward Euler: Newton's method with a line search on the incremental potential (Gast et al. 2015 for the
+/// potential; Nocedal and Wright, Numerical Optimization, algorithms 3.1 and 3.2).
 ///
-/// It starts from zero velocities, where the ends of the step are still the positions of its start. The first iterate
-/// is therefore the linearised step of Baraff and Witkin (1998), W dv = h f~, wherever the line search takes it whole.
+/// It starts from zero velocities, that is, from the positions at the start of the step. If the line search accepts the
+/// full first step, the first iterate is the linearised step of Baraff and Witkin (1998), W dv = h f~.
 ///
-/// A step has converged when its residual is below the tolerance, relative to that of zero velocities, or where
-/// rounding lets it get no smaller.
+/// A step has converged when its residual is below the tolerance, relative to that of zero velocities, or when rounding
+/// prevents further decrease.
 class NewtonSolver final : public Solver {
  public:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
     factorisation_ = cache_.get(model, [](const ClothModel& m) { return std::make_unique<Factorisation>(m); }).get();
-    potential_.begin(model, parameters, inputs, state, workers_);
+    potential_.prepare(model, parameters, inputs, state, workers_);
     const StepReport report = minimise(parameters, inputs, state.positions.size());
     for (std::size_t i = 0; i < velocities_.size(); ++i) {
       state.velocities[i] = velocities_[i];
@@ -58,12 +58,12 @@ class NewtonSolver final : public Solver {
     const double first = current_.residual;
     StepReport report;
     if (first <= current_.rounding) {
-      return report;  // nothing but rounding is left over where it starts
+      return report;  // the residual at the start is rounding only
     }
     while (current_.residual > parameters.tolerance * first && report.iterations < parameters.maxIterations) {
       checkStop(inputs);
-      if (!findDirection(parameters.derivative) || !searchAlongIt()) {
-        break;  // rounding is in the way of more
+      if (!findDirection(parameters.derivative) || !searchLine()) {
+        break;  // rounding prevents further decrease
       }
       ++report.iterations;
     }
@@ -72,8 +72,7 @@ class NewtonSolver final : public Solver {
     return report;
   }
 
-  /// Newton's direction. Where the Hessian is not positive definite, which of the variants only the exact one need not
-  /// be, the stabilised one stands in.
+  /// Newton's direction. Only the exact variant of the Hessian may be indefinite; the stabilised one then replaces it.
   bool findDirection(ForceDerivative variant) {
     if (!factorise(variant) && (variant != ForceDerivative::Exact || !factorise(ForceDerivative::Stabilised))) {
       return false;
@@ -91,17 +90,17 @@ class NewtonSolver final : public Solver {
     return factorisation_->cholesky.info() == Eigen::Success;
   }
 
-  /// Goes the largest share 1, 1/2, 1/4 ... of the direction that lowers the potential enough. Where the potential
-  /// changes by no more than its rounding, the residual decides. Returns false when no share does.
-  bool searchAlongIt() {
-    double share = 1.0;
-    for (int halving = 0; halving <= mostHalvings; ++halving, share *= 0.5) {
+  /// Takes the largest fraction 1, 1/2, 1/4, ... of the direction that lowers the potential enough. If the potential
+  /// changes by less than its rounding error, the residual decides. Returns false if no fraction is accepted.
+  bool searchLine() {
+    double fraction = 1.0;
+    for (int halving = 0; halving <= maxHalvings; ++halving, fraction *= 0.5) {
       for (std::size_t i = 0; i < velocities_.size(); ++i) {
-        trial_[i] = velocities_[i] + share * direction_[i];
+        trial_[i] = velocities_[i] + fraction * direction_[i];
       }
       const IncrementalPotential::Value value = potential_.evaluate(trial_);
       const double change = value.value - current_.value;
-      const bool lower = change <= sufficientDecrease * share * slope_ && change < -current_.valueRounding;
+      const bool lower = change <= sufficientDecrease * fraction * slope_ && change < -current_.valueRounding;
       const bool level = std::abs(change) <= current_.valueRounding && value.residual < current_.residual;
       if (lower || level) {
         current_ = value;
@@ -126,13 +125,12 @@ class NewtonSolver final : public Solver {
 
 /// A step of 17 x 17 vertices takes milliseconds, of 33 x 33 tens and of 61 x 61 hundreds.
 std::string newtonWarning(const ClothModel& model, const StepParameters& /*parameters*/) {
-  constexpr int fluent = 1000;  // vertices
-  if (model.vertexCount() <= fluent) {
+  constexpr int maxInteractive = 1000;  // vertices
+  if (model.vertexCount() <= maxInteractive) {
     return {};
   }
-  return "Newton's method factorises a large matrix several times a step: on a mesh this fine it is for measuring, not "
-         "for "
-         "watching.";
+  return "Newton's method factorises a large matrix several times in each step: on so fine a mesh it is too slow for "
+         "interactive use.";
 }
 
 }  // namespace
@@ -142,11 +140,10 @@ SolverInfo solvers::newton() {
       .name = "newton",
       .title = "Newton (implicit)",
       .help =
-          "Backward Euler with nothing left out: the step's nonlinear equations solved to the tolerance by Newton's "
-          "method with a sparse Cholesky factorisation in each iteration. What every backward-Euler method would "
-          "give if it went on to the end, and so the one to measure them against; with one iteration it is the exact "
-          "solve of the linearised step. Slow, and slower than in proportion on fine meshes; a derivative other than "
-          "the exact one ends in the same place after more iterations.",
+          "Fully converged backward Euler: Newton's method with a sparse Cholesky factorisation in each iteration "
+          "solves the nonlinear equations of the step to the tolerance. It is the reference for all backward-Euler "
+          "methods. With one iteration it is the exact solve of the linearised step. Slow; the cost grows faster than "
+          "the mesh. Other derivatives than the exact one give the same result after more iterations.",
       .source = "Gast and co-authors (2015), Optimization integrator for large time steps",
       .backwardEuler = true,
       .settings = {"tolerance", "max_iterations", "derivative"},

@@ -11,11 +11,11 @@ namespace {
 ///
 ///     dv_i = p_i + h^2 W_ii^-1 sum_j J_ij p_j
 ///
-/// With an eigenvalue mu of the Jacobi iteration, k sweeps give 1 - mu^(k+1) of the exact answer's mode. For odd k that
-/// stays within 0 and 1, for even k it can reach 2. A relaxation w < 1 (damped Jacobi, the step from one sweep's answer
-/// to the next's taken by w only) moves mu to 1 - w (1 - mu), which makes even counts harmless.
+/// In a mode with Jacobi eigenvalue mu, k sweeps give 1 - mu^(k+1) of the exact answer. For odd k that is between 0 and
+/// 1, for even k it can reach 2. A relaxation w < 1 (damped Jacobi: each sweep changes the answer by w times the full
+/// change) replaces mu by 1 - w (1 - mu), which makes even numbers of sweeps stable.
 ///
-/// The equations stand in simd/one_iteration_kernel.cpp.
+/// The equations are in simd/one_iteration_kernel.cpp.
 class OneIterationSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
@@ -36,10 +36,10 @@ SolverInfo solvers::oneIteration() {
       .title = "One iteration (implicit)",
       .help =
           "The paper's method: backward Euler with one block-Jacobi sweep a step and a force derivative that is "
-          "stabilised where springs are compressed. The cheapest implicit step after kang's, and calm at large steps "
-          "on coarse cloth. Stiff cloth turns slack and sluggish, free cloth loses momentum, and flat cloth that is "
-          "fine and stiff can gain energy and blow up; substeps cure all of it better than sweeps.",
-      .source = "Kang and co-authors (the paper; its full citation was not at hand)",
+          "stabilised for compressed springs. The cheapest implicit step after kang, stable at large steps on coarse "
+          "cloth. Stiff cloth becomes slack and slow, free cloth loses momentum, and flat cloth that is fine and stiff "
+          "can gain energy and blow up. Substeps help more than sweeps.",
+      .source = "Real-Time Animation of Complex Virtual Cloth with Physical Plausibility and Numerical Stability",
       .backwardEuler = true,
       .settings = {"sweeps", "relaxation", "derivative", "precision"},
       .warning = oneIterationWarning,

@@ -6,8 +6,8 @@ namespace drape {
 namespace {
 
 /// The modified conjugate gradient method of Baraff and Witkin (1998, sec. 5.3) on the system of the one-iteration
-/// method, preconditioned by the 3x3 diagonal blocks. Pins are constraints of their filter: the rows of a pinned vertex
-/// are left out, and its velocity change is zero. The loops stand in simd/conjugate_gradients_kernel.cpp.
+/// method, with the 3x3 diagonal blocks as preconditioner. Pins are constraints of its filter: the rows of a pinned
+/// vertex are left out, and its velocity change is zero. The loops are in simd/conjugate_gradients_kernel.cpp.
 class PcgSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
@@ -26,10 +26,10 @@ SolverInfo solvers::pcg() {
       .name = "pcg",
       .title = "Conjugate gradients",
       .help =
-          "Backward Euler whose linear system is solved by preconditioned conjugate gradients until its residual is "
-          "small. What the one-iteration method approximates: bounded at any step and stiffness that was tried, at "
-          "the cost of tens to thousands of sweeps a step, the more the stiffer and finer the cloth. With an exact "
-          "derivative the system of compressed cloth may have no such solution; it then stops early.",
+          "Backward Euler. Preconditioned conjugate gradients solve the linear system to the tolerance. This is the "
+          "solution that the one-iteration method approximates. Stable at every time step and stiffness that was "
+          "tested. A step costs tens to thousands of sweeps, more for stiff and fine cloth. With the exact derivative "
+          "the system of compressed cloth may be indefinite; the iteration then stops early.",
       .source = "Baraff and Witkin (1998), Large steps in cloth simulation",
       .backwardEuler = true,
       .settings = {"tolerance", "max_iterations", "derivative", "precision"},

@@ -4,8 +4,8 @@
 
 #include <array>
 
-/// Every solver: a function that describes it, defined in the file of its name, and its place in the list. Nothing else
-/// has to know a new one.
+/// All solvers. Each has a function that describes it, defined in the file of its name, and an entry in the list. A new
+/// solver needs no other registration.
 namespace drape::solvers {
 
 SolverInfo oneIteration();
@@ -22,7 +22,7 @@ SolverInfo meyer();
 SolverInfo localGlobal();
 SolverInfo adaptive();
 
-/// In the order in which they are shown; the first is the default.
+/// In display order.
 inline constexpr std::array all{oneIteration, adaptive, chebyshev, pcg,     newton, verlet,     explicitEuler,
                                 xpbd,         vbd,      kang,      desbrun, meyer,  localGlobal};
 

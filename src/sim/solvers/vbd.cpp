@@ -15,8 +15,8 @@ namespace drape {
 namespace {
 
 /// Vertex block descent (Chen, Liu, Yang and Yuksel 2024): the backward-Euler step as the minimum of
-/// G(x) = |x - y|_M^2 / (2 h^2) + E(x), found by `iterations` sweeps in which every vertex takes one Newton step H_i
-/// dx_i = f_i on G while its neighbours stand still. Vertices of one colour are taken in parallel.
+/// G(x) = |x - y|_M^2 / (2 h^2) + E(x), found by `iterations` sweeps. In a sweep every vertex takes one Newton step
+/// H_i dx_i = f_i on G while its neighbours are fixed. Vertices of one colour are processed in parallel.
 ///
 /// | here, times h^2                              | paper                                          |
 /// |----------------------------------------------|------------------------------------------------|
@@ -24,11 +24,11 @@ namespace {
 /// | H_i = (m_i + n_i h C_d) I + h^2 sum_j J_ij   | the vertex's Hessian; J_ij as `derivative` says |
 /// | r_i = m_i (y_i - x_i) + h^2 f_i(x) + damping | the force on the vertex                         |
 ///
-/// Damping is a dashpot between the ends of a spring, -(C_d / h) (dx_i - dx_j) with dx the way since the step's start,
-/// so that it means the same as in the other methods (the paper scales the stiffness instead).
+/// Damping is a dashpot between the ends of a spring, -(C_d / h) (dx_i - dx_j) with dx the displacement since the start
+/// of the step, as in the other methods (the paper scales the stiffness instead).
 ///
-/// The sweeps start from y (inertia). The paper's adaptive start needs the velocity of the step before, which a plain
-/// state does not hold. Cloth at rest pays for that: every step first lets it fall and then lifts it again.
+/// The sweeps start from y (inertia). The paper's adaptive start needs the velocity of the previous step, which the
+/// state does not contain. The disadvantage: cloth at rest first falls in every step and is then lifted again.
 ///
 /// A spectral radius rho > 0 accelerates the sweeps as in the paper (after Wang 2015): after sweep n x = w (x_swept -
 /// x_{n-2}) + x_{n-2}, with w_1 = 1, w_2 = 2 / (2 - rho^2), w_n = 4 / (4 - rho^2 w_{n-1}). See overshoots() for its
@@ -90,11 +90,11 @@ class VbdSolver final : public Solver {
     }
     const double h = parameters.timeStep;
     const Vec3 position = state.positions[i];
-    const Vec3 way = position - start_[i];
+    const Vec3 displacement = position - start_[i];
     Vec3 force = Vec3::Zero();  // of the springs [N]
     Vec3 drag = Vec3::Zero();   // sum of (dx_j - dx_i) [m]
     Mat3 stiffness = Mat3::Zero();
-    double largest = 0.0;  // of its eigenvalues, at most [N/m]
+    double largest = 0.0;  // upper bound of its eigenvalues [N/m]
     const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
     const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
     for (std::size_t e = begin; e < end; ++e) {
@@ -106,7 +106,7 @@ class VbdSolver final : public Solver {
       force += kernels::springForce(offset, spring.restLength, own);
       stiffness += kernels::springDerivative(offset, spring.restLength, own, parameters.derivative);
       largest += own;
-      drag += (state.positions[j] - start_[j]) - way;
+      drag += (state.positions[j] - start_[j]) - displacement;
     }
     if (inputs.attachment) {
       addAttachment(model, *inputs.attachment, i, state, force, stiffness);
@@ -118,17 +118,24 @@ class VbdSolver final : public Solver {
         solve(h * h * stiffness + isotropic * Mat3::Identity(), residual, isotropic + h * h * largest);
   }
 
-  /// H^-1 r. Where the derivative that was chosen makes H indefinite, Newton's step could lead uphill; the step with
-  /// k I for every spring never does.
+  /// H^-1 r. If the chosen derivative makes H indefinite, Newton's step could increase G. The step with k I for every
+  /// spring never does.
   static Vec3 solve(const Mat3& hessian, const Vec3& residual, double isotropic) {
     const Eigen::LLT<Mat3> factors(hessian);
     return factors.info() == Eigen::Success ? Vec3(factors.solve(residual)) : Vec3(residual / isotropic);
   }
 
+<<<<<<< HEAD
   /// The hand's spring, where vertex i is a corner of what it holds, with the stiffness of its chord.
   static void addAttachment(const ClothModel& model, const Attachment& attachment, std::size_t i,
                             const ClothState& state, Vec3& force, Mat3& stiffness) {
     const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
+=======
+  /// Adds the attachment's force and secant stiffness if vertex i is a corner of its triangle.
+  static void addHand(const ClothModel& model, const Grab& grab, std::size_t i, const ClothState& state, Vec3& force,
+                      Mat3& stiffness) {
+    const Triangle& corners = model.triangles[static_cast<std::size_t>(grab.triangle)];
+>>>>>>> terms-sim
     const auto found = std::find(corners.begin(), corners.end(), static_cast<int>(i));
     if (found == corners.end()) {
       return;
@@ -143,14 +150,14 @@ class VbdSolver final : public Solver {
   ModelCache<RaggedRows<int>> colours_;
   std::vector<Vec3> start_;     // x_n [m]
   std::vector<Vec3> inertial_;  // y [m]
-  std::vector<Vec3> before_;    // positions before the present sweep [m]
+  std::vector<Vec3> before_;    // positions before the current sweep [m]
   std::vector<Vec3> older_;     // positions before the sweep before that [m]
 };
 
-/// n accelerated sweeps leave T_n(z / rho) / T_n(1 / rho) of a mode's error, with z its eigenvalue, |z| <= rho, and T_n
-/// Chebyshev's polynomial: for n > 1 that can be -1 / T_n(1 / rho). The error at the start is that of the inertial
-/// positions, so a very stiff mode goes on with x' = q (x + h v), where q is that number, and grows when q < -1/3.
-/// Hence T_n(1 / rho) = cosh(n arcosh(1 / rho)) >= 3 is needed.
+/// n accelerated sweeps multiply the error of a mode by T_n(z / rho) / T_n(1 / rho), with z its eigenvalue, |z| <= rho,
+/// and T_n Chebyshev's polynomial. For n > 1 this factor q can be -1 / T_n(1 / rho). The sweeps start from the inertial
+/// positions, so a very stiff mode continues with x' = q (x + h v), which grows if q < -1/3. Hence
+/// T_n(1 / rho) = cosh(n arcosh(1 / rho)) >= 3 is required.
 bool overshoots(int iterations, double spectralRadius) {
   constexpr double smallest = 3.0;
   constexpr double rounding = 1e-12;
@@ -158,7 +165,7 @@ bool overshoots(int iterations, double spectralRadius) {
          std::cosh(iterations * std::acosh(1.0 / spectralRadius)) < smallest * (1.0 - rounding);
 }
 
-/// On sheets of 17 x 17 and 33 x 33 vertices the positions are within a few times the converged step's own error while
+/// On sheets of 17 x 17 and 33 x 33 vertices the position error is a few times that of the converged step while
 /// (h omega)^2 is below the number of iterations.
 std::string vbdWarning(const ClothModel& model, const StepParameters& parameters) {
   if (!overshoots(parameters.iterations, parameters.spectralRadius)) {
@@ -177,18 +184,19 @@ std::string vbdWarning(const ClothModel& model, const StepParameters& parameters
 }  // namespace
 
 SolverInfo solvers::vbd() {
-  return {.name = "vbd",
-          .title = "Vertex block descent",
-          .help =
-              "Backward Euler as a minimisation: vertex after vertex takes a Newton step while its neighbours stand "
-              "still. Robust at large steps from three sweeps on; every sweep costs about an evaluation of forces and "
-              "derivatives, and with few of them stiff cloth is slack and sluggish.",
-          .source = "Chen, Liu, Yang and Yuksel (2024), Vertex block descent",
-          .backwardEuler = true,
-          .settings = {"iterations", "derivative", "spectral_radius"},
-          .warning = vbdWarning,
-          .stepLimit = nullptr,
-          .make = []() -> std::unique_ptr<Solver> { return std::make_unique<VbdSolver>(); }};
+  return {
+      .name = "vbd",
+      .title = "Vertex block descent",
+      .help =
+          "Backward Euler as a minimisation: one vertex after the other takes a Newton step while its neighbours "
+          "are fixed. Robust at large steps with three or more sweeps. A sweep costs about one evaluation of forces "
+          "and derivatives. With few sweeps stiff cloth is slack and slow.",
+      .source = "Chen, Liu, Yang and Yuksel (2024), Vertex block descent",
+      .backwardEuler = true,
+      .settings = {"iterations", "derivative", "spectral_radius"},
+      .warning = vbdWarning,
+      .stepLimit = nullptr,
+      .make = []() -> std::unique_ptr<Solver> { return std::make_unique<VbdSolver>(); }};
 }
 
 }  // namespace drape

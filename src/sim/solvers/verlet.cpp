@@ -10,12 +10,16 @@ namespace {
 ///
 ///     x_m = x + h/2 v,   v' = v + h a(x_m, v),   x' = x_m + h/2 v'
 ///
-/// Symplectic, time-reversible and of second order for forces that depend on positions. What depends on velocities
-/// (damping, air) is taken with the velocity of the step's start, which keeps the step explicit and makes it of first
-/// order in those forces.
+/// Symplectic, time-reversible and of second order for forces that depend on positions. Damping and air use the
+/// velocity at the start of the step. So the step is explicit, and of first order in these forces.
 ///
+<<<<<<< HEAD
 /// The hand's spring can be far stiffer than the cloth, so it alone is implicit: see applyAttachmentImpulse. The loops
 /// stand in simd/verlet_kernel.cpp.
+=======
+/// The attachment's spring can be far stiffer than the cloth, so it is implicit: see pullByHand. The loops are in
+/// simd/verlet_kernel.cpp.
+>>>>>>> terms-sim
 class VerletSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
@@ -39,9 +43,9 @@ SolverInfo solvers::verlet() {
       .name = "verlet",
       .title = "Verlet (explicit)",
       .help =
-          "Stoermer-Verlet: symplectic, second order, one evaluation of the forces a step. The most accurate method "
-          "for its price while the step is below the mesh's stability limit; above it the cloth blows up, and stiff "
-          "or fine cloth has a low limit.",
+          "Stoermer-Verlet: symplectic, of second order, with one force evaluation a step. The most accurate method "
+          "for its cost while the step is below the stability limit of the mesh. Above the limit the cloth blows up. "
+          "Stiff or fine cloth has a low limit.",
       .source = "Stoermer, 1907; Verlet, 1967, Computer experiments on classical fluids",
       .backwardEuler = false,
       .settings = {"precision"},

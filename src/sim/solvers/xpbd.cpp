@@ -11,9 +11,9 @@
 namespace drape {
 namespace {
 
-/// Extended position-based dynamics (Macklin, Mueller, Chentanez 2016), springs as distance constraints C = L - l0 of
-/// compliance 1/k, solved by `iterations` coloured Gauss-Seidel sweeps from the positions y that inertia, gravity and
-/// air lead to. The multipliers start at zero in each step.
+/// Extended position-based dynamics (Macklin, Mueller, Chentanez 2016). Springs are distance constraints C = L - l0 of
+/// compliance 1/k, solved by `iterations` coloured Gauss-Seidel sweeps. The sweeps start from the positions y predicted
+/// by inertia, gravity and air. The multipliers start at zero in each step.
 ///
 /// | here        | paper                                                                    |
 /// |-------------|--------------------------------------------------------------------------|
@@ -21,15 +21,21 @@ namespace {
 /// | multiplier  | dlambda = (-C - alpha~ lambda) / (w_a + w_b + alpha~) (eq. 18)           |
 /// | correction  | dx = M^-1 grad C dlambda (eq. 17)                                        |
 ///
-/// A correction acts along the spring as it lies at that moment, so what it converges to is the backward-Euler step
-/// only up to how far springs turn within the step: the multipliers agree with the end's lengths, M (x - y) = grad C
-/// lambda does not use the end's directions throughout (the paper drops that residual, sec. 4).
+/// A correction acts along the present direction of the spring. So the limit differs from the backward-Euler step where
+/// springs rotate within the step: the multipliers agree with the lengths at the end, but M (x - y) = grad C lambda
+/// uses intermediate directions (the paper neglects that residual, sec. 4).
 ///
+<<<<<<< HEAD
 /// Damping follows on the velocities, colour by colour: each spring's dashpot is solved implicitly for the two ends
 /// alone, J = h C_d (v_b' - v_a'), which keeps momentum and can never reverse what it brakes. The hand is a constraint
 /// of three components (AttachmentConstraint).
+=======
+/// Damping is then applied to the velocities, colour by colour: each spring's dashpot is solved implicitly for its two
+/// ends, J = h C_d (v_b' - v_a'). This conserves momentum and cannot reverse the relative velocity. The attachment is a
+/// constraint of three components (HandConstraint).
+>>>>>>> terms-sim
 ///
-/// In float the same is done by vector instructions (simd/constraint_run.hpp).
+/// In float vector instructions do the same (simd/constraint_run.hpp).
 class XpbdSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
@@ -131,14 +137,14 @@ class XpbdSolver final : public BatchSolver {
   std::vector<Vec3> start_;  // positions at the start of the step [m]
 };
 
-/// On sheets of 17 x 17 and 33 x 33 vertices the positions are within a few times the converged step's own error while
+/// On sheets of 17 x 17 and 33 x 33 vertices the position error is a few times that of the converged step while
 /// (h omega)^2 is below four times the iterations.
 ///
-/// Places in float make velocities inexact in short steps: a sheet of 17 x 17 that falls from rest with 100 N/m is 0.4
-/// mm off after 0.2 s with 1/6000 s and 11 mm with 1/30000 s.
+/// In short steps velocities are inexact, since they follow from positions in float. A sheet of 17 x 17 vertices with
+/// 100 N/m that falls from rest has an error of 0.4 mm after 0.2 s with steps of 1/6000 s, and 11 mm with 1/30000 s.
 std::string xpbdWarning(const ClothModel& model, const StepParameters& parameters) {
-  constexpr double shortestInFloat = 1.0 / 6001.0;  // [s]
-  if (parameters.precision == Precision::Float && parameters.timeStep / parameters.substeps < shortestInFloat) {
+  constexpr double minStepInFloat = 1.0 / 6001.0;  // [s]
+  if (parameters.precision == Precision::Float && parameters.timeStep / parameters.substeps < minStepInFloat) {
     return "Substeps below 1/6000 s are too short for XPBD in float: velocities become inexact. Use double precision.";
   }
   return slackWarning(model, parameters, 4.0);
@@ -150,9 +156,9 @@ SolverInfo solvers::xpbd() {
   return {.name = "xpbd",
           .title = "XPBD",
           .help =
-              "Extended position-based dynamics: springs are compliant distance constraints, corrected one after the "
-              "other. Cheap, and bounded at any step; with few iterations stiff cloth is softer than asked for, and "
-              "substeps cure that better than iterations.",
+              "Extended position-based dynamics: springs are compliant distance constraints that are corrected one "
+              "after the other. Cheap, and stable at any step. With few iterations stiff cloth is softer than "
+              "specified; substeps help more than iterations.",
           .source = "Macklin, Mueller and Chentanez, 2016, XPBD",
           .backwardEuler = true,
           .settings = {"iterations", "precision"},

@@ -504,7 +504,7 @@ TEST(Auto, saysWhenTheWorkAllowedIsTooLittleForTheStiffness) {
   StepParameters parameters = withEvaluations(*model, 1e5, 31.0);
   EXPECT_NE(warning(*model, parameters).find("keep 0.19 %"), std::string::npos) << warning(*model, parameters);
   parameters.soften = false;
-  EXPECT_NE(warning(*model, parameters).find("10 times the work allowed: slow motion"), std::string::npos)
+  EXPECT_NE(warning(*model, parameters).find("10 times the cost budget, so it moves in slow motion"), std::string::npos)
       << warning(*model, parameters);
 }
 
