@@ -32,7 +32,10 @@ endfunction()
 # memory in huge pages (src/app/operator_new.cpp).
 function(drape_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES} "${PROJECT_SOURCE_DIR}/src/app/operator_new.cpp")
+  set(operator_new "${PROJECT_SOURCE_DIR}/src/app/operator_new.cpp")
+  # Beside code that calls it, the compiler would take its free() for a mismatch.
+  set_source_files_properties("${operator_new}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  add_executable(${name} ${ARG_SOURCES} "${operator_new}")
   target_link_libraries(${name} PRIVATE drape_compiler ${ARG_LINKS})
   drape_unity(${name})
 endfunction()

@@ -9,17 +9,10 @@
 
 namespace drape {
 
-<<<<<<< HEAD
-/// What the hand adds to the diagonal of the filter's matrix.
-struct AttachmentDiagonal {
-  std::array<std::size_t, 3> vertices{};  ///< the corners that it holds
-  Vec3 additions = Vec3::Zero();          ///< h^2 w_c times its stiffness [kg]
-=======
 /// Additions of the attachment to the diagonal of the filter's matrix.
-struct HandOnDiagonal {
+struct AttachmentDiagonal {
   std::array<std::size_t, 3> vertices{};  ///< the corners of its triangle
   Vec3 additions = Vec3::Zero();          ///< h^2 w_c times its stiffness, w_c being the weight of corner c [kg]
->>>>>>> terms-sim
 };
 
 /// The constant filter of Desbrun, Schroeder and Barr (1999). Backward Euler with the scalar part k of the spring
@@ -36,15 +29,9 @@ class ConstantFilter {
   /// @param largest number of free vertices up to which the inverse is dense
   explicit ConstantFilter(std::size_t largest = largestDense) : largest_(largest) {}
 
-<<<<<<< HEAD
-  /// Makes the filter that of the given model and weight.
-  /// @param hand what is added to the diagonal of A, or nullptr
-  void prepare(const ClothModel& model, const ScalarWeight& weight, const AttachmentDiagonal* attachment);
-=======
   /// Computes the filter for the given model and weight, if they changed.
   /// @param hand additions to the diagonal of A, or nullptr
-  void prepare(const ClothModel& model, const ScalarWeight& weight, const HandOnDiagonal* hand);
->>>>>>> terms-sim
+  void prepare(const ClothModel& model, const ScalarWeight& weight, const AttachmentDiagonal* attachment);
 
   /// Replaces impulses h F [N s], one a vertex, by velocity changes A^-1 h F = h M^-1 Ff [m/s]; zero where pinned.
   void apply(int threads, Workers& workers, std::vector<Vec3>& impulses);
@@ -56,13 +43,8 @@ class ConstantFilter {
 
   std::size_t largest_;
   ScalarSystem system_;
-<<<<<<< HEAD
   DiagonalChange attachment_;
-  Eigen::MatrixXd inverse_;         // A^-1 [1/kg], symmetric; empty where the factor is used
-=======
-  DiagonalChange hand_;
-  Eigen::MatrixXd inverse_;  // A^-1 [1/kg], symmetric; empty if the factor is used
->>>>>>> terms-sim
+  Eigen::MatrixXd inverse_;         // A^-1 [1/kg], symmetric; empty if the factor is used
   ScalarSystem::Columns impulses_;  // [N s]
   ScalarSystem::Columns changes_;   // of the velocities [m/s]
 };

@@ -94,21 +94,12 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
   if (unresolved != nullptr) {
     contact_ += end - energyOf(model, parameters, *unresolved).total();
   }
-<<<<<<< HEAD
-  const ClothState& left = unresolved != nullptr ? *unresolved : after;  // by the method
-  damping_ += dampingWork(model, parameters.damping, before, left);
-  air_ += airWork(model, parameters, before, left);
-  contact_ += carryingWork(model, parameters, inputs, before, left);
-  if (inputs.attachment) {
-    attachment_ += attachmentWork(model, *inputs.attachment, before, left);
-=======
   const ClothState& solved = unresolved != nullptr ? *unresolved : after;  // without the correction by contact
   damping_ += dampingWork(model, parameters.damping, before, solved);
   air_ += airWork(model, parameters, before, solved);
   contact_ += bodyPinWork(model, parameters, inputs, before, solved);
-  if (inputs.grab) {
-    hand_ += handWork(model, *inputs.grab, before, solved);
->>>>>>> terms-sim
+  if (inputs.attachment) {
+    attachment_ += attachmentWork(model, *inputs.attachment, before, solved);
   }
 }
 

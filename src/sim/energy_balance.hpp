@@ -29,21 +29,12 @@ class EnergyBalance {
   [[nodiscard]] double damping() const { return damping_; }
   /// Work of drag and lift [J]; of either sign in wind.
   [[nodiscard]] double air() const { return air_; }
-<<<<<<< HEAD
-  /// Work of the hand [J].
-  [[nodiscard]] double attachment() const { return attachment_; }
-  /// What contact gave or took [J]: bodies that move or carry pins, friction, impacts, pushing out of an overlap.
-  [[nodiscard]] double contact() const { return contact_; }
-  /// Change less these works [J]: positive where the method made energy from nothing, negative where it lost some.
-  [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - attachment_ - contact_; }
-=======
   /// Work of the attachment [J].
-  [[nodiscard]] double hand() const { return hand_; }
+  [[nodiscard]] double attachment() const { return attachment_; }
   /// Energy change by contact [J]: moving bodies and their pins, friction, impacts, resolved overlaps.
   [[nodiscard]] double contact() const { return contact_; }
   /// Energy change minus all of these [J]: positive if the method gained energy, negative if it lost energy.
-  [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - hand_ - contact_; }
->>>>>>> terms-sim
+  [[nodiscard]] double integrator() const { return change_ - damping_ - air_ - attachment_ - contact_; }
 
  private:
   double change_ = 0.0;

@@ -13,13 +13,8 @@ namespace drape {
 [[nodiscard]] Vec3 gravityAndAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                                  std::size_t vertex);
 
-<<<<<<< HEAD
-/// The hand's pull at the corners of the triangle that it holds.
-struct AttachmentForce {
-=======
 /// The force of the attachment at the corners of its triangle.
-struct HandPull {
->>>>>>> terms-sim
+struct AttachmentForce {
   std::array<std::size_t, 3> vertices{};  ///< the triangle's corners
   Vec3 weights = Vec3::Zero();            ///< of the corners, summing to 1
   Vec3 force = Vec3::Zero();              ///< on the attached point [N]; corner c gets weights[c] of it

@@ -6,11 +6,7 @@
 
 namespace drape {
 
-<<<<<<< HEAD
-/// The forces of all springs' elongation k (L - l0) d and damping on one vertex [N].
-=======
 /// The elastic forces k (L - l0) d and the damping forces of all springs on one vertex [N].
->>>>>>> terms-sim
 [[nodiscard]] Vec3 springForcesOn(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                                   std::size_t vertex);
 

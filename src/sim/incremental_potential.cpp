@@ -11,19 +11,11 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-<<<<<<< HEAD
-/// Energy of the hand's bounded spring [J]: a parabola that goes on as a straight line where the force is bounded.
-double attachmentEnergy(const Attachment& attachment, double distance) {
-  const double reach = attachment.maxForce / attachment.stiffness;  // where the bound begins [m]
-  return attachment.stiffness * distance <= attachment.maxForce ? 0.5 * attachment.stiffness * distance * distance
-                                                                : attachment.maxForce * (distance - 0.5 * reach);
-=======
 /// Energy of the attachment's bounded spring [J]: quadratic, then linear where the force is bounded.
-double attachmentEnergy(const Grab& grab, double distance) {
-  const double linearFrom = grab.maxForce / grab.stiffness;  // distance at which the bound begins [m]
-  return grab.stiffness * distance <= grab.maxForce ? 0.5 * grab.stiffness * distance * distance
-                                                    : grab.maxForce * (distance - 0.5 * linearFrom);
->>>>>>> terms-sim
+double attachmentEnergy(const Attachment& attachment, double distance) {
+  const double linearFrom = attachment.maxForce / attachment.stiffness;  // distance at which the bound begins [m]
+  return attachment.stiffness * distance <= attachment.maxForce ? 0.5 * attachment.stiffness * distance * distance
+                                                                : attachment.maxForce * (distance - 0.5 * linearFrom);
 }
 
 /// Its second derivative [N/m].
@@ -57,17 +49,10 @@ void IncrementalPotential::prepare(const ClothModel& model, const StepParameters
   springSize_.resize(springs);
   workers.forEach(parameters.threads, vertices,
                   [&](std::size_t i) { external_[i] = gravityAndAir(model, parameters, state, i); });
-<<<<<<< HEAD
-  workers.forEach(parameters.threads, springs, [&](std::size_t s) { beginSpring(s, state); });
+  workers.forEach(parameters.threads, springs, [&](std::size_t s) { prepareSpring(s, state); });
   attachment_ = inputs.attachment;
   if (attachment_) {
     attachmentStartOffset_ = attachment_->target;
-=======
-  workers.forEach(parameters.threads, springs, [&](std::size_t s) { prepareSpring(s, state); });
-  attachment_ = inputs.grab;
-  if (attachment_) {
-    attachmentStartOffset_ = attachment_->target;
->>>>>>> terms-sim
     for (std::size_t c = 0; c < 3; ++c) {
       const int corner = model.triangles[static_cast<std::size_t>(attachment_->triangle)][c];
       attachmentStartOffset_ -=
@@ -211,17 +196,10 @@ void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& he
   const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment_->triangle)];
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t d = c; d < 3; ++d) {
-<<<<<<< HEAD
-      const double weight = attachment_->barycentric[static_cast<Eigen::Index>(c)] *
-                            attachment_->barycentric[static_cast<Eigen::Index>(d)];
-      // Corners that are one vertex share a diagonal block, where both halves of the pair belong.
-      const double share = c != d && corners[c] == corners[d] ? 2.0 : 1.0;
-=======
       const double weight = attachment_->barycentric[static_cast<Eigen::Index>(c)] *
                             attachment_->barycentric[static_cast<Eigen::Index>(d)];
       // If two corners are the same vertex, both halves of the pair belong to its diagonal block.
       const double factor = c != d && corners[c] == corners[d] ? 2.0 : 1.0;
->>>>>>> terms-sim
       hessian.add(model, static_cast<std::size_t>(corners[c]), static_cast<std::size_t>(corners[d]),
                   (factor * weight) * stiffness);
     }

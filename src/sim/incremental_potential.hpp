@@ -65,15 +65,9 @@ class IncrementalPotential {
   std::vector<double> size_;  // the same for a vertex's gradient [N s]
   std::vector<Mat3> diagonal_;
   std::vector<Mat3> springBlocks_;
-<<<<<<< HEAD
   std::optional<Attachment> attachment_;
-  Vec3 attachmentStartOffset_ = Vec3::Zero();  // from the held point to the hand, at x0 [m]
-  Vec3 attachmentOffset_ = Vec3::Zero();       // and at x0 + h v [m]
-=======
-  std::optional<Grab> attachment_;
   Vec3 attachmentStartOffset_ = Vec3::Zero();  // from the attached point to the target, at x0 [m]
   Vec3 attachmentOffset_ = Vec3::Zero();       // the same at x0 + h v [m]
->>>>>>> terms-sim
 };
 
 }  // namespace drape

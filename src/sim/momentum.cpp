@@ -73,31 +73,17 @@ void MomentumKeeper::prepare(const ClothModel& model, const StepParameters& para
   }
 }
 
-<<<<<<< HEAD
-void MomentumKeeper::after(const ClothModel& model, double timeStep, double reach, ClothState& state) {
+void MomentumKeeper::correct(const ClothModel& model, double timeStep, double driftTime, ClothState& state) {
   const Vec3 attachmentMotion = pull_ ? Vec3(attachedPointOf(*pull_, state) - attachedPoint_) : Vec3(Vec3::Zero());
   const Pieces& pieces = pieces_.get(model, freePieces);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    correct(model, timeStep, reach, pieces[p], targets_[p], attachmentMotion, state);
-  }
-}
-
-void MomentumKeeper::correct(const ClothModel& model, double timeStep, double reach,
-                             const std::vector<std::size_t>& piece, const Target& target, const Vec3& attachmentMotion,
-                             ClothState& state) const {
-=======
-void MomentumKeeper::correct(const ClothModel& model, double timeStep, double driftTime, ClothState& state) {
-  const Vec3 handMove = pull_ ? Vec3(attachedPointOf(*pull_, state) - handPoint_) : Vec3(Vec3::Zero());
-  const Pieces& pieces = pieces_.get(model, freePieces);
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    correctPiece(model, timeStep, driftTime, pieces[p], targets_[p], handMove, state);
+    correctPiece(model, timeStep, driftTime, pieces[p], targets_[p], attachmentMotion, state);
   }
 }
 
 void MomentumKeeper::correctPiece(const ClothModel& model, double timeStep, double driftTime,
-                                  const std::vector<std::size_t>& piece, const Target& target, const Vec3& handMove,
-                                  ClothState& state) const {
->>>>>>> terms-sim
+                                  const std::vector<std::size_t>& piece, const Target& target,
+                                  const Vec3& attachmentMotion, ClothState& state) const {
   const MassMoments moments = momentsOf(model, piece, state.positions);
   Vec3 linear = target.linear - linearMomentumOf(model, piece, state);  // missing
   Vec3 angular = target.angular;
@@ -110,34 +96,20 @@ void MomentumKeeper::correctPiece(const ClothModel& model, double timeStep, doub
     angular -= model.vertexMass[v] * arm.cross(velocity);
     inertia += (driftTime * model.vertexMass[v]) * (arm * velocity.transpose() - arm.dot(velocity) * Mat3::Identity());
   }
-<<<<<<< HEAD
-  // The hand's impulse is h (F - stiffness (way of the held point)), and the correction is part of that way: it meets
-  // the mass `attachmentMass` at the held point. The first unknown, a, is eliminated from the two equations.
-  double attachmentMass = 0.0;  // [kg]
-  Vec3 held = Vec3::Zero();     // from the barycentre to the held point now [m]
-  const Vec3& arm = target.attachmentArm;
-=======
   // The attachment's impulse is h (F - stiffness (displacement of the attached point)), and the correction is part of
-  // that displacement: it acts like the mass `hand` at the attached point. The first unknown, a, is eliminated from the
-  // two equations.
-  double hand = 0.0;         // [kg]
-  Vec3 held = Vec3::Zero();  // from the barycentre to the attached point now [m]
-  const Vec3& arm = target.handArm;
->>>>>>> terms-sim
+  // that displacement: it acts like the mass `attachmentMass` at the attached point. The first unknown, a, is
+  // eliminated from the two equations.
+  double attachmentMass = 0.0;  // [kg]
+  Vec3 held = Vec3::Zero();     // from the barycentre to the attached point now [m]
+  const Vec3& arm = target.attachmentArm;
   if (target.held) {
     held = attachedPointOf(*pull_, state) - moments.barycentre;
     const Vec3 impulse = timeStep * (pull_->force - pull_->stiffness * attachmentMotion);
     linear += impulse;
     angular += arm.cross(impulse);
-<<<<<<< HEAD
-    attachmentMass = timeStep * reach * pull_->stiffness;
+    attachmentMass = timeStep * driftTime * pull_->stiffness;
     inertia += (attachmentMass * moments.mass / (moments.mass + attachmentMass)) *
                (arm.dot(held) * Mat3::Identity() - held * arm.transpose());
-=======
-    hand = timeStep * driftTime * pull_->stiffness;
-    inertia +=
-        (hand * moments.mass / (moments.mass + hand)) * (arm.dot(held) * Mat3::Identity() - held * arm.transpose());
->>>>>>> terms-sim
   }
   const Vec3 spin =
       solveRigid(inertia, angular - (attachmentMass / (moments.mass + attachmentMass)) * arm.cross(linear));

@@ -43,40 +43,22 @@ class MomentumKeeper {
 
   /// The momentum of a piece at the end of the step, without the attachment.
   struct Target {
-<<<<<<< HEAD
     Vec3 linear = Vec3::Zero();         // [kg m/s]
     Vec3 angular = Vec3::Zero();        // about the barycentre [kg m^2/s]
-    bool held = false;                  // by the hand
-    Vec3 attachmentArm = Vec3::Zero();  // from the barycentre to the held point [m]
-=======
-    Vec3 linear = Vec3::Zero();   // [kg m/s]
-    Vec3 angular = Vec3::Zero();  // about the barycentre [kg m^2/s]
-    bool held = false;            // by the attachment
-    Vec3 handArm = Vec3::Zero();  // from the barycentre to the attached point [m]
->>>>>>> terms-sim
+    bool held = false;                  // by the attachment
+    Vec3 attachmentArm = Vec3::Zero();  // from the barycentre to the attached point [m]
   };
 
   static Target targetOf(const ClothModel& model, const StepParameters& parameters,
                          const std::vector<std::size_t>& piece, const ClothState& state,
-<<<<<<< HEAD
                          const std::optional<AttachmentForce>& pull, const Vec3& attachedPoint);
-  void correct(const ClothModel& model, double timeStep, double reach, const std::vector<std::size_t>& piece,
-               const Target& target, const Vec3& attachmentMotion, ClothState& state) const;
+  void correctPiece(const ClothModel& model, double timeStep, double driftTime, const std::vector<std::size_t>& piece,
+                    const Target& target, const Vec3& attachmentMotion, ClothState& state) const;
 
   ModelCache<Pieces> pieces_;
   std::vector<Target> targets_;
   std::optional<AttachmentForce> pull_;
-  Vec3 attachedPoint_ = Vec3::Zero();  // where the held point was [m]
-=======
-                         const std::optional<HandPull>& pull, const Vec3& handPoint);
-  void correctPiece(const ClothModel& model, double timeStep, double driftTime, const std::vector<std::size_t>& piece,
-                    const Target& target, const Vec3& handMove, ClothState& state) const;
-
-  ModelCache<Pieces> pieces_;
-  std::vector<Target> targets_;
-  std::optional<HandPull> pull_;
-  Vec3 handPoint_ = Vec3::Zero();  // the attached point before the step [m]
->>>>>>> terms-sim
+  Vec3 attachedPoint_ = Vec3::Zero();  // the attached point before the step [m]
 };
 
 }  // namespace drape

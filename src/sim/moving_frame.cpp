@@ -21,15 +21,9 @@ StepParameters MovingFrame::toFrame(StepParameters parameters) const {
   return parameters;
 }
 
-<<<<<<< HEAD
-StepInputs MovingFrame::seen(StepInputs inputs, double timeStep) const {
+StepInputs MovingFrame::toFrame(StepInputs inputs, double timeStep) const {
   if (inputs.attachment) {
     inputs.attachment->target -= timeStep * velocity_;
-=======
-StepInputs MovingFrame::toFrame(StepInputs inputs, double timeStep) const {
-  if (inputs.grab) {
-    inputs.grab->target -= timeStep * velocity_;
->>>>>>> terms-sim
   }
   return inputs;
 }

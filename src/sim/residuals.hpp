@@ -11,20 +11,9 @@ namespace drape {
 /// backward Euler they tell the distance from backward Euler, not the quality. 0 if both numerator and denominator
 /// vanish.
 
-<<<<<<< HEAD
-/// |M (v1 - v0) - h f(x1, v1)| / |h f(x0 + h v0, v0)|: the residual of the equations themselves [-], related to that of
-/// coasting on with the old velocity. Springs, damping and the hand stand at the end of the step; gravity and air at
-/// its start, as everywhere (docs/theory/method.md).
-=======
-/// |h f~ - W dv| / |h f~| with dv the change of velocity: the residual of the linear system (ImplicitSystem) about
-/// `before` [-]. 1 is the residual of dv = 0.
-[[nodiscard]] double linearResidual(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                    const ClothState& before, const ClothState& after);
-
 /// |M (v1 - v0) - h f(x1, v1)| / |h f(x0 + h v0, v0)|: the residual of the nonlinear equations, relative to that of a
 /// step with constant velocity [-]. Springs, damping and attachment count at the end of the step, gravity and air at
 /// its start (docs/theory/method.md).
->>>>>>> terms-sim
 [[nodiscard]] double nonlinearResidual(const ClothModel& model, const StepParameters& parameters,
                                        const StepInputs& inputs, const ClothState& before, const ClothState& after);
 

@@ -16,47 +16,24 @@ namespace {
 /// The fraction of a BDF2 step that its backward-Euler solve covers.
 constexpr double bdf2Part = 2.0 / 3.0;
 
-<<<<<<< HEAD
-/// The hardness h omega of a round between two contacts, at most, and how many rounds a step may have. A sheet of 17 x
-/// 17 vertices and 5000 N/m that fell onto a box had 30 kJ after 0.6 s of whole steps of 1/150 s, gained 2 J in rounds
-/// of 8, and nothing in rounds of 4; a T-shirt of 1000 N/m, pinned at the neck, with self-collision alone 1.9 kJ after
-/// 1 s of whole steps, 0.07 J after half a second in rounds of 8, and nothing in rounds of 4.
-constexpr double maxContactHOmega = 4.0;
-constexpr double maxContactSubsteps = 128.0;
-
-/// The longest round, of any solver. What contact holds the solver lets go: n vertices that carry N are drawn into
-/// the body by about N/n g h^2 in each round before contact puts them back, and what hangs on them stretches by as much
-/// and swings. A sheet on a sphere had 700 J in rounds of 1/60 s with newton, and 0.01 J from 1/150 s on; a tablecloth
-/// on a table 1100, 0.8 and 0.15 J in rounds of 1/60, 1/150 and 1/300 s.
-constexpr double longestContactSubstep = 1.0 / 300.0;  // [s]
-
-/// Takes in what a later round of the same step found; overlaps are those that the step began with.
-void addLater(const ContactReport& later, ContactReport& total) {
-  total.bodyContacts = std::max(total.bodyContacts, later.bodyContacts);
-  total.selfContacts = std::max(total.selfContacts, later.selfContacts);
-  total.infeasible += later.infeasible;
-  total.bodySeconds += later.bodySeconds;
-  total.selfSeconds += later.selfSeconds;
-=======
 /// Largest h omega of a contact substep, for solvers that choose their substeps, and largest number of contact substeps
 /// in a step. Stiff cloth gains energy with longer contact substeps, without limit when they are much longer (figures:
 /// docs/experiments/2026-11-22-contact-substeps.md).
-constexpr double maxRoundHOmega = 4.0;
-constexpr double maxRounds = 128.0;
+constexpr double maxContactHOmega = 4.0;
+constexpr double maxContactSubsteps = 128.0;
 
 /// Longest contact substep of any solver. The solver ignores contacts: if n supporting vertices carry the weight of N,
 /// they sink into the body by about N/n g h^2 before contact corrects them. The cloth below them stretches by as much
 /// and swings. Longer contact substeps add energy.
-constexpr double maxRoundTime = 1.0 / 300.0;  // [s]
+constexpr double maxContactSubstepTime = 1.0 / 300.0;  // [s]
 
 /// Adds the report of a later contact substep of the same step. Overlaps are those at the start of the step.
-void addLater(const ContactReport& round, ContactReport& total) {
-  total.bodyContacts = std::max(total.bodyContacts, round.bodyContacts);
-  total.selfContacts = std::max(total.selfContacts, round.selfContacts);
-  total.squeezed += round.squeezed;
-  total.bodySeconds += round.bodySeconds;
-  total.selfSeconds += round.selfSeconds;
->>>>>>> terms-sim
+void addLater(const ContactReport& next, ContactReport& total) {
+  total.bodyContacts = std::max(total.bodyContacts, next.bodyContacts);
+  total.selfContacts = std::max(total.selfContacts, next.selfContacts);
+  total.infeasible += next.infeasible;
+  total.bodySeconds += next.bodySeconds;
+  total.selfSeconds += next.selfSeconds;
 }
 
 /// A state that was replaced since the last step, as by a new scene, has no history, or one of another size.
@@ -89,37 +66,21 @@ int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& pa
   if (!nearItself && !bodies) {
     return 1;
   }
-<<<<<<< HEAD
-  const int shortest = info_->choosesSubsteps ? contactSubstepsForStiffness(model, parameters) : 1;
-  const int nearItself = meetsItself ? shortest : 1;
-=======
-  const int forStiffness = info_->choosesSubsteps ? roundsForStiffness(model, parameters) : 1;
+  const int forStiffness = info_->choosesSubsteps ? contactSubstepsForStiffness(model, parameters) : 1;
   const int forSelfCollision = nearItself ? forStiffness : 1;
->>>>>>> terms-sim
   if (!bodies) {
     return forSelfCollision;
   }
-<<<<<<< HEAD
-  const int fewest = static_cast<int>(std::ceil(parameters.timeStep / longestContactSubstep * (1.0 - rounding)));
-  const int nearBodies = std::max(fewest, shortest);
-  return nearBodies > nearItself && contact_.isNearBodies(model, parameters, inputs, state) ? nearBodies : nearItself;
-=======
-  const int forTime = static_cast<int>(std::ceil(parameters.timeStep / maxRoundTime * (1.0 - rounding)));
+  const int forTime = static_cast<int>(std::ceil(parameters.timeStep / maxContactSubstepTime * (1.0 - rounding)));
   const int forBodies = std::max(forTime, forStiffness);
   return forBodies > forSelfCollision && contact_.isNearBodies(model, parameters, inputs, state) ? forBodies
                                                                                                  : forSelfCollision;
->>>>>>> terms-sim
 }
 
 int Stepper::contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters) {
   const double rate = rate_.get(model, [](const ClothModel& m) { return localRatesOf(m).percentile99; });
-<<<<<<< HEAD
-  const double hardness = parameters.timeStep * std::sqrt(parameters.stiffness * rate);
-  return std::max(1, static_cast<int>(std::min(std::ceil(hardness / maxContactHOmega), maxContactSubsteps)));
-=======
   const double hOmega = parameters.timeStep * std::sqrt(parameters.stiffness * rate);
-  return std::max(1, static_cast<int>(std::min(std::ceil(hOmega / maxRoundHOmega), maxRounds)));
->>>>>>> terms-sim
+  return std::max(1, static_cast<int>(std::min(std::ceil(hOmega / maxContactHOmega), maxContactSubsteps)));
 }
 
 StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters,
@@ -174,13 +135,8 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
       frame.leave(model, part.timeStep, state);
     }
   }
-<<<<<<< HEAD
   total.contact = contact_.resolve(model, parameters, inputs, state, 1.0 / contactSubsteps_);
-  state.time = end;  // not the sum of the parts, which rounds
-=======
-  total.contact = contact_.resolve(model, parameters, inputs, state, 1.0 / rounds_);
   state.time = end;  // not the sum of the substeps, which has rounding errors
->>>>>>> terms-sim
   return total;
 }
 

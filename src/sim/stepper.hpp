@@ -40,17 +40,10 @@ class Stepper {
 
   /// Contact in the last step, or in its last contact substep.
   [[nodiscard]] const ContactStage& contact() const { return contact_; }
-<<<<<<< HEAD
-  /// In how many rounds the last step was taken.
-  [[nodiscard]] int contactSubsteps() const { return contactSubsteps_; }
-  /// Whether to keep account of what contact gives and takes in the rounds of a step, which costs two sums over the
-  /// springs a round. Off at first.
-=======
   /// Number of contact substeps of the last step.
-  [[nodiscard]] int rounds() const { return rounds_; }
+  [[nodiscard]] int contactSubsteps() const { return contactSubsteps_; }
   /// Whether to measure the energy change by contact in the contact substeps, which costs two sums over the springs in
   /// each. Off by default.
->>>>>>> terms-sim
   void keepContactWork(bool kept) { keepsContactWork_ = kept; }
   /// Energy change by contact in the contact substeps before the last one [J]; 0 if it is not measured.
   [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
@@ -63,27 +56,15 @@ class Stepper {
     Vec3 to = Vec3::Zero();
   };
 
-<<<<<<< HEAD
   [[nodiscard]] int contactSubstepsOf(const ClothModel& model, const StepParameters& parameters,
                                       const StepInputs& inputs, const ClothState& state);
-  /// Of a solver that keeps the energy it finds.
+  /// Number of contact substeps for a solver that chooses its substeps.
   [[nodiscard]] int contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters);
   StepReport stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                    int contactSubsteps, ClothState& state);
-  /// A step, or a round of one, with contact at its end.
+  /// A step, or a contact substep, with contact at its end.
   StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                              ClothState& state);
-=======
-  [[nodiscard]] int roundsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                             const ClothState& state);
-  /// Number of contact substeps for a solver that chooses its substeps.
-  [[nodiscard]] int roundsForStiffness(const ClothModel& model, const StepParameters& parameters);
-  StepReport stepInRounds(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                          int rounds, ClothState& state);
-  /// A step, or a contact substep, with contact at its end.
-  StepReport round(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                   ClothState& state);
->>>>>>> terms-sim
 
   void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
   /// Moves pins on bodies to their positions after that fraction of the step.
@@ -108,13 +89,8 @@ class Stepper {
   ContactStage contact_;
   BodySubsteps bodySubsteps_;
   bool keepsContactWork_ = false;
-<<<<<<< HEAD
   int contactSubsteps_ = 1;
-  ModelCache<double> rate_;          // omega^2 / k of nearly all vertices [1/kg]
-=======
-  int rounds_ = 1;
-  ModelCache<double> rate_;  // 99th percentile of omega^2 / k [1/kg]
->>>>>>> terms-sim
+  ModelCache<double> rate_;          // 99th percentile of omega^2 / k [1/kg]
   double earlierContactWork_ = 0.0;  // [J]
   std::vector<PinMotion> pinMotions_;
 };

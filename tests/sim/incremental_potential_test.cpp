@@ -23,13 +23,8 @@ struct Scene {
     parameters.drag = 0.5;
     parameters.lift = 0.5;
     parameters.wind = Vec3(1.0, 0.5, -0.3);
-<<<<<<< HEAD
     inputs.attachment = Attachment{7, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
-    potential.begin(*model, parameters, inputs, state, workers);
-=======
-    inputs.grab = Grab{7, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
     potential.prepare(*model, parameters, inputs, state, workers);
->>>>>>> terms-sim
     testing::RandomVectors random(10);
     for (int i = 0; i < model->vertexCount(); ++i) {
       velocities.push_back(i == 5 ? Vec3(Vec3::Zero()) : random.next(1.0));

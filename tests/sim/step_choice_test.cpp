@@ -29,13 +29,8 @@ TEST(StepChoice, saysThatTheClockFallsBehindAndThatThereIsNothingToDo) {
   EXPECT_EQ(inWords({.substeps = 305, .hOmega = 622.0, .costRatio = 17.9}, 0.003, 0.0067),
             "very stiff cloth: 305 explicit substeps, 18 times the cost budget, 3 ms of 6.7 ms");
   EXPECT_EQ(inWords({.substeps = 30, .hOmega = 62.0, .costRatio = 1.5}), "stiff cloth: 30 explicit substeps");
-<<<<<<< HEAD
-  EXPECT_EQ(inWords({.substeps = 0, .forceEvaluations = 0, .sleeping = true}),
-            "at rest: nothing to do until something changes");
-=======
   EXPECT_EQ(inWords({.substeps = 0, .forceEvaluations = 0, .sleeping = true}),
             "at rest: nothing is computed until something changes");
->>>>>>> terms-sim
 }
 
 TEST(StepChoice, isToldInFiguresByName) {

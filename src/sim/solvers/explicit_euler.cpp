@@ -17,12 +17,8 @@ namespace {
 /// 1: an undamped oscillator grows by that factor in each step, so no step is stable. x'' = -c x' - w^2 x is stable up
 /// to h = c / w^2 if it is underdamped (c < 2 w).
 ///
-<<<<<<< HEAD
-/// As with Verlet the hand's spring alone is implicit: see applyAttachmentImpulse. The loops stand in
+/// As with Verlet, only the attachment's spring is implicit: see applyAttachmentImpulse. The loops are in
 /// simd/verlet_kernel.cpp.
-=======
-/// As with Verlet, only the attachment's spring is implicit: see pullByHand. The loops are in simd/verlet_kernel.cpp.
->>>>>>> terms-sim
 class ExplicitEulerSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,

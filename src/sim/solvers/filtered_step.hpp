@@ -50,19 +50,11 @@ class FilteredStepSolver final : public Solver {
   Workers workers_;
   ConstantFilter filter_;
   ModelCache<std::vector<std::vector<std::size_t>>> pieces_;
-<<<<<<< HEAD
-  std::vector<Vec3> filtered_;               // h M^-1 Ff, what the internal forces change the velocities by [m/s]
+  std::vector<Vec3> filtered_;               // h M^-1 Ff, velocity change by internal forces [m/s]
   std::vector<Vec3> external_;               // h M^-1 Fext [m/s]
   std::vector<Vec3> rotation_;               // c [m/s]; zero in pieces with pins
-  AttachmentDiagonal attachment_;            // while there is one
-  std::array<Vec3, 3> attachmentImpulse_{};  // on its corners: h times its force, before its stiffness [N s]
-=======
-  std::vector<Vec3> filtered_;         // h M^-1 Ff, velocity change by internal forces [m/s]
-  std::vector<Vec3> external_;         // h M^-1 Fext [m/s]
-  std::vector<Vec3> rotation_;         // c [m/s]; zero in pieces with pins
-  HandOnDiagonal hand_;                // if there is an attachment
-  std::array<Vec3, 3> handImpulse_{};  // on its corners: h times its force, without the implicit part [N s]
->>>>>>> terms-sim
+  AttachmentDiagonal attachment_;            // if there is an attachment
+  std::array<Vec3, 3> attachmentImpulse_{};  // on its corners: h times its force, without the implicit part [N s]
   bool held_ = false;
 };
 

@@ -91,19 +91,11 @@ class LocalGlobalSolver final : public Solver {
     });
   }
 
-<<<<<<< HEAD
-  /// Puts the hand's force into the right side and its stiffness on the diagonal.
+  /// Adds the attachment's force to the right side and its stiffness to the diagonal.
   void useAttachment(const ClothModel& model, double h, const StepInputs& inputs, const ClothState& state,
                      bool factorChanged) {
     if (!inputs.attachment) {
       attachment_.clear();
-=======
-  /// Adds the attachment's force to the right side and its stiffness to the diagonal.
-  void useHand(const ClothModel& model, double h, const StepInputs& inputs, const ClothState& state,
-               bool factorChanged) {
-    if (!inputs.grab) {
-      hand_.clear();
->>>>>>> terms-sim
       return;
     }
     const AttachmentForce pull = attachmentForce(model, *inputs.attachment, state);

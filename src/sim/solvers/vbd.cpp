@@ -125,17 +125,10 @@ class VbdSolver final : public Solver {
     return factors.info() == Eigen::Success ? Vec3(factors.solve(residual)) : Vec3(residual / isotropic);
   }
 
-<<<<<<< HEAD
-  /// The hand's spring, where vertex i is a corner of what it holds, with the stiffness of its chord.
+  /// Adds the attachment's force and secant stiffness if vertex i is a corner of its triangle.
   static void addAttachment(const ClothModel& model, const Attachment& attachment, std::size_t i,
                             const ClothState& state, Vec3& force, Mat3& stiffness) {
     const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
-=======
-  /// Adds the attachment's force and secant stiffness if vertex i is a corner of its triangle.
-  static void addHand(const ClothModel& model, const Grab& grab, std::size_t i, const ClothState& state, Vec3& force,
-                      Mat3& stiffness) {
-    const Triangle& corners = model.triangles[static_cast<std::size_t>(grab.triangle)];
->>>>>>> terms-sim
     const auto found = std::find(corners.begin(), corners.end(), static_cast<int>(i));
     if (found == corners.end()) {
       return;

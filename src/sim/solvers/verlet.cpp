@@ -13,13 +13,8 @@ namespace {
 /// Symplectic, time-reversible and of second order for forces that depend on positions. Damping and air use the
 /// velocity at the start of the step. So the step is explicit, and of first order in these forces.
 ///
-<<<<<<< HEAD
-/// The hand's spring can be far stiffer than the cloth, so it alone is implicit: see applyAttachmentImpulse. The loops
-/// stand in simd/verlet_kernel.cpp.
-=======
-/// The attachment's spring can be far stiffer than the cloth, so it is implicit: see pullByHand. The loops are in
-/// simd/verlet_kernel.cpp.
->>>>>>> terms-sim
+/// The attachment's spring can be far stiffer than the cloth, so it is implicit: see applyAttachmentImpulse. The loops
+/// are in simd/verlet_kernel.cpp.
 class VerletSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,

@@ -25,15 +25,9 @@ namespace {
 /// springs rotate within the step: the multipliers agree with the lengths at the end, but M (x - y) = grad C lambda
 /// uses intermediate directions (the paper neglects that residual, sec. 4).
 ///
-<<<<<<< HEAD
-/// Damping follows on the velocities, colour by colour: each spring's dashpot is solved implicitly for the two ends
-/// alone, J = h C_d (v_b' - v_a'), which keeps momentum and can never reverse what it brakes. The hand is a constraint
-/// of three components (AttachmentConstraint).
-=======
 /// Damping is then applied to the velocities, colour by colour: each spring's dashpot is solved implicitly for its two
 /// ends, J = h C_d (v_b' - v_a'). This conserves momentum and cannot reverse the relative velocity. The attachment is a
-/// constraint of three components (HandConstraint).
->>>>>>> terms-sim
+/// constraint of three components (AttachmentConstraint).
 ///
 /// In float vector instructions do the same (simd/constraint_run.hpp).
 class XpbdSolver final : public BatchSolver {
