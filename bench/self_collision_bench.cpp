@@ -1,5 +1,5 @@
-// What self-collision adds to a step: over the two seconds in which a sheet that is held along its middle folds onto
-// itself, searches for near pairs and the growing of charts included.
+// The cost of self-collision in a step: over the two seconds in which a sheet that is pinned along its middle folds
+// onto itself, with the search for near pairs and the growth of collision-free patches.
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
 #include "sim/stepper.hpp"

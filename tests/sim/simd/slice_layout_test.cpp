@@ -22,7 +22,7 @@ class EveryMesh : public ::testing::TestWithParam<NamedMesh> {
     layout_ = buildSliceLayout(*model_);
   }
 
-  /// The place that a slot leads to from a lane.
+  /// The permuted index of the neighbour of a lane in a slot.
   [[nodiscard]] int neighbourIn(std::size_t slot, int lane) const {
     const SliceLayout::Slot& s = layout_.slots[slot];
     return s.table < 0 ? s.first + lane
@@ -135,7 +135,8 @@ TEST_P(EveryMesh, reachesAsFarAsItsSpringsForwardsAndBackAndNeverFalls) {
         if (layout_.springs[static_cast<std::size_t>(slot)][static_cast<std::size_t>(lane)] >= 0) {
           const int other = neighbourIn(static_cast<std::size_t>(slot), lane) / sliceLanes;
           farthest = std::max(farthest, other);
-          EXPECT_GE(layout_.lastNeighbourSlice[static_cast<std::size_t>(other)], slice) << "who is read must know of the reader";
+          EXPECT_GE(layout_.lastNeighbourSlice[static_cast<std::size_t>(other)], slice)
+              << "who is read must know of the reader";
         }
       }
     }
@@ -158,7 +159,8 @@ TEST(SliceLayout, bringsNeighboursTogetherThatARandomNumberingTookApart) {
   const auto model = heldCloth(testing::renumbered(testing::sheet(65), 9));
   const SliceLayout layout = buildSliceLayout(*model);
   EXPECT_TRUE(layout.irregular());
-  EXPECT_LE(layout.sliceBandwidth, 16) << "slices; there are 265, and the mesh's own numbering leads across all of them";
+  EXPECT_LE(layout.sliceBandwidth, 16)
+      << "slices; there are 265, and the mesh's own numbering leads across all of them";
 }
 
 /// So that a mesh of a million vertices fits beside everything else, and a small one into the cache.
