@@ -1,5 +1,5 @@
 // Bullet's soft body on the same sheet of 33 x 33 vertices: the same springs as links, the same mass, the same two
-// vertices held.
+// pins.
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
 

@@ -17,7 +17,7 @@ ModelPtr modelOf(const ClothMesh& mesh, const std::vector<int>& pins) {
   return buildClothModel(mesh, mass, MassLumping::Uniform, pins);
 }
 
-/// newIndex[v] for each vertex, the same at every run.
+/// A random permutation newIndex[v] of the vertices, the same in every run.
 std::vector<int> randomNumbering(std::size_t count) {
   std::vector<int> numbers(count);
   std::iota(numbers.begin(), numbers.end(), 0);
@@ -43,8 +43,8 @@ std::vector<int> corners(int n, const std::vector<int>& newIndex) {
   return {newIndex.front(), newIndex[static_cast<std::size_t>(n) - 1]};
 }
 
-/// Cuts the two triangles of a quad along its other diagonal. Both name their corners so that the first one's first
-/// and third are the ends of the diagonal, as makeGrid does.
+/// Replaces the two triangles of a quad by those with the other diagonal. The first and third corner of the first
+/// triangle are the ends of the diagonal, as in makeGrid.
 void turnDiagonal(Triangle& first, Triangle& second) {
   const Triangle a = first;
   const Triangle b = second;

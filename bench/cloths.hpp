@@ -10,23 +10,23 @@ namespace drape::bench {
 
 using ModelPtr = std::shared_ptr<const ClothModel>;
 
-/// A sheet of 1 m x 1 m and 0.1 kg with n x n vertices in rows, one diagonal a quad, held at two corners.
+/// A sheet of 1 m x 1 m and 0.1 kg with n x n vertices in rows, one diagonal a quad, pinned at two corners.
 [[nodiscard]] ClothMesh gridMesh(int n);
 [[nodiscard]] ModelPtr grid(int n);
 
 /// The same sheet, its vertices numbered at random.
 [[nodiscard]] ModelPtr shuffledGrid(int n);
 
-/// A sheet that is regular nowhere: vertices moved out of their rows by up to a third of a cell, each quad cut along
-/// one diagonal or the other by chance (so that vertices have 4 to 8 springs), and numbered at random.
+/// An irregular sheet: vertices displaced by up to a third of a cell, a random diagonal in each quad (so that vertices
+/// have 4 to 8 springs), random numbering.
 [[nodiscard]] ClothMesh irregularMesh(int n);
 [[nodiscard]] ModelPtr irregularSheet(int n);
 
-/// The T-shirt that is built in: 2799 vertices, 8284 springs.
+/// The built-in T-shirt: 2799 vertices, 8284 springs.
 [[nodiscard]] ModelPtr tshirt();
 
-/// The cloth in waves of some centimetres and moving, so that springs are stretched and compressed, and no two steps
-/// meet the same numbers.
+/// A moving state with waves of some centimetres, so that springs are stretched and compressed and no two steps have
+/// the same numbers.
 [[nodiscard]] ClothState waving(const ClothModel& model);
 
 /// 1/150 s, 10 N/m, gravity.

@@ -1,4 +1,4 @@
-// What the arithmetic of a step costs by itself: as many operations as it has, in registers, none waiting for another.
+// Lower bound of a step's cost by its arithmetic: the same number of operations, in registers, without dependencies.
 // The header below includes this file once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bench/floor_bench.cpp"

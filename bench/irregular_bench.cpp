@@ -1,4 +1,4 @@
-// A garment, and a sheet that is regular nowhere, against a grid with as many springs.
+// A garment and an irregular sheet, against a grid with about as many springs.
 #include "bench/slice_runner.hpp"
 #include "bench/suite.hpp"
 

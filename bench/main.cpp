@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iostream>
 
-/// Measures what steps cost and prints one table. See docs/guide/performance.md.
+/// Measures the cost of steps and prints one table. See docs/guide/performance.md.
 int main(int argc, char** argv) {
   CLI::App app{"Measures what steps cost, and prints one table of times and ratios."};
   std::string jsonFile;

@@ -12,13 +12,13 @@ namespace {
 
 constexpr int side = 317;  // 100,489 vertices
 
-/// What the program has asked the C library for and not given back [bytes].
+/// Memory that the program has allocated from the C library and not freed [bytes].
 double heapInUse() {
   const struct mallinfo2 info = mallinfo2();
   return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
 }
 
-/// What stays in use of what `make` asks for, for each vertex.
+/// Memory that `make` leaves allocated, for each vertex [bytes].
 template <typename Make>
 double bytesPerVertex(int vertices, Make&& make) {
   const double before = heapInUse();
@@ -59,7 +59,7 @@ void addMemory(Suite& suite) {
   });
 }
 
-/// One stage of the way from the parsed file to the first step, on the sheet that is regular nowhere.
+/// The stages from the parsed file to the first step, on the irregular sheet.
 struct Stages {
   RawMesh raw;
   ClothMesh mesh;

@@ -7,8 +7,8 @@
 
 namespace drape::bench {
 
-/// XPBD as one would write it down: float, arrays of structs, the springs in the order of their colours, one after the
-/// other, no intrinsics. The yardstick that other times are held against.
+/// XPBD in its simplest form: float, arrays of structs, the springs in the order of their colours, a scalar loop
+/// without intrinsics. It is the yardstick for other times.
 class PlainXpbd {
  public:
   explicit PlainXpbd(const ClothModel& model);

@@ -14,9 +14,9 @@
 namespace drape::bench {
 namespace {
 
-/// The value below which a share of sorted values lies, between two of them by proportion.
-double quantile(const std::vector<double>& sorted, double share) {
-  const double at = share * static_cast<double>(sorted.size() - 1);
+/// The quantile of sorted values, interpolated linearly. @param fraction of the values below it [-]
+double quantile(const std::vector<double>& sorted, double fraction) {
+  const double at = fraction * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(at);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
   return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);

@@ -7,7 +7,7 @@
 
 namespace drape::bench {
 
-/// What a figure is held against.
+/// The target of a figure.
 struct Bound {
   enum class Side { AtMost, AtLeast } side = Side::AtMost;
   double value = 0.0;
@@ -19,11 +19,11 @@ struct Bound {
 struct Row {
   std::string group;
   std::string name;
-  std::string unit;  ///< "us/step": what stands before the slash is ns, us, ms or s for a time
+  std::string unit;  ///< "us/step"; for a time the part before the slash is ns, us, ms or s
   std::optional<Bound> bound = std::nullopt;
 };
 
-/// One line over another, both named as "group/name".
+/// The quotient of two rows, both given as "group/name".
 struct Ratio {
   std::string group;
   std::string name;
@@ -32,13 +32,13 @@ struct Ratio {
   std::optional<Bound> bound = std::nullopt;
 };
 
-/// Of the repetitions of one benchmark. For a ratio: the ratio of the minima, of the medians.
+/// Statistics of the repetitions of one benchmark. For a ratio: the ratio of the minima and of the medians.
 struct Statistics {
   double minimum = 0.0;
   double median = 0.0;
   double low = 0.0;   ///< 10 % are below
   double high = 0.0;  ///< 10 % are above
-  int count = 0;      ///< 0 for a ratio, which has no spread of its own
+  int count = 0;      ///< 0 for a ratio, which has no spread
 };
 
 [[nodiscard]] Statistics statisticsOf(std::vector<double> values);
@@ -46,7 +46,7 @@ struct Statistics {
 /// For the unit of a row, e.g. 1e6 for "us/step".
 [[nodiscard]] double unitsPerSecond(std::string_view unit);
 
-/// What a run found.
+/// The results of a run.
 struct Results {
   struct Line {
     Row row;
@@ -54,13 +54,13 @@ struct Results {
   };
   std::vector<Line> lines;
 
-  /// Appends the ratios whose two lines are both there.
+  /// Appends the ratios whose two rows exist.
   void addRatios(const std::vector<Ratio>& ratios);
 
-  /// The table, a bounded line with "met" or "missed": a bound is met when minimum and median both keep to it.
+  /// The table, with "met" or "missed" for rows with a target. A target is met if minimum and median both meet it.
   [[nodiscard]] std::string markdown() const;
 
-  /// The same, and what machine it was found on.
+  /// The same as JSON, with a description of the machine.
   [[nodiscard]] std::string json() const;
 };
 

@@ -1,5 +1,5 @@
-// Cost of self-collision: a sheet that is pinned along its middle folds onto itself for two seconds, including searches
-// for near pairs and the growing of patches.
+// The cost of self-collision in a step: over the two seconds in which a sheet that is pinned along its middle folds
+// onto itself, with the search for near pairs and the growth of collision-free patches.
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
 #include "sim/stepper.hpp"

@@ -1,4 +1,4 @@
-// What a spring costs in a small cloth and in one that no cache holds.
+// The cost of a spring in a small cloth and in one that is larger than all caches.
 #include "bench/slice_runner.hpp"
 #include "bench/suite.hpp"
 
@@ -22,12 +22,12 @@ void addCloth(Suite& suite, const std::string& name, int n, ModelPtr (*make)(int
   });
 }
 
-/// What a step on a large grid moves at least, however it is done: reads places, velocities, masses, areas, pins, rest
-/// lengths and the layout (70 bytes a vertex), writes p_i, places and velocities (36 bytes, and 12 read before p_i is
-/// written over).
+/// Smallest memory traffic of a step on a large grid: it reads positions, velocities, masses, areas, pins, rest lengths
+/// and the layout (70 bytes a vertex), and writes p_i, positions and velocities (36 bytes, and 12 read before p_i is
+/// overwritten).
 constexpr double bytesPerVertex = 118.0;
 
-/// The same number of bytes as a step on the largest grid, by a loop that does next to nothing else.
+/// A loop with the same memory traffic as a step on the largest grid and almost no arithmetic.
 Batch stream(int n) {
   struct Arrays {
     std::vector<float> a, b, c;

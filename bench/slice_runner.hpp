@@ -8,8 +8,8 @@ namespace drape::bench {
 
 enum class Method { OneIteration, Verlet };
 
-/// Steps of a cloth that stays laid out for vector instructions: what a step costs by itself, without the conversion
-/// of the state before the first and after the last step of a run.
+/// Steps of a cloth that stays in the sliced layout: the cost of a step without the conversion of the state before the
+/// first and after the last step.
 template <typename T>
 class SliceRunner {
  public:

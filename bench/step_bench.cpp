@@ -1,5 +1,5 @@
-// What a step of each method costs on a sheet of 33 x 33 vertices and 3136 springs, and against an iteration of XPBD on
-// the same springs.
+// The cost of a step of each method on a sheet of 33 x 33 vertices and 3136 springs, also relative to an iteration of
+// XPBD on the same springs.
 #include "bench/plain_xpbd.hpp"
 #include "bench/slice_runner.hpp"
 #include "bench/suite.hpp"
@@ -21,7 +21,7 @@ Batch sliced(Method method, const StepParameters& parameters) {
   return {batch, [runner] { return batchSeconds(*runner, batch); }};
 }
 
-/// An explicit method would blow up at the step of the others.
+/// Explicit methods need a shorter step than the others.
 StepParameters explicitly(StepParameters parameters) {
   parameters.timeStep /= 10.0;
   return parameters;
@@ -33,7 +33,7 @@ StepParameters threeSweeps() {
   return parameters;
 }
 
-/// Steps of a solver as the programs take them: from a state in double to a state in double.
+/// Steps of a solver including the conversion from and to the state in double.
 Batch ofSolver(std::string_view name, const StepParameters& parameters, int count) {
   struct Run {
     ModelPtr model;

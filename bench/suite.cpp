@@ -10,8 +10,7 @@
 namespace drape::bench {
 namespace {
 
-/// Keeps this thread, and those that it starts, on the last of the cores that it may use: the first one serves the
-/// machine's interrupts.
+/// Binds this thread, and those that it starts, to the last of its allowed cores; the first core handles interrupts.
 class Pinned {
  public:
   explicit Pinned(int cores) {
@@ -34,7 +33,7 @@ class Pinned {
   cpu_set_t before_{};
 };
 
-/// Hands every repetition's time on to the results instead of printing it.
+/// Passes the time of every repetition to the results instead of printing it.
 class Collector final : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }

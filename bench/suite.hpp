@@ -13,24 +13,24 @@ namespace drape::bench {
 
 /// Work that is measured in batches.
 struct Batch {
-  double items = 1.0;               ///< how many steps, springs ... a batch handles; a row's times are for one of them
-  std::function<double()> seconds;  ///< takes a batch and says how long it took [s]
+  double items = 1.0;               ///< number of steps, springs, ... in a batch; a row has the time of one of them
+  std::function<double()> seconds;  ///< runs a batch and returns its time [s]
 };
 
-/// What is measured, and the ratios and bounds that come out of it. A batch is made when it is first needed, so that
-/// what a filter leaves out costs nothing.
+/// The benchmarks with their ratios and targets. A batch is created when it is first needed, so that filtered
+/// benchmarks cost nothing.
 class Suite {
  public:
-  /// @param cores the benchmark may run on so many, and is kept on them.
+  /// @param cores number of cores that the benchmark is bound to
   void add(const Row& row, std::function<Batch()> make, int cores = 1);
 
-  /// Something that is no time and is found once, in the row's own unit.
+  /// A figure that is not a time and is determined once, in the unit of the row.
   void addFigure(const Row& row, std::function<double()> find);
 
   void addRatio(Ratio ratio) { ratios_.push_back(std::move(ratio)); }
 
-  /// Runs everything whose "group/name" matches the regular expression, `repetitions` times in a random order, so that
-  /// what disturbs the machine for a while disturbs all alike.
+  /// Runs all benchmarks whose "group/name" matches the regular expression, `repetitions` times in a random order, so
+  /// that a temporary disturbance of the machine affects all alike.
   [[nodiscard]] Results run(const std::string& filter, int repetitions, double seconds);
 
  private:
@@ -48,7 +48,7 @@ class Suite {
   std::vector<Ratio> ratios_;
 };
 
-/// The time that this thread alone was at work [s]: what other programs take does not count.
+/// CPU time of this thread [s]; other programs do not count.
 template <typename Work>
 double threadSeconds(Work&& work) {
   const auto now = [] {
@@ -61,7 +61,7 @@ double threadSeconds(Work&& work) {
   return now() - start;
 }
 
-/// The time that passed [s].
+/// Wall-clock time [s].
 template <typename Work>
 double wallSeconds(Work&& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -69,7 +69,7 @@ double wallSeconds(Work&& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The groups, one file each.
+/// The groups, one in each file.
 void addStepGroup(Suite& suite);
 void addIrregularGroup(Suite& suite);
 void addSizeGroup(Suite& suite);

@@ -1,4 +1,4 @@
-// One thread against two. A step on few vertices is taken by one thread whatever is asked for.
+// One thread against two. A step on few vertices always runs on one thread.
 #include "bench/slice_runner.hpp"
 #include "bench/suite.hpp"
 
@@ -8,7 +8,7 @@ namespace drape::bench {
 
 void addThreadsGroup(Suite& suite) {
   constexpr int cores = 2;
-  // The library asks for the number of cores once. It must not do so while this thread is kept on one.
+  // The library determines the number of cores once. It must not do so while this thread is bound to one core.
   static_cast<void>(usefulThreads({}, cores));
   for (const int n : {33, 65, 257, 1025}) {
     const int batch = std::clamp(4'000'000 / (n * n * 3), 4, 200);
@@ -24,10 +24,10 @@ void addThreadsGroup(Suite& suite) {
           },
           cores);
     }
-    // At the smallest only that it is not slower; a twentieth is within what a run repeats itself to.
-    const double least = n == 33 ? 0.95 : n == 65 ? 1.7 : n == 257 ? 1.8 : 1.0;
+    // For the smallest cloth two threads must only not be slower; 5 % is within the repeatability of a run.
+    const double minRatio = n == 33 ? 0.95 : n == 65 ? 1.7 : n == 257 ? 1.8 : 1.0;
     suite.addRatio({"threads", size + ", 1 thread / 2", "threads/" + size + ", 1", "threads/" + size + ", 2",
-                    Bound{Bound::Side::AtLeast, least}});
+                    Bound{Bound::Side::AtLeast, minRatio}});
   }
 }
 

@@ -1,5 +1,5 @@
-// What the drawing thread does for each new snapshot before it draws: normals and curvatures of all vertices, and their
-// way to the graphics card, which here is memory.
+// The work of the drawing thread for each new snapshot: normals and curvatures of all vertices, and their upload to the
+// graphics card (here OSMesa).
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
 #include "render/osmesa_context.hpp"

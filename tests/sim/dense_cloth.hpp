@@ -67,7 +67,7 @@ inline Rows outerForces(const ClothModel& model, const StepParameters& p, const 
   return force;
 }
 
-/// The hand as the implicit methods take it: its force less the way that it goes in a step, and its lumped stiffness.
+/// The attachment as in the implicit methods: its force minus the change over the step, and its lumped stiffness.
 struct DenseAttachment {
   Rows force;                 ///< w_i (F - h stiffness v) [N]
   Eigen::MatrixXd stiffness;  ///< w_i times that of the chord, on the diagonal [N/m]

@@ -58,7 +58,7 @@ TEST(EvenSweeps, areCalmWithTheRelaxationThatTheRuleAsksFor) {
     parameters.sweeps = sweeps;
     EXPECT_LT(largestEnergy("one_iteration", 17, parameters), 2.0) << sweeps;
   }
-  parameters.relaxation = 0.9;  // (2 w - 1)^3 = 0.51 is more than the third that an oscillator bears
+  parameters.relaxation = 0.9;  // (2 w - 1)^3 = 0.51 exceeds 1/3, the limit of a stable oscillator
   parameters.sweeps = 2;
   EXPECT_GT(largestEnergy("one_iteration", 17, parameters), 100.0);
 }
@@ -173,7 +173,7 @@ TEST(ExactLinearSolveOnFineStiffMeshes, staysBounded) {
   EXPECT_LT(largestEnergy("pcg", 33, parameters), 1.0);
 }
 
-/// The share of a shaken free cloth's momentum that is not there after it has fallen for 300 steps.
+/// The fraction of its momentum that a perturbed free cloth has lost after a fall of 300 steps.
 double lostMomentum(const char* solver, int n, double stiffness) {
   const auto model = buildClothModel(testing::sheet(n), 0.1, MassLumping::Uniform, {});
   StepParameters parameters = with(stiffness, 1.0 / 150.0);

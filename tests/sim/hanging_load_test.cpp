@@ -10,7 +10,7 @@
 namespace drape {
 namespace {
 
-/// The sheet of the other tests, held by its whole first row.
+/// The sheet of the other tests, pinned along its first row.
 std::shared_ptr<const ClothModel> hungSheet(int n, double mass) {
   std::vector<int> row(static_cast<std::size_t>(n));
   std::iota(row.begin(), row.end(), 0);
@@ -26,7 +26,7 @@ TEST(StrainByWeight, IsTheWeightOverWhatTheUpperRowOfSpringsBears) {
   for (std::size_t v = n; v < model->vertexMass.size(); ++v) {
     weight += model->vertexMass[v] * parameters.gravity;
   }
-  // n springs along the pull, and n - 1 diagonals at 45 degrees, of which each bears half of what the others do.
+  // n springs along the pull, and n - 1 diagonals at 45 degrees, each of which carries half as much as the others.
   const double edge = 1.0 / (n - 1);
   const double borne = parameters.stiffness * edge * (n + 0.5 * (n - 1));
   EXPECT_NEAR(strainByWeight(*model, parameters), weight / borne, 1e-9 * weight / borne);

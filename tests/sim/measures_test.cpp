@@ -7,7 +7,7 @@
 namespace drape {
 namespace {
 
-/// Positions of the method and of the reference at two checkpoints; both start at the same place.
+/// Positions of the method and of the reference at two checkpoints; both start at the same positions.
 struct Motion {
   std::vector<Vec3> start;
   std::vector<Vec3> own;

@@ -1,4 +1,4 @@
-// Pins that a body carries brake nothing.
+// Pins that move with a body do not slow the cloth down.
 #include "sim/moving_frame.hpp"
 
 #include "contact/contact_scene.hpp"
@@ -68,7 +68,7 @@ TEST(MovingFrame, doesTheSameUnderEveryIntegration) {
 }
 
 TEST(MovingFrame, showsTheSameMotionAsARoomThatMoves) {
-  // A carried sheet that is shaken and pulled swings as one whose pins rest, seen from its pins.
+  // Relative to its pins, a sheet with moving pins swings like one with pins at rest.
   const Vec3 velocity(1.0, -0.5, 0.5);
   std::vector<ClothState> ends;
   for (const Vec3& each : {Vec3(Vec3::Zero()), velocity}) {

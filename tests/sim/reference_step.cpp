@@ -16,7 +16,7 @@ struct System {
   VectorXd force;
 };
 
-/// The block that couples the ends of a spring, from what the publications say rather than from one formula for all.
+/// The block that couples the ends of a spring, from the separate formulas of the publications.
 Mat3 couplingOf(const Vec3& d, double L, double l0, double k, ForceDerivative variant) {
   const Mat3 along = d * d.transpose();
   const Mat3 across = Mat3::Identity() - along;
@@ -94,8 +94,8 @@ void addGravityAndAir(const ClothModel& model, const StepParameters& p, const Cl
   }
 }
 
-/// The hand's force and its derivative: lumped on the diagonal with the chord's stiffness as the paper's method has it,
-/// or whole as Newton's method needs it.
+/// The attachment's force and its derivative: lumped on the diagonal with the secant stiffness as in the paper's
+/// method, or whole as Newton's method needs it.
 void addAttachment(const ClothModel& model, const Attachment& attachment, double h, const ClothState& state,
                    bool lumped, System& system) {
   const Triangle& t = model.triangles[static_cast<std::size_t>(attachment.triangle)];

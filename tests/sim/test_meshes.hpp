@@ -30,7 +30,7 @@ inline ClothMesh sheet(int n) {
   return mesh;
 }
 
-/// The sheet as a cloth of 0.1 kg with the same mass everywhere, held at the two ends of its first row.
+/// The sheet as a cloth of 0.1 kg with uniform mass, pinned at the two ends of its first row.
 inline std::shared_ptr<const ClothModel> pinnedSheet(int n) {
   return buildClothModel(sheet(n), 0.1, MassLumping::Uniform, {0, n - 1});
 }
@@ -52,7 +52,7 @@ class RandomVectors {
   std::mt19937 engine_;
 };
 
-/// The rest shape, shaken by up to `size` in place and velocity; pinned vertices at rest.
+/// The rest shape with random displacements and velocities of up to `size`; pinned vertices at rest.
 inline ClothState shaken(const ClothModel& model, double size, unsigned seed) {
   RandomVectors random(seed);
   ClothState state = stateAtRest(model.restPositions);
@@ -66,7 +66,7 @@ inline ClothState shaken(const ClothModel& model, double size, unsigned seed) {
 inline constexpr std::array allDerivatives{ForceDerivative::Stabilised, ForceDerivative::Exact, ForceDerivative::Scalar,
                                            ForceDerivative::Axial, ForceDerivative::TensionOnly};
 
-/// A sheet with vertices that are out of line and masses by area, all different, held at one corner.
+/// A sheet with displaced vertices and masses by area, all different.
 inline std::shared_ptr<const ClothModel> irregularSheet(int n, std::vector<int> pins = {0}) {
   ClothMesh mesh = sheet(n);
   RandomVectors random(11);

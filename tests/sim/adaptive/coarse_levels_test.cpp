@@ -15,7 +15,7 @@ namespace {
 using testing::irregularSheet;
 using testing::pinnedSheet;
 
-TEST(CoarseLevels, gatherEveryVertexKeepTheMassAndShrinkToAFewGroups) {
+TEST(CoarseLevels, containEveryVertexConserveMassAndShrinkToAFewAggregates) {
   const auto model = irregularSheet(33, {0, 32});
   const auto levels = buildCoarseLevels(*model);
   ASSERT_GE(levels.size(), 3U);
@@ -34,7 +34,7 @@ TEST(CoarseLevels, gatherEveryVertexKeepTheMassAndShrinkToAFewGroups) {
   }
 }
 
-TEST(CoarseLevels, keepPinnedVerticesInGroupsOfTheirOwnThatOthersHangFrom) {
+TEST(CoarseLevels, keepPinnedVerticesInSeparateAggregatesConnectedToOthers) {
   const auto model = pinnedSheet(17);
   for (const CoarseLevel& level : buildCoarseLevels(*model)) {
     const ClothModel& aggregates = *level.cloth;
@@ -49,23 +49,23 @@ TEST(CoarseLevels, keepPinnedVerticesInGroupsOfTheirOwnThatOthersHangFrom) {
   EXPECT_EQ(first.cloth->restPositions[static_cast<std::size_t>(first.aggregateOf[0])], model->restPositions[0]);
 }
 
-TEST(CoarseLevels, layGroupsAlongAFreeEdgeInAStraightRow) {
+TEST(CoarseLevels, formStraightRowsAlongAFreeEdge) {
   constexpr int n = 33;
   const auto model = pinnedSheet(n);
   const CoarseLevel first = buildCoarseLevels(*model).front();
   const ClothModel& aggregates = *first.cloth;
   EXPECT_NEAR(aggregates.vertexCount(), n * n / 4, n) << "every second vertex of every second row";
-  // The last row is free: its groups stand as deep in the sheet as each other, but for those at the corners.
+  // The last row is free: its aggregates, except those at the corners, have the same depth in the sheet.
   std::vector<double> depths;
   for (int column = 4; column < n - 4; ++column) {
     const auto aggregate = static_cast<std::size_t>(first.aggregateOf[static_cast<std::size_t>((n - 1) * n + column)]);
     depths.push_back(aggregates.restPositions[aggregate].z());
   }
-  const auto [least, most] = std::minmax_element(depths.begin(), depths.end());
-  EXPECT_LT(*most - *least, 0.15 / (n - 1)) << "a row that goes to and fro gives way before it holds";
+  const auto [smallest, largest] = std::minmax_element(depths.begin(), depths.end());
+  EXPECT_LT(*largest - *smallest, 0.15 / (n - 1)) << "a zigzag row straightens before it carries load";
 }
 
-TEST(CoarseLevels, gatherAClosedSurfaceWithoutRimAndPins) {
+TEST(CoarseLevels, coarsenAClosedSurfaceWithoutBoundaryAndPins) {
   constexpr int round = 12;
   ClothMesh torus;
   for (int i = 0; i < round; ++i) {
@@ -86,7 +86,7 @@ TEST(CoarseLevels, gatherAClosedSurfaceWithoutRimAndPins) {
   EXPECT_LE(levels.back().cloth->vertexCount(), 12);
 }
 
-TEST(CoarseLevels, areNoneForATriangleAndEndWithPiecesThatNothingTies) {
+TEST(CoarseLevels, areNoneForSeparateTriangles) {
   ClothMesh mesh;
   for (int piece = 0; piece < 8; ++piece) {
     const double x = 2.0 * piece;
@@ -97,7 +97,7 @@ TEST(CoarseLevels, areNoneForATriangleAndEndWithPiecesThatNothingTies) {
   EXPECT_TRUE(buildCoarseLevels(*buildClothModel(mesh, 1.0, MassLumping::Area, {})).empty());
 }
 
-/// The accelerations that the levels give a cloth, one a vertex.
+/// The accelerations of a cloth by its levels, one a vertex.
 std::vector<Vec3> accelerationsOf(const ClothModel& model, const std::vector<Vec3>& positions) {
   SlicedCloth<double> cloth(model);
   cloth.prepare(1, 1);

@@ -8,28 +8,28 @@
 namespace drape {
 namespace {
 
-/// A sheet at rest of which a step has been booked, so that the energy it begins with is known.
-class LookingAtTheEnergy : public ::testing::Test {
+/// A sheet at rest after an accepted step, so that the energy at the start of the next step is known.
+class MeasuringTheEnergy : public ::testing::Test {
  protected:
-  LookingAtTheEnergy() { parameters.stiffness = 10.0; }
+  MeasuringTheEnergy() { parameters.stiffness = 10.0; }
 
-  /// In how many of the next 24 steps of so many passes the energy at the end is due.
-  int looks(int passes) {
-    const StepPlan plan{.substeps = passes};
+  /// The number of energy measurements in the next 24 steps of so many force evaluations.
+  int measurements(int evaluations) {
+    const StepPlan plan{.substeps = evaluations};
     int due = 0;
     state = stateAtRest(model->restPositions);
-    begin();
+    prepare();
     guard.store(*model, parameters, plan, StepEnergy{.ends = true}, 0.0, state);
-    state.memory.energyDrift = risen;
-    state.memory.retryLevel = caution;
+    state.memory.energyDrift = drift;
+    state.memory.retryLevel = retryLevel;
     for (state.memory.steps = 1; state.memory.steps <= 24; ++state.memory.steps) {
-      begin();
+      prepare();
       due += guard.isMeasurementDue(plan, state.memory) ? 1 : 0;
     }
     return due;
   }
 
-  void begin() {
+  void prepare() {
     guard.prepare(*model, localRatesOf(*model), parameters, state, 0.5 * std::numeric_limits<float>::epsilon());
   }
 
@@ -37,38 +37,38 @@ class LookingAtTheEnergy : public ::testing::Test {
   StepParameters parameters;
   ClothState state;
   EnergyGuard guard;
-  double risen = 0.0;
-  int caution = 0;
+  double drift = 0.0;
+  int retryLevel = 0;
 };
 
-TEST_F(LookingAtTheEnergy, isDueNowAndThenInStepsOfFewPassesAndInAllOthersAlways) {
-  EXPECT_EQ(looks(6), 6);
-  EXPECT_EQ(looks(12), 12);
-  EXPECT_EQ(looks(24), 24);
+TEST_F(MeasuringTheEnergy, isDueNowAndThenInStepsOfFewEvaluationsAndAlwaysInAllOthers) {
+  EXPECT_EQ(measurements(6), 6);
+  EXPECT_EQ(measurements(12), 12);
+  EXPECT_EQ(measurements(24), 24);
 }
 
-TEST_F(LookingAtTheEnergy, isDueInEveryStepOnceTheEnergyRoseOrAStepWasTakenAgain) {
-  risen = 0.01 * parameters.gravity * model->totalMass();
-  EXPECT_EQ(looks(6), 24);
-  risen = 0.0;
-  caution = 1;
-  EXPECT_EQ(looks(6), 24);
+TEST_F(MeasuringTheEnergy, isDueInEveryStepAfterAnEnergyDriftOrARetry) {
+  drift = 0.01 * parameters.gravity * model->totalMass();
+  EXPECT_EQ(measurements(6), 24);
+  drift = 0.0;
+  retryLevel = 1;
+  EXPECT_EQ(measurements(6), 24);
 }
 
-TEST_F(LookingAtTheEnergy, isDueInEveryStepInWind) {
+TEST_F(MeasuringTheEnergy, isDueInEveryStepInWind) {
   parameters.wind = {1.0, 0.0, 0.0};
   parameters.drag = 1.0;
-  EXPECT_EQ(looks(6), 24);
+  EXPECT_EQ(measurements(6), 24);
 }
 
-TEST_F(LookingAtTheEnergy, isDueWhereTheClothIsNotAsTheLastStepLeftIt) {
-  looks(6);
+TEST_F(MeasuringTheEnergy, isDueWhenTheStateChangedSinceTheLastStep) {
+  measurements(6);
   const StepPlan plan{.substeps = 6};
   state.memory.steps = 1;
-  begin();
+  prepare();
   ASSERT_FALSE(guard.isMeasurementDue(plan, state.memory));
   state.positions.back().y() += 0.01;
-  begin();
+  prepare();
   EXPECT_TRUE(guard.isMeasurementDue(plan, state.memory));
 }
 

@@ -14,7 +14,7 @@
 namespace drape {
 namespace {
 
-/// A sheet of that size that hangs from its upper edge.
+/// A sheet of that size [m] that hangs from its upper edge.
 std::shared_ptr<const ClothModel> hangingSheet(double size) {
   ClothMesh mesh = testing::sheet(5);
   for (Vec3& position : mesh.positions) {
@@ -23,7 +23,7 @@ std::shared_ptr<const ClothModel> hangingSheet(double size) {
   return buildClothModel(mesh, 0.1, MassLumping::Uniform, {0, 1, 2, 3, 4});
 }
 
-/// With which it comes to rest within some seconds.
+/// Parameters with which the sheet comes to rest within some seconds.
 StepParameters dampedParameters() {
   StepParameters parameters;
   parameters.stiffness = 200.0;
@@ -32,26 +32,26 @@ StepParameters dampedParameters() {
   return parameters;
 }
 
-class Resting : public ::testing::Test {
+class Sleeping : public ::testing::Test {
  protected:
-  /// How many of so many steps had nothing to do.
-  int rest(int steps) {
-    int resting = 0;
+  /// Takes so many steps and returns in how many of them the cloth slept.
+  int sleepingSteps(int steps) {
+    int sleeping = 0;
     for (int step = 0; step < steps; ++step) {
-      resting += stepper.step(*model, parameters, inputs, state).choice.value().sleeping ? 1 : 0;
+      sleeping += stepper.step(*model, parameters, inputs, state).choice.value().sleeping ? 1 : 0;
     }
-    return resting;
+    return sleeping;
   }
 
-  /// Lets the sheet come to rest.
+  /// Takes steps until the sheet sleeps.
   void settle() {
-    for (int second = 0; second < 120 && rest(1) == 0; ++second) {
-      rest(150);
+    for (int second = 0; second < 120 && sleepingSteps(1) == 0; ++second) {
+      sleepingSteps(150);
     }
-    ASSERT_EQ(rest(10), 10) << "it does not come to rest";
+    ASSERT_EQ(sleepingSteps(10), 10) << "it does not come to rest";
   }
 
-  /// Puts a level plane, the only body, at that height [m].
+  /// Makes a horizontal plane at that height [m] the only body.
   void placeGround(double height) {
     ground.shape = PlaneShape{};
     bodies.assign(1, BodyStep{});
@@ -69,16 +69,16 @@ class Resting : public ::testing::Test {
   Stepper stepper{"auto"};
 };
 
-TEST_F(Resting, leavesClothThatCameToRestWhereItIs) {
+TEST_F(Sleeping, leavesClothAtRestInPlace) {
   settle();
   const auto hash = stateHash(state);
   const double time = state.time;
-  EXPECT_EQ(rest(150), 150);
+  EXPECT_EQ(sleepingSteps(150), 150);
   EXPECT_EQ(stateHash(state), hash) << "to the last bit";
   EXPECT_NEAR(state.time, time + 1.0, 1e-9) << "time goes on";
 }
 
-TEST_F(Resting, isNearTheConvergedEquilibrium) {
+TEST_F(Sleeping, isNearTheConvergedEquilibrium) {
   settle();
   ClothState exact = state;
   Stepper verlet("verlet");
@@ -90,7 +90,7 @@ TEST_F(Resting, isNearTheConvergedEquilibrium) {
   EXPECT_LT(meanDistance(state.positions, exact.positions), 0.1 * parameters.errorTolerance);
 }
 
-TEST_F(Resting, endsWhenAnythingChanges) {
+TEST_F(Sleeping, endsWhenAnythingChanges) {
   settle();
   const ClothState atRest = state;
   const std::vector<std::pair<const char*, std::function<void()>>> changes{
@@ -109,28 +109,28 @@ TEST_F(Resting, endsWhenAnythingChanges) {
     state = atRest;
     parameters = dampedParameters();
     inputs = {};
-    ASSERT_EQ(rest(1), 1);
+    ASSERT_EQ(sleepingSteps(1), 1);
     change();
-    EXPECT_EQ(rest(1), 0) << what;
+    EXPECT_EQ(sleepingSteps(1), 0) << what;
     model = before;
   }
 }
 
-TEST_F(Resting, endsWhenABodyMovesOrIsTakenAway) {
+TEST_F(Sleeping, endsWhenABodyMovesOrIsTakenAway) {
   placeGround(-1.004);  // so that the sheet's lower edge stands on it
   const BodyStep place = bodies.front();
   settle();
   const ClothState atRest = state;
   bodies[0].end.position.y() += 1e-6;
-  EXPECT_EQ(rest(1), 0) << "it moves";
+  EXPECT_EQ(sleepingSteps(1), 0) << "it moves";
   state = atRest;
   bodies[0] = place;
-  ASSERT_EQ(rest(1), 1);
+  ASSERT_EQ(sleepingSteps(1), 1);
   bodies.clear();
-  EXPECT_EQ(rest(1), 0) << "it is gone";
+  EXPECT_EQ(sleepingSteps(1), 0) << "it is gone";
 }
 
-TEST_F(Resting, comesToClothOfAnySize) {
+TEST_F(Sleeping, comesToClothOfAnySize) {
   for (const double size : {1e-3, 1e3}) {
     const double slower = std::sqrt(size);
     model = hangingSheet(size);
@@ -142,28 +142,28 @@ TEST_F(Resting, comesToClothOfAnySize) {
     parameters.drag /= size * size * size;
     parameters.errorTolerance *= size;
     parameters.costBudget /= slower;
-    int resting = 0;
-    for (int round = 0; round < 120 && resting == 0; ++round) {
-      resting = rest(150);
+    int sleeping = 0;
+    for (int round = 0; round < 120 && sleeping == 0; ++round) {
+      sleeping = sleepingSteps(150);
     }
-    EXPECT_GT(resting, 0) << size;
+    EXPECT_GT(sleeping, 0) << size;
   }
 }
 
-/// A body elsewhere carries nothing.
-TEST_F(Resting, needsABodyBelowFreeClothAndNotJustSomewhere) {
+/// A body elsewhere supports nothing.
+TEST_F(Sleeping, needsABodyBelowFreeCloth) {
   model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
   state = stateAtRest(model->restPositions);
   parameters.gravity = 0.0;
   placeGround(-1.0);
-  EXPECT_EQ(rest(450), 0) << "it floats above the ground without weight";
+  EXPECT_EQ(sleepingSteps(450), 0) << "it floats above the ground without weight";
   parameters.gravity = 9.81;
   settle();
   EXPECT_LT(state.positions[12].y(), -0.99);
 }
 
-TEST_F(Resting, doesNotComeToClothThatTheAirCarries) {
-  // A wind from below that carries the sheet exactly, while it lies flat.
+TEST_F(Sleeping, doesNotComeToClothThatTheAirSupports) {
+  // A wind from below that balances the weight of the flat sheet.
   model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Area, {});
   state = stateAtRest(model->restPositions);
   parameters.drag = 1.0;
@@ -171,11 +171,11 @@ TEST_F(Resting, doesNotComeToClothThatTheAirCarries) {
   placeGround(-1.0);
   parameters.gravity = 0.5 * parameters.airDensity * 4.0 / 0.1;
   parameters.wind = Vec3(0.0, 2.0, 0.0);
-  EXPECT_EQ(rest(600), 0);
+  EXPECT_EQ(sleepingSteps(600), 0);
 }
 
-TEST_F(Resting, comesToFreeClothOnABodyThatStandsAnywhere) {
-  // At such heights parts of a step would place the body a little off by rounding.
+TEST_F(Sleeping, comesToFreeClothOnABodyThatStandsAnywhere) {
+  // At these heights a body that is interpolated over a step would be displaced by rounding.
   model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Uniform, {});
   for (const double height : {-0.02, -0.1, -0.07}) {
     state = stateAtRest(model->restPositions);
@@ -184,24 +184,24 @@ TEST_F(Resting, comesToFreeClothOnABodyThatStandsAnywhere) {
   }
 }
 
-TEST_F(Resting, isNotForClothThatNothingBringsToRestOrNothingHolds) {
+TEST_F(Sleeping, isNotForUndampedOrUnsupportedCloth) {
   parameters.gravity = 0.0;
   parameters.damping = 0.0;
   parameters.drag = 0.0;
   state = stateAtRest(model->restPositions);
-  EXPECT_EQ(rest(300), 0) << "undamped";
+  EXPECT_EQ(sleepingSteps(300), 0) << "undamped";
   parameters.damping = 0.03;
   model = withPins(*model, std::vector<bool>(25, false));
   state = stateAtRest(model->restPositions);
   for (Vec3& velocity : state.velocities) {
     velocity.x() = 1e-7;
   }
-  EXPECT_EQ(rest(450), 0) << "free cloth drifts on, however slowly";
+  EXPECT_EQ(sleepingSteps(450), 0) << "free cloth drifts on, however slowly";
   EXPECT_NEAR(state.positions[12].x() - model->restPositions[12].x(), 3e-7, 1e-12);
 }
 
-/// A sheet as a pendulum: hung from one edge, let go a little aside; or in air so thick that it only creeps.
-TEST_F(Resting, doesNotFreezeSlowMotion) {
+/// A sheet as a pendulum, released with a small deflection; or in air so dense that it creeps.
+TEST_F(Sleeping, doesNotFreezeSlowMotion) {
   for (const double drag : {0.0, 3000.0}) {
     state = stateAtRest(model->restPositions);
     const double aside = drag > 0.0 ? 0.05 : 2e-4;

@@ -9,14 +9,15 @@
 namespace drape {
 namespace {
 
-/// A sheet under a budget of so many passes a step, which may be softened.
+/// A sheet with a budget of so many force evaluations a step. Its springs may be softened.
 class StepPlanning : public ::testing::Test {
  protected:
   StepPlanning() { parameters.soften = true; }
 
-  StepPlan plan(double passes) {
-    parameters.costBudget = 1.0001 * passes * static_cast<double>(model->springs.size()) / parameters.timeStep * 1e-6;
-    return planStep(*model, localRatesOf(*model), parameters, inputs, StepMemory{.forceEvaluations = passes});
+  StepPlan plan(double evaluations) {
+    parameters.costBudget =
+        1.0001 * evaluations * static_cast<double>(model->springs.size()) / parameters.timeStep * 1e-6;
+    return planStep(*model, localRatesOf(*model), parameters, inputs, StepMemory{.forceEvaluations = evaluations});
   }
 
   std::shared_ptr<const ClothModel> model = testing::pinnedSheet(17);
@@ -43,7 +44,7 @@ TEST_F(StepPlanning, takesVerletWhereDampingAirOrAnAttachmentActOnVelocities) {
   EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
 }
 
-TEST_F(StepPlanning, leavesSpringsAsTheyAreWhileASubstepIsBelowTheLimit) {
+TEST_F(StepPlanning, keepsTheFullStiffnessWhileASubstepIsBelowTheLimit) {
   parameters.stiffness = 1000.0;  // H = 32
   const StepPlan chosen = plan(17.0);
   EXPECT_EQ(chosen.substeps, 17);
@@ -56,12 +57,12 @@ TEST_F(StepPlanning, exceedsTheBudgetALittleWhereAllSpringsThenKeepTheirStiffnes
   const StepPlan close = plan(13.0);
   EXPECT_EQ(close.substeps, 16);
   EXPECT_EQ(close.hOmegaLimit, 0.0);
-  parameters.stiffness = 150.0;  // 7 passes, no more than four with coarse levels cost
+  parameters.stiffness = 150.0;  // 7 evaluations, no more than the cost of four with coarse levels
   EXPECT_EQ(plan(2.0).substeps, 7);
   EXPECT_FALSE(plan(2.0).usesCoarseLevels);
 }
 
-TEST_F(StepPlanning, holdsSpringsToWhatASubstepCarriesAndHelpsThemByLevelsWhereItIsLittle) {
+TEST_F(StepPlanning, clampsSpringsAndAddsLevelsWhereTheyKeepLittleStiffness) {
   parameters.stiffness = 1000.0;
   const StepPlan far = plan(8.0);
   EXPECT_TRUE(far.usesCoarseLevels);
@@ -70,7 +71,7 @@ TEST_F(StepPlanning, holdsSpringsToWhatASubstepCarriesAndHelpsThemByLevelsWhereI
   EXPECT_NEAR(scale, std::pow(1.8 * 4.0 / (parameters.timeStep * largestFrequency(*model, parameters)), 2.0), 1e-9);
 }
 
-TEST_F(StepPlanning, doesWithoutLevelsWhereTheLoadHardlyStretchesTheHeldSprings) {
+TEST_F(StepPlanning, usesNoLevelsWhereTheLoadHardlyStretchesTheClampedSprings) {
   parameters.stiffness = 1e5;
   ASSERT_TRUE(plan(30.0).usesCoarseLevels) << "it hangs from two vertices";
   std::vector<int> edge;
@@ -78,9 +79,9 @@ TEST_F(StepPlanning, doesWithoutLevelsWhereTheLoadHardlyStretchesTheHeldSprings)
     edge.push_back(v);
   }
   model = buildClothModel(testing::sheet(17), 0.1, MassLumping::Uniform, edge);
-  const StepPlan held = plan(30.0);
-  EXPECT_FALSE(held.usesCoarseLevels);
-  EXPECT_EQ(held.substeps, 30);
+  const StepPlan clamped = plan(30.0);
+  EXPECT_FALSE(clamped.usesCoarseLevels);
+  EXPECT_EQ(clamped.substeps, 30);
   inputs.attachment.emplace();
   EXPECT_TRUE(plan(30.0).usesCoarseLevels) << "an attachment pulls at one place";
   inputs.attachment.reset();
@@ -89,19 +90,19 @@ TEST_F(StepPlanning, doesWithoutLevelsWhereTheLoadHardlyStretchesTheHeldSprings)
   EXPECT_TRUE(plan(30.0).usesCoarseLevels) << "a storm";
 }
 
-TEST_F(StepPlanning, keepsToTheBudgetOtherwiseAndNeverGoesBelowFourPasses) {
+TEST_F(StepPlanning, keepsToTheBudgetOtherwiseButTakesAtLeastFourEvaluations) {
   parameters.stiffness = 1e5;
   EXPECT_EQ(plan(30.0).forceEvaluations(), 15) << "coarse levels cost as much again";
   EXPECT_EQ(plan(0.5).forceEvaluations(), 4);
 }
 
-TEST_F(StepPlanning, takesWhatAllOfTheStiffnessNeedsWhereItMayNotBeSoftened) {
+TEST_F(StepPlanning, exceedsTheBudgetWhereTheSpringsMayNotBeSoftened) {
   parameters.soften = false;
   parameters.stiffness = 1e5;  // H = 320
   const double hOmega = parameters.timeStep * largestFrequency(*model, parameters);
-  for (const double passes : {0.5, 30.0, 80.0}) {
-    const StepPlan chosen = plan(passes);
-    EXPECT_NEAR(chosen.substeps, hOmega / 1.8, 1.0) << passes;
+  for (const double evaluations : {0.5, 30.0, 80.0}) {
+    const StepPlan chosen = plan(evaluations);
+    EXPECT_NEAR(chosen.substeps, hOmega / 1.8, 1.0) << evaluations;
     EXPECT_EQ(chosen.hOmegaLimit, 0.0);
     EXPECT_FALSE(chosen.usesCoarseLevels);
   }
@@ -112,28 +113,28 @@ TEST_F(StepPlanning, softensClothOnlyWhereAStepWouldTakeSeconds) {
   parameters.soften = false;
   parameters.stiffness = 1e5;
   EXPECT_FALSE(maySoften(*model, parameters));
-  parameters.stiffness = 1e15;  // 16 million passes
+  parameters.stiffness = 1e15;  // 16 million evaluations
   EXPECT_TRUE(maySoften(*model, parameters));
   const StepPlan chosen = plan(30.0);
   EXPECT_TRUE(chosen.softens);
   EXPECT_NEAR(chosen.cost(), 2e9 / static_cast<double>(model->springs.size()), 2.0);
 }
 
-TEST_F(StepPlanning, isMoreCarefulWhenAStepHasToBeTakenAgain) {
+TEST_F(StepPlanning, usesASaferPlanForARetry) {
   const StepPlan softer = saferPlan({.substeps = 10, .hOmegaLimit = 1.8, .softens = true});
-  EXPECT_EQ(softer.substeps, 10) << "held to less at first";
+  EXPECT_EQ(softer.substeps, 10) << "clamped further at first";
   EXPECT_LT(softer.hOmegaLimit, 1.8);
   const StepPlan finer = saferPlan(softer);
   EXPECT_EQ(finer.substeps, 20);
   EXPECT_NEAR(finer.hOmegaLimit * finer.substeps, softer.hOmegaLimit * softer.substeps, 1e-12) << "as soft as before";
   EXPECT_EQ(saferPlan({.substeps = 10, .hOmegaLimit = 1.8}).substeps, 20)
-      << "what may not be softened gets more at once";
+      << "springs that may not be softened get more substeps at once";
   const StepPlan plain = saferPlan({.scheme = ExplicitScheme::Pefrl, .substeps = 5});
   EXPECT_EQ(plain.scheme, ExplicitScheme::Verlet);
   EXPECT_EQ(plain.substeps, 40);
 }
 
-TEST_F(StepPlanning, spendsNoMoreThanWasLearntToBeNeeded) {
+TEST_F(StepPlanning, spendsNoMoreThanTheErrorEstimateNeeds) {
   parameters.stiffness = 1000.0;
   parameters.costBudget = 1e6;
   const LocalRates rates = localRatesOf(*model);
@@ -148,7 +149,7 @@ double dampedIn(const ClothModel& model, const StepParameters& parameters, const
   return parameters.timeStep / plan.substeps * model.unitDampingRate * parameters.damping;
 }
 
-TEST_F(StepPlanning, takesDampingByItselfWhereSubstepsForItWouldCostMore) {
+TEST_F(StepPlanning, splitsDampingWhereSubstepsForItWouldCostMore) {
   parameters.soften = false;
   parameters.stiffness = 1000.0;  // H = 32
   const double hOmega = parameters.timeStep * largestFrequency(*model, parameters);
@@ -165,18 +166,18 @@ TEST_F(StepPlanning, takesDampingByItselfWhereSubstepsForItWouldCostMore) {
   }
 }
 
-TEST_F(StepPlanning, takesAllOfTheDampingAlsoWhereSpringsAreHeld) {
+TEST_F(StepPlanning, usesTheFullDampingWhereSpringsAreClampedToo) {
   parameters.stiffness = 1e5;
   parameters.damping = 0.1;
   const StepPlan chosen = plan(20.0);
   const double s = chosen.dampingStages;
   EXPECT_TRUE(chosen.softens);
   EXPECT_GE(s * s + s, dampedIn(*model, parameters, chosen));
-  EXPECT_EQ(chosen.hOmegaLimit, 1.5) << "the stages bear no more";
+  EXPECT_EQ(chosen.hOmegaLimit, 1.5) << "the limit of the stages";
   EXPECT_LT(chosen.cost(), 24);
 }
 
-TEST_F(StepPlanning, letsAFewFastVerticesOfAnIrregularMeshSlowNobodyElse) {
+TEST_F(StepPlanning, doesNotLetAFewFastVerticesDetermineTheSubsteps) {
   ClothMesh mesh = testing::sheet(17);
   mesh.positions[8 * 17 + 8] = mesh.positions[8 * 17 + 9] + Vec3(-1e-3, 0.0, 0.0);  // slivers around one vertex
   model = buildClothModel(mesh, 0.1, MassLumping::Area, {0, 16});
@@ -193,7 +194,7 @@ TEST_F(StepPlanning, letsAFewFastVerticesOfAnIrregularMeshSlowNobodyElse) {
   EXPECT_LT(damped.dampingStages, std::sqrt(dampedIn(*model, parameters, damped) / slivers) + 2.0);
   parameters.damping = 0.0;
   parameters.soften = false;
-  EXPECT_LT(plan(17.0).substeps, 20) << "nor does it when nobody may be softened";
+  EXPECT_LT(plan(17.0).substeps, 20) << "also where springs may not be softened";
   EXPECT_FALSE(plan(17.0).softens);
 }
 

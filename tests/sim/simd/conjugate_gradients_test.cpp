@@ -78,8 +78,8 @@ TEST(ConjugateGradients, giveEveryBlockToOneShare) {
   }
 }
 
-/// Places in float are known to 6e-8 m, a spring's force therefore to 6e-8 m times its stiffness. That is what a solve
-/// in float leaves of the velocity change: 1e-5 of it in ordinary cloth, 3e-4 at 1e5 N/m.
+/// Positions in float are accurate to 6e-8 m, so a spring's force is accurate to 6e-8 m times its stiffness. That is
+/// what a solve in float leaves of the velocity change: 1e-5 of it in ordinary cloth, 3e-4 at 1e5 N/m.
 TEST(ConjugateGradients, inFloatComeAsNearToTheSolutionAsInDoubleUpToRounding) {
   for (const double stiffness : {10.0, 1e3, 1e5}) {
     const auto model = heldCloth(testing::unevenSheet(21, 3));

@@ -93,7 +93,8 @@ StepInputs pullingAttachment() {
   return inputs;
 }
 
-/// A place of 1 m is held to 6e-8 m in float, so each correction is off by about as much, and a velocity by 6e-8 m / h.
+/// A position of 1 m has an error of 6e-8 m in float. So each correction has about that error, and a velocity 6e-8 m /
+/// h.
 TEST(XpbdInFloat, takesTheStepOfXpbdInDoubleToWithinTwoMicrometres) {
   for (const NamedMesh& mesh : everyKindOfMesh()) {
     const auto model = heldCloth(mesh.mesh);

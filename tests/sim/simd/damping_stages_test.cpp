@@ -140,7 +140,7 @@ TEST(DampingStages, areThoseOfThePaperOnEveryKindOfMeshWhateverTheShares) {
   }
 }
 
-TEST(DampingStages, giveEachSpringItsShareOfTheDamping) {
+TEST(DampingStages, scaleTheDampingOfEachSpring) {
   const auto model = heldCloth(testing::unevenSheet(13, 3));
   Kick kick{mostDamping(*model, 10), 10, randomVectors(*model, 1.0, 3), randomVectors(*model, 1.0, 5)};
   const Vectors shared = stagesOf<double>(*model, kick, 1, Turns::Forwards, 0.25);
@@ -167,7 +167,7 @@ TEST(DampingStages, takeOnlyMotionAwayUpToTheirBoundAndKeepMomentum) {
   }
 }
 
-TEST(DampingStages, leaveCreepAtTheSpeedAtWhichDampingBearsTheForce) {
+TEST(DampingStages, keepCreepAtTheSpeedAtWhichDampingBalancesTheForce) {
   const auto model = heldCloth(testing::unevenSheet(13, 3));
   const int stages = 30;
   Kick kick{0.5 * mostDamping(*model, stages), stages, randomVectors(*model, 1.0, 7), {}};

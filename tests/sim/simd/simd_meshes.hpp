@@ -109,13 +109,13 @@ inline std::vector<NamedMesh> everyKindOfMesh() {
           {"fanOf40Renumbered", renumbered(together(fan(40), sheet(9)), 8)}};
 }
 
-/// A cloth of 0.1 kg, masses by area, held at two of its vertices.
+/// A cloth of 0.1 kg, masses by area, pinned at two vertices.
 inline std::shared_ptr<const ClothModel> heldCloth(const ClothMesh& mesh) {
   const int count = static_cast<int>(mesh.positions.size());
   return buildClothModel(mesh, 0.1, MassLumping::Area, {0, count / 2});
 }
 
-/// A step in which everything acts on the cloth but a hand.
+/// A step with all forces except an attachment.
 inline StepParameters windyStep() {
   StepParameters parameters;
   parameters.timeStep = 1.0 / 600.0;

@@ -22,7 +22,7 @@ class EveryMesh : public ::testing::TestWithParam<NamedMesh> {
     layout_ = buildSliceLayout(*model_);
   }
 
-  /// The place that a slot leads to from a lane.
+  /// The permuted index of the neighbour of a lane in a slot.
   [[nodiscard]] int neighbourIn(std::size_t slot, int lane) const {
     const SliceLayout::Slot& s = layout_.slots[slot];
     return s.table < 0 ? s.first + lane

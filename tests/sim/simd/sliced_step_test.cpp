@@ -19,7 +19,7 @@ using testing::shaken;
 using testing::SteppingByHand;
 using testing::Turns;
 
-/// A hand on a triangle whose corners stand in more than one slice, where there is one.
+/// An attachment to a triangle whose corners are in more than one slice, if there is one.
 StepInputs attachmentAcrossSlices(const ClothModel& model) {
   const SliceLayout layout = buildSliceLayout(model);
   StepInputs inputs;
@@ -120,7 +120,8 @@ TEST(SlicedStep, equalsASumOfDenseJacobiAnswersWithChebyshevsWeights) {
   }
 }
 
-/// Floats hold a place of 1 m to 6e-8 m. With 100 N/m, 3 g and 1/150 s that makes about 3e-5 m/s and 2e-7 m a step.
+/// A position of 1 m has an error of 6e-8 m in float. With 100 N/m, 3 g and 1/150 s that causes 3e-5 m/s and 2e-7 m a
+/// step.
 TEST(SlicedStep, staysNearTheDenseReferenceInFloat) {
   for (const NamedMesh& mesh : smallMeshes()) {
     const auto model = heldCloth(mesh.mesh);

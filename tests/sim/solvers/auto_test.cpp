@@ -19,18 +19,18 @@ using testing::pinnedSheet;
 
 constexpr double frame = 1.0 / 150.0;
 
-/// A budget of so many passes over the springs in a step of 1/150 s, all of which is to be spent, and no more.
-StepParameters withEvaluations(const ClothModel& model, double stiffness, double passes) {
+/// Parameters with a budget of so many force evaluations in a step of 1/150 s, and a tolerance that uses all of it.
+StepParameters withEvaluations(const ClothModel& model, double stiffness, double evaluations) {
   StepParameters parameters;
   parameters.timeStep = frame;
   parameters.stiffness = stiffness;
-  parameters.costBudget = 1.0001e-6 * passes * static_cast<double>(model.springs.size()) / frame;
+  parameters.costBudget = 1.0001e-6 * evaluations * static_cast<double>(model.springs.size()) / frame;
   parameters.errorTolerance = 1e-12;
   parameters.soften = true;
   return parameters;
 }
 
-/// Where a sheet that falls from two corners is after 0.2 s.
+/// The state after 0.2 s of a sheet that falls from two corners.
 ClothState fallen(const char* solver, const ClothModel& model, const StepParameters& parameters,
                   StepReport* last = nullptr) {
   Stepper stepper(solver);
@@ -61,39 +61,39 @@ ClothState converged(const ClothModel& model, double stiffness) {
   return fallen("verlet", model, parameters);
 }
 
-TEST(Auto, isAsAccurateAsAskedForInFloatWithThirtyPassesAtMost) {
+TEST(Auto, isAsAccurateAsSpecifiedInFloatWithThirtyEvaluations) {
   struct Case {
     double stiffness;  // [N/m]
-    double passes;
-    double mostError;  // after 0.2 s [m]
+    double evaluations;
+    double maxError;  // after 0.2 s [m]
     int order;
     bool levels;
   };
   const auto model = pinnedSheet(33);
   for (const Case each : {Case{10.0, 8.0, 1e-5, 2, false}, Case{10.0, 30.0, 3e-6, 4, false},
                           Case{1e3, 31.0, 1e-5, 2, false}, Case{1e5, 22.0, 3.8e-3, 2, true}}) {
-    StepParameters parameters = withEvaluations(*model, each.stiffness, each.passes);
+    StepParameters parameters = withEvaluations(*model, each.stiffness, each.evaluations);
     parameters.precision = Precision::Float;
     StepReport report;
     const ClothState state = fallen("auto", *model, parameters, &report);
-    EXPECT_LT(meanDistanceOf(state, converged(*model, each.stiffness)), each.mostError)
-        << each.stiffness << " " << each.passes;
+    EXPECT_LT(meanDistanceOf(state, converged(*model, each.stiffness)), each.maxError)
+        << each.stiffness << " " << each.evaluations;
     ASSERT_TRUE(report.choice);
     EXPECT_EQ(report.choice->order, each.order);
     EXPECT_EQ(report.choice->coarseLevels > 0, each.levels);
-    EXPECT_LE(report.choice->forceEvaluations, each.passes);
+    EXPECT_LE(report.choice->forceEvaluations, each.evaluations);
   }
 }
 
-TEST(Auto, carriesTensionByCoarseLevelsWhereTheBudgetIsATenthOfWhatTheSpringsNeed) {
-  const auto model = pinnedSheet(33);  // H omega = 622, so the springs need 311 passes
+TEST(Auto, usesCoarseLevelsWhereTheBudgetIsATenthOfWhatTheSpringsNeed) {
+  const auto model = pinnedSheet(33);  // H omega = 622, so the springs need 311 evaluations
   StepReport report;
   const ClothState exact = converged(*model, 1e5);
   const double error = meanDistanceOf(fallen("auto", *model, withEvaluations(*model, 1e5, 34.0), &report), exact);
   EXPECT_LT(error, 0.004) << "[m]";
   ASSERT_TRUE(report.choice);
   EXPECT_GE(report.choice->coarseLevels, 2);
-  EXPECT_EQ(report.choice->substeps, 17) << "with levels each costs two passes";
+  EXPECT_EQ(report.choice->substeps, 17) << "with levels each costs two evaluations";
   EXPECT_EQ(report.choice->forceEvaluations, 34);
   StepParameters xpbd = withEvaluations(*model, 1e5, 0.0);
   xpbd.substeps = 17;
@@ -118,12 +118,12 @@ TEST(Auto, takesAsLongAsItNeedsRatherThanBreakThePhysics) {
   const auto model = pinnedSheet(33);
   StepParameters parameters = withEvaluations(*model, 1e5, 10.0);
   StepReport report;
-  EXPECT_GT(largestRise(*model, parameters, 30, report), 1.0) << "what softer springs do with so little work";
+  EXPECT_GT(largestRise(*model, parameters, 30, report), 1.0) << "softer springs gain visible energy with this budget";
   parameters.soften = false;
   EXPECT_LT(largestRise(*model, parameters, 30, report), 0.005);
   ASSERT_TRUE(report.choice);
   EXPECT_EQ(report.choice->stiffnessScale, 1.0);
-  EXPECT_NEAR(report.choice->costRatio, 34.6, 1.0) << "346 passes for 10 that are allowed";
+  EXPECT_NEAR(report.choice->costRatio, 34.6, 1.0) << "346 evaluations, 10 are allowed";
   EXPECT_LT(meanDistanceOf(fallen("auto", *model, parameters), converged(*model, 1e5)), 0.002) << "[m]";
 }
 
@@ -148,7 +148,7 @@ TEST(Auto, endsALongStepWhenAStopIsRequested) {
   EXPECT_EQ(stateHash(state), before);
 }
 
-TEST(Auto, keepsTheEnergyWhereOnlySliversAreHeld) {
+TEST(Auto, keepsTheEnergyWhereOnlySliversAreClamped) {
   ClothMesh mesh = testing::sheet(33);
   const Vec3 middle = mesh.positions[16 * 33 + 16];
   for (const std::size_t row : {15U, 16U, 17U}) {
@@ -164,23 +164,24 @@ TEST(Auto, keepsTheEnergyWhereOnlySliversAreHeld) {
     StepReport report;
     EXPECT_LT(largestRise(*model, parameters, 60, report), 0.01) << stiffness;
     ASSERT_TRUE(report.choice);
-    EXPECT_LT(1.2 * report.choice->substeps, 0.5 * report.choice->hOmega) << "the sliver slows nobody else down";
+    EXPECT_LT(1.2 * report.choice->substeps, 0.5 * report.choice->hOmega)
+        << "slivers do not determine the number of substeps";
   }
 }
 
 TEST(Auto, estimatesTheSizeOfItsError) {
   struct Case {
     double stiffness;
-    double passes;
+    double evaluations;
   };
   const auto model = pinnedSheet(17);
   for (const Case each : {Case{10.0, 4.0}, Case{10.0, 8.0}, Case{1e3, 9.0}, Case{1e3, 17.0}, Case{1e5, 17.0}}) {
     StepReport report;
-    const ClothState state = fallen("auto", *model, withEvaluations(*model, each.stiffness, each.passes), &report);
+    const ClothState state = fallen("auto", *model, withEvaluations(*model, each.stiffness, each.evaluations), &report);
     const double error = meanDistanceOf(state, converged(*model, each.stiffness));
     ASSERT_TRUE(report.choice);
-    EXPECT_GT(report.choice->error, 0.1 * error) << each.stiffness << " " << each.passes;
-    EXPECT_LT(report.choice->error, 20.0 * error) << each.stiffness << " " << each.passes;
+    EXPECT_GT(report.choice->error, 0.1 * error) << each.stiffness << " " << each.evaluations;
+    EXPECT_LT(report.choice->error, 20.0 * error) << each.stiffness << " " << each.evaluations;
   }
 }
 
@@ -240,14 +241,14 @@ TEST(Auto, doesNotLetLiftTurnTheSideThatClothFacesTheWindWith) {
     for (int step = 0; step < 5; ++step) {
       stepper.step(*model, parameters, {}, state);
       for (const Vec3& velocity : state.velocities) {
-        EXPECT_LT(std::abs(velocity.y()), 1e-6) << "it lies along the wind, and stays so";
+        EXPECT_LT(std::abs(velocity.y()), 1e-6) << "it stays parallel to the wind";
       }
     }
   }
 }
 
-/// A free flat sheet that lies along the wind sinks and is carried away. Lift that at once has its full size on either
-/// side of the wind would hold it where it is.
+/// A free flat sheet that lies along the wind sinks and is carried away. Lift that jumps at zero
+/// incidence would hold it in place.
 TEST(Auto, doesNotLetAFlatSheetHoverInTheWind) {
   const auto model = buildClothModel(testing::sheet(17), 0.15, MassLumping::Area, {});
   for (const Precision precision : {Precision::Float, Precision::Double}) {
@@ -272,7 +273,7 @@ TEST(Auto, doesNotLetAFlatSheetHoverInTheWind) {
   }
 }
 
-/// While it still lies flat it sinks as fast as a thin plate's lift, pi rho |w| S times its speed, asks.
+/// While it is flat, its speed of sinking follows from the lift of a thin plate, pi rho |w| S times that speed.
 TEST(Auto, letsAFlatSheetSinkThroughTheWindAsFastAsAThinPlate) {
   const auto model = buildClothModel(testing::sheet(9), 0.15, MassLumping::Area, {});
   StepParameters parameters;
@@ -360,7 +361,7 @@ TEST(Auto, goesOnFromACopyOfTheStateToTheSameBits) {
   EXPECT_EQ(stateHash(state), stateHash(copy));
 }
 
-TEST(Auto, takesTheWholeStepHoweverManySubstepsAreAskedFor) {
+TEST(Auto, ignoresTheSettingOfSubsteps) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = withEvaluations(*model, 1e3, 30.0);
   const auto hash = stateHash(fallen("auto", *model, parameters));
@@ -372,8 +373,8 @@ TEST(Auto, gainsNoEnergyInHardStarts) {
   for (const int n : {9, 17}) {
     const auto model = pinnedSheet(n);
     for (const double stiffness : {10.0, 1e3, 1e5}) {
-      for (const double passes : {8.0, 30.0, 300.0}) {
-        StepParameters parameters = withEvaluations(*model, stiffness, passes);
+      for (const double evaluations : {8.0, 30.0, 300.0}) {
+        StepParameters parameters = withEvaluations(*model, stiffness, evaluations);
         parameters.gravity = 0.0;
         parameters.precision = Precision::Float;
         ClothState state = stateAtRest(model->restPositions);
@@ -388,7 +389,7 @@ TEST(Auto, gainsNoEnergyInHardStarts) {
           stepper.step(*model, parameters, {}, state);
           most = std::max(most, energyOf(*model, parameters, state).total());
         }
-        EXPECT_LT(most, 1.01 * start) << n << " " << stiffness << " " << passes;
+        EXPECT_LT(most, 1.01 * start) << n << " " << stiffness << " " << evaluations;
       }
     }
   }
@@ -396,15 +397,15 @@ TEST(Auto, gainsNoEnergyInHardStarts) {
 
 TEST(Auto, keepsTheMotionWithALargeBudgetAndASmallOne) {
   const auto model = pinnedSheet(17);
-  const auto placesOf = [&](const char* solver, const StepParameters& parameters) {
-    std::vector<std::vector<Vec3>> places{model->restPositions};
+  const auto positionsOf = [&](const char* solver, const StepParameters& parameters) {
+    std::vector<std::vector<Vec3>> positions{model->restPositions};
     Stepper stepper(solver);
     ClothState state = stateAtRest(model->restPositions);
     for (int step = 0; step < 15; ++step) {
       stepper.step(*model, parameters, {}, state);
-      places.push_back(state.positions);
+      positions.push_back(state.positions);
     }
-    return places;
+    return positions;
   };
   for (const double stiffness : {10.0, 1e3, 1e5}) {
     StepParameters parameters = withEvaluations(*model, stiffness, 1e4);
@@ -412,14 +413,14 @@ TEST(Auto, keepsTheMotionWithALargeBudgetAndASmallOne) {
     parameters.errorTolerance = 1e-4;
     StepParameters fine = parameters;
     fine.substeps = static_cast<int>(std::ceil(fine.timeStep / (0.5 * verletStepLimit(*model, parameters))));
-    const auto reference = placesOf("verlet", fine);
-    for (const double share : {1.0, 0.002}) {  // of 50,000 passes a step
+    const auto reference = positionsOf("verlet", fine);
+    for (const double share : {1.0, 0.002}) {  // of 50,000 evaluations a step
       StepParameters own = parameters;
       own.costBudget *= share;
-      const auto places = placesOf("auto", own);
+      const auto positions = positionsOf("auto", own);
       MotionKept kept;
-      for (std::size_t k = 1; k < places.size(); ++k) {
-        kept.add(*model, {places[k - 1], places[k], reference[k - 1], reference[k]});
+      for (std::size_t k = 1; k < positions.size(); ++k) {
+        kept.add(*model, {positions[k - 1], positions[k], reference[k - 1], reference[k]});
       }
       EXPECT_GT(kept.value(), 0.95) << stiffness << " " << share;
     }
@@ -434,7 +435,7 @@ bool isTakenInDouble(const ClothModel& model, StepParameters parameters) {
   return stateHash(fallen("auto", model, parameters)) == inDouble;
 }
 
-TEST(Auto, goesOverToDoubleWhereRoundingWouldHeatTheCloth) {
+TEST(Auto, usesDoubleWhereRoundingWouldAddEnergy) {
   const auto model = pinnedSheet(17);
   for (const double stiffness : {10.0, 1e7}) {
     StepParameters parameters = withEvaluations(*model, stiffness, 3000.0);
@@ -443,7 +444,7 @@ TEST(Auto, goesOverToDoubleWhereRoundingWouldHeatTheCloth) {
   }
 }
 
-TEST(Auto, goesOverToDoubleWhereRoundingIsMoreThanTheToleranceAndTheWorkAllowedHasRoomForIt) {
+TEST(Auto, usesDoubleWhereRoundingExceedsTheToleranceAndTheBudgetAllowsIt) {
   const auto model = pinnedSheet(17);
   StepParameters parameters = withEvaluations(*model, 10.0, 1000.0);
   parameters.errorTolerance = 1e-9;
@@ -455,7 +456,7 @@ TEST(Auto, goesOverToDoubleWhereRoundingIsMoreThanTheToleranceAndTheWorkAllowedH
   EXPECT_FALSE(isTakenInDouble(*model, parameters));
 }
 
-TEST(Auto, keepsTheMomentumOfFreeClothThatIsHeldToLessThanItsStiffness) {
+TEST(Auto, conservesTheMomentumOfFreeClothWithClampedStiffness) {
   const auto model = testing::irregularSheet(17, {});
   StepParameters parameters = withEvaluations(*model, 1e5, 10.0);
   parameters.gravity = 0.0;
@@ -475,7 +476,7 @@ TEST(Auto, keepsTheMomentumOfFreeClothThatIsHeldToLessThanItsStiffness) {
   EXPECT_LT((angularMomentum(*model, state, Vec3::Zero()) - angular).norm(), 1e-10 * angular.norm());
 }
 
-TEST(Auto, keepsTheMomentumOfFreeClothInItsLastResortToo) {
+TEST(Auto, conservesTheMomentumOfFreeClothWithTheFallbackSolver) {
   const auto model = testing::irregularSheet(9, {});
   StepParameters parameters = withEvaluations(*model, 1e5, 4.0);
   parameters.gravity = 0.0;
@@ -488,16 +489,16 @@ TEST(Auto, keepsTheMomentumOfFreeClothInItsLastResortToo) {
   const Vec3 linear = linearMomentum(*model, state);
   const Vec3 angular = angularMomentum(*model, state, Vec3::Zero());
   Stepper stepper("auto");
-  int lastResorts = 0;
+  int fallbackSteps = 0;
   for (int step = 0; step < 60; ++step) {
-    lastResorts += stepper.step(*model, parameters, {}, state).choice.value().usedFallback ? 1 : 0;
+    fallbackSteps += stepper.step(*model, parameters, {}, state).choice.value().usedFallback ? 1 : 0;
   }
-  EXPECT_GT(lastResorts, 0) << "this start is not hard enough";
+  EXPECT_GT(fallbackSteps, 0) << "this start is not hard enough";
   EXPECT_LT((linearMomentum(*model, state) - linear).norm(), 1e-10 * linear.norm());
   EXPECT_LT((angularMomentum(*model, state, Vec3::Zero()) - angular).norm(), 1e-10 * angular.norm());
 }
 
-TEST(Auto, saysWhenTheWorkAllowedIsTooLittleForTheStiffness) {
+TEST(Auto, warnsWhenTheCostBudgetIsTooSmallForTheStiffness) {
   const auto model = pinnedSheet(33);
   const auto warning = findSolver("auto")->warning;
   EXPECT_EQ(warning(*model, withEvaluations(*model, 1e3, 31.0)), "");

@@ -8,7 +8,7 @@ namespace drape::testing {
 
 /// A backward-Euler step whose nonlinear equations M (x - y) = h^2 f(x) - h C_d L (x - x_n) are solved to rounding by
 /// Newton's method with dense matrices and exact derivatives; y = x_n + h v_n + h^2 g. Springs, damping, gravity, pins
-/// and hand (as long as its force is not at its bound); no air. Throws when Newton does not converge.
+/// and attachment (while its force is below its bound); no air. Throws if Newton does not converge.
 void denseBackwardEulerStep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                             ClothState& state);
 

@@ -12,8 +12,8 @@
 #include <cmath>
 #include <string>
 
-/// What is asked of every solver in the table. One that is new is asked it too, as a method of first order that keeps
-/// the momentum of free cloth; what a method promises beyond or below that stands in `methods`.
+/// Requirements on every solver in the table. A new one is tested as a first-order method that conserves the momentum
+/// of free cloth; deviations of a method are in `methods`.
 namespace drape {
 namespace {
 
@@ -25,7 +25,7 @@ struct Method {
   std::string name;
   double order = 1.0;           ///< of convergence, without damping; 0 where it is the method's to choose
   double dampedOrder = 1.0;     ///< with it
-  double lostMomentum = 1e-11;  ///< bound of what free cloth loses in 300 steps, as a part [-]
+  double lostMomentum = 1e-11;  ///< bound of the relative loss of free cloth in 300 steps [-]
   int coarseSteps = 300;        ///< for 0.2 s, from which on the limit is within reach
   int threadedSheet = 129;      ///< vertices a side: enough for loops, those over one colour too, to be shared
 };
@@ -163,7 +163,7 @@ Vec3 weightAndAir(const ClothModel& model, const StepParameters& p, const ClothS
   return sum;
 }
 
-/// Sheets of 9 x 9 vertices that nothing holds: flat or wavy, lying or tilted.
+/// Free sheets of 9 x 9 vertices: flat or wavy, horizontal or tilted.
 std::vector<std::shared_ptr<const ClothModel>> freeSheets() {
   std::vector<std::shared_ptr<const ClothModel>> models;
   for (const double wave : {0.0, 0.05}) {

@@ -53,7 +53,7 @@ double denseFrequency(const ClothModel& model, double stiffness) {
   return std::sqrt(eigen.eigenvalues().maxCoeff());
 }
 
-/// The largest energy that is seen on the way [J]; infinite when the cloth blows up.
+/// The largest energy during the run [J]; infinite if the cloth blows up.
 double largestEnergy(std::string_view solver, const ClothModel& model, const StepParameters& parameters, double seconds,
                      ClothState state) {
   const auto method = findSolver(solver)->make();

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-/// What holds for every solver of a backward-Euler step.
+/// Properties of every solver of a backward-Euler step.
 namespace drape {
 namespace {
 

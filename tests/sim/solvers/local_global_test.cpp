@@ -23,12 +23,12 @@ StepInputs attachment(double maxForce) {
   return inputs;
 }
 
-/// M (y - x_n), with the hand's force.
+/// M (y - x_n), with the attachment's force.
 Rows inertiaTerm(const ClothModel& model, const StepParameters& p, const DenseAttachment& pull,
                  const ClothState& state) {
   const double h = p.timeStep;
   const Rows v = rowsOf(state.velocities);
-  // The hand's force counts the held point's way in the step; its stiffness counts each corner's.
+  // The attachment's force uses the displacement of the attached point; its stiffness acts on that of each corner.
   return h * massMatrix(model) * v + h * h * (outerForces(model, p, state) + pull.force) +
          h * h * h * pull.stiffness * v;
 }

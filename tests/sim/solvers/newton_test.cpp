@@ -84,7 +84,7 @@ TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
     const StepReport report = solver->step(*model, parameters, {}, state);
     EXPECT_TRUE(report.converged);
     EXPECT_LE(report.residual, 1e-10);
-    // The judge computes lengths from positions near 1 m, which are known to 1e-16 m.
+    // The residual uses lengths from positions near 1 m, which are accurate to 1e-16 m.
     const double judgesRounding = parameters.timeStep * parameters.stiffness * 2.2e-16 *
                                   std::sqrt(6.0 * static_cast<double>(model->springs.size()));
     EXPECT_LT(leftOver(*model, parameters, before, state.positions, state.velocities),

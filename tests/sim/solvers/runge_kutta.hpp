@@ -23,7 +23,7 @@ inline std::vector<Vec3> accelerations(const ClothModel& model, double stiffness
   return result;
 }
 
-/// The classical Runge-Kutta method of fourth order: a judge that has nothing in common with the solvers.
+/// The classical Runge-Kutta method of fourth order, a reference that shares no code with the solvers.
 inline std::vector<Vec3> rungeKutta(const ClothModel& model, double stiffness, double seconds, int steps) {
   const double h = seconds / steps;
   std::vector<Vec3> x = model.restPositions;

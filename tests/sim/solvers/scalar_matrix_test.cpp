@@ -12,7 +12,7 @@ namespace {
 
 using namespace drape::testing;
 
-/// What holds for all methods whose matrix has the spring constant for the whole derivative.
+/// Properties of all methods whose matrix has the spring constant as the whole derivative.
 class ScalarMatrixSolver : public ::testing::TestWithParam<const char*> {
  protected:
   [[nodiscard]] std::unique_ptr<Solver> make() const { return findSolver(GetParam())->make(); }

@@ -8,7 +8,7 @@
 namespace drape::testing {
 
 /// Masses that hang below each other at distances of `restLength`, each on a spring from the one above; the first is
-/// pinned. Made by hand, since a cloth has triangles: the smallest models whose motion is known in closed form.
+/// pinned. Built without triangles: the smallest models whose motion is known in closed form.
 inline std::shared_ptr<const ClothModel> hangingChain(int springs, double mass, double restLength) {
   auto model = std::make_shared<ClothModel>();
   const int count = springs + 1;

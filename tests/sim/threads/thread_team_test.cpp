@@ -36,7 +36,7 @@ TEST(ThreadTeam, runsItsFirstMemberOnTheCallingThread) {
   EXPECT_NE(second, first);
 }
 
-TEST(ThreadTeam, letsNobodyPassAMeetingBeforeAllHaveCome) {
+TEST(ThreadTeam, letsNoThreadPassTheBarrierBeforeAllHaveArrived) {
   for (const int count : {1, 2, 3, 7}) {
     ThreadTeam team;
     std::vector<int> written(static_cast<std::size_t>(count), -1);
