@@ -231,7 +231,7 @@ class Checker {
       ++result_.facesSkipped;
       return;
     }
-    if (corners_.size() > mostCorners) {
+    if (corners_.size() > maxCorners) {
       fail("the face " + tooManyCorners(corners_.size()));
     }
     ++faces_;

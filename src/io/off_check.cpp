@@ -138,7 +138,7 @@ class OffChecker {
     if (!corners) {
       fail(quoted(word) + " is not a number of corners");
     }
-    if (*corners > mostCorners) {
+    if (*corners > maxCorners) {
       fail("the face " + tooManyCorners(*corners));
     }
     std::string face = std::to_string(*corners);

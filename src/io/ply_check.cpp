@@ -133,7 +133,7 @@ std::uint64_t countOf(const PlyHeader& header, std::string_view name) {
 }
 
 /// The fewest bytes that one element takes in a binary file, and numbers in a text file.
-std::size_t leastSize(const PlyElement& element) {
+std::size_t minSize(const PlyElement& element) {
   std::size_t size = 0;
   for (const PlyProperty& property : element.properties) {
     size += property.isList ? property.length.bytes : property.value.bytes;
@@ -146,7 +146,7 @@ void requireCorners(std::size_t corners, const Place& place) {
   if (corners == 0) {
     fail(place, "has no corners: the file is damaged, or its header promises other numbers. Export or copy it again.");
   }
-  if (corners > mostCorners) {
+  if (corners > maxCorners) {
     fail(place, tooManyCorners(corners) + ". Export the mesh again.");
   }
 }
@@ -175,7 +175,7 @@ std::size_t checkElements(const PlyHeader& header, Numbers numbers) {
   const std::uint64_t vertices = countOf(header, "vertex");
   for (const PlyElement& element : header.elements) {
     Place place{&element, 0};
-    if (element.properties.empty() || !numbers.canHold(element.count, leastSize(element))) {
+    if (element.properties.empty() || !numbers.canHold(element.count, minSize(element))) {
       place.index = element.count > 0 ? element.count - 1 : 0;
       failCutOff(place);
     }

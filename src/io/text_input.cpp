@@ -177,7 +177,7 @@ std::string endsWithoutBreak(std::size_t line) {
 }
 
 std::string tooManyCorners(std::size_t corners) {
-  return "has " + std::to_string(corners) + " corners, and faces of at most " + std::to_string(mostCorners) +
+  return "has " + std::to_string(corners) + " corners, and faces of at most " + std::to_string(maxCorners) +
          " are read";
 }
 

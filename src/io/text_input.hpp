@@ -31,7 +31,7 @@ void requireNoZeroBytes(std::string_view text);
 [[nodiscard]] std::string endsWithoutBreak(std::size_t line);
 
 /// A face may have this many corners. The time of triangulation grows with their square.
-inline constexpr std::size_t mostCorners = 20000;
+inline constexpr std::size_t maxCorners = 20000;
 
 /// What is wrong with a face that has more.
 [[nodiscard]] std::string tooManyCorners(std::size_t corners);

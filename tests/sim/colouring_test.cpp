@@ -28,7 +28,7 @@ std::vector<std::shared_ptr<const ClothModel>> models() {
           buildClothModel(irregularMesh(), 1.0, MassLumping::Area, {})};
 }
 
-int mostSprings(const ClothModel& model) {
+int maxSprings(const ClothModel& model) {
   int most = 0;
   for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
     most = std::max(most, model.springEnds.begin[v + 1] - model.springEnds.begin[v]);
@@ -84,7 +84,7 @@ TEST(Colouring, givesNoTwoNeighboursTheSameColour) {
 
 TEST(Colouring, needsNoMoreColoursThanAGreedyOneMay) {
   for (const auto& model : models()) {
-    const int most = mostSprings(*model);
+    const int most = maxSprings(*model);
     const auto springColours = static_cast<int>(colourSprings(*model).begin.size()) - 1;
     const auto vertexColours = static_cast<int>(colourVertices(*model).begin.size()) - 1;
     EXPECT_GE(springColours, most);

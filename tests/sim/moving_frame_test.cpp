@@ -40,7 +40,7 @@ std::unique_ptr<ContactScene> carriedSheet(const std::string& solver, const Vec3
   return scene;
 }
 
-double farthestFrom(const std::vector<Vec3>& rest, const Vec3& way, const ClothState& state) {
+double maxDistanceFrom(const std::vector<Vec3>& rest, const Vec3& way, const ClothState& state) {
   double farthest = 0.0;
   for (std::size_t v = 0; v < rest.size(); ++v) {
     farthest = std::max(farthest, (state.positions[v] - rest[v] - way).norm());
@@ -53,7 +53,7 @@ TEST(MovingFrame, letsASheetGoAlongWithItsPinsHoweverStronglyItIsDamped) {
   for (const SolverInfo& solver : solverTable()) {
     const auto scene = carriedSheet(std::string(solver.name), velocity);
     scene->run(0.3);
-    EXPECT_LT(farthestFrom(scene->model().restPositions, 0.3 * velocity, scene->state), 2e-5) << solver.name;
+    EXPECT_LT(maxDistanceFrom(scene->model().restPositions, 0.3 * velocity, scene->state), 2e-5) << solver.name;
   }
 }
 
@@ -63,7 +63,7 @@ TEST(MovingFrame, doesTheSameUnderEveryIntegration) {
     const auto scene = carriedSheet("pcg", velocity);
     scene->parameters.integration = integration;
     scene->run(0.3);
-    EXPECT_LT(farthestFrom(scene->model().restPositions, 0.3 * velocity, scene->state), 2e-5);
+    EXPECT_LT(maxDistanceFrom(scene->model().restPositions, 0.3 * velocity, scene->state), 2e-5);
   }
 }
 
@@ -82,8 +82,8 @@ TEST(MovingFrame, showsTheSameMotionAsARoomThatMoves) {
     scene->run(0.3);
     ends.push_back(scene->state);
   }
-  EXPECT_GT(farthestFrom(ends[0].positions, Vec3::Zero(), carriedSheet("xpbd", velocity)->state), 0.01);
-  EXPECT_LT(farthestFrom(ends[0].positions, 0.3 * velocity, ends[1]), 1e-4);
+  EXPECT_GT(maxDistanceFrom(ends[0].positions, Vec3::Zero(), carriedSheet("xpbd", velocity)->state), 0.01);
+  EXPECT_LT(maxDistanceFrom(ends[0].positions, 0.3 * velocity, ends[1]), 1e-4);
 }
 
 TEST(MovingFrame, changesNothingWhereItRests) {

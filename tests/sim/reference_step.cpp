@@ -12,7 +12,7 @@ struct System {
   MatrixXd mass;
   MatrixXd J;           // df/dx of the springs
   MatrixXd damping;     // -df/dv
-  MatrixXd attachment;  // -df/dx of the hand
+  MatrixXd attachment;  // -df/dx of the attachment
   VectorXd force;
 };
 

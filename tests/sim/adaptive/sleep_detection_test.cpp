@@ -101,7 +101,7 @@ TEST_F(Sleeping, endsWhenAnythingChanges) {
       {"a vertex that is pushed", [&] { state.velocities[12].z() = 1e-6; }},
       {"a pin let go", [&] { model = withPins(*model, std::vector<bool>(25, false)); }},
       {"mass", [&] { model = withMass(*model, 0.11, MassLumping::Uniform); }},
-      {"a hand", [&] {
+      {"an attachment", [&] {
          inputs.attachment = Attachment{0, Vec3::Constant(1.0 / 3.0), Vec3::Zero(), 1.0, 1.0};
        }}};
   for (const auto& [what, change] : changes) {

@@ -197,7 +197,7 @@ TEST_P(PositionSolver, holdsALightMeshByAStiffAttachmentAtALargeStep) {
   }
   EXPECT_LT((held - inputs.attachment->target).norm(), 0.02);
   for (const Vec3& velocity : state.velocities) {
-    EXPECT_LT(velocity.norm(), 1.0) << "what the hand stirred up should have died down";
+    EXPECT_LT(velocity.norm(), 1.0) << "the motion that the attachment caused should have decayed";
   }
 }
 

@@ -193,7 +193,7 @@ TEST_P(ScalarMatrixSolver, doesNotTakeEnergyFromNothingWhileAStrongAttachmentWav
           fastest = std::max(fastest, rowsOf(state.velocities).rowwise().norm().maxCoeff());
         }
       }
-      EXPECT_LT(fastest, 20.0) << "[m/s]; the hand moves at up to 1.8 m/s";
+      EXPECT_LT(fastest, 20.0) << "[m/s]; the attachment moves at up to 1.8 m/s";
       EXPECT_LT((Vec3(state.positions[40]) - inputs.attachment->target).norm(), 0.6);
     }
   }
