@@ -65,7 +65,7 @@ TEST_F(Budgeting, followsAMachineThatBecomesSlower) {
     const double cost = (step < 20 ? 4.0 : 12.0) * nanosecond;
     settings_.step.work =
         budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), tenForceEvaluations(cost))
-            .value_or(settings_.step.budget);
+            .value_or(settings_.step.work);
   }
   EXPECT_NEAR(settings_.step.work, 10.0, 2.5);
 }
