@@ -87,7 +87,7 @@ TEST_F(ImportFailure, namesADirectory) {
 
 TEST_F(ImportFailure, namesAPipe) {
   ASSERT_EQ(mkfifo((folder_ / "pipe.obj").c_str(), 0600), 0);
-  EXPECT_TRUE(contains(problemOfFile(folder_ / "pipe.obj"), "pipe.obj: is not a file"));
+  EXPECT_TRUE(contains(problemOfFile(folder_ / "pipe.obj"), "pipe.obj: is not a regular file"));
 }
 
 TEST_F(ImportFailure, namesAFileThatMayNotBeRead) {

@@ -128,7 +128,7 @@ TEST(ObjCheck, acceptsACommentWithoutALineBreakAtTheEnd) {
 }
 
 TEST(ObjCheck, refusesZeroBytes) {
-  EXPECT_TRUE(contains(problemOf(vertices + std::string("f 1 2 3\n\0\0\0", 11)), "line 6 holds a zero byte"));
+  EXPECT_TRUE(contains(problemOf(vertices + std::string("f 1 2 3\n\0\0\0", 11)), "line 6 contains a zero byte"));
 }
 
 TEST(ObjCheck, keepsStrayBytesAndLongWordsOutOfTheMessage) {

@@ -213,9 +213,9 @@ TEST(SceneBodies, areRefusedWithFileAndLineWhenTheyMakeNoSense) {
       {"[[bodies]]\nshape = \"sphere\"\nsize = [1, 1, 1]", "there is no 'bodies.size'"},
       {"[[bodies]]\nshape = \"box\"\nsize = [1, 0, 1]", "bodies.size must be three lengths"},
       {"[[bodies]]\nshape = \"mesh\"", "needs mesh = "},
-      {"[[bodies]]\nshape = \"mesh\"\nmesh = \"a.obj\"\nframes = { last = 3 }", "names them by number"},
+      {"[[bodies]]\nshape = \"mesh\"\nmesh = \"a.obj\"\nframes = { last = 3 }", "needs a number pattern"},
       {"[[bodies]]\nshape = \"sphere\"\nloop = true", "at least two keyframes"},
-      {"[[bodies]]\nshape = \"sphere\"\nkeyframes = [{ time = 1 }, { time = 1 }]", "times must ascend"},
+      {"[[bodies]]\nshape = \"sphere\"\nkeyframes = [{ time = 1 }, { time = 1 }]", "must ascend"},
       {"[[bodies]]\nshape = \"sphere\"\nstatic_friction = 0.2\nkinetic_friction = 0.3", "must not be larger"},
       {"[[bodies]]\nname = \"a\"\nshape = \"sphere\"\n[[bodies]]\nname = \"a\"\nshape = \"sphere\"", "two bodies"},
       {"[ground]\nsolid = false\nthickness = 0.1", "need solid = true"}};

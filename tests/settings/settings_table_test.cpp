@@ -103,7 +103,7 @@ TEST(SettingsTable, tellsWhichSettingsHaveAnEffect) {
   EXPECT_TRUE(isRelevant(requireSetting("auto.cost"), settings));
   EXPECT_FALSE(isRelevant(requireSetting("substeps"), settings)) << "auto chooses its own";
   assignSettingExpression(settings, "auto.budget=5");
-  EXPECT_FALSE(isRelevant(requireSetting("auto.cost"), settings)) << "it follows from the time allowed";
+  EXPECT_FALSE(isRelevant(requireSetting("auto.cost"), settings)) << "auto.budget sets it";
   settings.solver.name = "one_iteration";
   EXPECT_TRUE(isRelevant(requireSetting("substeps"), settings));
   EXPECT_TRUE(isRelevant(requireSetting("stiffness"), settings));
