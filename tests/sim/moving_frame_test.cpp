@@ -40,12 +40,12 @@ std::unique_ptr<Meeting> carriedSheet(const std::string& solver, const Vec3& vel
   return meeting;
 }
 
-double farthestFrom(const std::vector<Vec3>& rest, const Vec3& way, const ClothState& state) {
-  double farthest = 0.0;
+double maxDistanceFrom(const std::vector<Vec3>& rest, const Vec3& shift, const ClothState& state) {
+  double largest = 0.0;
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    farthest = std::max(farthest, (state.positions[v] - rest[v] - way).norm());
+    largest = std::max(largest, (state.positions[v] - rest[v] - shift).norm());
   }
-  return farthest;
+  return largest;
 }
 
 TEST(MovingFrame, letsASheetGoAlongWithItsPinsHoweverStronglyItIsDamped) {
@@ -53,7 +53,7 @@ TEST(MovingFrame, letsASheetGoAlongWithItsPinsHoweverStronglyItIsDamped) {
   for (const SolverInfo& solver : solverTable()) {
     const auto meeting = carriedSheet(std::string(solver.name), velocity);
     meeting->run(0.3);
-    EXPECT_LT(farthestFrom(meeting->model().restPositions, 0.3 * velocity, meeting->state), 2e-5) << solver.name;
+    EXPECT_LT(maxDistanceFrom(meeting->model().restPositions, 0.3 * velocity, meeting->state), 2e-5) << solver.name;
   }
 }
 
@@ -63,7 +63,7 @@ TEST(MovingFrame, doesTheSameUnderEveryIntegration) {
     const auto meeting = carriedSheet("pcg", velocity);
     meeting->parameters.integration = integration;
     meeting->run(0.3);
-    EXPECT_LT(farthestFrom(meeting->model().restPositions, 0.3 * velocity, meeting->state), 2e-5);
+    EXPECT_LT(maxDistanceFrom(meeting->model().restPositions, 0.3 * velocity, meeting->state), 2e-5);
   }
 }
 
@@ -82,8 +82,8 @@ TEST(MovingFrame, showsTheSameMotionAsARoomThatMoves) {
     meeting->run(0.3);
     ends.push_back(meeting->state);
   }
-  EXPECT_GT(farthestFrom(ends[0].positions, Vec3::Zero(), carriedSheet("xpbd", velocity)->state), 0.01);
-  EXPECT_LT(farthestFrom(ends[0].positions, 0.3 * velocity, ends[1]), 1e-4);
+  EXPECT_GT(maxDistanceFrom(ends[0].positions, Vec3::Zero(), carriedSheet("xpbd", velocity)->state), 0.01);
+  EXPECT_LT(maxDistanceFrom(ends[0].positions, 0.3 * velocity, ends[1]), 1e-4);
 }
 
 TEST(MovingFrame, changesNothingWhereItRests) {

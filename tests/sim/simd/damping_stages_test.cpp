@@ -120,7 +120,7 @@ double largestDifferenceOf(const Vectors& a, const Vectors& b) {
 }
 
 /// The h C_d at which so many stages are just stable.
-double mostDamping(const ClothModel& model, int stages) {
+double maxDamping(const ClothModel& model, int stages) {
   return stages * (stages + 1) / model.unitDampingRate;
 }
 
@@ -128,7 +128,7 @@ TEST(DampingStages, areThoseOfThePaperOnEveryKindOfMeshWhateverTheShares) {
   for (const NamedMesh& mesh : everyKindOfMesh()) {
     const auto model = heldCloth(mesh.mesh);
     for (const int stages : {2, 6, 20}) {
-      const Kick kick{0.9 * mostDamping(*model, stages), stages, randomVectors(*model, 2.0, 3),
+      const Kick kick{0.9 * maxDamping(*model, stages), stages, randomVectors(*model, 2.0, 3),
                       randomVectors(*model, 1.0, 5)};
       const Vectors expected = plainStages(*model, kick);
       const Vectors exact = stagesOf<double>(*model, kick, 1, Turns::Forwards);
@@ -142,7 +142,7 @@ TEST(DampingStages, areThoseOfThePaperOnEveryKindOfMeshWhateverTheShares) {
 
 TEST(DampingStages, scaleTheDampingOfEachSpring) {
   const auto model = heldCloth(testing::unevenSheet(13, 3));
-  Kick kick{mostDamping(*model, 10), 10, randomVectors(*model, 1.0, 3), randomVectors(*model, 1.0, 5)};
+  Kick kick{maxDamping(*model, 10), 10, randomVectors(*model, 1.0, 3), randomVectors(*model, 1.0, 5)};
   const Vectors shared = stagesOf<double>(*model, kick, 1, Turns::Forwards, 0.25);
   kick.timedDamping *= 0.25;
   EXPECT_LT(largestDifferenceOf(shared, plainStages(*model, kick)), 1e-12);
@@ -151,7 +151,7 @@ TEST(DampingStages, scaleTheDampingOfEachSpring) {
 TEST(DampingStages, takeOnlyMotionAwayUpToTheirBoundAndKeepMomentum) {
   const auto model = buildClothModel(testing::unevenSheet(13, 3), 0.1, MassLumping::Area, {});
   for (const int stages : {2, 10, 100}) {
-    Kick kick{mostDamping(*model, stages), stages, randomVectors(*model, 1.0, 7), {}};
+    Kick kick{maxDamping(*model, stages), stages, randomVectors(*model, 1.0, 7), {}};
     kick.gain.assign(kick.before.size(), Vec3::Zero());
     const Vectors after = stagesOf<double>(*model, kick, 1, Turns::Forwards);
     double before2 = 0.0;
@@ -170,7 +170,7 @@ TEST(DampingStages, takeOnlyMotionAwayUpToTheirBoundAndKeepMomentum) {
 TEST(DampingStages, keepCreepAtTheSpeedAtWhichDampingBalancesTheForce) {
   const auto model = heldCloth(testing::unevenSheet(13, 3));
   const int stages = 30;
-  Kick kick{0.5 * mostDamping(*model, stages), stages, randomVectors(*model, 1.0, 7), {}};
+  Kick kick{0.5 * maxDamping(*model, stages), stages, randomVectors(*model, 1.0, 7), {}};
   kick.gain = dampedPart(*model, kick.before);
   for (Vec3& gain : kick.gain) {
     gain *= kick.timedDamping;
