@@ -28,12 +28,12 @@ std::vector<std::shared_ptr<const ClothModel>> models() {
           buildClothModel(irregularMesh(), 1.0, MassLumping::Area, {})};
 }
 
-int maxSprings(const ClothModel& model) {
-  int most = 0;
+int maxDegree(const ClothModel& model) {
+  int degree = 0;
   for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
-    most = std::max(most, model.springEnds.begin[v + 1] - model.springEnds.begin[v]);
+    degree = std::max(degree, model.springEnds.begin[v + 1] - model.springEnds.begin[v]);
   }
-  return most;
+  return degree;
 }
 
 /// Every index once, ascending within a colour, no colour empty.
@@ -84,13 +84,13 @@ TEST(Colouring, givesNoTwoNeighboursTheSameColour) {
 
 TEST(Colouring, needsNoMoreColoursThanAGreedyOneMay) {
   for (const auto& model : models()) {
-    const int most = maxSprings(*model);
+    const int degree = maxDegree(*model);
     const auto springColours = static_cast<int>(colourSprings(*model).begin.size()) - 1;
     const auto vertexColours = static_cast<int>(colourVertices(*model).begin.size()) - 1;
-    EXPECT_GE(springColours, most);
-    EXPECT_LE(springColours, 2 * most - 1);
+    EXPECT_GE(springColours, degree);
+    EXPECT_LE(springColours, 2 * degree - 1);
     EXPECT_GE(vertexColours, 3) << "a triangle needs three";
-    EXPECT_LE(vertexColours, most + 1);
+    EXPECT_LE(vertexColours, degree + 1);
   }
 }
 

@@ -40,12 +40,12 @@ std::unique_ptr<ContactScene> carriedSheet(const std::string& solver, const Vec3
   return scene;
 }
 
-double maxDistanceFrom(const std::vector<Vec3>& rest, const Vec3& way, const ClothState& state) {
-  double farthest = 0.0;
+double maxDistanceFrom(const std::vector<Vec3>& rest, const Vec3& shift, const ClothState& state) {
+  double largest = 0.0;
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    farthest = std::max(farthest, (state.positions[v] - rest[v] - way).norm());
+    largest = std::max(largest, (state.positions[v] - rest[v] - shift).norm());
   }
-  return farthest;
+  return largest;
 }
 
 TEST(MovingFrame, letsASheetGoAlongWithItsPinsHoweverStronglyItIsDamped) {

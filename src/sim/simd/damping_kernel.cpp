@@ -118,8 +118,8 @@ void dampingStage(SlicedCloth<double>& cloth, const DampingRun<double>& run, int
 
 int dampingStages(double timesRate) {
   // s^2 + s >= h lambda, and even.
-  const double fewest = std::ceil(0.5 * (std::sqrt(1.0 + 4.0 * timesRate) - 1.0));
-  return 2 * static_cast<int>(std::ceil(0.5 * std::max(2.0, fewest)));
+  const double minStages = std::ceil(0.5 * (std::sqrt(1.0 + 4.0 * timesRate) - 1.0));
+  return 2 * static_cast<int>(std::ceil(0.5 * std::max(2.0, minStages)));
 }
 
 }  // namespace drape

@@ -40,7 +40,7 @@ class EveryMesh : public ::testing::TestWithParam<NamedMesh> {
     }
   }
 
-  [[nodiscard]] int vertexAt(int place) const { return layout_.order[static_cast<std::size_t>(place)]; }
+  [[nodiscard]] int vertexAt(int index) const { return layout_.order[static_cast<std::size_t>(index)]; }
 
   std::shared_ptr<const ClothModel> model_;
   SliceLayout layout_;
@@ -68,10 +68,10 @@ TEST_P(EveryMesh, hasEverySpringOnceAtEitherEndWithItsNeighbourAndRestLength) {
         EXPECT_LT(rest, 0.0);
         continue;
       }
-      const int place = slice * sliceLanes + lane;
-      ASSERT_LT(place, layout_.vertices) << "no spring stands beyond the last vertex";
+      const int index = slice * sliceLanes + lane;
+      ASSERT_LT(index, layout_.vertices) << "no springs beyond the last vertex";
       const Spring& spring = model_->springs[static_cast<std::size_t>(index)];
-      const int vertex = vertexAt(place);
+      const int vertex = vertexAt(index);
       const int neighbour = vertexAt(neighbourIn(slot, lane));
       EXPECT_EQ(std::minmax(vertex, neighbour), std::minmax(spring.a, spring.b));
       EXPECT_EQ(rest, spring.restLength);
@@ -124,26 +124,25 @@ TEST_P(EveryMesh, hasEveryTriangleOnceAtEachOfItsCornersInItsOwnSense) {
   }
 }
 
-TEST_P(EveryMesh, reachesAsFarAsItsSpringsForwardsAndBackAndNeverFalls) {
-  int farthest = 0;
-  int longest = 0;
+TEST_P(EveryMesh, hasTheBandwidthOfItsSprings) {
+  int last = 0;
+  int bandwidth = 0;
   for (int slice = 0; slice < layout_.slices(); ++slice) {
-    farthest = std::max(farthest, slice);
+    last = std::max(last, slice);
     const auto s = static_cast<std::size_t>(slice);
     for (int slot = layout_.slotBegin[s]; slot < layout_.slotBegin[s + 1]; ++slot) {
       for (int lane = 0; lane < sliceLanes; ++lane) {
         if (layout_.springs[static_cast<std::size_t>(slot)][static_cast<std::size_t>(lane)] >= 0) {
           const int other = neighbourIn(static_cast<std::size_t>(slot), lane) / sliceLanes;
-          farthest = std::max(farthest, other);
-          EXPECT_GE(layout_.lastNeighbourSlice[static_cast<std::size_t>(other)], slice)
-              << "who is read must know of the reader";
+          last = std::max(last, other);
+          EXPECT_GE(layout_.lastNeighbourSlice[static_cast<std::size_t>(other)], slice) << "the relation is symmetric";
         }
       }
     }
-    EXPECT_EQ(layout_.lastNeighbourSlice[s], farthest);
-    longest = std::max(longest, farthest - slice);
+    EXPECT_EQ(layout_.lastNeighbourSlice[s], last);
+    bandwidth = std::max(bandwidth, last - slice);
   }
-  EXPECT_EQ(layout_.sliceBandwidth, longest);
+  EXPECT_EQ(layout_.sliceBandwidth, bandwidth);
 }
 
 INSTANTIATE_TEST_SUITE_P(SliceLayout, EveryMesh, ::testing::ValuesIn(everyKindOfMesh()),
@@ -175,7 +174,7 @@ TEST(SlicedCloth, takesAtMost200BytesAVertexInFloat) {
     cloth.prepare(1, 1);
     const double each = static_cast<double>(cloth.bytes()) / model->vertexCount();
     EXPECT_LE(each, 200.0) << mesh.name;
-    EXPECT_GT(each, 48.0) << mesh.name << ": places, velocities and the sweep alone take that much";
+    EXPECT_GT(each, 48.0) << mesh.name << ": positions, velocities and the sweep alone need that much";
   }
 }
 

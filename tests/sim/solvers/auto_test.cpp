@@ -106,12 +106,12 @@ double largestRise(const ClothModel& model, const StepParameters& parameters, in
   Stepper stepper("auto");
   ClothState state = stateAtRest(model.restPositions);
   const double start = energyOf(model, parameters, state).total();
-  double most = 0.0;
+  double highest = 0.0;
   for (int step = 0; step < steps; ++step) {
     report = stepper.step(model, parameters, {}, state);
-    most = std::max(most, energyOf(model, parameters, state).total() - start);
+    highest = std::max(highest, energyOf(model, parameters, state).total() - start);
   }
-  return most / (model.totalMass() * parameters.gravity * diagonalOf(model));
+  return highest / (model.totalMass() * parameters.gravity * diagonalOf(model));
 }
 
 TEST(Auto, takesAsLongAsItNeedsRatherThanBreakThePhysics) {
@@ -384,12 +384,12 @@ TEST(Auto, gainsNoEnergyInHardStarts) {
         }
         const double start = energyOf(*model, parameters, state).total();
         Stepper stepper("auto");
-        double most = 0.0;
+        double highest = 0.0;
         for (int step = 0; step < 60; ++step) {
           stepper.step(*model, parameters, {}, state);
-          most = std::max(most, energyOf(*model, parameters, state).total());
+          highest = std::max(highest, energyOf(*model, parameters, state).total());
         }
-        EXPECT_LT(most, 1.01 * start) << n << " " << stiffness << " " << evaluations;
+        EXPECT_LT(highest, 1.01 * start) << n << " " << stiffness << " " << evaluations;
       }
     }
   }
