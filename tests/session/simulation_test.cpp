@@ -225,7 +225,7 @@ TEST(Simulation, movesPinsAndTheGhostsPinsAndNothingElse) {
 TEST(Simulation, saysWhenThereAreNoPinsToMove) {
   Simulation simulation(smallGrid(9, {"pins=none"}));
   simulation.apply(MovePinsCommand{Vec3(0.0, 0.0, 0.5)});
-  EXPECT_NE(simulation.message().find("nothing is pinned"), std::string::npos);
+  EXPECT_NE(simulation.message().find("there are no pins"), std::string::npos);
 }
 
 TEST(Simulation, unfoldsAStartInOnePointAndSaysSo) {

@@ -113,7 +113,7 @@ TEST(StretchCause, SliversAreToldWithTheirPlace) {
   state.positions[b] = mesh.positions[a] + 5.0 * (mesh.positions[b] - mesh.positions[a]);
   const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, state, false);
   EXPECT_EQ(found.cause, StretchCause::Slivers);
-  EXPECT_NE(found.advice.text.find("1 edge is overstretched, the shortest of them 1/6000"), std::string::npos)
+  EXPECT_NE(found.advice.text.find("1 edge is overstretched. The shortest is 1/6000"), std::string::npos)
       << found.advice.text;
   EXPECT_NE(found.advice.text.find("The first is at ("), std::string::npos) << found.advice.text;
 }
