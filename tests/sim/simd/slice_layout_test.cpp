@@ -59,23 +59,23 @@ TEST_P(EveryMesh, standsInAnOrderThatIsAPermutation) {
 
 TEST_P(EveryMesh, hasEverySpringOnceAtEitherEndWithItsNeighbourAndRestLength) {
   const SlicedCloth<double> cloth(*model_);
-  std::map<std::pair<int, int>, int> seen;  // spring and the vertex that it stands at
+  std::map<std::pair<int, int>, int> seen;  // spring and the vertex at its end
   forEachSlot([&](int slice, std::size_t slot) {
     for (int lane = 0; lane < sliceLanes; ++lane) {
-      const int index = layout_.springs[slot][static_cast<std::size_t>(lane)];
+      const int springIndex = layout_.springs[slot][static_cast<std::size_t>(lane)];
       const double rest = cloth.restLength[slot][static_cast<std::size_t>(lane)];
-      if (index < 0) {
+      if (springIndex < 0) {
         EXPECT_LT(rest, 0.0);
         continue;
       }
       const int index = slice * sliceLanes + lane;
       ASSERT_LT(index, layout_.vertices) << "no springs beyond the last vertex";
-      const Spring& spring = model_->springs[static_cast<std::size_t>(index)];
+      const Spring& spring = model_->springs[static_cast<std::size_t>(springIndex)];
       const int vertex = vertexAt(index);
       const int neighbour = vertexAt(neighbourIn(slot, lane));
       EXPECT_EQ(std::minmax(vertex, neighbour), std::minmax(spring.a, spring.b));
       EXPECT_EQ(rest, spring.restLength);
-      ++seen[{index, vertex}];
+      ++seen[{springIndex, vertex}];
     }
   });
   EXPECT_EQ(seen.size(), 2 * model_->springs.size());
