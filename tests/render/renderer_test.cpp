@@ -1,4 +1,5 @@
 #include "render/renderer.hpp"
+#include "compare_images.hpp"
 #include "render/osmesa_context.hpp"
 #include "render/shader_program.hpp"
 #include "wavy_sheet.hpp"

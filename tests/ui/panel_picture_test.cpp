@@ -1,3 +1,4 @@
+#include "compare_images.hpp"
 #include "render/osmesa_context.hpp"
 #include "render/renderer.hpp"
 #include "session/simulation.hpp"
