@@ -9,8 +9,8 @@
 namespace drape {
 
 /// The number of intersecting pairs of a cloth triangle and a body triangle, by exact arithmetic
-/// (intersection/intersections.hpp). Active bodies count as they are drawn, at the end of the step. For an infinite plane each
-/// triangle that touches it or is below it counts once.
+/// (intersection/intersections.hpp). Active bodies count as they are drawn, at the end of the step. For an infinite
+/// plane each triangle that touches it or is below it counts once.
 /// @param positions of the cloth [m]
 /// @param triangles of the cloth
 [[nodiscard]] std::size_t pairsWithBodies(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,

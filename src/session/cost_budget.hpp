@@ -18,7 +18,7 @@ class CostBudget {
   /// Adds the measured duration of a step, contact included [s].
   /// @return the cost budget that fits the time budget [1e6/s], when it is off by a fifth or more
   [[nodiscard]] std::optional<double> budgetAfter(const Settings& settings, const ClothModel& model,
-                                                const StepReport& report, double seconds);
+                                                  const StepReport& report, double seconds);
 
  private:
   double cost_ = 0.0;  // of one spring evaluation, recently [s]; 0: not known

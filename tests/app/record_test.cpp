@@ -11,13 +11,14 @@ namespace {
 TEST(Record, ASessionInTheWindowReplaysToTheSameBits) {
   const TemporaryFolder folder;
   const auto log = folder.path() / "session.json";
-  ViewerDriver viewer({"grid", "--set", "drag=0.5", "--record", log.string()});
+  ViewerDriver viewer({"grid", "--paused", "--set", "drag=0.5", "--record", log.string()});
   const Place place = viewer.onCloth();
   viewer.move(place);
   viewer.press();
   viewer.waitUntil("an attachment", [](const Json& s) { return !s["attachment"].is_null(); });
+  viewer.key("space");
   viewer.move({place.x + 60.0, place.y - 40.0});
-  viewer.frames(5);
+  viewer.waitUntil("steps with an attachment", [](const Json& s) { return s["step"] > 20; });
   viewer.release();
   viewer.click(viewer.find("drag", 0.6));
   const Json changed = viewer.waitUntil("a change of drag", [](const Json& s) { return s["settings"]["drag"] != 0.5; });

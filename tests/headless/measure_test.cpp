@@ -105,7 +105,7 @@ TEST(Measure, refusesWrongUse) {
   refuses("--seconds 0.1", "--against");
   refuses("--seconds 0.1 --against nothing", "same_step, converged or a solver");
   refuses("--seconds 0.01 --against one_iteration", "at least 1/30 s");
-  refuses("--seconds 0.1 --against one_iteration --set time_step=0.01", "take 1/90 s or 1/120 s");
+  refuses("--seconds 0.1 --against one_iteration --set time_step=0.01", "use 1/90 s or 1/120 s");
   refuses("--seconds 0.1 --against one_iteration --reference-set mass=2", "would change the cloth");
   refuses("--seconds 0.1 --against one_iteration --reference-set sweeps=2", "odd");
   refuses("--seconds 0.1 --against one_iteration --reference-set time_step", "key=value");

@@ -27,8 +27,8 @@ TEST(Trajectory, takesWholeStepsFromCheckpointToCheckpoint) {
 }
 
 TEST(Trajectory, refusesAStepThatMissesTheCheckpointsAndNamesTheNearestThatFit) {
-  EXPECT_NE(refusalOf(0.01).find("0.01 s is not: take 1/90 s or 1/120 s"), std::string::npos) << refusalOf(0.01);
-  EXPECT_NE(refusalOf(0.05).find("take 1/30 s"), std::string::npos) << refusalOf(0.05);
+  EXPECT_NE(refusalOf(0.01).find("0.01 s does not: use 1/90 s or 1/120 s"), std::string::npos) << refusalOf(0.01);
+  EXPECT_NE(refusalOf(0.05).find("use 1/30 s"), std::string::npos) << refusalOf(0.05);
 }
 
 TEST(Trajectory, coversTheNearestWholeNumberOfCheckpoints) {

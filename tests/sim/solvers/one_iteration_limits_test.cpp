@@ -70,7 +70,7 @@ TEST(OneIterationWarning, namesSubstepsThatSatisfyItAndTakeTheEnergyAway) {
   const std::string words = warningOf(33, parameters);
   EXPECT_EQ(
       words,
-      "The time step is too long for so fine and stiff a mesh: flat cloth gains energy and can blow up. Use 4 substeps "
+      "The time step is too long for this fine and stiff mesh: flat cloth gains energy and can blow up. Use 4 substeps "
       "or a solver that solves for all springs at once.");
   parameters.substeps = 4;
   EXPECT_FALSE(saysThatEnergyComesFromNothing(33, parameters));
