@@ -299,7 +299,8 @@ const std::array table{
 
     SettingInfo{"drag", "Drag", "-", Air, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.drag; }, 0.0, 10.0, false},
-        "Drag coefficient C_D: the air's resistance along the relative velocity, 1/2 rho C_D S |n.v| |v| at each vertex."},
+        "Drag coefficient C_D of the air's resistance along the relative velocity. The force on a vertex of area S is "
+        "1/2 rho C_D S times the speed times its part along the normal."},
     SettingInfo{"lift", "Lift", "-", Air, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.lift; }, 0.0, 10.0, false},
         "Lift coefficient C_L: the air's force perpendicular to the relative velocity, strongest where the surface "
