@@ -28,12 +28,12 @@ function(drape_library name)
   endif()
 endfunction()
 
-# drape_program(<name> SOURCES <files> LINKS <targets>): an executable in <build>/bin. Every program gets large blocks of
-# memory in huge pages (src/app/operator_new.cpp).
+# drape_program(<name> SOURCES <files> LINKS <targets>): an executable in <build>/bin. Every program requests
+# huge pages for large blocks of memory (src/app/operator_new.cpp).
 function(drape_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   set(operator_new "${PROJECT_SOURCE_DIR}/src/app/operator_new.cpp")
-  # Beside code that calls it, the compiler would take its free() for a mismatch.
+  # Compiled together with a caller of operator new, its free() causes the warning mismatched-new-delete.
   set_source_files_properties("${operator_new}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   add_executable(${name} ${ARG_SOURCES} "${operator_new}")
   target_link_libraries(${name} PRIVATE drape_compiler ${ARG_LINKS})

@@ -83,3 +83,8 @@ build() {
   cmake --build --preset "$preset" --parallel "$jobs" ${1:+--target "$@"} >&2
   say "built ($preset) in $((SECONDS - start)) s"
 }
+
+# names_of KIND: the names of all scenes, solvers, ... that `drape-headless list KIND` prints, by the program "$program".
+names_of() {
+  "$program" list "$1" --json | sed -n 's/^ *"name": "\([^"]*\)".*/\1/p'
+}

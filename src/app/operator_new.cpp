@@ -1,6 +1,6 @@
-// Replaces operator new in the programs: large blocks come in huge pages of 2 MiB instead of pages of 4 KiB. The arrays
-// of a mesh of millions of vertices are allocated and freed many times while it is read, and most of that time is
-// otherwise spent on page faults. Linux gives huge pages only to who asks for them.
+// Replaces operator new in the programs: it requests huge pages of 2 MiB for large blocks, instead of pages of 4 KiB.
+// Reading a mesh of millions of vertices allocates and frees many large arrays, and page faults then take much of the
+// time. Linux uses huge pages only on request (docs/experiments/2026-11-22-large-meshes.md).
 #include <cstdlib>
 #include <new>
 
@@ -20,7 +20,7 @@ void* allocateOrNull(std::size_t size) {
   if (size >= largeBlock) {
     void* const block = std::aligned_alloc(hugePage, (size + hugePage - 1) / hugePage * hugePage);
     if (block != nullptr) {
-      // Without huge pages the block is as good, only slower.
+      // If the kernel refuses, the block still works.
       static_cast<void>(madvise(block, size, MADV_HUGEPAGE));
     }
     return block;

@@ -112,7 +112,7 @@ void Simulation::replay(const std::vector<LoggedCommand>& log, std::int64_t step
     }
     seen = stepsTaken_;
   };
-  // A step that blows up is undone, and would be taken for ever.
+  // A step that blows up is undone. Without the check it would repeat forever.
   const auto stepTo = [&](std::int64_t end) {
     for (bool goesOn = true; goesOn && stepsTaken_ < end; goesOn = !blewUp_) {
       step();
