@@ -9,9 +9,9 @@ function(drape_unity target)
   set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# drape_library(<name> SOURCES <files> [LINKS <targets>] [PRIVATE_LINKS <targets>] [ALONE])
+# drape_library(<name> [SOURCES <files>] [LINKS <targets>] [PRIVATE_LINKS <targets>] [ALONE])
 #
-# Adds the static library drape_<name> for src/<name>. Its headers are reached as "<name>/header.hpp", and only by
+# Adds the static library drape_<name> for src/<name>; without sources, a library of headers. Its headers are reached as "<name>/header.hpp", and only by
 # targets that link it: each library publishes a folder that holds nothing but a link to its own sources. So an
 # include that points upwards in the layering does not compile. ALONE keeps it out of unity builds.
 function(drape_library name)
@@ -20,6 +20,12 @@ function(drape_library name)
   file(MAKE_DIRECTORY "${include_root}")
   file(CREATE_LINK "${PROJECT_SOURCE_DIR}/src/${name}" "${include_root}/${name}" SYMBOLIC)
 
+  if(NOT ARG_SOURCES)
+    add_library(drape_${name} INTERFACE)
+    target_include_directories(drape_${name} INTERFACE "${include_root}")
+    target_link_libraries(drape_${name} INTERFACE ${ARG_LINKS})
+    return()
+  endif()
   add_library(drape_${name} STATIC ${ARG_SOURCES})
   target_include_directories(drape_${name} PUBLIC "${include_root}")
   target_link_libraries(drape_${name} PUBLIC drape_compiler ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})

@@ -1,6 +1,6 @@
 #include "render/shader_program.hpp"
 
-#include "sim/embedded_file.hpp"
+#include "embed/embedded_file.hpp"
 
 #include <span>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/embedded_file.hpp"
+#include "embed/embedded_file.hpp"
 
 #include <span>
 
