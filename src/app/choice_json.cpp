@@ -1,5 +1,7 @@
 #include "app/choice_json.hpp"
 
+#include "messages/step_choice_text.hpp"
+
 #include <string>
 
 namespace drape {

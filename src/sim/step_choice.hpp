@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -29,10 +28,6 @@ struct StepChoice {
   /// Adds the choice of the next step.
   void add(const StepChoice& next);
 };
-
-/// The choice as text: "stiff cloth: 12 explicit substeps, 0.4 ms of 16 ms, error about 0.2 mm".
-/// @param seconds computing time of the step [s]  @param available computing time for real time [s]; both 0 if unknown
-[[nodiscard]] std::string inWords(const StepChoice& choice, double seconds = 0.0, double available = 0.0);
 
 /// All members by name, for JSON ("order", "substeps", ..., "used_fallback" and "sleeping" as 0 or 1).
 [[nodiscard]] std::vector<std::pair<std::string_view, double>> figuresOf(const StepChoice& choice);

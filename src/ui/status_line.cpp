@@ -1,3 +1,4 @@
+#include "messages/step_choice_text.hpp"
 #include "session/cost_budget.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"

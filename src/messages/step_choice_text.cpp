@@ -1,0 +1,91 @@
+#include "messages/step_choice_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace drape {
+namespace {
+
+/// Two significant digits, without an exponent.
+std::string brief(double value) {
+  std::array<char, 32> text{};
+  const double size = value > 0.0 ? std::floor(std::log10(value)) : 0.0;
+  const int decimals = std::clamp(1 - static_cast<int>(size), 0, 9);
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  std::string words = text.data();
+  if (words.find('.') != std::string::npos) {
+    words.erase(words.find_last_not_of('0') + 1);
+    if (words.back() == '.') {
+      words.pop_back();
+    }
+  }
+  return words;
+}
+
+std::string lengthInWords(double metres) {
+  constexpr double shortest = 1e-9;
+  if (metres < shortest) {
+    return "below 1 nm";
+  }
+  if (metres < 1e-6) {
+    return "about " + brief(metres * 1e9) + " nm";
+  }
+  if (metres < 1e-4) {
+    return "about " + brief(metres * 1e6) + " \u00B5m";
+  }
+  return metres < 0.1 ? "about " + brief(metres * 1e3) + " mm" : "about " + brief(metres) + " m";
+}
+
+std::string hOmegaInWords(double hOmega) {
+  constexpr double soft = 8.0;
+  constexpr double stiff = 80.0;
+  if (hOmega < soft) {
+    return "soft cloth: ";
+  }
+  return hOmega < stiff ? "stiff cloth: " : "very stiff cloth: ";
+}
+
+std::string schemeInWords(const StepChoice& choice) {
+  std::string words = std::to_string(choice.substeps);
+  words += choice.usedFallback ? " substep" : " explicit substep";
+  words += choice.substeps == 1 ? "" : "s";
+  if (choice.usedFallback) {
+    return words + " of XPBD";
+  }
+  return choice.order == 4 ? words + " of fourth order" : words;
+}
+
+}  // namespace
+
+std::string inWords(const StepChoice& choice, double seconds, double available) {
+  constexpr double almostFull = 0.995;
+  if (choice.sleeping) {
+    return "at rest: nothing is computed until something changes";
+  }
+  std::string words = hOmegaInWords(choice.hOmega) + schemeInWords(choice);
+  if (choice.stiffnessScale < almostFull) {
+    words += " at " + brief(100.0 * choice.stiffnessScale) + " % of the stiffness";
+  }
+  if (choice.coarseLevels > 0) {
+    words += choice.coarseLevels == 1 ? " with 1 coarse level"
+                                      : " with " + std::to_string(choice.coarseLevels) + " coarse levels";
+  }
+  if (choice.costRatio > toleratedCostRatio) {
+    words += ", " + brief(choice.costRatio) + " times the cost budget";
+    words += seconds >= available ? ": slow motion" : "";
+  }
+  if (available > 0.0) {
+    words += ", " + brief(seconds * 1e3) + " ms of " + brief(available * 1e3) + " ms";
+  }
+  if (choice.error >= 0.0) {
+    words += ", error " + lengthInWords(choice.error);
+  }
+  if (choice.retries > 0) {
+    words += choice.retries == 1 ? ", 1 retry" : ", " + std::to_string(choice.retries) + " retries";
+  }
+  return words;
+}
+
+}  // namespace drape
