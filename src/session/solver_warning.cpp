@@ -1,5 +1,6 @@
 #include "session/solver_warning.hpp"
 
+#include "messages/solver_warning_text.hpp"
 #include "session/ghost.hpp"
 #include "sim/solver.hpp"
 
@@ -8,7 +9,11 @@ namespace {
 
 std::string warningOf(const std::string& name, const ClothModel& model, const StepParameters& parameters) {
   const SolverInfo* solver = findSolver(name);
-  return solver == nullptr || solver->warning == nullptr ? std::string() : solver->warning(model, parameters);
+  if (solver == nullptr || solver->warning == nullptr) {
+    return {};
+  }
+  const std::optional<SolverWarning> warning = solver->warning(model, parameters);
+  return warning ? inWords(*warning) : std::string();
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace drape {
 
-/// A warning when the chosen solver does not suit this cloth; empty otherwise.
+/// A warning in words when the chosen solver does not suit this cloth; empty otherwise.
 [[nodiscard]] std::string solverWarning(const Settings& settings, const ClothModel& model);
 
 /// The same for the ghost; empty without a ghost.

@@ -3,6 +3,7 @@
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
 #include "sim/contact/contact_report.hpp"
+#include "sim/solver_warning.hpp"
 #include "sim/step_choice.hpp"
 #include "sim/step_parameters.hpp"
 
@@ -55,7 +56,8 @@ class Solver {
                            int count, ClothState& state);
 };
 
-/// The description of a solver.
+/// The description of a solver. Its texts are the only ones in the simulation: they belong to the registration, so that
+/// a solver is declared once, in its own file.
 struct SolverInfo {
   std::string_view name;                   ///< as typed by the user: "one_iteration"
   std::string_view title;                  ///< as shown: "One iteration (implicit)"
@@ -64,8 +66,8 @@ struct SolverInfo {
   bool backwardEuler = false;              ///< solves a backward-Euler step, which other integrations can use
   bool choosesSubsteps = false;            ///< chooses its substeps and ignores the setting `substeps`
   std::vector<std::string_view> settings;  ///< keys of the settings that it reads and that not all solvers read
-  /// A warning about this cloth and these parameters for the user; empty if there is none. May be null.
-  std::string (*warning)(const ClothModel&, const StepParameters&) = nullptr;
+  /// A warning about this cloth and these parameters, if there is one. May be null.
+  std::optional<SolverWarning> (*warning)(const ClothModel&, const StepParameters&) = nullptr;
   /// The longest stable substep on this cloth [s]; 0 if there is none, infinite if every substep is stable. Null for
   /// methods without such a limit.
   double (*stepLimit)(const ClothModel&, const StepParameters&) = nullptr;

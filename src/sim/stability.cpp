@@ -4,17 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace drape {
-namespace {
-
-/// The largest number of substeps in the settings (settings_table.cpp).
-constexpr double maxSubsteps = 1000.0;
-
-}  // namespace
 
 double unitFrequencySquared(const ClothModel& model, std::size_t vertex) {
   Mat3 stiffness = Mat3::Zero();
@@ -45,65 +37,35 @@ double verletStepLimit(const ClothModel& model, const StepParameters& parameters
   return denominator > 0.0 ? 4.0 / denominator : std::numeric_limits<double>::infinity();
 }
 
-std::string stepInWords(double seconds) {
-  std::ostringstream words;
-  if (!(seconds < 1.0)) {
-    words << seconds << " s";
-    return words.str();
-  }
-  const double denominator = 1.0 / seconds;
-  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(denominator)) - 2.0));
-  words << std::fixed << std::setprecision(0) << "1/" << std::ceil(denominator / unit * (1.0 - 1e-12)) * unit << " s";
-  return words.str();
-}
-
-std::string stepLimitWarning(const StepParameters& parameters, double limit) {
+std::optional<SolverWarning> stepLimitWarning(const StepParameters& parameters, double limit) {
   if (parameters.timeStep / parameters.substeps <= limit) {
-    return {};
+    return std::nullopt;
   }
-  std::ostringstream words;
-  words << "The time step is above this mesh's stability limit of " << stepInWords(limit) << ": the cloth "
-        << "can blow up. ";
-  const double needed = std::ceil(parameters.timeStep / limit * (1.0 - 1e-12));
-  if (needed <= maxSubsteps) {
-    words << "Use " << needed << " substeps.";
-  } else {
-    words << "Use softer or heavier cloth or an implicit solver.";
-  }
-  return words.str();
+  constexpr double rounding = 1e-12;
+  return SolverWarning{.kind = SolverWarning::Kind::StepTooLong,
+                       .substeps = std::ceil(parameters.timeStep / limit * (1.0 - rounding)),
+                       .seconds = limit};
 }
 
-std::string stiffFoldsWarning(const ClothModel& model, const StepParameters& parameters) {
+std::optional<SolverWarning> stiffFoldsWarning(const ClothModel& model, const StepParameters& parameters) {
   constexpr double limit = 0.1;  // of (h omega)^2
   const double needed = parameters.timeStep * largestFrequency(model, parameters) / std::sqrt(limit);
   if (needed <= parameters.substeps) {
-    return {};
+    return std::nullopt;
   }
-  std::ostringstream words;
-  words << "At this stiffness and time step folding meets as much resistance as stretching: the cloth moves far too "
-           "slowly. Use ";
-  if (needed <= maxSubsteps) {
-    words << std::ceil(needed) << " substeps or ";
-  }
-  words << "softer cloth.";
-  return words.str();
+  return SolverWarning{.kind = SolverWarning::Kind::StiffFolds, .substeps = std::ceil(needed)};
 }
 
-std::string slackWarning(const ClothModel& model, const StepParameters& parameters, double perIteration) {
+std::optional<SolverWarning> slackWarning(const ClothModel& model, const StepParameters& parameters,
+                                          double perIteration) {
   const double maxHOmega = std::sqrt(perIteration * parameters.iterations);
   const double needed = parameters.timeStep * largestFrequency(model, parameters) / maxHOmega;
   if (needed <= parameters.substeps) {
-    return {};
+    return std::nullopt;
   }
-  std::ostringstream words;
-  words << parameters.iterations << (parameters.iterations == 1 ? " iteration is" : " iterations are")
-        << " too few for this stiffness and time step: the cloth is softer than specified. ";
-  if (needed <= maxSubsteps) {
-    words << "Use " << std::ceil(needed) << " substeps or more iterations.";
-  } else {
-    words << "Use more iterations, or a solver that solves for all springs at once.";
-  }
-  return words.str();
+  return SolverWarning{.kind = SolverWarning::Kind::TooFewIterations,
+                       .substeps = std::ceil(needed),
+                       .iterations = parameters.iterations};
 }
 
 }  // namespace drape

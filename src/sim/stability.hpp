@@ -1,10 +1,11 @@
 #pragma once
 
 #include "sim/cloth_model.hpp"
+#include "sim/solver_warning.hpp"
 #include "sim/step_parameters.hpp"
 
 #include <cstddef>
-#include <string>
+#include <optional>
 
 namespace drape {
 
@@ -20,21 +21,18 @@ namespace drape {
 /// stiffness and damping.
 [[nodiscard]] double verletStepLimit(const ClothModel& model, const StepParameters& parameters);
 
-/// A short time as text: "1/240 s". The denominator is rounded up to three digits, so that the printed time is never
-/// above the given one.
-[[nodiscard]] std::string stepInWords(double seconds);
-
-/// The warning for substeps longer than `limit` [s], with a remedy; empty if they are not.
-[[nodiscard]] std::string stepLimitWarning(const StepParameters& parameters, double limit);
+/// The warning for substeps longer than `limit` [s]; none if they are not.
+[[nodiscard]] std::optional<SolverWarning> stepLimitWarning(const StepParameters& parameters, double limit);
 
 /// The warning for methods that use the spring constant as the whole derivative and do not iterate: folding then meets
 /// the resistance of stretching. Given where (h omega)^2 of a substep exceeds 0.1. On sheets of 17 x 17 vertices with
 /// 10 N/m, after 7/15 s, the error of kang and desbrun is then about 30 mm, 20 times that of the exactly solved step.
-[[nodiscard]] std::string stiffFoldsWarning(const ClothModel& model, const StepParameters& parameters);
+[[nodiscard]] std::optional<SolverWarning> stiffFoldsWarning(const ClothModel& model, const StepParameters& parameters);
 
 /// The warning for iterative methods with too few iterations, which make cloth softer than specified: given where
-/// (h omega)^2 of a substep exceeds `perIteration` times the iterations. Each method has a measured value of it. Empty
+/// (h omega)^2 of a substep exceeds `perIteration` times the iterations. Each method has a measured value of it. None
 /// if there are enough iterations.
-[[nodiscard]] std::string slackWarning(const ClothModel& model, const StepParameters& parameters, double perIteration);
+[[nodiscard]] std::optional<SolverWarning> slackWarning(const ClothModel& model, const StepParameters& parameters,
+                                                        double perIteration);
 
 }  // namespace drape

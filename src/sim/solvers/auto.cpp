@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace drape {
 namespace {
@@ -264,30 +262,23 @@ class AutoSolver final : public Solver {
   AdaptiveStep<double> double_;
 };
 
-/// Warns that the cost budget is too small for this cloth. Tells what suffers, speed or stiffness, and which budget
-/// would suffice.
-std::string autoWarning(const ClothModel& model, const StepParameters& parameters) {
+/// Warns that the cost budget is too small for this cloth, with what suffers, speed or stiffness.
+std::optional<SolverWarning> autoWarning(const ClothModel& model, const StepParameters& parameters) {
   const double frequency = largestFrequency(model, parameters);
   const double evaluations = evaluationsInBudget(model, parameters);
   const double hOmega = std::max(frequency * parameters.timeStep, 1e-30);
   if (toleratedCostRatio * evaluations * 2.0 >= hOmega) {
-    return {};
+    return std::nullopt;
   }
-  const double needed = std::ceil(0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6);
-  std::ostringstream words;
-  words << std::setprecision(2);
-  if (maySoften(model, parameters)) {
-    const double cost = parameters.soften ? evaluations : maxEvaluations(model, parameters);
-    const double clamped = std::floor(cost / costWithLevels) * tuning.clampHOmega / hOmega;
-    words << "The cost budget is too small for this stiff and fine cloth: the springs keep "
-          << 100.0 * clamped * clamped
-          << " % of their stiffness, and coarse levels carry the tension. The full stiffness needs auto.cost = "
-          << std::fixed << std::setprecision(0) << needed << (parameters.soften ? "." : " and auto.soften = off.");
-  } else {
-    words << "This stiff and fine cloth costs up to " << 0.5 * hOmega / evaluations
-          << " times the cost budget, so it moves in slow motion. Softer springs keep real time (auto.soften = on).";
+  if (!maySoften(model, parameters)) {
+    return SolverWarning{.kind = SolverWarning::Kind::SlowMotion, .costRatio = 0.5 * hOmega / evaluations};
   }
-  return words.str();
+  const double cost = parameters.soften ? evaluations : maxEvaluations(model, parameters);
+  const double clamped = std::floor(cost / costWithLevels) * tuning.clampHOmega / hOmega;
+  return SolverWarning{.kind = SolverWarning::Kind::Softened,
+                       .stiffnessScale = clamped * clamped,
+                       .neededCost = std::ceil(0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6),
+                       .softenedByChoice = parameters.soften};
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ double remainingError(const std::vector<double>& weights, double mu) {
 
 /// A stiff backward-Euler oscillator is unstable if its velocity change is g > 4/3 times the exact one. A remaining
 /// error below -1/3 means that.
-std::string warningOf(const ClothModel& model, const StepParameters& parameters) {
+std::optional<SolverWarning> warningOf(const ClothModel& model, const StepParameters& parameters) {
   constexpr double maxOvershoot = 1.0 / 3.0;
   constexpr int samples = 64;
   const double h = parameters.timeStep / parameters.substeps;
@@ -88,17 +88,15 @@ std::string warningOf(const ClothModel& model, const StepParameters& parameters)
   for (int i = 0; i <= samples; ++i) {
     const double mu = radius * (2.0 * i / samples - 1.0);
     if (remainingError(weights, mu) < -maxOvershoot) {
-      return "The iterations overshoot at this stiffness and time step: the cloth may oscillate. Use more iterations "
-             "or a smaller spectral radius.";
+      return SolverWarning{.kind = SolverWarning::Kind::Overshoots};
     }
   }
   // The remaining error of plain sweeps where the warning of one_iteration begins.
   constexpr double maxError = 0.12;
   if (remainingError(weights, radius) > maxError) {
-    return "Too few iterations for this stiffness and time step: the cloth is slack. Use more iterations, a larger "
-           "spectral radius or substeps.";
+    return SolverWarning{.kind = SolverWarning::Kind::AcceleratedTooLittle};
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace

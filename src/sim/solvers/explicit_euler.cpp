@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace drape {
 namespace {
@@ -44,22 +43,18 @@ double stepLimit(const ClothModel& model, const StepParameters& parameters) {
   return std::min(swinging, damped);
 }
 
-std::string explicitEulerWarning(const ClothModel& model, const StepParameters& parameters) {
+std::optional<SolverWarning> explicitEulerWarning(const ClothModel& model, const StepParameters& parameters) {
   const double h = parameters.timeStep / parameters.substeps;
   const double limit = stepLimit(model, parameters);
   if (h <= limit) {
-    return {};
+    return std::nullopt;
   }
   if (limit > 0.0) {
     return stepLimitWarning(parameters, limit);
   }
   // The energy of an undamped mode grows by 1 + h^2 w^2 a step.
   const double growth = std::log1p(std::pow(h * largestFrequency(model, parameters), 2));
-  std::ostringstream words;
-  words.precision(2);
-  words << "Explicit Euler gains energy at any time step. At this one the energy of the fastest motion doubles every "
-        << h * std::log(2.0) / growth << " s. Use much shorter steps, add damping or choose another solver.";
-  return words.str();
+  return SolverWarning{.kind = SolverWarning::Kind::GainsEnergy, .seconds = h * std::log(2.0) / growth};
 }
 
 }  // namespace

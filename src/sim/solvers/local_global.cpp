@@ -128,7 +128,7 @@ class LocalGlobalSolver final : public Solver {
 
 /// On sheets of 17 x 17 vertices, after 7/15 s, the position error is up to three times that of the converged step
 /// while (h omega)^2 is below 10 times the iterations, and ten times as large at 100 times the iterations.
-std::string localGlobalWarning(const ClothModel& model, const StepParameters& parameters) {
+std::optional<SolverWarning> localGlobalWarning(const ClothModel& model, const StepParameters& parameters) {
   return slackWarning(model, parameters, 10.0);
 }
 

@@ -124,13 +124,12 @@ class NewtonSolver final : public Solver {
 };
 
 /// A step of 17 x 17 vertices takes milliseconds, of 33 x 33 tens and of 61 x 61 hundreds.
-std::string newtonWarning(const ClothModel& model, const StepParameters& /*parameters*/) {
+std::optional<SolverWarning> newtonWarning(const ClothModel& model, const StepParameters& /*parameters*/) {
   constexpr int maxInteractive = 1000;  // vertices
   if (model.vertexCount() <= maxInteractive) {
-    return {};
+    return std::nullopt;
   }
-  return "Newton's method factorises a large matrix several times in each step: on so fine a mesh it is too slow for "
-         "interactive use.";
+  return SolverWarning{.kind = SolverWarning::Kind::TooSlow};
 }
 
 }  // namespace

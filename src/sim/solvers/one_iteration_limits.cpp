@@ -3,14 +3,12 @@
 #include "sim/stability.hpp"
 
 #include <cmath>
-#include <sstream>
 
 namespace drape::solvers {
 namespace {
 
 constexpr double maxGainNumber = 1e4;           // of energyGainNumber
 constexpr double maxWithIndefiniteMatrix = 25;  // of (h omega)^2 a sweep, with a derivative that is not stabilised
-constexpr double maxSubstepSetting = 1000;      // the largest number in the settings (settings_table.cpp)
 
 double substepOf(const StepParameters& parameters) {
   return parameters.timeStep / parameters.substeps;
@@ -26,16 +24,10 @@ bool isUnstableIfStiff(ForceDerivative derivative) {
   return derivative != ForceDerivative::Stabilised && derivative != ForceDerivative::Scalar;
 }
 
-/// "Use 12 substeps or ...": `factor` times the present number of substeps, or `otherwise`.
-std::string remedy(const StepParameters& parameters, double factor, const char* otherwise) {
-  const double needed = std::ceil(factor * parameters.substeps * (1.0 - 1e-12));
-  std::ostringstream words;
-  if (needed <= maxSubstepSetting) {
-    words << "Use " << needed << " substeps or " << otherwise << '.';
-  } else {
-    words << "Use " << otherwise << '.';
-  }
-  return words.str();
+/// A warning that `factor` times the present number of substeps avoids.
+SolverWarning avoidedBy(const StepParameters& parameters, SolverWarning::Kind kind, double factor) {
+  constexpr double rounding = 1e-12;
+  return {.kind = kind, .substeps = std::ceil(factor * parameters.substeps * (1.0 - rounding))};
 }
 
 }  // namespace
@@ -52,25 +44,22 @@ double energyGainNumber(const ClothModel& model, const StepParameters& parameter
   return stiffnessNumber(model, parameters) * h * h * model.vertexCount() * parameters.gravity / size;
 }
 
-std::string oneIterationWarning(const ClothModel& model, const StepParameters& parameters) {
+std::optional<SolverWarning> oneIterationWarning(const ClothModel& model, const StepParameters& parameters) {
+  using Kind = SolverWarning::Kind;
   const double stiff = stiffnessNumber(model, parameters);
   if (isUnstableIfStiff(parameters.derivative) && stiff > maxWithIndefiniteMatrix) {
-    return "With this force derivative stiff cloth can blow up at this time step. " +
-           remedy(parameters, std::sqrt(stiff / maxWithIndefiniteMatrix), "the stabilised derivative");
+    return avoidedBy(parameters, Kind::IndefiniteMatrix, std::sqrt(stiff / maxWithIndefiniteMatrix));
   }
   if (stiff <= 1.0) {
-    return {};
+    return std::nullopt;
   }
   const double gain = energyGainNumber(model, parameters);
   if (gain > maxGainNumber) {
-    return "The time step is too long for this fine and stiff mesh: flat cloth gains energy and can blow up. " +
-           remedy(parameters, std::pow(gain / maxGainNumber, 0.25), "a solver that solves for all springs at once");
+    return avoidedBy(parameters, Kind::FlatClothGains, std::pow(gain / maxGainNumber, 0.25));
   }
-  std::ostringstream words;
-  words << (parameters.sweeps == 1 ? std::string("One sweep is") : std::to_string(parameters.sweeps) + " sweeps are")
-        << " too few at this stiffness and time step: the cloth is slack and loses momentum. "
-        << remedy(parameters, std::sqrt(stiff), "more sweeps");
-  return words.str();
+  SolverWarning slack = avoidedBy(parameters, Kind::TooFewSweeps, std::sqrt(stiff));
+  slack.iterations = parameters.sweeps;
+  return slack;
 }
 
 }  // namespace drape::solvers

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "sim/cloth_model.hpp"
+#include "sim/solver_warning.hpp"
 #include "sim/step_parameters.hpp"
 
-#include <string>
+#include <optional>
 
 namespace drape::solvers {
 
@@ -28,13 +29,14 @@ namespace drape::solvers {
 /// Meshes with an uneven rest shape gain far less energy; for them the number is too pessimistic.
 [[nodiscard]] double energyGainNumber(const ClothModel& model, const StepParameters& parameters);
 
-/// The warning of the one-iteration method; empty if there is none. In this order:
+/// The warning of the one-iteration method, if there is one. In this order:
 /// - With derivatives other than `stabilised` and `scalar` cloth blows up if (h omega)^2 of a substep exceeds about 25
 ///   times the sweeps. On sheets of 9, 17 and 33 vertices a side all cases up to 24 were stable, and none above 300.
 /// - Energy gain: q above 1e4.
 /// - Slack cloth: (h omega)^2 above the number of sweeps. The position error is then about five times that of the exact
 ///   linear solve; at a tenth of it both are equal. (17 and 33 vertices a side, 10 to 1000 N/m, 1 to 21 sweeps, after
 ///   7/15 s.)
-[[nodiscard]] std::string oneIterationWarning(const ClothModel& model, const StepParameters& parameters);
+[[nodiscard]] std::optional<SolverWarning> oneIterationWarning(const ClothModel& model,
+                                                               const StepParameters& parameters);
 
 }  // namespace drape::solvers

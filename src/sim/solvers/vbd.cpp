@@ -9,7 +9,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace drape {
 namespace {
@@ -160,7 +159,7 @@ bool overshoots(int iterations, double spectralRadius) {
 
 /// On sheets of 17 x 17 and 33 x 33 vertices the position error is a few times that of the converged step while
 /// (h omega)^2 is below the number of iterations.
-std::string vbdWarning(const ClothModel& model, const StepParameters& parameters) {
+std::optional<SolverWarning> vbdWarning(const ClothModel& model, const StepParameters& parameters) {
   if (!overshoots(parameters.iterations, parameters.spectralRadius)) {
     return slackWarning(model, parameters, 1.0);
   }
@@ -168,10 +167,10 @@ std::string vbdWarning(const ClothModel& model, const StepParameters& parameters
   while (overshoots(enough, parameters.spectralRadius)) {
     ++enough;
   }
-  std::ostringstream words;
-  words << "With " << parameters.iterations << " iterations a spectral radius of " << parameters.spectralRadius
-        << " overshoots: the cloth can blow up. Use " << enough << " iterations or a smaller spectral radius.";
-  return words.str();
+  return SolverWarning{.kind = SolverWarning::Kind::SpectralRadius,
+                       .iterations = parameters.iterations,
+                       .neededIterations = enough,
+                       .spectralRadius = parameters.spectralRadius};
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class VerletSolver final : public BatchSolver {
   SlicedRun run_;
 };
 
-std::string verletWarning(const ClothModel& model, const StepParameters& parameters) {
+std::optional<SolverWarning> verletWarning(const ClothModel& model, const StepParameters& parameters) {
   return stepLimitWarning(parameters, verletStepLimit(model, parameters));
 }
 

@@ -136,10 +136,11 @@ class XpbdSolver final : public BatchSolver {
 ///
 /// In short steps velocities are inexact, since they follow from positions in float. A sheet of 17 x 17 vertices with
 /// 100 N/m that falls from rest has an error of 0.4 mm after 0.2 s with steps of 1/6000 s, and 11 mm with 1/30000 s.
-std::string xpbdWarning(const ClothModel& model, const StepParameters& parameters) {
-  constexpr double minStepInFloat = 1.0 / 6001.0;  // [s]
-  if (parameters.precision == Precision::Float && parameters.timeStep / parameters.substeps < minStepInFloat) {
-    return "Substeps below 1/6000 s are too short for XPBD in float: velocities become inexact. Use double precision.";
+std::optional<SolverWarning> xpbdWarning(const ClothModel& model, const StepParameters& parameters) {
+  constexpr double minStepInFloat = 1.0 / 6000.0;   // [s]
+  constexpr double minWithRounding = 1.0 / 6001.0;  // [s]
+  if (parameters.precision == Precision::Float && parameters.timeStep / parameters.substeps < minWithRounding) {
+    return SolverWarning{.kind = SolverWarning::Kind::InexactInFloat, .seconds = minStepInFloat};
   }
   return slackWarning(model, parameters, 4.0);
 }

@@ -501,12 +501,19 @@ TEST(Auto, conservesTheMomentumOfFreeClothWithTheFallbackSolver) {
 TEST(Auto, warnsWhenTheCostBudgetIsTooSmallForTheStiffness) {
   const auto model = pinnedSheet(33);
   const auto warning = findSolver("auto")->warning;
-  EXPECT_EQ(warning(*model, withEvaluations(*model, 1e3, 31.0)), "");
+  EXPECT_FALSE(warning(*model, withEvaluations(*model, 1e3, 31.0)));
   StepParameters parameters = withEvaluations(*model, 1e5, 31.0);
-  EXPECT_NE(warning(*model, parameters).find("keep 0.19 %"), std::string::npos) << warning(*model, parameters);
+  const SolverWarning softened = warning(*model, parameters).value();
+  EXPECT_EQ(softened.kind, SolverWarning::Kind::Softened);
+  EXPECT_NEAR(softened.stiffnessScale, 0.0019, 0.00005);
+  EXPECT_TRUE(softened.softenedByChoice);
+  parameters.costBudget = softened.neededCost;
+  EXPECT_FALSE(warning(*model, parameters)) << "the budget that was named must do";
+  parameters = withEvaluations(*model, 1e5, 31.0);
   parameters.soften = false;
-  EXPECT_NE(warning(*model, parameters).find("10 times the cost budget, so it moves in slow motion"), std::string::npos)
-      << warning(*model, parameters);
+  const SolverWarning slow = warning(*model, parameters).value();
+  EXPECT_EQ(slow.kind, SolverWarning::Kind::SlowMotion);
+  EXPECT_NEAR(slow.costRatio, 10.0, 0.5);
 }
 
 }  // namespace

@@ -1,0 +1,146 @@
+#include "messages/solver_warning_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace drape {
+namespace {
+
+/// "12 substeps", or nothing where the settings do not allow as many.
+std::string substepsUpToTheMaximum(double substeps) {
+  constexpr double maxSubsteps = 1000.0;  // the largest number in the settings (settings_table.cpp)
+  if (!(substeps <= maxSubsteps)) {
+    return {};
+  }
+  std::ostringstream words;
+  words << substeps << " substeps";
+  return words.str();
+}
+
+/// "Use 12 substeps or more sweeps."
+std::string remedy(double substeps, const std::string& otherwise) {
+  const std::string words = substepsUpToTheMaximum(substeps);
+  return "Use " + (words.empty() ? words : words + " or ") + otherwise + '.';
+}
+
+/// Two significant digits.
+std::string inTwoDigits(double value) {
+  std::ostringstream words;
+  words << std::setprecision(2) << value;
+  return words.str();
+}
+
+std::string stepTooLong(const SolverWarning& warning) {
+  const std::string substeps = substepsUpToTheMaximum(warning.substeps);
+  return "The time step is above this mesh's stability limit of " + stepInWords(warning.seconds) +
+         ": the cloth can blow up. Use " +
+         (substeps.empty() ? "softer or heavier cloth or an implicit solver" : substeps) + '.';
+}
+
+std::string tooFewIterations(const SolverWarning& warning) {
+  const bool reachable = !substepsUpToTheMaximum(warning.substeps).empty();
+  return std::to_string(warning.iterations) + (warning.iterations == 1 ? " iteration is" : " iterations are") +
+         " too few for this stiffness and time step: the cloth is softer than specified. " +
+         remedy(warning.substeps,
+                reachable ? "more iterations" : "more iterations, or a solver that solves for all springs at once");
+}
+
+std::string tooFewSweeps(const SolverWarning& warning) {
+  return (warning.iterations == 1 ? "One sweep is" : std::to_string(warning.iterations) + " sweeps are") +
+         " too few at this stiffness and time step: the cloth is slack and loses momentum. " +
+         remedy(warning.substeps, "more sweeps");
+}
+
+std::string wrongSpectralRadius(const SolverWarning& warning) {
+  std::ostringstream words;
+  words << "With " << warning.iterations << " iterations a spectral radius of " << warning.spectralRadius
+        << " overshoots: the cloth can blow up. Use " << warning.neededIterations
+        << " iterations or a smaller spectral radius.";
+  return words.str();
+}
+
+std::string softened(const SolverWarning& warning) {
+  std::ostringstream words;
+  words << "The cost budget is too small for this stiff and fine cloth: the springs keep "
+        << inTwoDigits(100.0 * warning.stiffnessScale)
+        << " % of their stiffness, and coarse levels carry the tension. The full stiffness needs auto.cost = "
+        << std::fixed << std::setprecision(0) << warning.neededCost
+        << (warning.softenedByChoice ? "." : " and auto.soften = off.");
+  return words.str();
+}
+
+std::string indefiniteMatrix(const SolverWarning& warning) {
+  return "With this force derivative stiff cloth can blow up at this time step. " +
+         remedy(warning.substeps, "the stabilised derivative");
+}
+
+std::string flatClothGains(const SolverWarning& warning) {
+  return "The time step is too long for this fine and stiff mesh: flat cloth gains energy and can blow up. " +
+         remedy(warning.substeps, "a solver that solves for all springs at once");
+}
+
+std::string stiffFolds(const SolverWarning& warning) {
+  return "At this stiffness and time step folding meets as much resistance as stretching: the cloth moves far too "
+         "slowly. " +
+         remedy(warning.substeps, "softer cloth");
+}
+
+}  // namespace
+
+std::string stepInWords(double seconds) {
+  std::ostringstream words;
+  if (!(seconds < 1.0)) {
+    words << seconds << " s";
+    return words.str();
+  }
+  const double denominator = 1.0 / seconds;
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(denominator)) - 2.0));
+  words << std::fixed << std::setprecision(0) << "1/" << std::ceil(denominator / unit * (1.0 - 1e-12)) * unit << " s";
+  return words.str();
+}
+
+std::string inWords(const SolverWarning& warning) {
+  using Kind = SolverWarning::Kind;
+  switch (warning.kind) {
+    case Kind::StepTooLong:
+      return stepTooLong(warning);
+    case Kind::GainsEnergy:
+      return "Explicit Euler gains energy at any time step. At this one the energy of the fastest motion doubles "
+             "every " +
+             inTwoDigits(warning.seconds) + " s. Use much shorter steps, add damping or choose another solver.";
+    case Kind::IndefiniteMatrix:
+      return indefiniteMatrix(warning);
+    case Kind::FlatClothGains:
+      return flatClothGains(warning);
+    case Kind::TooFewSweeps:
+      return tooFewSweeps(warning);
+    case Kind::TooFewIterations:
+      return tooFewIterations(warning);
+    case Kind::StiffFolds:
+      return stiffFolds(warning);
+    case Kind::AcceleratedTooLittle:
+      return "Too few iterations for this stiffness and time step: the cloth is slack. Use more iterations, a larger "
+             "spectral radius or substeps.";
+    case Kind::Overshoots:
+      return "The iterations overshoot at this stiffness and time step: the cloth may oscillate. Use more iterations "
+             "or a smaller spectral radius.";
+    case Kind::SpectralRadius:
+      return wrongSpectralRadius(warning);
+    case Kind::InexactInFloat:
+      return "Substeps below " + stepInWords(warning.seconds) +
+             " are too short for XPBD in float: velocities become inexact. Use double precision.";
+    case Kind::TooSlow:
+      return "Newton's method factorises a large matrix several times in each step: on so fine a mesh it is too slow "
+             "for interactive use.";
+    case Kind::Softened:
+      return softened(warning);
+    case Kind::SlowMotion:
+      return "This stiff and fine cloth costs up to " + inTwoDigits(warning.costRatio) +
+             " times the cost budget, so it moves in slow motion. Softer springs keep real time (auto.soften = on).";
+  }
+  return {};
+}
+
+}  // namespace drape

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "sim/solver_warning.hpp"
+
+#include <string>
+
+namespace drape {
+
+/// The warning as one or two sentences: what is wrong, and a remedy.
+[[nodiscard]] std::string inWords(const SolverWarning& warning);
+
+/// A short time as text: "1/240 s". The denominator is rounded up to three digits, so that the printed time is never
+/// above the given one.
+[[nodiscard]] std::string stepInWords(double seconds);
+
+}  // namespace drape
