@@ -1,6 +1,6 @@
 #include "app/command_json.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <cstddef>
 #include <string>

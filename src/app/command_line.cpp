@@ -2,8 +2,8 @@
 
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
+#include "messages/sim_error_text.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -143,7 +143,7 @@ int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>
   } catch (const std::bad_alloc&) {
     return fail(app, ExitStatus::Failed, "not enough memory; use a smaller mesh or grid");
   } catch (const std::exception& error) {
-    return fail(app, ExitStatus::Failed, error.what());
+    return fail(app, ExitStatus::Failed, messageOf(error));
   }
 }
 

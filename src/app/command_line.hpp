@@ -11,7 +11,7 @@
 
 namespace drape {
 
-/// Exit status of the programs.
+/// Exit status of the programs: WrongUsage for a UsageError, Failed for every other error.
 enum class ExitStatus { Ok = 0, Failed = 1, WrongUsage = 2 };
 
 /// The arguments "[SCENE|MESH] [--set key=value]..." of every command that opens a scene.

@@ -3,7 +3,7 @@
 #include "io/chained_index.hpp"
 #include "io/import_protocol.hpp"
 #include "io/message_text.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>

@@ -1,6 +1,6 @@
 #include "app/output_file.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

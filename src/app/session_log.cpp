@@ -1,9 +1,9 @@
 #include "app/session_log.hpp"
 
 #include "app/command_json.hpp"
+#include "messages/error.hpp"
 #include "scene/scene_parts.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <filesystem>

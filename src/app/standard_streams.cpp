@@ -1,6 +1,6 @@
 #include "app/standard_streams.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

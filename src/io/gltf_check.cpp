@@ -3,7 +3,7 @@
 #include "io/gltf_content.hpp"
 #include "io/quoted_text.hpp"
 #include "io/text_input.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "io/gltf_content.hpp"
 
 #include "io/quoted_text.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "io/import_process.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

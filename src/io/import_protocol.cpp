@@ -1,6 +1,6 @@
 #include "io/import_protocol.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <algorithm>
 #include <climits>

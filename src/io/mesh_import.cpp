@@ -8,7 +8,7 @@
 #include "io/ply_check.hpp"
 #include "io/stl_check.hpp"
 #include "io/text_input.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <algorithm>
 #include <array>

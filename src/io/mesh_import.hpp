@@ -1,8 +1,8 @@
 #pragma once
 
 #include "io/import_watch.hpp"
+#include "messages/error.hpp"
 #include "sim/cloth_model.hpp"
-#include "sim/error.hpp"
 #include "sim/vector.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 #include "io/mesh_summary.hpp"
 #include "io/planar_uvs.hpp"
 #include "io/short_edges.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "io/ply_header.hpp"
 #include "io/quoted_text.hpp"
 #include "io/text_input.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <algorithm>
 #include <array>

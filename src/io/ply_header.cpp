@@ -1,7 +1,7 @@
 #include "io/ply_header.hpp"
 
 #include "io/quoted_text.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <algorithm>
 #include <array>

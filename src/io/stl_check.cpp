@@ -2,7 +2,7 @@
 
 #include "io/quoted_text.hpp"
 #include "io/text_input.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "io/text_input.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <iconv.h>
 

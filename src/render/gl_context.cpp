@@ -1,6 +1,6 @@
 #include "render/gl_context.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <GL/glew.h>
 #include <string>

@@ -1,7 +1,7 @@
 #include "render/image.hpp"
 
+#include "messages/error.hpp"
 #include "render/stb.hpp"
-#include "sim/error.hpp"
 
 #include <cerrno>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "render/osmesa_context.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <GL/osmesa.h>
 #include <dlfcn.h>

@@ -1,6 +1,6 @@
 #include "render/window_context.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,7 +1,7 @@
 #include "report/comparison.hpp"
 
+#include "messages/error.hpp"
 #include "report/number_text.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "report/measurement.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 namespace drape {
 namespace {

@@ -1,6 +1,6 @@
 #include "report/references.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 #include "sim/measures.hpp"
 #include "sim/solver.hpp"
 

@@ -1,6 +1,6 @@
 #include "report/report_document.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 namespace drape {
 namespace {

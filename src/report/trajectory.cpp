@@ -1,9 +1,9 @@
 #include "report/trajectory.hpp"
 
+#include "messages/error.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/contact/bodies/world.hpp"
 #include "sim/diagnostics.hpp"
-#include "sim/error.hpp"
 #include "sim/residuals.hpp"
 #include "sim/stepper.hpp"
 

@@ -1,7 +1,7 @@
 #include "scene/body_reader.hpp"
 
+#include "messages/error.hpp"
 #include "settings/surface_fields.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <array>

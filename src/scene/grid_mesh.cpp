@@ -1,6 +1,6 @@
 #include "scene/grid_mesh.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "scene/pin_selection.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <algorithm>
 

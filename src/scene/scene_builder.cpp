@@ -1,3 +1,4 @@
+#include "messages/sim_error_text.hpp"
 #include "scene/builtin_meshes.hpp"
 #include "scene/framing.hpp"
 #include "scene/grid_mesh.hpp"
@@ -8,7 +9,6 @@
 #include "scene/scene.hpp"
 #include "scene/shape_pins.hpp"
 #include "sim/bounds.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -246,8 +246,10 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->start = stateAtRest(startPositions(description, source));
   placeCloth(description, source.mesh.cloth.positions);
   const std::vector<int> pins = choosePins(description, settings, source);
-  scene->model = buildClothModel(source.mesh.cloth, totalMassOf(settings, restAreaOf(source.mesh.cloth)),
-                                 lumpingOf(settings), pins);
+  scene->model = withInputErrors([&] {
+    return buildClothModel(source.mesh.cloth, totalMassOf(settings, restAreaOf(source.mesh.cloth)), lumpingOf(settings),
+                           pins);
+  });
   watch.tell(0.95, "Building");
   scene->renderMesh = std::move(source.mesh.render);
   scene->summary = std::move(source.mesh.summary);

@@ -1,9 +1,9 @@
 #include "embed/embedded_file.hpp"
+#include "messages/error.hpp"
 #include "scene/builtin_meshes.hpp"
 #include "scene/opened_mesh.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_file.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <fstream>

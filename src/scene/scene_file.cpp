@@ -1,10 +1,10 @@
 #include "scene/scene_file.hpp"
 
+#include "messages/error.hpp"
 #include "scene/body_reader.hpp"
 #include "scene/framing.hpp"
 #include "scene/toml_reader.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <cmath>

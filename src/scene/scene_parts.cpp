@@ -1,6 +1,6 @@
 #include "scene/scene_parts.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <algorithm>
 #include <filesystem>

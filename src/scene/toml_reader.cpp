@@ -1,6 +1,6 @@
 #include "scene/toml_reader.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <algorithm>
 #include <cmath>

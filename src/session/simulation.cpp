@@ -1,9 +1,9 @@
 #include "session/simulation.hpp"
 
+#include "messages/sim_error_text.hpp"
 #include "scene/mass.hpp"
 #include "settings/surface_fields.hpp"
 #include "sim/attachment_limit.hpp"
-#include "sim/error.hpp"
 #include "sim/unfolding.hpp"
 
 #include <algorithm>
@@ -26,6 +26,8 @@ void Simulation::apply(const Command& command) {
     std::visit([this](const auto& each) { on(each); }, command);
   } catch (const InputError& error) {
     message_ = error.what();
+  } catch (const SimError& error) {
+    message_ = messageOf(error);
   }
 }
 

@@ -1,6 +1,6 @@
+#include "messages/error.hpp"
 #include "settings/number_text.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 #include "sim/solver.hpp"
 
 #include <algorithm>

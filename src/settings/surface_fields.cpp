@@ -1,6 +1,6 @@
 #include "settings/surface_fields.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <array>
 #include <sstream>

@@ -1,33 +1,33 @@
 #include "sim/cloth_model.hpp"
 
-#include "sim/error.hpp"
+#include "sim/sim_error.hpp"
 #include "sim/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <string>
 #include <utility>
 
 namespace drape {
 namespace {
 
+using Fault = ClothModelError::Fault;
+
 void checkMesh(const ClothMesh& mesh) {
   if (mesh.positions.empty() || mesh.triangles.empty()) {
-    throw InputError("a cloth needs at least one triangle; the mesh has " + std::to_string(mesh.positions.size()) +
-                     " vertices and " + std::to_string(mesh.triangles.size()) + " triangles");
+    throw ClothModelError(Fault::NoTriangle, {.found = static_cast<std::int64_t>(mesh.triangles.size()),
+                                              .count = static_cast<std::int64_t>(mesh.positions.size())});
   }
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (!mesh.positions[v].allFinite()) {
-      throw InputError("vertex " + std::to_string(v) + " of the mesh has a coordinate that is not a finite number");
+      throw ClothModelError(Fault::VertexNotFinite, {.index = static_cast<std::int64_t>(v)});
     }
   }
   const int count = static_cast<int>(mesh.positions.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const int v : mesh.triangles[t]) {
       if (v < 0 || v >= count) {
-        throw InputError("triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
-                         ", but the mesh has only " + std::to_string(count) + " (counted from 0)");
+        throw ClothModelError(Fault::NoSuchVertex, {.index = static_cast<std::int64_t>(t), .found = v, .count = count});
       }
     }
   }
@@ -117,8 +117,7 @@ constexpr double minMassFraction = 0.05;
 
 std::vector<double> massesOf(const ClothModel& model, double totalMass, MassLumping lumping) {
   if (!(totalMass > 0.0) || !std::isfinite(totalMass)) {
-    throw InputError("the mass of a cloth must be positive and finite, not " + std::to_string(totalMass) +
-                     " kg; set mass or density");
+    throw ClothModelError(Fault::Mass, {.value = totalMass});
   }
   const auto count = static_cast<double>(model.vertexCount());
   std::vector<double> masses(model.restPositions.size(), totalMass / count);
@@ -150,10 +149,10 @@ void findRates(ClothModel& model) {
   }
 }
 
-void requireSize(std::size_t given, std::size_t needed, const std::string& what, const std::string& ofWhat) {
+void requireSize(std::size_t given, std::size_t needed, Fault fault) {
   if (given != needed) {
-    throw InputError("the list of " + what + " has " + std::to_string(given) + " entries for a cloth of " +
-                     std::to_string(needed) + " " + ofWhat);
+    throw ClothModelError(fault,
+                          {.found = static_cast<std::int64_t>(given), .count = static_cast<std::int64_t>(needed)});
   }
 }
 
@@ -192,8 +191,7 @@ std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double 
   model->pinned.assign(mesh.positions.size(), false);
   for (const int pin : pins) {
     if (pin < 0 || pin >= count) {
-      throw InputError("vertex " + std::to_string(pin) + " cannot be pinned: the cloth has only " +
-                       std::to_string(count) + " vertices (counted from 0)");
+      throw ClothModelError(Fault::NoSuchPin, {.index = pin, .count = count});
     }
     model->pinned[static_cast<std::size_t>(pin)] = true;
   }
@@ -209,11 +207,10 @@ std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double total
 }
 
 std::shared_ptr<const ClothModel> withVertexMasses(const ClothModel& model, std::vector<double> masses) {
-  requireSize(masses.size(), model.restPositions.size(), "masses", "vertices");
+  requireSize(masses.size(), model.restPositions.size(), Fault::MassCount);
   for (std::size_t v = 0; v < masses.size(); ++v) {
     if (!(masses[v] > 0.0) || !std::isfinite(masses[v])) {
-      throw InputError("vertex " + std::to_string(v) + " would have a mass of " + std::to_string(masses[v]) +
-                       " kg; it must be positive and finite");
+      throw ClothModelError(Fault::VertexMass, {.index = static_cast<std::int64_t>(v), .value = masses[v]});
     }
   }
   auto changed = std::make_shared<ClothModel>(model);
@@ -223,12 +220,11 @@ std::shared_ptr<const ClothModel> withVertexMasses(const ClothModel& model, std:
 }
 
 std::shared_ptr<const ClothModel> withSpringStiffness(const ClothModel& model, const std::vector<double>& relative) {
-  requireSize(relative.size(), model.springs.size(), "stiffnesses", "springs");
+  requireSize(relative.size(), model.springs.size(), Fault::StiffnessCount);
   auto changed = std::make_shared<ClothModel>(model);
   for (std::size_t s = 0; s < relative.size(); ++s) {
     if (!(relative[s] >= 0.0) || !std::isfinite(relative[s])) {
-      throw InputError("spring " + std::to_string(s) + " would have " + std::to_string(relative[s]) +
-                       " times the cloth's stiffness; it must be finite and not negative");
+      throw ClothModelError(Fault::Stiffness, {.index = static_cast<std::int64_t>(s), .value = relative[s]});
     }
     changed->springs[s].relativeStiffness = relative[s];
   }
@@ -237,7 +233,7 @@ std::shared_ptr<const ClothModel> withSpringStiffness(const ClothModel& model, c
 }
 
 std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned) {
-  requireSize(pinned.size(), model.restPositions.size(), "pins", "vertices");
+  requireSize(pinned.size(), model.restPositions.size(), Fault::PinCount);
   auto changed = std::make_shared<ClothModel>(model);
   changed->pinned = std::move(pinned);
   findRates(*changed);

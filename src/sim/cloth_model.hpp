@@ -63,24 +63,24 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
   [[nodiscard]] double totalMass() const;  ///< [kg]
 };
 
-/// Sum of the triangles' areas [m^2]. Throws InputError as buildClothModel does.
+/// Sum of the triangles' areas [m^2]. Throws ClothModelError as buildClothModel does.
 [[nodiscard]] double restAreaOf(const ClothMesh& mesh);
 
 /// Builds springs, adjacency, areas and masses. `pins` are vertex indices.
-/// Throws InputError for an empty mesh, an index out of range, a position that is not finite or a mass that is not
+/// Throws ClothModelError for an empty mesh, an index out of range, a position that is not finite or a mass that is not
 /// positive.
 [[nodiscard]] std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double totalMass,
                                                                 MassLumping lumping, const std::vector<int>& pins);
 
-/// The same cloth with another mass [kg]. Throws InputError if it is not positive.
+/// The same cloth with another mass [kg]. Throws ClothModelError if it is not positive.
 [[nodiscard]] std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double totalMass,
                                                          MassLumping lumping);
 
-/// The same cloth with these masses [kg], one a vertex. Throws InputError if one is not positive and finite.
+/// The same cloth with these masses [kg], one a vertex. Throws ClothModelError if one is not positive and finite.
 [[nodiscard]] std::shared_ptr<const ClothModel> withVertexMasses(const ClothModel& model, std::vector<double> masses);
 
 /// The same cloth with springs of different stiffness. `relative` has one factor a spring on the stiffness of the
-/// settings [-]. Throws InputError if one is negative or not finite.
+/// settings [-]. Throws ClothModelError if one is negative or not finite.
 [[nodiscard]] std::shared_ptr<const ClothModel> withSpringStiffness(const ClothModel& model,
                                                                     const std::vector<double>& relative);
 

@@ -2,13 +2,12 @@
 
 #include "sim/contact/bodies/body.hpp"
 #include "sim/diagnostics.hpp"
-#include "sim/error.hpp"
 #include "sim/local_rates.hpp"
 #include "sim/moving_frame.hpp"
+#include "sim/sim_error.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace drape {
 namespace {
@@ -45,7 +44,7 @@ bool hasHistory(const ClothState& state, double timeStep) {
 
 Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
   if (info_ == nullptr) {
-    throw InputError("there is no solver '" + std::string(solver) + "'");
+    throw UnknownSolver(solver);
   }
   solver_ = info_->make();
 }

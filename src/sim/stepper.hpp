@@ -29,7 +29,7 @@ namespace drape {
 /// 99th percentile of the local frequencies: a few slivers do not make the whole cloth expensive.
 class Stepper {
  public:
-  /// Throws InputError if there is no solver of that name.
+  /// Throws UnknownSolver if there is no solver of that name.
   explicit Stepper(std::string_view solver);
 
   [[nodiscard]] const SolverInfo& info() const { return *info_; }

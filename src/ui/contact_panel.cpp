@@ -1,6 +1,6 @@
+#include "messages/error.hpp"
 #include "settings/number_text.hpp"
 #include "settings/surface_fields.hpp"
-#include "sim/error.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
 #include "ui/setting_widget.hpp"

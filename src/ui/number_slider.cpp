@@ -1,6 +1,6 @@
 #include "ui/number_slider.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 

@@ -1,6 +1,6 @@
 #include "ui/scene_loader.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <chrono>
 #include <cmath>

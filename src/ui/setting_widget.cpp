@@ -1,6 +1,6 @@
 #include "ui/setting_widget.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/slider_range.hpp"
 #include "ui/text.hpp"

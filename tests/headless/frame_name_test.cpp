@@ -1,6 +1,6 @@
 #include "../../src/app/headless/frame_name.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <gtest/gtest.h>
 

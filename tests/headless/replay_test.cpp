@@ -1,7 +1,7 @@
 #include "app/command_json.hpp"
 #include "app/session_log.hpp"
+#include "messages/error.hpp"
 #include "program.hpp"
-#include "sim/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <gtest/gtest.h>
 #include <string>

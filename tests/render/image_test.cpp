@@ -1,5 +1,5 @@
 #include "compare_images.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <gtest/gtest.h>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "render/window_context.hpp"
+#include "messages/error.hpp"
 #include "render/renderer.hpp"
-#include "sim/error.hpp"
 #include "wavy_sheet.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "report/comparison.hpp"
 
+#include "messages/error.hpp"
 #include "report/plain_text.hpp"
-#include "sim/error.hpp"
 
 #include <gtest/gtest.h>
 #include <vector>

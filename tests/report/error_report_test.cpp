@@ -1,9 +1,9 @@
 #include "report/error_report.hpp"
 
+#include "messages/error.hpp"
 #include "report/error_table.hpp"
 #include "report/measurement.hpp"
 #include "report/report_json.hpp"
-#include "sim/error.hpp"
 #include "small_grid.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
+#include "messages/error.hpp"
 #include "report/hardcases/case_trial.hpp"
 #include "report/hardcases/hard_case.hpp"
 #include "report/hardcases/hard_case_rows.hpp"
-#include "sim/error.hpp"
 #include "sim/solver.hpp"
 
 #include <gtest/gtest.h>

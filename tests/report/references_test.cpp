@@ -1,7 +1,7 @@
 #include "report/references.hpp"
 
+#include "messages/error.hpp"
 #include "report/sections/set_ups.hpp"
-#include "sim/error.hpp"
 #include "sim/measures.hpp"
 #include "sim/solver.hpp"
 #include "small_grid.hpp"

@@ -1,6 +1,6 @@
 #include "report/report_document.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 #include "xml_check.hpp"
 
 #include <gtest/gtest.h>

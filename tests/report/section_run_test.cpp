@@ -1,6 +1,6 @@
 #include "report/section_run.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <gtest/gtest.h>
 #include <array>

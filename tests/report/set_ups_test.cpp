@@ -1,8 +1,8 @@
 #include "report/sections/set_ups.hpp"
 
+#include "messages/error.hpp"
 #include "report/sections/table2_starts.hpp"
 #include "sim/diagnostics.hpp"
-#include "sim/error.hpp"
 #include "sim/measures.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "report/trajectory.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 #include "sim/stepper.hpp"
 #include "small_grid.hpp"
 

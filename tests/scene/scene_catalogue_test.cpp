@@ -1,5 +1,5 @@
+#include "messages/error.hpp"
 #include "scene/scene.hpp"
-#include "sim/error.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>

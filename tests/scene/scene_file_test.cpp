@@ -1,6 +1,6 @@
 #include "scene/scene_file.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <gtest/gtest.h>
 

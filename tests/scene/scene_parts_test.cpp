@@ -1,8 +1,8 @@
 #include "scene/scene_parts.hpp"
 
+#include "messages/error.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/bounds.hpp"
-#include "sim/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "settings/settings_table.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 #include "sim/solver.hpp"
 
 #include <gtest/gtest.h>

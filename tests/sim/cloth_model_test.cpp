@@ -1,5 +1,5 @@
 #include "sim/cloth_model.hpp"
-#include "sim/error.hpp"
+#include "sim/sim_error.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -84,30 +84,68 @@ TEST(ClothModel, takesOtherMassesAndStiffnessesWithTheFrequenciesThatFollow) {
   EXPECT_EQ(model->springs[7].relativeStiffness, 1.0);
 }
 
+using Fault = ClothModelError::Fault;
+
+/// The fault that `action` throws.
+template <typename Action>
+ClothModelError faultOf(const Action& action) {
+  try {
+    static_cast<void>(action());
+  } catch (const ClothModelError& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no ClothModelError";
+  return {Fault::Mass, {}};
+}
+
+/// The fault of building a cloth.
+ClothModelError faultOfCloth(const ClothMesh& mesh, double mass, const std::vector<int>& pins = {}) {
+  return faultOf([&] { return buildClothModel(mesh, mass, MassLumping::Area, pins); });
+}
+
 TEST(ClothModel, refusesMassesAndStiffnessesThatCannotBe) {
   const auto model = testing::pinnedSheet(4);
   std::vector<double> masses = model->vertexMass;
-  EXPECT_THROW(static_cast<void>(withVertexMasses(*model, {1.0})), InputError);
+  const ClothModelError fewMasses = faultOf([&] { return withVertexMasses(*model, {1.0}); });
+  EXPECT_EQ(fewMasses.fault(), Fault::MassCount);
+  EXPECT_EQ(fewMasses.numbers().found, 1);
+  EXPECT_EQ(fewMasses.numbers().count, 16);
   masses[3] = 0.0;
-  EXPECT_THROW(static_cast<void>(withVertexMasses(*model, masses)), InputError);
+  const ClothModelError noMass = faultOf([&] { return withVertexMasses(*model, masses); });
+  EXPECT_EQ(noMass.fault(), Fault::VertexMass);
+  EXPECT_EQ(noMass.numbers().index, 3);
+  EXPECT_EQ(noMass.numbers().value, 0.0);
   std::vector<double> relative(model->springs.size(), 1.0);
-  EXPECT_THROW(static_cast<void>(withSpringStiffness(*model, {1.0})), InputError);
+  EXPECT_EQ(faultOf([&] { return withSpringStiffness(*model, {1.0}); }).fault(), Fault::StiffnessCount);
   relative[3] = -1.0;
-  EXPECT_THROW(static_cast<void>(withSpringStiffness(*model, relative)), InputError);
+  const ClothModelError negative = faultOf([&] { return withSpringStiffness(*model, relative); });
+  EXPECT_EQ(negative.fault(), Fault::Stiffness);
+  EXPECT_EQ(negative.numbers().index, 3);
+  EXPECT_EQ(negative.numbers().value, -1.0);
+  EXPECT_EQ(faultOf([&] { return withPins(*model, {true}); }).fault(), Fault::PinCount);
 }
 
 TEST(ClothModel, refusesWhatCannotBeACloth) {
   const auto mesh = testing::sheet(3);
-  EXPECT_THROW(static_cast<void>(buildClothModel({}, 0.1, MassLumping::Area, {})), InputError);
-  EXPECT_THROW(static_cast<void>(buildClothModel(mesh, 0.0, MassLumping::Area, {})), InputError);
-  EXPECT_THROW(static_cast<void>(buildClothModel(mesh, -1.0, MassLumping::Area, {})), InputError);
-  EXPECT_THROW(static_cast<void>(buildClothModel(mesh, 0.1, MassLumping::Area, {9})), InputError);
+  EXPECT_EQ(faultOfCloth({}, 0.1).fault(), Fault::NoTriangle);
+  EXPECT_EQ(faultOfCloth(mesh, 0.0).fault(), Fault::Mass);
+  EXPECT_EQ(faultOfCloth(mesh, -1.0).numbers().value, -1.0);
+  const ClothModelError pin = faultOfCloth(mesh, 0.1, {9});
+  EXPECT_EQ(pin.fault(), Fault::NoSuchPin);
+  EXPECT_EQ(pin.numbers().index, 9);
+  EXPECT_EQ(pin.numbers().count, 9);
   auto broken = mesh;
   broken.triangles[0][1] = 99;
-  EXPECT_THROW(static_cast<void>(buildClothModel(broken, 0.1, MassLumping::Area, {})), InputError);
+  const ClothModelError triangle = faultOfCloth(broken, 0.1);
+  EXPECT_EQ(triangle.fault(), Fault::NoSuchVertex);
+  EXPECT_EQ(triangle.numbers().index, 0);
+  EXPECT_EQ(triangle.numbers().found, 99);
+  EXPECT_STREQ(triangle.what(), "ClothModelError::NoSuchVertex, index=0, found=99, count=9, value=0.000000");
   broken = mesh;
   broken.positions[4].y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(static_cast<void>(buildClothModel(broken, 0.1, MassLumping::Area, {})), InputError);
+  const ClothModelError vertex = faultOfCloth(broken, 0.1);
+  EXPECT_EQ(vertex.fault(), Fault::VertexNotFinite);
+  EXPECT_EQ(vertex.numbers().index, 4);
 }
 
 TEST(ClothModel, givesEvenAVertexOfASliverSomeMass) {

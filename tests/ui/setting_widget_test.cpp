@@ -1,7 +1,7 @@
 #include "ui/setting_widget.hpp"
 
+#include "messages/error.hpp"
 #include "panel_fixture.hpp"
-#include "sim/error.hpp"
 #include "sim/solver.hpp"
 #include "ui/number_slider.hpp"
 

@@ -5,8 +5,8 @@
 #include "app/headless/picture_maker.hpp"
 #include "app/headless/solver_notes.hpp"
 #include "app/progress_bar.hpp"
+#include "messages/error.hpp"
 #include "session/simulation.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "app/headless/frame_name.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <algorithm>
 #include <cctype>

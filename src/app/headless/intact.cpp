@@ -1,6 +1,6 @@
 #include "app/headless/intact.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <string>
 

@@ -1,9 +1,9 @@
 #include "app/headless/commands.hpp"
 #include "app/output_file.hpp"
+#include "messages/error.hpp"
 #include "report/hardcases/hard_case_rows.hpp"
 #include "scene/scene.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 #include "sim/solver.hpp"
 
 #include <algorithm>

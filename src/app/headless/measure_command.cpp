@@ -3,11 +3,11 @@
 #include "app/headless/solver_notes.hpp"
 #include "app/output_file.hpp"
 #include "app/progress_bar.hpp"
+#include "messages/error.hpp"
 #include "report/error_table.hpp"
 #include "report/measurement.hpp"
 #include "report/report_json.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 #include "sim/solver.hpp"
 
 #include <iostream>

@@ -1,6 +1,6 @@
 #include "app/headless/position_writer.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <cerrno>
 #include <cstring>

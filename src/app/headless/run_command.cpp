@@ -7,10 +7,10 @@
 #include "app/headless/solver_notes.hpp"
 #include "app/progress_bar.hpp"
 #include "app/session_log.hpp"
+#include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
 #include "session/simulation.hpp"
 #include "sim/diagnostics.hpp"
-#include "sim/error.hpp"
 
 #include <cmath>
 #include <iostream>

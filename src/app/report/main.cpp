@@ -3,11 +3,11 @@
 #include "app/report/report_folder.hpp"
 #include "app/report/stop_signal.hpp"
 #include "build_info.hpp"
+#include "messages/error.hpp"
 #include "report/comparison.hpp"
 #include "report/machine.hpp"
 #include "report/plain_text.hpp"
 #include "report/sections/set_ups.hpp"
-#include "sim/error.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "app/report/report_folder.hpp"
 
 #include "app/output_file.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <fstream>
 #include <system_error>

@@ -1,6 +1,6 @@
 #include "app/command_line.hpp"
 #include "app/viewer/viewer.hpp"
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <charconv>
 #include <string>

@@ -1,6 +1,6 @@
 #include "app/viewer/screenshot_name.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 
 #include <array>
 #include <cstdio>

@@ -2,11 +2,11 @@
 
 #include "app/choice_json.hpp"
 #include "app/output_file.hpp"
+#include "messages/error.hpp"
 #include "render/picking.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/bounds.hpp"
-#include "sim/error.hpp"
 #include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
 

@@ -3,8 +3,8 @@
 #include "app/session_log.hpp"
 #include "app/viewer/process_age.hpp"
 #include "app/viewer/screenshot_name.hpp"
+#include "messages/error.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 #include "ui/scene_changes.hpp"
 
 #include <GL/glew.h>

@@ -1,10 +1,10 @@
 #include "report/hardcases/case_trial.hpp"
 
+#include "messages/error.hpp"
 #include "report/number_text.hpp"
 #include "scene/grid_mesh.hpp"
 #include "scene/mass.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "report/hardcases/cases.hpp"
 
+#include "messages/error.hpp"
 #include "report/hardcases/case_trial.hpp"
 #include "report/hardcases/hard_case.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <array>

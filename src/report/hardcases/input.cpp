@@ -1,7 +1,7 @@
 #include "io/mesh_import.hpp"
+#include "messages/sim_error_text.hpp"
 #include "report/hardcases/cases.hpp"
 #include "report/hardcases/watched_cloth.hpp"
-#include "sim/error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,8 +88,8 @@ void nothingThere(CaseTrial& trial) {
   try {
     static_cast<void>(buildClothModel(cloth.mesh, 0.0, MassLumping::Uniform, {}));
     ++untold;
-  } catch (const InputError& error) {
-    trial.say(error.what());
+  } catch (const ClothModelError& error) {
+    trial.say(inWords(error));
   }
 
   CaseCloth doubled = sheetCloth(trial.settings({"stiffness=1000"}), resolution, Pinned::TwoCorners);

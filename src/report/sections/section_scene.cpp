@@ -1,7 +1,7 @@
 #include "report/sections/section_scene.hpp"
 
+#include "messages/error.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 
 #include <variant>
 

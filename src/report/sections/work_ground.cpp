@@ -1,6 +1,6 @@
 #include "report/sections/work_ground.hpp"
 
-#include "sim/error.hpp"
+#include "messages/error.hpp"
 #include "sim/measures.hpp"
 
 #include <algorithm>

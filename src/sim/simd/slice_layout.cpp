@@ -1,6 +1,6 @@
 #include "sim/simd/slice_layout.hpp"
 
-#include "sim/error.hpp"
+#include "sim/sim_error.hpp"
 #include "sim/simd/vertex_order.hpp"
 
 #include <algorithm>
@@ -308,8 +308,9 @@ SliceLayout buildSliceLayout(const ClothModel& model) {
   for (int s = 0; s < slices; ++s) {
     layout.sliceBandwidth = std::max(layout.sliceBandwidth, layout.lastNeighbourSlice[static_cast<std::size_t>(s)] - s);
   }
-  if (layout.maxSlots > std::numeric_limits<std::uint16_t>::max()) {
-    throw InputError("a vertex of the cloth has more than 65535 springs");
+  constexpr int maxSprings = std::numeric_limits<std::uint16_t>::max();
+  if (layout.maxSlots > maxSprings) {
+    throw ClothModelError(ClothModelError::Fault::TooManySprings, {.count = maxSprings});
   }
   trim(layout);
   return layout;

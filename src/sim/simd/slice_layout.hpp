@@ -59,7 +59,7 @@ struct SliceLayout {
   [[nodiscard]] std::size_t bytes() const;
 };
 
-/// Throws InputError for a vertex with more springs than a 16-bit number counts.
+/// Throws ClothModelError for a vertex with more springs than a 16-bit number counts.
 [[nodiscard]] SliceLayout buildSliceLayout(const ClothModel& model);
 
 }  // namespace drape

@@ -6,13 +6,14 @@
 namespace drape {
 
 /// Invalid input: a file, a setting, a scene. The message is for the user and tells what is wrong, where, and what to
-/// do. Programs print it and exit with status 1.
+/// do.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Wrong usage of a program (unknown option, setting out of range). Programs exit with status 2.
+/// A request that the documentation excludes: an unknown option, a setting out of range. Programs tell it apart from
+/// other invalid input (ExitStatus in app/command_line.hpp).
 class UsageError : public InputError {
  public:
   using InputError::InputError;

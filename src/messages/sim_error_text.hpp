@@ -1,0 +1,27 @@
+#pragma once
+
+#include "messages/error.hpp"
+#include "sim/sim_error.hpp"
+
+#include <exception>
+#include <string>
+
+namespace drape {
+
+/// The fault as a sentence for the user.
+[[nodiscard]] std::string inWords(const ClothModelError& error);
+
+/// The message of an exception for the user: the sentence of a SimError, what() of any other.
+[[nodiscard]] std::string messageOf(const std::exception& error);
+
+/// Calls `call` and returns its result. A SimError becomes an InputError with its sentence.
+template <typename Call>
+auto withInputErrors(const Call& call) {
+  try {
+    return call();
+  } catch (const SimError& error) {
+    throw InputError(messageOf(error));
+  }
+}
+
+}  // namespace drape
