@@ -58,21 +58,21 @@ struct Parts {
 /// much.
 template <std::size_t N>
 bool toShort(const Coordinates<N>& values, Short<N>& whole) {
-  int least = std::numeric_limits<int>::max();
-  int greatest = std::numeric_limits<int>::min();
+  int lowest = std::numeric_limits<int>::max();
+  int highest = std::numeric_limits<int>::min();
   for (const double value : values) {
     const Parts parts(value);
     if (parts.mantissa != 0) {
-      least = std::min(least, parts.exponent);
-      greatest = std::max(greatest, parts.exponent + static_cast<int>(std::bit_width(parts.mantissa)));
+      lowest = std::min(lowest, parts.exponent);
+      highest = std::max(highest, parts.exponent + static_cast<int>(std::bit_width(parts.mantissa)));
     }
   }
-  if (greatest > least + shortBits) {
+  if (highest > lowest + shortBits) {
     return false;
   }
   for (std::size_t i = 0; i < N; ++i) {
     const Parts parts(values[i]);
-    const auto size = static_cast<std::int64_t>(parts.mantissa << (parts.mantissa == 0 ? 0 : parts.exponent - least));
+    const auto size = static_cast<std::int64_t>(parts.mantissa << (parts.mantissa == 0 ? 0 : parts.exponent - lowest));
     whole[i] = std::signbit(values[i]) ? -size : size;
   }
   return true;
@@ -81,15 +81,15 @@ bool toShort(const Coordinates<N>& values, Short<N>& whole) {
 /// The same with integers of any length.
 template <std::size_t N>
 std::array<mpz_class, N> toLong(const Coordinates<N>& values) {
-  int least = std::numeric_limits<int>::max();
+  int lowest = std::numeric_limits<int>::max();
   for (const double value : values) {
-    least = value == 0.0 ? least : std::min(least, Parts(value).exponent);
+    lowest = value == 0.0 ? lowest : std::min(lowest, Parts(value).exponent);
   }
   std::array<mpz_class, N> whole;
   for (std::size_t i = 0; i < N; ++i) {
     const Parts parts(values[i]);
     whole[i] = std::copysign(static_cast<double>(parts.mantissa), values[i]);
-    whole[i] <<= static_cast<mp_bitcnt_t>(parts.mantissa == 0 ? 0 : parts.exponent - least);
+    whole[i] <<= static_cast<mp_bitcnt_t>(parts.mantissa == 0 ? 0 : parts.exponent - lowest);
   }
   return whole;
 }

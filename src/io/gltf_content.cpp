@@ -314,7 +314,7 @@ class PartsCollector {
   }
 
   /// Values that replace some of an accessor's. The library reads them, so only the sizes are checked.
-  void addSparse(const Json& sparse, std::uint64_t size, std::uint64_t most, const std::string& name) {
+  void addSparse(const Json& sparse, std::uint64_t size, std::uint64_t maxCount, const std::string& name) {
     const Json* const indices = sparse.is_object() ? memberOf(sparse, "indices") : nullptr;
     const Json* const values = sparse.is_object() ? memberOf(sparse, "values") : nullptr;
     if (indices == nullptr || values == nullptr || !indices->is_object() || !values->is_object()) {
@@ -322,8 +322,8 @@ class PartsCollector {
     }
     Numbers numbers;
     numbers.count = numberOf(sparse, "count", name).value_or(0);
-    if (numbers.count == 0 || numbers.count > most) {
-      fail(name + ".count is not between 1 and " + std::to_string(most));
+    if (numbers.count == 0 || numbers.count > maxCount) {
+      fail(name + ".count is not between 1 and " + std::to_string(maxCount));
     }
     const std::uint64_t type = componentOf(*indices, name);
     const std::uint64_t indexSize = sizeOfComponent(type);
@@ -332,8 +332,8 @@ class PartsCollector {
     for (std::uint64_t i = 0; i < numbers.count; ++i) {
       std::uint32_t place = 0;
       std::memcpy(&place, places + i * indexSize, indexSize);
-      if (place >= most) {
-        fail(name + " replaces element " + std::to_string(place) + " of " + std::to_string(most));
+      if (place >= maxCount) {
+        fail(name + " replaces element " + std::to_string(place) + " of " + std::to_string(maxCount));
       }
     }
     numbers.stride = size;

@@ -254,9 +254,9 @@ class Checker {
     if (second + 1 < rest.size()) {
       (void)wholeNumber(rest.substr(second + 1), word);
     }
-    corner.vertex = absolute(corner.vertex, vertices_, "vertex", farthestVertex_);
+    corner.vertex = absolute(corner.vertex, vertices_, "vertex", maxVertex_);
     if (corner.texture != 0 || second > 0) {
-      corner.texture = absolute(corner.texture, textures_, "texture coordinate", farthestTexture_);
+      corner.texture = absolute(corner.texture, textures_, "texture coordinate", maxTexture_);
     }
     return corner;
   }
@@ -275,14 +275,14 @@ class Checker {
   }
 
   /// The highest number that was used before it was there, and where.
-  struct Farthest {
+  struct MaxIndex {
     long long index = 0;
     std::size_t line = 0;
     bool broken = false;
   };
 
   /// Counted from 1. Negative numbers count back from the last one before the line; positive ones may come later.
-  long long absolute(long long index, long long count, const char* what, Farthest& farthest) {
+  long long absolute(long long index, long long count, const char* what, MaxIndex& largest) {
     if (index == 0) {
       fail(std::string(what) + " 0 does not exist: OBJ counts from 1");
     }
@@ -290,8 +290,8 @@ class Checker {
       fail("there is no " + std::string(what) + " " + std::to_string(index) + ", only " + std::to_string(count) +
            " come before it");
     }
-    if (index > count && index > farthest.index) {
-      farthest = {index, lines_.number(), lines_.broken()};
+    if (index > count && index > largest.index) {
+      largest = {index, lines_.number(), lines_.broken()};
     }
     return index > 0 ? index : count + 1 + index;
   }
@@ -326,10 +326,10 @@ class Checker {
     return std::max(1, keyword == "l" ? words - 1 : words);
   }
 
-  static void requireThere(const Farthest& farthest, long long count, const char* what) {
-    if (farthest.index > count) {
-      throw InputError("line " + std::to_string(farthest.line) + ": there is no " + what + " " +
-                       std::to_string(farthest.index) + ", the file has only " + std::to_string(count) +
+  static void requireThere(const MaxIndex& largest, long long count, const char* what) {
+    if (largest.index > count) {
+      throw InputError("line " + std::to_string(largest.line) + ": there is no " + what + " " +
+                       std::to_string(largest.index) + ", the file has only " + std::to_string(count) +
                        ". Correct it, or export the mesh again.");
     }
   }
@@ -339,8 +339,8 @@ class Checker {
       throw InputError("it is not an OBJ file: line " + std::to_string(unknown_.line) + " begins with " +
                        unknown_.word + ". Check what it is, or export the mesh again.");
     }
-    requireThere(farthestVertex_, vertices_, "vertex");
-    requireThere(farthestTexture_, textures_, "texture coordinate");
+    requireThere(maxVertex_, vertices_, "vertex");
+    requireThere(maxTexture_, textures_, "texture coordinate");
     if (faces_ == 0) {
       throw InputError("there are no faces in it" +
                        std::string(result_.facesSkipped > 0 ? " but lines and points. " : ". ") +
@@ -376,8 +376,8 @@ class Checker {
   long long vertices_ = 0;
   long long textures_ = 0;
   long long faces_ = 0;
-  Farthest farthestVertex_;
-  Farthest farthestTexture_;
+  MaxIndex maxVertex_;
+  MaxIndex maxTexture_;
   Oddity unknown_;
   Oddity badTexture_;
   bool lastBroken_ = false;

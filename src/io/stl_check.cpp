@@ -38,9 +38,9 @@ StlBytes checkBinary(std::string_view bytes) {
     throw InputError("it is too short for an STL file: it was cut off. Export or copy it again.");
   }
   const std::size_t promised = promisedTriangles(bytes);
-  const std::size_t held = (bytes.size() - headerSize) / triangleSize;
-  if (held < promised) {
-    throw InputError("it holds " + std::to_string(held) + " of the " + std::to_string(promised) +
+  const std::size_t present = (bytes.size() - headerSize) / triangleSize;
+  if (present < promised) {
+    throw InputError("it holds " + std::to_string(present) + " of the " + std::to_string(promised) +
                      " triangles that it promises: it was cut off, or it is not an STL file. Export or copy it again.");
   }
   for (std::size_t i = 0; i < promised; ++i) {

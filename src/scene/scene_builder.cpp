@@ -267,11 +267,11 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   carryPins(description, pins, scene->start, *bodies);
   scene->bodies = bodies;
   constexpr double usualAspect = 16.0 / 9.0;
-  constexpr double cautious = 1.15;  // margin, since cloth sags and swings beyond its start box
+  constexpr double boxScale = 1.15;  // margin, since cloth sags and swings beyond its start box
   const Vec3 middle = 0.5 * (box.min() + box.max());
   scene->camera = description.camera.value_or(framed({Vec3(0.35, 0.2, 1.0), Vec3::Zero(), CameraPose{}.viewAngle},
-                                                     middle + cautious * (box.min() - middle),
-                                                     middle + cautious * (box.max() - middle), usualAspect));
+                                                     middle + boxScale * (box.min() - middle),
+                                                     middle + boxScale * (box.max() - middle), usualAspect));
   return scene;
 }
 

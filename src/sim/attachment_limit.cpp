@@ -6,7 +6,7 @@
 namespace drape {
 namespace {
 
-/// How far the springs around a held point may stretch [-].
+/// How far the springs around an attached point may stretch [-].
 constexpr double strain = 0.2;
 /// Springs in all directions carry a pull along one of them with a quarter of the sum of k l: half of them are in
 /// tension, and the mean squared cosine to the pull is a half.

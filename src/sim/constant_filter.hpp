@@ -30,7 +30,7 @@ class ConstantFilter {
   explicit ConstantFilter(std::size_t largest = largestDense) : largest_(largest) {}
 
   /// Computes the filter for the given model and weight, if they changed.
-  /// @param hand additions to the diagonal of A, or nullptr
+  /// @param attachment additions to the diagonal of A, or nullptr
   void prepare(const ClothModel& model, const ScalarWeight& weight, const AttachmentDiagonal* attachment);
 
   /// Replaces impulses h F [N s], one a vertex, by velocity changes A^-1 h F = h M^-1 Ff [m/s]; zero where pinned.

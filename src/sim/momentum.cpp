@@ -53,8 +53,8 @@ MomentumKeeper::Target MomentumKeeper::targetOf(const ClothModel& model, const S
     target.linear += impulse;
     target.angular += (state.positions[v] - moments.barycentre).cross(impulse);
   }
-  target.held = pull && std::binary_search(piece.begin(), piece.end(), pull->vertices[0]);
-  if (target.held) {
+  target.attached = pull && std::binary_search(piece.begin(), piece.end(), pull->vertices[0]);
+  if (target.attached) {
     target.attachmentArm = attachedPoint - moments.barycentre;
   }
   return target;
@@ -99,21 +99,21 @@ void MomentumKeeper::correctPiece(const ClothModel& model, double timeStep, doub
   // The attachment's impulse is h (F - stiffness (displacement of the attached point)), and the correction is part of
   // that displacement: it acts like the mass `attachmentMass` at the attached point. The first unknown, a, is
   // eliminated from the two equations.
-  double attachmentMass = 0.0;  // [kg]
-  Vec3 held = Vec3::Zero();     // from the barycentre to the attached point now [m]
+  double attachmentMass = 0.0;      // [kg]
+  Vec3 attachedArm = Vec3::Zero();  // from the barycentre to the attached point now [m]
   const Vec3& arm = target.attachmentArm;
-  if (target.held) {
-    held = attachedPointOf(*pull_, state) - moments.barycentre;
+  if (target.attached) {
+    attachedArm = attachedPointOf(*pull_, state) - moments.barycentre;
     const Vec3 impulse = timeStep * (pull_->force - pull_->stiffness * attachmentMotion);
     linear += impulse;
     angular += arm.cross(impulse);
     attachmentMass = timeStep * driftTime * pull_->stiffness;
     inertia += (attachmentMass * moments.mass / (moments.mass + attachmentMass)) *
-               (arm.dot(held) * Mat3::Identity() - held * arm.transpose());
+               (arm.dot(attachedArm) * Mat3::Identity() - attachedArm * arm.transpose());
   }
   const Vec3 spin =
       solveRigid(inertia, angular - (attachmentMass / (moments.mass + attachmentMass)) * arm.cross(linear));
-  const Vec3 shift = (linear - attachmentMass * spin.cross(held)) / (moments.mass + attachmentMass);
+  const Vec3 shift = (linear - attachmentMass * spin.cross(attachedArm)) / (moments.mass + attachmentMass);
   for (const std::size_t v : piece) {
     const Vec3 change = shift + spin.cross(state.positions[v] - moments.barycentre);
     state.velocities[v] += change;

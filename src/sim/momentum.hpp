@@ -45,7 +45,7 @@ class MomentumKeeper {
   struct Target {
     Vec3 linear = Vec3::Zero();         // [kg m/s]
     Vec3 angular = Vec3::Zero();        // about the barycentre [kg m^2/s]
-    bool held = false;                  // by the attachment
+    bool attached = false;              // whether the attachment pulls at this piece
     Vec3 attachmentArm = Vec3::Zero();  // from the barycentre to the attached point [m]
   };
 

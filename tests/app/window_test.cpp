@@ -110,9 +110,9 @@ TEST(Window, ControlAndLeftPullsARunningCloth) {
     viewer.move(viewer.onCloth());
     viewer.press();
   }
-  const Json held = viewer.waitUntil("the attachment", isAttached);
+  const Json attached = viewer.waitUntil("the attachment", isAttached);
   viewer.letKeyGo("Control_L");
-  viewer.waitUntil("time to pass", [&](const Json& s) { return s["step"] > held["step"]; });
+  viewer.waitUntil("time to pass", [&](const Json& s) { return s["step"] > attached["step"]; });
   EXPECT_TRUE(isAttached(viewer.state())) << "the button is still down";
   viewer.release();
   viewer.waitUntil("the mouse to let go", [](const Json& s) { return !isAttached(s); });

@@ -13,10 +13,10 @@ const std::string textStl =
     "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
     "x\n";
 
-std::string binaryStl(std::uint32_t promised, int held, float last = 1.0F) {
+std::string binaryStl(std::uint32_t promised, int present, float last = 1.0F) {
   std::string bytes(84, ' ');
   std::memcpy(bytes.data() + 80, &promised, sizeof(promised));
-  for (int i = 0; i < held; ++i) {
+  for (int i = 0; i < present; ++i) {
     const std::array<float, 12> numbers{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, last, 0};
     bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers));
     bytes.append(2, '\0');

@@ -97,8 +97,8 @@ inline DenseAttachment denseAttachment(const ClothModel& model, const StepInputs
 /// Solves for the vertices that are free; zero for the others.
 inline Rows solveFree(const ClothModel& model, const Eigen::MatrixXd& matrix, const Rows& right) {
   const Eigen::MatrixXd free = freedom(model);
-  const Eigen::MatrixXd held = Eigen::MatrixXd::Identity(free.rows(), free.cols()) - free;
-  return (free * matrix * free + held).fullPivLu().solve(free * right);
+  const Eigen::MatrixXd fixed = Eigen::MatrixXd::Identity(free.rows(), free.cols()) - free;
+  return (free * matrix * free + fixed).fullPivLu().solve(free * right);
 }
 
 /// How far a state is from the given positions and velocities, in any component.

@@ -9,7 +9,7 @@
 #include <limits>
 
 /// What is known about the one-iteration method and those around it, as figures. The scene is that of the paper: a flat
-/// sheet of 1 m and 0.1 kg, held at two corners, falling from rest, without damping and air.
+/// sheet of 1 m and 0.1 kg, pinned at two corners, falling from rest, without damping and air.
 namespace drape {
 namespace {
 

@@ -145,18 +145,18 @@ TEST(KeepMomentum, givesAnAttachedClothTheImpulseOfTheAttachmentAtTheEndOfTheSte
   StepInputs inputs;
   inputs.attachment = Attachment{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5), 500.0, 1e3};
   const AttachmentForce pull = attachmentForce(*model, *inputs.attachment, state);
-  const auto held = [&] {
+  const auto attachedPoint = [&] {
     Vec3 point = Vec3::Zero();
     for (Eigen::Index c = 0; c < 3; ++c) {
       point += pull.weights[c] * state.positions[pull.vertices[static_cast<std::size_t>(c)]];
     }
     return point;
   };
-  const Vec3 arm = held() - barycentre(*model, state);
+  const Vec3 arm = attachedPoint() - barycentre(*model, state);
   const Vec3 linear = linearMomentum(*model, state) - Vec3(0.0, p.timeStep * model->totalMass() * p.gravity, 0.0);
   const Vec3 spin = spinOf(*model, state);
   Stepper("one_iteration").step(*model, p, inputs, state);
-  const Vec3 impulse = p.timeStep * 500.0 * (inputs.attachment->target - held());
+  const Vec3 impulse = p.timeStep * 500.0 * (inputs.attachment->target - attachedPoint());
   EXPECT_LT((linearMomentum(*model, state) - linear - impulse).norm(), 1e-13);
   EXPECT_LT((spinOf(*model, state) - spin - arm.cross(impulse)).norm(), 1e-13);
 }

@@ -50,7 +50,7 @@ struct StepPlan {
 /// springs does not change then: stiffness added to stretched springs would add energy.
 [[nodiscard]] StepPlan saferPlan(StepPlan plan);
 
-/// The most force evaluations of a step that keeps the full stiffness: several seconds of computation.
+/// The maximum number of force evaluations of a step that keeps the full stiffness: several seconds of computation.
 [[nodiscard]] double maxEvaluations(const ClothModel& model, const StepParameters& parameters);
 
 /// Whether springs may be softened: if the user allows it, or if a step with the full stiffness would exceed

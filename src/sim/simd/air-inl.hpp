@@ -114,8 +114,8 @@ HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>
   const auto strength = dot(air, air);
   const auto excessive = hn::Gt(strength, hn::Mul(limit, limit));
   if (HWY_UNLIKELY(!hn::AllFalse(d, excessive))) {
-    const auto held = hn::Div(limit, hn::Sqrt(strength));
-    air = scaled(air, hn::IfThenElse(excessive, held, hn::Set(d, T(1))));
+    const auto scale = hn::Div(limit, hn::Sqrt(strength));
+    air = scaled(air, hn::IfThenElse(excessive, scale, hn::Set(d, T(1))));
   }
   return add(force, air);
 }

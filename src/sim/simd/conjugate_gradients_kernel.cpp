@@ -118,8 +118,8 @@ class ConjugateKernel {
       drawn = multiplyAdd(offset, hn::Mul(hn::LoadU(d, terms.beta.data() + lane), dot(offset, apart)), drawn);
     }
     const V free = hn::LoadU(d, cloth_.free.data() + i);
-    const V3 held = scaled(own, hn::LoadU(d, system_.diagonal.data() + i));
-    const V3 product = scaled(multiplyAdd(drawn, hn::Set(d, step_.timeStep), held), free);
+    const V3 ofDiagonal = scaled(own, hn::LoadU(d, system_.diagonal.data() + i));
+    const V3 product = scaled(multiplyAdd(drawn, hn::Set(d, step_.timeStep), ofDiagonal), free);
     store3(d, product, system_.product, i);
     sum(system_.curvatures, slice, lane, dot(own, product));
   }

@@ -19,11 +19,11 @@ StepReport FilteredStepSolver::step(const ClothModel& model, const StepParameter
     filtered_[i] = internalImpulse(model, parameters, state, i);
     external_[i] = (h / model.vertexMass[i]) * gravityAndAir(model, parameters, state, i);
   });
-  held_ = inputs.attachment.has_value();
+  attached_ = inputs.attachment.has_value();
   if (inputs.attachment) {
     addAttachment(model, h, *inputs.attachment, state);
   }
-  filter_.prepare(model, {h, parameters.stiffness, parameters.damping}, held_ ? &attachment_ : nullptr);
+  filter_.prepare(model, {h, parameters.stiffness, parameters.damping}, attached_ ? &attachment_ : nullptr);
   filter_.apply(parameters.threads, workers_, filtered_);
   findCorrection(model, state);
   move(model, parameters, state);
@@ -66,7 +66,7 @@ void FilteredStepSolver::findCorrection(const ClothModel& model, const ClothStat
     for (const std::size_t v : piece) {
       impulse += model.vertexMass[v] * arm(v).cross(filtered_[v]);
     }
-    if (held_ && std::binary_search(piece.begin(), piece.end(), attachment_.vertices[0])) {
+    if (attached_ && std::binary_search(piece.begin(), piece.end(), attachment_.vertices[0])) {
       for (std::size_t c = 0; c < 3; ++c) {
         const std::size_t v = attachment_.vertices[c];
         impulse -=

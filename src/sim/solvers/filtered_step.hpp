@@ -55,7 +55,7 @@ class FilteredStepSolver final : public Solver {
   std::vector<Vec3> rotation_;               // c [m/s]; zero in pieces with pins
   AttachmentDiagonal attachment_;            // if there is an attachment
   std::array<Vec3, 3> attachmentImpulse_{};  // on its corners: h times its force, without the implicit part [N s]
-  bool held_ = false;
+  bool attached_ = false;
 };
 
 }  // namespace drape

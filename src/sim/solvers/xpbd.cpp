@@ -17,7 +17,7 @@ namespace {
 ///
 /// | here        | paper                                                                    |
 /// |-------------|--------------------------------------------------------------------------|
-/// | compliance  | alpha~ = 1 / (k h^2) (sec. 4)  , held as its inverse so that k may be 0 |
+/// | compliance  | alpha~ = 1 / (k h^2) (sec. 4)  , stored as its inverse, as k may be 0 |
 /// | multiplier  | dlambda = (-C - alpha~ lambda) / (w_a + w_b + alpha~) (eq. 18)           |
 /// | correction  | dx = M^-1 grad C dlambda (eq. 17)                                        |
 ///
@@ -98,14 +98,14 @@ class XpbdSolver final : public BatchSolver {
 
   void projectAttachment(const ClothModel& model, double h, const Attachment& attachment, ClothState& state) {
     const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
-    Vec3 reach = attachment.target;
+    Vec3 offset = attachment.target;
     double weight = 0.0;
     for (Eigen::Index c = 0; c < 3; ++c) {
       const auto v = static_cast<std::size_t>(corners[static_cast<std::size_t>(c)]);
-      reach -= attachment.barycentric[c] * state.positions[v];
+      offset -= attachment.barycentric[c] * state.positions[v];
       weight += attachment.barycentric[c] * attachment.barycentric[c] * inverseMass_[v];
     }
-    const Vec3 change = attachment_.correct(attachment, h, reach, weight);
+    const Vec3 change = attachment_.correct(attachment, h, offset, weight);
     for (Eigen::Index c = 0; c < 3; ++c) {
       const auto v = static_cast<std::size_t>(corners[static_cast<std::size_t>(c)]);
       state.positions[v] += (attachment.barycentric[c] * inverseMass_[v]) * change;

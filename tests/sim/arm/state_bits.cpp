@@ -47,7 +47,7 @@ void printHashes(const std::string& cloth, const ClothModel& model) {
 }  // namespace drape
 
 int main() {
-  drape::printHashes("grid", *drape::testing::heldCloth(drape::testing::sheet(15)));
+  drape::printHashes("grid", *drape::testing::pinnedCloth(drape::testing::sheet(15)));
   drape::printHashes("irregular",
-                     *drape::testing::heldCloth(drape::testing::renumbered(drape::testing::unevenSheet(13, 3), 4)));
+                     *drape::testing::pinnedCloth(drape::testing::renumbered(drape::testing::unevenSheet(13, 3), 4)));
 }

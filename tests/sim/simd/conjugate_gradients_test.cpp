@@ -13,9 +13,9 @@ namespace drape {
 namespace {
 
 using testing::everything;
-using testing::heldCloth;
 using testing::largestDifference;
 using testing::membersBy;
+using testing::pinnedCloth;
 using testing::shaken;
 using testing::Turns;
 
@@ -51,7 +51,7 @@ std::uint64_t hashOfIterations(const ClothModel& model, int members, Turns turns
 
 TEST(ConjugateGradients, haveTheSameBitsForAnyNumberOfSharesTakenInAnyOrder) {
   for (const ClothMesh& mesh : {testing::sheet(57), testing::renumbered(testing::unevenSheet(45, 3), 4)}) {
-    const auto model = heldCloth(mesh);
+    const auto model = pinnedCloth(mesh);
     const auto single = hashOfIterations<float>(*model, 1, Turns::Forwards);
     const auto twice = hashOfIterations<double>(*model, 1, Turns::Forwards);
     EXPECT_NE(single, twice);
@@ -65,7 +65,7 @@ TEST(ConjugateGradients, haveTheSameBitsForAnyNumberOfSharesTakenInAnyOrder) {
 }
 
 TEST(ConjugateGradients, giveEveryBlockToOneShare) {
-  const SliceLayout layout = buildSliceLayout(*heldCloth(testing::sheet(45)));
+  const SliceLayout layout = buildSliceLayout(*pinnedCloth(testing::sheet(45)));
   for (const int members : {1, 2, 3, 8, 50}) {
     int next = 0;
     for (int member = 0; member < members; ++member) {
@@ -82,7 +82,7 @@ TEST(ConjugateGradients, giveEveryBlockToOneShare) {
 /// what a solve in float leaves of the velocity change: 1e-5 of it in ordinary cloth, 3e-4 at 1e5 N/m.
 TEST(ConjugateGradients, inFloatComeAsNearToTheSolutionAsInDoubleUpToRounding) {
   for (const double stiffness : {10.0, 1e3, 1e5}) {
-    const auto model = heldCloth(testing::unevenSheet(21, 3));
+    const auto model = pinnedCloth(testing::unevenSheet(21, 3));
     StepParameters parameters = everything();
     parameters.stiffness = stiffness;
     parameters.tolerance = 1e-6;

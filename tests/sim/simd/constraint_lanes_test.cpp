@@ -13,14 +13,14 @@ namespace drape {
 namespace {
 
 using testing::everyKindOfMesh;
-using testing::heldCloth;
 using testing::NamedMesh;
+using testing::pinnedCloth;
 using testing::shaken;
 
 class EveryMeshOfConstraints : public ::testing::TestWithParam<NamedMesh> {};
 
 TEST_P(EveryMeshOfConstraints, hasEverySpringOnceAndNoVertexTwiceInAColour) {
-  const auto model = heldCloth(GetParam().mesh);
+  const auto model = pinnedCloth(GetParam().mesh);
   const ConstraintLanes lanes(*model);
   std::map<std::pair<int, int>, double> restLengths;
   std::size_t seen = 0;
@@ -55,14 +55,14 @@ INSTANTIATE_TEST_SUITE_P(ConstraintLanes, EveryMeshOfConstraints, ::testing::Val
                          [](const auto& chosen) { return chosen.param.name; });
 
 struct Difference {
-  double place = 0.0;     // [m]
+  double position = 0.0;  // [m]
   double velocity = 0.0;  // [m/s]
 };
 
 Difference between(const ClothState& a, const ClothState& b) {
   Difference largest;
   for (std::size_t v = 0; v < a.positions.size(); ++v) {
-    largest.place = std::max(largest.place, (a.positions[v] - b.positions[v]).norm());
+    largest.position = std::max(largest.position, (a.positions[v] - b.positions[v]).norm());
     largest.velocity = std::max(largest.velocity, (a.velocities[v] - b.velocities[v]).norm());
   }
   return largest;
@@ -97,7 +97,7 @@ StepInputs pullingAttachment() {
 /// h.
 TEST(XpbdInFloat, takesTheStepOfXpbdInDoubleToWithinTwoMicrometres) {
   for (const NamedMesh& mesh : everyKindOfMesh()) {
-    const auto model = heldCloth(mesh.mesh);
+    const auto model = pinnedCloth(mesh.mesh);
     if (model->triangles.size() < 4) {
       continue;
     }
@@ -108,23 +108,23 @@ TEST(XpbdInFloat, takesTheStepOfXpbdInDoubleToWithinTwoMicrometres) {
       parameters.lift = air ? 0.5 : 0.0;
       parameters.wind = Vec3(1.0, 0.2, -2.0);
       const Difference difference = floatFromDouble(*model, parameters, pullingAttachment(), 1);
-      EXPECT_LT(difference.place, 2e-6) << mesh.name << (air ? " in air" : "");
+      EXPECT_LT(difference.position, 2e-6) << mesh.name << (air ? " in air" : "");
       EXPECT_LT(difference.velocity, 3e-4) << mesh.name << (air ? " in air" : "");
     }
   }
 }
 
 TEST(XpbdInFloat, staysNearXpbdInDoubleForATenthOfASecond) {
-  const auto model = heldCloth(testing::unevenSheet(12, 3));
+  const auto model = pinnedCloth(testing::unevenSheet(12, 3));
   StepParameters parameters;
   parameters.damping = 0.002;
   parameters.timeStep = 1.0 / 600.0;
   const Difference difference = floatFromDouble(*model, parameters, {}, 60);
-  EXPECT_LT(difference.place, 1e-4);
+  EXPECT_LT(difference.position, 1e-4);
 }
 
 TEST(XpbdInFloat, takesManyStepsAtOnceAsOneAfterTheOtherToTheLastBit) {
-  const auto model = heldCloth(testing::renumbered(testing::unevenSheet(12, 3), 4));
+  const auto model = pinnedCloth(testing::renumbered(testing::unevenSheet(12, 3), 4));
   for (const double drag : {0.0, 0.7}) {
     StepParameters parameters;
     parameters.precision = Precision::Float;

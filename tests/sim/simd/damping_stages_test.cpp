@@ -12,8 +12,8 @@ namespace drape {
 namespace {
 
 using testing::everyKindOfMesh;
-using testing::heldCloth;
 using testing::NamedMesh;
+using testing::pinnedCloth;
 using testing::Turns;
 
 using Vectors = std::vector<Vec3>;
@@ -126,7 +126,7 @@ double maxDamping(const ClothModel& model, int stages) {
 
 TEST(DampingStages, areThoseOfThePaperOnEveryKindOfMeshWhateverTheShares) {
   for (const NamedMesh& mesh : everyKindOfMesh()) {
-    const auto model = heldCloth(mesh.mesh);
+    const auto model = pinnedCloth(mesh.mesh);
     for (const int stages : {2, 6, 20}) {
       const Kick kick{0.9 * maxDamping(*model, stages), stages, randomVectors(*model, 2.0, 3),
                       randomVectors(*model, 1.0, 5)};
@@ -141,7 +141,7 @@ TEST(DampingStages, areThoseOfThePaperOnEveryKindOfMeshWhateverTheShares) {
 }
 
 TEST(DampingStages, scaleTheDampingOfEachSpring) {
-  const auto model = heldCloth(testing::unevenSheet(13, 3));
+  const auto model = pinnedCloth(testing::unevenSheet(13, 3));
   Kick kick{maxDamping(*model, 10), 10, randomVectors(*model, 1.0, 3), randomVectors(*model, 1.0, 5)};
   const Vectors shared = stagesOf<double>(*model, kick, 1, Turns::Forwards, 0.25);
   kick.timedDamping *= 0.25;
@@ -168,7 +168,7 @@ TEST(DampingStages, takeOnlyMotionAwayUpToTheirBoundAndKeepMomentum) {
 }
 
 TEST(DampingStages, keepCreepAtTheSpeedAtWhichDampingBalancesTheForce) {
-  const auto model = heldCloth(testing::unevenSheet(13, 3));
+  const auto model = pinnedCloth(testing::unevenSheet(13, 3));
   const int stages = 30;
   Kick kick{0.5 * maxDamping(*model, stages), stages, randomVectors(*model, 1.0, 7), {}};
   kick.gain = dampedPart(*model, kick.before);

@@ -11,8 +11,8 @@
 namespace drape {
 namespace {
 
-using testing::heldCloth;
 using testing::largestDifference;
+using testing::pinnedCloth;
 
 /// Lets steps use one set of vector instructions alone, for as long as it lives.
 class OnlyInstructions {
@@ -91,7 +91,7 @@ ClothState stepsWith(const Kind& kind, const ClothModel& model, int steps) {
 }
 
 std::vector<std::shared_ptr<const ClothModel>> models() {
-  return {heldCloth(testing::sheet(15)), heldCloth(testing::renumbered(testing::unevenSheet(13, 3), 4))};
+  return {pinnedCloth(testing::sheet(15)), pinnedCloth(testing::renumbered(testing::unevenSheet(13, 3), 4))};
 }
 
 TEST(InstructionSets, giveTheSameBitsWhereTheyHaveFusedMultiplyAdd) {

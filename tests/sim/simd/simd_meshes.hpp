@@ -110,7 +110,7 @@ inline std::vector<NamedMesh> everyKindOfMesh() {
 }
 
 /// A cloth of 0.1 kg, masses by area, pinned at two vertices.
-inline std::shared_ptr<const ClothModel> heldCloth(const ClothMesh& mesh) {
+inline std::shared_ptr<const ClothModel> pinnedCloth(const ClothMesh& mesh) {
   const int count = static_cast<int>(mesh.positions.size());
   return buildClothModel(mesh, 0.1, MassLumping::Area, {0, count / 2});
 }

@@ -12,13 +12,13 @@ namespace drape {
 namespace {
 
 using testing::everyKindOfMesh;
-using testing::heldCloth;
 using testing::NamedMesh;
+using testing::pinnedCloth;
 
 class EveryMesh : public ::testing::TestWithParam<NamedMesh> {
  protected:
   void SetUp() override {
-    model_ = heldCloth(GetParam().mesh);
+    model_ = pinnedCloth(GetParam().mesh);
     layout_ = buildSliceLayout(*model_);
   }
 
@@ -155,7 +155,7 @@ TEST(SliceLayout, keepsAGridsOwnOrderAndLoadsMostOfItWithoutTables) {
 }
 
 TEST(SliceLayout, bringsNeighboursTogetherThatARandomNumberingTookApart) {
-  const auto model = heldCloth(testing::renumbered(testing::sheet(65), 9));
+  const auto model = pinnedCloth(testing::renumbered(testing::sheet(65), 9));
   const SliceLayout layout = buildSliceLayout(*model);
   EXPECT_TRUE(layout.irregular());
   EXPECT_LE(layout.sliceBandwidth, 16)
@@ -169,7 +169,7 @@ TEST(SlicedCloth, takesAtMost200BytesAVertexInFloat) {
                                       {"uneven", testing::unevenSheet(129, 3)},
                                       {"renumbered", testing::renumbered(testing::unevenSheet(129, 3), 4)}};
   for (const NamedMesh& mesh : meshes) {
-    const auto model = heldCloth(mesh.mesh);
+    const auto model = pinnedCloth(mesh.mesh);
     SlicedCloth<float> cloth(*model);
     cloth.prepare(1, 1);
     const double each = static_cast<double>(cloth.bytes()) / model->vertexCount();

@@ -12,9 +12,9 @@ namespace {
 
 using testing::everyKindOfMesh;
 using testing::everything;
-using testing::heldCloth;
 using testing::largestDifference;
 using testing::NamedMesh;
+using testing::pinnedCloth;
 using testing::shaken;
 using testing::SteppingByHand;
 using testing::Turns;
@@ -45,7 +45,7 @@ std::vector<NamedMesh> smallMeshes() {
 
 TEST(SlicedStep, equalsTheDenseReferenceOnUnevenMeshesWithAirAndAnAttachmentAcrossSlices) {
   for (const NamedMesh& mesh : smallMeshes()) {
-    const auto model = heldCloth(mesh.mesh);
+    const auto model = pinnedCloth(mesh.mesh);
     const StepInputs inputs = attachmentAcrossSlices(*model);
     for (const int sweeps : {1, 2, 3, 5}) {
       StepParameters parameters = everything();
@@ -64,7 +64,7 @@ TEST(SlicedStep, equalsTheDenseReferenceOnUnevenMeshesWithAirAndAnAttachmentAcro
 }
 
 TEST(SlicedStep, equalsTheDenseReferenceInEveryVariantOfTheForceDerivativeOnAnUnevenMesh) {
-  const auto model = heldCloth(testing::renumbered(testing::unevenSheet(6, 3), 5));
+  const auto model = pinnedCloth(testing::renumbered(testing::unevenSheet(6, 3), 5));
   for (const auto variant : testing::allDerivatives) {
     StepParameters parameters = everything();
     parameters.derivative = variant;
@@ -81,7 +81,7 @@ TEST(SlicedStep, equalsTheDenseReferenceInEveryVariantOfTheForceDerivativeOnAnUn
 /// them has the sum of their followers for a follower, and Chebyshev's x_(k+1) = w (G x_k + p - x_(k-1)) + x_(k-1) is
 /// such a sum too. The dense reference gives each J_k.
 TEST(SlicedStep, equalsASumOfDenseJacobiAnswersWithChebyshevsWeights) {
-  const auto model = heldCloth(testing::renumbered(testing::unevenSheet(6, 3), 5));
+  const auto model = pinnedCloth(testing::renumbered(testing::unevenSheet(6, 3), 5));
   const StepParameters parameters = everything();
   const ClothState start = shaken(*model, 0.02, 7);
   const std::vector<double> weights{1.3, 1.1, 1.25, 1.2};
@@ -124,7 +124,7 @@ TEST(SlicedStep, equalsASumOfDenseJacobiAnswersWithChebyshevsWeights) {
 /// step.
 TEST(SlicedStep, staysNearTheDenseReferenceInFloat) {
   for (const NamedMesh& mesh : smallMeshes()) {
-    const auto model = heldCloth(mesh.mesh);
+    const auto model = pinnedCloth(mesh.mesh);
     const StepInputs inputs = attachmentAcrossSlices(*model);
     for (const auto variant : {ForceDerivative::Stabilised, ForceDerivative::Scalar, ForceDerivative::Axial}) {
       StepParameters parameters = everything();
@@ -134,13 +134,13 @@ TEST(SlicedStep, staysNearTheDenseReferenceInFloat) {
       ClothState plain = state;
       fast.oneIteration(inputs, 1, state);
       testing::referenceStep(*model, parameters, inputs, plain);
-      double place = 0.0;
+      double distance = 0.0;
       for (std::size_t v = 0; v < state.positions.size(); ++v) {
-        place = std::max(place, (state.positions[v] - plain.positions[v]).norm());
+        distance = std::max(distance, (state.positions[v] - plain.positions[v]).norm());
       }
-      EXPECT_LT(place, 1e-6) << mesh.name;
+      EXPECT_LT(distance, 1e-6) << mesh.name;
       EXPECT_LT(largestDifference(state, plain), 2e-4) << mesh.name;
-      EXPECT_GT(place, 1e-10) << mesh.name << ": it should have been float";
+      EXPECT_GT(distance, 1e-10) << mesh.name << ": it should have been float";
     }
   }
 }
@@ -160,7 +160,7 @@ std::uint64_t hashOfSteps(const ClothModel& model, int sweeps, int members, Turn
 class EveryMeshInShares : public ::testing::TestWithParam<NamedMesh> {};
 
 TEST_P(EveryMeshInShares, hasTheSameBitsForAnyNumberOfSharesTakenInAnyOrder) {
-  const auto model = heldCloth(GetParam().mesh);
+  const auto model = pinnedCloth(GetParam().mesh);
   for (const int sweeps : {1, 3}) {
     const auto single = hashOfSteps<float>(*model, sweeps, 1, Turns::Forwards);
     const auto twice = hashOfSteps<double>(*model, sweeps, 1, Turns::Forwards);
@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(SlicedStep, EveryMeshInShares, ::testing::ValuesIn(ever
                          [](const auto& chosen) { return chosen.param.name; });
 
 TEST(SlicedStep, hasTheSameBitsInAsManySharesWhereSweepsMeetInTheMiddleOfOne) {
-  const auto model = heldCloth(testing::sheet(49));
+  const auto model = pinnedCloth(testing::sheet(49));
   for (const int sweeps : {1, 3, 5}) {
     const auto alone = hashOfSteps<float>(*model, sweeps, 1, Turns::Forwards);
     for (const int members : {2, 3, 4, 8}) {
@@ -188,7 +188,7 @@ TEST(SlicedStep, hasTheSameBitsInAsManySharesWhereSweepsMeetInTheMiddleOfOne) {
 }
 
 TEST(SlicedStep, takesManyStepsAtOnceAsOneAfterTheOther) {
-  const auto model = heldCloth(testing::renumbered(testing::unevenSheet(12, 3), 4));
+  const auto model = pinnedCloth(testing::renumbered(testing::unevenSheet(12, 3), 4));
   for (const char* name : {"one_iteration", "verlet", "chebyshev", "pcg"}) {
     for (const Precision precision : {Precision::Float, Precision::Double}) {
       StepParameters parameters = everything();
@@ -212,7 +212,7 @@ TEST(SlicedStep, takesManyStepsAtOnceAsOneAfterTheOther) {
 }
 
 TEST(SlicedClothCache, keepsTheLayoutWhenOnlyMassesAndPinsChange) {
-  const auto model = heldCloth(testing::sheet(9));
+  const auto model = pinnedCloth(testing::sheet(9));
   SlicedClothCache<float> cache;
   const SlicedCloth<float>& cloth = cache.get(*model);
   const int* const layout = cloth.layout.order.data();
@@ -221,10 +221,10 @@ TEST(SlicedClothCache, keepsTheLayoutWhenOnlyMassesAndPinsChange) {
   const auto other = withMass(*withPins(*model, pinned), 0.3, MassLumping::Uniform);
   const SlicedCloth<float>& same = cache.get(*other);
   EXPECT_EQ(same.layout.order.data(), layout) << "no new one should have been made";
-  for (std::size_t place = 0; place < other->vertexMass.size(); ++place) {
-    const auto v = static_cast<std::size_t>(same.layout.order[place]);
-    EXPECT_EQ(same.mass.data()[place], static_cast<float>(other->vertexMass[v]));
-    EXPECT_EQ(same.free.data()[place], v == 7 ? 0.0F : 1.0F);
+  for (std::size_t k = 0; k < other->vertexMass.size(); ++k) {
+    const auto v = static_cast<std::size_t>(same.layout.order[k]);
+    EXPECT_EQ(same.mass.data()[k], static_cast<float>(other->vertexMass[v]));
+    EXPECT_EQ(same.free.data()[k], v == 7 ? 0.0F : 1.0F);
   }
 }
 
@@ -236,9 +236,9 @@ TEST(SlicedClothCache, makesALayoutAnewWhenTrianglesRestShapeOrSizeChange) {
   longer.positions[5].x() += 0.01;
   for (const ClothMesh& changed : {turned, longer, testing::sheet(10), testing::renumbered(mesh, 2)}) {
     SlicedClothCache<double> cache;
-    const auto first = heldCloth(mesh);
+    const auto first = pinnedCloth(mesh);
     static_cast<void>(cache.get(*first));
-    const auto second = heldCloth(changed);
+    const auto second = pinnedCloth(changed);
     const SlicedCloth<double>& cloth = cache.get(*second);
     SlicedCloth<double> fresh(*second);
     ASSERT_EQ(cloth.layout.order, fresh.layout.order);

@@ -167,12 +167,12 @@ TEST(ConstantFilter, givesTheSameWithTheDenseInverseAsWithTheSparseFactor) {
     impulse = random.next(1.0);
   }
   std::vector<Vec3> sparse = dense;
-  AttachmentDiagonal held{{5, 0, 40}, Vec3(0.01, 0.02, 0.03)};
+  AttachmentDiagonal attachment{{5, 0, 40}, Vec3(0.01, 0.02, 0.03)};
   ConstantFilter one;
-  one.prepare(*model, {1.0, 0.02, 0.0}, &held);
+  one.prepare(*model, {1.0, 0.02, 0.0}, &attachment);
   one.apply(1, workers, dense);
   ConstantFilter other(10);
-  other.prepare(*model, {1.0, 0.02, 0.0}, &held);
+  other.prepare(*model, {1.0, 0.02, 0.0}, &attachment);
   other.apply(1, workers, sparse);
   const Rows difference = rowsOf(dense) - rowsOf(sparse);
   EXPECT_LT(difference.norm(), 1e-11 * rowsOf(sparse).norm());

@@ -48,7 +48,7 @@ void addSprings(const ClothModel& model, const StepParameters& p, const VectorXd
 
 void addAttachment(const ClothModel& model, const Attachment& attachment, double h, const VectorXd& x,
                    Equations& equations) {
-  MatrixXd weights = MatrixXd::Zero(3, x.size());  // held point = weights * x
+  MatrixXd weights = MatrixXd::Zero(3, x.size());  // attached point = weights * x
   for (int c = 0; c < 3; ++c) {
     const int v = model.triangles[static_cast<std::size_t>(attachment.triangle)][static_cast<std::size_t>(c)];
     weights.block<3, 3>(0, 3 * v) = attachment.barycentric[c] * Mat3::Identity();

@@ -57,16 +57,16 @@ double denseFrequency(const ClothModel& model, double stiffness) {
 double largestEnergy(std::string_view solver, const ClothModel& model, const StepParameters& parameters, double seconds,
                      ClothState state) {
   const auto method = findSolver(solver)->make();
-  double most = -std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
   const int steps = static_cast<int>(seconds / parameters.timeStep);
   for (int step = 0; step < steps; ++step) {
     method->step(model, parameters, {}, state);
     if (!isFinite(state)) {
       return std::numeric_limits<double>::infinity();
     }
-    most = std::max(most, energyOf(model, parameters, state).total());
+    largest = std::max(largest, energyOf(model, parameters, state).total());
   }
-  return most;
+  return largest;
 }
 
 TEST(Verlet, isStableUpToTheDenseMatrixsLargestFrequencyAndNotBeyond) {
@@ -207,12 +207,12 @@ TEST(Verlet, bringsTheClothToAnAttachmentThatIsFarStifferThanTheCloth) {
     solver->step(*model, parameters, inputs, state);
     ASSERT_TRUE(isFinite(state));
   }
-  Vec3 held = Vec3::Zero();
+  Vec3 attached = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    held += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
-            state.positions[static_cast<std::size_t>(model->triangles[100][c])];
+    attached += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
+                state.positions[static_cast<std::size_t>(model->triangles[100][c])];
   }
-  EXPECT_LT((held - inputs.attachment->target).norm(), 0.01);
+  EXPECT_LT((attached - inputs.attachment->target).norm(), 0.01);
 }
 
 TEST(Verlet, saysHowManySubstepsAreNeededAndIsContentWithThem) {

@@ -50,8 +50,8 @@ Rows alternate(const ClothModel& model, const StepParameters& p, const StepInput
       right.row(s.a) -= h * h * p.stiffness * d;
       right.row(s.b) += h * h * p.stiffness * d;
     }
-    const Eigen::MatrixXd held = Eigen::MatrixXd::Identity(A.rows(), A.cols()) - freedom(model);
-    x = held * x0 + solveFree(model, A, right - A * held * x0);
+    const Eigen::MatrixXd fixed = Eigen::MatrixXd::Identity(A.rows(), A.cols()) - freedom(model);
+    x = fixed * x0 + solveFree(model, A, right - A * fixed * x0);
   }
   return x;
 }

@@ -167,13 +167,13 @@ TEST(OneIteration, isCalmAtALargeStepWhereExplicitStepsExplode) {
   parameters.stiffness = 1000.0;
   ClothState state = stateAtRest(model->restPositions);
   const auto solver = oneIteration();
-  double most = -std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
   for (int step = 0; step < 300; ++step) {
     solver->step(*model, parameters, {}, state);
-    most = std::max(most, energyOf(*model, parameters, state).total());
+    largest = std::max(largest, energyOf(*model, parameters, state).total());
   }
   EXPECT_TRUE(isFinite(state));
-  EXPECT_LT(most, 1.0) << "[J]; the sheet starts with none, and about 0.5 J is known for this start";
+  EXPECT_LT(largest, 1.0) << "[J]; the sheet starts with none, and about 0.5 J is known for this start";
 }
 
 TEST(OneIteration, neverPullsHarderThanTheAttachmentMay) {

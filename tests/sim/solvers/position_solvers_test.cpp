@@ -197,12 +197,12 @@ TEST_P(PositionSolver, holdsALightMeshByAStiffAttachmentAtALargeStep) {
       ASSERT_LT(position.norm(), 5.0);
     }
   }
-  Vec3 held = Vec3::Zero();
+  Vec3 attached = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    held += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
-            state.positions[static_cast<std::size_t>(model->triangles[100][c])];
+    attached += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
+                state.positions[static_cast<std::size_t>(model->triangles[100][c])];
   }
-  EXPECT_LT((held - inputs.attachment->target).norm(), 0.02);
+  EXPECT_LT((attached - inputs.attachment->target).norm(), 0.02);
   for (const Vec3& velocity : state.velocities) {
     EXPECT_LT(velocity.norm(), 1.0) << "the motion that the attachment caused should have decayed";
   }

@@ -71,12 +71,12 @@ TEST_P(ScalarMatrixSolver, survivesVerticesThatFallTogetherAndAClothHeldEverywhe
   EXPECT_TRUE(isFinite(run(*model, {}, 3, stateAtRest(std::vector<Vec3>(9, Vec3(0.5, 0.0, 0.5))))));
   const auto loose = unevenSheet(3, {});
   EXPECT_TRUE(isFinite(run(*loose, {}, 3, stateAtRest(std::vector<Vec3>(9, Vec3(0.5, 0.0, 0.5))))));
-  const auto held = withPins(*model, std::vector<bool>(9, true));
+  const auto pinned = withPins(*model, std::vector<bool>(9, true));
   StepInputs inputs;
   inputs.attachment = Attachment{0, Vec3(1.0, 0.0, 0.0), Vec3(1.0, 1.0, 0.0), 500.0, 10.0};
-  ClothState state = stateAtRest(held->restPositions);
-  make()->step(*held, {}, inputs, state);
-  EXPECT_EQ(stateHash(state), stateHash(stateAtRest(held->restPositions)));
+  ClothState state = stateAtRest(pinned->restPositions);
+  make()->step(*pinned, {}, inputs, state);
+  EXPECT_EQ(stateHash(state), stateHash(stateAtRest(pinned->restPositions)));
 }
 
 TEST_P(ScalarMatrixSolver, givesTheSameBitsForAnyNumberOfThreads) {

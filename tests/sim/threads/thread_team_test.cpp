@@ -14,8 +14,8 @@
 namespace drape {
 namespace {
 
-using testing::heldCloth;
 using testing::oneIterationByTeam;
+using testing::pinnedCloth;
 using testing::shaken;
 
 TEST(ThreadTeam, letsEveryMemberWorkOnceInEachOfManyRounds) {
@@ -86,7 +86,7 @@ TEST(ThreadTeam, wakesMembersThatFellAsleepForWorkAndForTheEnd) {
 }
 
 TEST(SlicedStepInThreads, hasTheSameBitsWithMoreThreadsThanCores) {
-  const auto model = heldCloth(testing::renumbered(testing::unevenSheet(17, 3), 4));
+  const auto model = pinnedCloth(testing::renumbered(testing::unevenSheet(17, 3), 4));
   for (const int sweeps : {1, 3}) {
     const auto hashWith = [&](int threads) {
       StepParameters parameters;

@@ -241,7 +241,7 @@ void MeshSearch::addVertexContacts(const ConstraintBuilder& builder, const MeshI
       if (near.triangle < 0) {
         continue;
       }
-      // A vertex that has passed through an open mesh must not be held behind it.
+      // A vertex that has passed through an open mesh must not be kept behind it.
       if (mesh.mesh.closed || !besidePenetrating_[v] ||
           faceNormal(mesh.corners(near.triangle)).dot(near.normal) > 0.0) {
         builder.addContact(cloth, t, onCorner(k), pointOf(mesh, near), builder.offsets().contactOffset, candidates);

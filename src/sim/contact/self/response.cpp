@@ -99,8 +99,8 @@ int SelfResponse::report(const Inputs& inputs, const ClothState& state, std::vec
   const auto outside = static_cast<std::int32_t>(state.positions.size());
   int touching = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts_.count); ++i) {
-    const bool pressed = contacts_.normalImpulse[i] > 0.0F;
-    if (contacts_.a[i] != outside && (pressed || contacts_.minDistance[i] < static_cast<float>(inputs.thickness))) {
+    const bool hasImpulse = contacts_.normalImpulse[i] > 0.0F;
+    if (contacts_.a[i] != outside && (hasImpulse || contacts_.minDistance[i] < static_cast<float>(inputs.thickness))) {
       const Vec3& a = state.positions[static_cast<std::size_t>(contacts_.a[i])];
       const Vec3& b = state.positions[static_cast<std::size_t>(contacts_.b[i])];
       const Vec3 normal(static_cast<double>(contacts_.normalX[i]), static_cast<double>(contacts_.normalY[i]),

@@ -190,12 +190,12 @@ TEST(MeshSearch, contactsEachVertexAtTheClosestPointOfTheMesh) {
       Eigen::Index corner = 0;
       contact.weights.maxCoeff(&corner);
       const Vec3& point = search.start[static_cast<std::size_t>(contact.vertices[static_cast<std::size_t>(corner)])];
-      double least = 1e9;
+      double smallest = 1e9;
       for (const Triangle& triangle : shape.triangles) {
         const Corners corners = cornersOf(shape.positions, triangle);
-        least = std::min(least, (pointAt(corners, nearestOnTriangle(point, corners)) - point).norm());
+        smallest = std::min(smallest, (pointAt(corners, nearestOnTriangle(point, corners)) - point).norm());
       }
-      EXPECT_NEAR(contact.normal.dot(point) - contact.height, least, 1e-12);
+      EXPECT_NEAR(contact.normal.dot(point) - contact.height, smallest, 1e-12);
       ++vertexContacts;
     }
   }

@@ -41,13 +41,13 @@ testing::ContactScene stiffSheetOver(const Body& body, double stiffness, bool sl
 /// @param maxAllowedStretch of a spring, in rest lengths
 void expectNoEnergyGain(const char* what, testing::ContactScene scene, double maxAllowedStretch = 0.5) {
   const double start = energyOf(scene.model(), scene.parameters, scene.state).total();
-  double most = start;
+  double largest = start;
   double longest = 0.0;
   scene.run(0.6, [&](const StepReport&) {
-    most = std::max(most, energyOf(scene.model(), scene.parameters, scene.state).total());
+    largest = std::max(largest, energyOf(scene.model(), scene.parameters, scene.state).total());
     longest = std::max(longest, maxStretch(scene.model(), scene.state));
   });
-  EXPECT_LT(most, start + 0.05) << what << " [J]";
+  EXPECT_LT(largest, start + 0.05) << what << " [J]";
   EXPECT_LT(longest, maxAllowedStretch) << what;
 }
 

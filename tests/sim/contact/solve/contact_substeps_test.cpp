@@ -26,13 +26,13 @@ TEST(ContactSubsteps, letNoSolverGainEnergyOnABallInLongSteps) {
   for (const char* solver : {"newton", "pcg", "xpbd", "vbd", "local_global", "one_iteration", "auto"}) {
     testing::ContactScene scene = sheetOverBall(solver);
     const double start = energyOf(scene.model(), scene.parameters, scene.state).total();
-    double most = start;
+    double largest = start;
     double longest = 0.0;
     scene.run(1.0, [&](const StepReport&) {
-      most = std::max(most, energyOf(scene.model(), scene.parameters, scene.state).total());
+      largest = std::max(largest, energyOf(scene.model(), scene.parameters, scene.state).total());
       longest = std::max(longest, maxStretch(scene.model(), scene.state));
     });
-    EXPECT_LT(most, start + 0.05) << solver << " [J]";
+    EXPECT_LT(largest, start + 0.05) << solver << " [J]";
     EXPECT_LT(longest, 0.4) << solver;
     EXPECT_EQ(scene.pairs(0), 0) << solver;
   }
