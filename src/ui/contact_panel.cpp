@@ -121,28 +121,25 @@ void reportRows(PanelContext& context) {
 
 }  // namespace
 
-void contactPanel(PanelContext& context) {
-  const std::vector<Body>& all = *context.snapshot.scene->bodies;
-  const bool bodies = !all.empty();
+bool contactMatters(const PanelContext& context) {
   // Every scene has a ground. A ground or stand alone does not make contact the main subject of a scene.
-  const bool ownBodies = std::any_of(all.begin(), all.end(), [](const Body& body) { return body.drawn; });
-  const bool self = context.settings.step.contact.self != SelfCollision::Off;
-  if (!beginSection(context, "Contact", ownBodies || self)) {
-    return;
-  }
-  settingsOfGroup(context, SettingGroup::Contact);
-  if (self) {
+  const std::vector<Body>& bodies = *context.snapshot.scene->bodies;
+  return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.drawn; }) ||
+         context.settings.step.contact.self != SelfCollision::Off;
+}
+
+void contactRows(PanelContext& context) {
+  if (context.settings.step.contact.self != SelfCollision::Off) {
     const ContactReport& contact = context.snapshot.stepReport.contact;
     valueRow(context, "Contacts with itself", formatCount(contact.selfContacts));
     valueRow(context, "Cost of self-collision", formatDuration(contact.selfSeconds));
   }
-  if (!bodies) {
+  if (context.snapshot.scene->bodies->empty()) {
     mutedText("There are no bodies in this scene.");
   } else {
     bodyRows(context);
     reportRows(context);
   }
-  endSection();
 }
 
 }  // namespace drape

@@ -82,10 +82,7 @@ void historyPlot(const PanelContext& context, const History& history) {
                  legend.c_str());
 }
 
-void performancePanel(PanelContext& context) {
-  if (!beginSection(context, "Performance", false)) {
-    return;
-  }
+void performanceRows(PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
   valueRow(context, "Frame", formatDuration(context.stats.frameSeconds));
   valueRow(context, "Step", formatDuration(snapshot.stepSeconds));
@@ -108,7 +105,6 @@ void performancePanel(PanelContext& context) {
   if (snapshot.balance) {
     balancePlot(context);
   }
-  endSection();
 }
 
 }  // namespace drape

@@ -6,7 +6,6 @@
 #include <imgui_internal.h>  // for closing a drop-down list from outside
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,12 +15,6 @@ namespace {
 constexpr float columnWidth = 372.0F;  // at scale 1
 constexpr float statusHeight = 30.0F;  // at scale 1
 constexpr float columnShare = 0.55F;   // maximum share of a small window
-constexpr std::size_t sectionCount = 9;
-
-using Panel = void (*)(PanelContext&);
-constexpr std::array<Panel, sectionCount> sections{materialPanel, airPanel,         simulationPanel,
-                                                   contactPanel,  scenePanel,       viewPanel,
-                                                   ghostPanel,    performancePanel, advancedPanel};
 
 constexpr ImGuiWindowFlags columnFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -100,9 +93,7 @@ void UserInterface::Parts::column(PanelContext& panel, const UiRect& place) {
   headPanel(panel);
   ImGui::Dummy({0.0F, 2.0F * display.scale});
   ImGui::BeginChild("Sections", {0.0F, 0.0F}, false, ImGuiWindowFlags_NoSavedSettings);
-  for (const Panel section : sections) {
-    section(panel);
-  }
+  drawSections(panel);
   memory.openSections.reset();
   ImGui::EndChild();
   ImGui::End();
