@@ -15,7 +15,7 @@ struct SurfaceField {
   double SurfaceProperties::*value;
   double min;
   double max;
-  double everyday;   ///< maximum of the slider
+  double sliderMax;  ///< upper end of the slider; larger values can be typed
   bool logarithmic;  ///< whether the slider is logarithmic
   std::string_view help;
 };

@@ -3,7 +3,6 @@
 #include "sim/error.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
-#include "ui/setting_widget.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -17,7 +16,7 @@ std::string withUnit(const SurfaceField& field, double value) {
   return printed(numberFormat("%.4g", field.unit).c_str(), value);
 }
 
-NumberInput inputOf(const std::string& key, const SurfaceField& field) {
+SliderInput sliderOf(const std::string& key, const SurfaceField& field) {
   const auto nearest = [&field](double value) -> SettingValue { return std::clamp(value, field.min, field.max); };
   const auto typed = [&field, nearest](const std::string& text) {
     const auto number = parseNumber(text);
@@ -26,7 +25,8 @@ NumberInput inputOf(const std::string& key, const SurfaceField& field) {
     }
     return nearest(*number);
   };
-  return {key, nearest, typed};
+  const SliderRange range{field.min, field.sliderMax, field.logarithmic};
+  return {key, range, numberFormat("%.4g", field.unit), nearest, typed};
 }
 
 /// Static friction is never less than kinetic friction: changing one also moves the other.
@@ -50,8 +50,7 @@ void surfaceRow(PanelContext& context, int body, const SurfaceField& field) {
   const std::string key = "body." + own.name + "." + std::string(field.key);
   ImGui::PushID(key.c_str());
   const UiRect row = beginRow(context, "  " + std::string(field.title), value != usual);
-  const SliderRange range{field.min, field.everyday, field.logarithmic};
-  const Edit edit = numberSlider(context, inputOf(key, field), range, value, numberFormat("%.4g", field.unit));
+  const Edit edit = numberSlider(context, sliderOf(key, field), value);
   context.widgets[key] = lastItemRect();
   if (edit.changed) {
     changeSurface(context, body, surface, field, std::get<double>(edit.value));

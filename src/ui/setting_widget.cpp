@@ -2,7 +2,6 @@
 
 #include "sim/error.hpp"
 #include "ui/number_slider.hpp"
-#include "ui/slider_range.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -12,18 +11,6 @@
 
 namespace drape {
 namespace {
-
-Edit numberWidget(PanelContext& context, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
-  const SliderRange range = everydayRange(field, std::get<double>(defaultValue(info)));
-  return numberSlider(context, inputOf(info, context.settings), range, value, numberFormat("%.4g", info.unit));
-}
-
-Edit integerWidget(PanelContext& context, const SettingInfo& info, const IntegerField& field,
-                   const SettingValue& value) {
-  constexpr int many = 32;  // above this the slider is logarithmic
-  const SliderRange range{static_cast<double>(field.min), static_cast<double>(field.max), field.max > many};
-  return numberSlider(context, inputOf(info, context.settings), range, value, numberFormat("%.0f", info.unit));
-}
 
 Edit flagWidget(bool value) {
   bool edited = value;
@@ -119,16 +106,13 @@ Edit choiceWidget(PanelContext& context, const SettingInfo& info, const ChoiceFi
 }
 
 Edit fieldWidget(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
-  if (const auto* number = std::get_if<NumberField>(&info.field)) {
-    return numberWidget(context, info, *number, value);
-  }
-  if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
-    return integerWidget(context, info, *integer, value);
-  }
   if (std::holds_alternative<FlagField>(info.field)) {
     return flagWidget(std::get<bool>(value));
   }
-  return choiceWidget(context, info, std::get<ChoiceField>(info.field), std::get<std::string>(value));
+  if (const auto* choice = std::get_if<ChoiceField>(&info.field)) {
+    return choiceWidget(context, info, *choice, std::get<std::string>(value));
+  }
+  return numberSlider(context, sliderOf(info, context.settings), value);
 }
 
 /// The value as typed, with few digits for a real number.
@@ -180,18 +164,6 @@ void takeEdit(PanelContext& context, const SettingInfo& info, const Edit& edit) 
 }
 
 }  // namespace
-
-std::string numberFormat(std::string_view digits, std::string_view unit) {
-  std::string format(digits);
-  if (unit == "-") {
-    return format;
-  }
-  format += ' ';
-  for (const char letter : prettyUnit(unit)) {
-    format += letter == '%' ? std::string("%%") : std::string(1, letter);
-  }
-  return format;
-}
 
 bool settingApplies(const SettingInfo& info, const Settings& settings, const Scene& scene) {
   const bool isGrid = std::holds_alternative<GridSource>(scene.description.source);
