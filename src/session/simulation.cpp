@@ -190,10 +190,7 @@ void Simulation::on(const SetSettingCommand& command) {
   if (info.effect == SettingEffect::Scene) {
     throw InputError(command.key + " takes effect when the scene is built again");
   }
-  Settings changed = settings_;
-  assignSetting(changed, info, command.value);
-  requireConsistent(changed);
-  settings_ = changed;
+  settings_ = withSetting(settings_, info, command.value);
   if (info.effect == SettingEffect::Mass) {
     model_ = withMass(*model_, totalMassOf(settings_, model_->restArea()), lumpingOf(settings_));
   }

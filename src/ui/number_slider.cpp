@@ -18,10 +18,9 @@ double asNumber(const SettingValue& value) {
   return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
 }
 
-bool goesTogether(const SettingInfo& info, Settings settings, const SettingValue& value) {
+bool isAllowed(const SettingInfo& info, const Settings& settings, int value) {
   try {
-    assignSetting(settings, info, value);
-    requireConsistent(settings);
+    static_cast<void>(withSetting(settings, info, value));
     return true;
   } catch (const UsageError&) {
     return false;
@@ -34,7 +33,7 @@ SettingValue allowedValue(const SettingInfo& info, const Settings& settings, dou
   if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
     const int nearest = nearestAllowed(*integer, value);
     for (const int candidate : {nearest, nearest + 1, nearest - 1}) {
-      if (goesTogether(info, settings, candidate)) {
+      if (isAllowed(info, settings, candidate)) {
         return candidate;
       }
     }

@@ -118,20 +118,18 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
 }
 
 void carryViewSettings(const Settings& current, const Settings& own, Settings& target) {
-  for (const SettingInfo& info : settingsTable()) {
-    const SettingValue value = settingValue(current, info);
-    if (info.group == SettingGroup::View && value != settingValue(own, info)) {
-      assignSetting(target, info, value);
+  for (const SettingInfo* info : differingSettings(current, own)) {
+    if (info->group == SettingGroup::View) {
+      assignSetting(target, *info, settingValue(current, *info));
     }
   }
 }
 
 std::vector<SetSettingCommand> runningChanges(const Settings& from, const Settings& to) {
   std::vector<SetSettingCommand> changes;
-  for (const SettingInfo& info : settingsTable()) {
-    const SettingValue value = settingValue(to, info);
-    if (info.effect != SettingEffect::Scene && value != settingValue(from, info)) {
-      changes.push_back({std::string(info.key), value});
+  for (const SettingInfo* info : differingSettings(from, to)) {
+    if (info->effect != SettingEffect::Scene) {
+      changes.push_back({std::string(info->key), settingValue(to, *info)});
     }
   }
   return changes;

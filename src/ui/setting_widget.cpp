@@ -174,26 +174,22 @@ bool settingApplies(const SettingInfo& info, const Settings& settings, const Sce
     return false;
   }
   if (!info.alsoKey.empty()) {
-    const SettingInfo* decided = findSetting(info.alsoKey);
-    return decided == nullptr || formatValue(settingValue(settings, *decided)) == info.alsoValue;
+    return formatValue(settingValue(settings, requireSetting(info.alsoKey))) == info.alsoValue;
   }
   return true;
 }
 
 void changeSetting(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
-  Settings changed = context.settings;
   try {
-    assignSetting(changed, info, value);
-    requireConsistent(changed);
+    Settings changed = withSetting(context.settings, info, value);
+    if (info.effect == SettingEffect::Scene) {
+      context.output.requests.emplace_back(RebuildSceneRequest{std::move(changed)});
+    } else {
+      context.output.commands.emplace_back(SetSettingCommand{std::string(info.key), value});
+    }
+    context.memory.pending.add(info, value, ImGui::GetTime());
   } catch (const UsageError& error) {
     context.output.hint = error.what();
-    return;
-  }
-  context.memory.pending.add(info, value, ImGui::GetTime());
-  if (info.effect == SettingEffect::Scene) {
-    context.output.requests.emplace_back(RebuildSceneRequest{std::move(changed)});
-  } else {
-    context.output.commands.emplace_back(SetSettingCommand{std::string(info.key), value});
   }
 }
 

@@ -366,10 +366,7 @@ void Viewer::on(UiAction action, const Snapshot& snapshot) {
 void Viewer::resetAll(const Snapshot& snapshot) {
   stats_.error.clear();
   const Scene& scene = *snapshot.scene;
-  const auto same = [&](const SettingInfo& info) {
-    return settingValue(scene.settings, info) == settingValue(scene.description.settings, info);
-  };
-  if (std::all_of(settingsTable().begin(), settingsTable().end(), same)) {
+  if (differingSettings(scene.settings, scene.description.settings).empty()) {
     simulation_.post(LoadSceneCommand{snapshot.scene});
   } else {
     loader_.restore(scene.description);
