@@ -94,6 +94,25 @@ void InteractionController::lookFrom(Camera::Side side, const Snapshot& snapshot
   moveCamera(snapshot, [&](Camera& camera) { camera.lookFrom(side); });
 }
 
+bool InteractionController::moveCamera(UiAction action, const Snapshot& snapshot) {
+  switch (action) {
+    case UiAction::FrameCloth:
+      frameCloth(snapshot);
+      return true;
+    case UiAction::ViewFront:
+      lookFrom(Camera::Side::Front, snapshot);
+      return true;
+    case UiAction::ViewRight:
+      lookFrom(Camera::Side::Right, snapshot);
+      return true;
+    case UiAction::ViewTop:
+      lookFrom(Camera::Side::Top, snapshot);
+      return true;
+    default:
+      return false;
+  }
+}
+
 void InteractionController::moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move) {
   if (snapshot.positions.empty()) {
     return;
@@ -191,58 +210,19 @@ void InteractionController::on(const ScrollEvent& event, const Snapshot& snapsho
   moveCamera(snapshot, [&](Camera& camera) { camera.zoom(std::pow(zoomPerNotch, event.amount)); });
 }
 
-void InteractionController::escape(UiOutput& output) {
-  if (holdsCloth() || holdsBody()) {
-    letGo(output);
-  } else {
-    output.requests.emplace_back(UiAction::Quit);
-  }
-}
-
 void InteractionController::on(const KeyEvent& event, const Snapshot& snapshot, UiOutput& output) {
-  if (event.repeated && event.key != Key::Period) {
+  const Shortcut& shortcut = shortcutOf(event.key);
+  if (event.repeated && !shortcut.repeats) {
     return;
   }
-  switch (event.key) {
-    case Key::Space:
-      output.commands.emplace_back(PauseCommand{!snapshot.paused});
-      break;
-    case Key::Period:
-      output.commands.emplace_back(SingleStepCommand{});
-      break;
-    case Key::R:
-      output.commands.emplace_back(ResetCommand{});
-      break;
-    case Key::P:
-      output.commands.emplace_back(TogglePinCommand{});
-      break;
-    case Key::W:
-      output.commands.emplace_back(SetSettingCommand{"view.wireframe", !snapshot.settings.view.wireframe});
-      break;
-    case Key::F:
-      frameCloth(snapshot);
-      break;
-    case Key::One:
-      lookFrom(Camera::Side::Front, snapshot);
-      break;
-    case Key::Three:
-      lookFrom(Camera::Side::Right, snapshot);
-      break;
-    case Key::Seven:
-      lookFrom(Camera::Side::Top, snapshot);
-      break;
-    case Key::H:
-      output.requests.emplace_back(UiAction::TogglePanels);
-      break;
-    case Key::Help:
-      output.requests.emplace_back(UiAction::ToggleHelp);
-      break;
-    case Key::F12:
-      output.requests.emplace_back(UiAction::Screenshot);
-      break;
-    case Key::Escape:
-      escape(output);
-      break;
+  if (event.key == Key::Escape && (holdsCloth() || holdsBody())) {
+    letGo(output);
+  } else if (const auto* action = std::get_if<UiAction>(&shortcut.action)) {
+    if (!moveCamera(*action, snapshot)) {
+      output.requests.emplace_back(*action);
+    }
+  } else {
+    output.commands.push_back(std::get<Command (*)(const Snapshot&)>(shortcut.action)(snapshot));
   }
 }
 

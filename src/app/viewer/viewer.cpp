@@ -336,16 +336,10 @@ void Viewer::on(UiAction action, const Snapshot& snapshot) {
       saveScreenshot(snapshot);
       break;
     case UiAction::FrameCloth:
-      controller_.frameCloth(snapshot);
-      break;
     case UiAction::ViewFront:
-      controller_.lookFrom(Camera::Side::Front, snapshot);
-      break;
     case UiAction::ViewRight:
-      controller_.lookFrom(Camera::Side::Right, snapshot);
-      break;
     case UiAction::ViewTop:
-      controller_.lookFrom(Camera::Side::Top, snapshot);
+      controller_.moveCamera(action, snapshot);
       break;
     case UiAction::ResetAll:
       resetAll(snapshot);
