@@ -29,40 +29,31 @@ SliderInput sliderOf(const std::string& key, const SurfaceField& field) {
   return {key, range, numberFormat("%.4g", field.unit), nearest, typed};
 }
 
-/// Static friction is never less than kinetic friction: changing one also moves the other.
-void changeSurface(PanelContext& context, int body, SurfaceProperties surface, const SurfaceField& field,
-                   double value) {
-  surface.*field.value = value;
-  if (field.value == &SurfaceProperties::staticFriction) {
-    surface.kineticFriction = std::min(surface.kineticFriction, value);
-  } else if (field.value == &SurfaceProperties::kineticFriction) {
-    surface.staticFriction = std::max(surface.staticFriction, value);
-  }
-  context.output.commands.emplace_back(SetSurfaceCommand{body, surface});
-}
-
-void surfaceRow(PanelContext& context, int body, const SurfaceField& field) {
-  const auto at = static_cast<std::size_t>(body);
-  const Body& own = (*context.snapshot.scene->bodies)[at];
-  const SurfaceProperties& surface = context.snapshot.bodies[at].surface;
+void surfaceRow(PanelContext& context, std::size_t i, const SurfaceField& field) {
+  const Body& body = (*context.snapshot.scene->bodies)[i];
+  const SurfaceProperties& surface = context.snapshot.bodies[i].surface;
   const double value = surface.*field.value;
-  const double usual = own.surface.*field.value;
-  const std::string key = "body." + own.name + "." + std::string(field.key);
+  const double sceneValue = body.surface.*field.value;
+  const auto change = [&](double changed) {
+    context.output.commands.emplace_back(
+        SetSurfaceCommand{static_cast<int>(i), withSurfaceValue(surface, field, changed)});
+  };
+  const std::string key = "body." + body.name + "." + std::string(field.key);
   ImGui::PushID(key.c_str());
-  const UiRect row = beginRow(context, "  " + std::string(field.title), value != usual);
+  const UiRect row = beginRow(context, "  " + std::string(field.title), value != sceneValue);
   const Edit edit = numberSlider(context, sliderOf(key, field), value);
   context.widgets[key] = lastItemRect();
   if (edit.changed) {
-    changeSurface(context, body, surface, field, std::get<double>(edit.value));
-  } else if (hoversRow(row) && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != usual) {
-    changeSurface(context, body, surface, field, usual);
+    change(std::get<double>(edit.value));
+  } else if (hoversRow(row) && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != sceneValue) {
+    change(sceneValue);
   }
   if (hoversRow(row) && hoveredLongEnough(context, key)) {
     beginExplanation(context, &row);
     ImGui::TextWrapped("%.*s", static_cast<int>(field.help.size()), field.help.data());
     ImGui::Spacing();
     mutedText("Range: " + withUnit(field, field.min) + " to " + withUnit(field, field.max));
-    mutedText("In the scene: " + withUnit(field, usual));
+    mutedText("In the scene: " + withUnit(field, sceneValue));
     mutedText("Ctrl+click types a value. A right click restores the scene's value.");
     endExplanation();
   }
@@ -98,7 +89,7 @@ void bodyRows(PanelContext& context) {
     surfaceButton(context, bodies[i].name);
     for (const SurfaceField& field : surfaceFields()) {
       if (context.memory.openSurface == bodies[i].name && i < context.snapshot.bodies.size()) {
-        surfaceRow(context, static_cast<int>(i), field);
+        surfaceRow(context, i, field);
       }
     }
     ImGui::PopID();
