@@ -90,9 +90,10 @@ class InteractionController {
   bool attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
   void letGo(UiOutput& output);
   void moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move);
-  [[nodiscard]] Vec2 inView(const Vec2& position) const { return position - Vec2(view_.x, view_.y); }
-  [[nodiscard]] int width() const { return static_cast<int>(view_.width); }
-  [[nodiscard]] int height() const { return static_cast<int>(view_.height); }
+  /// The ray through a position in the window.
+  [[nodiscard]] Ray rayThrough(const Vec2& position) const;
+  /// `point` moved parallel to the view to a position in the window.
+  [[nodiscard]] Vec3 movedTo(const Vec2& position, const Vec3& point) const;
 
   Camera camera_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};
