@@ -46,24 +46,22 @@ Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::v
                     const std::string& value) {
   Edit edit{.value = value};
   const float width = ImGui::CalcItemWidth();
-  const int count = static_cast<int>(choices.size());
   const float gap = std::round(2.0F * context.scale);
   ImGui::BeginGroup();
-  for (int i = 0; i < count; ++i) {
-    const Choice& choice = choices[static_cast<std::size_t>(i)];
+  const auto count = static_cast<float>(choices.size());
+  const ImVec2 size{(width - gap * (count - 1.0F)) / count, ImGui::GetFrameHeight()};
+  for (const Choice& choice : choices) {
     const bool chosen = choice.word == value;
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? palette().accentFill : palette().field);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
                           ImGui::GetStyleColorVec4(chosen ? ImGuiCol_Button : ImGuiCol_ButtonHovered));
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? palette().text : palette().muted);
-    if (ImGui::Button(choice.title.c_str(), {(width - gap * static_cast<float>(count - 1)) / static_cast<float>(count),
-                                             ImGui::GetFrameHeight()}) &&
-        !chosen) {
+    if (ImGui::Button(choice.title.c_str(), size) && !chosen) {
       edit = {.changed = true, .finished = true, .value = choice.word};
     }
     ImGui::PopStyleColor(3);
     context.buttons[std::string(info.key) + "=" + choice.word] = lastItemRect();
-    if (i + 1 < count) {
+    if (&choice != &choices.back()) {
       ImGui::SameLine(0.0F, gap);
     }
   }
@@ -101,8 +99,8 @@ Edit choiceWidget(PanelContext& context, const SettingInfo& info, const ChoiceFi
     widest = std::max(widest, ImGui::CalcTextSize(choice.title.c_str()).x);
   }
   const float needed = (widest + 2.0F * ImGui::GetStyle().FramePadding.x) * static_cast<float>(choices.size());
-  const bool interleaved = choices.size() > 1 && choices.size() <= 3 && needed <= ImGui::CalcItemWidth();
-  return interleaved ? segmentsWidget(context, info, choices, value) : comboWidget(context, info, choices, value);
+  const bool sideBySide = choices.size() > 1 && choices.size() <= 3 && needed <= ImGui::CalcItemWidth();
+  return sideBySide ? segmentsWidget(context, info, choices, value) : comboWidget(context, info, choices, value);
 }
 
 Edit fieldWidget(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
@@ -148,7 +146,7 @@ void explain(const PanelContext& context, const SettingInfo& info, const UiRect&
   endExplanation();
 }
 
-void takeEdit(PanelContext& context, const SettingInfo& info, const Edit& edit) {
+void applyEdit(PanelContext& context, const SettingInfo& info, const Edit& edit) {
   if (info.effect != SettingEffect::Scene) {
     if (edit.changed) {
       changeSetting(context, info, edit.value);
@@ -195,16 +193,16 @@ void changeSetting(PanelContext& context, const SettingInfo& info, const Setting
 
 void settingWidget(PanelContext& context, const SettingInfo& info) {
   const SettingValue value = settingValue(context.settings, info);
-  const SettingValue usual = settingValue(context.scene, info);
+  const SettingValue sceneValue = settingValue(context.scene, info);
   const std::string key(info.key);
   ImGui::PushID(key.c_str());
-  const UiRect row = beginRow(context, info.title, value != usual);
+  const UiRect row = beginRow(context, info.title, value != sceneValue);
   const Edit edit = fieldWidget(context, info, value);
   context.widgets[key] = lastItemRect();
-  takeEdit(context, info, edit);
+  applyEdit(context, info, edit);
   if (hoversRow(row)) {
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != usual) {
-      changeSetting(context, info, usual);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != sceneValue) {
+      changeSetting(context, info, sceneValue);
     }
     if (hoveredLongEnough(context, key)) {
       explain(context, info, row);
