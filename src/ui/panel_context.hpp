@@ -67,8 +67,8 @@ struct PanelMemory {
 /// The data of a panel while it is drawn.
 struct PanelContext {
   const Snapshot& snapshot;
-  const Settings& settings;  ///< the current values, with the user's latest changes
-  const Settings& scene;     ///< the values of the scene, which a right click restores
+  const Settings& settings;       ///< the current values, with the user's latest changes
+  const Settings& sceneSettings;  ///< the values of the scene, which a right click restores
   const UiStats& stats;
   const UiFonts& fonts;
   float scale;  ///< of all lengths

@@ -133,7 +133,8 @@ void explain(const PanelContext& context, const SettingInfo& info, const UiRect&
   ImGui::TextWrapped("%.*s", static_cast<int>(info.help.size()), info.help.data());
   ImGui::Spacing();
   ImGui::TextWrapped("Range: %s", describeRange(info).c_str());
-  ImGui::TextWrapped("In the scene: %s", withUnit(shortValue(settingValue(context.scene, info)), info.unit).c_str());
+  ImGui::TextWrapped("In the scene: %s",
+                     withUnit(shortValue(settingValue(context.sceneSettings, info)), info.unit).c_str());
   ImGui::TextWrapped("Default: %s", withUnit(shortValue(defaultValue(info)), info.unit).c_str());
   ImGui::TextWrapped("Command line: --set %.*s=%s", static_cast<int>(info.key.size()), info.key.data(),
                      shortValue(settingValue(context.settings, info)).c_str());
@@ -193,7 +194,7 @@ void changeSetting(PanelContext& context, const SettingInfo& info, const Setting
 
 void settingWidget(PanelContext& context, const SettingInfo& info) {
   const SettingValue value = settingValue(context.settings, info);
-  const SettingValue sceneValue = settingValue(context.scene, info);
+  const SettingValue sceneValue = settingValue(context.sceneSettings, info);
   const std::string key(info.key);
   ImGui::PushID(key.c_str());
   const UiRect row = beginRow(context, info.title, value != sceneValue);

@@ -183,10 +183,16 @@ void UserInterface::build(const Snapshot& snapshot, const UiStats& stats, UiOutp
   parts.widgets.clear();
   parts.buttons.clear();
   const Settings settings = parts.memory.pending.overlay(snapshot.settings);
-  PanelContext panel{snapshot,     settings,      snapshot.scene->description.settings,
-                     stats,        parts.fonts,   parts.display.scale,
-                     parts.memory, parts.widgets, parts.buttons,
-                     output};
+  PanelContext panel{.snapshot = snapshot,
+                     .settings = settings,
+                     .sceneSettings = snapshot.scene->description.settings,
+                     .stats = stats,
+                     .fonts = parts.fonts,
+                     .scale = parts.display.scale,
+                     .memory = parts.memory,
+                     .widgets = parts.widgets,
+                     .buttons = parts.buttons,
+                     .output = output};
   if (parts.panels) {
     const double below = static_cast<double>(parts.display.height) - parts.bottom();
     parts.column(panel, {0.0, 0.0, parts.width(), below});
