@@ -8,10 +8,10 @@
 namespace drape {
 namespace {
 
-constexpr double newest = 0.1;  // weight of a new measurement in the mean
-constexpr double believed =
-    2.0;                        // a measurement counts at most this many times the mean: the machine may have been busy
-constexpr double apart = 1.25;  // the cost budget changes when it is off by this factor
+constexpr double newestWeight = 0.1;  // of a measurement in the running mean
+// A measurement counts at most this many times the mean: the machine may have been busy.
+constexpr double largestRatio = 2.0;
+constexpr double changeRatio = 1.25;  // the cost budget changes when it is off by this factor
 
 /// Rounds to two digits, since the budget changes only now and then.
 double rounded(double value) {
@@ -29,14 +29,14 @@ std::optional<double> CostBudget::budgetAfter(const Settings& settings, const Cl
     return std::nullopt;
   }
   const double cost = spent / (report.choice->forceEvaluations * static_cast<double>(model.springs.size()));
-  cost_ = cost_ > 0.0 ? cost_ + newest * (std::min(cost, believed * cost_) - cost_) : cost;
+  cost_ = cost_ > 0.0 ? cost_ + newestWeight * (std::min(cost, largestRatio * cost_) - cost_) : cost;
   constexpr double milliseconds = 1e-3;
   constexpr double millions = 1e-6;
   const auto& field = std::get<NumberField>(requireSetting("auto.cost").field);
   const double affordable = millions * settings.automatic.budget * milliseconds / budgetedTime / cost_;
   const double budget = std::clamp(rounded(affordable), field.min, field.max);
   const double ratio = budget / settings.step.costBudget;
-  return ratio < apart && ratio > 1.0 / apart ? std::nullopt : std::optional(budget);
+  return ratio < changeRatio && ratio > 1.0 / changeRatio ? std::nullopt : std::optional(budget);
 }
 
 }  // namespace drape

@@ -34,7 +34,7 @@ void Simulation::apply(const Command& command) {
 void Simulation::step() {
   lastFinite_ = state_;
   const auto before = std::chrono::steady_clock::now();
-  inputs_.attachment = currentAttachment();
+  limitAttachment();
   bodies_.advance(state_.time, settings_.step.timeStep);
   inputs_.bodies = &bodies_.steps();
   inputs_.onProgress = onProgress_ ? &onProgress_ : nullptr;
@@ -147,7 +147,7 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.message = message();
   snapshot.overstretched.reset();
   if (snapshot.maxStretch > implausibleStretch) {
-    snapshot.overstretched = diagnoseStretch(*scene_, settings_, *model_, state_, attachment_.has_value());
+    snapshot.overstretched = diagnoseStretch(*scene_, settings_, *model_, state_, inputs_.attachment.has_value());
     if (snapshot.message.empty()) {
       snapshot.message = snapshot.overstretched->advice.text;
     }
@@ -159,10 +159,11 @@ void Simulation::capture(Snapshot& snapshot) const {
   }
   captureBodies(snapshot);
   snapshot.attachment.reset();
-  if (attachment_) {
-    const int corner = nearestAttachedVertex();
-    snapshot.attachment = AttachmentStatus{attachment_->triangle, attachment_->barycentric, attachment_->target,
-                                           attachedPoint(), model_->pinned[static_cast<std::size_t>(corner)]};
+  if (inputs_.attachment) {
+    snapshot.attachment = AttachmentStatus{.triangle = inputs_.attachment->triangle,
+                                           .target = inputs_.attachment->target,
+                                           .point = attachedPoint(),
+                                           .pinned = model_->pinned[nearestAttachedVertex()]};
   }
 }
 
@@ -192,10 +193,7 @@ void Simulation::on(const SetSettingCommand& command) {
   if (info.effect == SettingEffect::Scene) {
     throw InputError(command.key + " takes effect when the scene is built again");
   }
-  Settings changed = settings_;
-  assignSetting(changed, info, command.value);
-  requireConsistent(changed);
-  settings_ = changed;
+  settings_ = withSetting(settings_, info, command.value);
   if (info.effect == SettingEffect::Mass) {
     model_ = withMass(*model_, totalMassOf(settings_, model_->restArea()), lumpingOf(settings_));
   }
@@ -227,7 +225,7 @@ void Simulation::on(const ResetCommand&) {
   overlapMessage_.clear();
   blewUp_ = false;
   stepIndex_ = 0;
-  attachment_.reset();
+  inputs_.attachment.reset();
   message_ =
       unfolded ? "The cloth starts folded flat. Drape added a millionth of its rest shape, so that it can unfold." : "";
 }
@@ -239,25 +237,26 @@ void Simulation::on(const AttachCommand& command) {
   if (!exists || !inside || !command.target.allFinite()) {
     throw InputError("the attachment needs a point of the cloth");
   }
-  attachment_ = AttachedPoint{command.triangle, command.barycentric, command.target};
+  inputs_.attachment =
+      Attachment{.triangle = command.triangle, .barycentric = command.barycentric, .target = command.target};
 }
 
 void Simulation::on(const MoveAttachmentCommand& command) {
-  if (attachment_ && command.target.allFinite()) {
-    attachment_->target = command.target;
+  if (inputs_.attachment && command.target.allFinite()) {
+    inputs_.attachment->target = command.target;
   }
 }
 
 void Simulation::on(const DetachCommand&) {
-  attachment_.reset();
+  inputs_.attachment.reset();
 }
 
 void Simulation::on(const TogglePinCommand&) {
-  if (!attachment_) {
+  if (!inputs_.attachment) {
     throw InputError("Hold the cloth with the mouse, then press P to pin it there.");
   }
   std::vector<bool> pinned = model_->pinned;
-  pinned[static_cast<std::size_t>(nearestAttachedVertex())].flip();
+  pinned[nearestAttachedVertex()].flip();
   model_ = withPins(*model_, std::move(pinned));
 }
 
@@ -345,29 +344,32 @@ void Simulation::useBalance() {
   }
 }
 
-std::optional<Attachment> Simulation::currentAttachment() const {
-  if (!attachment_) {
-    return std::nullopt;
+/// The mouse spring follows the settings, and the cloth limits its force.
+void Simulation::limitAttachment() {
+  if (inputs_.attachment) {
+    Attachment& attachment = *inputs_.attachment;
+    attachment.stiffness = settings_.attachment.stiffness;
+    attachment.maxForce =
+        std::min(settings_.attachment.maxForce,
+                 maxAttachmentForce(*model_, settings_.step, attachment.triangle, attachment.barycentric));
   }
-  const double borne = maxAttachmentForce(*model_, settings_.step, attachment_->triangle, attachment_->barycentric);
-  return Attachment{attachment_->triangle, attachment_->barycentric, attachment_->target,
-                    settings_.attachment.stiffness, std::min(settings_.attachment.maxForce, borne)};
 }
 
 Vec3 Simulation::attachedPoint() const {
-  const Triangle& corners = model_->triangles[static_cast<std::size_t>(attachment_->triangle)];
+  const Triangle& corners = model_->triangles[static_cast<std::size_t>(inputs_.attachment->triangle)];
   Vec3 point = Vec3::Zero();
-  for (int corner = 0; corner < 3; ++corner) {
-    const int vertex = corners[static_cast<std::size_t>(corner)];
-    point += attachment_->barycentric[corner] * state_.positions[static_cast<std::size_t>(vertex)];
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    point += inputs_.attachment->barycentric[static_cast<Eigen::Index>(corner)] *
+             state_.positions[static_cast<std::size_t>(corners[corner])];
   }
   return point;
 }
 
-int Simulation::nearestAttachedVertex() const {
+std::size_t Simulation::nearestAttachedVertex() const {
   Eigen::Index heaviest = 0;
-  attachment_->barycentric.maxCoeff(&heaviest);
-  return model_->triangles[static_cast<std::size_t>(attachment_->triangle)][static_cast<std::size_t>(heaviest)];
+  inputs_.attachment->barycentric.maxCoeff(&heaviest);
+  const Triangle& corners = model_->triangles[static_cast<std::size_t>(inputs_.attachment->triangle)];
+  return static_cast<std::size_t>(corners[static_cast<std::size_t>(heaviest)]);
 }
 
 }  // namespace drape

@@ -93,18 +93,12 @@ class Simulation {
   void stepGhost();
   void updateCostBudget();
 
-  /// The attached point and its target. Stiffness and maximum force come from the settings at each step.
-  struct AttachedPoint {
-    int triangle = 0;
-    Vec3 barycentric = Vec3::Zero();
-    Vec3 target = Vec3::Zero();  ///< [m]
-  };
-  [[nodiscard]] std::optional<Attachment> currentAttachment() const;
+  void limitAttachment();
   [[nodiscard]] std::size_t requireBody(int body) const;
   void captureBodies(Snapshot& snapshot) const;
   void reportOverlap();
   [[nodiscard]] Vec3 attachedPoint() const;
-  [[nodiscard]] int nearestAttachedVertex() const;
+  [[nodiscard]] std::size_t nearestAttachedVertex() const;
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const ClothModel> model_;
@@ -117,8 +111,7 @@ class Simulation {
   std::optional<EnergyBalance> balance_;
   CostBudget budget_;
   bool replaying_ = false;  // commands that depend on the clock come from the log
-  std::optional<AttachedPoint> attachment_;
-  StepInputs inputs_;
+  StepInputs inputs_;       // its attachment is the current one
   std::function<void()> onProgress_;
   BodyWorld bodies_;
   std::int64_t stepIndex_ = 0;   // since the last reset

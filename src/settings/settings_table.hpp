@@ -116,6 +116,12 @@ void assignSetting(Settings& settings, const SettingInfo& info, const SettingVal
 /// after all values are assigned.
 void requireConsistent(const Settings& settings);
 
+/// `settings` with another value of one setting. Throws UsageError as assignSetting() and requireConsistent() do.
+[[nodiscard]] Settings withSetting(Settings settings, const SettingInfo& info, const SettingValue& value);
+
+/// The settings with different values in `a` and `b`, in the order of the table.
+[[nodiscard]] std::vector<const SettingInfo*> differingSettings(const Settings& a, const Settings& b);
+
 /// Sets the value from text, as on the command line: "0.01", "1/150", "on", "cm".
 void assignSettingText(Settings& settings, const SettingInfo& info, std::string_view text);
 

@@ -267,6 +267,22 @@ void requireConsistent(const Settings& settings) {
   }
 }
 
+Settings withSetting(Settings settings, const SettingInfo& info, const SettingValue& value) {
+  assignSetting(settings, info, value);
+  requireConsistent(settings);
+  return settings;
+}
+
+std::vector<const SettingInfo*> differingSettings(const Settings& a, const Settings& b) {
+  std::vector<const SettingInfo*> differing;
+  for (const SettingInfo& info : settingsTable()) {
+    if (settingValue(a, info) != settingValue(b, info)) {
+      differing.push_back(&info);
+    }
+  }
+  return differing;
+}
+
 void assignSettingText(Settings& settings, const SettingInfo& info, std::string_view text) {
   assignSetting(settings, info, parseValue(info, text));
 }

@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 
@@ -18,6 +19,16 @@ std::span<const SurfaceField> surfaceFields() {
        "Distance that the cloth keeps from the body, in addition to half of its own thickness."},
   }};
   return fields;
+}
+
+SurfaceProperties withSurfaceValue(SurfaceProperties surface, const SurfaceField& field, double value) {
+  surface.*field.value = value;
+  if (field.value == &SurfaceProperties::staticFriction) {
+    surface.kineticFriction = std::min(surface.kineticFriction, value);
+  } else if (field.value == &SurfaceProperties::kineticFriction) {
+    surface.staticFriction = std::max(surface.staticFriction, value);
+  }
+  return surface;
 }
 
 void requireAllowed(const SurfaceProperties& surface) {

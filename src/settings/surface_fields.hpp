@@ -15,13 +15,17 @@ struct SurfaceField {
   double SurfaceProperties::*value;
   double min;
   double max;
-  double everyday;   ///< maximum of the slider
+  double sliderMax;  ///< upper end of the slider; larger values can be typed
   bool logarithmic;  ///< whether the slider is logarithmic
   std::string_view help;
 };
 
 /// All properties, in the order of the panel.
 [[nodiscard]] std::span<const SurfaceField> surfaceFields();
+
+/// `surface` with another value of one property. Static friction is never less than kinetic friction: a change of one
+/// may also move the other.
+[[nodiscard]] SurfaceProperties withSurfaceValue(SurfaceProperties surface, const SurfaceField& field, double value);
 
 /// Throws UsageError with property and range when a value is out of range.
 void requireAllowed(const SurfaceProperties& surface);

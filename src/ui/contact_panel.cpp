@@ -3,7 +3,6 @@
 #include "settings/surface_fields.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
-#include "ui/setting_widget.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -17,7 +16,7 @@ std::string withUnit(const SurfaceField& field, double value) {
   return printed(numberFormat("%.4g", field.unit).c_str(), value);
 }
 
-NumberInput inputOf(const std::string& key, const SurfaceField& field) {
+SliderInput sliderOf(const std::string& key, const SurfaceField& field) {
   const auto nearest = [&field](double value) -> SettingValue { return std::clamp(value, field.min, field.max); };
   const auto typed = [&field, nearest](const std::string& text) {
     const auto number = parseNumber(text);
@@ -26,44 +25,35 @@ NumberInput inputOf(const std::string& key, const SurfaceField& field) {
     }
     return nearest(*number);
   };
-  return {key, nearest, typed};
+  const SliderRange range{field.min, field.sliderMax, field.logarithmic};
+  return {key, range, numberFormat("%.4g", field.unit), nearest, typed};
 }
 
-/// Static friction is never less than kinetic friction: changing one also moves the other.
-void changeSurface(PanelContext& context, int body, SurfaceProperties surface, const SurfaceField& field,
-                   double value) {
-  surface.*field.value = value;
-  if (field.value == &SurfaceProperties::staticFriction) {
-    surface.kineticFriction = std::min(surface.kineticFriction, value);
-  } else if (field.value == &SurfaceProperties::kineticFriction) {
-    surface.staticFriction = std::max(surface.staticFriction, value);
-  }
-  context.output.commands.emplace_back(SetSurfaceCommand{body, surface});
-}
-
-void surfaceRow(PanelContext& context, int body, const SurfaceField& field) {
-  const auto at = static_cast<std::size_t>(body);
-  const Body& own = (*context.snapshot.scene->bodies)[at];
-  const SurfaceProperties& surface = context.snapshot.bodies[at].surface;
+void surfaceRow(PanelContext& context, std::size_t i, const SurfaceField& field) {
+  const Body& body = (*context.snapshot.scene->bodies)[i];
+  const SurfaceProperties& surface = context.snapshot.bodies[i].surface;
   const double value = surface.*field.value;
-  const double usual = own.surface.*field.value;
-  const std::string key = "body." + own.name + "." + std::string(field.key);
+  const double sceneValue = body.surface.*field.value;
+  const auto change = [&](double changed) {
+    context.output.commands.emplace_back(
+        SetSurfaceCommand{static_cast<int>(i), withSurfaceValue(surface, field, changed)});
+  };
+  const std::string key = "body." + body.name + "." + std::string(field.key);
   ImGui::PushID(key.c_str());
-  const UiRect row = beginRow(context, "  " + std::string(field.title), value != usual);
-  const SliderRange range{field.min, field.everyday, field.logarithmic};
-  const Edit edit = numberSlider(context, inputOf(key, field), range, value, numberFormat("%.4g", field.unit));
+  const UiRect row = beginRow(context, "  " + std::string(field.title), value != sceneValue);
+  const Edit edit = numberSlider(context, sliderOf(key, field), value);
   context.widgets[key] = lastItemRect();
   if (edit.changed) {
-    changeSurface(context, body, surface, field, std::get<double>(edit.value));
-  } else if (hoversRow(row) && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != usual) {
-    changeSurface(context, body, surface, field, usual);
+    change(std::get<double>(edit.value));
+  } else if (hoversRow(row) && ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != sceneValue) {
+    change(sceneValue);
   }
   if (hoversRow(row) && hoveredLongEnough(context, key)) {
     beginExplanation(context, &row);
     ImGui::TextWrapped("%.*s", static_cast<int>(field.help.size()), field.help.data());
     ImGui::Spacing();
     mutedText("Range: " + withUnit(field, field.min) + " to " + withUnit(field, field.max));
-    mutedText("In the scene: " + withUnit(field, usual));
+    mutedText("In the scene: " + withUnit(field, sceneValue));
     mutedText("Ctrl+click types a value. A right click restores the scene's value.");
     endExplanation();
   }
@@ -99,7 +89,7 @@ void bodyRows(PanelContext& context) {
     surfaceButton(context, bodies[i].name);
     for (const SurfaceField& field : surfaceFields()) {
       if (context.memory.openSurface == bodies[i].name && i < context.snapshot.bodies.size()) {
-        surfaceRow(context, static_cast<int>(i), field);
+        surfaceRow(context, i, field);
       }
     }
     ImGui::PopID();
@@ -121,28 +111,25 @@ void reportRows(PanelContext& context) {
 
 }  // namespace
 
-void contactPanel(PanelContext& context) {
-  const std::vector<Body>& all = *context.snapshot.scene->bodies;
-  const bool bodies = !all.empty();
+bool contactMatters(const PanelContext& context) {
   // Every scene has a ground. A ground or stand alone does not make contact the main subject of a scene.
-  const bool ownBodies = std::any_of(all.begin(), all.end(), [](const Body& body) { return body.drawn; });
-  const bool self = context.settings.step.contact.self != SelfCollision::Off;
-  if (!beginSection(context, "Contact", ownBodies || self)) {
-    return;
-  }
-  settingsOfGroup(context, SettingGroup::Contact);
-  if (self) {
+  const std::vector<Body>& bodies = *context.snapshot.scene->bodies;
+  return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.drawn; }) ||
+         context.settings.step.contact.self != SelfCollision::Off;
+}
+
+void contactRows(PanelContext& context) {
+  if (context.settings.step.contact.self != SelfCollision::Off) {
     const ContactReport& contact = context.snapshot.stepReport.contact;
     valueRow(context, "Contacts with itself", formatCount(contact.selfContacts));
     valueRow(context, "Cost of self-collision", formatDuration(contact.selfSeconds));
   }
-  if (!bodies) {
+  if (context.snapshot.scene->bodies->empty()) {
     mutedText("There are no bodies in this scene.");
   } else {
     bodyRows(context);
     reportRows(context);
   }
-  endSection();
 }
 
 }  // namespace drape

@@ -14,7 +14,7 @@ constexpr const char* explanation =
     "The other meshes become bodies that the cloth meets.\n"
     "They are read in the unit of the cloth and stay where their files put them.";
 
-/// What can be the cloth, in words.
+/// The names of what can be the cloth.
 std::vector<std::string> namesOfChoices(const DroppedFiles& files) {
   std::vector<std::string> choices = distinctNames(files.meshes);
   if (!files.scenes.empty()) {
@@ -23,7 +23,7 @@ std::vector<std::string> namesOfChoices(const DroppedFiles& files) {
   return choices;
 }
 
-/// One line for each; gives back the one that is chosen now.
+/// One line for each choice. Returns the index of the chosen one.
 std::size_t radioButtons(PanelContext& context, const std::vector<std::string>& choices, std::size_t chosen,
                          float textWidth) {
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.5F * context.scale);
@@ -41,7 +41,7 @@ std::size_t radioButtons(PanelContext& context, const std::vector<std::string>& 
   return chosen;
 }
 
-/// The choices in a box that scrolls where the picture has not room for all of them.
+/// The choices, in a box that scrolls when they do not all fit into the picture.
 std::size_t clothChoice(PanelContext& context, const UiRect& view, const std::vector<std::string>& choices,
                         std::size_t chosen) {
   const ImGuiStyle& style = ImGui::GetStyle();
@@ -55,7 +55,7 @@ std::size_t clothChoice(PanelContext& context, const UiRect& view, const std::ve
   textWidth = std::min(textWidth, std::max(widest, 12.0F * ImGui::GetFontSize())) + 1.0F;
   const float room = std::max(2.0F * row, static_cast<float>(view.height) - 9.0F * row);
   const float height = std::min(room, row * static_cast<float>(choices.size()));
-  // As wide as what stands below it, so that the bar which scrolls it is at the edge of the dialog.
+  // As wide as the text below, so that the scroll bar is at the edge of the dialog.
   const float below = std::min(ImGui::CalcTextSize(explanation).x, ImGui::GetIO().DisplaySize.x - 3.0F * button);
   ImGui::BeginChild("choices", {std::max(below, textWidth + button + style.ScrollbarSize), height});
   chosen = radioButtons(context, choices, chosen, textWidth);

@@ -17,7 +17,7 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-bool soundsLikeABody(const std::string& file) {
+bool hasBodyName(const std::string& file) {
   static constexpr std::array<std::string_view, 9> words{"body",   "avatar", "mannequin", "figure", "human",
                                                          "person", "woman",  "smpl",      "dummy"};
   const std::string name = lowerCase(shortName(file));
@@ -71,15 +71,15 @@ DropDecision decide(const DroppedFiles& files) {
     addSentence(decision.notice, "Only the last scene is opened, not " + listOf(left) + ".");
   }
   const std::size_t pieces = files.meshes.size() + (files.scenes.empty() ? 0 : 1);
-  std::vector<std::string> strangers = files.others;
-  if (pieces == 0 && !strangers.empty()) {
-    decision.open = SceneParts{.scene = strangers.front()};  // opening it says what is wrong with it
-    strangers.erase(strangers.begin());
+  std::vector<std::string> unknown = files.others;
+  if (pieces == 0 && !unknown.empty()) {
+    decision.open = SceneParts{.scene = unknown.front()};  // opening it says what is wrong with it
+    unknown.erase(unknown.begin());
   } else if (pieces == 1) {
     decision.open = SceneParts{.scene = files.scenes.empty() ? files.meshes.front() : files.scenes.back()};
   }
-  if (!strangers.empty()) {
-    addSentence(decision.notice, "Neither scenes nor meshes, and not opened: " + listOf(strangers) + ".");
+  if (!unknown.empty()) {
+    addSentence(decision.notice, "Neither scenes nor meshes, and not opened: " + listOf(unknown) + ".");
   }
   decision.ask = pieces > 1;
   return decision;
@@ -104,7 +104,7 @@ std::size_t likelyCloth(const DroppedFiles& files) {
   if (!files.scenes.empty()) {
     return files.meshes.size();
   }
-  const auto found = std::find_if_not(files.meshes.begin(), files.meshes.end(), soundsLikeABody);
+  const auto found = std::find_if_not(files.meshes.begin(), files.meshes.end(), hasBodyName);
   return found == files.meshes.end() ? 0 : static_cast<std::size_t>(found - files.meshes.begin());
 }
 

@@ -8,7 +8,7 @@
 
 namespace drape {
 
-/// Files that were dropped on the window together, by what they are.
+/// Files that were dropped on the window together, by kind.
 struct DroppedFiles {
   std::vector<std::string> scenes;
   std::vector<std::string> meshes;
@@ -18,26 +18,26 @@ struct DroppedFiles {
 /// Sorts files by their endings; the order within each kind stays.
 [[nodiscard]] DroppedFiles sortDropped(const std::vector<std::string>& files);
 
-/// What is to be done with them.
+/// The next step for dropped files.
 struct DropDecision {
-  std::optional<SceneParts> open;  ///< at once
-  bool ask = false;                ///< which mesh is the cloth
+  std::optional<SceneParts> open;  ///< opened at once; empty: none
+  bool ask = false;                ///< whether the user must say which mesh is the cloth
   std::string notice;              ///< which files are not opened, and why; or empty
 };
 
-/// One scene or one mesh is opened at once; of several scenes the last one. Where several meshes come together, or a
-/// mesh with a scene, the user has to say which is the cloth.
+/// One scene or one mesh is opened at once; of several scenes the last one. For several meshes, or a mesh with a scene,
+/// the user must say which one is the cloth.
 [[nodiscard]] DropDecision decide(const DroppedFiles& files);
 
 /// The parts when the mesh with that index is the cloth and the others are bodies; an index beyond the meshes takes the
 /// cloth of the scene and makes bodies of all of them.
 [[nodiscard]] SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth);
 
-/// The mesh that is most likely the cloth, by the names: the first that is not called a body. For a scene and meshes
-/// beyond the meshes: the scene has a cloth.
+/// The index of the mesh that is most likely the cloth: the first without a name of a body. With a scene it is the
+/// index after the meshes, since the scene has a cloth.
 [[nodiscard]] std::size_t likelyCloth(const DroppedFiles& files);
 
-/// The file's name without its folder, for people.
+/// The file's name without its folder.
 [[nodiscard]] std::string shortName(const std::string& file);
 
 /// The same for several files. Where two have the same name, the folder follows: "coat.obj (summer)".

@@ -17,13 +17,13 @@ constexpr double zoomPerNotch = 0.88;        // factor of the distance
 constexpr double turnPerHeight =
     std::numbers::pi;  // a drag over the whole height of the view turns by half a circle [rad]
 
-std::optional<Hit> hitAt(const Camera& camera, const Vec2& point, int width, int height, const Snapshot& snapshot) {
-  return pick(camera.rayThrough(point.x(), point.y(), width, height), snapshot.positions, snapshot.model->triangles);
+std::optional<Hit> clothHitBy(const Ray& ray, const Snapshot& snapshot) {
+  return pick(ray, snapshot.positions, snapshot.model->triangles);
 }
 
 /// A body under the mouse pointer.
 struct BodyHit {
-  int body = 0;
+  std::size_t body = 0;
   Hit hit;
 };
 
@@ -45,7 +45,7 @@ std::optional<BodyHit> bodyHitBy(const Ray& ray, const Snapshot& snapshot) {
     std::optional<Hit> hit = pick(local, surface.positions, surface.triangles);
     if (hit && (!nearest || hit->distance < nearest->hit.distance)) {
       hit->point = status.pose.toWorld(hit->point);
-      nearest = BodyHit{static_cast<int>(i), *hit};
+      nearest = BodyHit{i, *hit};
     }
   }
   return nearest;
@@ -94,6 +94,25 @@ void InteractionController::lookFrom(Camera::Side side, const Snapshot& snapshot
   moveCamera(snapshot, [&](Camera& camera) { camera.lookFrom(side); });
 }
 
+bool InteractionController::moveCamera(UiAction action, const Snapshot& snapshot) {
+  switch (action) {
+    case UiAction::FrameCloth:
+      frameCloth(snapshot);
+      return true;
+    case UiAction::ViewFront:
+      lookFrom(Camera::Side::Front, snapshot);
+      return true;
+    case UiAction::ViewRight:
+      lookFrom(Camera::Side::Right, snapshot);
+      return true;
+    case UiAction::ViewTop:
+      lookFrom(Camera::Side::Top, snapshot);
+      return true;
+    default:
+      return false;
+  }
+}
+
 void InteractionController::moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move) {
   if (snapshot.positions.empty()) {
     return;
@@ -101,6 +120,16 @@ void InteractionController::moveCamera(const Snapshot& snapshot, const std::func
   const CameraBounds bounds = boundsAround(snapshot, camera_.pose());
   move(camera_);
   camera_.keepWithin(bounds);
+}
+
+Ray InteractionController::rayThrough(const Vec2& position) const {
+  return camera_.rayThrough(position.x() - view_.x, position.y() - view_.y, static_cast<int>(view_.width),
+                            static_cast<int>(view_.height));
+}
+
+Vec3 InteractionController::movedTo(const Vec2& position, const Vec3& point) const {
+  return camera_.pointAtDepthOf(point, position.x() - view_.x, position.y() - view_.y, static_cast<int>(view_.width),
+                                static_cast<int>(view_.height));
 }
 
 void InteractionController::on(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
@@ -132,7 +161,7 @@ bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const
     return false;
   }
   lastLeftPress_.reset();  // a third click is not a second double click
-  if (const auto hit = hitAt(camera_, inView(event.position), width(), height(), snapshot)) {
+  if (const auto hit = clothHitBy(rayThrough(event.position), snapshot)) {
     camera_.recentre(hit->point);
   }
   return true;
@@ -140,12 +169,12 @@ bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const
 
 /// Starts to drag the nearest thing under the mouse: the cloth or a body.
 bool InteractionController::attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
-  const Vec2 point = inView(event.position);
-  const auto hit = hitAt(camera_, point, width(), height(), snapshot);
-  const auto body = bodyHitBy(camera_.rayThrough(point.x(), point.y(), width(), height()), snapshot);
+  const Ray ray = rayThrough(event.position);
+  const auto hit = clothHitBy(ray, snapshot);
+  const auto body = bodyHitBy(ray, snapshot);
   if (body && (!hit || body->hit.distance < hit->distance)) {
-    const Vec3 shift = snapshot.bodies[static_cast<std::size_t>(body->body)].shift;
-    gesture_ = MovingBody{body->body, body->hit.point, shift, snapshot.scene};
+    gesture_ =
+        MovingBody{static_cast<int>(body->body), body->hit.point, snapshot.bodies[body->body].shift, snapshot.scene};
     return true;
   }
   if (!hit) {
@@ -177,12 +206,9 @@ void InteractionController::on(const MoveEvent& event, const Snapshot& snapshot,
   } else if (std::holds_alternative<Panning>(gesture_)) {
     moveCamera(snapshot, [&](Camera& camera) { camera.pan(-moved.x(), moved.y()); });
   } else if (const auto* pulling = std::get_if<Pulling>(&gesture_)) {
-    const Vec2 point = inView(event.position);
-    output.commands.emplace_back(
-        MoveAttachmentCommand{camera_.pointAtDepthOf(pulling->point, point.x(), point.y(), width(), height())});
+    output.commands.emplace_back(MoveAttachmentCommand{movedTo(event.position, pulling->point)});
   } else if (const auto* moving = std::get_if<MovingBody>(&gesture_)) {
-    const Vec2 point = inView(event.position);
-    const Vec3 target = camera_.pointAtDepthOf(moving->point, point.x(), point.y(), width(), height());
+    const Vec3 target = movedTo(event.position, moving->point);
     output.commands.emplace_back(MoveBodyCommand{moving->body, moving->shift + target - moving->point});
   }
 }
@@ -191,58 +217,19 @@ void InteractionController::on(const ScrollEvent& event, const Snapshot& snapsho
   moveCamera(snapshot, [&](Camera& camera) { camera.zoom(std::pow(zoomPerNotch, event.amount)); });
 }
 
-void InteractionController::escape(UiOutput& output) {
-  if (holdsCloth() || holdsBody()) {
-    letGo(output);
-  } else {
-    output.requests.emplace_back(UiAction::Quit);
-  }
-}
-
 void InteractionController::on(const KeyEvent& event, const Snapshot& snapshot, UiOutput& output) {
-  if (event.repeated && event.key != Key::Period) {
+  const Shortcut& shortcut = shortcutOf(event.key);
+  if (event.repeated && !shortcut.repeats) {
     return;
   }
-  switch (event.key) {
-    case Key::Space:
-      output.commands.emplace_back(PauseCommand{!snapshot.paused});
-      break;
-    case Key::Period:
-      output.commands.emplace_back(SingleStepCommand{});
-      break;
-    case Key::R:
-      output.commands.emplace_back(ResetCommand{});
-      break;
-    case Key::P:
-      output.commands.emplace_back(TogglePinCommand{});
-      break;
-    case Key::W:
-      output.commands.emplace_back(SetSettingCommand{"view.wireframe", !snapshot.settings.view.wireframe});
-      break;
-    case Key::F:
-      frameCloth(snapshot);
-      break;
-    case Key::One:
-      lookFrom(Camera::Side::Front, snapshot);
-      break;
-    case Key::Three:
-      lookFrom(Camera::Side::Right, snapshot);
-      break;
-    case Key::Seven:
-      lookFrom(Camera::Side::Top, snapshot);
-      break;
-    case Key::H:
-      output.requests.emplace_back(UiAction::TogglePanels);
-      break;
-    case Key::Help:
-      output.requests.emplace_back(UiAction::ToggleHelp);
-      break;
-    case Key::F12:
-      output.requests.emplace_back(UiAction::Screenshot);
-      break;
-    case Key::Escape:
-      escape(output);
-      break;
+  if (event.key == Key::Escape && (holdsCloth() || holdsBody())) {
+    letGo(output);
+  } else if (const auto* action = std::get_if<UiAction>(&shortcut.action)) {
+    if (!moveCamera(*action, snapshot)) {
+      output.requests.emplace_back(*action);
+    }
+  } else {
+    output.commands.push_back(std::get<Command (*)(const Snapshot&)>(shortcut.action)(snapshot));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "render/camera.hpp"
 #include "session/snapshot.hpp"
+#include "ui/shortcuts.hpp"
 #include "ui/ui_output.hpp"
 
 #include <functional>
@@ -12,9 +13,6 @@
 namespace drape {
 
 enum class MouseButton { Left, Middle, Right };
-
-/// The keys with an action.
-enum class Key { Space, Period, One, Three, Seven, F, H, P, R, W, Help, F12, Escape };
 
 struct PressEvent {
   MouseButton button = MouseButton::Left;
@@ -57,6 +55,8 @@ class InteractionController {
   void frameCloth(const Snapshot& snapshot);
   /// Looks from a side, never from below the ground.
   void lookFrom(Camera::Side side, const Snapshot& snapshot);
+  /// Moves the camera when the action does that. False for other actions.
+  bool moveCamera(UiAction action, const Snapshot& snapshot);
 
   /// Whether a gesture drags a body.
   [[nodiscard]] bool holdsBody() const { return std::holds_alternative<MovingBody>(gesture_); }
@@ -89,11 +89,11 @@ class InteractionController {
   bool recentreOnDoubleClick(const PressEvent& event, const Snapshot& snapshot);
   bool attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
   void letGo(UiOutput& output);
-  void escape(UiOutput& output);
   void moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move);
-  [[nodiscard]] Vec2 inView(const Vec2& position) const { return position - Vec2(view_.x, view_.y); }
-  [[nodiscard]] int width() const { return static_cast<int>(view_.width); }
-  [[nodiscard]] int height() const { return static_cast<int>(view_.height); }
+  /// The ray through a position in the window.
+  [[nodiscard]] Ray rayThrough(const Vec2& position) const;
+  /// `point` moved parallel to the view to a position in the window.
+  [[nodiscard]] Vec3 movedTo(const Vec2& position, const Vec3& point) const;
 
   Camera camera_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};

@@ -18,10 +18,9 @@ double asNumber(const SettingValue& value) {
   return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
 }
 
-bool goesTogether(const SettingInfo& info, Settings settings, const SettingValue& value) {
+bool isAllowed(const SettingInfo& info, const Settings& settings, int value) {
   try {
-    assignSetting(settings, info, value);
-    requireConsistent(settings);
+    static_cast<void>(withSetting(settings, info, value));
     return true;
   } catch (const UsageError&) {
     return false;
@@ -34,7 +33,7 @@ SettingValue allowedValue(const SettingInfo& info, const Settings& settings, dou
   if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
     const int nearest = nearestAllowed(*integer, value);
     for (const int candidate : {nearest, nearest + 1, nearest - 1}) {
-      if (goesTogether(info, settings, candidate)) {
+      if (isAllowed(info, settings, candidate)) {
         return candidate;
       }
     }
@@ -54,8 +53,7 @@ double roundedForDisplay(double value) {
 }
 
 /// Draws field, filled part, slider handle and number over the last item.
-void paint(const PanelContext& context, const SliderRange& range, const SettingValue& value,
-           const std::string& format) {
+void paint(const PanelContext& context, const SliderInput& input, const SettingValue& value) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
   const float width = high.x - low.x;
@@ -67,8 +65,8 @@ void paint(const PanelContext& context, const SliderRange& range, const SettingV
   ImDrawList& canvas = *ImGui::GetWindowDrawList();
   canvas.AddRectFilled(low, high, ImGui::GetColorU32(background), rounding);
   // A range with negative values fills from zero, any other from its left end.
-  const double origin = range.min < 0.0 ? sliderFraction(range, 0.0) : 0.0;
-  const double place = sliderFraction(range, asNumber(value));
+  const double origin = input.range.min < 0.0 ? sliderFraction(input.range, 0.0) : 0.0;
+  const double place = sliderFraction(input.range, asNumber(value));
   const float left = low.x + width * static_cast<float>(std::min(origin, place));
   const float right = low.x + width * static_cast<float>(std::max(origin, place));
   if (right - left > rounding) {
@@ -78,13 +76,13 @@ void paint(const PanelContext& context, const SliderRange& range, const SettingV
   const float handle = std::clamp(low.x + width * static_cast<float>(place), low.x + half, high.x - half);
   canvas.AddRectFilled({handle - half, low.y}, {handle + half, high.y},
                        ImGui::GetColorU32(active ? palette().text : palette().accent), half);
-  const std::string text = printed(format.c_str(), asNumber(value));
+  const std::string text = printed(input.format.c_str(), asNumber(value));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   canvas.AddText({high.x - size.x - ImGui::GetStyle().FramePadding.x, low.y + ImGui::GetStyle().FramePadding.y},
                  ImGui::GetColorU32(palette().text), text.c_str());
 }
 
-Edit typing(PanelContext& context, const NumberInput& input, const SettingValue& value) {
+Edit typing(PanelContext& context, const SliderInput& input, const SettingValue& value) {
   TypedText& typed = context.memory.typed;
   if (typed.frames++ == 0) {
     ImGui::SetKeyboardFocusHere();
@@ -130,13 +128,35 @@ SettingValue typedValue(const SettingInfo& info, const Settings& settings, const
   }
 }
 
-NumberInput inputOf(const SettingInfo& info, const Settings& settings) {
-  return {std::string(info.key), [&](double value) { return allowedValue(info, settings, value); },
-          [&](const std::string& text) { return typedValue(info, settings, text); }};
+std::string numberFormat(std::string_view digits, std::string_view unit) {
+  std::string format(digits);
+  if (unit == "-") {
+    return format;
+  }
+  format += ' ';
+  for (const char letter : prettyUnit(unit)) {
+    format += letter == '%' ? std::string("%%") : std::string(1, letter);
+  }
+  return format;
 }
 
-Edit numberSlider(PanelContext& context, const NumberInput& input, const SliderRange& range, const SettingValue& value,
-                  const std::string& format) {
+SliderInput sliderOf(const SettingInfo& info, const Settings& settings) {
+  SliderInput input{.key = std::string(info.key),
+                    .range = {},
+                    .format = numberFormat("%.4g", info.unit),
+                    .nearest = [&](double value) { return allowedValue(info, settings, value); },
+                    .typed = [&](const std::string& text) { return typedValue(info, settings, text); }};
+  if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
+    constexpr int many = 32;  // above this the slider is logarithmic
+    input.range = {static_cast<double>(integer->min), static_cast<double>(integer->max), integer->max > many};
+    input.format = numberFormat("%.0f", info.unit);
+  } else {
+    input.range = commonRange(std::get<NumberField>(info.field), std::get<double>(defaultValue(info)));
+  }
+  return input;
+}
+
+Edit numberSlider(PanelContext& context, const SliderInput& input, const SettingValue& value) {
   if (context.memory.typed.key == input.key) {
     return typing(context, input, value);
   }
@@ -147,10 +167,10 @@ Edit numberSlider(PanelContext& context, const NumberInput& input, const SliderR
   } else if (ImGui::IsItemActive()) {
     const float width = ImGui::GetItemRectSize().x;
     const double fraction = static_cast<double>((ImGui::GetMousePos().x - ImGui::GetItemRectMin().x) / width);
-    edit.value = input.nearest(roundedForDisplay(sliderValue(range, fraction)));
+    edit.value = input.nearest(roundedForDisplay(sliderValue(input.range, fraction)));
     edit.changed = edit.value != value;
   }
-  paint(context, range, edit.value, format);
+  paint(context, input, edit.value);
   return edit;
 }
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace drape {
 
@@ -16,23 +17,27 @@ struct Edit {
   SettingValue value;
 };
 
-/// A number that a slider changes.
-struct NumberInput {
+/// A real or whole number that a slider changes.
+struct SliderInput {
   std::string key;
+  SliderRange range;
+  std::string format;                           ///< printf format of the value as a double: numberFormat()
   std::function<SettingValue(double)> nearest;  ///< the nearest allowed value
-  std::function<SettingValue(const std::string&)>
-      typed;  ///< the value of a text; throws UsageError when it is not a number
+  /// The value of a text. Throws UsageError when it is not a number.
+  std::function<SettingValue(const std::string&)> typed;
 };
 
-/// The input for a setting, with the current settings.
-[[nodiscard]] NumberInput inputOf(const SettingInfo& info, const Settings& settings);
+/// The slider of a number or an integer of the table. Its values are allowed together with the other `settings`. Keeps
+/// references to both arguments.
+[[nodiscard]] SliderInput sliderOf(const SettingInfo& info, const Settings& settings);
 
-/// A slider for a real or a whole number over `range`; `format` prints its value as a double. Ctrl+click turns it into
-/// a text field, which takes all allowed values in the notations of the command line ("1/150"). A number beyond the
-/// range becomes the nearest allowed one. It replaces ImGui's slider, which loses small values of a logarithmic scale
-/// and hides the number behind its handle.
-[[nodiscard]] Edit numberSlider(PanelContext& context, const NumberInput& input, const SliderRange& range,
-                                const SettingValue& value, const std::string& format);
+/// Draws the slider. Ctrl+click turns it into a text field, which takes all allowed values in the notations of the
+/// command line ("1/150"). A number beyond the range becomes the nearest allowed one. It replaces ImGui's slider, which
+/// loses small values of a logarithmic scale and hides the number behind its handle.
+[[nodiscard]] Edit numberSlider(PanelContext& context, const SliderInput& input, const SettingValue& value);
+
+/// The printf format of a number with its unit: "%.4g m/s".
+[[nodiscard]] std::string numberFormat(std::string_view digits, std::string_view unit);
 
 /// The value of a typed text for a setting, clamped to the range. Throws UsageError with the reason when it is not a
 /// number.

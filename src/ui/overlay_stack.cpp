@@ -29,8 +29,8 @@ void pushStyle(float padding, float opacity) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.13F, 0.145F, 0.18F, opacity));
 }
 
-/// Puts the next window, which is a dialog, into the middle of the view, but never beyond the edges of the window:
-/// where it is wider than the view it covers some of the panels, and where it is higher it scrolls.
+/// Puts the next window, a dialog, into the middle of the view, but never beyond the edges of the window. A dialog
+/// wider than the view covers some of the panels. A higher one scrolls.
 void placeDialog(const UiRect& view, const char* name) {
   const ImGuiWindow* before = ImGui::FindWindowByName(name);
   const float half = before == nullptr ? 0.0F : 0.5F * before->Size.x;

@@ -1,17 +1,21 @@
 #include "ui/overlay_stack.hpp"
 #include "ui/panels.hpp"
+#include "ui/shortcuts.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string_view>
+#include <vector>
 
 namespace drape {
 namespace {
 
 struct HelpRow {
-  const char* keys;
-  const char* what;
+  std::string_view keys;
+  std::string_view help;
 };
 
 constexpr std::array<HelpRow, 9> mouseHelp{{
@@ -26,35 +30,30 @@ constexpr std::array<HelpRow, 9> mouseHelp{{
     {"Click the line below", "show the solver and its cost"},
 }};
 
-constexpr std::array<HelpRow, 11> keyHelp{{
-    {"Space", "play and pause"},
-    {".", "one step"},
-    {"R", "return to the start"},
-    {"P", "pin the pulled vertex, or release it"},
-    {"F", "frame the cloth"},
-    {"1   3   7", "front, right, top"},
-    {"W", "wireframe"},
-    {"H", "hide and show the panels"},
-    {"F12", "save a picture"},
-    {"F1   ?", "this list"},
-    {"Esc", "release, close, stop reading a file, quit"},
-}};
-
-template <std::size_t size>
-void helpTable(float scale, const char* title, const std::array<HelpRow, size>& rows) {
+void helpTable(float scale, const char* title, std::span<const HelpRow> rows) {
   mutedText(title, palette().accent);
   if (ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit)) {
     ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 165.0F * scale);
     for (const HelpRow& row : rows) {
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(row.keys);
+      ImGui::TextUnformatted(row.keys.data(), row.keys.data() + row.keys.size());
       ImGui::TableNextColumn();
       ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
-      ImGui::TextUnformatted(row.what);
+      ImGui::TextUnformatted(row.help.data(), row.help.data() + row.help.size());
       ImGui::PopStyleColor();
     }
     ImGui::EndTable();
   }
+}
+
+std::vector<HelpRow> keyHelp() {
+  std::vector<HelpRow> rows;
+  for (const Shortcut& shortcut : shortcuts()) {
+    if (!shortcut.keys.empty()) {
+      rows.push_back({shortcut.keys, shortcut.help});
+    }
+  }
+  return rows;
 }
 
 constexpr const char* panelHelp =
@@ -73,7 +72,7 @@ bool helpOverlay(PanelContext& context, const UiRect& view) {
   beginDialog(context, view, "help", "Keys and mouse");
   helpTable(context.scale, "Mouse", mouseHelp);
   ImGui::Spacing();
-  helpTable(context.scale, "Keys", keyHelp);
+  helpTable(context.scale, "Keys", keyHelp());
   ImGui::Spacing();
   ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
   ImGui::TextUnformatted(panelHelp);

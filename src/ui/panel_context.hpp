@@ -7,6 +7,7 @@
 #include "ui/ui_output.hpp"
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -20,22 +21,20 @@ namespace drape {
 class History {
  public:
   void add(float value) {
-    values_[static_cast<std::size_t>(next_)] = value;
+    values_[next_] = value;
     next_ = (next_ + 1) % capacity;
     count_ = count_ < capacity ? count_ + 1 : capacity;
   }
-  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] std::size_t count() const { return count_; }
   /// 0 is the oldest.
-  [[nodiscard]] float at(int i) const {
-    return values_[static_cast<std::size_t>((next_ - count_ + i + capacity) % capacity)];
-  }
+  [[nodiscard]] float at(std::size_t i) const { return values_[(next_ + capacity - count_ + i) % capacity]; }
 
-  static constexpr int capacity = 240;
+  static constexpr std::size_t capacity = 240;
 
  private:
   std::array<float, capacity> values_{};
-  int next_ = 0;
-  int count_ = 0;
+  std::size_t next_ = 0;
+  std::size_t count_ = 0;
 };
 
 /// A number that is being typed into a slider.
@@ -68,8 +67,8 @@ struct PanelMemory {
 /// The data of a panel while it is drawn.
 struct PanelContext {
   const Snapshot& snapshot;
-  const Settings& settings;  ///< the current values, with the user's latest changes
-  const Settings& scene;     ///< the values of the scene, which a right click restores
+  const Settings& settings;       ///< the current values, with the user's latest changes
+  const Settings& sceneSettings;  ///< the values of the scene, which a right click restores
   const UiStats& stats;
   const UiFonts& fonts;
   float scale;  ///< of all lengths

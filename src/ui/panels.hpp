@@ -6,16 +6,19 @@
 
 namespace drape {
 
-/// The sections of the column. Each draws its heading and, when open, its content.
-void materialPanel(PanelContext& context);
-void airPanel(PanelContext& context);
-void simulationPanel(PanelContext& context);
-void contactPanel(PanelContext& context);
-void scenePanel(PanelContext& context);
-void viewPanel(PanelContext& context);
-void ghostPanel(PanelContext& context);
-void performancePanel(PanelContext& context);
-void advancedPanel(PanelContext& context);
+/// The sections of the column (sections.cpp has their table): a heading each and, when open, the settings of its group.
+void drawSections(PanelContext& context);
+
+/// Rows of the section Contact, and whether contact is the main subject of the scene.
+void contactRows(PanelContext& context);
+[[nodiscard]] bool contactMatters(const PanelContext& context);
+
+/// Rows of the section Scene: above its settings a field for a file and the scene's help, below them facts of the mesh.
+void sceneRows(PanelContext& context);
+void meshRows(PanelContext& context);
+
+/// Rows of the section Performance.
+void performanceRows(PanelContext& context);
 
 /// The title of the scene and the buttons play, step and reset; always visible above the sections.
 void headPanel(PanelContext& context);

@@ -1,6 +1,6 @@
 #include "ui/pending_settings.hpp"
 
-#include <iterator>
+#include <vector>
 
 namespace drape {
 namespace {
@@ -10,22 +10,24 @@ constexpr double patience = 1.0;  // [s]
 }  // namespace
 
 void PendingSettings::add(const SettingInfo& info, const SettingValue& value, double now) {
-  entries_[std::string(info.key)] = Entry{.info = &info, .value = value, .since = now};
+  std::erase_if(entries_, [&](const Entry& entry) { return entry.info == &info; });
+  entries_.push_back({.info = &info, .value = value, .since = now});
 }
 
 void PendingSettings::update(const Settings& current, double now, bool building) {
-  for (auto item = entries_.begin(); item != entries_.end();) {
-    Entry& entry = item->second;
-    const bool waits = building && entry.info->effect == SettingEffect::Scene;
-    entry.since = waits ? now : entry.since;
-    const bool done = settingValue(current, *entry.info) == entry.value || now - entry.since > patience;
-    item = done && !waits ? entries_.erase(item) : std::next(item);
+  const auto waits = [&](const Entry& entry) { return building && entry.info->effect == SettingEffect::Scene; };
+  for (Entry& entry : entries_) {
+    entry.since = waits(entry) ? now : entry.since;
   }
+  std::erase_if(entries_, [&](const Entry& entry) {
+    const bool done = settingValue(current, *entry.info) == entry.value || now - entry.since > patience;
+    return done && !waits(entry);
+  });
 }
 
 Settings PendingSettings::overlay(const Settings& current) const {
   Settings settings = current;
-  for (const auto& [key, entry] : entries_) {
+  for (const Entry& entry : entries_) {
     assignSetting(settings, *entry.info, entry.value);
   }
   return settings;

@@ -2,8 +2,7 @@
 
 #include "settings/settings_table.hpp"
 
-#include <map>
-#include <string>
+#include <vector>
 
 namespace drape {
 
@@ -28,7 +27,7 @@ class PendingSettings {
     SettingValue value;
     double since = 0.0;  ///< [s]
   };
-  std::map<std::string, Entry, std::less<>> entries_;
+  std::vector<Entry> entries_;  // the latest choice last
 };
 
 }  // namespace drape

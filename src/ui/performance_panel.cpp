@@ -51,14 +51,14 @@ void historyPlot(const PanelContext& context, const History& history) {
   canvas.AddRectFilled(low, {low.x + size.x, low.y + size.y}, ImGui::GetColorU32(palette().field),
                        ImGui::GetStyle().FrameRounding);
   float top = 0.0F;
-  for (int i = 0; i < history.count(); ++i) {
+  for (std::size_t i = 0; i < history.count(); ++i) {
     top = std::max(top, history.at(i));
   }
   if (history.count() < 2 || top <= 0.0F) {
     return;
   }
   const float plotHeight = size.y - ImGui::GetFontSize() * 1.4F;  // the legend has its own strip at the top
-  const auto place = [&](int i) {
+  const auto place = [&](std::size_t i) {
     const float x = low.x + size.x * static_cast<float>(i) / static_cast<float>(History::capacity - 1);
     return ImVec2(x, low.y + size.y - 2.0F * context.scale - plotHeight * history.at(i) / top);
   };
@@ -67,13 +67,13 @@ void historyPlot(const PanelContext& context, const History& history) {
   // Without antialiasing the pieces of the filled area meet without a seam.
   const ImDrawListFlags smooth = canvas.Flags;
   canvas.Flags &= ~ImDrawListFlags_AntiAliasedFill;
-  for (int i = 0; i + 1 < history.count(); ++i) {
+  for (std::size_t i = 0; i + 1 < history.count(); ++i) {
     const ImVec2 a = place(i);
     const ImVec2 b = place(i + 1);
     canvas.AddQuadFilled({a.x, floor}, a, b, {b.x, floor}, fill);
   }
   canvas.Flags = smooth;
-  for (int i = 0; i < history.count(); ++i) {
+  for (std::size_t i = 0; i < history.count(); ++i) {
     canvas.PathLineTo(place(i));
   }
   canvas.PathStroke(ImGui::GetColorU32(palette().accent), ImDrawFlags_None, 1.5F * context.scale);
@@ -82,10 +82,7 @@ void historyPlot(const PanelContext& context, const History& history) {
                  legend.c_str());
 }
 
-void performancePanel(PanelContext& context) {
-  if (!beginSection(context, "Performance", false)) {
-    return;
-  }
+void performanceRows(PanelContext& context) {
   const Snapshot& snapshot = context.snapshot;
   valueRow(context, "Frame", formatDuration(context.stats.frameSeconds));
   valueRow(context, "Step", formatDuration(snapshot.stepSeconds));
@@ -108,7 +105,6 @@ void performancePanel(PanelContext& context) {
   if (snapshot.balance) {
     balancePlot(context);
   }
-  endSection();
 }
 
 }  // namespace drape

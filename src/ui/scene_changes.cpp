@@ -3,17 +3,16 @@
 #include "settings/settings_table.hpp"
 
 #include <algorithm>
-#include <span>
+#include <vector>
 
 namespace drape {
 namespace {
 
 /// Ignores settings without effect: some follow from others.
 bool settingsDiffer(const Settings& one, const Settings& other, bool alsoView) {
-  const std::span<const SettingInfo> table = settingsTable();
-  return std::any_of(table.begin(), table.end(), [&](const SettingInfo& info) {
-    return (alsoView || info.effect != SettingEffect::View) && isRelevant(info, one) &&
-           settingValue(one, info) != settingValue(other, info);
+  const std::vector<const SettingInfo*> differing = differingSettings(one, other);
+  return std::any_of(differing.begin(), differing.end(), [&](const SettingInfo* info) {
+    return (alsoView || info->effect != SettingEffect::View) && isRelevant(*info, one);
   });
 }
 

@@ -33,10 +33,6 @@ std::string SceneLoader::activity() const {
   return activity_ + (shown ? ": " + std::to_string(percent) + " %" : activity_.empty() ? "" : " \u2026");
 }
 
-void SceneLoader::open(const std::string& nameOrPath, std::function<void(Settings&)> adjust) {
-  open(SceneParts{.scene = nameOrPath}, std::move(adjust));
-}
-
 void SceneLoader::open(const SceneParts& parts, std::function<void(Settings&)> adjust) {
   submit({.activity = "Opening " + (parts.cloth.empty() ? parts.scene : parts.cloth),
           .build =
@@ -49,18 +45,11 @@ void SceneLoader::open(const SceneParts& parts, std::function<void(Settings&)> a
           .kind = Kind::Opened});
 }
 
-void SceneLoader::rebuild(const SceneDescription& description, const Settings& settings) {
+void SceneLoader::rebuild(const SceneDescription& description, const Settings& settings, Kind kind) {
   submit(
       {.activity = "Building " + description.name,
        .build = [description, settings](const ImportWatch& watch) { return buildScene(description, settings, watch); },
-       .kind = Kind::Rebuilt});
-}
-
-void SceneLoader::restore(const SceneDescription& description) {
-  submit({.activity = "Building " + description.name,
-          .build =
-              [description](const ImportWatch& watch) { return buildScene(description, description.settings, watch); },
-          .kind = Kind::Restored});
+       .kind = kind});
 }
 
 bool SceneLoader::cancel() {
@@ -118,20 +107,18 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
 }
 
 void carryViewSettings(const Settings& current, const Settings& own, Settings& target) {
-  for (const SettingInfo& info : settingsTable()) {
-    const SettingValue value = settingValue(current, info);
-    if (info.group == SettingGroup::View && value != settingValue(own, info)) {
-      assignSetting(target, info, value);
+  for (const SettingInfo* info : differingSettings(current, own)) {
+    if (info->group == SettingGroup::View) {
+      assignSetting(target, *info, settingValue(current, *info));
     }
   }
 }
 
 std::vector<SetSettingCommand> runningChanges(const Settings& from, const Settings& to) {
   std::vector<SetSettingCommand> changes;
-  for (const SettingInfo& info : settingsTable()) {
-    const SettingValue value = settingValue(to, info);
-    if (info.effect != SettingEffect::Scene && value != settingValue(from, info)) {
-      changes.push_back({std::string(info.key), value});
+  for (const SettingInfo* info : differingSettings(from, to)) {
+    if (info->effect != SettingEffect::Scene) {
+      changes.push_back({std::string(info->key), settingValue(to, *info)});
     }
   }
   return changes;

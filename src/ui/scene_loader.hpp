@@ -40,13 +40,9 @@ class SceneLoader {
   ~SceneLoader();
 
   /// Opens another scene. `adjust` may change the scene's own settings before it is built.
-  void open(const std::string& nameOrPath, std::function<void(Settings&)> adjust);
-  /// The same for a scene that consists of several files.
   void open(const SceneParts& parts, std::function<void(Settings&)> adjust);
-  /// Builds a description again with other settings.
-  void rebuild(const SceneDescription& description, const Settings& settings);
-  /// Builds a description again with its own settings.
-  void restore(const SceneDescription& description);
+  /// Builds a description again with these settings.
+  void rebuild(const SceneDescription& description, const Settings& settings, Kind kind = Kind::Rebuilt);
 
   /// Cancels the running job and the waiting one. Their results never arrive. False when there was none.
   bool cancel();

@@ -1,5 +1,4 @@
 #include "ui/panels.hpp"
-#include "ui/setting_widget.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -25,7 +24,16 @@ void openField(PanelContext& context) {
   }
 }
 
-void meshFacts(PanelContext& context) {
+}  // namespace
+
+void sceneRows(PanelContext& context) {
+  openField(context);
+  if (!context.snapshot.scene->description.help.empty()) {
+    mutedText(context.snapshot.scene->description.help);
+  }
+}
+
+void meshRows(PanelContext& context) {
   const MeshSummary& summary = context.snapshot.scene->summary;
   ImGui::Dummy({0.0F, 2.0F * context.scale});
   for (const std::string& line : describe(summary)) {
@@ -41,21 +49,6 @@ void meshFacts(PanelContext& context) {
   for (const std::string& warning : summary.warnings) {
     mutedText(warning, palette().warning);
   }
-}
-
-}  // namespace
-
-void scenePanel(PanelContext& context) {
-  if (!beginSection(context, "Scene", true)) {
-    return;
-  }
-  openField(context);
-  if (!context.snapshot.scene->description.help.empty()) {
-    mutedText(context.snapshot.scene->description.help);
-  }
-  settingsOfGroup(context, SettingGroup::Scene);
-  meshFacts(context);
-  endSection();
 }
 
 }  // namespace drape

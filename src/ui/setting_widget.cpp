@@ -2,7 +2,6 @@
 
 #include "messages/error.hpp"
 #include "ui/number_slider.hpp"
-#include "ui/slider_range.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -12,18 +11,6 @@
 
 namespace drape {
 namespace {
-
-Edit numberWidget(PanelContext& context, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
-  const SliderRange range = everydayRange(field, std::get<double>(defaultValue(info)));
-  return numberSlider(context, inputOf(info, context.settings), range, value, numberFormat("%.4g", info.unit));
-}
-
-Edit integerWidget(PanelContext& context, const SettingInfo& info, const IntegerField& field,
-                   const SettingValue& value) {
-  constexpr int many = 32;  // above this the slider is logarithmic
-  const SliderRange range{static_cast<double>(field.min), static_cast<double>(field.max), field.max > many};
-  return numberSlider(context, inputOf(info, context.settings), range, value, numberFormat("%.0f", info.unit));
-}
 
 Edit flagWidget(bool value) {
   bool edited = value;
@@ -59,24 +46,22 @@ Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::v
                     const std::string& value) {
   Edit edit{.value = value};
   const float width = ImGui::CalcItemWidth();
-  const int count = static_cast<int>(choices.size());
   const float gap = std::round(2.0F * context.scale);
   ImGui::BeginGroup();
-  for (int i = 0; i < count; ++i) {
-    const Choice& choice = choices[static_cast<std::size_t>(i)];
+  const auto count = static_cast<float>(choices.size());
+  const ImVec2 size{(width - gap * (count - 1.0F)) / count, ImGui::GetFrameHeight()};
+  for (const Choice& choice : choices) {
     const bool chosen = choice.word == value;
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? palette().accentFill : palette().field);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
                           ImGui::GetStyleColorVec4(chosen ? ImGuiCol_Button : ImGuiCol_ButtonHovered));
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? palette().text : palette().muted);
-    if (ImGui::Button(choice.title.c_str(), {(width - gap * static_cast<float>(count - 1)) / static_cast<float>(count),
-                                             ImGui::GetFrameHeight()}) &&
-        !chosen) {
+    if (ImGui::Button(choice.title.c_str(), size) && !chosen) {
       edit = {.changed = true, .finished = true, .value = choice.word};
     }
     ImGui::PopStyleColor(3);
     context.buttons[std::string(info.key) + "=" + choice.word] = lastItemRect();
-    if (i + 1 < count) {
+    if (&choice != &choices.back()) {
       ImGui::SameLine(0.0F, gap);
     }
   }
@@ -114,21 +99,18 @@ Edit choiceWidget(PanelContext& context, const SettingInfo& info, const ChoiceFi
     widest = std::max(widest, ImGui::CalcTextSize(choice.title.c_str()).x);
   }
   const float needed = (widest + 2.0F * ImGui::GetStyle().FramePadding.x) * static_cast<float>(choices.size());
-  const bool interleaved = choices.size() > 1 && choices.size() <= 3 && needed <= ImGui::CalcItemWidth();
-  return interleaved ? segmentsWidget(context, info, choices, value) : comboWidget(context, info, choices, value);
+  const bool sideBySide = choices.size() > 1 && choices.size() <= 3 && needed <= ImGui::CalcItemWidth();
+  return sideBySide ? segmentsWidget(context, info, choices, value) : comboWidget(context, info, choices, value);
 }
 
 Edit fieldWidget(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
-  if (const auto* number = std::get_if<NumberField>(&info.field)) {
-    return numberWidget(context, info, *number, value);
-  }
-  if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
-    return integerWidget(context, info, *integer, value);
-  }
   if (std::holds_alternative<FlagField>(info.field)) {
     return flagWidget(std::get<bool>(value));
   }
-  return choiceWidget(context, info, std::get<ChoiceField>(info.field), std::get<std::string>(value));
+  if (const auto* choice = std::get_if<ChoiceField>(&info.field)) {
+    return choiceWidget(context, info, *choice, std::get<std::string>(value));
+  }
+  return numberSlider(context, sliderOf(info, context.settings), value);
 }
 
 /// The value as typed, with few digits for a real number.
@@ -151,7 +133,8 @@ void explain(const PanelContext& context, const SettingInfo& info, const UiRect&
   ImGui::TextWrapped("%.*s", static_cast<int>(info.help.size()), info.help.data());
   ImGui::Spacing();
   ImGui::TextWrapped("Range: %s", describeRange(info).c_str());
-  ImGui::TextWrapped("In the scene: %s", withUnit(shortValue(settingValue(context.scene, info)), info.unit).c_str());
+  ImGui::TextWrapped("In the scene: %s",
+                     withUnit(shortValue(settingValue(context.sceneSettings, info)), info.unit).c_str());
   ImGui::TextWrapped("Default: %s", withUnit(shortValue(defaultValue(info)), info.unit).c_str());
   ImGui::TextWrapped("Command line: --set %.*s=%s", static_cast<int>(info.key.size()), info.key.data(),
                      shortValue(settingValue(context.settings, info)).c_str());
@@ -164,7 +147,7 @@ void explain(const PanelContext& context, const SettingInfo& info, const UiRect&
   endExplanation();
 }
 
-void takeEdit(PanelContext& context, const SettingInfo& info, const Edit& edit) {
+void applyEdit(PanelContext& context, const SettingInfo& info, const Edit& edit) {
   if (info.effect != SettingEffect::Scene) {
     if (edit.changed) {
       changeSetting(context, info, edit.value);
@@ -181,18 +164,6 @@ void takeEdit(PanelContext& context, const SettingInfo& info, const Edit& edit) 
 
 }  // namespace
 
-std::string numberFormat(std::string_view digits, std::string_view unit) {
-  std::string format(digits);
-  if (unit == "-") {
-    return format;
-  }
-  format += ' ';
-  for (const char letter : prettyUnit(unit)) {
-    format += letter == '%' ? std::string("%%") : std::string(1, letter);
-  }
-  return format;
-}
-
 bool settingApplies(const SettingInfo& info, const Settings& settings, const Scene& scene) {
   const bool isGrid = std::holds_alternative<GridSource>(scene.description.source);
   if (info.scope == (isGrid ? SettingScope::MeshFile : SettingScope::Grid)) {
@@ -202,41 +173,37 @@ bool settingApplies(const SettingInfo& info, const Settings& settings, const Sce
     return false;
   }
   if (!info.alsoKey.empty()) {
-    const SettingInfo* decided = findSetting(info.alsoKey);
-    return decided == nullptr || formatValue(settingValue(settings, *decided)) == info.alsoValue;
+    return formatValue(settingValue(settings, requireSetting(info.alsoKey))) == info.alsoValue;
   }
   return true;
 }
 
 void changeSetting(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
-  Settings changed = context.settings;
   try {
-    assignSetting(changed, info, value);
-    requireConsistent(changed);
+    Settings changed = withSetting(context.settings, info, value);
+    if (info.effect == SettingEffect::Scene) {
+      context.output.requests.emplace_back(RebuildSceneRequest{std::move(changed)});
+    } else {
+      context.output.commands.emplace_back(SetSettingCommand{std::string(info.key), value});
+    }
+    context.memory.pending.add(info, value, ImGui::GetTime());
   } catch (const UsageError& error) {
     context.output.hint = error.what();
-    return;
-  }
-  context.memory.pending.add(info, value, ImGui::GetTime());
-  if (info.effect == SettingEffect::Scene) {
-    context.output.requests.emplace_back(RebuildSceneRequest{std::move(changed)});
-  } else {
-    context.output.commands.emplace_back(SetSettingCommand{std::string(info.key), value});
   }
 }
 
 void settingWidget(PanelContext& context, const SettingInfo& info) {
   const SettingValue value = settingValue(context.settings, info);
-  const SettingValue usual = settingValue(context.scene, info);
+  const SettingValue sceneValue = settingValue(context.sceneSettings, info);
   const std::string key(info.key);
   ImGui::PushID(key.c_str());
-  const UiRect row = beginRow(context, info.title, value != usual);
+  const UiRect row = beginRow(context, info.title, value != sceneValue);
   const Edit edit = fieldWidget(context, info, value);
   context.widgets[key] = lastItemRect();
-  takeEdit(context, info, edit);
+  applyEdit(context, info, edit);
   if (hoversRow(row)) {
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != usual) {
-      changeSetting(context, info, usual);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != sceneValue) {
+      changeSetting(context, info, sceneValue);
     }
     if (hoveredLongEnough(context, key)) {
       explain(context, info, row);

@@ -3,8 +3,6 @@
 #include "settings/settings_table.hpp"
 #include "ui/panel_context.hpp"
 
-#include <string>
-
 namespace drape {
 
 /// Draws the row of one setting from its entry in the settings table: a slider, a check box or a choice of words, with
@@ -21,8 +19,5 @@ void settingsOfGroup(PanelContext& context, SettingGroup group);
 
 /// Requests a change, as a command or a rebuild. A value that the setting refuses is dropped.
 void changeSetting(PanelContext& context, const SettingInfo& info, const SettingValue& value);
-
-/// The printf format of a number with its unit: "%.4g m/s".
-[[nodiscard]] std::string numberFormat(std::string_view digits, std::string_view unit);
 
 }  // namespace drape

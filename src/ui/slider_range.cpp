@@ -32,7 +32,7 @@ double floorOf(const SliderRange& range) {
 
 }  // namespace
 
-SliderRange everydayRange(const NumberField& field, double defaultValue) {
+SliderRange commonRange(const NumberField& field, double defaultValue) {
   return field.logarithmic ? logarithmicRange(field, defaultValue) : linearRange(field, defaultValue);
 }
 

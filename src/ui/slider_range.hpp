@@ -13,7 +13,7 @@ struct SliderRange {
 
 /// A slider over eleven decades is too coarse, so a wide range is narrowed around the default: three decades to either
 /// side on a logarithmic scale, five times the default on a linear one.
-[[nodiscard]] SliderRange everydayRange(const NumberField& field, double defaultValue);
+[[nodiscard]] SliderRange commonRange(const NumberField& field, double defaultValue);
 
 /// The position of a value on the slider, from 0 to 1.
 [[nodiscard]] double sliderFraction(const SliderRange& range, double value);

@@ -26,15 +26,16 @@ enum class Remedy { None, Auto, Soften };
 struct Message {
   std::string text;
   ImVec4 colour;
-  Remedy wayOut = Remedy::None;
+  Remedy remedy = Remedy::None;
 };
 
 /// The solver that chooses its own steps.
 constexpr std::string_view choosingSolver = "auto";
 
-bool isOpen(Remedy way, const Settings& settings) {
+/// Whether the remedy would change something.
+bool isOffered(Remedy remedy, const Settings& settings) {
   const bool chooses = settings.solver.name == choosingSolver;
-  switch (way) {
+  switch (remedy) {
     case Remedy::Auto:
       return !chooses && findSolver(choosingSolver) != nullptr;
     case Remedy::Soften:
@@ -100,8 +101,8 @@ std::vector<std::pair<std::string, ImVec4>> factsOf(const Snapshot& snapshot) {
           {describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text}};
 }
 
-void drawWayOut(PanelContext& context, Remedy way) {
-  const bool toAuto = way == Remedy::Auto;
+void remedyButton(PanelContext& context, Remedy remedy) {
+  const bool toAuto = remedy == Remedy::Auto;
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
   if (ImGui::SmallButton(toAuto ? "Use auto" : "Soften")) {
     if (toAuto) {
@@ -189,11 +190,11 @@ struct Layout {
   float extraHeight = 0.0F;   // additional height of the line
 };
 
-Layout layOut(const std::string& facts, const Message& message, bool hasButton, const UiRect& place) {
+Layout layOut(const std::string& facts, const Message& message, const UiRect& place) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float width = static_cast<float>(place.width) - 2.0F * style.WindowPadding.x;
   Layout layout{.factsWidth = std::min(width, widthOf(facts))};
-  if (hasButton) {
+  if (message.remedy != Remedy::None) {
     const float word = std::max(widthOf("Use auto"), widthOf("Soften"));
     layout.buttonWidth = word + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
   }
@@ -207,41 +208,43 @@ Layout layOut(const std::string& facts, const Message& message, bool hasButton, 
   return layout;
 }
 
-void drawMessage(PanelContext& context, const Message& message, const Layout& layout, bool hasButton) {
+void drawMessage(PanelContext& context, const Message& message, const Layout& layout) {
   ImGui::PushStyleColor(ImGuiCol_Text, message.colour);
   ImGui::PushTextWrapPos(layout.extraHeight > 0.0F ? ImGui::GetCursorPosX() + layout.messageWidth : -1.0F);
   ImGui::TextUnformatted(message.text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
-  if (hasButton) {
+  if (message.remedy != Remedy::None) {
     ImGui::SameLine();
-    drawWayOut(context, message.wayOut);
+    remedyButton(context, message.remedy);
   }
 }
 
-void drawLine(PanelContext& context, const Message& message, const Layout& layout, bool hasButton) {
+void drawLine(PanelContext& context, const Message& message, const Layout& layout) {
   const auto facts = factsOf(context.snapshot);
   if (layout.extraHeight > 0.0F) {
-    drawMessage(context, message, layout, hasButton);
+    drawMessage(context, message, layout);
     drawFacts(context, facts, layout.factsWidth);
     return;
   }
   drawFacts(context, facts, layout.factsWidth);
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   ImGui::SameLine(right - layout.messageWidth - layout.buttonWidth);
-  drawMessage(context, message, layout, hasButton);
+  drawMessage(context, message, layout);
 }
 
 }  // namespace
 
 void statusLine(PanelContext& context, const UiRect& place) {
-  const Message message = messageOf(context);
-  const bool hasButton = isOpen(message.wayOut, context.settings);
+  Message message = messageOf(context);
+  if (!isOffered(message.remedy, context.settings)) {
+    message.remedy = Remedy::None;
+  }
   std::string facts;
   for (const auto& [text, colour] : factsOf(context.snapshot)) {
     facts += (facts.empty() ? "" : gapBetweenFacts) + text;
   }
-  const Layout layout = layOut(facts, message, hasButton, place);
+  const Layout layout = layOut(facts, message, place);
   context.memory.status = facts + gapBetweenFacts + message.text;
   const float top = static_cast<float>(place.y) - layout.extraHeight;
   ImGui::SetNextWindowPos({static_cast<float>(place.x), top});
@@ -255,7 +258,7 @@ void statusLine(PanelContext& context, const UiRect& place) {
   if (layout.extraHeight > 0.0F) {
     context.buttons["overlay.status"] = {place.x, top, place.width, layout.extraHeight};
   }
-  drawLine(context, message, layout, hasButton);
+  drawLine(context, message, layout);
   ImGui::PopStyleVar(2);
   drawDetails(context, {place.x, top, place.width, place.height});
   ImGui::End();

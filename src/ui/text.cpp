@@ -9,8 +9,8 @@ namespace drape {
 
 std::string printed(const char* format, double value) {
   std::array<char, 64> buffer{};
-  const int length = std::snprintf(buffer.data(), buffer.size(), format, value);
-  return {buffer.data(), static_cast<std::size_t>(std::clamp(length, 0, static_cast<int>(buffer.size()) - 1))};
+  std::snprintf(buffer.data(), buffer.size(), format, value);
+  return buffer.data();
 }
 
 std::string formatNumber(double value) {
@@ -42,8 +42,10 @@ std::string formatDuration(double seconds) {
 
 std::string formatCount(long long count) {
   std::string digits = std::to_string(count);
-  for (auto place = static_cast<int>(digits.size()) - 3; place > (count < 0 ? 1 : 0); place -= 3) {
-    digits.insert(static_cast<std::size_t>(place), "\u00A0");
+  const std::size_t sign = count < 0 ? 1 : 0;
+  for (std::size_t place = digits.size(); place > sign + 3;) {
+    place -= 3;
+    digits.insert(place, "\u00A0");
   }
   return digits;
 }

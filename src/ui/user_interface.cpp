@@ -6,7 +6,6 @@
 #include <imgui_internal.h>  // for closing a drop-down list from outside
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,12 +15,6 @@ namespace {
 constexpr float columnWidth = 372.0F;  // at scale 1
 constexpr float statusHeight = 30.0F;  // at scale 1
 constexpr float columnShare = 0.55F;   // maximum share of a small window
-constexpr std::size_t sectionCount = 9;
-
-using Panel = void (*)(PanelContext&);
-constexpr std::array<Panel, sectionCount> sections{materialPanel, airPanel,         simulationPanel,
-                                                   contactPanel,  scenePanel,       viewPanel,
-                                                   ghostPanel,    performancePanel, advancedPanel};
 
 constexpr ImGuiWindowFlags columnFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -100,9 +93,7 @@ void UserInterface::Parts::column(PanelContext& panel, const UiRect& place) {
   headPanel(panel);
   ImGui::Dummy({0.0F, 2.0F * display.scale});
   ImGui::BeginChild("Sections", {0.0F, 0.0F}, false, ImGuiWindowFlags_NoSavedSettings);
-  for (const Panel section : sections) {
-    section(panel);
-  }
+  drawSections(panel);
   memory.openSections.reset();
   ImGui::EndChild();
   ImGui::End();
@@ -192,10 +183,16 @@ void UserInterface::build(const Snapshot& snapshot, const UiStats& stats, UiOutp
   parts.widgets.clear();
   parts.buttons.clear();
   const Settings settings = parts.memory.pending.overlay(snapshot.settings);
-  PanelContext panel{snapshot,     settings,      snapshot.scene->description.settings,
-                     stats,        parts.fonts,   parts.display.scale,
-                     parts.memory, parts.widgets, parts.buttons,
-                     output};
+  PanelContext panel{.snapshot = snapshot,
+                     .settings = settings,
+                     .sceneSettings = snapshot.scene->description.settings,
+                     .stats = stats,
+                     .fonts = parts.fonts,
+                     .scale = parts.display.scale,
+                     .memory = parts.memory,
+                     .widgets = parts.widgets,
+                     .buttons = parts.buttons,
+                     .output = output};
   if (parts.panels) {
     const double below = static_cast<double>(parts.display.height) - parts.bottom();
     parts.column(panel, {0.0, 0.0, parts.width(), below});

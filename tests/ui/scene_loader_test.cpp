@@ -26,7 +26,7 @@ SceneLoader::Outcome waitFor(SceneLoader& loader) {
 
 TEST(SceneLoader, OpensASceneUnderAdjustedSettings) {
   SceneLoader loader;
-  loader.open("grid", [](Settings& settings) { settings.view.surface = "plain"; });
+  loader.open({.scene = "grid"}, [](Settings& settings) { settings.view.surface = "plain"; });
   EXPECT_NE(loader.activity().find("grid"), std::string::npos);
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
@@ -37,7 +37,7 @@ TEST(SceneLoader, OpensASceneUnderAdjustedSettings) {
 
 TEST(SceneLoader, AFailureIsASentenceAndNoScene) {
   SceneLoader loader;
-  loader.open("no such scene", [](Settings&) {});
+  loader.open({.scene = "no such scene"}, [](Settings&) {});
   const auto outcome = waitFor(loader);
   EXPECT_EQ(outcome.scene, nullptr);
   EXPECT_NE(outcome.error.find("no such scene"), std::string::npos);
@@ -60,7 +60,7 @@ TEST(SceneLoader, OfThoseThatWaitTheNewestWins) {
 TEST(SceneLoader, RestoresASceneUnderItsOwnSettings) {
   SceneLoader loader;
   const SceneDescription description = openScene("grid");
-  loader.restore(description);
+  loader.rebuild(description, description.settings, SceneLoader::Kind::Restored);
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
   EXPECT_EQ(outcome.kind, SceneLoader::Kind::Restored);
@@ -69,11 +69,11 @@ TEST(SceneLoader, RestoresASceneUnderItsOwnSettings) {
 
 TEST(SceneLoader, WhatIsCancelledNeverArrives) {
   SceneLoader loader;
-  loader.open("grid", [](Settings&) {});
+  loader.open({.scene = "grid"}, [](Settings&) {});
   EXPECT_TRUE(loader.cancel());
   EXPECT_TRUE(loader.activity().empty());
   EXPECT_FALSE(loader.cancel()) << "there is nothing left to cancel";
-  loader.open("flag", [](Settings&) {});
+  loader.open({.scene = "flag"}, [](Settings&) {});
   EXPECT_NE(loader.activity().find("flag"), std::string::npos);
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
@@ -94,7 +94,7 @@ TEST(SceneLoader, TellsHowFarItIs) {
   }
   mesh.close();
   SceneLoader loader;
-  loader.open(file.string(), [](Settings&) {});
+  loader.open({.scene = file.string()}, [](Settings&) {});
   std::set<std::string> told;
   std::optional<SceneLoader::Outcome> outcome;
   while (!outcome) {

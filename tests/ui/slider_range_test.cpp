@@ -9,7 +9,7 @@ TEST(SliderRange, EverySliderHoldsItsDefaultAndStaysInRange) {
   for (const SettingInfo& info : settingsTable()) {
     if (const auto* field = std::get_if<NumberField>(&info.field)) {
       const double usual = std::get<double>(defaultValue(info));
-      const SliderRange range = everydayRange(*field, usual);
+      const SliderRange range = commonRange(*field, usual);
       EXPECT_LT(range.min, range.max) << info.key;
       EXPECT_GE(range.min, field->min) << info.key;
       EXPECT_LE(range.max, field->max) << info.key;

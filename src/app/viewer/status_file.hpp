@@ -16,8 +16,8 @@ struct ViewerStatus {
   const Snapshot& snapshot;
   const Camera& camera;
   const UserInterface& panels;
-  UiDisplay display;
-  UiStats stats;
+  const UiDisplay& display;
+  const UiStats& stats;
   std::int64_t frame = 0;
   double firstFrameSeconds = 0.0;  ///< from the start of the program to the first frame on screen [s]
 };

@@ -136,7 +136,7 @@ void Viewer::frame() {
   handleInput(snapshot, output);
   draw(snapshot);
   status_.update({snapshot, controller_.camera(), panels_, display_, stats_, ++frameCount_, firstFrameSeconds_});
-  carryOut(output, snapshot);
+  execute(output, snapshot);
 }
 
 void Viewer::draw(const Snapshot& snapshot) {
@@ -202,13 +202,13 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
     return;
   }
   if (!outcome->scene) {
-    complain(outcome->error);
+    showError(outcome->error);
     return;
   }
   simulation_.post(LoadSceneCommand{outcome->scene});
   using Kind = SceneLoader::Kind;
   if (outcome->kind != Kind::Opened) {
-    grownScene_ = differsInSize(*outcome->scene, *snapshot.scene) ? outcome->scene : nullptr;
+    resizedScene_ = differsInSize(*outcome->scene, *snapshot.scene) ? outcome->scene : nullptr;
   }
   if (outcome->kind == Kind::Rebuilt) {
     // Keep the user's changes since the start of the build.
@@ -218,7 +218,7 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
   } else if (outcome->kind == Kind::Opened) {
     newScene_ = outcome->scene;
     const std::string left = std::exchange(notOpened_, {});
-    tell("Opened " + outcome->scene->description.name + (left.empty() ? "" : ". " + left));
+    showNotice("Opened " + outcome->scene->description.name + (left.empty() ? "" : ". " + left));
   }
 }
 
@@ -232,14 +232,14 @@ void Viewer::followScene(const Snapshot& snapshot) {
     openedScene_ = shownScene_;
     controller_.lookAtScene(*shownScene_);
     newScene_.reset();
-  } else if (shownScene_ == grownScene_) {
+  } else if (shownScene_ == resizedScene_) {
     controller_.frameCloth(snapshot);
-    grownScene_.reset();
+    resizedScene_.reset();
   }
   if (!shownScene_->summary.warnings.empty()) {
-    tell(shownScene_->summary.warnings.front());
+    showNotice(shownScene_->summary.warnings.front());
   } else if (!shownScene_->description.notes.empty()) {
-    tell(shownScene_->description.notes.front());
+    showNotice(shownScene_->description.notes.front());
   }
 }
 
@@ -280,7 +280,7 @@ void Viewer::handleInput(const Snapshot& snapshot, UiOutput& output) {
   }
 }
 
-void Viewer::carryOut(UiOutput& output, const Snapshot& snapshot) {
+void Viewer::execute(UiOutput& output, const Snapshot& snapshot) {
   for (Command& command : output.commands) {
     simulation_.post(std::move(command));
   }
@@ -288,7 +288,7 @@ void Viewer::carryOut(UiOutput& output, const Snapshot& snapshot) {
     std::visit([&](const auto& each) { on(each, snapshot); }, request);
   }
   if (!output.hint.empty()) {
-    tell(output.hint);
+    showNotice(output.hint);
   }
 }
 
@@ -309,7 +309,7 @@ void Viewer::on(const DroppedRequest& request, const Snapshot& snapshot) {
   }
   notOpened_ = decision.notice;
   if (!notOpened_.empty()) {
-    tell(notOpened_);
+    showNotice(notOpened_);
   }
 }
 
@@ -336,16 +336,10 @@ void Viewer::on(UiAction action, const Snapshot& snapshot) {
       saveScreenshot(snapshot);
       break;
     case UiAction::FrameCloth:
-      controller_.frameCloth(snapshot);
-      break;
     case UiAction::ViewFront:
-      controller_.lookFrom(Camera::Side::Front, snapshot);
-      break;
     case UiAction::ViewRight:
-      controller_.lookFrom(Camera::Side::Right, snapshot);
-      break;
     case UiAction::ViewTop:
-      controller_.lookFrom(Camera::Side::Top, snapshot);
+      controller_.moveCamera(action, snapshot);
       break;
     case UiAction::ResetAll:
       resetAll(snapshot);
@@ -366,19 +360,16 @@ void Viewer::on(UiAction action, const Snapshot& snapshot) {
 void Viewer::resetAll(const Snapshot& snapshot) {
   stats_.error.clear();
   const Scene& scene = *snapshot.scene;
-  const auto same = [&](const SettingInfo& info) {
-    return settingValue(scene.settings, info) == settingValue(scene.description.settings, info);
-  };
-  if (std::all_of(settingsTable().begin(), settingsTable().end(), same)) {
+  if (differingSettings(scene.settings, scene.description.settings).empty()) {
     simulation_.post(LoadSceneCommand{snapshot.scene});
   } else {
-    loader_.restore(scene.description);
+    loader_.rebuild(scene.description, scene.description.settings, SceneLoader::Kind::Restored);
   }
 }
 
 void Viewer::stopLoadingOrQuit(const Snapshot& snapshot) {
   if (loader_.cancel()) {
-    tell("Stopped. The scene did not change");
+    showNotice("Stopped. The scene did not change");
   } else {
     quitOrAsk(snapshot);
   }
@@ -402,18 +393,18 @@ void Viewer::saveScreenshot(const Snapshot& snapshot) {
     const Image shown = renderer_.read();
     renderer_.draw(bare, controller_.camera(), shown.width, shown.height);
     writePng(renderer_.read(), file);
-    tell("Saved " + file.string());
+    showNotice("Saved " + file.string());
   } catch (const std::exception& error) {
-    complain(error.what());
+    showError(error.what());
   }
 }
 
-void Viewer::tell(const std::string& notice) {
+void Viewer::showNotice(const std::string& notice) {
   stats_.notice = notice;
   noticeEnds_ = Clock::now() + noticeTime;
 }
 
-void Viewer::complain(const std::string& error) {
+void Viewer::showError(const std::string& error) {
   stats_.error = error;
   ++stats_.failures;
 }

@@ -32,7 +32,6 @@ class Viewer {
  public:
   Viewer(const std::shared_ptr<const Scene>& scene, const ViewerOptions& options);
 
-  /// Returns when the user quits.
   /// Returns when the user quits. Then the session log is written; throws InputError when that fails.
   void run();
 
@@ -48,7 +47,7 @@ class Viewer {
   void followScene(const Snapshot& snapshot);
   void handleInput(const Snapshot& snapshot, UiOutput& output);
   [[nodiscard]] bool belongsToPanels(const InputEvent& event);
-  void carryOut(UiOutput& output, const Snapshot& snapshot);
+  void execute(UiOutput& output, const Snapshot& snapshot);
   void on(const OpenSceneRequest& request, const Snapshot& snapshot);
   void on(const OpenPartsRequest& request, const Snapshot& snapshot);
   void on(const DroppedRequest& request, const Snapshot& snapshot);
@@ -58,8 +57,8 @@ class Viewer {
   void stopLoadingOrQuit(const Snapshot& snapshot);
   void quitOrAsk(const Snapshot& snapshot);
   void saveScreenshot(const Snapshot& snapshot);
-  void tell(const std::string& notice);
-  void complain(const std::string& error);
+  void showNotice(const std::string& notice);
+  void showError(const std::string& error);
   [[nodiscard]] UiDisplay measureDisplay(double fontScaleSetting) const;
   void updateStats(Clock::time_point now);
 
@@ -73,11 +72,11 @@ class Viewer {
   std::optional<OutputFile> record_;
   SimulationThread simulation_;
 
-  std::shared_ptr<const Scene> shownScene_;   ///< the title bar has its name
-  std::shared_ptr<const Scene> openedScene_;  ///< the last opened scene, before any change of its settings
-  std::shared_ptr<const Scene> newScene_;     ///< on its way; the camera takes the author's view
-  std::shared_ptr<const Scene> grownScene_;   ///< on its way; the camera keeps its direction
-  std::string notOpened_;                     ///< dropped files that were not opened, and why
+  std::shared_ptr<const Scene> shownScene_;    ///< the title bar has its name
+  std::shared_ptr<const Scene> openedScene_;   ///< the last opened scene, before any change of its settings
+  std::shared_ptr<const Scene> newScene_;      ///< on its way; the camera takes the author's view
+  std::shared_ptr<const Scene> resizedScene_;  ///< on its way; the camera keeps its direction
+  std::string notOpened_;                      ///< dropped files that were not opened, and why
   UiStats stats_;
   UiDisplay display_;
   Vec2 mouse_ = Vec2::Zero();

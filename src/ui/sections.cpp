@@ -1,0 +1,137 @@
+#include "session/ghost.hpp"
+#include "session/solver_warning.hpp"
+#include "ui/panels.hpp"
+#include "ui/setting_widget.hpp"
+#include "ui/solver_facts.hpp"
+#include "ui/text.hpp"
+#include "ui/widgets.hpp"
+
+#include <array>
+#include <optional>
+
+namespace drape {
+namespace {
+
+void materialRows(PanelContext& context) {
+  const ClothModel& model = *context.snapshot.model;
+  const double mass = model.totalMass();
+  const double area = model.restArea();
+  if (context.settings.material.massGivenAs == "density") {
+    valueRow(context, "Mass of the cloth", formatQuantity(mass, "kg"));
+  } else if (area > 0.0) {
+    valueRow(context, "Density", formatQuantity(mass / area, "kg/m\u00B2"));
+  }
+}
+
+void airRows(PanelContext& context) {
+  windDial(context);
+  const StepParameters& step = context.settings.step;
+  if (step.wind.norm() > 0.0 && step.drag == 0.0 && step.lift == 0.0) {
+    mutedText("Wind has no effect while drag and lift are zero.", palette().warning);
+  }
+}
+
+void viewButtons(PanelContext& context) {
+  struct ViewButton {
+    const char* name;
+    const char* word;
+    UiAction action;
+    const char* help;
+  };
+  static constexpr std::array<ViewButton, 4> buttons{{
+      {"frame", "Frame", UiAction::FrameCloth, "Moves the camera so that the cloth fills the view (F)."},
+      {"front", "Front", UiAction::ViewFront, "Looks from the front (1)."},
+      {"right", "Right", UiAction::ViewRight, "Looks from the right (3)."},
+      {"top", "Top", UiAction::ViewTop, "Looks from above (7)."},
+  }};
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - 3.0F * gap) / 4.0F;
+  for (std::size_t i = 0; i < buttons.size(); ++i) {
+    if (i > 0) {
+      ImGui::SameLine();
+    }
+    if (iconButton(context, buttons[i].name, Icon::None, buttons[i].word, width)) {
+      context.output.requests.emplace_back(buttons[i].action);
+    }
+    explainItem(context, buttons[i].name, buttons[i].help);
+  }
+}
+
+void ghostRows(PanelContext& context) {
+  const SolverInfo* solver = findSolver(context.settings.ghost.solver);
+  if (solver == nullptr) {
+    mutedText("A second cloth, in green, moved by another solver. Choose a solver to compare.");
+    return;
+  }
+  if (const std::optional<GhostStatus>& ghost = context.snapshot.ghost) {
+    valueRow(context, "Mean distance", formatQuantity(ghost->meanDistance * 1e3, "mm"), palette().ghost);
+    valueRow(context, "Step", formatDuration(ghost->stepSeconds));
+    solverRows(context, *solver, ghostParameters(context.settings), ghost->stepReport);
+  }
+  solverHelp(context, *solver);
+  steadyText(context, "ghost.warning", ghostWarning(context.settings, *context.snapshot.model), palette().warning);
+}
+
+void advancedRows(PanelContext& context) {
+  valueRow(context, "Steps per second", formatNumber(1.0 / context.settings.step.timeStep));
+  if (const SolverInfo* solver = findSolver(context.settings.solver.name)) {
+    solverRows(context, *solver, context.settings.step, context.snapshot.stepReport);
+    solverHelp(context, *solver);
+  }
+  steadyText(context, "solver.warning", solverWarning(context.settings, *context.snapshot.model), palette().warning);
+}
+
+bool startsOpen(const PanelContext& /*context*/) {
+  return true;
+}
+
+bool startsClosed(const PanelContext& /*context*/) {
+  return false;
+}
+
+bool showsGhost(const PanelContext& context) {
+  return context.settings.ghost.solver != "off";
+}
+
+/// A section of the column: a group of settings, with rows above and below them.
+struct Section {
+  const char* title;
+  bool (*isOpenAtFirst)(const PanelContext& context);
+  std::optional<SettingGroup> group;  ///< its settings; empty: none
+  void (*rowsBelow)(PanelContext& context) = nullptr;
+  void (*rowsAbove)(PanelContext& context) = nullptr;
+};
+
+constexpr std::array<Section, 9> sections{{
+    {"Material", startsOpen, SettingGroup::Material, materialRows},
+    {"Air", startsOpen, SettingGroup::Air, airRows},
+    {"Simulation", startsOpen, SettingGroup::Simulation},
+    {"Contact", contactMatters, SettingGroup::Contact, contactRows},
+    {"Scene", startsOpen, SettingGroup::Scene, meshRows, sceneRows},
+    {"View", startsClosed, SettingGroup::View, viewButtons},
+    {"Ghost", showsGhost, SettingGroup::Ghost, ghostRows},
+    {"Performance", startsClosed, std::nullopt, performanceRows},
+    {"Advanced", startsClosed, SettingGroup::Advanced, advancedRows},
+}};
+
+}  // namespace
+
+void drawSections(PanelContext& context) {
+  for (const Section& section : sections) {
+    if (!beginSection(context, section.title, section.isOpenAtFirst(context))) {
+      continue;
+    }
+    if (section.rowsAbove != nullptr) {
+      section.rowsAbove(context);
+    }
+    if (section.group) {
+      settingsOfGroup(context, *section.group);
+    }
+    if (section.rowsBelow != nullptr) {
+      section.rowsBelow(context);
+    }
+    endSection();
+  }
+}
+
+}  // namespace drape
