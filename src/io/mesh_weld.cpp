@@ -5,6 +5,7 @@
 #include "io/planar_uvs.hpp"
 #include "io/short_edges.hpp"
 #include "sim/error.hpp"
+#include "sim/fingerprint.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
