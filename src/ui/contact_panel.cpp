@@ -1,12 +1,13 @@
-#include "settings/number_text.hpp"
 #include "settings/surface_fields.hpp"
 #include "sim/error.hpp"
+#include "text/number_text.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
 #include "ui/setting_widget.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
+#include <fmt/printf.h>
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +15,7 @@ namespace drape {
 namespace {
 
 std::string withUnit(const SurfaceField& field, double value) {
-  return printed(numberFormat("%.4g", field.unit).c_str(), value);
+  return fmt::sprintf(numberFormat("%.4g", field.unit), value);
 }
 
 NumberInput inputOf(const std::string& key, const SurfaceField& field) {

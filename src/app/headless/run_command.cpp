@@ -12,11 +12,11 @@
 #include "sim/error.hpp"
 #include "sim/stability.hpp"
 
+#include <fmt/core.h>
 #include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 namespace drape {
 namespace {
@@ -65,14 +65,12 @@ void printStabilityLimit(const nlohmann::ordered_json& limit) {
 
 void printSummary(const Simulation& simulation, const nlohmann::ordered_json& json) {
   printMesh(simulation.scene());
-  std::ostringstream figures;
-  figures.precision(3);
-  figures << json["step_us"]["median"].get<double>() << " us a step (median), largest stretch "
-          << maxStretch(simulation.model(), simulation.state());
   std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
             << " springs, " << json["triangles"] << " triangles\n"
-            << json["steps"] << " steps to " << simulation.state().time << " s, " << figures.str() << ", state "
-            << json["state_hash"].get<std::string>() << '\n';
+            << json["steps"] << " steps to " << simulation.state().time
+            << fmt::format(" s, {:.3g} us a step (median), largest stretch {:.3g}, state {}\n",
+                           json["step_us"]["median"].get<double>(), maxStretch(simulation.model(), simulation.state()),
+                           json["state_hash"].get<std::string>());
   printStabilityLimit(json["stability_limit"]);
 }
 

@@ -1,8 +1,8 @@
 #include "app/report/progress_line.hpp"
+#include "text/number_text.hpp"
 
 #include <unistd.h>
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <string>
 
@@ -10,12 +10,6 @@ namespace drape {
 namespace {
 
 constexpr double betweenLines = 15.0;  // in a file [s]
-
-std::string duration(double seconds) {
-  const auto whole = std::lround(seconds);
-  return whole < 60 ? std::to_string(whole) + " s"
-                    : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
-}
 
 }  // namespace
 
@@ -36,7 +30,7 @@ void ProgressLine::show(std::string_view section, double done, double total) {
   }
   const double pace = done > 0.0 ? spent() / done : 1.0;
   std::string line = std::string(section) + ": " + std::to_string(static_cast<int>(100.0 * done / total)) + " %, " +
-                     duration(pace * (total - done)) + " left";
+                     formatMinutes(pace * (total - done)) + " left";
   if (!terminal_) {
     told_ = spent();
     std::cerr << line << std::endl;
