@@ -4,7 +4,7 @@
 #include "app/headless/intact.hpp"
 #include "app/headless/picture_maker.hpp"
 #include "app/headless/solver_notes.hpp"
-#include "app/progress_bar.hpp"
+#include "app/progress_line.hpp"
 #include "session/simulation.hpp"
 #include "sim/error.hpp"
 
@@ -69,13 +69,13 @@ void capture(const CaptureArguments& arguments) {
   PictureMaker pictures(arguments.resolution[0], arguments.resolution[1], arguments.ui,
                         simulation.settings().view.fontScale, poseFor(arguments, simulation.scene().camera));
   {
-    ProgressBar progress("capturing", arguments.frames);
+    ProgressLine progress;
     for (int frame = 0; frame < arguments.frames; ++frame) {
       for (int i = 0; frame > 0 && i < every && !simulation.blewUp(); ++i) {
         simulation.step();
       }
       writePng(pictures.draw(simulation), pattern.name(frame));
-      progress.show(frame + 1);
+      progress.show("capturing", frame + 1, arguments.frames);
     }
   }
   if (!simulation.message().empty() && !simulation.blewUp()) {

@@ -5,7 +5,7 @@
 #include "app/headless/position_writer.hpp"
 #include "app/headless/run_stats.hpp"
 #include "app/headless/solver_notes.hpp"
-#include "app/progress_bar.hpp"
+#include "app/progress_line.hpp"
 #include "app/session_log.hpp"
 #include "session/simulation.hpp"
 #include "sim/diagnostics.hpp"
@@ -91,7 +91,7 @@ void warn(const Simulation& simulation) {
 class RunOutputs {
  public:
   RunOutputs(const RunArguments& arguments, const Simulation& simulation, std::int64_t steps)
-      : stats_(arguments.stats, steps), progress_(std::in_place, "simulating", steps) {
+      : stats_(arguments.stats, steps), progress_(std::in_place), steps_(static_cast<double>(steps)) {
     if (!arguments.positions.empty()) {
       positions_.emplace(arguments.positions, arguments.every, simulation.settings().step.timeStep);
       positions_->sample(simulation.state());
@@ -110,7 +110,7 @@ class RunOutputs {
     if (intersections_) {
       intersections_->observe(simulation);
     }
-    progress_->show(++steps_);
+    progress_->show("simulating", ++taken_, steps_);
   }
 
   /// Writes the files and prints the summary.
@@ -136,8 +136,9 @@ class RunOutputs {
   RunStats stats_;
   std::optional<PositionWriter> positions_;
   std::optional<IntersectionWatch> intersections_;
-  std::optional<ProgressBar> progress_;
-  std::int64_t steps_ = 0;
+  std::optional<ProgressLine> progress_;
+  double steps_;
+  double taken_ = 0.0;
 };
 
 /// Runs a recorded session again. It must end in the same bits.
