@@ -26,17 +26,6 @@ std::string place(const Vec3& point) {
   return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", point.x(), point.y(), point.z());
 }
 
-/// The next larger of 1, 2, 5, 10, 20, 50 ...
-double roundedUp(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (step * decade >= value) {
-      return step * decade;
-    }
-  }
-  return 10.0 * decade;
-}
-
 std::vector<std::size_t> overstretched(const ClothModel& model, const ClothState& state) {
   std::vector<std::size_t> springs;
   for (std::size_t i = 0; i < model.springs.size(); ++i) {
@@ -99,7 +88,7 @@ std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel
 double helpfulStiffness(const ClothModel& model, StepParameters parameters) {
   const auto& field = std::get<NumberField>(requireSetting("stiffness").field);
   parameters.stiffness = 1.0;
-  return std::min(field.max, roundedUp(strainByWeight(model, parameters) / wantedStrain));
+  return std::min(field.max, nextRoundNumber(strainByWeight(model, parameters) / wantedStrain));
 }
 
 StretchDiagnosis explainByWeight(double strain, const Scene& scene, const Settings& settings, const ClothModel& model) {

@@ -98,6 +98,16 @@ std::string formatCount(long long count) {
   return digits;
 }
 
+double nextRoundNumber(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * decade >= value * (1.0 - 1e-9)) {
+      return factor * decade;
+    }
+  }
+  return 10.0 * decade;
+}
+
 std::optional<double> parseNumber(std::string_view text) {
   const auto slash = text.find('/');
   if (slash == std::string_view::npos) {

@@ -37,6 +37,9 @@ namespace drape {
 /// A count with non-breaking spaces between the thousands.
 [[nodiscard]] std::string formatCount(long long count);
 
+/// The next larger of 1, 2 and 5 times a power of ten, or the positive number itself when it is one up to rounding.
+[[nodiscard]] double nextRoundNumber(double value);
+
 /// Parses a number or a fraction such as 1/150. Empty for any other text.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view text);
 

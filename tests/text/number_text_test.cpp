@@ -69,6 +69,13 @@ TEST(NumberText, LengthsChooseTheirUnit) {
   EXPECT_EQ(formatLength(0.0), "0 m");
 }
 
+TEST(NumberText, RoundNumbersAreOneTwoOrFive) {
+  EXPECT_DOUBLE_EQ(nextRoundNumber(0.03), 0.05);
+  EXPECT_DOUBLE_EQ(nextRoundNumber(2.0), 2.0);
+  EXPECT_DOUBLE_EQ(nextRoundNumber(2.0 * (1.0 + 1e-12)), 2.0);
+  EXPECT_DOUBLE_EQ(nextRoundNumber(501.0), 1000.0);
+}
+
 TEST(NumberText, FractionsAreNumbers) {
   EXPECT_EQ(parseNumber("1/150"), 1.0 / 150.0);
   EXPECT_EQ(parseNumber("+2.5"), 2.5);
