@@ -1,17 +1,14 @@
 #include "app/command_line.hpp"
 
-#include "app/progress_bar.hpp"
+#include "app/progress_line.hpp"
 #include "app/standard_streams.hpp"
 #include "messages/sim_error_text.hpp"
 #include "settings/settings_table.hpp"
 
-#include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <exception>
 #include <iostream>
 #include <new>
-#include <optional>
 
 namespace drape {
 namespace {
@@ -40,17 +37,12 @@ bool parseOrHelp(CLI::App& app, int argc, char** argv) {
 
 /// Builds a scene. When this takes longer than half a second, the terminal shows a progress bar.
 std::shared_ptr<const Scene> buildWithProgress(const SceneDescription& description, const Settings& settings) {
-  constexpr std::chrono::milliseconds patience(500);
-  constexpr std::int64_t whole = 100;
-  const auto start = std::chrono::steady_clock::now();
-  std::optional<ProgressBar> bar;
+  constexpr double patience = 0.5;  // [s]
+  ProgressLine bar;
   ImportWatch watch;
   watch.progress = [&](double share, std::string_view) {
-    if (!bar && std::chrono::steady_clock::now() - start > patience) {
-      bar.emplace("opening " + description.name, whole);
-    }
-    if (bar) {
-      bar->show(std::lround(share * static_cast<double>(whole)));
+    if (bar.spent() > patience) {
+      bar.show("opening " + description.name, std::round(100.0 * share), 100.0);
     }
   };
   return buildScene(description, settings, watch);

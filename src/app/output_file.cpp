@@ -7,7 +7,8 @@
 #include <unistd.h>
 #include <cerrno>
 #include <cstring>
-#include <string_view>
+#include <fstream>
+#include <system_error>
 #include <utility>
 
 namespace drape {
@@ -66,6 +67,27 @@ void OutputFile::write(const nlohmann::ordered_json& figures) {
   if (!complete || !closed) {
     throw InputError(what_ + " could not be written completely to " + name_ + ": " +
                      std::strerror(complete ? errno : reason));
+  }
+}
+
+bool replaceFile(const std::filesystem::path& file, std::string_view text) {
+  auto unfinished = file;
+  unfinished += ".part";
+  std::ofstream stream(unfinished, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code error;
+  if (stream) {
+    std::filesystem::rename(unfinished, file, error);
+  }
+  return stream && !error;
+}
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError("cannot create the folder " + folder.string() + ": " + error.message());
   }
 }
 

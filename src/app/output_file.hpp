@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 namespace drape {
 
@@ -29,6 +31,12 @@ class OutputFile {
   bool isOurs_ = false;   // the file did not exist before
   bool written_ = false;  // `write` was called
 };
+
+/// Replaces a file at once, by way of FILE.part: a reader never sees half of it. False when it could not be written.
+[[nodiscard]] bool replaceFile(const std::filesystem::path& file, std::string_view text);
+
+/// Creates the folder, with those above it, if it does not exist. Throws InputError.
+void makeFolder(const std::filesystem::path& folder);
 
 /// JSON as text. Bytes that are not valid UTF-8 become the replacement character U+FFFD.
 /// @param indent spaces per level

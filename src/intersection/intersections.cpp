@@ -1,15 +1,18 @@
 #include "intersection/intersections.hpp"
 
-#include "intersection/box_tree.hpp"
 #include "intersection/triangle_pair.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
+#include <unsupported/Eigen/BVH>
 
 namespace drape {
 namespace {
 
 using Corners = std::array<int, 3>;
+using Box = Eigen::AlignedBox3d;
+using BoxTree = Eigen::KdBVH<double, 3, int>;
 
 void requireSound(const Surface& surface) {
   if (!std::all_of(surface.positions.begin(), surface.positions.end(),
@@ -32,31 +35,55 @@ Facet facetOf(const Surface& surface, const Corners& corners) {
 /// The triangles of a surface, prepared for tests.
 struct Facets {
   std::vector<Facet> list;
-  BoxTree tree;
+  std::vector<Box> boxes;
+  BoxTree tree;  // of the indices
 
-  explicit Facets(const Surface& surface) : list(listOf(surface)), tree(boxesOf(list)) {}
-  [[nodiscard]] const Facet& operator[](int i) const { return list[static_cast<std::size_t>(i)]; }
-
-  static std::vector<Facet> listOf(const Surface& surface) {
+  explicit Facets(const Surface& surface) {
     requireSound(surface);
-    std::vector<Facet> facets;
-    facets.reserve(surface.triangles.size());
+    list.reserve(surface.triangles.size());
+    boxes.reserve(surface.triangles.size());
     for (const Corners& corners : surface.triangles) {
-      facets.push_back(facetOf(surface, corners));
-    }
-    return facets;
-  }
-
-  static std::vector<Box> boxesOf(const std::vector<Facet>& facets) {
-    std::vector<Box> boxes;
-    boxes.reserve(facets.size());
-    for (const Facet& facet : facets) {
-      const auto& [a, b, c] = facet.corners();
+      list.push_back(facetOf(surface, corners));
+      const auto& [a, b, c] = list.back().corners();
       boxes.push_back(Box(a, a).extend(b).extend(c));
     }
-    return boxes;
+    std::vector<int> indices(list.size());
+    std::iota(indices.begin(), indices.end(), 0);
+    tree.init(indices.begin(), indices.end(), boxes.begin(), boxes.end());
+  }
+  [[nodiscard]] const Facet& operator[](int i) const { return list[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Box& box(int i) const { return boxes[static_cast<std::size_t>(i)]; }
+};
+
+/// Collects the pairs whose boxes overlap and that `test` accepts; an Eigen intersector. Boxes are closed and compared
+/// without rounding, so touching pairs are found.
+template <typename Test>
+struct PairSearch {
+  const Facets& first;
+  const Facets& second;
+  const Test& test;
+  std::vector<TrianglePair> pairs;
+
+  static bool intersectVolumeVolume(const Box& a, const Box& b) { return a.intersects(b); }
+  bool intersectVolumeObject(const Box& a, int j) const { return a.intersects(second.box(j)); }
+  bool intersectObjectVolume(int i, const Box& b) const { return b.intersects(first.box(i)); }
+  /// Returns false, which continues the search.
+  bool intersectObjectObject(int i, int j) {
+    if (first.box(i).intersects(second.box(j)) && test(i, j)) {
+      pairs.push_back({i, j});
+    }
+    return false;
   }
 };
+
+/// The pairs of triangles of two surfaces that `test` accepts, sorted.
+template <typename Test>
+std::vector<TrianglePair> pairsOf(const Facets& first, const Facets& second, const Test& test) {
+  PairSearch<Test> search{first, second, test, {}};
+  Eigen::BVIntersect(first.tree, second.tree, search);
+  std::sort(search.pairs.begin(), search.pairs.end());
+  return std::move(search.pairs);
+}
 
 /// Moves the vertices that `corners` shares with `other` to the front, in the order of `other`. Returns their number.
 int sharedFirst(Corners& corners, const Corners& other) {
@@ -92,27 +119,14 @@ bool intersect(const Surface& surface, const Facets& facets, int i, int j) {
 
 std::vector<TrianglePair> intersectingPairs(const Surface& surface) {
   const Facets facets(surface);
-  std::vector<TrianglePair> pairs;
-  facets.tree.forEachPair([&](int i, int j) {
-    if (intersect(surface, facets, i, j)) {
-      pairs.push_back({i, j});
-    }
-  });
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  // The search visits each pair in both orders.
+  return pairsOf(facets, facets, [&](int i, int j) { return i < j && intersect(surface, facets, i, j); });
 }
 
 std::vector<TrianglePair> intersectingPairs(const Surface& first, const Surface& second) {
   const Facets a(first);
   const Facets b(second);
-  std::vector<TrianglePair> pairs;
-  a.tree.forEachPair(b.tree, [&](int i, int j) {
-    if (meet(a[i], b[j])) {
-      pairs.push_back({i, j});
-    }
-  });
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  return pairsOf(a, b, [&](int i, int j) { return meet(a[i], b[j]); });
 }
 
 std::vector<int> trianglesReaching(const Surface& surface, const std::array<Eigen::Vector3d, 3>& plane) {

@@ -6,14 +6,6 @@
 
 namespace drape {
 
-/// Mixes two 64-bit values; every bit of the result depends on all bits of both.
-[[nodiscard]] constexpr std::uint64_t mixHash(std::uint64_t seed, std::uint64_t value) {
-  std::uint64_t mixed = (seed ^ value) * 0x9e3779b97f4a7c15ULL;
-  mixed ^= mixed >> 32;
-  mixed *= 0xd6e8feb86659fd93ULL;
-  return mixed ^ (mixed >> 29);
-}
-
 /// A hash table of the indices 0, 1, 2, ... whose keys the caller stores. It finds indices with equal hashes, and the
 /// caller compares the keys. It consists of two flat arrays, so a million entries cost milliseconds.
 class ChainedIndex {

@@ -9,14 +9,14 @@
 #include "io/stl_check.hpp"
 #include "io/text_input.hpp"
 #include "messages/error.hpp"
+#include "text/words.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -67,10 +67,7 @@ std::string formatList() {
 
 /// The file's extension in lower case, with its dot; empty when there is none.
 std::string endingOf(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return ending;
+  return lowerCase(file.extension().string());
 }
 
 /// The file's format by its extension. Throws InputError when it is not supported.
@@ -132,22 +129,11 @@ fs::path importProgram() {
   return program;
 }
 
-std::string shortNumber(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
-std::string secondsText(double seconds) {
-  const std::string text = std::to_string(std::round(seconds * 10.0) / 10.0);
-  return text.substr(0, text.find('.') + 2) + " s";
-}
-
 /// Why the import program failed, as the rest of a sentence.
 std::string describeFailure(const ProcessOutcome& outcome, double timeLimit) {
   if (outcome.end == ProcessOutcome::End::TimedOut ||
       (outcome.end == ProcessOutcome::End::Killed && outcome.code == SIGXCPU)) {
-    return "reading it took longer than " + secondsText(timeLimit) + " and was stopped";
+    return fmt::format("reading it took longer than {:.1f} s and was stopped", std::round(timeLimit * 10.0) / 10.0);
   }
   if (outcome.end == ProcessOutcome::End::TooMuch) {
     return "it expands to more data than a mesh may have";
@@ -246,8 +232,7 @@ ImportedMesh weldNamed(const RawMesh& raw, const std::string& name, std::string_
     return weldMesh(raw, name, options);
   } catch (const OutlierError& error) {
     const Vec3& place = raw.positions[static_cast<std::size_t>(error.rawVertex())];
-    std::string vertex = "the vertex at (" + shortNumber(place.x()) + ", " + shortNumber(place.y()) + ", " +
-                         shortNumber(place.z()) + ")";
+    std::string vertex = fmt::format("the vertex at ({:.6g}, {:.6g}, {:.6g})", place.x(), place.y(), place.z());
     if (format == "obj") {
       std::string storage;
       vertex = nameObjVertex(plainText(bytes, storage), place);

@@ -3,20 +3,14 @@
 #include "io/mesh_topology.hpp"
 #include "sim/bounds.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <cstdio>
 
 namespace drape {
 namespace {
 
-std::string formatted(const char* pattern, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), pattern, value);
-  return text.data();
-}
-
 std::string counted(int count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
+  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 void warnAboutFaces(MeshSummary& summary) {
@@ -42,8 +36,8 @@ void warnAboutFaces(MeshSummary& summary) {
 }
 
 void warnAboutShortEdges(MeshSummary& summary) {
-  const std::string place = formatted("(%.6g, ", summary.shortEdge[0]) + formatted("%.6g, ", summary.shortEdge[1]) +
-                            formatted("%.6g)", summary.shortEdge[2]);
+  const auto& [x, y, z] = summary.shortEdge;
+  const std::string place = fmt::format("({:.6g}, {:.6g}, {:.6g})", x, y, z);
   if (summary.shortEdges > 0) {
     summary.warnings.push_back(counted(summary.shortEdges, "edge was", "edges were") +
                                " less than a thousandth of the median edge long (slivers): merged to one vertex each. "
@@ -94,14 +88,14 @@ void summarise(const ClothMesh& cloth, MeshUse use, MeshSummary& summary) {
 std::vector<std::string> describe(const MeshSummary& summary) {
   std::vector<std::string> lines;
   lines.push_back("mesh:        " + summary.source);
-  lines.push_back("vertices:    " + std::to_string(summary.vertices) + " (" + std::to_string(summary.verticesInFile) +
-                  " in the file, split at texture seams)");
-  lines.push_back("triangles:   " + std::to_string(summary.triangles));
-  lines.push_back("springs:     " + std::to_string(summary.springs));
+  lines.push_back(fmt::format("vertices:    {} ({} in the file, split at texture seams)", summary.vertices,
+                              summary.verticesInFile));
+  lines.push_back(fmt::format("triangles:   {}", summary.triangles));
+  lines.push_back(fmt::format("springs:     {}", summary.springs));
   lines.push_back("pieces:      " + std::to_string(summary.components) + ", with " +
                   counted(summary.boundaryLoops, "open border", "open borders"));
-  lines.push_back("size:        " + formatted("%.3g", summary.size[0]) + " x " + formatted("%.3g", summary.size[1]) +
-                  " x " + formatted("%.3g", summary.size[2]) + " m (width x height x depth)");
+  lines.push_back(fmt::format("size:        {:.3g} x {:.3g} x {:.3g} m (width x height x depth)", summary.size[0],
+                              summary.size[1], summary.size[2]));
   for (const std::string& warning : summary.warnings) {
     lines.push_back("warning:     " + warning);
   }

@@ -5,7 +5,10 @@
 #include "io/planar_uvs.hpp"
 #include "io/short_edges.hpp"
 #include "messages/error.hpp"
+#include "sim/fingerprint.hpp"
+#include "text/number_text.hpp"
 
+#include <fmt/core.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -13,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 
 namespace drape {
@@ -43,12 +45,6 @@ constexpr double largestMesh = 1e9;
 
 std::size_t at(int index) {
   return static_cast<std::size_t>(index);
-}
-
-std::string coordinateText(double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
 }
 
 /// The coordinate that is farthest from 0.
@@ -84,7 +80,7 @@ void requireUsable(const RawMesh& raw, const std::string& name, const ImportOpti
                        " is not a finite number. Repair or export the mesh again.");
     }
     if (raw.positions[i].cwiseAbs().maxCoeff() > largestCoordinate) {
-      throw InputError(name + ": a vertex has the coordinate " + coordinateText(largestOf(raw.positions[i])) +
+      throw InputError(name + ": a vertex has the coordinate " + fmt::format("{:.6g}", largestOf(raw.positions[i])) +
                        ", which is far too large. Repair or export the mesh again.");
     }
   }
@@ -331,19 +327,6 @@ RenderMesh renderMeshFromUvs(const RawMesh& raw, const Weld& weld, const Faces& 
   return render;
 }
 
-std::string lengthText(double metres) {
-  struct Unit {
-    double metres;
-    const char* name;
-  };
-  constexpr std::array<Unit, 5> units{{{1e3, "km"}, {1.0, "m"}, {1e-3, "mm"}, {1e-6, "um"}, {0.0, "m"}}};
-  const auto* const unit =
-      std::find_if(units.begin(), units.end(), [metres](const Unit& each) { return metres >= each.metres; });
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %s", unit->metres > 0.0 ? metres / unit->metres : metres, unit->name);
-  return text.data();
-}
-
 /// Removes the faces of outliers from the mesh, or throws when outliers are refused.
 RawMesh withoutOutliers(const RawMesh& raw, const std::vector<int>& outliers, const std::string& name,
                         const ImportOptions& options) {
@@ -361,7 +344,7 @@ RawMesh withoutOutliers(const RawMesh& raw, const std::vector<int>& outliers, co
     const double away = (place - place.cwiseMax(bounds.min).cwiseMin(bounds.max)).norm() * options.metresPerUnit;
     const std::string others =
         outliers.size() == 1 ? "" : " (and " + std::to_string(outliers.size() - 1) + " more like it)";
-    throw OutlierError("lies " + lengthText(away) + " from the rest of the mesh" + others +
+    throw OutlierError("lies " + formatLength(away) + " from the rest of the mesh" + others +
                            ". Repair the mesh, or leave such vertices out with --set outliers=leave_out.",
                        outliers.front());
   }
@@ -415,12 +398,12 @@ void requireMostFaces(const RawMesh& raw, const MeshSummary& summary) {
 void requireVisibleSize(const MeshSummary& summary, const ImportOptions& options) {
   const double largest = *std::max_element(summary.size.begin(), summary.size.end());
   if (options.use == MeshUse::Cloth && largest < smallestCloth) {
-    throw InputError(summary.source + ": it is " + lengthText(largest) +
+    throw InputError(summary.source + ": it is " + formatLength(largest) +
                      " large, and the minimum is 1 mm. Set the unit of the file (--set unit=...), or "
                      "scale the mesh to metres.");
   }
   if (largest > largestMesh) {
-    throw InputError(summary.source + ": it is " + lengthText(largest) +
+    throw InputError(summary.source + ": it is " + formatLength(largest) +
                      " large, and meshes above 1e+06 km are not simulated. Its coordinates are damaged, or it is in "
                      "another unit (--set unit=...). Repair or export the mesh again.");
   }

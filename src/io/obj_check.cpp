@@ -4,11 +4,13 @@
 #include "io/text_input.hpp"
 #include "messages/error.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <climits>
 #include <cmath>
+#include <iterator>
 
 namespace drape {
 namespace {
@@ -187,10 +189,7 @@ class Checker {
       result_.text += word;
       return;
     }
-    std::array<char, 64> digits{};
-    const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::scientific, 9);
-    result_.text.append(digits.data(), end.ptr);
+    fmt::format_to(std::back_inserter(result_.text), "{:.9e}", value);
   }
 
   /// A coordinate that is no number becomes 0: only the picture needs it.
@@ -313,9 +312,8 @@ class Checker {
   }
 
   void appendWhole(long long number) {
-    std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-    result_.text.append(digits.data(), end.ptr);
+    const fmt::format_int digits(number);
+    result_.text.append(digits.data(), digits.size());
   }
 
   static int countParts(std::string_view keyword, std::string_view line) {

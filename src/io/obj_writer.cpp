@@ -1,21 +1,13 @@
 #include "io/obj_writer.hpp"
 
-#include <array>
-#include <charconv>
+#include <fmt/core.h>
 
 namespace drape {
 namespace {
 
 void appendNumber(std::string& text, double value) {
-  // The largest double has 309 digits before the point.
-  std::array<char, 352> digits{};
-  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, 6);
-  std::string_view number(digits.data(), static_cast<std::size_t>(result.ptr - digits.data()));
-  if (number == "-0.000000") {
-    number.remove_prefix(1);
-  }
-  text += ' ';
-  text += number;
+  const std::string number = fmt::format("{:.6f}", value);
+  text += number == "-0.000000" ? " 0.000000" : " " + number;
 }
 
 template <typename Vector>

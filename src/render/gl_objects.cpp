@@ -1,6 +1,6 @@
 #include "render/gl_objects.hpp"
 
-#include <sstream>
+#include <fmt/core.h>
 #include <stdexcept>
 #include <string>
 
@@ -12,9 +12,7 @@ void checkGl(const char* /*where*/) {}
 void checkGl(const char* where) {
   const GLenum error = glGetError();
   if (error != GL_NO_ERROR) {
-    std::ostringstream message;
-    message << "OpenGL error 0x" << std::hex << error << " in " << where;
-    throw std::logic_error(message.str());
+    throw std::logic_error(fmt::format("OpenGL error {:#x} in {}", error, where));
   }
 }
 #endif
@@ -22,9 +20,7 @@ void checkGl(const char* where) {
 void requireCompleteFramebuffer(const char* what) {
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {
-    std::ostringstream message;
-    message << "the graphics driver refuses the framebuffer for " << what << " (0x" << std::hex << status << ")";
-    throw std::runtime_error(message.str());
+    throw std::runtime_error(fmt::format("the graphics driver refuses the framebuffer for {} ({:#x})", what, status));
   }
 }
 

@@ -12,17 +12,6 @@ namespace {
 /// With more labels the axis is crowded.
 constexpr int maxLabels = 8;
 
-/// The next larger of 1, 2 and 5 times a power of ten.
-double niceStep(double rough) {
-  const double decade = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * decade >= rough * (1.0 - 1e-9)) {
-      return factor * decade;
-    }
-  }
-  return 10.0 * decade;
-}
-
 /// "10" with a raised exponent; plain numbers near one.
 std::string decadeLabel(int exponent) {
   if (exponent >= -2 && exponent <= 3) {
@@ -69,7 +58,7 @@ void Axis::makeLinear(double lowest, double highest) {
     lowest -= 0.5 * margin;
     highest += 0.5 * margin;
   }
-  const double step = niceStep((highest - lowest) / (maxLabels - 2));
+  const double step = nextRoundNumber((highest - lowest) / (maxLabels - 2));
   const double first = std::floor(lowest / step + 1e-9);
   const double last = std::ceil(highest / step - 1e-9);
   begin_ = first * step;

@@ -1,8 +1,6 @@
 #include "report/error_table.hpp"
 
-#include <array>
-#include <cstdarg>
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace drape {
 namespace {
@@ -10,19 +8,10 @@ namespace {
 constexpr double millimetres = 1e3;
 constexpr double percent = 100.0;
 
-[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
-  std::array<char, 256> text{};
-  va_list values;
-  va_start(values, pattern);
-  std::vsnprintf(text.data(), text.size(), pattern, values);
-  va_end(values);
-  return text.data();
-}
-
 std::string stepText(const Settings& settings) {
-  std::string text = settings.solver.name + format(", time step 1/%.6g s", 1.0 / settings.step.timeStep);
+  std::string text = fmt::format("{}, time step 1/{:.6g} s", settings.solver.name, 1.0 / settings.step.timeStep);
   if (settings.step.substeps > 1) {
-    text += format(" in %d substeps", settings.step.substeps);
+    text += fmt::format(" in {} substeps", settings.step.substeps);
   }
   return text;
 }
@@ -31,10 +20,11 @@ std::string checkText(const Reference& reference) {
   switch (reference.kind) {
     case ReferenceKind::SameStep:
       return reference.trajectory.largestStepResidual > 0.0
-                 ? format("largest residual of a step %.2g", reference.trajectory.largestStepResidual)
-                 : format("largest residual of a solve %.2g", reference.trajectory.largestResidual);
+                 ? fmt::format("largest residual of a step {:.2g}", reference.trajectory.largestStepResidual)
+                 : fmt::format("largest residual of a solve {:.2g}", reference.trajectory.largestResidual);
     case ReferenceKind::Converged:
-      return format("halving its step moved it by %.2g mm at most", millimetres * reference.halvings.back().difference);
+      return fmt::format("halving its step moved it by {:.2g} mm at most",
+                         millimetres * reference.halvings.back().difference);
     case ReferenceKind::Solver:
       break;
   }
@@ -54,10 +44,10 @@ std::string_view kindText(ReferenceKind kind) {
 }
 
 std::string row(const ErrorReport& report, const CheckpointReport& at) {
-  return format("%7.3f%s %10.3g %8.4f %10.4g %10.4g %8.3g %8.3f %11.4g %11.4g\n", at.time, at.trusted ? " " : "?",
-                at.displacement.eps, at.displacement.squaredCosine, millimetres * at.meanError,
-                millimetres * at.rmsError, percent * at.meanError / report.diagonal, at.motionKept, at.energy.total(),
-                at.balance.integrator());
+  return fmt::format("{:>7.3f}{} {:>10.3g} {:>8.4f} {:>10.4g} {:>10.4g} {:>8.3g} {:>8.3f} {:>11.4g} {:>11.4g}\n",
+                     at.time, at.trusted ? " " : "?", at.displacement.eps, at.displacement.squaredCosine,
+                     millimetres * at.meanError, millimetres * at.rmsError, percent * at.meanError / report.diagonal,
+                     at.motionKept, at.energy.total(), at.balance.integrator());
 }
 
 }  // namespace
@@ -69,17 +59,17 @@ std::string errorTable(const Measurement& measurement) {
           (measurement.own.restarted ? ", each interval restarted from the reference\n" : "\n");
   text += "reference: " + std::string(kindText(measurement.reference.kind)) + ": " +
           stepText(measurement.reference.settings) + "; " + checkText(measurement.reference) + "\n\n";
-  text += format("%7s  %10s %8s %10s %10s %8s %8s %11s %11s\n", "time", "eps", "S", "mean", "rms", "mean", "motion",
-                 "energy", "integrator");
-  text += format("%7s  %10s %8s %10s %10s %8s %8s %11s %11s\n", "[s]", "[-]", "[-]", "[mm]", "[mm]", "[% diag]", "kept",
-                 "[J]", "[J]");
+  text += fmt::format("{:>7}  {:>10} {:>8} {:>10} {:>10} {:>8} {:>8} {:>11} {:>11}\n", "time", "eps", "S", "mean",
+                      "rms", "mean", "motion", "energy", "integrator");
+  text += fmt::format("{:>7}  {:>10} {:>8} {:>10} {:>10} {:>8} {:>8} {:>11} {:>11}\n", "[s]", "[-]", "[-]", "[mm]",
+                      "[mm]", "[% diag]", "kept", "[J]", "[J]");
   for (const CheckpointReport& checkpoint : report.checkpoints) {
     text += row(report, checkpoint);
   }
   for (const ErrorSummary& summary : measurement.summaries) {
-    text += format(
-        "\nto %.3f s: mean error %.4g mm (%.3g %% of the diagonal), rms %.4g mm, motion kept %.3f, "
-        "mean eps %.3g, mean S %.4f",
+    text += fmt::format(
+        "\nto {:.3f} s: mean error {:.4g} mm ({:.3g} % of the diagonal), rms {:.4g} mm, motion kept {:.3f}, "
+        "mean eps {:.3g}, mean S {:.4f}",
         summary.time, millimetres * summary.meanError, percent * summary.meanError / report.diagonal,
         millimetres * summary.rmsError, summary.motionKept, summary.meanEps, summary.meanSquaredCosine);
   }

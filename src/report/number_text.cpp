@@ -1,27 +1,9 @@
 #include "report/number_text.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace drape {
-
-std::string figure(double value, int digits) {
-  if (!std::isfinite(value)) {
-    return "-";
-  }
-  // Plain digits up to a million: easier to read than "1.02e+03".
-  const double magnitude = std::abs(value);
-  const bool plain = magnitude >= std::pow(10.0, digits) && magnitude < 1e6;
-  std::array<char, 40> text{};
-  if (plain) {
-    std::snprintf(text.data(), text.size(), "%.0f", value);
-  } else {
-    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-  }
-  return text.data();
-}
 
 std::string figure(const nlohmann::ordered_json& row, const char* key, int digits) {
   return figure(numberIn(row, key), digits);

@@ -1,14 +1,13 @@
 #pragma once
 
+#include "text/number_text.hpp"
+
 #include <nlohmann/json.hpp>
 #include <string>
 
 namespace drape {
 
-/// A number with so many significant digits: "0.0123", "1.2e-05"; "-" when it is not finite.
-[[nodiscard]] std::string figure(double value, int digits = 3);
-
-/// The same for a number in JSON; "-" when it is missing.
+/// A number in JSON with so many significant digits; "-" when it is missing.
 [[nodiscard]] std::string figure(const nlohmann::ordered_json& row, const char* key, int digits = 3);
 
 /// A number for JSON: null when it is not finite.

@@ -4,10 +4,9 @@
 #include "sim/measures.hpp"
 #include "sim/solver.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -19,14 +18,8 @@ constexpr int maxFruitless = 3;
 /// A halving that leaves more than this share of the difference did not help.
 constexpr double helpful = 0.7;
 
-std::string shortNumber(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
-
 std::string timeOf(int checkpoint) {
-  return shortNumber(checkpoint * checkpointInterval) + " s";
+  return fmt::format("{:.3g} s", checkpoint * checkpointInterval);
 }
 
 void requireMotion(const Reference& reference) {
@@ -136,9 +129,12 @@ std::string doubtAbout(const Reference& reference, Ending ending) {
   if (failing >= reference.differences.size()) {
     return blewUp(reference);
   }
-  return "The reference does not converge after " + timeOf(reference.trusted) + ": halving its step to " +
-         shortNumber(reference.settings.step.timeStep) + " s still moved the cloth by " +
-         shortNumber(1000.0 * reference.differences[failing]) + " mm (mean) at " + timeOf(reference.trusted + 1) +
+  return fmt::format(
+             "The reference does not converge after {}: halving its step to {:.3g} s still moved the cloth by {:.3g} "
+             "mm "
+             "(mean) at {}",
+             timeOf(reference.trusted), reference.settings.step.timeStep, 1000.0 * reference.differences[failing],
+             timeOf(reference.trusted + 1)) +
          (ending == Ending::Stalled ? ", and finer steps do not reduce this: the motion is chaotic there. "
                                     : ", and finer steps would take too long. ") +
          "Later checkpoints have no reference.";
@@ -187,9 +183,9 @@ Reference sameStepReference(const Scene& scene, const Settings& settings, int ch
   Reference reference = runOnce(ReferenceKind::SameStep, scene, settings, checkpoints,
                                 {.energy = false, .stepResiduals = plain, .label = "reference", .progress = progress});
   if (reference.trajectory.unsolvedSteps > 0 && reference.doubt.empty()) {
-    reference.doubt = std::to_string(reference.trajectory.unsolvedSteps) +
-                      " steps of the reference did not reach its tolerance; the worst residual is " +
-                      shortNumber(reference.trajectory.largestResidual) + ".";
+    reference.doubt =
+        fmt::format("{} steps of the reference did not reach its tolerance; the worst residual is {:.3g}.",
+                    reference.trajectory.unsolvedSteps, reference.trajectory.largestResidual);
   }
   return reference;
 }

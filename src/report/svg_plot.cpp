@@ -2,6 +2,7 @@
 #include "report/svg.hpp"
 #include "report/xml_writer.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,11 +24,7 @@ constexpr int dashes = 4;
 
 /// Tenths of a pixel are precise enough and keep the files short.
 std::string pixel(double value) {
-  std::string text = std::to_string(std::llround(10.0 * value));
-  const bool negative = text[0] == '-';
-  text.insert(negative ? 1 : 0, text.size() < (negative ? 3U : 2U) ? "0" : "");
-  text.insert(text.size() - 1, ".");
-  return text;
+  return fmt::format("{:.1f}", static_cast<double>(std::llround(10.0 * value)) / 10.0);
 }
 
 struct Place {

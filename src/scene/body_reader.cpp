@@ -3,6 +3,7 @@
 #include "messages/error.hpp"
 #include "settings/surface_fields.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <string>
@@ -83,10 +84,8 @@ void readFrames(const TomlReader& frames, const MeshFileSource& pattern, BodyDes
   }
   const std::size_t width = (end == std::string::npos ? pattern.path.size() : end) - digits;
   for (int frame = first; frame <= *last; ++frame) {
-    std::string number = std::to_string(frame);
-    number.insert(0, width > number.size() ? width - number.size() : 0, '0');
     MeshFileSource source = pattern;
-    source.path.replace(digits, width, number);
+    source.path.replace(digits, width, fmt::format("{:0{}}", frame, width));
     body.meshes.push_back(std::move(source));
   }
   body.frameTime = 1.0 / frames.number("rate", 0.001, 1e4).value_or(30.0);

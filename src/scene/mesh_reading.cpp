@@ -4,9 +4,9 @@
 #include "scene/unit_guess.hpp"
 #include "scene/up_guess.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string_view>
 
@@ -101,16 +101,10 @@ void readUp(const Settings::Mesh& settings, const FormatFacts& format, const Clo
   }
 }
 
-std::string formatted(const char* pattern, double value) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), pattern, value);
-  return text.data();
-}
-
 /// Two decimals for the sizes of garments, otherwise three digits.
 std::string lengthText(double metres) {
   const bool usual = metres >= 0.1 && metres < 10.0;
-  return formatted(usual ? "%.2f m" : "%.3g m", metres);
+  return usual ? fmt::format("{:.2f} m", metres) : fmt::format("{:.3g} m", metres);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "scene/toml_reader.hpp"
 #include "settings/settings_table.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 
@@ -93,8 +94,7 @@ CameraPose readCamera(const TomlReader& reader) {
   pose.focalPoint = reader.vector("focal_point").value_or(pose.focalPoint);
   pose.viewAngle = reader.number("view_angle", 1.0, 150.0).value_or(pose.viewAngle);
   if ((pose.position - pose.focalPoint).norm() < minViewDistance) {
-    reader.fail("camera.position and camera.focal_point must be at least " +
-                std::to_string(minViewDistance).substr(0, 4) + " m apart");
+    reader.fail(fmt::format("camera.position and camera.focal_point must be at least {:.2f} m apart", minViewDistance));
   }
   return pose;
 }

@@ -2,22 +2,12 @@
 
 #include "messages/error.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace drape {
-namespace {
-
-std::string toText(double value) {
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
-}
-
-}  // namespace
-
 TomlReader::TomlReader(std::string_view text, const std::string& file) : file_(file) {
   try {
     document_ = std::make_shared<const toml::table>(toml::parse(text, file));
@@ -89,7 +79,7 @@ std::optional<double> TomlReader::number(std::string_view key, double min, doubl
   }
   const auto value = node->is_number() ? node->value<double>() : std::nullopt;
   if (!value || !(*value >= min && *value <= max)) {
-    fail(*node, nameOf(key) + " must be a number from " + toText(min) + " to " + toText(max));
+    fail(*node, fmt::format("{} must be a number from {:g} to {:g}", nameOf(key), min, max));
   }
   return value;
 }
@@ -101,7 +91,7 @@ std::optional<int> TomlReader::integer(std::string_view key, int min, int max) c
   }
   const auto* value = node->as_integer();
   if (value == nullptr || value->get() < min || value->get() > max) {
-    fail(*node, nameOf(key) + " must be a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+    fail(*node, fmt::format("{} must be a whole number from {} to {}", nameOf(key), min, max));
   }
   return static_cast<int>(value->get());
 }
@@ -119,7 +109,7 @@ Vec3 TomlReader::asVector(const toml::node& node, std::string_view key, double l
     fail(node, nameOf(key) + " must be three finite numbers: [x, y, z]");
   }
   if (vector.cwiseAbs().maxCoeff() > limit) {
-    fail(node, nameOf(key) + " must be three numbers from " + toText(-limit) + " to " + toText(limit));
+    fail(node, fmt::format("{} must be three numbers from {:g} to {:g}", nameOf(key), -limit, limit));
   }
   return vector;
 }

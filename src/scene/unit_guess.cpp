@@ -1,7 +1,7 @@
 #include "scene/unit_guess.hpp"
 
-#include "settings/number_text.hpp"
 #include "settings/settings_table.hpp"
+#include "text/number_text.hpp"
 
 #include <algorithm>
 #include <array>

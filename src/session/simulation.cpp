@@ -6,11 +6,10 @@
 #include "sim/attachment_limit.hpp"
 #include "sim/unfolding.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <utility>
 
 namespace drape {
@@ -81,14 +80,13 @@ void Simulation::reportOverlap() {
   if (contact.overlaps > 0) {
     const bool stuck = state_.time - lastOutside_ > patience;
     const double depth = contact.deepestOverlap * 1e3;
-    std::ostringstream shown;
-    shown << std::fixed << std::setprecision(depth < 10.0 ? 1 : 0) << depth;
     overlapMessage_ =
         std::string("The cloth ") +
         (stepIndex_ == 0 ? "starts"
          : stuck         ? "is still"
                          : "is") +
-        " inside a body (" + std::to_string(contact.overlaps) + " triangles, up to " + shown.str() + " mm deep) and " +
+        fmt::format(" inside a body ({} triangles, up to {:.{}f} mm deep) and ", contact.overlaps, depth,
+                    depth < 10.0 ? 1 : 0) +
         (stuck ? "contact cannot push it out: the body may cross the cloth, or not fit. Move or scale one of "
                  "them."
                : "is pushed out slowly.");

@@ -4,12 +4,12 @@
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/hanging_load.hpp"
+#include "text/number_text.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iomanip>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,33 +22,8 @@ constexpr double heaviestFabric = 2.0;  // leather, carpets [kg/m^2]
 constexpr double usualFabric = 0.2;     // [kg/m^2]
 constexpr double sliverRatio = 0.02;    // share of the median edge length
 
-std::string inFigures(double value, int digits = 2) {
-  std::ostringstream text;
-  if (std::abs(value) >= 100.0 && std::abs(value) < 1e7) {
-    text << std::fixed << std::setprecision(0);
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - digits + 1);
-    text << std::round(value / unit) * unit;
-  } else {
-    text << std::setprecision(digits) << value;
-  }
-  return text.str();
-}
-
 std::string place(const Vec3& point) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << '(' << point.x() << ", " << point.y() << ", " << point.z() << ") m";
-  return text.str();
-}
-
-/// The next larger of 1, 2, 5, 10, 20, 50 ...
-double roundedUp(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (step * decade >= value) {
-      return step * decade;
-    }
-  }
-  return 10.0 * decade;
+  return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", point.x(), point.y(), point.z());
 }
 
 std::vector<std::size_t> overstretched(const ClothModel& model, const ClothState& state) {
@@ -95,7 +70,7 @@ std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel
                          model.restPositions[static_cast<std::size_t>(first.b)]);
   StretchDiagnosis found{StretchCause::Slivers, {}};
   found.advice.text = "Slivers: " + std::to_string(springs.size()) + (springs.size() == 1 ? " edge is" : " edges are") +
-                      " overstretched. The shortest is 1/" + inFigures(median / shortest, 1) +
+                      " overstretched. The shortest is 1/" + roundedFigure(median / shortest, 1) +
                       " of the median length. The first is at " + place(at) +
                       ". Merge their ends with a larger weld_tolerance, or repair the mesh.";
   const Vec3 size(scene.summary.size[0], scene.summary.size[1], scene.summary.size[2]);
@@ -103,7 +78,7 @@ std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel
   const auto& field = std::get<NumberField>(requireSetting("weld_tolerance").field);
   if (std::holds_alternative<MeshFileSource>(scene.description.source) && tolerance <= field.max) {
     found.advice.key = "weld_tolerance";
-    found.advice.value = inFigures(tolerance, 1);
+    found.advice.value = roundedFigure(tolerance, 1);
     found.advice.button = "Merge them";
   }
   return found;
@@ -113,32 +88,32 @@ std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel
 double helpfulStiffness(const ClothModel& model, StepParameters parameters) {
   const auto& field = std::get<NumberField>(requireSetting("stiffness").field);
   parameters.stiffness = 1.0;
-  return std::min(field.max, roundedUp(strainByWeight(model, parameters) / wantedStrain));
+  return std::min(field.max, nextRoundNumber(strainByWeight(model, parameters) / wantedStrain));
 }
 
 StretchDiagnosis explainByWeight(double strain, const Scene& scene, const Settings& settings, const ClothModel& model) {
   const double largest = *std::max_element(scene.summary.size.begin(), scene.summary.size.end());
   const double density = model.totalMass() / std::max(model.restArea(), 1e-12);
-  const std::string weight =
-      "Its weight of " + inFigures(model.totalMass()) + " kg alone stretches it by " + inFigures(100.0 * strain) + " %";
+  const std::string weight = "Its weight of " + roundedFigure(model.totalMass()) + " kg alone stretches it by " +
+                             roundedFigure(100.0 * strain) + " %";
   const bool file = std::holds_alternative<MeshFileSource>(scene.description.source);
   if (file && largest > 2.0 * largestGarment && scene.reading) {
     const double inFile = largest / scene.reading->metresPerUnit;
     const std::string unit = guessUnit(inFile).unit;
     return {StretchCause::Unit,
-            {"The cloth is " + inFigures(largest) + " m large. " + weight + ". The file is probably in " +
+            {"The cloth is " + roundedFigure(largest) + " m large. " + weight + ". The file is probably in " +
                  unitInWords(unit) + ": read it so.",
              "unit", unit, "Read as " + unitInWords(unit)}};
   }
   if (density > heaviestFabric) {
     return {StretchCause::Heavy,
-            {"Too heavy: the cloth weighs " + inFigures(density) + " kg/m\u00B2. Fabrics weigh 0.05 to 1 kg/m\u00B2. " +
-                 weight + ". Lower the density.",
-             "density", inFigures(usualFabric), "Density " + inFigures(usualFabric) + " kg/m\u00B2"}};
+            {"Too heavy: the cloth weighs " + roundedFigure(density) +
+                 " kg/m\u00B2. Fabrics weigh 0.05 to 1 kg/m\u00B2. " + weight + ". Lower the density.",
+             "density", roundedFigure(usualFabric), "Density " + roundedFigure(usualFabric) + " kg/m\u00B2"}};
   }
-  const std::string stiffness = inFigures(helpfulStiffness(model, settings.step));
+  const std::string stiffness = roundedFigure(helpfulStiffness(model, settings.step));
   const std::string soft = settings.step.stiffness > 0.0
-                               ? weight + " at a stiffness of " + inFigures(settings.step.stiffness) + " N/m"
+                               ? weight + " at a stiffness of " + roundedFigure(settings.step.stiffness) + " N/m"
                                : "a stiffness of 0 cannot carry any weight";
   return {StretchCause::Soft,
           {"Too soft: " + soft + ". A stiffness of " + stiffness + " N/m carries it.", "stiffness", stiffness,

@@ -1,6 +1,6 @@
 #include "settings/settings_table.hpp"
-#include "settings/number_text.hpp"
 #include "sim/solver.hpp"
+#include "text/number_text.hpp"
 
 #include <algorithm>
 #include <array>

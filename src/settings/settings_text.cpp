@@ -2,12 +2,10 @@
 #include "settings/number_text.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/solver.hpp"
+#include "text/number_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <optional>
 
@@ -20,12 +18,6 @@ struct Overloaded : Ts... {
 };
 template <typename... Ts>
 Overloaded(Ts...) -> Overloaded<Ts...>;
-
-std::string formatNumber(double value) {
-  std::array<char, 40> text{};
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), result.ptr};
-}
 
 std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
@@ -47,18 +39,6 @@ std::string listWords(const std::vector<std::string>& words) {
   throw UsageError(std::string(info.key) + " must be " + describeRange(info) + "; " + given + " is not");
 }
 
-std::optional<double> parsePlainNumber(std::string_view text) {
-  if (text.starts_with('+')) {
-    text.remove_prefix(1);
-  }
-  double value = 0.0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (result.ec != std::errc() || result.ptr != text.data() + text.size() || text.empty()) {
-    return std::nullopt;
-  }
-  return value;
-}
-
 void assignNumber(Settings& settings, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
   const auto* real = std::get_if<double>(&value);
   const auto* whole = std::get_if<int>(&value);
@@ -67,7 +47,7 @@ void assignNumber(Settings& settings, const SettingInfo& info, const NumberField
   }
   const double number = real != nullptr ? *real : static_cast<double>(*whole);
   if (!(number >= field.min && number <= field.max)) {
-    refuse(info, formatNumber(number));
+    refuse(info, exactNumber(number));
   }
   field.access.ref(settings) = number;
 }
@@ -158,19 +138,6 @@ std::string_view nearestKey(std::string_view key) {
 
 }  // namespace
 
-std::optional<double> parseNumber(std::string_view text) {
-  const auto slash = text.find('/');
-  if (slash == std::string_view::npos) {
-    return parsePlainNumber(text);
-  }
-  const auto numerator = parsePlainNumber(text.substr(0, slash));
-  const auto denominator = parsePlainNumber(text.substr(slash + 1));
-  if (!numerator || !denominator) {
-    return std::nullopt;
-  }
-  return *numerator / *denominator;
-}
-
 const SettingInfo& requireSetting(std::string_view key) {
   if (const SettingInfo* info = findSetting(key)) {
     return *info;
@@ -197,7 +164,7 @@ SettingValue settingValue(const Settings& settings, const SettingInfo& info) {
 
 std::string formatValue(const SettingValue& value) {
   return std::visit(
-      Overloaded{[](double number) { return formatNumber(number); }, [](int whole) { return std::to_string(whole); },
+      Overloaded{[](double number) { return exactNumber(number); }, [](int whole) { return std::to_string(whole); },
                  [](bool flag) { return std::string(flag ? "on" : "off"); },
                  [](const std::string& word) { return word; }},
       value);
@@ -218,7 +185,7 @@ SettingValue defaultValue(const SettingInfo& info) {
 
 std::string describeRange(const SettingInfo& info) {
   return std::visit(Overloaded{[&](const NumberField& field) {
-                                 return withUnit(info, formatNumber(field.min) + " to " + formatNumber(field.max));
+                                 return withUnit(info, exactNumber(field.min) + " to " + exactNumber(field.max));
                                },
                                [&](const IntegerField& field) {
                                  return withUnit(info, "a whole number from " + std::to_string(field.min) + " to " +
@@ -260,7 +227,7 @@ bool isRelevant(const SettingInfo& info, const Settings& settings) {
 void requireConsistent(const Settings& settings) {
   if (settings.step.sweeps % 2 == 0 && settings.step.relaxation > evenSweepsRelaxation) {
     throw UsageError(
-        "sweeps must be odd while relaxation is above " + formatNumber(evenSweepsRelaxation) + "; " +
+        "sweeps must be odd while relaxation is above " + exactNumber(evenSweepsRelaxation) + "; " +
         std::to_string(settings.step.sweeps) +
         " is not. An even number of block-Jacobi sweeps amplifies the stiffest modes up to twofold, and stiff "
         "cloth vibrates. Use an odd number, or lower relaxation first (damped Jacobi)");

@@ -3,8 +3,8 @@
 #include "messages/error.hpp"
 
 #include <algorithm>
+#include <fmt/core.h>
 #include <array>
-#include <sstream>
 
 namespace drape {
 
@@ -35,9 +35,8 @@ void requireAllowed(const SurfaceProperties& surface) {
   for (const SurfaceField& field : surfaceFields()) {
     const double value = surface.*field.value;
     if (!(value >= field.min && value <= field.max)) {
-      std::ostringstream message;
-      message << "a body's " << field.key << " must be from " << field.min << " to " << field.max << ", not " << value;
-      throw UsageError(message.str());
+      throw UsageError(
+          fmt::format("a body's {} must be from {:g} to {:g}, not {:g}", field.key, field.min, field.max, value));
     }
   }
   if (surface.kineticFriction > surface.staticFriction) {

@@ -1,11 +1,13 @@
 #include "messages/error.hpp"
 #include "settings/number_text.hpp"
 #include "settings/surface_fields.hpp"
+#include "text/number_text.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
+#include <fmt/printf.h>
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,7 @@ namespace drape {
 namespace {
 
 std::string withUnit(const SurfaceField& field, double value) {
-  return printed(numberFormat("%.4g", field.unit).c_str(), value);
+  return fmt::sprintf(numberFormat("%.4g", field.unit), value);
 }
 
 SliderInput sliderOf(const std::string& key, const SurfaceField& field) {

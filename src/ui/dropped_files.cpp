@@ -1,21 +1,15 @@
 #include "ui/dropped_files.hpp"
 
 #include "io/mesh_import.hpp"
+#include "text/words.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 
 namespace drape {
 namespace {
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
-}
 
 bool hasBodyName(const std::string& file) {
   static constexpr std::array<std::string_view, 9> words{"body",   "avatar", "mannequin", "figure", "human",

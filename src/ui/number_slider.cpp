@@ -4,6 +4,7 @@
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
+#include <fmt/printf.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -76,7 +77,7 @@ void paint(const PanelContext& context, const SliderInput& input, const SettingV
   const float handle = std::clamp(low.x + width * static_cast<float>(place), low.x + half, high.x - half);
   canvas.AddRectFilled({handle - half, low.y}, {handle + half, high.y},
                        ImGui::GetColorU32(active ? palette().text : palette().accent), half);
-  const std::string text = printed(input.format.c_str(), asNumber(value));
+  const std::string text = fmt::sprintf(input.format, asNumber(value));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   canvas.AddText({high.x - size.x - ImGui::GetStyle().FramePadding.x, low.y + ImGui::GetStyle().FramePadding.y},
                  ImGui::GetColorU32(palette().text), text.c_str());

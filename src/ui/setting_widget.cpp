@@ -5,6 +5,7 @@
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -119,7 +120,7 @@ std::string shortValue(const SettingValue& value) {
   if (number == nullptr) {
     return formatValue(value);
   }
-  return printed("%.6g", *number);
+  return fmt::format("{:.6g}", *number);
 }
 
 std::string withUnit(const std::string& text, std::string_view unit) {

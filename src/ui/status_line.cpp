@@ -9,6 +9,7 @@
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -126,7 +127,7 @@ void detailRows(PanelContext& context) {
   const SolverInfo* solver = findSolver(settings.solver.name);
   ImGui::Dummy({26.0F * ImGui::GetFontSize(), 0.0F});
   valueRow(context, "Solver", solver == nullptr ? settings.solver.name : solver->title);
-  valueRow(context, "Simulated time", printed("%.2f s", snapshot.time));
+  valueRow(context, "Simulated time", fmt::format("{:.2f} s", snapshot.time));
   valueRow(context, "Time step", describeStepLimit(settings.step.timeStep));
   valueRow(context, "Cost of a step", formatDuration(snapshot.stepSeconds));
   if (context.stats.frameSeconds > 0.0) {

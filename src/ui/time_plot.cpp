@@ -3,6 +3,7 @@
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 
@@ -57,7 +58,7 @@ std::vector<double> ticksOf(const PlotScale& scale) {
 }
 
 std::string tickText(double value) {
-  return printed("%.4g", value);
+  return fmt::format("{:.4g}", value);
 }
 
 float widestTick(const PlotScale& scale) {
@@ -81,8 +82,8 @@ void drawScale(const PanelContext& context, const Frame& frame) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     canvas.AddText({frame.low.x - size.x - 5.0F * context.scale, y - std::round(size.y * 0.5F)}, muted, text.c_str());
   }
-  const std::string start = printed("%.3g s", frame.start);
-  const std::string end = printed("%.3g s", frame.start + frame.span);
+  const std::string start = fmt::format("{:.3g} s", frame.start);
+  const std::string end = fmt::format("{:.3g} s", frame.start + frame.span);
   const float below = frame.high.y + 3.0F * context.scale + ImGui::GetTextLineHeight() * 0.25F;
   canvas.AddText({frame.low.x, below}, muted, start.c_str());
   canvas.AddText({frame.high.x - ImGui::CalcTextSize(end.c_str()).x, below}, muted, end.c_str());

@@ -1,9 +1,9 @@
 #include "ui/widgets.hpp"
 
+#include "text/words.hpp"
 #include "ui/text.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace drape {
@@ -224,10 +224,7 @@ bool beginSection(PanelContext& context, const std::string& title, bool openAtFi
   const std::optional<bool>& all = context.memory.openSections;
   ImGui::SetNextItemOpen(all.value_or(openAtFirst), all ? ImGuiCond_Always : ImGuiCond_Once);
   const bool open = ImGui::CollapsingHeader(title.c_str());
-  std::string name = title;
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  context.buttons["section." + name] = lastItemRect();
+  context.buttons["section." + lowerCase(title)] = lastItemRect();
   if (open) {
     ImGui::PushID(title.c_str());
     ImGui::Indent();

@@ -4,7 +4,9 @@
 #include "app/headless/intact.hpp"
 #include "app/headless/picture_maker.hpp"
 #include "app/headless/solver_notes.hpp"
+#include "app/output_file.hpp"
 #include "app/progress_bar.hpp"
+#include "app/progress_line.hpp"
 #include "messages/error.hpp"
 #include "session/simulation.hpp"
 
@@ -46,36 +48,27 @@ CameraPose poseFor(const CaptureArguments& arguments, CameraPose pose) {
   return pose;
 }
 
-/// Creates the folder of the pictures before the simulation, so that an error shows at once.
-void makeFolder(const std::string& file) {
-  const auto folder = std::filesystem::path(file).parent_path();
-  std::error_code error;
-  if (!folder.empty()) {
-    std::filesystem::create_directories(folder, error);
-  }
-  if (error) {
-    throw InputError("cannot create the folder " + folder.string() + ": " + error.message());
-  }
-}
-
 void capture(const CaptureArguments& arguments) {
   const FramePattern pattern(arguments.output, arguments.frames);
   Simulation simulation(arguments.scene.load());
   printSolverWarnings(simulation.settings(), simulation.model());
-  makeFolder(pattern.name(0));
+  // Before the simulation, so that an error shows at once.
+  if (const auto folder = std::filesystem::path(pattern.name(0)).parent_path(); !folder.empty()) {
+    makeFolder(folder);
+  }
   const double timeStep = simulation.settings().step.timeStep;
   const int every =
       arguments.every > 0 ? arguments.every : std::max(1, static_cast<int>(std::lround(usualFrame / timeStep)));
   PictureMaker pictures(arguments.resolution[0], arguments.resolution[1], arguments.ui,
                         simulation.settings().view.fontScale, poseFor(arguments, simulation.scene().camera));
   {
-    ProgressBar progress("capturing", arguments.frames);
+    ProgressLine progress;
     for (int frame = 0; frame < arguments.frames; ++frame) {
       for (int i = 0; frame > 0 && i < every && !simulation.blewUp(); ++i) {
         simulation.step();
       }
       writePng(pictures.draw(simulation), pattern.name(frame));
-      progress.show(frame + 1);
+      progress.show("capturing", frame + 1, arguments.frames);
     }
   }
   if (!simulation.message().empty() && !simulation.blewUp()) {

@@ -2,7 +2,7 @@
 
 #include "messages/error.hpp"
 
-#include <algorithm>
+#include <fmt/core.h>
 #include <cctype>
 
 namespace drape {
@@ -54,9 +54,7 @@ std::string FramePattern::name(int frame) const {
   if (!numbered_) {
     return before_;
   }
-  std::string number = std::to_string(frame);
-  number.insert(0, static_cast<std::size_t>(std::max(0, digits_ - static_cast<int>(number.size()))), '0');
-  return before_ + number + after_;
+  return fmt::format("{}{:0{}}{}", before_, frame, digits_, after_);
 }
 
 }  // namespace drape

@@ -3,9 +3,9 @@
 #include "intersection/intersections.hpp"
 #include "report/body_intersections.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <chrono>
-#include <sstream>
 
 namespace drape {
 
@@ -63,21 +63,14 @@ void IntersectionWatch::addTo(nlohmann::ordered_json& json) const {
                                    {"max", sorted.back() * microseconds}};
 }
 
+std::string IntersectionWatch::Tally::text() const {
+  return max == 0 ? "none" : fmt::format("at most {} (step {}), {} at the end", max, worstStep, last);
+}
+
 std::string IntersectionWatch::summary() const {
-  std::ostringstream text;
-  text << "intersecting triangle pairs: ";
-  if (all_.max == 0) {
-    text << "none";
-  } else {
-    text << "at most " << all_.max << " (step " << all_.worstStep << "), " << all_.last << " at the end; with bodies ";
-    if (bodies_.max == 0) {
-      text << "none";
-    } else {
-      text << "at most " << bodies_.max << " (step " << bodies_.worstStep << "), " << bodies_.last << " at the end";
-    }
-  }
-  text << ", by " << seconds_.size() << (seconds_.size() == 1 ? " check" : " checks");
-  return text.str();
+  return fmt::format("intersecting triangle pairs: {}{}, by {} {}", all_.text(),
+                     all_.max == 0 ? "" : "; with bodies " + bodies_.text(), seconds_.size(),
+                     seconds_.size() == 1 ? "check" : "checks");
 }
 
 }  // namespace drape

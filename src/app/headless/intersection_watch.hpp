@@ -36,6 +36,7 @@ class IntersectionWatch {
     std::int64_t worstStep = 0;  ///< the first step with the maximum
     void add(std::int64_t step, std::size_t count);
     [[nodiscard]] nlohmann::ordered_json toJson() const;
+    [[nodiscard]] std::string text() const;
   };
 
   void count(const Simulation& simulation);

@@ -3,6 +3,7 @@
 #include "app/headless/solver_notes.hpp"
 #include "app/output_file.hpp"
 #include "app/progress_bar.hpp"
+#include "app/progress_line.hpp"
 #include "messages/error.hpp"
 #include "report/error_table.hpp"
 #include "report/measurement.hpp"
@@ -73,24 +74,10 @@ Settings referenceSettings(const MeasureArguments& arguments, ReferenceKind kind
 }
 
 /// Shows one progress bar per run, one after the other.
-class ProgressBars {
- public:
-  void show(std::string_view label, std::int64_t done, std::int64_t total) {
-    if (done == 1) {
-      bar_.reset();
-      bar_.emplace(std::string(label), total);
-    }
-    bar_->show(done);
-  }
-
- private:
-  std::optional<ProgressBar> bar_;
-};
-
 Measurement measureWithProgress(const Scene& scene, const MeasurementPlan& plan) {
-  ProgressBars bars;
+  ProgressLine bars;
   return measure(scene, scene.settings, plan, [&bars](std::string_view label, std::int64_t done, std::int64_t total) {
-    bars.show(label, done, total);
+    bars.show(label, static_cast<double>(done), static_cast<double>(total));
   });
 }
 

@@ -5,18 +5,18 @@
 #include "app/headless/position_writer.hpp"
 #include "app/headless/run_stats.hpp"
 #include "app/headless/solver_notes.hpp"
-#include "app/progress_bar.hpp"
+#include "app/progress_line.hpp"
 #include "app/session_log.hpp"
 #include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
 #include "session/simulation.hpp"
 #include "sim/diagnostics.hpp"
 
+#include <fmt/core.h>
 #include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 namespace drape {
 namespace {
@@ -65,14 +65,12 @@ void printStabilityLimit(const nlohmann::ordered_json& limit) {
 
 void printSummary(const Simulation& simulation, const nlohmann::ordered_json& json) {
   printMesh(simulation.scene());
-  std::ostringstream figures;
-  figures.precision(3);
-  figures << json["step_us"]["median"].get<double>() << " us a step (median), largest stretch "
-          << maxStretch(simulation.model(), simulation.state());
   std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
             << " springs, " << json["triangles"] << " triangles\n"
-            << json["steps"] << " steps to " << simulation.state().time << " s, " << figures.str() << ", state "
-            << json["state_hash"].get<std::string>() << '\n';
+            << json["steps"] << " steps to " << simulation.state().time
+            << fmt::format(" s, {:.3g} us a step (median), largest stretch {:.3g}, state {}\n",
+                           json["step_us"]["median"].get<double>(), maxStretch(simulation.model(), simulation.state()),
+                           json["state_hash"].get<std::string>());
   printStabilityLimit(json["stability_limit"]);
 }
 
@@ -93,7 +91,7 @@ void warn(const Simulation& simulation) {
 class RunOutputs {
  public:
   RunOutputs(const RunArguments& arguments, const Simulation& simulation, std::int64_t steps)
-      : stats_(arguments.stats, steps), progress_(std::in_place, "simulating", steps) {
+      : stats_(arguments.stats, steps), progress_(std::in_place), steps_(static_cast<double>(steps)) {
     if (!arguments.positions.empty()) {
       positions_.emplace(arguments.positions, arguments.every, simulation.settings().step.timeStep);
       positions_->sample(simulation.state());
@@ -112,7 +110,7 @@ class RunOutputs {
     if (intersections_) {
       intersections_->observe(simulation);
     }
-    progress_->show(++steps_);
+    progress_->show("simulating", ++taken_, steps_);
   }
 
   /// Writes the files and prints the summary.
@@ -138,8 +136,9 @@ class RunOutputs {
   RunStats stats_;
   std::optional<PositionWriter> positions_;
   std::optional<IntersectionWatch> intersections_;
-  std::optional<ProgressBar> progress_;
-  std::int64_t steps_ = 0;
+  std::optional<ProgressLine> progress_;
+  double steps_;
+  double taken_ = 0.0;
 };
 
 /// Runs a recorded session again. It must end in the same bits.

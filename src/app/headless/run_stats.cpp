@@ -1,6 +1,7 @@
 #include "app/headless/run_stats.hpp"
 
 #include "app/choice_json.hpp"
+#include "report/number_text.hpp"
 #include "report/settings_json.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/measures.hpp"
@@ -34,8 +35,7 @@ nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& s
   if (solver == nullptr || solver->stepLimit == nullptr) {
     return nullptr;
   }
-  const double limit = solver->stepLimit(model, settings.step);
-  return std::isfinite(limit) ? nlohmann::ordered_json(limit) : nlohmann::ordered_json(nullptr);
+  return finiteOrNull(solver->stepLimit(model, settings.step));
 }
 
 /// How a mesh file was read, or null for a grid.

@@ -1,5 +1,5 @@
 #include "app/command_line.hpp"
-#include "app/report/progress_line.hpp"
+#include "app/progress_line.hpp"
 #include "app/report/report_folder.hpp"
 #include "app/report/stop_signal.hpp"
 #include "build_info.hpp"
@@ -131,7 +131,7 @@ bool run(const ReportArguments& arguments, StopSignal& stop) {
   }
   ReportSaver saver(folder, report);
   {
-    ProgressLine progress;
+    ProgressLine progress(ProgressLine::Style::TimeLeft);
     RunHooks hooks;
     const Allowance allowance = report.options.quick ? allowanceOfQuick : allowanceOfFull;
     hooks.stopped = [&] { return stop.came() || progress.spent() > allowance.forAll; };

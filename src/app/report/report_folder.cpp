@@ -4,21 +4,12 @@
 #include "messages/error.hpp"
 
 #include <fstream>
-#include <system_error>
 #include <utility>
 
 namespace drape {
 namespace {
 
 constexpr const char* jsonName = "report.json";
-
-void makeFolder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError("cannot create the folder " + folder.string() + ": " + error.message());
-  }
-}
 
 }  // namespace
 
@@ -52,16 +43,7 @@ nlohmann::ordered_json ReportFolder::earlier() const {
 void ReportFolder::write(const std::filesystem::path& name, const std::string& text) const {
   const auto file = folder_ / name;
   makeFolder(file.parent_path());
-  auto unfinished = file;
-  unfinished += ".part";
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code error;
-  if (stream) {
-    std::filesystem::rename(unfinished, file, error);
-  }
-  if (!stream || error) {
+  if (!replaceFile(file, text)) {
     throw InputError("the report could not be written to " + file.string());
   }
 }

@@ -2,8 +2,7 @@
 
 #include "messages/error.hpp"
 
-#include <array>
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace drape {
 
@@ -11,9 +10,7 @@ std::filesystem::path freeScreenshotName(const std::filesystem::path& folder, co
   constexpr int maxNumber = 9999;
   const std::string stem = std::filesystem::path(scene).stem().string();
   for (int number = 1; number <= maxNumber; ++number) {
-    std::array<char, 16> digits{};
-    std::snprintf(digits.data(), digits.size(), "-%03d.png", number);
-    std::filesystem::path file = folder / ((stem.empty() ? "drape" : stem) + digits.data());
+    std::filesystem::path file = folder / fmt::format("{}-{:03}.png", stem.empty() ? "drape" : stem, number);
     if (!std::filesystem::exists(file)) {
       return file;
     }

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -236,14 +235,7 @@ void StatusFile::update(const ViewerStatus& status) {
   next_ = now + interval;
   Json json{{"sequence", ++sequence_}, {"frame", status.frame}, {"first_frame_seconds", status.firstFrameSeconds}};
   json.update(describeAll(status));
-  std::filesystem::path draft = file_;
-  draft += ".part";
-  std::ofstream stream(draft);
-  stream << jsonText(json, 1) << '\n';
-  stream.close();
-  std::error_code error;
-  std::filesystem::rename(draft, file_, error);
-  if (!stream || error) {
+  if (!replaceFile(file_, jsonText(json, 1) + '\n')) {
     throw InputError("cannot write the status file " + file_.string() + "; check that its folder exists");
   }
 }

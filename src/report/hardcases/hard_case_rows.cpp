@@ -2,10 +2,9 @@
 
 #include "report/number_text.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace drape {
@@ -61,13 +60,12 @@ std::string figuresInWords(const CaseResult& result) {
 }
 
 std::string hardCaseLine(const HardCase& hardCase, const CaseResult& result) {
-  std::array<char, 80> start{};
-  std::snprintf(start.data(), start.size(), "%2d  %-22s%-9s%8.2f s  ", hardCase.number,
-                std::string(hardCase.name).c_str(), std::string(wordFor(result.outcome)).c_str(), result.seconds);
+  const std::string start = fmt::format("{:>2}  {:<22}{:<9}{:>8.2f} s  ", hardCase.number, hardCase.name,
+                                        wordFor(result.outcome), result.seconds);
   const std::string figures = figuresInWords(result);
   const bool ended =
       result.outcome == CaseOutcome::GivenUp || result.words.starts_with("The state was no longer finite");
-  return start.data() + (ended ? result.words : figures) + "\n";
+  return start + (ended ? result.words : figures) + "\n";
 }
 
 std::string hardCaseMarkdown(const ReportRows& rows) {

@@ -1,0 +1,14 @@
+#include "text/words.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace drape {
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+}  // namespace drape
