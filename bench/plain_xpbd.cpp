@@ -8,8 +8,8 @@ namespace drape::bench {
 
 PlainXpbd::PlainXpbd(const ClothModel& model) {
   const RaggedRows<int> colours = colourSprings(model);
-  for (const int index : colours.values) {
-    const Spring& spring = model.springs[static_cast<std::size_t>(index)];
+  for (const int index : colours.values()) {
+    const Spring& spring = model.springs[index];
     constraints_.push_back({spring.a, spring.b, static_cast<float>(spring.restLength), 0.0F});
   }
 }

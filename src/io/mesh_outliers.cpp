@@ -1,5 +1,7 @@
 #include "io/mesh_outliers.hpp"
 
+#include "sim/mesh_topology.hpp"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -15,15 +17,11 @@ constexpr double minGap = 20.0;
 /// Below this number of vertices, a long thin mesh looks like an outlier.
 constexpr std::size_t minOthers = 10;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 std::vector<int> usedVertices(std::size_t count, const std::vector<Triangle>& triangles) {
   std::vector<bool> used(count, false);
   for (const Triangle& triangle : triangles) {
     for (const int vertex : triangle) {
-      used[at(vertex)] = true;
+      used[vertex] = true;
     }
   }
   std::vector<int> vertices;
@@ -46,7 +44,7 @@ Vec3 medianPosition(const std::vector<Vec3>& positions, const std::vector<int>& 
   std::vector<double> values(vertices.size());
   for (int axis = 0; axis < 3; ++axis) {
     std::transform(vertices.begin(), vertices.end(), values.begin(),
-                   [&](int vertex) { return positions[at(vertex)][axis]; });
+                   [&](int vertex) { return positions[vertex][axis]; });
     middle[axis] = median(values);
   }
   return middle;
@@ -72,7 +70,7 @@ std::vector<int> findOutliers(const std::vector<Vec3>& positions, const std::vec
   const Vec3 middle = medianPosition(positions, vertices);
   std::vector<double> distances(vertices.size());
   std::transform(vertices.begin(), vertices.end(), distances.begin(),
-                 [&](int vertex) { return (positions[at(vertex)] - middle).norm(); });
+                 [&](int vertex) { return (positions[vertex] - middle).norm(); });
   std::vector<double> ascending = distances;
   const std::size_t maxOutliers = std::max<std::size_t>(1, vertices.size() / verticesPerOutlier);
   // Only the largest distances must be sorted.
@@ -92,14 +90,12 @@ std::vector<int> findOutliers(const std::vector<Vec3>& positions, const std::vec
 double medianEdge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
   std::vector<double> lengths;
   lengths.reserve(3 * triangles.size());
-  for (const Triangle& triangle : triangles) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const double length = (positions[at(triangle[corner])] - positions[at(triangle[(corner + 1) % 3])]).norm();
-      if (length > 0.0) {
-        lengths.push_back(length);
-      }
+  forEachSide(triangles, [&](int from, int to) {
+    const double length = (positions[from] - positions[to]).norm();
+    if (length > 0.0) {
+      lengths.push_back(length);
     }
-  }
+  });
   return lengths.empty() ? 0.0 : median(lengths);
 }
 

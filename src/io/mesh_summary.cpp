@@ -1,6 +1,6 @@
 #include "io/mesh_summary.hpp"
 
-#include "io/mesh_topology.hpp"
+#include "io/topology_counts.hpp"
 #include "sim/bounds.hpp"
 
 #include <fmt/core.h>
@@ -70,7 +70,7 @@ void warnAboutTopology(MeshUse use, MeshSummary& summary) {
 }  // namespace
 
 void summarise(const ClothMesh& cloth, MeshUse use, MeshSummary& summary) {
-  const MeshTopology topology = measureTopology(static_cast<int>(cloth.positions.size()), cloth.triangles);
+  const TopologyCounts topology = countTopology(cloth.positions.size(), cloth.triangles);
   summary.vertices = static_cast<int>(cloth.positions.size());
   summary.triangles = static_cast<int>(cloth.triangles.size());
   summary.springs = topology.edges;

@@ -1,5 +1,7 @@
 #include "io/short_edges.hpp"
 
+#include "sim/mesh_topology.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
@@ -9,10 +11,6 @@
 
 namespace drape {
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 struct Edge {
   double length = 0.0;
@@ -28,15 +26,13 @@ struct Edge {
 /// The edges below the limit, shortest first, without duplicates.
 std::vector<Edge> shortEdges(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles, double limit) {
   std::vector<Edge> edges;
-  for (const Triangle& triangle : triangles) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const auto [low, high] = std::minmax({triangle[corner], triangle[(corner + 1) % 3]});
-      const double length = (positions[at(high)] - positions[at(low)]).norm();
-      if (length < limit) {
-        edges.push_back({length, low, high});
-      }
+  forEachSide(triangles, [&](int from, int to) {
+    const auto [low, high] = std::minmax({from, to});
+    const double length = (positions[high] - positions[low]).norm();
+    if (length < limit) {
+      edges.push_back({length, low, high});
     }
-  }
+  });
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
@@ -56,20 +52,20 @@ class Collapser {
     }
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       for (const int vertex : faces_[f]) {
-        facesOf_[at(vertex)].push_back(f);
+        facesOf_[vertex].push_back(f);
       }
     }
   }
 
   /// The vertex that replaces this one now.
   [[nodiscard]] int standIn(int vertex) const {
-    while (replacement_[at(vertex)] != vertex) {
-      vertex = replacement_[at(vertex)];
+    while (replacement_[vertex] != vertex) {
+      vertex = replacement_[vertex];
     }
     return vertex;
   }
 
-  [[nodiscard]] double distance(int a, int b) const { return (positions_[at(a)] - positions_[at(b)]).norm(); }
+  [[nodiscard]] double distance(int a, int b) const { return (positions_[a] - positions_[b]).norm(); }
 
   /// Whether the two vertices are still joined by an edge.
   [[nodiscard]] bool joined(int a, int b) const { return !facesAt(a, b).empty(); }
@@ -77,16 +73,16 @@ class Collapser {
   [[nodiscard]] bool canCollapse(int low, int high) const { return keepsTopology(low, high) && turnsNoFace(low, high); }
 
   void collapse(int low, int high) {
-    for (const std::size_t face : facesOf_[at(high)]) {
+    for (const std::size_t face : facesOf_[high]) {
       if (hasCorner(faces_[face], low)) {
         removeFace(face, high);
       } else {
         std::replace(faces_[face].begin(), faces_[face].end(), high, low);
-        facesOf_[at(low)].push_back(face);
+        facesOf_[low].push_back(face);
       }
     }
-    facesOf_[at(high)].clear();
-    replacement_[at(high)] = low;
+    facesOf_[high].clear();
+    replacement_[high] = low;
   }
 
   std::vector<int> takeReplacements() {
@@ -99,7 +95,7 @@ class Collapser {
  private:
   [[nodiscard]] std::vector<std::size_t> facesAt(int a, int b) const {
     std::vector<std::size_t> faces;
-    for (const std::size_t face : facesOf_[at(a)]) {
+    for (const std::size_t face : facesOf_[a]) {
       if (hasCorner(faces_[face], b)) {
         faces.push_back(face);
       }
@@ -109,7 +105,7 @@ class Collapser {
 
   [[nodiscard]] std::set<int> neighbours(int vertex) const {
     std::set<int> all;
-    for (const std::size_t face : facesOf_[at(vertex)]) {
+    for (const std::size_t face : facesOf_[vertex]) {
       all.insert(faces_[face].begin(), faces_[face].end());
     }
     all.erase(vertex);
@@ -136,16 +132,16 @@ class Collapser {
     if (own == 2 && onBoundary(low) && onBoundary(high)) {
       return false;
     }
-    return facesOf_[at(low)].size() + facesOf_[at(high)].size() > 2 * own;
+    return facesOf_[low].size() + facesOf_[high].size() > 2 * own;
   }
 
   [[nodiscard]] Vec3 normalOf(const Triangle& face) const {
-    const Vec3& a = positions_[at(face[0])];
-    return (positions_[at(face[1])] - a).cross(positions_[at(face[2])] - a);
+    const Vec3& a = positions_[face[0]];
+    return (positions_[face[1]] - a).cross(positions_[face[2]] - a);
   }
 
   [[nodiscard]] bool turnsNoFace(int low, int high) const {
-    return std::all_of(facesOf_[at(high)].begin(), facesOf_[at(high)].end(), [&](std::size_t face) {
+    return std::all_of(facesOf_[high].begin(), facesOf_[high].end(), [&](std::size_t face) {
       if (hasCorner(faces_[face], low)) {
         return true;  // the face vanishes
       }
@@ -158,7 +154,7 @@ class Collapser {
   void removeFace(std::size_t face, int exceptFrom) {
     for (const int vertex : faces_[face]) {
       if (vertex != exceptFrom) {
-        std::vector<std::size_t>& list = facesOf_[at(vertex)];
+        std::vector<std::size_t>& list = facesOf_[vertex];
         list.erase(std::find(list.begin(), list.end(), face));
       }
     }
@@ -179,7 +175,7 @@ ShortEdges collapseShortEdges(const std::vector<Vec3>& positions, const std::vec
   if (edges.empty()) {
     return result;
   }
-  result.where = positions[at(edges.front().low)];
+  result.where = positions[edges.front().low];
   Collapser collapser(positions, triangles);
   for (const Edge& edge : edges) {
     const auto [low, high] = std::minmax({collapser.standIn(edge.low), collapser.standIn(edge.high)});

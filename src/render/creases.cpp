@@ -1,5 +1,7 @@
 #include "render/creases.hpp"
 
+#include "sim/ragged_rows.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -26,14 +28,14 @@ std::vector<Vec3> unitNormals(std::span<const Vec3> positions, std::span<const T
   return normals;
 }
 
-std::vector<std::vector<Corner>> cornersOfVertices(std::size_t vertices, std::span<const Triangle> triangles) {
-  std::vector<std::vector<Corner>> corners(vertices);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      corners[static_cast<std::size_t>(triangles[t][c])].push_back({t, c});
+RaggedRows<Corner> cornersOfVertices(std::size_t vertices, std::span<const Triangle> triangles) {
+  return RaggedRows<Corner>::collect(vertices, [&](const auto& add) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        add(triangles[t][c], {t, c});
+      }
     }
-  }
-  return corners;
+  });
 }
 
 /// Whether two triangles at a vertex share an edge.
@@ -52,9 +54,9 @@ CreasedMesh splitAtCreases(std::span<const Vec3> positions, std::span<const Tria
   mesh.triangles.assign(triangles.begin(), triangles.end());
   std::vector<Corner> group;
   std::vector<Corner> rest;
-  const auto corners = cornersOfVertices(positions.size(), triangles);
+  const RaggedRows<Corner> corners = cornersOfVertices(positions.size(), triangles);
   for (std::size_t vertex = 0; vertex < positions.size(); ++vertex) {
-    rest = corners[vertex];
+    rest.assign(corners[vertex].begin(), corners[vertex].end());
     while (!rest.empty()) {
       // A group grows from one corner over all edges that are not sharp. It gets its own vertex.
       group.assign(1, rest.back());

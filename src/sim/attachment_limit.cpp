@@ -15,11 +15,9 @@ constexpr double shareOfWeight = 0.25;
 
 /// The force that stretches the springs of a vertex by `strain` [N].
 double forceBorneBy(const ClothModel& model, const StepParameters& parameters, int vertex) {
-  const auto row = static_cast<std::size_t>(vertex);
   double sum = 0.0;
-  for (int e = model.springEnds.begin[row]; e < model.springEnds.begin[row + 1]; ++e) {
-    const SpringEnd& end = model.springEnds.values[static_cast<std::size_t>(e)];
-    const Spring& spring = model.springs[static_cast<std::size_t>(end.spring)];
+  for (const SpringEnd& end : model.springEnds[vertex]) {
+    const Spring& spring = model.springs[end.spring];
     sum += spring.relativeStiffness * spring.restLength;
   }
   return strain * alongPull * parameters.stiffness * sum;

@@ -1,5 +1,6 @@
 #include "sim/cloth_model.hpp"
 
+#include "sim/mesh_topology.hpp"
 #include "sim/sim_error.hpp"
 #include "sim/stability.hpp"
 
@@ -34,67 +35,13 @@ void checkMesh(const ClothMesh& mesh) {
 }
 
 std::vector<Spring> springsOf(const ClothMesh& mesh) {
-  std::vector<std::pair<int, int>> edges;
-  edges.reserve(mesh.triangles.size() * 3);
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const int a = std::min(t[corner], t[(corner + 1) % 3]);
-      const int b = std::max(t[corner], t[(corner + 1) % 3]);
-      if (a != b) {
-        edges.emplace_back(a, b);
-      }
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-
+  const MeshEdges topology = edgesOf(mesh.triangles, mesh.positions.size());
   std::vector<Spring> springs;
-  springs.reserve(edges.size());
-  for (const auto& [a, b] : edges) {
-    const double length =
-        (mesh.positions[static_cast<std::size_t>(b)] - mesh.positions[static_cast<std::size_t>(a)]).norm();
-    springs.push_back({a, b, length});
+  springs.reserve(topology.edges.size());
+  for (const auto& [a, b] : topology.edges) {
+    springs.push_back({a, b, (mesh.positions[b] - mesh.positions[a]).norm()});
   }
   return springs;
-}
-
-/// Collects pairs (row, value) in ragged rows, in their order. `forEach` calls its argument with every pair.
-template <typename T, typename ForEach>
-RaggedRows<T> collectRows(int rows, const ForEach& forEach) {
-  RaggedRows<T> result;
-  result.begin.assign(static_cast<std::size_t>(rows) + 1, 0);
-  forEach([&](int row, const T&) { ++result.begin[static_cast<std::size_t>(row) + 1]; });
-  std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
-  result.values.resize(static_cast<std::size_t>(result.begin.back()));
-  std::vector<int> next(result.begin.begin(), result.begin.end() - 1);
-  forEach([&](int row, const T& value) {
-    result.values[static_cast<std::size_t>(next[static_cast<std::size_t>(row)]++)] = value;
-  });
-  return result;
-}
-
-RaggedRows<SpringEnd> springEndsOf(const std::vector<Spring>& springs, int vertices) {
-  auto rows = collectRows<SpringEnd>(vertices, [&](const auto& add) {
-    for (std::size_t s = 0; s < springs.size(); ++s) {
-      add(springs[s].a, SpringEnd{springs[s].b, static_cast<int>(s)});
-      add(springs[s].b, SpringEnd{springs[s].a, static_cast<int>(s)});
-    }
-  });
-  for (std::size_t v = 0; v < static_cast<std::size_t>(vertices); ++v) {
-    std::sort(rows.values.begin() + rows.begin[v], rows.values.begin() + rows.begin[v + 1],
-              [](const SpringEnd& x, const SpringEnd& y) { return x.neighbour < y.neighbour; });
-  }
-  return rows;
-}
-
-RaggedRows<int> vertexTrianglesOf(const std::vector<Triangle>& triangles, int vertices) {
-  return collectRows<int>(vertices, [&](const auto& add) {
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      for (const int v : triangles[t]) {
-        add(v, static_cast<int>(t));
-      }
-    }
-  });
 }
 
 std::vector<double> vertexAreasOf(const ClothMesh& mesh) {
@@ -143,7 +90,7 @@ void findRates(ClothModel& model) {
     if (model.pinned[i]) {
       continue;
     }
-    const int springs = model.springEnds.begin[i + 1] - model.springEnds.begin[i];
+    const auto springs = static_cast<double>(model.springEnds[i].size());
     model.unitFrequency = std::max(model.unitFrequency, std::sqrt(unitFrequencySquared(model, i)));
     model.unitDampingRate = std::max(model.unitDampingRate, 2.0 * springs / model.vertexMass[i]);
   }
@@ -157,6 +104,20 @@ void requireSize(std::size_t given, std::size_t needed, Fault fault) {
 }
 
 }  // namespace
+
+RaggedRows<SpringEnd> springEndsOf(const std::vector<Spring>& springs, std::size_t vertexCount) {
+  auto ends = RaggedRows<SpringEnd>::collect(vertexCount, [&](const auto& add) {
+    for (std::size_t s = 0; s < springs.size(); ++s) {
+      add(springs[s].a, {springs[s].b, static_cast<int>(s)});
+      add(springs[s].b, {springs[s].a, static_cast<int>(s)});
+    }
+  });
+  for (std::size_t v = 0; v < vertexCount; ++v) {
+    const std::span<SpringEnd> row = ends[v];
+    std::sort(row.begin(), row.end(), [](const SpringEnd& x, const SpringEnd& y) { return x.neighbour < y.neighbour; });
+  }
+  return ends;
+}
 
 double ClothModel::restArea() const {
   return std::accumulate(vertexArea.begin(), vertexArea.end(), 0.0);
@@ -184,8 +145,8 @@ std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double 
   model->restPositions = mesh.positions;
   model->triangles = mesh.triangles;
   model->springs = springsOf(mesh);
-  model->springEnds = springEndsOf(model->springs, count);
-  model->vertexTriangles = vertexTrianglesOf(mesh.triangles, count);
+  model->springEnds = springEndsOf(model->springs, mesh.positions.size());
+  model->vertexTriangles = trianglesOfVertices(mesh.triangles, mesh.positions.size());
   model->vertexArea = vertexAreasOf(mesh);
   model->vertexMass = massesOf(*model, totalMass, lumping);
   model->pinned.assign(mesh.positions.size(), false);

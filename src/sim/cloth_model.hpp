@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/ragged_rows.hpp"
 #include "sim/vector.hpp"
 
 #include <memory>
@@ -19,13 +20,6 @@ struct Spring {
 struct SpringEnd {
   int neighbour = 0;  ///< vertex at the other end
   int spring = 0;     ///< index into ClothModel::springs
-};
-
-/// Rows of different length, stored one after the other: row i is values[begin[i]] .. values[begin[i + 1] - 1].
-template <typename T>
-struct RaggedRows {
-  std::vector<int> begin;  ///< rows + 1 entries
-  std::vector<T> values;
 };
 
 /// How the mass of the cloth is distributed over its vertices.
@@ -62,6 +56,9 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
   [[nodiscard]] double restArea() const;   ///< [m^2]
   [[nodiscard]] double totalMass() const;  ///< [kg]
 };
+
+/// The springs of each vertex, by ascending neighbour.
+[[nodiscard]] RaggedRows<SpringEnd> springEndsOf(const std::vector<Spring>& springs, std::size_t vertexCount);
 
 /// Sum of the triangles' areas [m^2]. Throws ClothModelError as buildClothModel does.
 [[nodiscard]] double restAreaOf(const ClothMesh& mesh);

@@ -1,7 +1,6 @@
 #include "sim/colouring.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace drape {
@@ -22,18 +21,7 @@ int smallestFree(std::vector<bool>& taken) {
 /// The indices of each colour, ascending.
 RaggedRows<int> gatherByColour(const std::vector<int>& colourOf) {
   const int colours = colourOf.empty() ? 0 : *std::max_element(colourOf.begin(), colourOf.end()) + 1;
-  RaggedRows<int> rows;
-  rows.begin.assign(static_cast<std::size_t>(colours) + 1, 0);
-  for (const int colour : colourOf) {
-    ++rows.begin[static_cast<std::size_t>(colour) + 1];
-  }
-  std::partial_sum(rows.begin.begin(), rows.begin.end(), rows.begin.begin());
-  rows.values.resize(colourOf.size());
-  std::vector<int> next(rows.begin.begin(), rows.begin.end() - 1);
-  for (std::size_t i = 0; i < colourOf.size(); ++i) {
-    rows.values[static_cast<std::size_t>(next[static_cast<std::size_t>(colourOf[i])]++)] = static_cast<int>(i);
-  }
-  return rows;
+  return indicesByRow(colourOf, colours);
 }
 
 /// Sets the entries of `taken` to `value` for the colours around a vertex. `index` maps a spring end to the item
@@ -41,12 +29,10 @@ RaggedRows<int> gatherByColour(const std::vector<int>& colourOf) {
 template <typename Index>
 void setTaken(const ClothModel& model, std::size_t vertex, const std::vector<int>& colourOf, const Index& index,
               bool value, std::vector<bool>& taken) {
-  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
-  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
-  for (std::size_t e = begin; e < end; ++e) {
-    const int colour = colourOf[static_cast<std::size_t>(index(model.springEnds.values[e]))];
+  for (const SpringEnd& end : model.springEnds[vertex]) {
+    const int colour = colourOf[index(end)];
     if (colour != none) {
-      taken[static_cast<std::size_t>(colour)] = value;
+      taken[colour] = value;
     }
   }
 }

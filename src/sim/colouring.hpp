@@ -18,11 +18,9 @@ namespace drape {
 /// Calls visit(i) for every index, colour by colour; on several threads within a colour.
 template <typename Visit>
 void forEachByColour(Workers& workers, int threads, const RaggedRows<int>& colours, Visit&& visit) {
-  for (std::size_t c = 0; c + 1 < colours.begin.size(); ++c) {
-    const int* first = colours.values.data() + colours.begin[c];
-    const int count = colours.begin[c + 1] - colours.begin[c];
-    workers.forEach(threads, static_cast<std::size_t>(count),
-                    [&](std::size_t i) { visit(static_cast<std::size_t>(first[i])); });
+  for (std::size_t c = 0; c < colours.rowCount(); ++c) {
+    const std::span<const int> row = colours[c];
+    workers.forEach(threads, row.size(), [&](std::size_t i) { visit(static_cast<std::size_t>(row[i])); });
   }
 }
 

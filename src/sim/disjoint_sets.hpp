@@ -10,14 +10,14 @@ namespace drape {
 /// A disjoint-set forest (union-find). Each set is represented by its lowest member.
 class DisjointSets {
  public:
-  explicit DisjointSets(int count) : parent_(static_cast<std::size_t>(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
+  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  [[nodiscard]] std::size_t size() const { return parent_.size(); }
 
   int root(int item) {
-    while (parentOf(item) != item) {
-      parentOf(item) = parentOf(parentOf(item));
-      item = parentOf(item);
+    while (parent_[item] != item) {
+      parent_[item] = parent_[parent_[item]];
+      item = parent_[item];
     }
     return item;
   }
@@ -25,13 +25,11 @@ class DisjointSets {
   /// Merges the sets of two items. True if they were different before.
   bool join(int a, int b) {
     const auto [low, high] = std::minmax({root(a), root(b)});
-    parentOf(high) = low;
+    parent_[high] = low;
     return low != high;
   }
 
  private:
-  int& parentOf(int item) { return parent_[static_cast<std::size_t>(item)]; }
-
   std::vector<int> parent_;
 };
 

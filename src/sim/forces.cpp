@@ -7,10 +7,7 @@ namespace drape {
 Vec3 springForcesOn(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                     std::size_t vertex) {
   Vec3 force = Vec3::Zero();
-  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
-  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
-  for (std::size_t e = begin; e < end; ++e) {
-    const SpringEnd& springEnd = model.springEnds.values[e];
+  for (const SpringEnd& springEnd : model.springEnds[vertex]) {
     const auto neighbour = static_cast<std::size_t>(springEnd.neighbour);
     const Spring& spring = model.springs[static_cast<std::size_t>(springEnd.spring)];
     force += kernels::springForce(state.positions[neighbour] - state.positions[vertex], spring.restLength,

@@ -32,8 +32,7 @@ std::vector<double> distancesFromPins(const ClothModel& model) {
     if (reached > distance[row]) {
       continue;
     }
-    for (int i = model.springEnds.begin[row]; i < model.springEnds.begin[row + 1]; ++i) {
-      const SpringEnd& end = model.springEnds.values[static_cast<std::size_t>(i)];
+    for (const SpringEnd& end : model.springEnds[row]) {
       const double next = reached + model.springs[static_cast<std::size_t>(end.spring)].restLength;
       double& known = distance[static_cast<std::size_t>(end.neighbour)];
       if (next < known) {

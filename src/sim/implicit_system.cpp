@@ -39,16 +39,15 @@ void ImplicitSystem::assembleVertex(const ClothModel& model, const StepParameter
   const double h = parameters.timeStep;
   Vec3 force = gravityAndAir(model, parameters, state, vertex);
   Mat3 stiffness = Mat3::Zero();
-  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
-  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
-  for (std::size_t e = begin; e < end; ++e) {
-    const auto s = static_cast<std::size_t>(model.springEnds.values[e].spring);
+  const std::span<const SpringEnd> ends = model.springEnds[vertex];
+  for (const SpringEnd& end : ends) {
+    const int s = end.spring;
     const bool first = static_cast<int>(vertex) == model.springs[s].a;
     force += first ? springForces_[s] : Vec3(-springForces_[s]);
     stiffness += springBlocks_[s];
   }
   rightHandSide_[vertex] = h * force;
-  const double isotropic = model.vertexMass[vertex] + static_cast<double>(end - begin) * h * parameters.damping;
+  const double isotropic = model.vertexMass[vertex] + static_cast<double>(ends.size()) * h * parameters.damping;
   diagonal_[vertex] = h * h * stiffness + isotropic * Mat3::Identity();
 }
 
@@ -68,10 +67,7 @@ Vec3 ImplicitSystem::coupling(const ClothModel& model, const StepParameters& par
   const double h = parameters.timeStep;
   Vec3 elastic = Vec3::Zero();
   Vec3 damped = Vec3::Zero();
-  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
-  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
-  for (std::size_t e = begin; e < end; ++e) {
-    const SpringEnd& springEnd = model.springEnds.values[e];
+  for (const SpringEnd& springEnd : model.springEnds[vertex]) {
     const Vec3& change = dv[static_cast<std::size_t>(springEnd.neighbour)];
     elastic += springBlocks_[static_cast<std::size_t>(springEnd.spring)] * change;
     damped += change;

@@ -108,10 +108,8 @@ void IncrementalPotential::gatherVertex(std::size_t vertex, const std::vector<Ve
   }
   Vec3 force = external_[vertex];
   double forceSize = force.norm();
-  const auto begin = static_cast<std::size_t>(model_->springEnds.begin[vertex]);
-  const auto end = static_cast<std::size_t>(model_->springEnds.begin[vertex + 1]);
-  for (std::size_t e = begin; e < end; ++e) {
-    const auto s = static_cast<std::size_t>(model_->springEnds.values[e].spring);
+  for (const SpringEnd& end : model_->springEnds[vertex]) {
+    const int s = end.spring;
     const bool first = static_cast<int>(vertex) == model_->springs[s].a;
     force += first ? springForces_[s] : Vec3(-springForces_[s]);
     forceSize += springSize_[s];
@@ -183,9 +181,8 @@ void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& he
   });
   workers_->forEach(parameters_->threads, diagonal_.size(), [&](std::size_t i) {
     diagonal_[i] = model.vertexMass[i] * Mat3::Identity();
-    const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
-    for (auto e = static_cast<std::size_t>(model.springEnds.begin[i]); e < end; ++e) {
-      diagonal_[i] -= springBlocks_[static_cast<std::size_t>(model.springEnds.values[e].spring)];
+    for (const SpringEnd& end : model.springEnds[i]) {
+      diagonal_[i] -= springBlocks_[end.spring];
     }
   });
   hessian.fill(model, parameters_->threads, *workers_, diagonal_, springBlocks_);

@@ -26,7 +26,7 @@ LocalRates localRatesOf(const ClothModel& model) {
   std::vector<double> free;
   std::vector<double> freeDamping;
   for (std::size_t i = 0; i < model.restPositions.size(); ++i) {
-    const double ends = model.springEnds.begin[i + 1] - model.springEnds.begin[i];
+    const auto ends = static_cast<double>(model.springEnds[i].size());
     rates.frequencySquared.push_back(model.pinned[i] ? 0.0 : unitFrequencySquared(model, i));
     rates.damping.push_back(model.pinned[i] ? 0.0 : 2.0 * ends / model.vertexMass[i]);
     if (!model.pinned[i]) {

@@ -1,41 +1,23 @@
 #include "sim/pieces.hpp"
 
+#include "sim/mesh_topology.hpp"
+
 #include <algorithm>
+#include <span>
 
 namespace drape {
-namespace {
-
-/// The vertices that springs connect to `first`, ascending. Marks them as seen.
-std::vector<std::size_t> pieceAround(const ClothModel& model, std::size_t first, std::vector<bool>& seen) {
-  std::vector<std::size_t> piece{first};
-  seen[first] = true;
-  for (std::size_t next = 0; next < piece.size(); ++next) {
-    const auto begin = static_cast<std::size_t>(model.springEnds.begin[piece[next]]);
-    const auto end = static_cast<std::size_t>(model.springEnds.begin[piece[next] + 1]);
-    for (std::size_t e = begin; e < end; ++e) {
-      const auto neighbour = static_cast<std::size_t>(model.springEnds.values[e].neighbour);
-      if (!seen[neighbour]) {
-        seen[neighbour] = true;
-        piece.push_back(neighbour);
-      }
-    }
-  }
-  std::sort(piece.begin(), piece.end());
-  return piece;
-}
-
-}  // namespace
 
 std::vector<std::vector<std::size_t>> freePieces(const ClothModel& model) {
+  DisjointSets sets(model.restPositions.size());
+  for (const Spring& spring : model.springs) {
+    sets.join(spring.a, spring.b);
+  }
+  const RaggedRows<int> vertices = componentsOf(sets).vertices();
   std::vector<std::vector<std::size_t>> pieces;
-  std::vector<bool> seen(model.restPositions.size(), false);
-  for (std::size_t v = 0; v < seen.size(); ++v) {
-    if (seen[v]) {
-      continue;
-    }
-    std::vector<std::size_t> piece = pieceAround(model, v, seen);
-    if (std::none_of(piece.begin(), piece.end(), [&](std::size_t member) { return model.pinned[member]; })) {
-      pieces.push_back(std::move(piece));
+  for (std::size_t i = 0; i < vertices.rowCount(); ++i) {
+    const std::span<const int> piece = vertices[i];
+    if (std::none_of(piece.begin(), piece.end(), [&](int v) { return model.pinned[v]; })) {
+      pieces.emplace_back(piece.begin(), piece.end());
     }
   }
   return pieces;

@@ -12,9 +12,8 @@ Eigen::SparseMatrix<double> assemble(const ClothModel& model, const std::vector<
   entries.reserve(vertices.size() + model.springs.size());
   for (const std::size_t v : vertices) {
     double diagonal = model.vertexMass[v];
-    for (int e = model.springEnds.begin[v]; e < model.springEnds.begin[v + 1]; ++e) {
-      const SpringEnd& end = model.springEnds.values[static_cast<std::size_t>(e)];
-      diagonal += weight.of(model.springs[static_cast<std::size_t>(end.spring)]);
+    for (const SpringEnd& end : model.springEnds[v]) {
+      diagonal += weight.of(model.springs[end.spring]);
     }
     entries.emplace_back(rows[v], rows[v], diagonal);
   }

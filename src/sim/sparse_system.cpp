@@ -7,18 +7,7 @@
 // neighbour begin 3 p values later.
 
 namespace drape {
-namespace {
-
-template <typename Visit>
-void forEachEnd(const ClothModel& model, std::size_t vertex, Visit&& visit) {
-  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
-  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
-  for (std::size_t e = begin; e < end; ++e) {
-    visit(model.springEnds.values[e]);
-  }
-}
-
-}  // namespace
+namespace {}  // namespace
 
 SparseSystem::SparseSystem(const ClothModel& model) {
   Eigen::Index free = 0;
@@ -42,7 +31,9 @@ void SparseSystem::reserve(const ClothModel& model) {
       continue;
     }
     int below = 0;
-    forEachEnd(model, v, [&](const SpringEnd& end) { below += isBelow(v, end) ? 3 : 0; });
+    for (const SpringEnd& end : model.springEnds[v]) {
+      below += isBelow(v, end) ? 3 : 0;
+    }
     for (int c = 0; c < 3; ++c) {
       const int column = 3 * row_[v] + c;
       outer[column + 1] = outer[column] + 3 - c + below;
@@ -58,11 +49,11 @@ void SparseSystem::writePattern(const ClothModel& model) {
       for (int r = c; r < 3; ++r) {
         *inner++ = 3 * row_[v] + r;
       }
-      forEachEnd(model, v, [&](const SpringEnd& end) {
+      for (const SpringEnd& end : model.springEnds[v]) {
         for (int r = 0; isBelow(v, end) && r < 3; ++r) {
-          *inner++ = 3 * row_[static_cast<std::size_t>(end.neighbour)] + r;
+          *inner++ = 3 * row_[end.neighbour] + r;
         }
-      });
+      }
     }
   }
 }
@@ -83,11 +74,11 @@ void SparseSystem::fillVertex(const ClothModel& model, std::size_t vertex, const
     for (int r = c; r < 3; ++r) {
       *value++ = diagonal[vertex](r, c);
     }
-    forEachEnd(model, vertex, [&](const SpringEnd& end) {
+    for (const SpringEnd& end : model.springEnds[vertex]) {
       for (int r = 0; isBelow(vertex, end) && r < 3; ++r) {
-        *value++ = springBlocks[static_cast<std::size_t>(end.spring)](r, c);
+        *value++ = springBlocks[end.spring](r, c);
       }
-    });
+    }
   }
 }
 
@@ -98,9 +89,9 @@ void SparseSystem::add(const ClothModel& model, std::size_t vertex, std::size_t 
     return;
   }
   int before = 0;  // values between the diagonal block and the wanted one
-  forEachEnd(model, first, [&](const SpringEnd& end) {
+  for (const SpringEnd& end : model.springEnds[first]) {
     before += isBelow(first, end) && end.neighbour < static_cast<int>(second) ? 3 : 0;
-  });
+  }
   for (int c = 0; c < 3; ++c) {
     double* const column = lower_.valuePtr() + lower_.outerIndexPtr()[3 * row_[first] + c];
     for (int r = first == second ? c : 0; r < 3; ++r) {

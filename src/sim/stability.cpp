@@ -10,10 +10,7 @@ namespace drape {
 
 double unitFrequencySquared(const ClothModel& model, std::size_t vertex) {
   Mat3 stiffness = Mat3::Zero();
-  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
-  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
-  for (std::size_t e = begin; e < end; ++e) {
-    const SpringEnd& springEnd = model.springEnds.values[e];
+  for (const SpringEnd& springEnd : model.springEnds[vertex]) {
     const Vec3 offset =
         model.restPositions[static_cast<std::size_t>(springEnd.neighbour)] - model.restPositions[vertex];
     const double relative = model.springs[static_cast<std::size_t>(springEnd.spring)].relativeStiffness;

@@ -1,7 +1,7 @@
 #include "io/garments/flat_pattern.hpp"
 
 #include "io/garments/delaunay.hpp"
-#include "io/mesh_topology.hpp"
+#include "io/topology_counts.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -55,7 +55,7 @@ Outline bittenSquare() {
 TEST(FlatPattern, fillsTheWholeOutlineAndNothingElse) {
   const FlatMesh mesh = meshPattern({bittenSquare().points(), {}}, edgeLength);
   EXPECT_NEAR(areaOf(mesh), 1.0 - 0.02 * std::numbers::pi, 2e-3);
-  const MeshTopology topology = measureTopology(static_cast<int>(mesh.points.size()), mesh.triangles);
+  const TopologyCounts topology = countTopology(mesh.points.size(), mesh.triangles);
   EXPECT_EQ(topology.boundaryLoops, 1);
   EXPECT_EQ(topology.components, 1);
   EXPECT_EQ(topology.misorientedEdges, 0);

@@ -35,12 +35,10 @@ TEST(ClothModel, makesOneSpringForEachEdge) {
 
 TEST(ClothModel, listsEachSpringAtBothItsEnds) {
   const auto model = testing::pinnedSheet(6);
-  EXPECT_EQ(model->springEnds.values.size(), 2 * model->springs.size());
+  EXPECT_EQ(model->springEnds.values().size(), 2 * model->springs.size());
   for (int v = 0; v < model->vertexCount(); ++v) {
-    const auto row = static_cast<std::size_t>(v);
-    for (int e = model->springEnds.begin[row]; e < model->springEnds.begin[row + 1]; ++e) {
-      const SpringEnd& end = model->springEnds.values[static_cast<std::size_t>(e)];
-      const Spring& spring = model->springs[static_cast<std::size_t>(end.spring)];
+    for (const SpringEnd& end : model->springEnds[v]) {
+      const Spring& spring = model->springs[end.spring];
       EXPECT_TRUE((spring.a == v && spring.b == end.neighbour) || (spring.b == v && spring.a == end.neighbour));
     }
   }

@@ -1,3 +1,4 @@
+#include "sim/mesh_topology.hpp"
 #include "sim/stepper.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +20,8 @@ std::shared_ptr<const ClothModel> hangingMass() {
   ClothModel model;
   model.restPositions = {Vec3(0.0, 0.0, 0.0), Vec3(0.0, -rest, 0.0)};
   model.springs = {Spring{0, 1, rest}};
-  model.springEnds = {{0, 1, 2}, {SpringEnd{1, 0}, SpringEnd{0, 0}}};
-  model.vertexTriangles = {{0, 0, 0}, {}};
+  model.springEnds = springEndsOf(model.springs, 2);
+  model.vertexTriangles = trianglesOfVertices({}, 2);
   model.vertexArea = {0.0, 0.0};
   model.vertexMass = {mass, mass};
   model.pinned = {true, false};

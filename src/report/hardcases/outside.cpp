@@ -11,10 +11,8 @@ namespace {
 
 /// An attachment to a single vertex, by a triangle of which it is a corner.
 AttachCommand attachTo(const ClothModel& model, int vertex, const Vec3& target) {
-  const int triangle =
-      model.vertexTriangles
-          .values[static_cast<std::size_t>(model.vertexTriangles.begin[static_cast<std::size_t>(vertex)])];
-  const Triangle& corners = model.triangles[static_cast<std::size_t>(triangle)];
+  const int triangle = model.vertexTriangles[vertex].front();
+  const Triangle& corners = model.triangles[triangle];
   Vec3 weights = Vec3::Zero();
   weights[std::find(corners.begin(), corners.end(), vertex) - corners.begin()] = 1.0;
   return {triangle, weights, target};

@@ -1,40 +1,23 @@
 #include "sim/adaptive/coarse_levels.hpp"
 
 #include "sim/adaptive/tuning.hpp"
+#include "sim/mesh_topology.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <span>
 #include <utility>
 
 namespace drape {
 namespace {
 
-std::span<const SpringEnd> endsOf(const ClothModel& model, std::size_t vertex) {
-  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
-  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
-  return {model.springEnds.values.data() + begin, end - begin};
-}
-
 /// For each vertex its neighbours along the boundary. A boundary edge belongs to one triangle.
 using BoundaryNeighbours = std::vector<std::vector<int>>;
 
 BoundaryNeighbours boundaryOf(const ClothModel& model) {
-  std::vector<std::pair<int, int>> edges;
-  for (const Triangle& triangle : model.triangles) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      edges.emplace_back(std::minmax({triangle[corner], triangle[(corner + 1) % 3]}));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
   BoundaryNeighbours boundary(model.restPositions.size());
-  for (auto same = edges.begin(); same != edges.end();) {
-    const auto next = std::find_if(same, edges.end(), [&](const auto& edge) { return edge != *same; });
-    if (next - same == 1) {
-      boundary[static_cast<std::size_t>(same->first)].push_back(same->second);
-      boundary[static_cast<std::size_t>(same->second)].push_back(same->first);
-    }
-    same = next;
+  for (const auto& [a, b] : boundaryEdges(edgesOf(model.triangles, boundary.size()))) {
+    boundary[a].push_back(b);
+    boundary[b].push_back(a);
   }
   return boundary;
 }
@@ -100,7 +83,7 @@ class VisitOrder {
 
   void visitInterior(std::size_t next) {
     for (; next < order_.size(); ++next) {
-      for (const SpringEnd& end : endsOf(model_, order_[next])) {
+      for (const SpringEnd& end : model_.springEnds[order_[next]]) {
         add(static_cast<std::size_t>(end.neighbour));
       }
     }
@@ -123,7 +106,7 @@ class Aggregation {
     for (const std::size_t i : order) {
       if (!taken[i]) {
         isRoot_[i] = true;
-        for (const SpringEnd& end : endsOf(model, i)) {
+        for (const SpringEnd& end : model.springEnds[i]) {
           taken[static_cast<std::size_t>(end.neighbour)] = true;
         }
       }
@@ -167,7 +150,7 @@ class Aggregation {
     };
     std::for_each(boundary_[i].begin(), boundary_[i].end(), consider);
     if (nearest < 0) {
-      for (const SpringEnd& end : endsOf(model_, i)) {
+      for (const SpringEnd& end : model_.springEnds[i]) {
         consider(end.neighbour);
       }
     }
@@ -205,22 +188,6 @@ std::vector<Spring> springsBetween(const ClothModel& model, const std::vector<in
   return springs;
 }
 
-RaggedRows<SpringEnd> endsOfSprings(const std::vector<Spring>& springs, std::size_t vertices) {
-  std::vector<std::vector<SpringEnd>> rows(vertices);
-  for (std::size_t s = 0; s < springs.size(); ++s) {
-    rows[static_cast<std::size_t>(springs[s].a)].push_back({springs[s].b, static_cast<int>(s)});
-    rows[static_cast<std::size_t>(springs[s].b)].push_back({springs[s].a, static_cast<int>(s)});
-  }
-  RaggedRows<SpringEnd> ends;
-  ends.begin.push_back(0);
-  for (auto& row : rows) {
-    std::sort(row.begin(), row.end(), [](const SpringEnd& a, const SpringEnd& b) { return a.neighbour < b.neighbour; });
-    ends.values.insert(ends.values.end(), row.begin(), row.end());
-    ends.begin.push_back(static_cast<int>(ends.values.size()));
-  }
-  return ends;
-}
-
 CoarseLevel coarserLevel(const ClothModel& model, const BoundaryNeighbours& boundary) {
   Aggregation aggregation(model, boundary);
   const auto count = static_cast<std::size_t>(aggregation.count());
@@ -231,7 +198,7 @@ CoarseLevel coarserLevel(const ClothModel& model, const BoundaryNeighbours& boun
   aggregates->vertexMass.assign(count, 0.0);
   aggregates->vertexArea.assign(count, 0.0);
   aggregates->pinned.assign(count, false);
-  aggregates->vertexTriangles.begin.assign(count + 1, 0);
+  aggregates->vertexTriangles = trianglesOfVertices({}, count);
   for (std::size_t i = 0; i < level.aggregateOf.size(); ++i) {
     const auto g = static_cast<std::size_t>(level.aggregateOf[i]);
     aggregates->restPositions[g] += model.vertexMass[i] * model.restPositions[i];
@@ -242,7 +209,7 @@ CoarseLevel coarserLevel(const ClothModel& model, const BoundaryNeighbours& boun
     aggregates->restPositions[g] /= aggregates->vertexMass[g];
   }
   aggregates->springs = springsBetween(model, level.aggregateOf, *aggregates);
-  aggregates->springEnds = endsOfSprings(aggregates->springs, count);
+  aggregates->springEnds = springEndsOf(aggregates->springs, count);
   level.cloth = std::move(aggregates);
   return level;
 }

@@ -21,10 +21,10 @@ ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(mode
   const RaggedRows<int> colours = colourSprings(model);
   colourBegin.push_back(0);
   const bool even = model.evenlyStiff();
-  for (std::size_t c = 0; c + 1 < colours.begin.size(); ++c) {
+  for (std::size_t c = 0; c < colours.rowCount(); ++c) {
     std::vector<const Spring*> springs;
-    for (int i = colours.begin[c]; i < colours.begin[c + 1]; ++i) {
-      springs.push_back(&model.springs[static_cast<std::size_t>(colours.values[static_cast<std::size_t>(i)])]);
+    for (const int s : colours[c]) {
+      springs.push_back(&model.springs[s]);
     }
     std::sort(springs.begin(), springs.end(), [&](const Spring* s, const Spring* t) {
       return indexOf[static_cast<std::size_t>(s->a)] < indexOf[static_cast<std::size_t>(t->a)];

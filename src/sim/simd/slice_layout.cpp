@@ -60,11 +60,8 @@ class SliceBuilder {
 
   void collect(int lane) {
     const std::size_t vertex = vertexAt(lane);
-    const auto begin = static_cast<std::size_t>(model_.springEnds.begin[vertex]);
-    const auto end = static_cast<std::size_t>(model_.springEnds.begin[vertex + 1]);
     auto& springs = springs_[static_cast<std::size_t>(lane)];
-    for (std::size_t e = begin; e < end; ++e) {
-      const SpringEnd& springEnd = model_.springEnds.values[e];
+    for (const SpringEnd& springEnd : model_.springEnds[vertex]) {
       springs.push_back({layout_.indexOf[static_cast<std::size_t>(springEnd.neighbour)], springEnd.spring});
     }
     orderAsFan(vertex, springs);
@@ -78,10 +75,8 @@ class SliceBuilder {
               [](const LaneSpring& a, const LaneSpring& b) { return a.neighbour < b.neighbour; });
     std::map<int, int> next;
     std::set<int> reached;
-    const auto begin = static_cast<std::size_t>(model_.vertexTriangles.begin[vertex]);
-    const auto end = static_cast<std::size_t>(model_.vertexTriangles.begin[vertex + 1]);
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto [a, b] = cornerOf(vertex, model_.vertexTriangles.values[t]);
+    for (const int triangle : model_.vertexTriangles[vertex]) {
+      const auto [a, b] = cornerOf(vertex, triangle);
       next.emplace(a, b);
       reached.insert(b);
     }
@@ -210,10 +205,8 @@ class SliceBuilder {
     std::map<std::pair<int, int>, std::vector<int>> bySlots;
     for (int lane = 0; lane < sliceLanes && first_ + lane < layout_.vertices; ++lane) {
       const std::size_t vertex = vertexAt(lane);
-      const auto begin = static_cast<std::size_t>(model_.vertexTriangles.begin[vertex]);
-      const auto end = static_cast<std::size_t>(model_.vertexTriangles.begin[vertex + 1]);
-      for (std::size_t t = begin; t < end; ++t) {
-        const auto [a, b] = cornerOf(vertex, model_.vertexTriangles.values[t]);
+      for (const int triangle : model_.vertexTriangles[vertex]) {
+        const auto [a, b] = cornerOf(vertex, triangle);
         bySlots[{slotTo(lane, a), slotTo(lane, b)}].push_back(lane);
       }
     }

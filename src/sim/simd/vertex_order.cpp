@@ -11,15 +11,8 @@ namespace {
 
 constexpr int window = 128;
 
-int degreeOf(const ClothModel& model, int vertex) {
-  const auto v = static_cast<std::size_t>(vertex);
-  return model.springEnds.begin[v + 1] - model.springEnds.begin[v];
-}
-
-std::span<const SpringEnd> endsOf(const ClothModel& model, int vertex) {
-  const auto v = static_cast<std::size_t>(vertex);
-  const auto begin = static_cast<std::size_t>(model.springEnds.begin[v]);
-  return {model.springEnds.values.data() + begin, static_cast<std::size_t>(degreeOf(model, vertex))};
+std::size_t degreeOf(const ClothModel& model, int vertex) {
+  return model.springEnds[vertex].size();
 }
 
 /// Appends the vertices connected to `start`, breadth first, the neighbours of each vertex by ascending degree.
@@ -33,7 +26,7 @@ void appendBreadthFirst(const ClothModel& model, int start, std::vector<bool>& s
   while (next < order.size()) {
     const int vertex = order[next++];
     const auto first = static_cast<std::ptrdiff_t>(order.size());
-    for (const SpringEnd& end : endsOf(model, vertex)) {
+    for (const SpringEnd& end : model.springEnds[vertex]) {
       if (!seen[static_cast<std::size_t>(end.neighbour)]) {
         seen[static_cast<std::size_t>(end.neighbour)] = true;
         order.push_back(end.neighbour);

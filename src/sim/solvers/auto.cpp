@@ -211,10 +211,11 @@ class AdaptiveStep {
     averaged_.resize(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
       Vec3 sum = values[i];
-      for (int e = model.springEnds.begin[i]; e < model.springEnds.begin[i + 1]; ++e) {
-        sum += values[static_cast<std::size_t>(model.springEnds.values[static_cast<std::size_t>(e)].neighbour)];
+      const std::span<const SpringEnd> ends = model.springEnds[i];
+      for (const SpringEnd& end : ends) {
+        sum += values[end.neighbour];
       }
-      averaged_[i] = sum / (1.0 + model.springEnds.begin[i + 1] - model.springEnds.begin[i]);
+      averaged_[i] = sum / (1.0 + static_cast<double>(ends.size()));
     }
     values.swap(averaged_);
   }

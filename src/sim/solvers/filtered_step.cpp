@@ -33,10 +33,7 @@ StepReport FilteredStepSolver::step(const ClothModel& model, const StepParameter
 Vec3 FilteredStepSolver::internalImpulse(const ClothModel& model, const StepParameters& parameters,
                                          const ClothState& state, std::size_t vertex) {
   Vec3 difference = Vec3::Zero();
-  const auto begin = static_cast<std::size_t>(model.springEnds.begin[vertex]);
-  const auto end = static_cast<std::size_t>(model.springEnds.begin[vertex + 1]);
-  for (std::size_t e = begin; e < end; ++e) {
-    const SpringEnd& springEnd = model.springEnds.values[e];
+  for (const SpringEnd& springEnd : model.springEnds[vertex]) {
     const auto neighbour = static_cast<std::size_t>(springEnd.neighbour);
     difference += model.springs[static_cast<std::size_t>(springEnd.spring)].relativeStiffness *
                   (state.velocities[neighbour] - state.velocities[vertex]);

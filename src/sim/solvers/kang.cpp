@@ -65,11 +65,8 @@ class KangSolver final : public Solver {
   void start(const ClothModel& model, const StepParameters& parameters, const ClothState& state, std::size_t i) {
     Vec3 force = gravityAndAir(model, parameters, state, i);
     double denominator = model.vertexMass[i];
-    const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
-    const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
-    for (std::size_t e = begin; e < end; ++e) {
+    for (const SpringEnd& spring : model.springEnds[i]) {
       // Neighbours ascend, so the sign is that of (neighbour - i): a spring's first end is the lower one.
-      const SpringEnd& spring = model.springEnds.values[e];
       const Vec3& pull = pull_[static_cast<std::size_t>(spring.spring)];
       if (spring.neighbour > static_cast<int>(i)) {
         force += pull;
@@ -102,10 +99,7 @@ class KangSolver final : public Solver {
       return;
     }
     Vec3 sum = Vec3::Zero();
-    const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
-    const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
-    for (std::size_t e = begin; e < end; ++e) {
-      const SpringEnd& spring = model.springEnds.values[e];
+    for (const SpringEnd& spring : model.springEnds[i]) {
       sum += couplingOf(model, parameters, spring) * p_[static_cast<std::size_t>(spring.neighbour)];
     }
     state.velocities[i] += p_[i] + sum / denominator_[i];

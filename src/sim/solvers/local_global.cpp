@@ -75,10 +75,7 @@ class LocalGlobalSolver final : public Solver {
     workers_.forEach(threads, vertices.size(), [&](std::size_t row) {
       const std::size_t i = vertices[row];
       Vec3 sum = inertia_[i];
-      const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
-      const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
-      for (std::size_t e = begin; e < end; ++e) {
-        const SpringEnd& spring = model.springEnds.values[e];
+      for (const SpringEnd& spring : model.springEnds[i]) {
         const Vec3& stretch = stretch_[static_cast<std::size_t>(spring.spring)];
         sum += spring.neighbour > static_cast<int>(i) ? stretch : Vec3(-stretch);
       }

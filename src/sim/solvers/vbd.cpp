@@ -94,10 +94,7 @@ class VbdSolver final : public Solver {
     Vec3 drag = Vec3::Zero();   // sum of (dx_j - dx_i) [m]
     Mat3 stiffness = Mat3::Zero();
     double largest = 0.0;  // upper bound of its eigenvalues [N/m]
-    const auto begin = static_cast<std::size_t>(model.springEnds.begin[i]);
-    const auto end = static_cast<std::size_t>(model.springEnds.begin[i + 1]);
-    for (std::size_t e = begin; e < end; ++e) {
-      const SpringEnd& springEnd = model.springEnds.values[e];
+    for (const SpringEnd& springEnd : model.springEnds[i]) {
       const auto j = static_cast<std::size_t>(springEnd.neighbour);
       const Spring& spring = model.springs[static_cast<std::size_t>(springEnd.spring)];
       const double own = parameters.stiffness * spring.relativeStiffness;
@@ -110,7 +107,8 @@ class VbdSolver final : public Solver {
     if (inputs.attachment) {
       addAttachment(model, *inputs.attachment, i, state, force, stiffness);
     }
-    const double isotropic = model.vertexMass[i] + static_cast<double>(end - begin) * h * parameters.damping;
+    const double isotropic =
+        model.vertexMass[i] + static_cast<double>(model.springEnds[i].size()) * h * parameters.damping;
     const Vec3 residual =
         model.vertexMass[i] * (inertial_[i] - position) + h * h * force + h * parameters.damping * drag;
     state.positions[i] +=

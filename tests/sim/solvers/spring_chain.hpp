@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/cloth_model.hpp"
+#include "sim/mesh_topology.hpp"
 
 #include <cmath>
 #include <memory>
@@ -15,19 +16,12 @@ inline std::shared_ptr<const ClothModel> hangingChain(int springs, double mass, 
   for (int v = 0; v < count; ++v) {
     model->restPositions.emplace_back(0.0, -restLength * v, 0.0);
   }
-  model->springEnds.begin.push_back(0);
-  for (int v = 0; v < count; ++v) {
-    if (v > 0) {
-      model->springEnds.values.push_back({v - 1, v - 1});
-    }
-    if (v < springs) {
-      model->springs.push_back({v, v + 1, restLength});
-      model->springEnds.values.push_back({v + 1, v});
-    }
-    model->springEnds.begin.push_back(static_cast<int>(model->springEnds.values.size()));
+  for (int v = 0; v < springs; ++v) {
+    model->springs.push_back({v, v + 1, restLength});
   }
   const auto size = static_cast<std::size_t>(count);
-  model->vertexTriangles.begin.assign(size + 1, 0);
+  model->springEnds = springEndsOf(model->springs, size);
+  model->vertexTriangles = trianglesOfVertices({}, size);
   model->vertexArea.assign(size, 0.0);
   model->vertexMass.assign(size, mass);
   model->pinned.assign(size, false);

@@ -1,10 +1,10 @@
 #include "sim/contact/broad_phase/searchable_mesh.hpp"
 
 #include "sim/contact/closest_features/triangle_geometry.hpp"
+#include "sim/mesh_topology.hpp"
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace drape {
@@ -13,66 +13,38 @@ namespace {
 constexpr double sharpAngle = 0.02;  // sine of the convex angle below which an edge counts as flat [-]
 
 std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
-  struct Side {
-    int a, b;
-    std::size_t triangle, side;
-  };
   std::vector<std::array<bool, 3>> sharp(mesh.triangles.size(), {true, true, true});
   if (mesh.frames.size() > 1) {
     return sharp;  // any edge of a deforming mesh may become sharp
   }
-  std::vector<Side> sides;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int a = mesh.triangles[t][k];
-      const int b = mesh.triangles[t][(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), t, k});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return std::tie(x.a, x.b, x.triangle) < std::tie(y.a, y.b, y.triangle);
-  });
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    const bool pair = sides[i].a == sides[i + 1].a && sides[i].b == sides[i + 1].b;
-    const bool more = i + 2 < sides.size() && sides[i + 2].a == sides[i].a && sides[i + 2].b == sides[i].b;
-    if (!pair || more) {
+  const MeshEdges topology = edgesOf(mesh.triangles, mesh.positions.size());
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    if (topology.onBoundary(e)) {
       continue;
     }
-    const Triangle& other = mesh.triangles[sides[i + 1].triangle];
-    const Corners first = cornersOf(mesh.positions, mesh.triangles[sides[i].triangle]);
-    const Vec3 apex =
-        vectorAt(mesh.positions, other[(sides[i + 1].side + 2) % 3]) - vectorAt(mesh.positions, sides[i].a);
+    // Of the triangles of a non-manifold edge, the last two count.
+    const std::span<const TriangleSide> sides = topology.sides[e].last(2);
+    const Triangle& other = mesh.triangles[sides[1].triangle];
+    const Corners first = cornersOf(mesh.positions, mesh.triangles[sides[0].triangle]);
+    const Vec3 apex = mesh.positions[other[(sides[1].corner + 2) % 3]] - mesh.positions[topology.edges[e].a];
     const double rise = faceNormal(first).dot(apex);
     const bool flat = rise > -sharpAngle * apex.norm();
-    sharp[sides[i].triangle][sides[i].side] = !flat;
-    sharp[sides[i + 1].triangle][sides[i + 1].side] = !flat;
+    sharp[sides[0].triangle][sides[0].corner] = !flat;
+    sharp[sides[1].triangle][sides[1].corner] = !flat;
   }
   return sharp;
 }
 
 bool isClosed(const MeshShape& mesh) {
-  std::vector<std::array<int, 3>> sides;  // both ends ascending, and the direction
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int a = t[k];
-      const int b = t[(k + 1) % 3];
-      if (a != b) {
-        sides.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
-      }
-    }
-  }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i < sides.size();) {
-    int sum = 0;
-    const std::size_t first = i;
-    for (; i < sides.size() && sides[i][0] == sides[first][0] && sides[i][1] == sides[first][1]; ++i) {
-      sum += sides[i][2];
-    }
-    if (sum != 0) {
+  const MeshEdges topology = edgesOf(mesh.triangles, mesh.positions.size());
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    const std::span<const TriangleSide> sides = topology.sides[e];
+    const auto ascending = std::count_if(sides.begin(), sides.end(), [](const auto& side) { return side.ascending; });
+    if (2 * static_cast<std::size_t>(ascending) != sides.size()) {
       return false;
     }
   }
-  return !sides.empty();
+  return !topology.edges.empty();
 }
 
 /// Flips the triangles of a closed mesh if they face inwards.
@@ -110,7 +82,7 @@ SearchableMesh::SearchableMesh(MeshShape mesh)
     : shape(facingOutwards(std::move(mesh))),
       closed(isClosed(shape)),
       tree(shape.positions, shape.triangles, trianglesPerLeaf),
-      owned(ownedFeatures(shape.triangles, static_cast<int>(shape.positions.size()))),
+      owned(ownedFeatures(shape.triangles, shape.positions.size())),
       sharp(sharpSides(shape)) {
   gatherLeaves();
   fill(start_, leafVertices_, shape.positions);

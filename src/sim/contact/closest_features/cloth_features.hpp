@@ -15,6 +15,6 @@ struct OwnedFeatures {
 };
 
 /// One entry per triangle. A feature belongs to the first triangle that contains it.
-[[nodiscard]] std::vector<OwnedFeatures> ownedFeatures(const std::vector<Triangle>& triangles, int vertexCount);
+[[nodiscard]] std::vector<OwnedFeatures> ownedFeatures(const std::vector<Triangle>& triangles, std::size_t vertexCount);
 
 }  // namespace drape

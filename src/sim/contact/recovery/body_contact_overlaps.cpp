@@ -1,6 +1,6 @@
 // The part of BodyContact that handles cloth inside a body at the start of a step.
 #include "sim/contact/solve/body_contact.hpp"
-#include "sim/disjoint_sets.hpp"
+#include "sim/mesh_topology.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +22,7 @@ Vec3 limited(const Vec3& vector, double maxLength) {
 
 /// The first vertex of each connected piece of a cloth.
 std::vector<int> firstOfPieces(const ClothModel& model) {
-  DisjointSets sets(model.vertexCount());
-  for (const Triangle& t : model.triangles) {
-    sets.join(t[0], t[1]);
-    sets.join(t[0], t[2]);
-  }
-  std::vector<int> first;
-  for (int v = 0; v < model.vertexCount(); ++v) {
-    if (sets.root(v) == v) {
-      first.push_back(v);
-    }
-  }
-  return first;
+  return componentsOf(model.triangles, model.restPositions.size()).lowestVertex;
 }
 
 }  // namespace
@@ -119,10 +108,8 @@ std::vector<bool> BodyContact::verticesAtOverlap(const Cloth& cloth, const NearB
   for (int ring = 1; ring < rings && !newest.empty(); ++ring) {
     next.clear();
     for (const int v : newest) {
-      const RaggedRows<SpringEnd>& ends = cloth.model.springEnds;
-      const auto last = static_cast<std::size_t>(ends.begin[static_cast<std::size_t>(v) + 1]);
-      for (auto e = static_cast<std::size_t>(ends.begin[static_cast<std::size_t>(v)]); e < last; ++e) {
-        mark(ends.values[e].neighbour, next);
+      for (const SpringEnd& end : cloth.model.springEnds[v]) {
+        mark(end.neighbour, next);
       }
     }
     newest.swap(next);

@@ -1,6 +1,6 @@
 #include "sim/contact/recovery/overlap.hpp"
 
-#include "sim/disjoint_sets.hpp"
+#include "sim/mesh_topology.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -17,20 +17,10 @@ constexpr double directExitRatio = 1.5;  // common exit distance that is always 
 constexpr double maxTornRatio = 0.2;     // maximum fraction of torn sides between a part and the rest that it joins [-]
 constexpr double minMainRatio = 0.6;     // minimum fraction of a piece that the other parts can join [-]
 
-/// Calls visit(a, b) for the sides of all triangles, triangle by triangle.
-template <typename Visit>
-void forEachSide(std::span<const Triangle> triangles, Visit&& visit) {
-  for (const Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      visit(static_cast<std::size_t>(t[k]), static_cast<std::size_t>(t[(k + 1) % 3]));
-    }
-  }
-}
-
 /// Calls visit(a, b) for the sides with both ends inside.
 template <typename Visit>
 void forEachSideInside(const std::vector<char>& inside, std::span<const Triangle> triangles, Visit&& visit) {
-  forEachSide(triangles, [&](std::size_t a, std::size_t b) {
+  forEachSide(triangles, [&](int a, int b) {
     if (inside[a] != 0 && inside[b] != 0) {
       visit(a, b);
     }
@@ -40,7 +30,7 @@ void forEachSideInside(const std::vector<char>& inside, std::span<const Triangle
 /// Calls visit(a, b) for the sides with one end inside (a) and one outside (b).
 template <typename Visit>
 void forEachSideThrough(const std::vector<char>& inside, std::span<const Triangle> triangles, Visit&& visit) {
-  forEachSide(triangles, [&](std::size_t a, std::size_t b) {
+  forEachSide(triangles, [&](int a, int b) {
     if ((inside[a] != 0) != (inside[b] != 0)) {
       inside[a] != 0 ? visit(a, b) : visit(b, a);
     }
@@ -79,11 +69,10 @@ struct Overlap::Piece {
 
 std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> start, std::span<const Triangle> triangles,
                                  const std::vector<bool>& pierces) {
-  DisjointSets pieces(static_cast<int>(start.size()));
+  DisjointSets pieces(start.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (!pierces[t]) {
-      pieces.join(triangles[t][0], triangles[t][1]);
-      pieces.join(triangles[t][0], triangles[t][2]);
+      joinCorners(triangles[t], pieces);
     }
   }
   std::vector<char> inside(start.size(), 0);
@@ -138,7 +127,7 @@ void Overlap::find(Solid& solid, std::vector<char> inside, std::span<const Vec3>
 /// Finds the closest surface points of the outside vertices next to a piece.
 void Overlap::findOutsides(Solid& solid, const Cloth& cloth) {
   std::vector<bool> found(cloth.start.size(), false);
-  forEachSideThrough(inside_, cloth.triangles, [&](std::size_t /*inside*/, std::size_t v) {
+  forEachSideThrough(inside_, cloth.triangles, [&](int /*inside*/, int v) {
     if (!found[v]) {
       found[v] = true;
       exits_[v] = solid.nearestSurface(cloth.start[v]);
@@ -148,17 +137,16 @@ void Overlap::findOutsides(Solid& solid, const Cloth& cloth) {
 
 /// The pieces, ordered by their first vertices.
 std::vector<Overlap::Piece> Overlap::piecesOf(const Cloth& cloth) const {
-  DisjointSets sets(static_cast<int>(cloth.start.size()));
-  forEachSideInside(inside_, cloth.triangles,
-                    [&](std::size_t a, std::size_t b) { sets.join(static_cast<int>(a), static_cast<int>(b)); });
+  DisjointSets sets(cloth.start.size());
+  forEachSideInside(inside_, cloth.triangles, [&](int a, int b) { sets.join(a, b); });
   std::map<int, Piece> pieces;
   for (const int v : members_) {
     Piece& piece = pieces[sets.root(v)];
     piece.vertices.push_back(v);
     piece.depth = std::max(piece.depth, depthOf(v));
   }
-  const auto tear = [&](std::size_t a, std::size_t b) {
-    Piece& piece = pieces[sets.root(static_cast<int>(a))];
+  const auto tear = [&](int a, int b) {
+    Piece& piece = pieces[sets.root(a)];
     piece.tear = std::max(piece.tear, tearOf((cloth.start[a] - cloth.start[b]).norm(), exits_[a], exits_[b]));
   };
   forEachSideInside(inside_, cloth.triangles, tear);
@@ -198,10 +186,10 @@ void Overlap::leadOutTogether(Solid& solid, const Cloth& cloth, const Piece& pie
 /// @return false if there is no main part
 bool Overlap::joinPartsToRest(Solid& solid, const Cloth& cloth, const Piece& piece,
                               const std::vector<Vec3>& directions) {
-  DisjointSets sets(static_cast<int>(cloth.start.size()));
-  forEachSideInside(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
+  DisjointSets sets(cloth.start.size());
+  forEachSideInside(inside_, cloth.triangles, [&](int a, int b) {
     if (!tears(cloth, a, b)) {
-      sets.join(static_cast<int>(a), static_cast<int>(b));
+      sets.join(a, b);
     }
   });
   std::map<int, std::vector<int>> parts;
@@ -216,8 +204,8 @@ bool Overlap::joinPartsToRest(Solid& solid, const Cloth& cloth, const Piece& pie
   }
   int through = 0;
   int torn = 0;
-  forEachSideThrough(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
-    if (sets.root(static_cast<int>(a)) == main->first) {
+  forEachSideThrough(inside_, cloth.triangles, [&](int a, int b) {
+    if (sets.root(a) == main->first) {
       ++through;
       torn += tears(cloth, a, b) ? 1 : 0;
     }
@@ -237,10 +225,10 @@ bool Overlap::joinPartsToRest(Solid& solid, const Cloth& cloth, const Piece& pie
 /// @param maxDistance to its exits [m]
 void Overlap::joinPartToRest(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double maxDistance,
                              std::vector<Vec3> directions) {
-  const std::set<std::size_t> members(part.begin(), part.end());
-  std::vector<std::pair<std::size_t, std::size_t>> sides;  // from the part to the rest of the piece
+  const std::set<int> members(part.begin(), part.end());
+  std::vector<std::pair<int, int>> sides;  // from the part to the rest of the piece
   Vec3 where = Vec3::Zero();
-  forEachSideInside(inside_, cloth.triangles, [&](std::size_t a, std::size_t b) {
+  forEachSideInside(inside_, cloth.triangles, [&](int a, int b) {
     const bool first = members.count(a) > 0;
     if (first != (members.count(b) > 0)) {
       sides.emplace_back(first ? a : b, first ? b : a);
@@ -253,9 +241,9 @@ void Overlap::joinPartToRest(Solid& solid, const Cloth& cloth, const std::vector
   CommonExit exit(solid, cloth.start, cloth.triangles, inside_);
   exit.begin(part, directions);
   take(exit.find(maxDistance, true, [&](const std::vector<CommonExit::Exit>& exits) {
-    std::map<std::size_t, const NearPoint*> of;
+    std::map<int, const NearPoint*> of;
     for (const CommonExit::Exit& each : exits) {
-      of[static_cast<std::size_t>(each.first)] = &each.second;
+      of[each.first] = &each.second;
     }
     const auto torn = std::count_if(sides.begin(), sides.end(), [&](const auto& side) {
       const double length = (cloth.start[side.first] - cloth.start[side.second]).norm();
@@ -265,7 +253,7 @@ void Overlap::joinPartToRest(Solid& solid, const Cloth& cloth, const std::vector
   }));
 }
 
-bool Overlap::tears(const Cloth& cloth, std::size_t a, std::size_t b) const {
+bool Overlap::tears(const Cloth& cloth, int a, int b) const {
   return tearOf((cloth.start[a] - cloth.start[b]).norm(), exits_[a], exits_[b]) > 0.0;
 }
 

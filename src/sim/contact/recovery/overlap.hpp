@@ -46,7 +46,7 @@ class Overlap {
   bool joinPartsToRest(Solid& solid, const Cloth& cloth, const Piece& piece, const std::vector<Vec3>& directions);
   void joinPartToRest(Solid& solid, const Cloth& cloth, const std::vector<int>& part, double maxDistance,
                       std::vector<Vec3> directions);
-  [[nodiscard]] bool tears(const Cloth& cloth, std::size_t a, std::size_t b) const;
+  [[nodiscard]] bool tears(const Cloth& cloth, int a, int b) const;
   void take(const std::vector<CommonExit::Exit>& exits);
   void addFollowers();
 

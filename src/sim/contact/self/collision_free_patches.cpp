@@ -51,7 +51,7 @@ void fillUp(std::vector<std::int32_t>& values) {
 PatchMesh patchMeshOf(const ClothModel& model) {
   PatchMesh mesh;
   mesh.triangles = model.triangles;
-  mesh.across = trianglesAcross(model.triangles);
+  mesh.across = trianglesAcross(model.triangles, model.restPositions.size());
   mesh.vertices = model.vertexCount();
   for (const Triangle& t : model.triangles) {
     mesh.corners.a.push_back(t[0]);

@@ -6,17 +6,22 @@
 #include "sim/contact/self/float_lanes.hpp"
 #include "sim/model_cache.hpp"
 
+#include <span>
 #include <vector>
 
 namespace drape {
 
-/// Coloured pairs: no two pairs of a colour share a vertex. Colour c has pairs begin[c] to begin[c + 1] - 1, in input
-/// order. The array is padded by a vector.
+/// Coloured pairs: no two pairs of a colour share a vertex.
 struct ColouredPairs {
-  std::vector<VertexPair> pairs;
-  std::vector<int> begin;
+  std::vector<VertexPair> pairs;  ///< by colour, in input order within a colour, and padded by a vector
+  std::vector<int> begin;         ///< first pair of each colour, and one past the last
 
   [[nodiscard]] int count() const { return begin.empty() ? 0 : begin.back(); }
+  [[nodiscard]] std::size_t colourCount() const { return begin.empty() ? 0 : begin.size() - 1; }
+  /// The pairs of a colour. A whole vector can be read from each.
+  [[nodiscard]] std::span<const VertexPair> colour(std::size_t c) const {
+    return {pairs.data() + begin[c], pairs.data() + begin[c + 1]};
+  }
 };
 
 /// Colours pairs greedily, in linear time. `scratch` is memory for reuse.
@@ -32,7 +37,6 @@ struct ContactLanes {
   std::vector<float> mass;                             ///< 1 / (1 / m_a + 1 / m_b) [kg]
   std::vector<float> normalImpulse;                    ///< h times the impulse along the normal so far [kg m]
   std::vector<float> frictionX, frictionY, frictionZ;  ///< h times the friction impulse on b so far [kg m]
-  std::vector<int> begin;                              ///< of each colour
   int count = 0;
 
   void resize(std::size_t capacity);

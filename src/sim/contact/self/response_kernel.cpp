@@ -125,18 +125,17 @@ class Collector {
 bool collect(const ColouredPairs& pairs, const PositionLanes& startPositions, const PositionLanes& positions,
              const std::vector<float>& inverseMasses, float thickness, ContactLanes& contacts) {
   const int lanes = static_cast<int>(hn::Lanes(F()));
-  const std::size_t colours = pairs.begin.empty() ? 0 : pairs.begin.size() - 1;
-  contacts.resize(static_cast<std::size_t>(pairs.count()) + (colours + 2) * maxLanes);
-  contacts.begin.assign(1, 0);
+  contacts.resize(static_cast<std::size_t>(pairs.count()) + (pairs.colourCount() + 2) * maxLanes);
   contacts.count = 0;
   Collector collector(startPositions, positions, inverseMasses, thickness, contacts);
   const auto outside = static_cast<std::int32_t>(inverseMasses.size()) - 1 - maxLanes;
-  for (std::size_t c = 0; c < colours; ++c) {
-    for (int i = pairs.begin[c]; i < pairs.begin[c + 1]; i += lanes) {
-      collector.take(pairs.pairs.data() + i, std::min(lanes, pairs.begin[c + 1] - i));
+  for (std::size_t c = 0; c < pairs.colourCount(); ++c) {
+    const std::span<const VertexPair> colour = pairs.colour(c);
+    const int count = static_cast<int>(colour.size());
+    for (int i = 0; i < count; i += lanes) {
+      collector.take(colour.data() + i, std::min(lanes, count - i));
     }
     collector.fillUp(outside);
-    contacts.begin.push_back(contacts.count);
   }
   return collector.overlap();
 }

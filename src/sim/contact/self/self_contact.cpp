@@ -81,9 +81,8 @@ bool isEmpty(const LaneBox& box) {
 }
 
 bool connected(const ClothModel& model, const VertexPair& pair) {
-  const auto begin = model.springEnds.values.begin() + model.springEnds.begin[static_cast<std::size_t>(pair.a)];
-  const auto end = model.springEnds.values.begin() + model.springEnds.begin[static_cast<std::size_t>(pair.a) + 1];
-  return std::any_of(begin, end, [&](const SpringEnd& spring) { return spring.neighbour == pair.b; });
+  const std::span<const SpringEnd> ends = model.springEnds[pair.a];
+  return std::any_of(ends.begin(), ends.end(), [&](const SpringEnd& end) { return end.neighbour == pair.b; });
 }
 
 }  // namespace

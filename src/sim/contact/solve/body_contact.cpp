@@ -233,7 +233,8 @@ double BodyContact::maxContactOffset() const {
 }
 
 const std::vector<OwnedFeatures>& BodyContact::ownedOf(const Cloth& cloth) {
-  return owned_.get(cloth.model, [](const ClothModel& m) { return ownedFeatures(m.triangles, m.vertexCount()); });
+  return owned_.get(cloth.model,
+                    [](const ClothModel& m) { return ownedFeatures(m.triangles, m.restPositions.size()); });
 }
 
 const ClothClusters& BodyContact::clustersOf(const ClothModel& model) {

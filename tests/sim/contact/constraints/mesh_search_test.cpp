@@ -86,7 +86,7 @@ struct Search {
       predicted.emplace_back(carry(position) + way + random.next(spread));
       displacementBounds.push_back((predicted.back() - position).norm() + 2.0 * offsets.contactOffset + move);
     }
-    const std::vector<OwnedFeatures> owned = ownedFeatures(model->triangles, model->vertexCount());
+    const std::vector<OwnedFeatures> owned = ownedFeatures(model->triangles, model->restPositions.size());
     const ClothClusters clusters(*model);
     candidates.clear();
     Workers workers;

@@ -182,11 +182,11 @@ TEST(ColouredPairs, ShareNoVertexWithinAColourAndKeepAllPairs) {
   colourPairs(140, pairs, scratch, coloured);
   ASSERT_EQ(coloured.count(), static_cast<int>(pairs.size()));
   std::vector<VertexPair> all(coloured.pairs.begin(), coloured.pairs.begin() + coloured.count());
-  for (std::size_t c = 0; c + 1 < coloured.begin.size(); ++c) {
+  for (std::size_t c = 0; c < coloured.colourCount(); ++c) {
     std::set<int> seen;
-    for (int i = coloured.begin[c]; i < coloured.begin[c + 1]; ++i) {
-      EXPECT_TRUE(seen.insert(all[static_cast<std::size_t>(i)].a).second);
-      EXPECT_TRUE(seen.insert(all[static_cast<std::size_t>(i)].b).second);
+    for (const VertexPair& pair : coloured.colour(c)) {
+      EXPECT_TRUE(seen.insert(pair.a).second);
+      EXPECT_TRUE(seen.insert(pair.b).second);
     }
   }
   std::sort(all.begin(), all.end());

@@ -1,4 +1,4 @@
-#include "io/mesh_topology.hpp"
+#include "io/topology_counts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,42 +16,42 @@ std::vector<Triangle> tube(int count) {
   return triangles;
 }
 
-TEST(MeshTopology, countsTheEdgesOfATriangle) {
-  const MeshTopology topology = measureTopology(3, {{0, 1, 2}});
+TEST(TopologyCounts, countsTheEdgesOfATriangle) {
+  const TopologyCounts topology = countTopology(3, {{0, 1, 2}});
   EXPECT_EQ(topology.edges, 3);
   EXPECT_EQ(topology.boundaryLoops, 1);
   EXPECT_EQ(topology.components, 1);
 }
 
-TEST(MeshTopology, findsNoBorderOnAClosedMesh) {
-  const MeshTopology topology = measureTopology(4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+TEST(TopologyCounts, findsNoBorderOnAClosedMesh) {
+  const TopologyCounts topology = countTopology(4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
   EXPECT_EQ(topology.edges, 6);
   EXPECT_EQ(topology.boundaryLoops, 0);
   EXPECT_EQ(topology.misorientedEdges, 0);
 }
 
-TEST(MeshTopology, findsTheTwoBordersOfATube) {
-  const MeshTopology topology = measureTopology(12, tube(6));
+TEST(TopologyCounts, findsTheTwoBordersOfATube) {
+  const TopologyCounts topology = countTopology(12, tube(6));
   EXPECT_EQ(topology.boundaryLoops, 2);
   EXPECT_EQ(topology.components, 1);
   EXPECT_EQ(topology.edges, 24);
 }
 
-TEST(MeshTopology, countsPiecesThatShareNoEdge) {
-  const MeshTopology topology = measureTopology(7, {{0, 1, 2}, {3, 4, 5}});
+TEST(TopologyCounts, countsPiecesThatShareNoEdge) {
+  const TopologyCounts topology = countTopology(7, {{0, 1, 2}, {3, 4, 5}});
   EXPECT_EQ(topology.components, 3) << "two triangles and a vertex of its own";
   EXPECT_EQ(topology.boundaryLoops, 2);
 }
 
-TEST(MeshTopology, findsEdgesWithMoreThanTwoFaces) {
-  const MeshTopology topology = measureTopology(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+TEST(TopologyCounts, findsEdgesWithMoreThanTwoFaces) {
+  const TopologyCounts topology = countTopology(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   EXPECT_EQ(topology.nonManifoldEdges, 1);
   EXPECT_EQ(topology.misorientedEdges, 0) << "what 'the same direction' means is clear for two faces only";
 }
 
-TEST(MeshTopology, findsFacesThatRunTheSameWayAlongAnEdge) {
-  EXPECT_EQ(measureTopology(4, {{0, 1, 2}, {0, 1, 3}}).misorientedEdges, 1);
-  EXPECT_EQ(measureTopology(4, {{0, 1, 2}, {1, 0, 3}}).misorientedEdges, 0);
+TEST(TopologyCounts, findsFacesThatRunTheSameWayAlongAnEdge) {
+  EXPECT_EQ(countTopology(4, {{0, 1, 2}, {0, 1, 3}}).misorientedEdges, 1);
+  EXPECT_EQ(countTopology(4, {{0, 1, 2}, {1, 0, 3}}).misorientedEdges, 0);
 }
 
 }  // namespace
