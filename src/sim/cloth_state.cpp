@@ -9,6 +9,8 @@
 namespace drape {
 namespace {
 
+// FNV-1a (Fowler, Noll, Vo), byte by byte. Session logs and the documentation contain its values, so they must not
+// change.
 constexpr std::uint64_t fnvOffset = 14695981039346656037ULL;
 constexpr std::uint64_t fnvPrime = 1099511628211ULL;
 

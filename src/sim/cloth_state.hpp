@@ -55,8 +55,7 @@ void movePins(const std::vector<bool>& pinned, const Vec3& by, ClothState& state
 /// float.
 [[nodiscard]] bool isFinite(const ClothState& state);
 
-/// A 64-bit FNV-1a hash of the bits of positions and velocities, byte by byte. Two runs are bitwise equal if their
-/// hashes are. Session logs and the documentation contain its values, so they must not change.
+/// A 64-bit FNV-1a hash of the bits of positions and velocities. Two runs are bitwise equal if their hashes are.
 [[nodiscard]] std::uint64_t stateHash(const ClothState& state);
 
 /// The hash as 16 hexadecimal digits.
