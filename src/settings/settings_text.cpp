@@ -1,5 +1,4 @@
 #include "messages/error.hpp"
-#include "settings/number_text.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/solver.hpp"
 #include "text/number_text.hpp"

@@ -1,5 +1,4 @@
 #include "messages/error.hpp"
-#include "settings/number_text.hpp"
 #include "settings/surface_fields.hpp"
 #include "text/number_text.hpp"
 #include "ui/number_slider.hpp"

@@ -5,7 +5,6 @@
 #include "app/headless/picture_maker.hpp"
 #include "app/headless/solver_notes.hpp"
 #include "app/output_file.hpp"
-#include "app/progress_bar.hpp"
 #include "app/progress_line.hpp"
 #include "messages/error.hpp"
 #include "session/simulation.hpp"

@@ -2,7 +2,6 @@
 #include "app/headless/commands.hpp"
 #include "app/headless/solver_notes.hpp"
 #include "app/output_file.hpp"
-#include "app/progress_bar.hpp"
 #include "app/progress_line.hpp"
 #include "messages/error.hpp"
 #include "report/error_table.hpp"
