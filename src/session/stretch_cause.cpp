@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>

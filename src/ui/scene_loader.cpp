@@ -1,7 +1,5 @@
 #include "ui/scene_loader.hpp"
 
-#include "sim/error.hpp"
-
 #include <chrono>
 #include <cmath>
 #include <exception>

@@ -7,7 +7,6 @@
 #include "settings/settings_table.hpp"
 #include "sim/bounds.hpp"
 #include "sim/error.hpp"
-#include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
 
 #include <nlohmann/json.hpp>

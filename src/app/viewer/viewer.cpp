@@ -4,7 +4,6 @@
 #include "app/viewer/process_age.hpp"
 #include "app/viewer/screenshot_name.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/error.hpp"
 #include "ui/scene_changes.hpp"
 
 #include <GL/glew.h>
