@@ -4,8 +4,6 @@
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
 
-#include <optional>
-
 namespace drape {
 
 /// Causes of implausibly stretched springs.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <utility>
 
 namespace drape {
 namespace {
@@ -76,36 +75,44 @@ constexpr std::array selfCollisions{
          {"Hashed vertices",
           "The paper's: keeps vertices apart. Costs about as much as the step. Sharp folds and loose meshes leak."}}};
 
-std::vector<std::string> unitWords() {
-  return {"auto", "m", "dm", "cm", "mm", "inch"};
-}
-
 /// Metres per unit, as a number.
 bool isUnitFactor(std::string_view text) {
   const std::optional<double> factor = parseNumber(text);
   return factor && *factor >= 1e-6 && *factor <= 1e3;
 }
 
-ChoiceLabel unitLabel(std::string_view word) {
-  static constexpr std::array<std::pair<std::string_view, ChoiceLabel>, 6> labels{
-      {{"auto", {"Guessed", "The unit that gives the mesh the size of a garment."}},
-       {"m", {"Metres", "One unit of the file is a metre."}},
-       {"dm", {"Decimetres", "One unit of the file is a tenth of a metre."}},
-       {"cm", {"Centimetres", "One unit of the file is a hundredth of a metre."}},
-       {"mm", {"Millimetres", "One unit of the file is a thousandth of a metre."}},
-       {"inch", {"Inches", "One unit of the file is 0.0254 m."}}}};
-  const auto found = std::find_if(labels.begin(), labels.end(), [&](const auto& entry) { return entry.first == word; });
-  return found == labels.end() ? ChoiceLabel{} : found->second;
+/// A word of a choice that is stored as text.
+struct TextWord {
+  std::string_view word;
+  ChoiceLabel label;
+};
+
+constexpr std::array units{TextWord{"auto", {"Guessed", "The unit that gives the mesh the size of a garment."}},
+                           TextWord{"m", {"Metres", "One unit of the file is a metre."}},
+                           TextWord{"dm", {"Decimetres", "One unit of the file is a tenth of a metre."}},
+                           TextWord{"cm", {"Centimetres", "One unit of the file is a hundredth of a metre."}},
+                           TextWord{"mm", {"Millimetres", "One unit of the file is a thousandth of a metre."}},
+                           TextWord{"inch", {"Inches", "One unit of the file is 0.0254 m."}}};
+
+constexpr std::array pinSources{
+    TextWord{"scene", {"From the scene", "The pins that the scene file defines."}},
+    TextWord{"shape", {"By shape", "The neck, the waist or the shoulders of a garment. Two corners of a flat sheet."}},
+    TextWord{"top", {"Top", "The topmost 3 % of the height."}},
+    TextWord{"none", {"None", "No pins: the cloth falls until it lands on something solid."}}};
+
+template <const auto& words>
+std::vector<std::string> wordsIn() {
+  std::vector<std::string> list;
+  for (const auto& entry : words) {
+    list.emplace_back(entry.word);
+  }
+  return list;
 }
 
-ChoiceLabel pinsLabel(std::string_view word) {
-  static constexpr std::array<std::pair<std::string_view, ChoiceLabel>, 4> labels{
-      {{"scene", {"From the scene", "The pins that the scene file defines."}},
-       {"shape", {"By shape", "The neck, the waist or the shoulders of a garment. Two corners of a flat sheet."}},
-       {"top", {"Top", "The topmost 3 % of the height."}},
-       {"none", {"None", "No pins: the cloth falls until it lands on something solid."}}}};
-  const auto found = std::find_if(labels.begin(), labels.end(), [&](const auto& entry) { return entry.first == word; });
-  return found == labels.end() ? ChoiceLabel{} : found->second;
+template <const auto& words>
+ChoiceLabel labelIn(std::string_view word) {
+  const auto found = std::find_if(words.begin(), words.end(), [&](const auto& entry) { return entry.word == word; });
+  return found == words.end() ? ChoiceLabel{} : found->label;
 }
 
 /// A choice between the values of an enumeration, each with its word.
@@ -121,18 +128,19 @@ ChoiceField choiceOf() {
                 std::find_if(words.begin(), words.end(), [&](const auto& entry) { return entry.word == word; });
             ref(settings) = found->value;
           },
-          [] {
-            std::vector<std::string> list;
-            for (const auto& entry : words) {
-              list.emplace_back(entry.word);
-            }
-            return list;
-          },
-          [](std::string_view word) {
-            const auto found =
-                std::find_if(words.begin(), words.end(), [&](const auto& entry) { return entry.word == word; });
-            return found == words.end() ? ChoiceLabel{} : found->label;
-          }};
+          wordsIn<words>, labelIn<words>};
+}
+
+/// A choice that is stored as text. The arguments are the other fields of ChoiceField.
+template <auto ref>
+ChoiceField textOf(decltype(ChoiceField::choices) choices, decltype(ChoiceField::label) label = nullptr,
+                   decltype(ChoiceField::accepts) accepts = nullptr, std::string_view otherTexts = {}) {
+  return {[](const Settings& settings) { return ref(settings); },
+          [](Settings& settings, const std::string& word) { ref(settings) = word; },
+          choices,
+          label,
+          accepts,
+          otherTexts};
 }
 
 /// Whether the solver of the cloth or of its ghost takes backward Euler steps.
@@ -163,7 +171,7 @@ bool showsGhost(const Settings& settings) {
 // clang-format off
 const std::array table{
     SettingInfo{"solver", "Solver", "-", Advanced, SettingEffect::Step,
-        ChoiceField{[](const Settings& s) { return s.solver.name; }, [](Settings& s, const std::string& word) { s.solver.name = word; }, solverNames, solverLabel},
+        textOf<[](auto& s) -> auto& { return s.solver.name; }>(solverNames, solverLabel),
         "The method that advances the cloth by one time step."},
     SettingInfo{"time_step", "Time step", "s", Advanced, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.timeStep; }, 1e-5, 0.1, true},
@@ -244,7 +252,7 @@ const std::array table{
         "Acceleration downwards, along -y."},
 
     SettingInfo{"ghost.solver", "Solver", "-", Ghost, SettingEffect::Step,
-        ChoiceField{[](const Settings& s) { return s.ghost.solver; }, [](Settings& s, const std::string& word) { s.ghost.solver = word; }, ghostNames, solverLabel},
+        textOf<[](auto& s) -> auto& { return s.ghost.solver; }>(ghostNames, solverLabel),
         "Method that moves a second cloth, for comparison with the first. off: no second cloth. It starts where the "
         "first cloth is, shares all other settings and does not affect the first cloth."},
     SettingInfo{"ghost.substeps", "Substeps", "-", Ghost, SettingEffect::Step,
@@ -264,8 +272,8 @@ const std::array table{
         NumberField{[](auto& s) -> auto& { return s.step.damping; }, 0.0, 100.0, true},
         "Damping of every spring: force per metre per second of relative velocity between its ends."},
     SettingInfo{"mass_given_as", "Mass given as", "-", Material, SettingEffect::Mass,
-        ChoiceField{[](const Settings& s) { return s.material.massGivenAs; }, [](Settings& s, const std::string& word) { s.material.massGivenAs = word; },
-            +[] { return std::vector<std::string>{"density", "mass"}; }},
+        textOf<[](auto& s) -> auto& { return s.material.massGivenAs; }>(
+            [] { return std::vector<std::string>{"density", "mass"}; }),
         "Whether density or mass sets the weight of the cloth. Setting either of them selects it."},
     SettingInfo{"density", "Density", "kg/m^2", Material, SettingEffect::Mass,
         NumberField{[](auto& s) -> auto& { return s.material.density; }, 1e-3, 100.0, true},
@@ -275,8 +283,8 @@ const std::array table{
         NumberField{[](auto& s) -> auto& { return s.material.mass; }, 1e-6, 1000.0, true},
         "Mass of the whole cloth.", "mass_given_as", "mass"},
     SettingInfo{"mass_lumping", "Mass lumping", "-", Advanced, SettingEffect::Mass,
-        ChoiceField{[](const Settings& s) { return s.material.lumping; }, [](Settings& s, const std::string& word) { s.material.lumping = word; },
-            +[] { return std::vector<std::string>{"area", "uniform"}; }},
+        textOf<[](auto& s) -> auto& { return s.material.lumping; }>(
+            [] { return std::vector<std::string>{"area", "uniform"}; }),
         "Distribution of the mass over the vertices: by the area around each vertex, or equal for all as in the "
         "paper."},
 
@@ -330,14 +338,14 @@ const std::array table{
         "Draws the contacts of the last step with their normals."},
 
     SettingInfo{"unit", "Mesh unit", "-", Scene, SettingEffect::Scene,
-        ChoiceField{[](const Settings& s) { return s.mesh.unit; }, [](Settings& s, const std::string& word) { s.mesh.unit = word; },
-            unitWords, unitLabel, isUnitFactor, "metres per unit from 1e-06 to 1000"},
+        textOf<[](auto& s) -> auto& { return s.mesh.unit; }>(
+            wordsIn<units>, labelIn<units>, isUnitFactor, "metres per unit from 1e-06 to 1000"),
         "Unit of the coordinates in a mesh file: a word, or metres per unit such as 0.0254. auto guesses it from the "
         "size. Opened mesh files start with auto, scene files with m.",
         {}, {}, SettingScope::MeshFile},
     SettingInfo{"up", "Mesh up axis", "-", Scene, SettingEffect::Scene,
-        ChoiceField{[](const Settings& s) { return s.mesh.up; }, [](Settings& s, const std::string& word) { s.mesh.up = word; },
-            +[] { return std::vector<std::string>{"auto", "y", "z", "x", "-y", "-z"}; }},
+        textOf<[](auto& s) -> auto& { return s.mesh.up; }>(
+            [] { return std::vector<std::string>{"auto", "y", "z", "x", "-y", "-z"}; }),
         "The axis of a mesh file that points up. The mesh is turned so that this axis becomes y. auto guesses y or z "
         "from the shape. Opened mesh files start with auto, scene files with y.",
         {}, {}, SettingScope::MeshFile},
@@ -345,14 +353,13 @@ const std::array table{
         NumberField{[](auto& s) -> auto& { return s.mesh.weldTolerance; }, 0.0, 0.01, false},
         "Merges mesh vertices that are closer to each other than this share of the mesh's diagonal.", {}, {}, SettingScope::MeshFile},
     SettingInfo{"outliers", "Far vertices", "-", Scene, SettingEffect::Scene,
-        ChoiceField{[](const Settings& s) { return s.mesh.outliers; }, [](Settings& s, const std::string& word) { s.mesh.outliers = word; },
-            +[] { return std::vector<std::string>{"refuse", "leave_out"}; }},
+        textOf<[](auto& s) -> auto& { return s.mesh.outliers; }>(
+            [] { return std::vector<std::string>{"refuse", "leave_out"}; }),
         "What happens when vertices of a mesh file lie far from all others: the file is refused, or they are left out "
         "with their faces.",
         {}, {}, SettingScope::MeshFile},
     SettingInfo{"pins", "Pins", "-", Scene, SettingEffect::Scene,
-        ChoiceField{[](const Settings& s) { return s.mesh.pins; }, [](Settings& s, const std::string& word) { s.mesh.pins = word; },
-            +[] { return std::vector<std::string>{"scene", "shape", "top", "none"}; }, pinsLabel},
+        textOf<[](auto& s) -> auto& { return s.mesh.pins; }>(wordsIn<pinSources>, labelIn<pinSources>),
         "Vertices that are fixed: the pins of the scene, pins chosen from the shape, the topmost vertices, or none. "
         "Opened mesh files start with shape."},
     SettingInfo{"grid.resolution", "Grid resolution", "-", Scene, SettingEffect::Scene,
@@ -378,8 +385,8 @@ const std::array table{
         FlagField{[](auto& s) -> auto& { return s.view.wireframe; }},
         "Draws the edges of the triangles, which are the springs."},
     SettingInfo{"view.surface", "Surface", "-", SettingGroup::View, SettingEffect::View,
-        ChoiceField{[](const Settings& s) { return s.view.surface; }, [](Settings& s, const std::string& word) { s.view.surface = word; },
-            +[] { return std::vector<std::string>{"checker", "plain"}; }},
+        textOf<[](auto& s) -> auto& { return s.view.surface; }>(
+            [] { return std::vector<std::string>{"checker", "plain"}; }),
         "Look of the cloth: a checker along its texture coordinates, or one colour."},
     SettingInfo{"view.ground", "Ground", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](auto& s) -> auto& { return s.view.ground; }},

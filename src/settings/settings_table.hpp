@@ -2,7 +2,6 @@
 
 #include "settings/settings.hpp"
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>

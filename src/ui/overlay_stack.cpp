@@ -1,7 +1,5 @@
 #include "ui/overlay_stack.hpp"
 
-#include "ui/theme.hpp"
-
 #include <imgui_internal.h>  // for the size that a window had
 
 #include <algorithm>

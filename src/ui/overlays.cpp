@@ -1,7 +1,6 @@
 #include "ui/overlay_stack.hpp"
 #include "ui/panels.hpp"
 #include "ui/shortcuts.hpp"
-#include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
 #include <algorithm>

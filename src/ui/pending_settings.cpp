@@ -1,7 +1,5 @@
 #include "ui/pending_settings.hpp"
 
-#include <vector>
-
 namespace drape {
 namespace {
 

@@ -2,8 +2,6 @@
 
 #include "session/snapshot.hpp"
 
-#include <memory>
-
 namespace drape {
 
 /// Whether quitting loses a change of the user: a setting outside the view, a pin, or a body's position, surface or

@@ -6,6 +6,9 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace drape {
 namespace {

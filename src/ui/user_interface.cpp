@@ -66,7 +66,7 @@ void UserInterface::Parts::makeFonts() {
 }
 
 void UserInterface::Parts::remember(const Snapshot& snapshot, const UiStats& stats) {
-  // The user still drags a slider, so the text it explains must stay.
+  // A pending change of the mesh is not refused as long as the scene is built or the user still drags.
   const bool waiting = !stats.loading.empty() || ImGui::IsAnyItemActive();
   memory.pending.update(snapshot.settings, ImGui::GetTime(), waiting);
   if (snapshot.step != memory.lastStep && snapshot.stepSeconds > 0.0) {

@@ -7,6 +7,7 @@
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/bounds.hpp"
+#include "messages/error.hpp"
 #include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
 
