@@ -80,16 +80,14 @@ void Simulation::reportOverlap() {
   if (contact.overlaps > 0) {
     const bool stuck = state_.time - lastOutside_ > patience;
     const double depth = contact.deepestOverlap * 1e3;
-    overlapMessage_ =
-        std::string("The cloth ") +
-        (stepIndex_ == 0 ? "starts"
-         : stuck         ? "is still"
-                         : "is") +
-        fmt::format(" inside a body ({} triangles, up to {:.{}f} mm deep) and ", contact.overlaps, depth,
-                    depth < 10.0 ? 1 : 0) +
-        (stuck ? "contact cannot push it out: the body may cross the cloth, or not fit. Move or scale one of "
-                 "them."
-               : "is pushed out slowly.");
+    overlapMessage_ = fmt::format(
+        "The cloth {} inside a body ({} triangles, up to {:.{}f} mm deep) and {}",
+        stepIndex_ == 0 ? "starts"
+        : stuck         ? "is still"
+                        : "is",
+        contact.overlaps, depth, depth < 10.0 ? 1 : 0,
+        stuck ? "contact cannot push it out: the body may cross the cloth, or not fit. Move or scale one of them."
+              : "is pushed out slowly.");
   }
 }
 
