@@ -2,7 +2,7 @@
 
 namespace drape {
 
-/// Why a solver does not suit a cloth and its parameters, as a code with numbers. src/messages makes the sentence.
+/// Why a solver does not suit a cloth: a code, with the numbers that its comment names. src/messages makes the text.
 struct SolverWarning {
   enum class Kind {
     StepTooLong,           ///< a substep is above the stability limit `seconds`; `substeps`
