@@ -245,7 +245,7 @@ ImportedMesh weldNamed(const RawMesh& raw, const std::string& name, std::string_
   try {
     return weldMesh(raw, name, options);
   } catch (const OutlierError& error) {
-    const Vec3& place = raw.positions[static_cast<std::size_t>(error.rawVertex())];
+    const Vec3& place = raw.positions[error.rawVertex()];
     std::string vertex = "the vertex at (" + shortNumber(place.x()) + ", " + shortNumber(place.y()) + ", " +
                          shortNumber(place.z()) + ")";
     if (format == "obj") {
