@@ -219,7 +219,7 @@ class Collector {
         same = index.next(same);
       }
       if (same != drape::ChainedIndex::none) {
-        number[i] = number[static_cast<std::size_t>(same)];
+        number[i] = number[same];
         continue;
       }
       index.insert(hash, static_cast<int>(i));

@@ -25,12 +25,12 @@ class ChainedIndex {
   [[nodiscard]] int first(std::uint64_t hash) const { return head_[bucketOf(hash)]; }
 
   /// The next index after `index`, or `none`.
-  [[nodiscard]] int next(int index) const { return next_[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] int next(int index) const { return next_[index]; }
 
   /// Inserts a new index.
   void insert(std::uint64_t hash, int index) {
     int& head = head_[bucketOf(hash)];
-    next_[static_cast<std::size_t>(index)] = head;
+    next_[index] = head;
     head = index;
   }
 

@@ -61,7 +61,7 @@ class Reader {
     if (count > INT_MAX || count > rest_.size() / sizeof(T)) {
       throwGarbled("contradicts its own counts");
     }
-    std::vector<T> values(static_cast<std::size_t>(count));
+    std::vector<T> values(count);
     if (count > 0) {
       take(values.front().data(), values.size() * sizeof(T));
     }

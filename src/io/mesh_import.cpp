@@ -231,7 +231,7 @@ ImportedMesh weldNamed(const RawMesh& raw, const std::string& name, std::string_
   try {
     return weldMesh(raw, name, options);
   } catch (const OutlierError& error) {
-    const Vec3& place = raw.positions[static_cast<std::size_t>(error.rawVertex())];
+    const Vec3& place = raw.positions[error.rawVertex()];
     std::string vertex = fmt::format("the vertex at ({:.6g}, {:.6g}, {:.6g})", place.x(), place.y(), place.z());
     if (format == "obj") {
       std::string storage;

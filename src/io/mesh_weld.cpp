@@ -43,10 +43,6 @@ constexpr double smallestCloth = 1e-3;
 /// Larger meshes are not simulated [m]: no unit makes a garment or a body of them.
 constexpr double largestMesh = 1e9;
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// The coordinate that is farthest from 0.
 double largestOf(const Vec3& position) {
   Eigen::Index axis = 0;
@@ -98,8 +94,8 @@ Bounds boundsOf(const std::vector<Vec3>& positions, const std::vector<Triangle>&
   Bounds bounds;
   for (const Triangle& triangle : triangles) {
     for (const int vertex : triangle) {
-      bounds.min = bounds.min.cwiseMin(positions[at(vertex)]);
-      bounds.max = bounds.max.cwiseMax(positions[at(vertex)]);
+      bounds.min = bounds.min.cwiseMin(positions[vertex]);
+      bounds.max = bounds.max.cwiseMax(positions[vertex]);
     }
   }
   return bounds;
@@ -163,7 +159,7 @@ class PointWelder {
   /// The minimum of `best` and the first point of this cell that is close enough.
   [[nodiscard]] int findInCell(const Cell& cell, const Vec3& point, int best) const {
     for (int i = index_.first(cellHash(cell)); i != ChainedIndex::none; i = index_.next(i)) {
-      if ((best == ChainedIndex::none || i < best) && (points_[at(i)] - point).norm() <= distance_) {
+      if ((best == ChainedIndex::none || i < best) && (points_[i] - point).norm() <= distance_) {
         best = i;
       }
     }
@@ -198,7 +194,7 @@ Weld weldPositions(const RawMesh& raw, const Scale& scale, double tolerance) {
   std::vector<bool> used(raw.positions.size(), false);
   for (const Triangle& triangle : raw.triangles) {
     for (const int vertex : triangle) {
-      used[at(vertex)] = true;
+      used[vertex] = true;
     }
   }
   const double diagonal = scale.bounds.diagonal();
@@ -224,9 +220,9 @@ bool isDegenerate(const Triangle& face, const std::vector<Vec3>& positions, doub
   if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) {
     return true;
   }
-  const Vec3 ab = positions[at(face[1])] - positions[at(face[0])];
-  const Vec3 bc = positions[at(face[2])] - positions[at(face[1])];
-  const Vec3 ca = positions[at(face[0])] - positions[at(face[2])];
+  const Vec3 ab = positions[face[1]] - positions[face[0]];
+  const Vec3 bc = positions[face[2]] - positions[face[1]];
+  const Vec3 ca = positions[face[0]] - positions[face[2]];
   const double longest = std::sqrt(std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()}));
   return ab.cross(bc).norm() <= flat * longest;
 }
@@ -240,7 +236,7 @@ Faces cleanFaces(const RawMesh& raw, const Weld& weld, double flat, MeshSummary&
   Faces kept;
   ChainedIndex index(raw.triangles.size());
   for (const Triangle& source : raw.triangles) {
-    const Triangle face{weld.particle[at(source[0])], weld.particle[at(source[1])], weld.particle[at(source[2])]};
+    const Triangle face{weld.particle[source[0]], weld.particle[source[1]], weld.particle[source[2]]};
     if (isDegenerate(face, weld.positions, flat)) {
       ++summary.degenerateFaces;
       continue;
@@ -251,7 +247,7 @@ Faces cleanFaces(const RawMesh& raw, const Weld& weld, double flat, MeshSummary&
       hash = mixHash(hash, static_cast<std::uint64_t>(vertex));
     }
     int same = index.first(hash);
-    while (same != ChainedIndex::none && sorted(kept.particles[at(same)]) != key) {
+    while (same != ChainedIndex::none && sorted(kept.particles[same]) != key) {
       same = index.next(same);
     }
     if (same != ChainedIndex::none) {
@@ -270,7 +266,7 @@ void dropIsolated(Weld& weld, Faces& faces, MeshSummary& summary) {
   std::vector<int> newNumber(weld.positions.size(), -1);
   for (const Triangle& face : faces.particles) {
     for (const int particle : face) {
-      newNumber[at(particle)] = 0;
+      newNumber[particle] = 0;
     }
   }
   std::vector<Vec3> positions;
@@ -286,11 +282,11 @@ void dropIsolated(Weld& weld, Faces& faces, MeshSummary& summary) {
   for (int& particle : weld.particle) {
     // A raw vertex without a face also counts as isolated.
     summary.isolatedVertices += particle < 0 ? 1 : 0;
-    particle = particle < 0 ? -1 : newNumber[at(particle)];
+    particle = particle < 0 ? -1 : newNumber[particle];
   }
   for (Triangle& face : faces.particles) {
     for (int& particle : face) {
-      particle = newNumber[at(particle)];
+      particle = newNumber[particle];
     }
   }
 }
@@ -310,7 +306,7 @@ RenderMesh renderMeshFromUvs(const RawMesh& raw, const Weld& weld, const Faces& 
     hash = mixHash(hash, std::bit_cast<std::uint64_t>(uv.x()));
     hash = mixHash(hash, std::bit_cast<std::uint64_t>(uv.y()));
     int same = index.first(hash);
-    while (same != ChainedIndex::none && (render.particle[at(same)] != particle || render.uvs[at(same)] != uv)) {
+    while (same != ChainedIndex::none && (render.particle[same] != particle || render.uvs[same] != uv)) {
       same = index.next(same);
     }
     if (same == ChainedIndex::none) {
@@ -322,7 +318,7 @@ RenderMesh renderMeshFromUvs(const RawMesh& raw, const Weld& weld, const Faces& 
     renderVertex[i] = same;
   }
   for (const Triangle& source : faces.rawVertices) {
-    render.triangles.push_back({renderVertex[at(source[0])], renderVertex[at(source[1])], renderVertex[at(source[2])]});
+    render.triangles.push_back({renderVertex[source[0]], renderVertex[source[1]], renderVertex[source[2]]});
   }
   return render;
 }
@@ -332,15 +328,15 @@ RawMesh withoutOutliers(const RawMesh& raw, const std::vector<int>& outliers, co
                         const ImportOptions& options) {
   std::vector<bool> isOutlier(raw.positions.size(), false);
   for (const int vertex : outliers) {
-    isOutlier[at(vertex)] = true;
+    isOutlier[vertex] = true;
   }
   RawMesh rest = raw;
   std::erase_if(rest.triangles, [&isOutlier](const Triangle& face) {
-    return std::any_of(face.begin(), face.end(), [&isOutlier](int vertex) { return isOutlier[at(vertex)]; });
+    return std::any_of(face.begin(), face.end(), [&isOutlier](int vertex) { return isOutlier[vertex]; });
   });
   if (options.outliers == OutlierRule::Refuse) {
     const Bounds bounds = boundsOf(rest.positions, rest.triangles);
-    const Vec3& place = raw.positions[at(outliers.front())];
+    const Vec3& place = raw.positions[outliers.front()];
     const double away = (place - place.cwiseMax(bounds.min).cwiseMin(bounds.max)).norm() * options.metresPerUnit;
     const std::string others =
         outliers.size() == 1 ? "" : " (and " + std::to_string(outliers.size() - 1) + " more like it)";
@@ -367,13 +363,13 @@ void repairShortEdges(double limit, Weld& weld, Faces& faces, MeshSummary& summa
   summary.shortEdgesKept = edges.kept;
   summary.shortEdge = {edges.where->x(), edges.where->y(), edges.where->z()};
   for (int& particle : weld.particle) {
-    particle = particle < 0 ? -1 : edges.replacement[at(particle)];
+    particle = particle < 0 ? -1 : edges.replacement[particle];
   }
   Faces kept;
   for (std::size_t i = 0; i < faces.particles.size(); ++i) {
     Triangle face = faces.particles[i];
     for (int& particle : face) {
-      particle = edges.replacement[at(particle)];
+      particle = edges.replacement[particle];
     }
     if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) {
       kept.particles.push_back(face);

@@ -30,7 +30,7 @@ std::string objText(const std::vector<Vec3>& positions, const RenderMesh& render
   for (const Triangle& triangle : render.triangles) {
     text += 'f';
     for (const int corner : triangle) {
-      text += ' ' + std::to_string(render.particle[static_cast<std::size_t>(corner)] + 1);
+      text += ' ' + std::to_string(render.particle[corner] + 1);
       if (!render.uvs.empty()) {
         text += '/' + std::to_string(corner + 1);
       }

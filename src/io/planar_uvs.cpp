@@ -9,9 +9,9 @@ namespace {
 
 /// The axis (0, 1, 2 for x, y, z) closest to a face's normal.
 std::size_t mainAxis(const ClothMesh& cloth, const Triangle& face) {
-  const Vec3& a = cloth.positions[static_cast<std::size_t>(face[0])];
-  const Vec3& b = cloth.positions[static_cast<std::size_t>(face[1])];
-  const Vec3& c = cloth.positions[static_cast<std::size_t>(face[2])];
+  const Vec3& a = cloth.positions[face[0]];
+  const Vec3& b = cloth.positions[face[1]];
+  const Vec3& c = cloth.positions[face[2]];
   Eigen::Index axis = 0;
   (b - a).cross(c - a).cwiseAbs().maxCoeff(&axis);
   return static_cast<std::size_t>(axis);
@@ -39,7 +39,7 @@ RenderMesh renderMeshFromPlanes(const ClothMesh& cloth) {
     const std::size_t axis = mainAxis(cloth, face);
     Triangle drawn{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const auto particle = static_cast<std::size_t>(face[corner]);
+      const int particle = face[corner];
       int& vertex = byAxis[particle][axis];
       if (vertex < 0) {
         vertex = static_cast<int>(render.particle.size());

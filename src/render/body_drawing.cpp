@@ -35,7 +35,7 @@ void BodyDrawing::takeScene(const Scene& scene) {
     drawn->source.assign(creased.positions.size(), 0);
     for (std::size_t t = 0; t < creased.triangles.size(); ++t) {
       for (std::size_t c = 0; c < 3; ++c) {
-        drawn->source[static_cast<std::size_t>(creased.triangles[t][c])] = surface.triangles[t][c];
+        drawn->source[creased.triangles[t][c]] = surface.triangles[t][c];
       }
     }
     std::vector<Vec2> waves;
@@ -64,8 +64,7 @@ void BodyDrawing::place(const BodyStatus& status, Drawn& drawn) {
   drawn.pose = status.pose;
   moved_.resize(drawn.positions.size());
   for (std::size_t v = 0; v < moved_.size(); ++v) {
-    const Vec3& local =
-        status.vertices.empty() ? drawn.positions[v] : status.vertices[static_cast<std::size_t>(drawn.source[v])];
+    const Vec3& local = status.vertices.empty() ? drawn.positions[v] : status.vertices[drawn.source[v]];
     moved_[v] = status.pose.toWorld(local);
   }
   drawn.mesh.setPositions(moved_);

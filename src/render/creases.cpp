@@ -20,9 +20,9 @@ std::vector<Vec3> unitNormals(std::span<const Vec3> positions, std::span<const T
   std::vector<Vec3> normals;
   normals.reserve(triangles.size());
   for (const Triangle& triangle : triangles) {
-    const Vec3& a = positions[static_cast<std::size_t>(triangle[0])];
-    const Vec3& b = positions[static_cast<std::size_t>(triangle[1])];
-    const Vec3& c = positions[static_cast<std::size_t>(triangle[2])];
+    const Vec3& a = positions[triangle[0]];
+    const Vec3& b = positions[triangle[1]];
+    const Vec3& c = positions[triangle[2]];
     normals.emplace_back((b - a).cross(c - a).normalized());
   }
   return normals;

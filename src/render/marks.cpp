@@ -29,7 +29,7 @@ float sizeOfPins(std::size_t count) {
 float gapBetweenPins(const ClothModel& model) {
   std::vector<double> gaps;
   for (const Spring& spring : model.springs) {
-    if (model.pinned[static_cast<std::size_t>(spring.a)] && model.pinned[static_cast<std::size_t>(spring.b)]) {
+    if (model.pinned[spring.a] && model.pinned[spring.b]) {
       gaps.push_back(spring.restLength);
     }
   }

@@ -36,9 +36,7 @@ std::optional<Hit> pick(const Ray& ray, std::span<const Vec3> positions, std::sp
   std::optional<Hit> nearest;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const Triangle& corners = triangles[t];
-    std::optional<Hit> hit =
-        meet(ray, positions[static_cast<std::size_t>(corners[0])], positions[static_cast<std::size_t>(corners[1])],
-             positions[static_cast<std::size_t>(corners[2])]);
+    std::optional<Hit> hit = meet(ray, positions[corners[0]], positions[corners[1]], positions[corners[2]]);
     if (hit && (!nearest || hit->distance < nearest->distance)) {
       hit->triangle = static_cast<int>(t);
       nearest = hit;

@@ -45,7 +45,7 @@ void SmoothMesh::setTopology(const MeshTopology& topology) {
     for (const Triangle& triangle : particleTriangles_) {
       count = std::max(count, *std::max_element(triangle.begin(), triangle.end()) + 1);
     }
-    particleOfVertex_.resize(static_cast<std::size_t>(count));
+    particleOfVertex_.resize(count);
     std::iota(particleOfVertex_.begin(), particleOfVertex_.end(), 0);
   }
 
@@ -83,9 +83,8 @@ void SmoothMesh::setPositions(std::span<const Vec3> positions) {
     return;  // the driver is out of memory: skip the cloth instead of crashing
   }
   for (const int particle : particleOfVertex_) {
-    const auto i = static_cast<std::size_t>(particle);
-    vertex->position = positions[i].cast<float>();
-    vertex->shape = shapes[i];
+    vertex->position = positions[particle].cast<float>();
+    vertex->shape = shapes[particle];
     ++vertex;
   }
   glUnmapBuffer(GL_ARRAY_BUFFER);

@@ -19,8 +19,8 @@ void addTriangle(const RenderMesh& mesh, std::span<const Vec3> rest, const Trian
   std::array<Vec3, 3> x;
   std::array<Vec2, 3> uv;
   for (std::size_t corner = 0; corner < 3; ++corner) {
-    const auto vertex = static_cast<std::size_t>(triangle[corner]);
-    x[corner] = rest[static_cast<std::size_t>(mesh.particle[vertex])];
+    const int vertex = triangle[corner];
+    x[corner] = rest[mesh.particle[vertex]];
     uv[corner] = mesh.uvs[vertex];
   }
   const Vec3 edge1 = x[1] - x[0];

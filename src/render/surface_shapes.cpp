@@ -39,11 +39,8 @@ void SurfaceShapes::sumUp(std::span<const Triangle> triangles) {
   sums_.resize(places_.size());
   std::fill(sums_.begin(), sums_.end(), Sums{});
   for (const auto& [a, b, c] : triangles) {
-    const auto ia = static_cast<std::size_t>(a);
-    const auto ib = static_cast<std::size_t>(b);
-    const auto ic = static_cast<std::size_t>(c);
-    const Lanes ab = places_[ib] - places_[ia];
-    const Lanes ac = places_[ic] - places_[ia];
+    const Lanes ab = places_[b] - places_[a];
+    const Lanes ac = places_[c] - places_[a];
     const Lanes bc = ac - ab;
     const Lanes twiceArea = cross(ab, ac);
     const auto add = [&twiceArea](Sums& sums, Lanes edges, Lanes squares) {
@@ -51,9 +48,9 @@ void SurfaceShapes::sumUp(std::span<const Triangle> triangles) {
       sums.toNeighbours += edges;
       sums.squares += squares;
     };
-    add(sums_[ia], ab + ac, ab * ab + ac * ac);
-    add(sums_[ib], bc - ab, ab * ab + bc * bc);
-    add(sums_[ic], -ac - bc, ac * ac + bc * bc);
+    add(sums_[a], ab + ac, ab * ab + ac * ac);
+    add(sums_[b], bc - ab, ab * ab + bc * bc);
+    add(sums_[c], -ac - bc, ac * ac + bc * bc);
   }
 }
 

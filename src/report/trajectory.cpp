@@ -146,7 +146,7 @@ Trajectory runRestarted(const Scene& scene, const Settings& settings, const Traj
   Runner runner(scene, settings, checkpoints, watch);
   bool finite = true;
   for (int k = 0; k < checkpoints && finite; ++k) {
-    ClothState state = reference.states[static_cast<std::size_t>(k)];
+    ClothState state = reference.states[k];
     runner.forgetBalance();
     finite = runner.advance(state);
   }

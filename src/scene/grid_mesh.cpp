@@ -15,7 +15,7 @@ class Fold {
   Fold(double length, double amplitude) : length_(length), amplitude_(amplitude), arc_(samples + 1, 0.0) {
     for (int i = 1; i <= samples; ++i) {
       const double dz = offsetAt(i) - offsetAt(i - 1);
-      arc_[static_cast<std::size_t>(i)] = arc_[static_cast<std::size_t>(i) - 1] + std::hypot(length_ / samples, dz);
+      arc_[i] = arc_[i - 1] + std::hypot(length_ / samples, dz);
     }
   }
 
@@ -25,8 +25,7 @@ class Fold {
   [[nodiscard]] Vec2 at(double arc) const {
     const auto after = std::upper_bound(arc_.begin(), arc_.end() - 1, arc);
     const auto i = std::max<std::ptrdiff_t>(1, after - arc_.begin());
-    const auto upper = static_cast<std::size_t>(i);
-    const double share = (arc - arc_[upper - 1]) / (arc_[upper] - arc_[upper - 1]);
+    const double share = (arc - arc_[i - 1]) / (arc_[i] - arc_[i - 1]);
     const double place = (static_cast<double>(i - 1) + share) / samples;
     return {length_ * place, amplitude_ * std::sin(2.0 * std::numbers::pi * place)};
   }

@@ -28,7 +28,7 @@ double lowestHang(std::span<const Vec3> start, std::span<const int> pins) {
   for (std::size_t v = 0; v < start.size(); v += nextVertex) {
     double reach = -std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < pins.size(); p += nextPin) {
-      const Vec3& pin = start[static_cast<std::size_t>(pins[p])];
+      const Vec3& pin = start[pins[p]];
       reach = std::max(reach, pin.y() - (start[v] - pin).norm());
     }
     lowest = std::min(lowest, reach);

@@ -92,7 +92,7 @@ void readUp(const Settings::Mesh& settings, const FormatFacts& format, const Clo
   reading.up = open && format.up ? std::string(1, *format.up) : settings.up;
   if (reading.upGuessed) {
     constexpr std::array<const char*, 3> axes{"x", "y", "z"};
-    reading.up = axes[static_cast<std::size_t>(guessUp(mesh, findPieces(mesh)).axis)];
+    reading.up = axes[guessUp(mesh, findPieces(mesh)).axis];
     for (const char* axis : {"y", "z"}) {
       if (reading.up != axis) {
         reading.alternatives.push_back({"up", axis});

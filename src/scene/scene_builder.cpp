@@ -179,7 +179,7 @@ void carryPins(const SceneDescription& description, const std::vector<int>& pins
     }
     const Pose pose = poseAt(body.motion, start.time);
     for (const int vertex : pins) {
-      const Vec3 place = pose.toLocal(start.positions[static_cast<std::size_t>(vertex)]);
+      const Vec3 place = pose.toLocal(start.positions[vertex]);
       body.pins.push_back({vertex, anchorNear(body.shape, place)});
     }
   }

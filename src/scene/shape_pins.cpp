@@ -52,7 +52,7 @@ class PieceHanger {
   }
 
  private:
-  [[nodiscard]] const Vec3& at(int vertex) const { return positions_[static_cast<std::size_t>(vertex)]; }
+  [[nodiscard]] const Vec3& at(int vertex) const { return positions_[vertex]; }
 
   [[nodiscard]] Heights heightsOf(const std::vector<int>& vertices) const {
     Heights heights;
@@ -153,7 +153,7 @@ std::vector<int> pinsByShape(const ClothMesh& mesh) {
   const ClothPieces found = findPieces(mesh);
   std::vector<std::vector<const BoundaryLoop*>> loops(found.pieces.size());
   for (const BoundaryLoop& loop : found.loops) {
-    loops[static_cast<std::size_t>(loop.piece)].push_back(&loop);
+    loops[loop.piece].push_back(&loop);
   }
   double largest = 0.0;
   for (const ClothPiece& piece : found.pieces) {

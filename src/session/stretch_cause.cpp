@@ -31,9 +31,7 @@ std::vector<std::size_t> overstretched(const ClothModel& model, const ClothState
   std::vector<std::size_t> springs;
   for (std::size_t i = 0; i < model.springs.size(); ++i) {
     const Spring& spring = model.springs[i];
-    const double length =
-        (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
-            .norm();
+    const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();
     if (length > (1.0 + implausibleStretch) * spring.restLength) {
       springs.push_back(i);
     }
@@ -67,8 +65,7 @@ std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel
     return std::nullopt;
   }
   const Spring& first = model.springs[springs.front()];
-  const Vec3 at = 0.5 * (model.restPositions[static_cast<std::size_t>(first.a)] +
-                         model.restPositions[static_cast<std::size_t>(first.b)]);
+  const Vec3 at = 0.5 * (model.restPositions[first.a] + model.restPositions[first.b]);
   StretchDiagnosis found{StretchCause::Slivers, {}};
   found.advice.text = "Slivers: " + std::to_string(springs.size()) + (springs.size() == 1 ? " edge is" : " edges are") +
                       " overstretched. The shortest is 1/" + roundedFigure(median / shortest, 1) +

@@ -27,7 +27,7 @@ double forceBorneBy(const ClothModel& model, const StepParameters& parameters, i
 
 double maxAttachmentForce(const ClothModel& model, const StepParameters& parameters, int triangle,
                           const Vec3& barycentric) {
-  const Triangle& corners = model.triangles[static_cast<std::size_t>(triangle)];
+  const Triangle& corners = model.triangles[triangle];
   double force = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < 3; ++c) {
     const double weight = barycentric[static_cast<Eigen::Index>(c)];

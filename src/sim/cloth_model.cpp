@@ -47,12 +47,12 @@ std::vector<Spring> springsOf(const ClothMesh& mesh) {
 std::vector<double> vertexAreasOf(const ClothMesh& mesh) {
   std::vector<double> areas(mesh.positions.size(), 0.0);
   for (const Triangle& t : mesh.triangles) {
-    const Vec3& a = mesh.positions[static_cast<std::size_t>(t[0])];
-    const Vec3& b = mesh.positions[static_cast<std::size_t>(t[1])];
-    const Vec3& c = mesh.positions[static_cast<std::size_t>(t[2])];
+    const Vec3& a = mesh.positions[t[0]];
+    const Vec3& b = mesh.positions[t[1]];
+    const Vec3& c = mesh.positions[t[2]];
     const double third = (b - a).cross(c - a).norm() / 6.0;
     for (const int v : t) {
-      areas[static_cast<std::size_t>(v)] += third;
+      areas[v] += third;
     }
   }
   return areas;
@@ -154,7 +154,7 @@ std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double 
     if (pin < 0 || pin >= count) {
       throw ClothModelError(Fault::NoSuchPin, {.index = pin, .count = count});
     }
-    model->pinned[static_cast<std::size_t>(pin)] = true;
+    model->pinned[pin] = true;
   }
   findRates(*model);
   return model;

@@ -44,8 +44,8 @@ RaggedRows<int> colourSprings(const ClothModel& model) {
   std::vector<bool> taken;
   const auto springOf = [](const SpringEnd& end) { return end.spring; };
   for (std::size_t s = 0; s < model.springs.size(); ++s) {
-    const auto a = static_cast<std::size_t>(model.springs[s].a);
-    const auto b = static_cast<std::size_t>(model.springs[s].b);
+    const int a = model.springs[s].a;
+    const int b = model.springs[s].b;
     setTaken(model, a, colourOf, springOf, true, taken);
     setTaken(model, b, colourOf, springOf, true, taken);
     const int colour = smallestFree(taken);

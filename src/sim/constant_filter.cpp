@@ -31,7 +31,7 @@ void ConstantFilter::apply(int threads, Workers& workers, std::vector<Vec3>& imp
   impulses_.resize(size, 3);
   changes_.resize(size, 3);
   for (Eigen::Index row = 0; row < size; ++row) {
-    impulses_.row(row) = impulses[vertices[static_cast<std::size_t>(row)]].transpose();
+    impulses_.row(row) = impulses[vertices[row]].transpose();
   }
   if (dense()) {
     multiply(threads, workers);
@@ -41,7 +41,7 @@ void ConstantFilter::apply(int threads, Workers& workers, std::vector<Vec3>& imp
   attachment_.applyTo(changes_);
   std::fill(impulses.begin(), impulses.end(), Vec3::Zero());
   for (Eigen::Index row = 0; row < size; ++row) {
-    impulses[vertices[static_cast<std::size_t>(row)]] = changes_.row(row).transpose();
+    impulses[vertices[row]] = changes_.row(row).transpose();
   }
 }
 

@@ -13,9 +13,7 @@ Energy energyOf(const ClothModel& model, const StepParameters& parameters, const
         model.vertexMass[v] * parameters.gravity * (state.positions[v].y() - model.restPositions[v].y());
   }
   for (const Spring& spring : model.springs) {
-    const double length =
-        (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
-            .norm();
+    const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();
     const double elongation = length - spring.restLength;
     energy.elastic += 0.5 * parameters.stiffness * spring.relativeStiffness * elongation * elongation;
   }
@@ -26,9 +24,7 @@ double maxStretch(const ClothModel& model, const ClothState& state) {
   double largest = 0.0;
   for (const Spring& spring : model.springs) {
     if (spring.restLength > 0.0) {
-      const double length =
-          (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
-              .norm();
+      const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();
       largest = std::max(largest, (length - spring.restLength) / spring.restLength);
     }
   }

@@ -19,7 +19,7 @@ void DiagonalChange::set(const ScalarSystem& system, bool changed, const std::ar
   active_ = !rows_.empty();
   additions_.resize(static_cast<Eigen::Index>(rows_.size()));
   for (Eigen::Index c = 0; c < additions_.size(); ++c) {
-    additions_[c] = additions[corners_[static_cast<std::size_t>(c)]];
+    additions_[c] = additions[corners_[c]];
   }
 }
 
@@ -48,7 +48,7 @@ void DiagonalChange::applyTo(ScalarSystem::Columns& answer) const {
   Eigen::MatrixXd rightSide(count, 3);
   Eigen::MatrixXd small = Eigen::MatrixXd::Identity(count, count);
   for (Eigen::Index r = 0; r < count; ++r) {
-    const int row = rows_[static_cast<std::size_t>(r)];
+    const int row = rows_[r];
     rightSide.row(r) = answer.row(row);
     small.row(r) += columns_.row(row).cwiseProduct(additions_.transpose());
   }

@@ -8,8 +8,8 @@ Vec3 springForcesOn(const ClothModel& model, const StepParameters& parameters, c
                     std::size_t vertex) {
   Vec3 force = Vec3::Zero();
   for (const SpringEnd& springEnd : model.springEnds[vertex]) {
-    const auto neighbour = static_cast<std::size_t>(springEnd.neighbour);
-    const Spring& spring = model.springs[static_cast<std::size_t>(springEnd.spring)];
+    const int neighbour = springEnd.neighbour;
+    const Spring& spring = model.springs[springEnd.spring];
     force += kernels::springForce(state.positions[neighbour] - state.positions[vertex], spring.restLength,
                                   parameters.stiffness * spring.relativeStiffness);
     force += kernels::dampingForce(state.velocities[vertex], state.velocities[neighbour], parameters.damping);

@@ -28,13 +28,12 @@ std::vector<double> distancesFromPins(const ClothModel& model) {
   while (!queue.empty()) {
     const auto [reached, vertex] = queue.top();
     queue.pop();
-    const auto row = static_cast<std::size_t>(vertex);
-    if (reached > distance[row]) {
+    if (reached > distance[vertex]) {
       continue;
     }
-    for (const SpringEnd& end : model.springEnds[row]) {
-      const double next = reached + model.springs[static_cast<std::size_t>(end.spring)].restLength;
-      double& known = distance[static_cast<std::size_t>(end.neighbour)];
+    for (const SpringEnd& end : model.springEnds[vertex]) {
+      const double next = reached + model.springs[end.spring].restLength;
+      double& known = distance[end.neighbour];
       if (next < known) {
         known = next;
         queue.emplace(next, end.neighbour);
@@ -65,8 +64,7 @@ CutSums sumOverCuts(const ClothModel& model, const std::vector<double>& distance
     }
   }
   for (const Spring& spring : model.springs) {
-    const auto [nearer, farther] =
-        std::minmax(distance[static_cast<std::size_t>(spring.a)], distance[static_cast<std::size_t>(spring.b)]);
+    const auto [nearer, farther] = std::minmax(distance[spring.a], distance[spring.b]);
     if (!(farther < unreached) || !(spring.restLength > 0.0)) {
       continue;
     }

@@ -41,8 +41,7 @@ LocalRates localRatesOf(const ClothModel& model) {
   rates.mass = model.totalMass();
   rates.area = model.restArea();
   for (const Spring& spring : model.springs) {
-    const bool atPin =
-        model.pinned[static_cast<std::size_t>(spring.a)] != model.pinned[static_cast<std::size_t>(spring.b)];
+    const bool atPin = model.pinned[spring.a] != model.pinned[spring.b];
     rates.pinnedLength += atPin ? spring.relativeStiffness * spring.restLength : 0.0;
   }
   return rates;

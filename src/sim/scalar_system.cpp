@@ -18,8 +18,8 @@ Eigen::SparseMatrix<double> assemble(const ClothModel& model, const std::vector<
     entries.emplace_back(rows[v], rows[v], diagonal);
   }
   for (const Spring& spring : model.springs) {
-    const int a = rows[static_cast<std::size_t>(spring.a)];
-    const int b = rows[static_cast<std::size_t>(spring.b)];
+    const int a = rows[spring.a];
+    const int b = rows[spring.b];
     if (a >= 0 && b >= 0) {
       entries.emplace_back(b, a, -weight.of(spring));  // rows ascend with the vertices, and a < b
     }

@@ -20,7 +20,7 @@ SparseSystem::SparseSystem(const ClothModel& model) {
 }
 
 bool SparseSystem::isBelow(std::size_t vertex, const SpringEnd& end) const {
-  return row_[static_cast<std::size_t>(end.neighbour)] > row_[vertex];
+  return row_[end.neighbour] > row_[vertex];
 }
 
 void SparseSystem::reserve(const ClothModel& model) {

@@ -11,9 +11,8 @@ namespace drape {
 double unitFrequencySquared(const ClothModel& model, std::size_t vertex) {
   Mat3 stiffness = Mat3::Zero();
   for (const SpringEnd& springEnd : model.springEnds[vertex]) {
-    const Vec3 offset =
-        model.restPositions[static_cast<std::size_t>(springEnd.neighbour)] - model.restPositions[vertex];
-    const double relative = model.springs[static_cast<std::size_t>(springEnd.spring)].relativeStiffness;
+    const Vec3 offset = model.restPositions[springEnd.neighbour] - model.restPositions[vertex];
+    const double relative = model.springs[springEnd.spring].relativeStiffness;
     stiffness +=
         offset * offset.transpose() * (relative / std::max(offset.squaredNorm(), std::numeric_limits<double>::min()));
   }

@@ -16,9 +16,9 @@ constexpr double edgeLength = 0.05;
 double areaOf(const FlatMesh& mesh) {
   double area = 0.0;
   for (const Triangle& triangle : mesh.triangles) {
-    const Vec2& a = mesh.points[static_cast<std::size_t>(triangle[0])];
-    const Vec2 ab = mesh.points[static_cast<std::size_t>(triangle[1])] - a;
-    const Vec2 ac = mesh.points[static_cast<std::size_t>(triangle[2])] - a;
+    const Vec2& a = mesh.points[triangle[0]];
+    const Vec2 ab = mesh.points[triangle[1]] - a;
+    const Vec2 ac = mesh.points[triangle[2]] - a;
     area += (ab.x() * ac.y() - ab.y() * ac.x()) / 2.0;
   }
   return area;
@@ -29,9 +29,9 @@ double smallestAngle(const FlatMesh& mesh) {
   double smallest = 180.0;
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec2& a = mesh.points[static_cast<std::size_t>(t[corner])];
-      const Vec2 ab = (mesh.points[static_cast<std::size_t>(t[(corner + 1) % 3])] - a).normalized();
-      const Vec2 ac = (mesh.points[static_cast<std::size_t>(t[(corner + 2) % 3])] - a).normalized();
+      const Vec2& a = mesh.points[t[corner]];
+      const Vec2 ab = (mesh.points[t[(corner + 1) % 3]] - a).normalized();
+      const Vec2 ac = (mesh.points[t[(corner + 2) % 3]] - a).normalized();
       smallest = std::min(smallest, std::acos(ab.dot(ac)) * 180.0 / std::numbers::pi);
     }
   }
@@ -69,8 +69,8 @@ TEST(FlatPattern, putsEdgesAlongInnerLines) {
   const std::vector<Vec2> line = sampleCurve([](double t) { return Vec2(-0.5 + t, 0.4); }, edgeLength);
   const FlatMesh mesh = meshPattern({bittenSquare().points(), {line}}, edgeLength);
   for (const Triangle& triangle : mesh.triangles) {
-    const auto isAbove = [&](int corner) { return mesh.points[static_cast<std::size_t>(corner)].y() > 0.4 + 1e-6; };
-    const auto isBelow = [&](int corner) { return mesh.points[static_cast<std::size_t>(corner)].y() < 0.4 - 1e-6; };
+    const auto isAbove = [&](int corner) { return mesh.points[corner].y() > 0.4 + 1e-6; };
+    const auto isBelow = [&](int corner) { return mesh.points[corner].y() < 0.4 - 1e-6; };
     const bool crosses = std::any_of(triangle.begin(), triangle.end(), isAbove) &&
                          std::any_of(triangle.begin(), triangle.end(), isBelow);
     EXPECT_FALSE(crosses);
@@ -95,9 +95,9 @@ TEST(Delaunay, leavesNoPointInsideTheCircleOfATriangle) {
   const std::vector<Triangle> triangles = delaunay(points);
   EXPECT_GT(triangles.size(), 60U);
   for (const Triangle& t : triangles) {
-    const Vec2& a = points[static_cast<std::size_t>(t[0])];
-    const Vec2 b = points[static_cast<std::size_t>(t[1])] - a;
-    const Vec2 c = points[static_cast<std::size_t>(t[2])] - a;
+    const Vec2& a = points[t[0]];
+    const Vec2 b = points[t[1]] - a;
+    const Vec2 c = points[t[2]] - a;
     const double d = 2.0 * (b.x() * c.y() - b.y() * c.x());
     const Vec2 centre(a.x() + (c.y() * b.squaredNorm() - b.y() * c.squaredNorm()) / d,
                       a.y() + (b.x() * c.squaredNorm() - c.x() * b.squaredNorm()) / d);

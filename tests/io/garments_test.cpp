@@ -27,8 +27,8 @@ double edgeRatio(const ClothMesh& mesh) {
   double longest = 0.0;
   for (const Triangle& triangle : mesh.triangles) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec3& a = mesh.positions[static_cast<std::size_t>(triangle[corner])];
-      const Vec3& b = mesh.positions[static_cast<std::size_t>(triangle[(corner + 1) % 3])];
+      const Vec3& a = mesh.positions[triangle[corner]];
+      const Vec3& b = mesh.positions[triangle[(corner + 1) % 3]];
       shortest = std::min(shortest, (a - b).norm());
       longest = std::max(longest, (a - b).norm());
     }
@@ -108,7 +108,7 @@ TEST(Garments, standOnClosedStandsThatReachTheGround) {
     for (const Triangle& t : mesh.cloth.triangles) {
       Mat3 corners;
       for (int corner = 0; corner < 3; ++corner) {
-        corners.col(corner) = mesh.cloth.positions[static_cast<std::size_t>(t[static_cast<std::size_t>(corner)])];
+        corners.col(corner) = mesh.cloth.positions[t[corner]];
       }
       volume += corners.col(0).dot(Vec3(corners(1, 1) * corners(2, 2) - corners(2, 1) * corners(1, 2),
                                         corners(2, 1) * corners(0, 2) - corners(0, 1) * corners(2, 2),

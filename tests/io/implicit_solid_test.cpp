@@ -10,7 +10,7 @@ namespace {
 double volumeOf(const RawMesh& mesh) {
   double volume = 0.0;
   for (const Triangle& t : mesh.triangles) {
-    const auto at = [&](int corner) { return mesh.positions[static_cast<std::size_t>(corner)]; };
+    const auto at = [&](int corner) { return mesh.positions[corner]; };
     volume += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
   }
   return volume;

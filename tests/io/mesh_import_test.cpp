@@ -83,9 +83,7 @@ TEST(MeshImport, readsBinaryGltfWithTheTransformsOfItsNodes) {
   EXPECT_EQ(mesh.summary.vertices, 4);
   EXPECT_DOUBLE_EQ(mesh.summary.size[0], 2.0);
   const Triangle& face = mesh.cloth.triangles.front();
-  const auto at = [&mesh, &face](std::size_t corner) {
-    return mesh.cloth.positions[static_cast<std::size_t>(face[corner])];
-  };
+  const auto at = [&mesh, &face](std::size_t corner) { return mesh.cloth.positions[face[corner]]; };
   const Vec3 ab = at(1) - at(0);
   const Vec3 ac = at(2) - at(0);
   EXPECT_GT(ab.x() * ac.y() - ab.y() * ac.x(), 0.0) << "a mirrored mesh still shows its front";

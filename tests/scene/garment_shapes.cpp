@@ -21,17 +21,17 @@ ClothMesh part(const RawMesh& whole, const std::function<bool(const Vec3&)>& kee
   for (const Triangle& triangle : whole.triangles) {
     Vec3 middle = Vec3::Zero();
     for (const int corner : triangle) {
-      middle += whole.positions[static_cast<std::size_t>(corner)] / 3.0;
+      middle += whole.positions[corner] / 3.0;
     }
     if (!keeps(middle)) {
       continue;
     }
     Triangle kept{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      int& vertex = number[static_cast<std::size_t>(triangle[corner])];
+      int& vertex = number[triangle[corner]];
       if (vertex < 0) {
         vertex = static_cast<int>(mesh.positions.size());
-        mesh.positions.push_back(whole.positions[static_cast<std::size_t>(triangle[corner])]);
+        mesh.positions.push_back(whole.positions[triangle[corner]]);
       }
       kept[corner] = vertex;
     }

@@ -44,8 +44,8 @@ TEST(GridMesh, looksUpOrToTheFrontWithEveryTriangle) {
     const ImportedMesh mesh = makeGrid(layoutOf({5, 1.0, 1.0}), plane);
     for (const Triangle& t : mesh.cloth.triangles) {
       const auto& x = mesh.cloth.positions;
-      const Vec3 a = x[static_cast<std::size_t>(t[0])];
-      const Vec3 normal = (x[static_cast<std::size_t>(t[1])] - a).cross(x[static_cast<std::size_t>(t[2])] - a);
+      const Vec3 a = x[t[0]];
+      const Vec3 normal = (x[t[1]] - a).cross(x[t[2]] - a);
       EXPECT_GT(normal.dot(front), 0.0);
     }
   }
@@ -56,7 +56,7 @@ TEST(Pleats, pressTheSheetTogetherButKeepItsRowsLengths) {
   const ImportedMesh mesh = makeGrid(layout, GridSource::Plane::Vertical);
   std::vector<Vec3> positions = mesh.cloth.positions;
   applyPleats({6, 0.6}, layout.width, positions);
-  EXPECT_NEAR(positions[static_cast<std::size_t>(layout.columns) - 1].x() - positions[0].x(), 1.2, 1e-9);
+  EXPECT_NEAR(positions[layout.columns - 1].x() - positions[0].x(), 1.2, 1e-9);
   double length = 0.0;
   for (int column = 1; column < layout.columns; ++column) {
     const auto i = static_cast<std::size_t>(column);

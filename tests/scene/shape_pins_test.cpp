@@ -11,7 +11,7 @@ namespace drape {
 namespace {
 
 double heightOf(const ClothMesh& mesh, int vertex) {
-  return mesh.positions[static_cast<std::size_t>(vertex)].y();
+  return mesh.positions[vertex].y();
 }
 
 double topOf(const ClothMesh& mesh) {
@@ -41,7 +41,7 @@ TEST(ShapePins, holdLongSleevesThatAreStretchedOutByTheNeck) {
   sizes.sleeveAngle = 0.0;
   const ClothMesh mesh = testing::shirt(sizes);
   for (const int pin : pinsByShape(mesh)) {
-    EXPECT_LT(std::abs(mesh.positions[static_cast<std::size_t>(pin)].x()), 0.2);
+    EXPECT_LT(std::abs(mesh.positions[pin].x()), 0.2);
   }
 }
 
@@ -58,8 +58,8 @@ TEST(ShapePins, holdATankTopWithADeepNeckByTheShoulders) {
   ASSERT_FALSE(pins.empty());
   for (const int pin : pins) {
     EXPECT_GT(heightOf(mesh, pin), topOf(mesh) - 0.1);
-    left = left || mesh.positions[static_cast<std::size_t>(pin)].x() < -0.05;
-    right = right || mesh.positions[static_cast<std::size_t>(pin)].x() > 0.05;
+    left = left || mesh.positions[pin].x() < -0.05;
+    right = right || mesh.positions[pin].x() > 0.05;
   }
   EXPECT_TRUE(left && right) << "both shoulders";
 }

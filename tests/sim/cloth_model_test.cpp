@@ -27,8 +27,7 @@ TEST(ClothModel, makesOneSpringForEachEdge) {
   for (const Spring& spring : model->springs) {
     EXPECT_LT(spring.a, spring.b);
     EXPECT_TRUE(seen.insert({spring.a, spring.b}).second);
-    const Vec3 offset = model->restPositions[static_cast<std::size_t>(spring.b)] -
-                        model->restPositions[static_cast<std::size_t>(spring.a)];
+    const Vec3 offset = model->restPositions[spring.b] - model->restPositions[spring.a];
     EXPECT_DOUBLE_EQ(spring.restLength, offset.norm());
   }
 }

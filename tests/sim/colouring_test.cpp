@@ -75,7 +75,7 @@ TEST(Colouring, givesNoTwoNeighboursTheSameColour) {
       }
     }
     for (const Spring& spring : model->springs) {
-      EXPECT_NE(colourOf[static_cast<std::size_t>(spring.a)], colourOf[static_cast<std::size_t>(spring.b)]);
+      EXPECT_NE(colourOf[spring.a], colourOf[spring.b]);
     }
   }
 }

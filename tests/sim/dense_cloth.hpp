@@ -41,7 +41,7 @@ inline Eigen::MatrixXd laplacian(const ClothModel& model) {
 inline Eigen::MatrixXd freedom(const ClothModel& model) {
   Eigen::MatrixXd free = Eigen::MatrixXd::Identity(model.vertexCount(), model.vertexCount());
   for (int i = 0; i < model.vertexCount(); ++i) {
-    free(i, i) = model.pinned[static_cast<std::size_t>(i)] ? 0.0 : 1.0;
+    free(i, i) = model.pinned[i] ? 0.0 : 1.0;
   }
   return free;
 }
@@ -83,8 +83,7 @@ inline DenseAttachment denseAttachment(const ClothModel& model, const StepInputs
   const Attachment& attachment = *inputs.attachment;
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(n);
   for (int c = 0; c < 3; ++c) {
-    weights[model.triangles[static_cast<std::size_t>(attachment.triangle)][static_cast<std::size_t>(c)]] =
-        attachment.barycentric[c];
+    weights[model.triangles[attachment.triangle][c]] = attachment.barycentric[c];
   }
   const Vec3 offset = attachment.target - rowsOf(state.positions).transpose() * weights;
   const double stiffness = std::min(attachment.stiffness, attachment.maxForce / offset.norm());

@@ -12,7 +12,7 @@ namespace {
 
 /// The sheet of the other tests, pinned along its first row.
 std::shared_ptr<const ClothModel> hungSheet(int n, double mass) {
-  std::vector<int> row(static_cast<std::size_t>(n));
+  std::vector<int> row(n);
   std::iota(row.begin(), row.end(), 0);
   return buildClothModel(testing::sheet(n), mass, MassLumping::Area, row);
 }

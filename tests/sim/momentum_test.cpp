@@ -130,7 +130,7 @@ TEST(KeepMomentum, givesAClothInTheWindTheImpulseOfTheWind) {
   for (Eigen::Index i = 0; i < impulse.rows(); ++i) {
     const Vec3 push = impulse.row(i).transpose();
     linear += push;
-    spin += (state.positions[static_cast<std::size_t>(i)] - centre).cross(push);
+    spin += (state.positions[i] - centre).cross(push);
   }
   Stepper("one_iteration").step(*model, p, {}, state);
   EXPECT_LT((linearMomentum(*model, state) - linear).norm(), 1e-14);
@@ -148,7 +148,7 @@ TEST(KeepMomentum, givesAnAttachedClothTheImpulseOfTheAttachmentAtTheEndOfTheSte
   const auto attachedPoint = [&] {
     Vec3 point = Vec3::Zero();
     for (Eigen::Index c = 0; c < 3; ++c) {
-      point += pull.weights[c] * state.positions[pull.vertices[static_cast<std::size_t>(c)]];
+      point += pull.weights[c] * state.positions[pull.vertices[c]];
     }
     return point;
   };

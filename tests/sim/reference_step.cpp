@@ -39,8 +39,8 @@ Mat3 couplingOf(const Vec3& d, double L, double l0, double k, ForceDerivative va
 
 void addSprings(const ClothModel& model, const StepParameters& p, const ClothState& state, System& system) {
   for (const Spring& spring : model.springs) {
-    const Vec3 xa = state.positions[static_cast<std::size_t>(spring.a)];
-    const Vec3 xb = state.positions[static_cast<std::size_t>(spring.b)];
+    const Vec3 xa = state.positions[spring.a];
+    const Vec3 xb = state.positions[spring.b];
     const double L = (xb - xa).norm();
     const Vec3 d = (xb - xa) / L;
     const Mat3 block = couplingOf(d, L, spring.restLength, p.stiffness, p.derivative);
@@ -65,9 +65,9 @@ Vec3 normalAt(const ClothModel& model, const ClothState& state, int vertex) {
   Vec3 normal = Vec3::Zero();
   for (const Triangle& t : model.triangles) {
     if (t[0] == vertex || t[1] == vertex || t[2] == vertex) {
-      const Vec3 x0 = state.positions[static_cast<std::size_t>(t[0])];
-      const Vec3 x1 = state.positions[static_cast<std::size_t>(t[1])];
-      const Vec3 x2 = state.positions[static_cast<std::size_t>(t[2])];
+      const Vec3 x0 = state.positions[t[0]];
+      const Vec3 x1 = state.positions[t[1]];
+      const Vec3 x2 = state.positions[t[2]];
       normal += 0.5 * (x1 - x0).cross(x2 - x0);
     }
   }
@@ -98,16 +98,16 @@ void addGravityAndAir(const ClothModel& model, const StepParameters& p, const Cl
 /// method, or whole as Newton's method needs it.
 void addAttachment(const ClothModel& model, const Attachment& attachment, double h, const ClothState& state,
                    bool lumped, System& system) {
-  const Triangle& t = model.triangles[static_cast<std::size_t>(attachment.triangle)];
+  const Triangle& t = model.triangles[attachment.triangle];
   MatrixXd weights = MatrixXd::Zero(3, 3 * model.vertexCount());
   VectorXd x(3 * model.vertexCount());
   VectorXd v(3 * model.vertexCount());
   for (int i = 0; i < model.vertexCount(); ++i) {
-    x.segment<3>(3 * i) = state.positions[static_cast<std::size_t>(i)];
-    v.segment<3>(3 * i) = state.velocities[static_cast<std::size_t>(i)];
+    x.segment<3>(3 * i) = state.positions[i];
+    v.segment<3>(3 * i) = state.velocities[i];
   }
   for (int c = 0; c < 3; ++c) {
-    weights.block<3, 3>(0, 3 * t[static_cast<std::size_t>(c)]) = attachment.barycentric[c] * Mat3::Identity();
+    weights.block<3, 3>(0, 3 * t[c]) = attachment.barycentric[c] * Mat3::Identity();
   }
   const Vec3 offset = attachment.target - weights * x;
   const double distance = offset.norm();
@@ -170,7 +170,7 @@ void referenceStep(const ClothModel& model, const StepParameters& p, const StepI
   const VectorXd rhs = rightHandSideOf(system, p.timeStep, state);
   MatrixXd inverse = MatrixXd::Zero(3 * n, 3 * n);  // of the block-diagonal part; nothing moves where it is pinned
   for (int i = 0; i < n; ++i) {
-    if (!model.pinned[static_cast<std::size_t>(i)]) {
+    if (!model.pinned[i]) {
       inverse.block<3, 3>(3 * i, 3 * i) = W.block<3, 3>(3 * i, 3 * i).inverse();
     }
   }
@@ -188,7 +188,7 @@ void exactLinearStep(const ClothModel& model, const StepParameters& p, const Ste
   MatrixXd W = matrixOf(system, p.timeStep);
   VectorXd rhs = rightHandSideOf(system, p.timeStep, state);
   for (int i = 0; i < model.vertexCount(); ++i) {
-    if (model.pinned[static_cast<std::size_t>(i)]) {
+    if (model.pinned[i]) {
       W.middleRows<3>(3 * i).setZero();
       W.middleCols<3>(3 * i).setZero();
       W.block<3, 3>(3 * i, 3 * i).setIdentity();

@@ -43,7 +43,7 @@ std::vector<Vec3> denseSolution(const ClothModel& model, const StepParameters& p
     side.segment<3>(row) = system.rightHandSide()[i];
     for (Eigen::Index column = 0; column < count; ++column) {
       std::vector<Vec3> unit(state.positions.size(), Vec3::Zero());
-      unit[static_cast<std::size_t>(column / 3)][column % 3] = 1.0;
+      unit[column / 3][column % 3] = 1.0;
       matrix.block<3, 1>(row, column) = system.row(model, parameters, unit, i);
     }
   }

@@ -36,7 +36,7 @@ Blocks randomBlocks(const ClothModel& model) {
 MatrixXd denseOf(const ClothModel& model, const Blocks& blocks) {
   MatrixXd dense = MatrixXd::Zero(3 * model.vertexCount(), 3 * model.vertexCount());
   for (int i = 0; i < model.vertexCount(); ++i) {
-    dense.block<3, 3>(3 * i, 3 * i) = blocks.diagonal[static_cast<std::size_t>(i)];
+    dense.block<3, 3>(3 * i, 3 * i) = blocks.diagonal[i];
   }
   for (std::size_t s = 0; s < model.springs.size(); ++s) {
     dense.block<3, 3>(3 * model.springs[s].a, 3 * model.springs[s].b) = blocks.springs[s];
@@ -49,7 +49,7 @@ MatrixXd denseOf(const ClothModel& model, const Blocks& blocks) {
 MatrixXd withoutPins(const ClothModel& model, const MatrixXd& dense) {
   std::vector<int> kept;
   for (int i = 0; i < model.vertexCount(); ++i) {
-    for (int c = 0; c < 3 && !model.pinned[static_cast<std::size_t>(i)]; ++c) {
+    for (int c = 0; c < 3 && !model.pinned[i]; ++c) {
       kept.push_back(3 * i + c);
     }
   }

@@ -63,7 +63,7 @@ RunStats::RunStats(const std::string& file, std::int64_t steps) {
   if (!file.empty()) {
     file_.emplace(file, "statistics");
   }
-  seconds_.reserve(static_cast<std::size_t>(std::min<std::int64_t>(steps, 1 << 20)));
+  seconds_.reserve(std::min<std::int64_t>(steps, 1 << 20));
 }
 
 void RunStats::add(const Simulation& simulation) {

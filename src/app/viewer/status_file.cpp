@@ -145,7 +145,7 @@ class PlaceFinder {
   [[nodiscard]] Vec3 centreOf(std::size_t triangle) const {
     Vec3 sum = Vec3::Zero();
     for (const int vertex : triangles_[triangle]) {
-      sum += status_.snapshot.positions[static_cast<std::size_t>(vertex)];
+      sum += status_.snapshot.positions[vertex];
     }
     return sum / 3.0;
   }

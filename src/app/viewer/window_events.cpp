@@ -188,7 +188,7 @@ void WindowEvents::feed(const RawMove& move) {
 void WindowEvents::feed(const RawButton& button) {
   mouse_ = {button.x, button.y};
   if (button.button >= 0 && button.button < static_cast<int>(buttonsDown_.size())) {
-    buttonsDown_[static_cast<std::size_t>(button.button)] = button.down;
+    buttonsDown_[button.button] = button.down;
   }
   const auto which = mouseButton(button.button);
   if (which && button.down) {

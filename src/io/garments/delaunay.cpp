@@ -20,9 +20,9 @@ double cross(const Vec2& a, const Vec2& b) {
 }
 
 Cell makeCell(const std::vector<Vec2>& points, int a, int b, int c) {
-  const Vec2& origin = points[static_cast<std::size_t>(a)];
-  const Vec2 ab = points[static_cast<std::size_t>(b)] - origin;
-  const Vec2 ac = points[static_cast<std::size_t>(c)] - origin;
+  const Vec2& origin = points[a];
+  const Vec2 ab = points[b] - origin;
+  const Vec2 ac = points[c] - origin;
   const double twice = 2.0 * cross(ab, ac);
   const Vec2 toCentre((ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm()) / twice,
                       (ab.x() * ac.squaredNorm() - ac.x() * ab.squaredNorm()) / twice);
@@ -34,7 +34,7 @@ void insertPoint(const std::vector<Vec2>& points, int point, std::vector<Cell>& 
   // The border of the hole: sides of exactly one of its triangles.
   std::map<std::pair<int, int>, int> sides;
   const auto makesWay = [&](const Cell& cell) {
-    const double distance = (points[static_cast<std::size_t>(point)] - cell.centre).squaredNorm();
+    const double distance = (points[point] - cell.centre).squaredNorm();
     // A point on the circle counts as outside, so that ties are resolved consistently.
     if (distance >= cell.squaredRadius * (1.0 - 1e-10)) {
       return false;

@@ -11,10 +11,6 @@
 namespace drape {
 namespace {
 
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
 /// Rounds, since the last digits of sines and cosines differ between machines, and the triangulation must not.
 Vec2 rounded(const Vec2& point) {
   return (point * 1e9).array().round() / 1e9;
@@ -67,9 +63,9 @@ void addLattice(const FlatPattern& pattern, double edgeLength, std::vector<Vec2>
 std::vector<Triangle> fill(const FlatPattern& pattern, const std::vector<Vec2>& points, double edgeLength) {
   std::vector<Triangle> triangles = delaunay(points);
   std::erase_if(triangles, [&](const Triangle& triangle) {
-    const Vec2& a = points[at(triangle[0])];
-    const Vec2 ab = points[at(triangle[1])] - a;
-    const Vec2 ac = points[at(triangle[2])] - a;
+    const Vec2& a = points[triangle[0]];
+    const Vec2 ab = points[triangle[1]] - a;
+    const Vec2 ac = points[triangle[2]] - a;
     const double twiceArea = ab.x() * ac.y() - ab.y() * ac.x();
     return twiceArea < 1e-3 * edgeLength * edgeLength || !isInside(pattern.outline, a + (ab + ac) / 3.0);
   });
@@ -84,8 +80,8 @@ void smooth(const std::vector<Triangle>& triangles, std::size_t firstFree, std::
     std::vector<int> count(points.size(), 0);
     for (const Triangle& triangle : triangles) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        sum[at(triangle[corner])] += points[at(triangle[(corner + 1) % 3])];
-        ++count[at(triangle[corner])];
+        sum[triangle[corner]] += points[triangle[(corner + 1) % 3]];
+        ++count[triangle[corner]];
       }
     }
     for (std::size_t i = firstFree; i < points.size(); ++i) {
@@ -173,8 +169,8 @@ void addPiece(const FlatMesh& piece, const std::vector<Vec3>& position, const st
       const auto [entry, isNew] =
           known.try_emplace({point, chart[t].x(), chart[t].y()}, static_cast<int>(garment.positions.size()));
       if (isNew) {
-        garment.positions.push_back(position[at(point)]);
-        garment.uvs.emplace_back(piece.points[at(point)] + chart[t]);
+        garment.positions.push_back(position[point]);
+        garment.uvs.emplace_back(piece.points[point] + chart[t]);
       }
       added[corner] = entry->second;
     }

@@ -13,14 +13,14 @@ class NodeGrid {
  public:
   NodeGrid(const Vec3& min, const Vec3& max, double cell) : min_(min), cell_(cell) {
     for (int axis = 0; axis < 3; ++axis) {
-      count_[static_cast<std::size_t>(axis)] = static_cast<int>(std::ceil((max[axis] - min[axis]) / cell)) + 1;
+      count_[axis] = static_cast<int>(std::ceil((max[axis] - min[axis]) / cell)) + 1;
     }
   }
   [[nodiscard]] std::size_t nodes() const {
     return static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
            static_cast<std::size_t>(count_[2]);
   }
-  [[nodiscard]] int count(int axis) const { return count_[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] int count(int axis) const { return count_[axis]; }
   [[nodiscard]] std::size_t index(const std::array<int, 3>& node) const {
     return static_cast<std::size_t>((node[2] * count_[1] + node[1]) * count_[0] + node[0]);
   }
@@ -43,7 +43,7 @@ class NodeGrid {
 };
 
 std::array<int, 3> moved(std::array<int, 3> node, int axis, int by) {
-  node[static_cast<std::size_t>(axis)] += by;
+  node[axis] += by;
   return node;
 }
 
@@ -99,8 +99,7 @@ class SurfaceNet {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
     const auto end = moved(node, axis, 1);
-    if (end[static_cast<std::size_t>(axis)] >= grid_.count(axis) || node[static_cast<std::size_t>(u)] == 0 ||
-        node[static_cast<std::size_t>(v)] == 0 || (value(node) < 0.0) == (value(end) < 0.0)) {
+    if (end[axis] >= grid_.count(axis) || node[u] == 0 || node[v] == 0 || (value(node) < 0.0) == (value(end) < 0.0)) {
       return;
     }
     std::array<int, 4> quad = {vertexOf_[grid_.index(moved(moved(node, u, -1), v, -1))],
@@ -109,9 +108,7 @@ class SurfaceNet {
     if (value(node) >= 0.0) {
       std::swap(quad[1], quad[3]);
     }
-    const auto length = [&](int a, int b) {
-      return (mesh_.positions[static_cast<std::size_t>(a)] - mesh_.positions[static_cast<std::size_t>(b)]).norm();
-    };
+    const auto length = [&](int a, int b) { return (mesh_.positions[a] - mesh_.positions[b]).norm(); };
     const bool first = length(quad[0], quad[2]) <= length(quad[1], quad[3]);
     mesh_.triangles.push_back(first ? Triangle{quad[0], quad[1], quad[2]} : Triangle{quad[0], quad[1], quad[3]});
     mesh_.triangles.push_back(first ? Triangle{quad[0], quad[2], quad[3]} : Triangle{quad[1], quad[2], quad[3]});
@@ -149,9 +146,9 @@ void evenOut(RawMesh& mesh) {
   std::vector<int> count(mesh.positions.size(), 0);
   for (const Triangle& triangle : mesh.triangles) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const auto self = static_cast<std::size_t>(triangle[corner]);
-      sum[self] += mesh.positions[static_cast<std::size_t>(triangle[(corner + 1) % 3])];
-      sum[self] += mesh.positions[static_cast<std::size_t>(triangle[(corner + 2) % 3])];
+      const int self = triangle[corner];
+      sum[self] += mesh.positions[triangle[(corner + 1) % 3]];
+      sum[self] += mesh.positions[triangle[(corner + 2) % 3]];
       count[self] += 2;
     }
   }

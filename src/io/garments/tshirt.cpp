@@ -73,9 +73,9 @@ std::vector<double> puff(const FlatMesh& mesh, const std::vector<bool>& sewn) {
     std::vector<int> count(height.size(), 0);
     for (const Triangle& triangle : mesh.triangles) {
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        const auto self = static_cast<std::size_t>(triangle[corner]);
+        const int self = triangle[corner];
         for (const std::size_t step : {1U, 2U}) {
-          sum[self] += height[static_cast<std::size_t>(triangle[(corner + step) % 3])];
+          sum[self] += height[triangle[(corner + step) % 3]];
           ++count[self];
         }
       }
@@ -104,7 +104,7 @@ std::vector<Vec2> chartsOf(const FlatMesh& mesh, const Vec2& aside) {
   for (const Triangle& triangle : mesh.triangles) {
     Vec2 centre = Vec2::Zero();
     for (const int corner : triangle) {
-      centre += mesh.points[static_cast<std::size_t>(corner)] / 3.0;
+      centre += mesh.points[corner] / 3.0;
     }
     const bool onSleeve = isInside(sleeve, {std::abs(centre.x()), centre.y()});
     charts.emplace_back(aside + Vec2(onSleeve ? std::copysign(gap, centre.x()) : 0.0, 0.0));

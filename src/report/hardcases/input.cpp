@@ -17,7 +17,7 @@ RawMesh sheetOfLooseTriangles(const CaseTrial& trial, int resolution) {
   for (const Triangle& triangle : sheet.triangles) {
     const auto first = static_cast<int>(raw.positions.size());
     for (const int v : triangle) {
-      raw.positions.push_back(sheet.positions[static_cast<std::size_t>(v)]);
+      raw.positions.push_back(sheet.positions[v]);
     }
     raw.triangles.push_back({first, first + 1, first + 2});
   }

@@ -64,7 +64,7 @@ void thrown(CaseTrial& trial) {
   watched.run(trial.pick(0.3, 0.1));
   const Settings& settings = watched.simulation().settings();
   const int vertex = (resolution / 2) * resolution + resolution / 2;
-  const auto point = [&] { return watched.state().positions[static_cast<std::size_t>(vertex)]; };
+  const auto point = [&] { return watched.state().positions[vertex]; };
   const Vec3 velocity(60.0, 80.0, 0.0);  // [m/s]
   Vec3 target = point();
   watched.apply(attachTo(watched.model(), vertex, target));

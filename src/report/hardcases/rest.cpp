@@ -62,7 +62,7 @@ void oneCorner(CaseTrial& trial) {
       sheetCloth(trial.settings({"stiffness=1000", "damping=0.03"}), trial.pick(33, 9), Pinned::OneCorner);
   WatchedCloth watched(trial, cloth);
   watched.run(trial.pick(60.0, 40.0));
-  const Vec3 pin = watched.state().positions[static_cast<std::size_t>(cloth.pins.front())];
+  const Vec3 pin = watched.state().positions[cloth.pins.front()];
   trial.expect("turning about its pin", "1/s", std::abs(turning(watched.model(), watched.state(), pin).y()),
                turningLimit);
   // Folded cloth creeps for a long time, since springs alone do not resist bending. Single vertices are not checked.

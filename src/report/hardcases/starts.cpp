@@ -44,9 +44,7 @@ void unfold(CaseTrial& trial, const CaseCloth& cloth, double seconds) {
 double meanLengthRatio(const ClothModel& model, const ClothState& state) {
   double sum = 0.0;
   for (const Spring& spring : model.springs) {
-    sum += (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
-               .norm() /
-           spring.restLength;
+    sum += (state.positions[spring.b] - state.positions[spring.a]).norm() / spring.restLength;
   }
   return sum / static_cast<double>(model.springs.size());
 }

@@ -105,9 +105,7 @@ double largestStrain(const ClothModel& model, const ClothState& state) {
   double largest = 0.0;
   for (const Spring& spring : model.springs) {
     if (spring.restLength > 0.0) {
-      const double length =
-          (state.positions[static_cast<std::size_t>(spring.b)] - state.positions[static_cast<std::size_t>(spring.a)])
-              .norm();
+      const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();
       largest = std::max(largest, std::abs(length / spring.restLength - 1.0));
     }
   }

@@ -140,7 +140,7 @@ bool writeReference(const Reference& reference, double diagonal, ReportRow& row)
   if (checkpoint >= static_cast<int>(reference.differences.size())) {
     return false;
   }
-  const double difference = reference.differences[static_cast<std::size_t>(checkpoint)];
+  const double difference = reference.differences[checkpoint];
   row["reference_difference"] = finiteOrNull(difference);
   return difference <= useful * diagonal;
 }

@@ -27,8 +27,8 @@ BoundaryNeighbours boundaryOf(const BoundaryNeighbours& finer, const std::vector
   BoundaryNeighbours boundary(count);
   for (std::size_t i = 0; i < finer.size(); ++i) {
     for (const int j : finer[i]) {
-      if (aggregateOf[i] != aggregateOf[static_cast<std::size_t>(j)]) {
-        boundary[static_cast<std::size_t>(aggregateOf[i])].push_back(aggregateOf[static_cast<std::size_t>(j)]);
+      if (aggregateOf[i] != aggregateOf[j]) {
+        boundary[aggregateOf[i]].push_back(aggregateOf[j]);
       }
     }
   }
@@ -107,7 +107,7 @@ class Aggregation {
       if (!taken[i]) {
         isRoot_[i] = true;
         for (const SpringEnd& end : model.springEnds[i]) {
-          taken[static_cast<std::size_t>(end.neighbour)] = true;
+          taken[end.neighbour] = true;
         }
       }
     }
@@ -131,7 +131,7 @@ class Aggregation {
     }
     for (std::size_t i = 0; i < isRoot_.size(); ++i) {
       if (!isRoot_[i]) {
-        aggregateOf_[i] = aggregateOf_[static_cast<std::size_t>(rootOf(i))];
+        aggregateOf_[i] = aggregateOf_[rootOf(i)];
       }
     }
   }
@@ -141,9 +141,8 @@ class Aggregation {
     int nearest = -1;
     double distance = std::numeric_limits<double>::max();
     const auto consider = [&](int neighbour) {
-      const auto j = static_cast<std::size_t>(neighbour);
-      const double length = (model_.restPositions[i] - model_.restPositions[j]).norm();
-      if (isRoot_[j] && model_.pinned[j] == model_.pinned[i] && length < distance) {
+      const double length = (model_.restPositions[i] - model_.restPositions[neighbour]).norm();
+      if (isRoot_[neighbour] && model_.pinned[neighbour] == model_.pinned[i] && length < distance) {
         nearest = neighbour;
         distance = length;
       }
@@ -169,10 +168,9 @@ std::vector<Spring> springsBetween(const ClothModel& model, const std::vector<in
                                    const ClothModel& aggregates) {
   std::vector<std::pair<int, int>> pairs;
   for (const Spring& spring : model.springs) {
-    const int a = aggregateOf[static_cast<std::size_t>(spring.a)];
-    const int b = aggregateOf[static_cast<std::size_t>(spring.b)];
-    const bool bothPinned =
-        aggregates.pinned[static_cast<std::size_t>(a)] && aggregates.pinned[static_cast<std::size_t>(b)];
+    const int a = aggregateOf[spring.a];
+    const int b = aggregateOf[spring.b];
+    const bool bothPinned = aggregates.pinned[a] && aggregates.pinned[b];
     if (a != b && !bothPinned) {
       pairs.emplace_back(std::minmax(a, b));
     }
@@ -181,8 +179,7 @@ std::vector<Spring> springsBetween(const ClothModel& model, const std::vector<in
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   std::vector<Spring> springs;
   for (const auto& [a, b] : pairs) {
-    const Vec3 offset =
-        aggregates.restPositions[static_cast<std::size_t>(b)] - aggregates.restPositions[static_cast<std::size_t>(a)];
+    const Vec3 offset = aggregates.restPositions[b] - aggregates.restPositions[a];
     springs.push_back({a, b, offset.norm()});
   }
   return springs;
@@ -200,7 +197,7 @@ CoarseLevel coarserLevel(const ClothModel& model, const BoundaryNeighbours& boun
   aggregates->pinned.assign(count, false);
   aggregates->vertexTriangles = trianglesOfVertices({}, count);
   for (std::size_t i = 0; i < level.aggregateOf.size(); ++i) {
-    const auto g = static_cast<std::size_t>(level.aggregateOf[i]);
+    const int g = level.aggregateOf[i];
     aggregates->restPositions[g] += model.vertexMass[i] * model.restPositions[i];
     aggregates->vertexMass[g] += model.vertexMass[i];
     aggregates->pinned[g] = model.pinned[i];

@@ -30,14 +30,14 @@ void CoarseMotion<T>::addLevel(const CoarseLevel& source, const ClothModel& fine
   level.aggregateAt.assign(static_cast<std::size_t>(finerLayout.slices()) * sliceLanes, 0);
   std::vector<std::vector<int>> members(aggregates);
   for (std::size_t index = 0; index < finerLayout.order.size(); ++index) {
-    const auto vertex = static_cast<std::size_t>(finerLayout.order[index]);
-    const int aggregate = own.indexOf[static_cast<std::size_t>(source.aggregateOf[vertex])];
+    const int vertex = finerLayout.order[index];
+    const int aggregate = own.indexOf[source.aggregateOf[vertex]];
     level.aggregateAt[index] = aggregate;
-    members[static_cast<std::size_t>(aggregate)].push_back(static_cast<int>(index));
+    members[aggregate].push_back(static_cast<int>(index));
   }
   const auto weightOf = [&](std::size_t aggregate, int index) {
-    const auto vertex = static_cast<std::size_t>(finerLayout.order[static_cast<std::size_t>(index)]);
-    return finer.vertexMass[vertex] / source.cloth->vertexMass[static_cast<std::size_t>(own.order[aggregate])];
+    const int vertex = finerLayout.order[index];
+    return finer.vertexMass[vertex] / source.cloth->vertexMass[own.order[aggregate]];
   };
   level.members.fill(members, weightOf, level.aggregateAt.size());
   for (std::size_t i = 0; i < aggregates; ++i) {
@@ -68,15 +68,15 @@ template <typename T>
 void CoarseMotion<T>::accelerate(const SlicedCloth<T>& fine, bool measure) {
   const LaneVectors<T>* from = &fine.position;
   for (int l = 0; l < active_; ++l) {
-    Level& level = levels_[static_cast<std::size_t>(l)];
+    Level& level = levels_[l];
     gatherMeans(*from, level.members, level.cloth.position);
     from = &level.cloth.position;
   }
   for (int l = active_ - 1; l >= 0; --l) {
-    Level& level = levels_[static_cast<std::size_t>(l)];
+    Level& level = levels_[l];
     TensionStep<T> step{.stiffness = level.stiffness.data(), .energy = measure ? level.energy.data() : nullptr};
     if (l + 1 < active_) {
-      const Level& coarser = levels_[static_cast<std::size_t>(l) + 1];
+      const Level& coarser = levels_[l + 1];
       step.aggregates = coarser.aggregateAt.data();
       step.aggregateAccelerations = &coarser.cloth.start;
     }
@@ -88,7 +88,7 @@ template <typename T>
 double CoarseMotion<T>::energy() const {
   double sum = 0.0;
   for (int l = 0; l < active_; ++l) {
-    const Level& level = levels_[static_cast<std::size_t>(l)];
+    const Level& level = levels_[l];
     sum += sumOfLanes(level.energy);
   }
   return sum;

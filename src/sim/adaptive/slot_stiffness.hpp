@@ -15,24 +15,21 @@ template <typename T, typename OfRate>
 double fillSlots(const SlicedCloth<T>& cloth, const std::vector<double>& rates, OfRate&& ofRate,
                  std::vector<SliceNumbers<T>>& slots) {
   const SliceLayout& layout = cloth.layout;
-  const auto rateAt = [&](int index) {
-    return rates[static_cast<std::size_t>(layout.order[static_cast<std::size_t>(index)])];
-  };
+  const auto rateAt = [&](int index) { return rates[layout.order[index]]; };
   slots.assign(layout.slots.size(), {});
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t slice = 0; slice + 1 < layout.slotBegin.size(); ++slice) {
     for (int s = layout.slotBegin[slice]; s < layout.slotBegin[slice + 1]; ++s) {
-      const auto at = static_cast<std::size_t>(s);
-      const SliceLayout::Slot& slot = layout.slots[at];
+      const SliceLayout::Slot& slot = layout.slots[s];
       for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
-        if (cloth.restLength[at][lane] < T(0)) {
+        if (cloth.restLength[s][lane] < T(0)) {
           continue;
         }
-        const int neighbour = slot.table < 0 ? slot.first + static_cast<int>(lane)
-                                             : layout.neighbourTables[static_cast<std::size_t>(slot.table)][lane];
+        const int neighbour =
+            slot.table < 0 ? slot.first + static_cast<int>(lane) : layout.neighbourTables[slot.table][lane];
         const double value = ofRate(std::max(rateAt(static_cast<int>(slice * sliceLanes + lane)), rateAt(neighbour)));
         smallest = std::min(smallest, value);
-        slots[at][lane] = static_cast<T>(value);
+        slots[s][lane] = static_cast<T>(value);
       }
     }
   }

@@ -50,16 +50,16 @@ template <class D, typename T>
 HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTerms<T>* terms, int slice, int lane) {
   const SliceLayout& layout = cloth.layout;
   Lanes3<D> sum = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-  const int end = layout.cornerBegin[static_cast<std::size_t>(slice) + 1];
-  for (int c = layout.cornerBegin[static_cast<std::size_t>(slice)]; c < end; ++c) {
-    const SliceLayout::Corner& corner = layout.corners[static_cast<std::size_t>(c)];
+  const int end = layout.cornerBegin[slice + 1];
+  for (int c = layout.cornerBegin[slice]; c < end; ++c) {
+    const SliceLayout::Corner& corner = layout.corners[c];
     Lanes3<D> a;
     Lanes3<D> b;
     if (HWY_LIKELY(corner.table < 0)) {
       a = offsetOf(d, terms[corner.slotA], lane);
       b = offsetOf(d, terms[corner.slotB], lane);
     } else {
-      const auto& table = layout.cornerTables[static_cast<std::size_t>(corner.table)];
+      const auto& table = layout.cornerTables[corner.table];
       a = gatherOffsets(d, terms, loadCorners(d, table.a.data(), lane));
       b = gatherOffsets(d, terms, loadCorners(d, table.b.data(), lane));
     }

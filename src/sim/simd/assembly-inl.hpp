@@ -34,8 +34,8 @@ HWY_INLINE Assembled<D> assembleRow(D d, const SlicedCloth<T>& cloth, const Slic
   Symmetric<D> coupled = Symmetric<D>::zero(d);
   const SpringConstants<D> constants(d, step);
   const auto* const uneven = cloth.relativeStiffness.empty() ? nullptr : cloth.relativeStiffness.data();
-  const int begin = layout.slotBegin[static_cast<std::size_t>(slice)];
-  const int end = layout.slotBegin[static_cast<std::size_t>(slice) + 1];
+  const int begin = layout.slotBegin[slice];
+  const int end = layout.slotBegin[slice + 1];
   for (int slot = begin; slot < end; ++slot) {
     const auto at = static_cast<std::size_t>(slot);
     const Neighbours<D> neighbours(layout, layout.slots[at], lane);

@@ -79,20 +79,20 @@ class ConjugateKernel {
   /// Adds a slice's numbers to those of its block.
   HWY_INLINE void sum(std::vector<SliceNumbers<T>>& blocks, int slice, int lane, V value) {
     const D d;
-    T* const to = blocks[static_cast<std::size_t>(slice / blockSlices)].data() + lane;
+    T* const to = blocks[slice / blockSlices].data() + lane;
     hn::StoreU(slice % blockSlices == 0 ? value : hn::Add(hn::LoadU(d, to), value), d, to);
   }
 
   HWY_INLINE void startLanes(int slice, int lane) {
     const D d;
     const int i = slice * sliceLanes + lane;
-    SpringTerms<T>* const terms = system_.terms.data() + layout_.slotBegin[static_cast<std::size_t>(slice)];
+    SpringTerms<T>* const terms = system_.terms.data() + layout_.slotBegin[slice];
     const Assembled<D> row = assembleRow(d, cloth_, step_, terms, slice, lane);
     const V free = hn::LoadU(d, cloth_.free.data() + i);
     const Symmetric<D> inverse = preconditionerOf(d, row.matrix, free);
     const V3 residual = scaled(row.force, hn::Mul(free, hn::Set(d, step_.timeStep)));
     const V3 answer = inverse.times(residual);
-    storeSymmetric(d, inverse, system_.preconditioner[static_cast<std::size_t>(slice)], lane);
+    storeSymmetric(d, inverse, system_.preconditioner[slice], lane);
     hn::StoreU(row.diagonal, d, system_.diagonal.data() + i);
     store3(d, {hn::Zero(d), hn::Zero(d), hn::Zero(d)}, system_.change, i);
     store3(d, residual, system_.residual, i);
@@ -108,8 +108,8 @@ class ConjugateKernel {
     const int i = slice * sliceLanes + lane;
     const V3 own = load3(d, system_.direction, i);
     V3 drawn = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    const int end = layout_.slotBegin[static_cast<std::size_t>(slice) + 1];
-    for (int slot = layout_.slotBegin[static_cast<std::size_t>(slice)]; slot < end; ++slot) {
+    const int end = layout_.slotBegin[slice + 1];
+    for (int slot = layout_.slotBegin[slice]; slot < end; ++slot) {
       const auto at = static_cast<std::size_t>(slot);
       const SpringTerms<T>& terms = system_.terms[at];
       const V3 apart = subtract(own, Neighbours<D>(layout_, layout_.slots[at], lane).load(system_.direction));
@@ -129,7 +129,7 @@ class ConjugateKernel {
     const int i = slice * sliceLanes + lane;
     store3(d, multiplyAdd(load3(d, system_.direction, i), length, load3(d, system_.change, i)), system_.change, i);
     const V3 residual = multiplyAdd(load3(d, system_.product, i), hn::Neg(length), load3(d, system_.residual, i));
-    const V3 answer = loadSymmetric(d, system_.preconditioner[static_cast<std::size_t>(slice)], lane).times(residual);
+    const V3 answer = loadSymmetric(d, system_.preconditioner[slice], lane).times(residual);
     store3(d, residual, system_.residual, i);
     store3(d, answer, system_.scaled, i);
     sum(system_.descents, slice, lane, dot(residual, answer));

@@ -10,7 +10,7 @@ namespace drape {
 
 ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(model)), indexOf(order.size()) {
   for (std::size_t k = 0; k < order.size(); ++k) {
-    indexOf[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    indexOf[order[k]] = static_cast<int>(k);
   }
   for (std::vector<float>* numbers : {&vertices, &predicted, &velocities}) {
     numbers->assign(4 * (order.size() + 1), 0.0F);
@@ -26,17 +26,16 @@ ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(mode
     for (const int s : colours[c]) {
       springs.push_back(&model.springs[s]);
     }
-    std::sort(springs.begin(), springs.end(), [&](const Spring* s, const Spring* t) {
-      return indexOf[static_cast<std::size_t>(s->a)] < indexOf[static_cast<std::size_t>(t->a)];
-    });
+    std::sort(springs.begin(), springs.end(),
+              [&](const Spring* s, const Spring* t) { return indexOf[s->a] < indexOf[t->a]; });
     for (std::size_t i = 0; i < springs.size(); ++i) {
       const std::size_t lane = i % sliceLanes;
       if (lane == 0) {
         batches.push_back(none);
         relativeStiffness.resize(even ? 0 : batches.size());
       }
-      batches.back().a[lane] = indexOf[static_cast<std::size_t>(springs[i]->a)];
-      batches.back().b[lane] = indexOf[static_cast<std::size_t>(springs[i]->b)];
+      batches.back().a[lane] = indexOf[springs[i]->a];
+      batches.back().b[lane] = indexOf[springs[i]->b];
       batches.back().restLength[lane] = static_cast<float>(springs[i]->restLength);
       if (!even) {
         relativeStiffness.back()[lane] = static_cast<float>(springs[i]->relativeStiffness);

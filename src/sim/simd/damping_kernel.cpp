@@ -50,8 +50,8 @@ class DampingKernel {
     const int i = slice * sliceLanes + lane;
     const V3 v = load3(d, from_, i);
     V3 sum = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    const int end = layout_.slotBegin[static_cast<std::size_t>(slice) + 1];
-    for (int slot = layout_.slotBegin[static_cast<std::size_t>(slice)]; slot < end; ++slot) {
+    const int end = layout_.slotBegin[slice + 1];
+    for (int slot = layout_.slotBegin[slice]; slot < end; ++slot) {
       const auto at = static_cast<std::size_t>(slot);
       const Neighbours<D> neighbours(layout_, layout_.slots[at], lane);
       const V3 difference = subtract(neighbours.load(from_), v);

@@ -266,7 +266,7 @@ class Neighbours {
   HWY_INLINE Neighbours(const SliceLayout& layout, const SliceLayout::Slot& slot, int lane)
       : consecutive_(slot.table < 0),
         first_(slot.first + lane),
-        table_(slot.table < 0 ? nullptr : layout.neighbourTables[static_cast<std::size_t>(slot.table)].data() + lane) {}
+        table_(slot.table < 0 ? nullptr : layout.neighbourTables[slot.table].data() + lane) {}
 
   HWY_INLINE Lanes3<D> load(const LaneVectors<T>& vectors) const {
     const D d;
@@ -430,7 +430,7 @@ HWY_INLINE void addAttachment(D d, const SliceStep<T>& step, int slice, int lane
   for (const auto& corner : step.attachedCorners) {
     if (corner.slice == slice && corner.lane >= lane && corner.lane < lane + lanes) {
       std::array<T, sliceLanes> only{};
-      only[static_cast<std::size_t>(corner.lane - lane)] = T(1);
+      only[corner.lane - lane] = T(1);
       const auto mask = hn::LoadU(d, only.data());
       force = multiplyAdd(Lanes3<D>{hn::Set(d, corner.forceX), hn::Set(d, corner.forceY), hn::Set(d, corner.forceZ)},
                           mask, force);

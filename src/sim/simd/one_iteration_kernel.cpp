@@ -34,25 +34,25 @@ class OneIterationKernel {
         layout_(cloth.layout),
         step_(step),
         share_(share),
-        terms_(cloth.terms[static_cast<std::size_t>(share.member)].data()),
-        inverses_(cloth.inverses[static_cast<std::size_t>(share.member)].data()) {}
+        terms_(cloth.terms[share.member].data()),
+        inverses_(cloth.inverses[share.member].data()) {}
 
   /// Every sweep lags behind the previous one by the bandwidth of the springs, so that its data are still in the cache.
   /// The slices at the ends of a thread's share depend on other threads and are left to later phases.
   void firstPhase() {
     const int last = step_.sweeps;
-    std::vector<int>& done = cloth_.done[static_cast<std::size_t>(share_.member)];
+    std::vector<int>& done = cloth_.done[share_.member];
     done.resize(static_cast<std::size_t>(last) + 1);
     for (int sweep = 0; sweep <= last; ++sweep) {
-      done[static_cast<std::size_t>(sweep)] = share_.innerBegin(sweep);
+      done[sweep] = share_.innerBegin(sweep);
     }
     int assembled = share_.begin;
     while (assembled < share_.end) {
       assemble(assembled++);
       int before = assembled;
       for (int sweep = 1; sweep <= last; ++sweep) {
-        int& next = done[static_cast<std::size_t>(sweep)];
-        while (next < share_.innerEnd(sweep) && layout_.lastNeighbourSlice[static_cast<std::size_t>(next)] < before) {
+        int& next = done[sweep];
+        while (next < share_.innerEnd(sweep) && layout_.lastNeighbourSlice[next] < before) {
           relax(sweep, next++);
         }
         before = next;
@@ -103,9 +103,9 @@ class OneIterationKernel {
     const LaneVectors<T>& before = sweep == 1 ? cloth_.start : cloth_.change[static_cast<std::size_t>(sweep - 1) % 2];
     V3 sum = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     const auto* terms = termsOf(slice);
-    const int end = layout_.slotBegin[static_cast<std::size_t>(slice) + 1];
-    for (int slot = layout_.slotBegin[static_cast<std::size_t>(slice)]; slot < end; ++slot, ++terms) {
-      const Neighbours<D> neighbours(layout_, layout_.slots[static_cast<std::size_t>(slot)], lane);
+    const int end = layout_.slotBegin[slice + 1];
+    for (int slot = layout_.slotBegin[slice]; slot < end; ++slot, ++terms) {
+      const Neighbours<D> neighbours(layout_, layout_.slots[slot], lane);
       const V3 dv = neighbours.load(before);
       const V3 offset = offsetOf(d, *terms, lane);
       sum = multiplyAdd(dv, hn::LoadU(d, terms->alpha.data() + lane), sum);

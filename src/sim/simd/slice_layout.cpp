@@ -55,17 +55,17 @@ class SliceBuilder {
  private:
   [[nodiscard]] std::size_t vertexAt(int lane) const {
     const int index = first_ + lane;
-    return static_cast<std::size_t>(layout_.order[static_cast<std::size_t>(index)]);
+    return static_cast<std::size_t>(layout_.order[index]);
   }
 
   void collect(int lane) {
     const std::size_t vertex = vertexAt(lane);
-    auto& springs = springs_[static_cast<std::size_t>(lane)];
+    auto& springs = springs_[lane];
     for (const SpringEnd& springEnd : model_.springEnds[vertex]) {
-      springs.push_back({layout_.indexOf[static_cast<std::size_t>(springEnd.neighbour)], springEnd.spring});
+      springs.push_back({layout_.indexOf[springEnd.neighbour], springEnd.spring});
     }
     orderAsFan(vertex, springs);
-    slotOf_[static_cast<std::size_t>(lane)].assign(springs.size(), -1);
+    slotOf_[lane].assign(springs.size(), -1);
   }
 
   /// Sorts neighbours in the order of the triangle fan around a vertex, so that the same two slots form a triangle in
@@ -105,10 +105,9 @@ class SliceBuilder {
 
   /// The permuted indices of a triangle's other two vertices.
   [[nodiscard]] std::pair<int, int> cornerOf(std::size_t vertex, int triangle) const {
-    const Triangle& t = model_.triangles[static_cast<std::size_t>(triangle)];
+    const Triangle& t = model_.triangles[triangle];
     const std::size_t at = t[0] == static_cast<int>(vertex) ? 0 : t[1] == static_cast<int>(vertex) ? 1 : 2;
-    return {layout_.indexOf[static_cast<std::size_t>(t[(at + 1) % 3])],
-            layout_.indexOf[static_cast<std::size_t>(t[(at + 2) % 3])]};
+    return {layout_.indexOf[t[(at + 1) % 3]], layout_.indexOf[t[(at + 2) % 3]]};
   }
 
   [[nodiscard]] int newSlot(SliceLayout::Slot slot) {
@@ -119,9 +118,8 @@ class SliceBuilder {
 
   void put(int slot, int lane, std::size_t spring) {
     const int at = layout_.slotBegin.back() + slot;
-    layout_.springs[static_cast<std::size_t>(at)][static_cast<std::size_t>(lane)] =
-        springs_[static_cast<std::size_t>(lane)][spring].spring;
-    slotOf_[static_cast<std::size_t>(lane)][spring] = slot;
+    layout_.springs[at][lane] = springs_[lane][spring].spring;
+    slotOf_[lane][spring] = slot;
   }
 
   /// The springs of a slice, as (lane, index), by the difference of the permuted indices of their ends.
@@ -130,7 +128,7 @@ class SliceBuilder {
   void addConsecutiveSlots() {
     ByOffset byOffset;
     for (int lane = 0; lane < sliceLanes; ++lane) {
-      const auto& springs = springs_[static_cast<std::size_t>(lane)];
+      const auto& springs = springs_[lane];
       for (std::size_t s = 0; s < springs.size(); ++s) {
         byOffset[springs[s].neighbour - first_ - lane].emplace_back(lane, s);
       }
@@ -159,7 +157,7 @@ class SliceBuilder {
     }
     for (const auto& [offset, uses] : consecutive) {
       for (const auto& [lane, spring] : uses) {
-        --left[static_cast<std::size_t>(lane)];
+        --left[lane];
       }
     }
     const std::size_t gathered = *std::max_element(left.begin(), left.end());
@@ -172,7 +170,7 @@ class SliceBuilder {
     std::vector<int> tables;
     for (int lane = 0; lane < sliceLanes; ++lane) {
       std::size_t used = 0;
-      auto& slots = slotOf_[static_cast<std::size_t>(lane)];
+      auto& slots = slotOf_[lane];
       for (std::size_t s = 0; s < slots.size(); ++s) {
         if (slots[s] >= 0) {
           continue;
@@ -182,11 +180,11 @@ class SliceBuilder {
           static_cast<void>(newSlot({.table = tables.back()}));
           auto& table = layout_.neighbourTables.emplace_back();
           for (int other = 0; other < sliceLanes; ++other) {
-            table[static_cast<std::size_t>(other)] = first_ + other;
+            table[other] = first_ + other;
           }
         }
-        auto& table = layout_.neighbourTables[static_cast<std::size_t>(tables[used])];
-        table[static_cast<std::size_t>(lane)] = springs_[static_cast<std::size_t>(lane)][s].neighbour;
+        auto& table = layout_.neighbourTables[tables[used]];
+        table[lane] = springs_[lane][s].neighbour;
         put(firstGathered + static_cast<int>(used), lane, s);
         ++used;
       }
@@ -195,10 +193,10 @@ class SliceBuilder {
 
   /// The slot of the spring from a lane's vertex to the vertex of that permuted index.
   [[nodiscard]] int slotTo(int lane, int index) const {
-    const auto& springs = springs_[static_cast<std::size_t>(lane)];
+    const auto& springs = springs_[lane];
     const auto found = std::find_if(springs.begin(), springs.end(),
                                     [&](const LaneSpring& spring) { return spring.neighbour == index; });
-    return slotOf_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(found - springs.begin())];
+    return slotOf_[lane][found - springs.begin()];
   }
 
   void addCorners() {
@@ -229,17 +227,17 @@ class SliceBuilder {
       return;
     }
     for (const int lane : lanes) {
-      const std::size_t row = used[static_cast<std::size_t>(lane)]++;
+      const std::size_t row = used[lane]++;
       if (row == tables.size()) {
         tables.push_back(static_cast<int>(layout_.corners.size()));
         layout_.corners.push_back({.table = static_cast<int>(layout_.cornerTables.size())});
         layout_.cornerTables.emplace_back();
       }
-      auto& corner = layout_.corners[static_cast<std::size_t>(tables[row])];
-      auto& table = layout_.cornerTables[static_cast<std::size_t>(corner.table)];
+      auto& corner = layout_.corners[tables[row]];
+      auto& table = layout_.cornerTables[corner.table];
       corner.lanes = static_cast<std::uint16_t>(corner.lanes | (1U << static_cast<unsigned>(lane)));
-      table.a[static_cast<std::size_t>(lane)] = static_cast<std::uint16_t>(slots.first);
-      table.b[static_cast<std::size_t>(lane)] = static_cast<std::uint16_t>(slots.second);
+      table.a[lane] = static_cast<std::uint16_t>(slots.first);
+      table.b[lane] = static_cast<std::uint16_t>(slots.second);
     }
   }
 
@@ -280,7 +278,7 @@ SliceLayout buildSliceLayout(const ClothModel& model) {
   layout.order = stepOrder(model);
   layout.indexOf.resize(layout.order.size());
   for (std::size_t k = 0; k < layout.order.size(); ++k) {
-    layout.indexOf[static_cast<std::size_t>(layout.order[k])] = static_cast<int>(k);
+    layout.indexOf[layout.order[k]] = static_cast<int>(k);
   }
   layout.isModelOrder = std::is_sorted(layout.order.begin(), layout.order.end());
   layout.slotBegin.push_back(0);
@@ -290,8 +288,7 @@ SliceLayout buildSliceLayout(const ClothModel& model) {
     SliceBuilder builder(model, layout, slice);
     builder.build();
     layout.lastNeighbourSlice.push_back(std::max(slice, builder.lastNeighbour() / sliceLanes));
-    const int slots =
-        layout.slotBegin[static_cast<std::size_t>(slice) + 1] - layout.slotBegin[static_cast<std::size_t>(slice)];
+    const int slots = layout.slotBegin[slice + 1] - layout.slotBegin[slice];
     layout.maxSlots = std::max(layout.maxSlots, slots);
   }
   // Slices finish in order, so the values must not decrease.
@@ -299,7 +296,7 @@ SliceLayout buildSliceLayout(const ClothModel& model) {
     layout.lastNeighbourSlice[s] = std::max(layout.lastNeighbourSlice[s], layout.lastNeighbourSlice[s - 1]);
   }
   for (int s = 0; s < slices; ++s) {
-    layout.sliceBandwidth = std::max(layout.sliceBandwidth, layout.lastNeighbourSlice[static_cast<std::size_t>(s)] - s);
+    layout.sliceBandwidth = std::max(layout.sliceBandwidth, layout.lastNeighbourSlice[s] - s);
   }
   constexpr int maxSprings = std::numeric_limits<std::uint16_t>::max();
   if (layout.maxSlots > maxSprings) {

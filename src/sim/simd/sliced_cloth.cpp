@@ -71,18 +71,15 @@ SlicedCloth<T>::SlicedCloth(const ClothModel& model) : layout(buildSliceLayout(m
   for (std::size_t slot = 0; slot < restLength.size(); ++slot) {
     for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
       const int spring = layout.springs[slot][lane];
-      restLength[slot][lane] =
-          spring < 0 ? T(-1) : static_cast<T>(model.springs[static_cast<std::size_t>(spring)].restLength);
+      restLength[slot][lane] = spring < 0 ? T(-1) : static_cast<T>(model.springs[spring].restLength);
     }
   }
   if (!model.evenlyStiff()) {
     relativeStiffness.resize(layout.slots.size());
     for (std::size_t slot = 0; slot < restLength.size(); ++slot) {
       std::transform(
-          layout.springs[slot].begin(), layout.springs[slot].end(), relativeStiffness[slot].begin(), [&](int spring) {
-            return spring < 0 ? T(1)
-                              : static_cast<T>(model.springs[static_cast<std::size_t>(spring)].relativeStiffness);
-          });
+          layout.springs[slot].begin(), layout.springs[slot].end(), relativeStiffness[slot].begin(),
+          [&](int spring) { return spring < 0 ? T(1) : static_cast<T>(model.springs[spring].relativeStiffness); });
     }
   }
   layout.springs = std::vector<std::array<std::int32_t, sliceLanes>>();  // an empty list would keep the memory
@@ -129,11 +126,11 @@ template <typename T>
 void SlicedCloth<T>::store(ClothState& state, const StepShare& share) {
   const IndexRange range(layout, share);
   // Pinned vertices keep their unrounded positions.
-  std::vector<Vec3>& unrounded = pinnedPositions[static_cast<std::size_t>(share.member)];
+  std::vector<Vec3>& unrounded = pinnedPositions[share.member];
   unrounded.clear();
   for (const int index : pinned) {
     if (share.contains(index)) {
-      unrounded.push_back(state.positions[static_cast<std::size_t>(layout.order[static_cast<std::size_t>(index)])]);
+      unrounded.push_back(state.positions[layout.order[index]]);
     }
   }
   gather(layout, range, position, state.positions);
@@ -141,7 +138,7 @@ void SlicedCloth<T>::store(ClothState& state, const StepShare& share) {
   std::size_t next = 0;
   for (const int index : pinned) {
     if (share.contains(index)) {
-      const auto vertex = static_cast<std::size_t>(layout.order[static_cast<std::size_t>(index)]);
+      const auto vertex = static_cast<std::size_t>(layout.order[index]);
       state.positions[vertex] = unrounded[next++];
       state.velocities[vertex].setZero();
     }
@@ -157,10 +154,10 @@ void SlicedCloth<T>::prepare(int threads, int sweeps) {
   pinnedPositions.resize(std::max(pinnedPositions.size(), members));
   for (int member = 0; member < threads; ++member) {
     const StepShare share = shareOf(layout, sweeps, member, threads);
-    auto& own = terms[static_cast<std::size_t>(member)];
+    auto& own = terms[member];
     const auto needed = static_cast<std::size_t>(share.ringSlots()) * static_cast<std::size_t>(layout.maxSlots);
     own.resize(std::max(own.size(), needed));
-    auto& matrices = inverses[static_cast<std::size_t>(member)];
+    auto& matrices = inverses[member];
     matrices.resize(std::max(matrices.size(), static_cast<std::size_t>(share.ringSlots())));
   }
   if (sweeps > 1 && !change[0].sized()) {

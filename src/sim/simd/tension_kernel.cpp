@@ -20,8 +20,8 @@ HWY_INLINE void accelerateLanes(SlicedCloth<T>& level, const TensionStep<T>& ste
   const auto x = load3(d, level.position, i);
   Lanes3<LanesOf<T>> force = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
   auto energy = hn::Zero(d);
-  const int end = level.layout.slotBegin[static_cast<std::size_t>(slice) + 1];
-  for (int slot = level.layout.slotBegin[static_cast<std::size_t>(slice)]; slot < end; ++slot) {
+  const int end = level.layout.slotBegin[slice + 1];
+  for (int slot = level.layout.slotBegin[slice]; slot < end; ++slot) {
     const auto at = static_cast<std::size_t>(slot);
     const Neighbours<LanesOf<T>> neighbours(level.layout, level.layout.slots[at], lane);
     const auto offset = subtract(neighbours.load(level.position), x);

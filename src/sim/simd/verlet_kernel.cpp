@@ -27,7 +27,7 @@ class VerletKernel {
         step_(step),
         share_(share),
         drift_(drift),
-        terms_(cloth.terms[static_cast<std::size_t>(share.member)].data()),
+        terms_(cloth.terms[share.member].data()),
         air_(step.drag != T(0) || step.lift != T(0)) {}
 
   /// A slice is updated as soon as no other slice reads its old position and velocity.
@@ -37,8 +37,7 @@ class VerletKernel {
       for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(D()))) {
         kick(slice, lane);
       }
-      while (step_.updatesVelocity && settled < share_.innerEnd(1) &&
-             layout_.lastNeighbourSlice[static_cast<std::size_t>(settled)] <= slice) {
+      while (step_.updatesVelocity && settled < share_.innerEnd(1) && layout_.lastNeighbourSlice[settled] <= slice) {
         settle(settled++);
       }
     }
@@ -69,8 +68,8 @@ class VerletKernel {
     auto energy = hn::Mul(weight, x.y);
     auto* terms = terms_;
     const auto* const uneven = cloth_.relativeStiffness.empty() ? nullptr : cloth_.relativeStiffness.data();
-    const int end = layout_.slotBegin[static_cast<std::size_t>(slice) + 1];
-    for (int slot = layout_.slotBegin[static_cast<std::size_t>(slice)]; slot < end; ++slot, ++terms) {
+    const int end = layout_.slotBegin[slice + 1];
+    for (int slot = layout_.slotBegin[slice]; slot < end; ++slot, ++terms) {
       const auto at = static_cast<std::size_t>(slot);
       const Neighbours<D> neighbours(layout_, layout_.slots[at], lane);
       const V3 offset = subtract(neighbours.load(cloth_.position), x);

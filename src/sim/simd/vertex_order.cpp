@@ -22,13 +22,13 @@ void appendBreadthFirst(const ClothModel& model, int start, std::vector<bool>& s
   };
   std::size_t next = order.size();
   order.push_back(start);
-  seen[static_cast<std::size_t>(start)] = true;
+  seen[start] = true;
   while (next < order.size()) {
     const int vertex = order[next++];
     const auto first = static_cast<std::ptrdiff_t>(order.size());
     for (const SpringEnd& end : model.springEnds[vertex]) {
-      if (!seen[static_cast<std::size_t>(end.neighbour)]) {
-        seen[static_cast<std::size_t>(end.neighbour)] = true;
+      if (!seen[end.neighbour]) {
+        seen[end.neighbour] = true;
         order.push_back(end.neighbour);
       }
     }
@@ -52,7 +52,7 @@ std::vector<int> cuthillMcKee(const ClothModel& model) {
   order.reserve(model.restPositions.size());
   std::vector<bool> seen(model.restPositions.size(), false);
   for (int vertex = 0; vertex < model.vertexCount(); ++vertex) {
-    if (!seen[static_cast<std::size_t>(vertex)]) {
+    if (!seen[vertex]) {
       appendBreadthFirst(model, peripheralVertex(model, vertex, seen), seen, order);
     }
   }
@@ -74,12 +74,11 @@ void sortWindowsByDegree(const ClothModel& model, std::vector<int>& order) {
 int bandwidth(const ClothModel& model, const std::vector<int>& order) {
   std::vector<int> index(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
-    index[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    index[order[k]] = static_cast<int>(k);
   }
   int widest = 0;
   for (const Spring& spring : model.springs) {
-    widest = std::max(widest,
-                      std::abs(index[static_cast<std::size_t>(spring.a)] - index[static_cast<std::size_t>(spring.b)]));
+    widest = std::max(widest, std::abs(index[spring.a] - index[spring.b]));
   }
   return widest;
 }

@@ -66,7 +66,7 @@ void projectBatches(ConstraintLanes& constraints, float inverseCompliance, bool 
   const auto evenly = hn::Set(d, inverseCompliance);
   const auto* const uneven = constraints.relativeStiffness.data();
   for (int i = range.begin; i < range.end; ++i) {
-    ConstraintLanes::Batch& batch = constraints.batches[static_cast<std::size_t>(i)];
+    ConstraintLanes::Batch& batch = constraints.batches[i];
     for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(d))) {
       auto compliance = evenly;
       if (HWY_UNLIKELY(uneven != nullptr)) {
@@ -81,7 +81,7 @@ void dampBatches(ConstraintLanes& constraints, float strength, LaneRange range) 
   const LanesOf<float> d;
   const auto strengths = hn::Set(d, strength);
   for (int i = range.begin; i < range.end; ++i) {
-    const ConstraintLanes::Batch& batch = constraints.batches[static_cast<std::size_t>(i)];
+    const ConstraintLanes::Batch& batch = constraints.batches[i];
     for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(d))) {
       dampLanes(d, constraints, batch, lane, strengths);
     }

@@ -46,7 +46,7 @@ TEST(CoarseLevels, keepPinnedVerticesInSeparateAggregatesConnectedToOthers) {
     }
   }
   const CoarseLevel first = buildCoarseLevels(*model).front();
-  EXPECT_EQ(first.cloth->restPositions[static_cast<std::size_t>(first.aggregateOf[0])], model->restPositions[0]);
+  EXPECT_EQ(first.cloth->restPositions[first.aggregateOf[0]], model->restPositions[0]);
 }
 
 TEST(CoarseLevels, formStraightRowsAlongAFreeEdge) {
@@ -58,7 +58,7 @@ TEST(CoarseLevels, formStraightRowsAlongAFreeEdge) {
   // The last row is free: its aggregates, except those at the corners, have the same depth in the sheet.
   std::vector<double> depths;
   for (int column = 4; column < n - 4; ++column) {
-    const auto aggregate = static_cast<std::size_t>(first.aggregateOf[static_cast<std::size_t>((n - 1) * n + column)]);
+    const auto aggregate = static_cast<std::size_t>(first.aggregateOf[(n - 1) * n + column]);
     depths.push_back(aggregates.restPositions[aggregate].z());
   }
   const auto [smallest, largest] = std::minmax_element(depths.begin(), depths.end());

@@ -28,7 +28,7 @@ TEST_P(EveryMeshOfConstraints, hasEverySpringOnceAndNoVertexTwiceInAColour) {
     std::set<int> touched;
     const auto c = static_cast<std::size_t>(colour);
     for (int i = lanes.colourBegin[c]; i < lanes.colourBegin[c + 1]; ++i) {
-      const ConstraintLanes::Batch& batch = lanes.batches[static_cast<std::size_t>(i)];
+      const ConstraintLanes::Batch& batch = lanes.batches[i];
       for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
         if (batch.a[lane] == lanes.vertexCount()) {
           EXPECT_EQ(batch.b[lane], lanes.vertexCount());
@@ -37,8 +37,8 @@ TEST_P(EveryMeshOfConstraints, hasEverySpringOnceAndNoVertexTwiceInAColour) {
         }
         EXPECT_TRUE(touched.insert(batch.a[lane]).second);
         EXPECT_TRUE(touched.insert(batch.b[lane]).second);
-        const int a = lanes.order[static_cast<std::size_t>(batch.a[lane])];
-        const int b = lanes.order[static_cast<std::size_t>(batch.b[lane])];
+        const int a = lanes.order[batch.a[lane]];
+        const int b = lanes.order[batch.b[lane]];
         restLengths[{a, b}] = static_cast<double>(batch.restLength[lane]);
         ++seen;
       }

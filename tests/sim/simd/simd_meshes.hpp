@@ -25,11 +25,11 @@ inline ClothMesh renumbered(const ClothMesh& mesh, unsigned seed) {
   }
   ClothMesh other = mesh;
   for (std::size_t i = 0; i < name.size(); ++i) {
-    other.positions[static_cast<std::size_t>(name[i])] = mesh.positions[i];
+    other.positions[name[i]] = mesh.positions[i];
   }
   for (Triangle& triangle : other.triangles) {
     for (int& vertex : triangle) {
-      vertex = name[static_cast<std::size_t>(vertex)];
+      vertex = name[vertex];
     }
   }
   return other;

@@ -25,8 +25,7 @@ class EveryMesh : public ::testing::TestWithParam<NamedMesh> {
   /// The permuted index of the neighbour of a lane in a slot.
   [[nodiscard]] int neighbourIn(std::size_t slot, int lane) const {
     const SliceLayout::Slot& s = layout_.slots[slot];
-    return s.table < 0 ? s.first + lane
-                       : layout_.neighbourTables[static_cast<std::size_t>(s.table)][static_cast<std::size_t>(lane)];
+    return s.table < 0 ? s.first + lane : layout_.neighbourTables[s.table][lane];
   }
 
   /// Calls visit(slice, slot) for every slot.
@@ -40,7 +39,7 @@ class EveryMesh : public ::testing::TestWithParam<NamedMesh> {
     }
   }
 
-  [[nodiscard]] int vertexAt(int index) const { return layout_.order[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] int vertexAt(int index) const { return layout_.order[index]; }
 
   std::shared_ptr<const ClothModel> model_;
   SliceLayout layout_;
@@ -52,8 +51,8 @@ TEST_P(EveryMesh, standsInAnOrderThatIsAPermutation) {
   std::vector<int> sorted = layout_.order;
   std::sort(sorted.begin(), sorted.end());
   for (int v = 0; v < model_->vertexCount(); ++v) {
-    EXPECT_EQ(sorted[static_cast<std::size_t>(v)], v);
-    EXPECT_EQ(vertexAt(layout_.indexOf[static_cast<std::size_t>(v)]), v);
+    EXPECT_EQ(sorted[v], v);
+    EXPECT_EQ(vertexAt(layout_.indexOf[v]), v);
   }
 }
 
@@ -62,15 +61,15 @@ TEST_P(EveryMesh, hasEverySpringOnceAtEitherEndWithItsNeighbourAndRestLength) {
   std::map<std::pair<int, int>, int> seen;  // spring and the vertex at its end
   forEachSlot([&](int slice, std::size_t slot) {
     for (int lane = 0; lane < sliceLanes; ++lane) {
-      const int springIndex = layout_.springs[slot][static_cast<std::size_t>(lane)];
-      const double rest = cloth.restLength[slot][static_cast<std::size_t>(lane)];
+      const int springIndex = layout_.springs[slot][lane];
+      const double rest = cloth.restLength[slot][lane];
       if (springIndex < 0) {
         EXPECT_LT(rest, 0.0);
         continue;
       }
       const int index = slice * sliceLanes + lane;
       ASSERT_LT(index, layout_.vertices) << "no springs beyond the last vertex";
-      const Spring& spring = model_->springs[static_cast<std::size_t>(springIndex)];
+      const Spring& spring = model_->springs[springIndex];
       const int vertex = vertexAt(index);
       const int neighbour = vertexAt(neighbourIn(slot, lane));
       EXPECT_EQ(std::minmax(vertex, neighbour), std::minmax(spring.a, spring.b));
@@ -98,7 +97,7 @@ TEST_P(EveryMesh, hasEveryTriangleOnceAtEachOfItsCornersInItsOwnSense) {
   for (int slice = 0; slice < layout_.slices(); ++slice) {
     const auto s = static_cast<std::size_t>(slice);
     for (int c = layout_.cornerBegin[s]; c < layout_.cornerBegin[s + 1]; ++c) {
-      const SliceLayout::Corner& corner = layout_.corners[static_cast<std::size_t>(c)];
+      const SliceLayout::Corner& corner = layout_.corners[c];
       for (int lane = 0; lane < sliceLanes; ++lane) {
         if ((corner.lanes >> static_cast<unsigned>(lane) & 1U) == 0U) {
           continue;
@@ -132,10 +131,10 @@ TEST_P(EveryMesh, hasTheBandwidthOfItsSprings) {
     const auto s = static_cast<std::size_t>(slice);
     for (int slot = layout_.slotBegin[s]; slot < layout_.slotBegin[s + 1]; ++slot) {
       for (int lane = 0; lane < sliceLanes; ++lane) {
-        if (layout_.springs[static_cast<std::size_t>(slot)][static_cast<std::size_t>(lane)] >= 0) {
+        if (layout_.springs[slot][lane] >= 0) {
           const int other = neighbourIn(static_cast<std::size_t>(slot), lane) / sliceLanes;
           last = std::max(last, other);
-          EXPECT_GE(layout_.lastNeighbourSlice[static_cast<std::size_t>(other)], slice) << "the relation is symmetric";
+          EXPECT_GE(layout_.lastNeighbourSlice[other], slice) << "the relation is symmetric";
         }
       }
     }

@@ -27,7 +27,7 @@ StepInputs attachmentAcrossSlices(const ClothModel& model) {
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     std::set<int> slices;
     for (const int vertex : model.triangles[t]) {
-      slices.insert(layout.indexOf[static_cast<std::size_t>(vertex)] / sliceLanes);
+      slices.insert(layout.indexOf[vertex] / sliceLanes);
     }
     if (slices.size() > 1) {
       inputs.attachment->triangle = static_cast<int>(t);
@@ -90,7 +90,7 @@ TEST(SlicedStep, equalsASumOfDenseJacobiAnswersWithChebyshevsWeights) {
     part[0][0] = 1.0;
     part[1][1] = 1.0;
     for (int k = 1; k <= sweeps; ++k) {
-      const double w = weights[static_cast<std::size_t>(k) - 1];
+      const double w = weights[k - 1];
       const auto old = part[part.size() - 2];
       std::vector<double> next(6, 0.0);
       for (std::size_t j = 0; j < 6; ++j) {
@@ -105,7 +105,7 @@ TEST(SlicedStep, equalsASumOfDenseJacobiAnswersWithChebyshevsWeights) {
       jacobi.sweeps = k;
       testing::referenceStep(*model, jacobi, {}, plain);
       for (std::size_t v = 0; v < expected.size(); ++v) {
-        expected[v] += part.back()[static_cast<std::size_t>(k) + 1] * (plain.velocities[v] - start.velocities[v]);
+        expected[v] += part.back()[k + 1] * (plain.velocities[v] - start.velocities[v]);
       }
     }
     StepParameters accelerated = parameters;

@@ -50,7 +50,7 @@ void addAttachment(const ClothModel& model, const Attachment& attachment, double
                    Equations& equations) {
   MatrixXd weights = MatrixXd::Zero(3, x.size());  // attached point = weights * x
   for (int c = 0; c < 3; ++c) {
-    const int v = model.triangles[static_cast<std::size_t>(attachment.triangle)][static_cast<std::size_t>(c)];
+    const int v = model.triangles[attachment.triangle][c];
     weights.block<3, 3>(0, 3 * v) = attachment.barycentric[c] * Mat3::Identity();
   }
   equations.residual += h * h * attachment.stiffness * weights.transpose() * (weights * x - attachment.target);
@@ -85,7 +85,7 @@ void denseBackwardEulerStep(const ClothModel& model, const StepParameters& p, co
       addAttachment(model, *inputs.attachment, h, x, equations);
     }
     for (int i = 0; i < model.vertexCount(); ++i) {
-      if (model.pinned[static_cast<std::size_t>(i)]) {
+      if (model.pinned[i]) {
         equations.residual.segment<3>(3 * i).setZero();
         equations.jacobian.middleRows<3>(3 * i).setZero();
         equations.jacobian.block<3, 3>(3 * i, 3 * i).setIdentity();

@@ -139,10 +139,10 @@ struct Oscillator {
 Vec3 weightAndAir(const ClothModel& model, const StepParameters& p, const ClothState& state, bool thinPlate) {
   std::vector<Vec3> normals(state.positions.size(), Vec3::Zero());
   for (const Triangle& t : model.triangles) {
-    const auto corner = [&](std::size_t c) { return state.positions[static_cast<std::size_t>(t[c])]; };
+    const auto corner = [&](std::size_t c) { return state.positions[t[c]]; };
     const Vec3 area = (corner(1) - corner(0)).cross(corner(2) - corner(0));
     for (const int v : t) {
-      normals[static_cast<std::size_t>(v)] += area;
+      normals[v] += area;
     }
   }
   Vec3 sum(0.0, -p.gravity * model.totalMass(), 0.0);
@@ -181,7 +181,7 @@ std::vector<std::shared_ptr<const ClothModel>> freeSheets() {
 /// Whether a vertex lies along the wind exactly: eq. 20 does not say to which side its lift points.
 bool liesAlong(const ClothModel& model, const Vec3& wind) {
   for (const Triangle& t : model.triangles) {
-    const auto corner = [&](std::size_t c) { return model.restPositions[static_cast<std::size_t>(t[c])]; };
+    const auto corner = [&](std::size_t c) { return model.restPositions[t[c]]; };
     if (std::abs((corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized().dot(wind)) < 1e-9) {
       return true;
     }

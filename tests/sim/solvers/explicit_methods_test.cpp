@@ -35,9 +35,7 @@ double denseFrequency(const ClothModel& model, double stiffness) {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
   for (const Spring& spring : model.springs) {
     const std::array<int, 2> ends{spring.a, spring.b};
-    const Vec3 d = (model.restPositions[static_cast<std::size_t>(spring.b)] -
-                    model.restPositions[static_cast<std::size_t>(spring.a)])
-                       .normalized();
+    const Vec3 d = (model.restPositions[spring.b] - model.restPositions[spring.a]).normalized();
     for (const int i : ends) {
       for (const int j : ends) {
         const auto vi = static_cast<std::size_t>(i);
@@ -209,8 +207,7 @@ TEST(Verlet, bringsTheClothToAnAttachmentThatIsFarStifferThanTheCloth) {
   }
   Vec3 attached = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    attached += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
-                state.positions[static_cast<std::size_t>(model->triangles[100][c])];
+    attached += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * state.positions[model->triangles[100][c]];
   }
   EXPECT_LT((attached - inputs.attachment->target).norm(), 0.01);
 }

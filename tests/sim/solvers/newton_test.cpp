@@ -190,8 +190,7 @@ TEST(Newton, settlesAnAttachedPointWhereMouseSpringAndWeightBalance) {
   }
   Vec3 point = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    point += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
-             state.positions[static_cast<std::size_t>(model->triangles[0][c])];
+    point += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * state.positions[model->triangles[0][c]];
   }
   const double below = 0.1 * parameters.gravity / inputs.attachment->stiffness;
   EXPECT_LT((point - inputs.attachment->target + Vec3(0.0, below, 0.0)).norm(), 1e-3);

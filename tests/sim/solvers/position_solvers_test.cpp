@@ -199,8 +199,7 @@ TEST_P(PositionSolver, holdsALightMeshByAStiffAttachmentAtALargeStep) {
   }
   Vec3 attached = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    attached += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] *
-                state.positions[static_cast<std::size_t>(model->triangles[100][c])];
+    attached += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * state.positions[model->triangles[100][c]];
   }
   EXPECT_LT((attached - inputs.attachment->target).norm(), 0.02);
   for (const Vec3& velocity : state.velocities) {

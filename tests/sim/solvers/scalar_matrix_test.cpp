@@ -154,7 +154,7 @@ ClothState exactMotion(const ClothModel& model, double k, double seconds) {
   }
   ClothState state = stateAtRest(model.restPositions);
   for (Eigen::Index i = 0; i < x.rows(); ++i) {
-    state.positions[static_cast<std::size_t>(i)] = x.row(i).transpose();
+    state.positions[i] = x.row(i).transpose();
   }
   return state;
 }

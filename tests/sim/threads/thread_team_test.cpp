@@ -22,7 +22,7 @@ TEST(ThreadTeam, letsEveryMemberWorkOnceInEachOfManyRounds) {
   ThreadTeam team;
   std::vector<int> rounds(4, 0);  // not atomic: each belongs to its member, and a round ends before the next begins
   for (int round = 0; round < 1000; ++round) {
-    team.run(4, [&](int member) { ++rounds[static_cast<std::size_t>(member)]; });
+    team.run(4, [&](int member) { ++rounds[member]; });
   }
   EXPECT_EQ(rounds, std::vector<int>(4, 1000));
 }
@@ -39,11 +39,11 @@ TEST(ThreadTeam, runsItsFirstMemberOnTheCallingThread) {
 TEST(ThreadTeam, letsNoThreadPassTheBarrierBeforeAllHaveArrived) {
   for (const int count : {1, 2, 3, 7}) {
     ThreadTeam team;
-    std::vector<int> written(static_cast<std::size_t>(count), -1);
+    std::vector<int> written(count, -1);
     std::atomic<int> mistakes = 0;
     team.run(count, [&](int member) {
       for (int meeting = 0; meeting < 200; ++meeting) {
-        written[static_cast<std::size_t>(member)] = meeting;
+        written[member] = meeting;
         team.arriveAndWait();
         for (const int other : written) {
           mistakes += other != meeting ? 1 : 0;

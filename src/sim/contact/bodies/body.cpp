@@ -84,7 +84,7 @@ BodySurface surfaceOf(const BodyShape& shape) {
 Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& position) {
   Vec3 local = body.start.toLocal(position);
   if (pin.anchor >= 0) {
-    const auto anchor = static_cast<std::size_t>(pin.anchor);
+    const int anchor = pin.anchor;
     local += body.endVertices[anchor] - body.startVertices[anchor];
   }
   return body.end.toWorld(local);

@@ -21,8 +21,8 @@ ClothClusters::ClothClusters(const ClothModel& model) {
     others.clear();
     for (const int t : tree.leaf(leaf)) {
       triangles_.push_back(t);
-      for (const int v : model.triangles[static_cast<std::size_t>(t)]) {
-        std::vector<int>& list = taken[static_cast<std::size_t>(v)] ? others : own;
+      for (const int v : model.triangles[t]) {
+        std::vector<int>& list = taken[v] ? others : own;
         if (std::find(own.begin(), own.end(), v) == own.end() &&
             std::find(others.begin(), others.end(), v) == others.end()) {
           list.push_back(v);
@@ -35,7 +35,7 @@ ClothClusters::ClothClusters(const ClothModel& model) {
     vertexBegin_.push_back(static_cast<int>(vertices_.size()));
     triangleBegin_.push_back(static_cast<int>(triangles_.size()));
     for (const int v : own) {
-      taken[static_cast<std::size_t>(v)] = true;
+      taken[v] = true;
     }
   }
 }

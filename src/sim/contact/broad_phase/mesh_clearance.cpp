@@ -15,7 +15,7 @@ constexpr std::array wideSlacks{0.16, 0.04};
 constexpr double narrowSlack = 0.01;  // maximum slack of clusters with closer leaves [m]
 
 bool isPinned(const ClothModel& model, int vertex) {
-  return model.pinned[static_cast<std::size_t>(vertex)];
+  return model.pinned[vertex];
 }
 
 bool isPinned(const ClothModel& model, const Triangle& triangle) {
@@ -68,7 +68,7 @@ double MeshClearance::slackOf(const SearchableMesh& mesh, const ClothMotion& mot
   double slack = narrowSlack;
   leaf_.resize(1);
   for (const int t : motion.clusters.triangles(cluster)) {
-    const Triangle& triangle = motion.model.triangles[static_cast<std::size_t>(t)];
+    const Triangle& triangle = motion.model.triangles[t];
     if (isPinned(motion.model, triangle)) {
       continue;
     }

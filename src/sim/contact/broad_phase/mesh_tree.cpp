@@ -12,9 +12,7 @@ MeshTree::MeshTree(std::span<const Vec3> positions, std::span<const Triangle> tr
   std::vector<Vec3> middles;
   middles.reserve(triangles.size());
   for (const Triangle& t : triangles) {
-    middles.emplace_back((positions[static_cast<std::size_t>(t[0])] + positions[static_cast<std::size_t>(t[1])] +
-                          positions[static_cast<std::size_t>(t[2])]) /
-                         3.0);
+    middles.emplace_back((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3.0);
   }
   build(middles, 0, order_.size(), maxTriangles);
   refit(positions, positions, triangles);
@@ -31,15 +29,15 @@ void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t 
   } else {
     Eigen::AlignedBox3d box;
     for (std::size_t i = begin; i < end; ++i) {
-      box.extend(middles[static_cast<std::size_t>(order_[i])]);
+      box.extend(middles[order_[i]]);
     }
     Eigen::Index axis = 0;
     box.sizes().maxCoeff(&axis);
     const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto last = order_.begin() + static_cast<std::ptrdiff_t>(end);
     std::sort(first, last, [&](int a, int b) {
-      const double x = middles[static_cast<std::size_t>(a)][axis];
-      const double y = middles[static_cast<std::size_t>(b)][axis];
+      const double x = middles[a][axis];
+      const double y = middles[b][axis];
       return x != y ? x < y : a < b;
     });
     const std::size_t middle = begin + (end - begin) / 2;
@@ -77,9 +75,9 @@ void MeshTree::refit(std::span<const Vec3> before, std::span<const Vec3> after, 
     node.box.setEmpty();
     if (node.end > node.begin) {
       for (std::size_t i = node.begin; i < node.end; ++i) {
-        for (const int corner : triangles[static_cast<std::size_t>(order_[i])]) {
-          node.box.extend(before[static_cast<std::size_t>(corner)]);
-          node.box.extend(after[static_cast<std::size_t>(corner)]);
+        for (const int corner : triangles[order_[i]]) {
+          node.box.extend(before[corner]);
+          node.box.extend(after[corner]);
         }
       }
     } else {

@@ -97,7 +97,7 @@ void SearchableMesh::fillBoxes(std::span<const Vec3> positions, std::vector<Tria
     for (std::size_t k = 0; k < trianglesPerLeaf; ++k) {
       Eigen::AlignedBox3d box;
       if (k < triangles.size()) {
-        for (const int v : shape.triangles[static_cast<std::size_t>(triangles[k])]) {
+        for (const int v : shape.triangles[triangles[k]]) {
           box.extend(vectorAt(positions, v));
         }
       } else {
@@ -138,7 +138,7 @@ void SearchableMesh::gatherPoints(std::span<const int> triangles) {
   vertexFeatures_.resize(begin);
   for (const bool own : {true, false}) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const auto t = static_cast<std::size_t>(triangles[i]);
+      const int t = triangles[i];
       for (std::size_t k = 0; k < 3; ++k) {
         const int v = shape.triangles[t][k];
         const auto first = leafVertices_.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -160,7 +160,7 @@ void SearchableMesh::gatherPoints(std::span<const int> triangles) {
 /// Adds the sharp edges that a leaf owns.
 void SearchableMesh::gatherEdges(std::span<const int> triangles) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto t = static_cast<std::size_t>(triangles[i]);
+    const int t = triangles[i];
     for (std::size_t k = 0; k < 3; ++k) {
       if (owned[t].sides[k] && sharp[t][k]) {
         leafEdges_.push_back({shape.triangles[t][k], shape.triangles[t][(k + 1) % 3]});

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<std::array<int, 2>, 3> sides{{{0, 1}, {1, 2}, {2, 0}}};
 
 const Vec3& at(const Corners& corners, int i) {
-  return corners[static_cast<std::size_t>(i)];
+  return corners[i];
 }
 
 Vec3 onSide(const std::array<int, 2>& side, double along) {

@@ -26,9 +26,7 @@ struct MeshInStep {
   [[nodiscard]] Corners endCorners(int triangle) const { return cornersOf(endPositions, indices(triangle)); }
 
  private:
-  [[nodiscard]] const Triangle& indices(int triangle) const {
-    return mesh.shape.triangles[static_cast<std::size_t>(triangle)];
-  }
+  [[nodiscard]] const Triangle& indices(int triangle) const { return mesh.shape.triangles[triangle]; }
 };
 
 /// The point of a mesh that is closest to a vertex of the cloth.

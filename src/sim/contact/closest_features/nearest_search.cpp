@@ -15,7 +15,7 @@ constexpr float roundedDown = 1.0F - 1e-6F;  // the same for distances as float 
 }  // namespace
 
 void NearestSearch::testTriangle(int triangle, const Vec3& point) {
-  const Triangle& corners = mesh_.mesh.shape.triangles[static_cast<std::size_t>(triangle)];
+  const Triangle& corners = mesh_.mesh.shape.triangles[triangle];
   const Vec3& a = vectorAt(mesh_.positions(), corners[0]);
   const Vec3& b = vectorAt(mesh_.positions(), corners[1]);
   const Vec3& c = vectorAt(mesh_.positions(), corners[2]);

@@ -17,7 +17,7 @@ using Corners = std::array<Vec3, 3>;
 }
 
 [[nodiscard]] inline const Vec3& vectorAt(std::span<const Vec3> points, int i) {
-  return points[static_cast<std::size_t>(i)];
+  return points[i];
 }
 
 [[nodiscard]] inline Corners cornersOf(std::span<const Vec3> points, const Triangle& triangle) {

@@ -41,7 +41,7 @@ void ConstraintBuilder::addPlanes(const ClothInBody& cloth, std::size_t t, const
   const Vec3 world = step_.end.rotation * normal;
   const double origin = world.dot(step_.end.position);
   for (const int v : cloth.triangles[t]) {
-    if (normal.dot(vectorAt(cloth.start, v)) - cloth.displacementBounds[static_cast<std::size_t>(v)] < limit) {
+    if (normal.dot(vectorAt(cloth.start, v)) - cloth.displacementBounds[v] < limit) {
       candidates.planes.push_back({v, index_, world, limit + origin});
     }
   }

@@ -7,7 +7,7 @@ namespace drape {
 Vec3 pointOf(const ContactConstraint& contact, const std::vector<Vec3>& values) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    sum += contact.weights[static_cast<Eigen::Index>(c)] * values[static_cast<std::size_t>(contact.vertices[c])];
+    sum += contact.weights[static_cast<Eigen::Index>(c)] * values[contact.vertices[c]];
   }
   return sum;
 }

@@ -117,8 +117,7 @@ class MeshSearch::ClusterSearch {
   /// The closest point of the mesh to a vertex, within its displacement.
   NearestMeshPoint nearestTo(int vertex, const NearbyLeaves& nearby, NearbyTriangles& memory) {
     const Vec3& point = vectorAt(cloth_.start, vertex);
-    const double radius =
-        cloth_.displacementBounds[static_cast<std::size_t>(vertex)] - builder_.offsets().contactOffset;
+    const double radius = cloth_.displacementBounds[vertex] - builder_.offsets().contactOffset;
     if (mesh_.mesh.isDeforming() || cloth_.overlap != nullptr) {
       NearestMeshPoint found = nearest_.among(nearby.leaves, nearby.boxes, point, radius_);
       return found.triangle < 0 && radius > radius_ ? nearest_.anywhere(point, radius) : found;
@@ -162,8 +161,7 @@ void MeshSearch::findVertexContacts(const ConstraintBuilder& builder, const Mesh
     for (std::size_t c = first; c < last; ++c) {
       here.list(clusters.vertices(c), nearby_[c]);
       for (const int v : clusters.ownVertices(c)) {
-        const auto at = static_cast<std::size_t>(v);
-        nearest_[at] = here.nearestTo(v, nearby_[c], near_[at]);
+        nearest_[v] = here.nearestTo(v, nearby_[c], near_[v]);
       }
     }
   });
@@ -197,7 +195,7 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
   if (nearby.leaves.empty()) {
     const double near = listedRatio * offsets.contactOffset;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      distances_[static_cast<std::size_t>(triangles[i])] = near;
+      distances_[triangles[i]] = near;
       nearby.distances[i] = std::max(nearby.distances[i], near - nearby.moved);
     }
     return;
@@ -206,7 +204,7 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
     return (vectorAt(cloth.predicted, v) - vectorAt(cloth.start, v)).squaredNorm();
   };
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto t = static_cast<std::size_t>(triangles[i]);
+    const int t = triangles[i];
     distances_[t] = nearby.distances[i] - nearby.moved;
     if (distances_[t] >= closeDistance(offsets) || penetrating_[t]) {
       continue;
@@ -228,7 +226,7 @@ void MeshSearch::addVertexContacts(const ConstraintBuilder& builder, const MeshI
                                    Candidates& candidates) const {
   for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto v = static_cast<std::size_t>(cloth.triangles[t][k]);
+      const int v = cloth.triangles[t][k];
       const NearestMeshPoint& near = nearest_[v];
       if (!cloth.owned[t].corners[k]) {
         continue;
@@ -258,7 +256,7 @@ const MeshSearch::NearbyLeaves& MeshSearch::leavesWithinBound(const ConstraintBu
   double far = 0.0;
   Eigen::AlignedBox3d box;
   for (const int v : clusters.vertices(cluster)) {
-    far = std::max(far, cloth.displacementBounds[static_cast<std::size_t>(v)] + builder.offsets().minimumSeparation);
+    far = std::max(far, cloth.displacementBounds[v] + builder.offsets().minimumSeparation);
     box.extend(vectorAt(cloth.start, v));
   }
   if (far > listedRatio * builder.offsets().contactOffset) {
@@ -274,7 +272,7 @@ void MeshSearch::findPlanesOf(int triangle, const MeshInStep& mesh, const Nearby
                               Candidates& candidates) const {
   const std::size_t before = candidates.planes.size();
   planes.search(triangle, nearby.leaves, nearby.boxes);
-  if (penetrating_[static_cast<std::size_t>(triangle)] && mesh.mesh.closed) {
+  if (penetrating_[triangle] && mesh.mesh.closed) {
     candidates.planes.resize(before);
   }
 }
@@ -285,39 +283,37 @@ bool MeshSearch::findPlanes(const ConstraintBuilder& builder, const MeshInStep& 
   skipped_.assign(cloth.triangles.size(), 0);
   requested_.resize(cloth.triangles.size(), 0);
   const auto canSkip = [&](std::size_t t) {
-    const auto displacement = [&](std::size_t k) {
-      return displacements[static_cast<std::size_t>(cloth.triangles[t][k])];
-    };
+    const auto displacement = [&](std::size_t k) { return displacements[cloth.triangles[t][k]]; };
     const double longest = std::max({displacement(0), displacement(1), displacement(2)});
     return !mesh.moves() && requested_[t] == 0 &&
            distances_[t] > longest + builder.offsets().minimumSeparation + rounding;
   };
-  const auto parts =
-      inParts<Piercing>(clusters, workers, threads, cloth.triangles.size(),
-                        [&](std::size_t first, std::size_t last, Part<Piercing>& part) {
-                          PlaneSearch planes(builder, mesh, cloth, nearest_, part.found);
-                          NearbyLeaves wider;
-                          for (std::size_t c = first; c < last; ++c) {
-                            const std::span<const int> triangles = clusters.triangles(c);
-                            for (const int t : triangles) {
-                              skipped_[static_cast<std::size_t>(t)] = canSkip(static_cast<std::size_t>(t)) ? 1 : 0;
-                            }
-                            const auto isSkipped = [&](int t) { return skipped_[static_cast<std::size_t>(t)] != 0; };
-                            if (std::all_of(triangles.begin(), triangles.end(), isSkipped)) {
-                              continue;
-                            }
-                            const NearbyLeaves& nearby = leavesWithinBound(builder, mesh, cloth, clusters, c, wider);
-                            if (nearby.leaves.empty()) {
-                              continue;
-                            }
-                            for (const int t : triangles) {
-                              if (!isSkipped(t) && !keepKnownPiercings(mesh, t, planes)) {
-                                findPlanesOf(t, mesh, nearby, planes, part.found);
-                              }
-                            }
-                          }
-                          part.more = planes.piercings();
-                        });
+  const auto parts = inParts<Piercing>(clusters, workers, threads, cloth.triangles.size(),
+                                       [&](std::size_t first, std::size_t last, Part<Piercing>& part) {
+                                         PlaneSearch planes(builder, mesh, cloth, nearest_, part.found);
+                                         NearbyLeaves wider;
+                                         for (std::size_t c = first; c < last; ++c) {
+                                           const std::span<const int> triangles = clusters.triangles(c);
+                                           for (const int t : triangles) {
+                                             skipped_[t] = canSkip(static_cast<std::size_t>(t)) ? 1 : 0;
+                                           }
+                                           const auto isSkipped = [&](int t) { return skipped_[t] != 0; };
+                                           if (std::all_of(triangles.begin(), triangles.end(), isSkipped)) {
+                                             continue;
+                                           }
+                                           const NearbyLeaves& nearby =
+                                               leavesWithinBound(builder, mesh, cloth, clusters, c, wider);
+                                           if (nearby.leaves.empty()) {
+                                             continue;
+                                           }
+                                           for (const int t : triangles) {
+                                             if (!isSkipped(t) && !keepKnownPiercings(mesh, t, planes)) {
+                                               findPlanesOf(t, mesh, nearby, planes, part.found);
+                                             }
+                                           }
+                                         }
+                                         part.more = planes.piercings();
+                                       });
   std::vector<Piercing> piercings;
   for (const auto& part : parts) {
     candidates.append(part.found);
@@ -330,7 +326,7 @@ bool MeshSearch::findPlanes(const ConstraintBuilder& builder, const MeshInStep& 
   piercings_.swap(piercings);
   firstPiercing_.assign(cloth.triangles.size(), piercings_.size());
   for (std::size_t i = piercings_.size(); i-- > 0;) {
-    firstPiercing_[static_cast<std::size_t>(piercings_[i].cloth)] = i;
+    firstPiercing_[piercings_[i].cloth] = i;
   }
   piercingsKnown_ = true;
   return newlyFound;
@@ -339,8 +335,7 @@ bool MeshSearch::findPlanes(const ConstraintBuilder& builder, const MeshInStep& 
 bool MeshSearch::requestPlanesAround(std::span<const Triangle> triangles, const std::vector<bool>& moved) {
   bool newlyFound = false;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const bool touched = std::any_of(triangles[t].begin(), triangles[t].end(),
-                                     [&](int v) { return moved[static_cast<std::size_t>(v)]; });
+    const bool touched = std::any_of(triangles[t].begin(), triangles[t].end(), [&](int v) { return moved[v]; });
     if (touched && skipped_[t] != 0) {
       requested_[t] = 1;
       newlyFound = true;
@@ -350,7 +345,7 @@ bool MeshSearch::requestPlanesAround(std::span<const Triangle> triangles, const 
 }
 
 Vec3 MeshSearch::bodyDisplacementAt(const MeshInStep& mesh, int vertex) const {
-  const NearestMeshPoint& near = nearest_[static_cast<std::size_t>(vertex)];
+  const NearestMeshPoint& near = nearest_[vertex];
   if (near.triangle < 0) {
     return Vec3::Zero();
   }

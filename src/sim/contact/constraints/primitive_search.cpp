@@ -11,8 +11,7 @@ namespace {
 
 /// Whether no corner is pinned. Triangles with pinned corners cannot leave the body and do not count as overlaps.
 bool hasNoPin(const ClothInBody& cloth, const Triangle& corners) {
-  return std::all_of(corners.begin(), corners.end(),
-                     [&](int v) { return cloth.inverseMass[static_cast<std::size_t>(v)] > 0.0; });
+  return std::all_of(corners.begin(), corners.end(), [&](int v) { return cloth.inverseMass[v] > 0.0; });
 }
 
 }  // namespace
@@ -54,12 +53,11 @@ void PrimitiveSearch::searchPlane(const ClothInBody& cloth, std::size_t t, Candi
     const int v = cloth.triangles[t][k];
     const Vec3& start = vectorAt(cloth.start, v);
     const double gap = start.y();
-    if (gap <= 0.0 && cloth.inverseMass[static_cast<std::size_t>(v)] > 0.0) {
+    if (gap <= 0.0 && cloth.inverseMass[v] > 0.0) {
       overlaps = true;
       candidates.deepestOverlap = std::max(candidates.deepestOverlap, -gap);
     }
-    if (!cloth.owned[t].corners[k] ||
-        gap > builder_.offsets().contactOffset + cloth.displacementBounds[static_cast<std::size_t>(v)]) {
+    if (!cloth.owned[t].corners[k] || gap > builder_.offsets().contactOffset + cloth.displacementBounds[v]) {
       continue;
     }
     const Vec3 foot(start.x(), 0.0, start.z());
@@ -105,7 +103,7 @@ void PrimitiveSearch::searchCapsule(const ClothInBody& cloth, std::size_t t, Can
   Eigen::AlignedBox3d box;
   for (std::size_t k = 0; k < 3; ++k) {
     box.extend(start[k]);
-    bound = std::max(bound, cloth.displacementBounds[static_cast<std::size_t>(cloth.triangles[t][k])]);
+    bound = std::max(bound, cloth.displacementBounds[cloth.triangles[t][k]]);
   }
   const double far = radius_ + builder_.offsets().contactOffset + bound;
   const Eigen::AlignedBox3d core(core_[0] - Vec3::Constant(far), core_[1] + Vec3::Constant(far));

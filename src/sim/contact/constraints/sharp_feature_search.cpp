@@ -12,7 +12,7 @@ bool SharpFeatureSearch::findNearbyLeaves(int t, const std::vector<int>& leaves,
   start_ = cornersOf(cloth_.start, cloth_.triangles[t_]);
   boxesMeeting(boxes, inflated(boxAround(start_), near_), leaves_);
   for (std::int32_t& each : leaves_) {
-    each = leaves[static_cast<std::size_t>(each)];
+    each = leaves[each];
   }
   normal_ = faceNormal(start_);
   return !leaves_.empty();
@@ -22,7 +22,7 @@ bool SharpFeatureSearch::findNearbyLeaves(int t, const std::vector<int>& leaves,
 Vec3 SharpFeatureSearch::outwardNormal() const {
   const NearestMeshPoint* first = nullptr;
   for (const int v : cloth_.triangles[t_]) {
-    const NearestMeshPoint& near = nearest_[static_cast<std::size_t>(v)];
+    const NearestMeshPoint& near = nearest_[v];
     first = near.triangle >= 0 && (first == nullptr || near.gap < first->gap) ? &near : first;
   }
   return first != nullptr && first->normal.dot(normal_) < 0.0 ? Vec3(-normal_) : normal_;
@@ -65,7 +65,7 @@ void SharpFeatureSearch::searchFeatures(const std::vector<int>& leaves, const Bo
   const FaceRegion close = region();
   boxesMeeting(boxes, close.box, leaves_);
   for (std::int32_t& each : leaves_) {
-    each = leaves[static_cast<std::size_t>(each)];
+    each = leaves[each];
   }
   mesh_.mesh.featuresIn(close, leaves_, mesh_.atEnd, found_);
   for (std::size_t i = 0; i < leaves_.size(); ++i) {

@@ -73,7 +73,7 @@ void BodyContact::extendBoundsForRecovery() {
     if (near.overlaps) {
       const double maxStep = near.offsets.recoveryStepAt(std::numeric_limits<double>::max());
       for (const int v : near.overlap.members()) {
-        displacementBounds_[static_cast<std::size_t>(v)] += maxStep;
+        displacementBounds_[v] += maxStep;
       }
     }
   }
@@ -91,8 +91,8 @@ std::vector<bool> BodyContact::verticesAtOverlap(const Cloth& cloth, const NearB
   std::vector<bool> atOverlap(predicted_.size(), false);
   std::vector<int> newest;
   const auto mark = [&](int v, std::vector<int>& marked) {
-    if (!atOverlap[static_cast<std::size_t>(v)]) {
-      atOverlap[static_cast<std::size_t>(v)] = true;
+    if (!atOverlap[v]) {
+      atOverlap[v] = true;
       marked.push_back(v);
     }
   };

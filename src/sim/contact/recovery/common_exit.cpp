@@ -63,10 +63,10 @@ bool CommonExit::findFollowers(const Direction& direction, std::vector<Exit>& fo
   std::vector<VertexRole> roles(start_.size(), VertexRole::Unknown);
   std::vector<double> enters(start_.size(), 0.0);
   for (const int v : vertices_) {
-    roles[static_cast<std::size_t>(v)] = VertexRole::Leaves;
+    roles[v] = VertexRole::Leaves;
   }
   const auto moves = [&](int v) {
-    const VertexRole role = roles[static_cast<std::size_t>(v)];
+    const VertexRole role = roles[v];
     return role == VertexRole::Leaves || role == VertexRole::Follows;
   };
   for (bool more = true; more;) {
@@ -77,22 +77,20 @@ bool CommonExit::findFollowers(const Direction& direction, std::vector<Exit>& fo
         continue;
       }
       for (const int v : t) {
-        const auto at = static_cast<std::size_t>(v);
-        if (roles[at] != VertexRole::Unknown || inside_[at] != 0) {
+        if (roles[v] != VertexRole::Unknown || inside_[v] != 0) {
           continue;
         }
-        roles[at] = VertexRole::Free;
-        const std::optional<Passage> passage = solid_.passageAlong(start_[at], direction.along);
+        roles[v] = VertexRole::Free;
+        const std::optional<Passage> passage = solid_.passageAlong(start_[v], direction.along);
         if (!passage) {
           continue;
         }
         if (passage->enter <= direction.maxDistance) {
-          roles[at] = VertexRole::Follows;
-          enters[at] = passage->enter;
+          roles[v] = VertexRole::Follows;
+          enters[v] = passage->enter;
           followers.emplace_back(v, passage->exit);
           more = true;
-        } else if (passage->enter - enters[static_cast<std::size_t>(*from)] <
-                   maxSlope * (start_[at] - vectorAt(start_, *from)).norm()) {
+        } else if (passage->enter - enters[*from] < maxSlope * (start_[v] - vectorAt(start_, *from)).norm()) {
           return false;
         }
         if (followers.size() > maxFollowers) {

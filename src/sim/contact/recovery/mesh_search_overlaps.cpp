@@ -10,7 +10,7 @@ namespace drape {
 std::vector<bool> MeshSearch::pierces(std::size_t triangles) const {
   std::vector<bool> pierces(triangles, false);
   for (const Piercing& each : piercings_) {
-    pierces[static_cast<std::size_t>(each.cloth)] = true;
+    pierces[each.cloth] = true;
   }
   return pierces;
 }
@@ -28,19 +28,17 @@ void MeshSearch::markPenetrating(const ClothInBody& cloth) {
                       (cloth.overlap != nullptr &&
                        std::any_of(corners.begin(), corners.end(), [&](int v) { return cloth.overlap->inside(v); }));
     for (const int v : corners) {
-      besidePenetrating_[static_cast<std::size_t>(v)] =
-          besidePenetrating_[static_cast<std::size_t>(v)] || penetrating_[t];
+      besidePenetrating_[v] = besidePenetrating_[v] || penetrating_[t];
     }
   }
 }
 
 /// Reuses the known piercings of a penetrating triangle, which has no planes. Returns false if they are not known.
 bool MeshSearch::keepKnownPiercings(const MeshInStep& mesh, int triangle, PlaneSearch& planes) const {
-  const auto t = static_cast<std::size_t>(triangle);
-  if (!piercingsKnown_ || !penetrating_[t] || !mesh.mesh.closed) {
+  if (!piercingsKnown_ || !penetrating_[triangle] || !mesh.mesh.closed) {
     return false;
   }
-  for (std::size_t i = firstPiercing_[t]; i < piercings_.size() && piercings_[i].cloth == triangle; ++i) {
+  for (std::size_t i = firstPiercing_[triangle]; i < piercings_.size() && piercings_[i].cloth == triangle; ++i) {
     planes.addPiercing(piercings_[i]);
   }
   return true;
@@ -53,14 +51,13 @@ void MeshSearch::countOverlaps(const ClothInBody& cloth, Candidates& candidates)
     return;
   }
   const auto movesInside = [&](int v) {
-    return cloth.overlap != nullptr && cloth.overlap->inside(v) && cloth.inverseMass[static_cast<std::size_t>(v)] > 0.0;
+    return cloth.overlap != nullptr && cloth.overlap->inside(v) && cloth.inverseMass[v] > 0.0;
   };
   for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
     const Triangle& corners = cloth.triangles[t];
-    const bool counts = std::any_of(corners.begin(), corners.end(), movesInside) ||
-                        (pierces_[t] && std::all_of(corners.begin(), corners.end(), [&](int v) {
-                           return cloth.inverseMass[static_cast<std::size_t>(v)] > 0.0;
-                         }));
+    const bool counts =
+        std::any_of(corners.begin(), corners.end(), movesInside) ||
+        (pierces_[t] && std::all_of(corners.begin(), corners.end(), [&](int v) { return cloth.inverseMass[v] > 0.0; }));
     candidates.overlaps += penetrating_[t] && counts ? 1 : 0;
   }
   for (std::size_t v = 0; v < cloth.start.size() && cloth.overlap != nullptr; ++v) {
@@ -93,7 +90,7 @@ void MeshSearch::addRecoveryContacts(const ConstraintBuilder& builder, const Mes
 void MeshSearch::addContactAcrossTriangle(const ConstraintBuilder& builder, const MeshInStep& mesh,
                                           const ClothInBody& cloth, std::size_t first, std::size_t last,
                                           Candidates& candidates) const {
-  const auto t = static_cast<std::size_t>(piercings_[first].cloth);
+  const int t = piercings_[first].cloth;
   const Triangle& corners = cloth.triangles[t];
   if (cloth.overlap != nullptr &&
       std::any_of(corners.begin(), corners.end(), [&](int v) { return cloth.overlap->inside(v); })) {
@@ -117,7 +114,7 @@ void MeshSearch::addContactAcrossTriangle(const ConstraintBuilder& builder, cons
 /// Recovery from an open mesh: a triangle that pierces one of its faces moves to the front of that face.
 void MeshSearch::addContactToFront(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                                    const Piercing& piercing, Candidates& candidates) const {
-  const auto t = static_cast<std::size_t>(piercing.cloth);
+  const int t = piercing.cloth;
   const Corners start = cornersOf(cloth.start, cloth.triangles[t]);
   const Corners at = mesh.corners(piercing.body);
   const Vec3 face = faceNormal(mesh.endCorners(piercing.body));

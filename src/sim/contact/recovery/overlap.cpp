@@ -115,7 +115,7 @@ void Overlap::find(Solid& solid, std::vector<char> inside, std::span<const Vec3>
       depth = std::max(depth, -exitOf(v).gap);
     }
     for (const int v : piece.vertices) {
-      exits_[static_cast<std::size_t>(v)].depth = depth;
+      exits_[v].depth = depth;
     }
     for (std::size_t i = before; i < followers_.size(); ++i) {
       followers_[i].second.depth = depth;
@@ -260,7 +260,7 @@ bool Overlap::tears(const Cloth& cloth, int a, int b) const {
 void Overlap::take(const std::vector<CommonExit::Exit>& exits) {
   for (const CommonExit::Exit& each : exits) {
     if (inside(each.first)) {
-      exits_[static_cast<std::size_t>(each.first)] = each.second;
+      exits_[each.first] = each.second;
     } else {
       followers_.push_back(each);
     }
@@ -269,9 +269,9 @@ void Overlap::take(const std::vector<CommonExit::Exit>& exits) {
 
 void Overlap::addFollowers() {
   for (const auto& [v, exit] : followers_) {
-    exits_[static_cast<std::size_t>(v)] = exit;
+    exits_[v] = exit;
     if (!inside(v)) {
-      inside_[static_cast<std::size_t>(v)] = 1;
+      inside_[v] = 1;
       members_.push_back(v);
     }
   }

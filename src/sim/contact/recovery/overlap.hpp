@@ -24,13 +24,11 @@ class Overlap {
 
   /// Whether any vertex is inside. Vertices that follow through the body count as inside.
   [[nodiscard]] bool any() const { return !members_.empty(); }
-  [[nodiscard]] bool inside(int vertex) const {
-    return !inside_.empty() && inside_[static_cast<std::size_t>(vertex)] != 0;
-  }
+  [[nodiscard]] bool inside(int vertex) const { return !inside_.empty() && inside_[vertex] != 0; }
   /// The exit of a vertex inside. Its gap is negative.
-  [[nodiscard]] const NearPoint& exitOf(int vertex) const { return exits_[static_cast<std::size_t>(vertex)]; }
+  [[nodiscard]] const NearPoint& exitOf(int vertex) const { return exits_[vertex]; }
   /// The distance of a vertex inside to the surface [m]; 0 if it follows.
-  [[nodiscard]] double depthOf(int vertex) const { return depths_[static_cast<std::size_t>(vertex)]; }
+  [[nodiscard]] double depthOf(int vertex) const { return depths_[vertex]; }
   /// The vertices inside, ascending.
   [[nodiscard]] std::span<const int> members() const { return members_; }
 

@@ -15,7 +15,7 @@ bool MeshSolid::contains(const Vec3& point) {
   static const std::array<Vec3, 3> directions{Vec3(0.36, 0.48, 0.8), Vec3(-0.48, 0.64, -0.6), Vec3(0.8, -0.36, 0.48)};
   int votes = 0;
   for (int i = 0; i < 3; ++i) {
-    crossingsAlong(mesh_, point, directions[static_cast<std::size_t>(i)], crossings_);
+    crossingsAlong(mesh_, point, directions[i], crossings_);
     votes += windingOf(crossings_) > 0 ? 1 : 0;
     if (i > 0 && votes != 1) {
       break;

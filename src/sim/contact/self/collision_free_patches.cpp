@@ -74,13 +74,13 @@ bool BorderCheck::simple(const int* border, int count, const PositionLanes& posi
   x_.resize(static_cast<std::size_t>(count) + maxLanes + 1);
   y_.resize(static_cast<std::size_t>(count) + maxLanes + 1);
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    const auto v = static_cast<std::size_t>(border[i]);
+    const int v = border[i];
     const Direction position = {positions.x[v], positions.y[v], positions.z[v]};
     x_[i] = dot(position, u);
     y_[i] = dot(position, w);
   }
-  x_[static_cast<std::size_t>(count)] = x_[0];
-  y_[static_cast<std::size_t>(count)] = y_[0];
+  x_[count] = x_[0];
+  y_[count] = y_[0];
   return isSimplePolygon(x_.data(), y_.data(), count);
 }
 
@@ -96,12 +96,12 @@ void PatchGrower::begin(const PatchMesh& mesh, const PositionLanes& positions, C
     }
   }
   orderIndex_.resize(triangles);
-  attemptOfVertex_.assign(static_cast<std::size_t>(mesh.vertices), -1);
-  next_.resize(static_cast<std::size_t>(mesh.vertices));
+  attemptOfVertex_.assign(mesh.vertices, -1);
+  next_.resize(mesh.vertices);
   attempt_ = 0;
   patches.patches.clear();
   patches.border.clear();
-  patches.patchOfVertex.assign(static_cast<std::size_t>(mesh.vertices), -1);
+  patches.patchOfVertex.assign(mesh.vertices, -1);
   patches.patchOfTriangle.assign(triangles, -1);
   for (auto* part : {&patches.corners.a, &patches.corners.b, &patches.corners.c}) {
     part->clear();
@@ -109,8 +109,7 @@ void PatchGrower::begin(const PatchMesh& mesh, const PositionLanes& positions, C
 }
 
 Direction PatchGrower::normal(int triangle) const {
-  const auto t = static_cast<std::size_t>(triangle);
-  return {normals_.x[t], normals_.y[t], normals_.z[t]};
+  return {normals_.x[triangle], normals_.y[triangle], normals_.z[triangle]};
 }
 
 bool PatchGrower::faces(int triangle, const Direction& axis) const {
@@ -121,29 +120,27 @@ bool PatchGrower::faces(int triangle, const Direction& axis) const {
 }
 
 bool PatchGrower::keepsDisc(const PatchMesh& mesh, int triangle) const {
-  const auto t = static_cast<std::size_t>(triangle);
   int shared = 0;
   std::size_t edge = 0;
   for (std::size_t c = 0; c < 3; ++c) {
-    const int across = mesh.across[t][c];
-    if (across >= 0 && owner_[static_cast<std::size_t>(across)] == attempt_) {
+    const int across = mesh.across[triangle][c];
+    if (across >= 0 && owner_[across] == attempt_) {
       ++shared;
       edge = c;
     }
   }
-  const int third = mesh.triangles[t][(edge + 2) % 3];
-  return shared == 2 || (shared == 1 && attemptOfVertex_[static_cast<std::size_t>(third)] != attempt_);
+  const int third = mesh.triangles[triangle][(edge + 2) % 3];
+  return shared == 2 || (shared == 1 && attemptOfVertex_[third] != attempt_);
 }
 
 void PatchGrower::take(const PatchMesh& mesh, int triangle) {
-  const auto t = static_cast<std::size_t>(triangle);
-  owner_[t] = attempt_;
-  orderIndex_[t] = static_cast<int>(order_.size());
+  owner_[triangle] = attempt_;
+  orderIndex_[triangle] = static_cast<int>(order_.size());
   order_.push_back(triangle);
   for (std::size_t c = 0; c < 3; ++c) {
-    attemptOfVertex_[static_cast<std::size_t>(mesh.triangles[t][c])] = attempt_;
-    const int across = mesh.across[t][c];
-    if (across >= 0 && owner_[static_cast<std::size_t>(across)] == freeTriangle) {
+    attemptOfVertex_[mesh.triangles[triangle][c]] = attempt_;
+    const int across = mesh.across[triangle][c];
+    if (across >= 0 && owner_[across] == freeTriangle) {
       queue_.push_back(across);
     }
   }
@@ -156,7 +153,7 @@ void PatchGrower::takeFrom(const PatchMesh& mesh, int seed, const Direction& axi
   take(mesh, seed);
   for (std::size_t i = 0; i < queue_.size() && order_.size() < maximum; ++i) {
     const int t = queue_[i];
-    if (owner_[static_cast<std::size_t>(t)] == freeTriangle && faces(t, axis) && keepsDisc(mesh, t)) {
+    if (owner_[t] == freeTriangle && faces(t, axis) && keepsDisc(mesh, t)) {
       take(mesh, t);
     }
   }
@@ -164,7 +161,7 @@ void PatchGrower::takeFrom(const PatchMesh& mesh, int seed, const Direction& axi
 
 void PatchGrower::giveBack(std::size_t kept) {
   for (std::size_t i = kept; i < order_.size(); ++i) {
-    owner_[static_cast<std::size_t>(order_[i])] = freeTriangle;
+    owner_[order_[i]] = freeTriangle;
   }
   order_.resize(kept);
 }
@@ -187,19 +184,18 @@ Direction PatchGrower::axisAround(const PatchMesh& mesh, int seed) {
 void PatchGrower::findBorder(const PatchMesh& mesh, std::size_t count) {
   int start = -1;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto t = static_cast<std::size_t>(order_[i]);
+    const int t = order_[i];
     for (std::size_t c = 0; c < 3; ++c) {
       const int across = mesh.across[t][c];
-      const bool inside = across >= 0 && owner_[static_cast<std::size_t>(across)] == attempt_ &&
-                          orderIndex_[static_cast<std::size_t>(across)] < static_cast<int>(count);
+      const bool inside = across >= 0 && owner_[across] == attempt_ && orderIndex_[across] < static_cast<int>(count);
       if (!inside) {
         start = mesh.triangles[t][c];
-        next_[static_cast<std::size_t>(start)] = mesh.triangles[t][(c + 1) % 3];
+        next_[start] = mesh.triangles[t][(c + 1) % 3];
       }
     }
   }
   border_.clear();
-  for (int v = start; border_.empty() || v != start; v = next_[static_cast<std::size_t>(v)]) {
+  for (int v = start; border_.empty() || v != start; v = next_[v]) {
     border_.push_back(v);
   }
 }
@@ -229,13 +225,13 @@ void PatchGrower::add(const PatchMesh& mesh, const Direction& axis, CollisionFre
   patch.firstBorder = static_cast<int>(patches.border.size());
   const int index = patches.count();
   for (const int t : order_) {
-    patches.patchOfTriangle[static_cast<std::size_t>(t)] = index;
-    const Triangle& triangle = mesh.triangles[static_cast<std::size_t>(t)];
+    patches.patchOfTriangle[t] = index;
+    const Triangle& triangle = mesh.triangles[t];
     patches.corners.a.push_back(triangle[0]);
     patches.corners.b.push_back(triangle[1]);
     patches.corners.c.push_back(triangle[2]);
     for (const int v : triangle) {
-      int& own = patches.patchOfVertex[static_cast<std::size_t>(v)];
+      int& own = patches.patchOfVertex[v];
       own = own < 0 ? index : own;
     }
   }
@@ -257,7 +253,7 @@ void PatchGrower::sortVertices(CollisionFreePatches& patches) {
       loose.firstBorder = loose.lastBorder = static_cast<int>(patches.border.size());
       patches.patches.push_back(loose);
     }
-    ++patches.patches[static_cast<std::size_t>(patch)].lastVertex;
+    ++patches.patches[patch].lastVertex;
   }
   int sum = 0;
   for (CollisionFreePatch& patch : patches.patches) {
@@ -267,8 +263,8 @@ void PatchGrower::sortVertices(CollisionFreePatches& patches) {
   }
   patches.vertices.resize(patches.patchOfVertex.size());
   for (std::size_t v = 0; v < patches.vertices.size(); ++v) {
-    CollisionFreePatch& patch = patches.patches[static_cast<std::size_t>(patches.patchOfVertex[v])];
-    patches.vertices[static_cast<std::size_t>(patch.lastVertex++)] = static_cast<int>(v);
+    CollisionFreePatch& patch = patches.patches[patches.patchOfVertex[v]];
+    patches.vertices[patch.lastVertex++] = static_cast<int>(v);
   }
 }
 
@@ -292,7 +288,7 @@ void PatchGrower::keepPatches(const CollisionFreePatches& old, const std::vector
     copied(old.border, patch.firstBorder, patch.lastBorder, patches.border);
     for (auto i = static_cast<std::size_t>(firstCorner); i < patches.corners.a.size(); ++i) {
       for (const int v : {patches.corners.a[i], patches.corners.b[i], patches.corners.c[i]}) {
-        int& own = patches.patchOfVertex[static_cast<std::size_t>(v)];
+        int& own = patches.patchOfVertex[v];
         own = own < 0 ? indices[c] : own;
       }
     }
@@ -305,9 +301,9 @@ void PatchGrower::keepPatches(const CollisionFreePatches& old, const std::vector
   }
   for (std::size_t t = 0; t < owner_.size(); ++t) {
     const int was = old.patchOfTriangle[t];
-    if (was >= 0 && indices[static_cast<std::size_t>(was)] >= 0) {
+    if (was >= 0 && indices[was] >= 0) {
       owner_[t] = kept;
-      patches.patchOfTriangle[t] = indices[static_cast<std::size_t>(was)];
+      patches.patchOfTriangle[t] = indices[was];
     }
   }
 }

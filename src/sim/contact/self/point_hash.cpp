@@ -48,7 +48,7 @@ void PointHash::sort(const SurfacePoints& points, const std::vector<std::int32_t
   const auto count = static_cast<std::size_t>(points.count);
   sorted_.begin.assign(static_cast<std::size_t>(buckets) + 1, 0);
   for (std::size_t i = 0; i < count; ++i) {
-    ++sorted_.begin[static_cast<std::size_t>(bucket[i])];
+    ++sorted_.begin[bucket[i]];
   }
   std::int32_t sum = 0;
   for (std::int32_t& begin : sorted_.begin) {
@@ -59,7 +59,7 @@ void PointHash::sort(const SurfacePoints& points, const std::vector<std::int32_t
   next_.assign(sorted_.begin.begin(), sorted_.begin.end());
   sorted_.points.count = points.count;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto at = static_cast<std::size_t>(next_[static_cast<std::size_t>(bucket[i])]++);
+    const auto at = static_cast<std::size_t>(next_[bucket[i]]++);
     sorted_.points.positions.x[at] = points.positions.x[i];
     sorted_.points.positions.y[at] = points.positions.y[i];
     sorted_.points.positions.z[at] = points.positions.z[i];

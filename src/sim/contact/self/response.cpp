@@ -63,7 +63,7 @@ void colourPairs(int vertices, const std::vector<VertexPair>& pairs, std::vector
     const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(colour);
     taken[pair.a] |= bit;
     taken[pair.b] |= bit;
-    ++coloured.begin[static_cast<std::size_t>(colour) + 1];
+    ++coloured.begin[colour + 1];
   }
   for (std::size_t c = 0; c < maxColours; ++c) {
     coloured.begin[c + 1] += coloured.begin[c];
@@ -72,7 +72,7 @@ void colourPairs(int vertices, const std::vector<VertexPair>& pairs, std::vector
   std::copy(coloured.begin.begin(), coloured.begin.end(), next.begin());
   coloured.pairs.resize(pairs.size() + maxLanes);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    coloured.pairs[static_cast<std::size_t>(next[colours[i]]++)] = pairs[i];
+    coloured.pairs[next[colours[i]]++] = pairs[i];
   }
   for (std::size_t i = 0; i < left; ++i) {  // each gets its own colour
     coloured.begin.push_back(coloured.begin.back() + 1);
@@ -101,8 +101,8 @@ int SelfResponse::report(const Inputs& inputs, const ClothState& state, std::vec
   for (std::size_t i = 0; i < static_cast<std::size_t>(contacts_.count); ++i) {
     const bool hasImpulse = contacts_.normalImpulse[i] > 0.0F;
     if (contacts_.a[i] != outside && (hasImpulse || contacts_.minDistance[i] < static_cast<float>(inputs.thickness))) {
-      const Vec3& a = state.positions[static_cast<std::size_t>(contacts_.a[i])];
-      const Vec3& b = state.positions[static_cast<std::size_t>(contacts_.b[i])];
+      const Vec3& a = state.positions[contacts_.a[i]];
+      const Vec3& b = state.positions[contacts_.b[i]];
       const Vec3 normal(static_cast<double>(contacts_.normalX[i]), static_cast<double>(contacts_.normalY[i]),
                         static_cast<double>(contacts_.normalZ[i]));
       points.push_back({0.5 * (a + b), normal});

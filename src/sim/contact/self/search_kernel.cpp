@@ -249,7 +249,7 @@ void pairsOfPoint(const SortedPoints& sorted, int i, Run run, float squaredReach
     }
     for (std::uint32_t bits = bitsOf(near); bits != 0; bits &= bits - 1) {
       const int a = points.vertex[at];
-      const int b = points.vertex[static_cast<std::size_t>(j + std::countr_zero(bits))];
+      const int b = points.vertex[j + std::countr_zero(bits)];
       pairs.push_back(a < b ? VertexPair{a, b} : VertexPair{b, a});
     }
   }
@@ -259,11 +259,11 @@ void pairs(const SortedPoints& sorted, float squaredReach, bool skipSameOtherBuc
   const SurfacePoints& points = sorted.points;
   int end = 0;
   for (int begin = 0; begin < points.count; begin = end) {
-    end = sorted.begin[static_cast<std::size_t>(sorted.bucket[static_cast<std::size_t>(begin)]) + 1];
-    const std::int32_t last = points.patch[static_cast<std::size_t>(end) - 1];
+    end = sorted.begin[static_cast<std::size_t>(sorted.bucket[begin]) + 1];
+    const std::int32_t last = points.patch[end - 1];
     int nextRun = begin;
-    for (int i = begin; points.patch[static_cast<std::size_t>(i)] != last; ++i) {
-      while (points.patch[static_cast<std::size_t>(nextRun)] == points.patch[static_cast<std::size_t>(i)]) {
+    for (int i = begin; points.patch[i] != last; ++i) {
+      while (points.patch[nextRun] == points.patch[i]) {
         ++nextRun;
       }
       pairsOfPoint(sorted, i, {nextRun, end}, squaredReach, skipSameOtherBucket, found);

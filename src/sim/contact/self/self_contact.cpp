@@ -45,8 +45,8 @@ void copyPositions(const std::vector<Vec3>& from, PositionLanes& to) {
 }
 
 double squaredDistance(const PositionLanes& positions, const VertexPair& pair) {
-  const auto a = static_cast<std::size_t>(pair.a);
-  const auto b = static_cast<std::size_t>(pair.b);
+  const int a = pair.a;
+  const int b = pair.b;
   const auto square = [](float x, float y) { return (x - y) * (x - y); };
   return static_cast<double>(square(positions.x[a], positions.x[b]) + square(positions.y[a], positions.y[b]) +
                              square(positions.z[a], positions.z[b]));
@@ -139,7 +139,7 @@ void SelfContact::gatherPointsNearOtherPatches(const CollisionFreePatches& patch
   const std::size_t vertices = patches.vertices.size();
   sorted_.resize(vertices);
   for (std::size_t i = 0; i < vertices; ++i) {
-    const auto v = static_cast<std::size_t>(patches.vertices[i]);
+    const int v = patches.vertices[i];
     sorted_.x[i] = positions_.x[v];
     sorted_.y[i] = positions_.y[v];
     sorted_.z[i] = positions_.z[v];
@@ -158,8 +158,7 @@ void SelfContact::gatherPointsNearOtherPatches(const CollisionFreePatches& patch
           int count = 0;
           positionsInside(sorted_, patches.patches[c].firstVertex, patches.patches[c].lastVertex, box, inside_.data(),
                           count);
-          std::for_each(inside_.begin(), inside_.begin() + count,
-                        [&](int i) { near_[static_cast<std::size_t>(i)] = 1; });
+          std::for_each(inside_.begin(), inside_.begin() + count, [&](int i) { near_[i] = 1; });
         }
       }
     }
@@ -169,8 +168,8 @@ void SelfContact::gatherPointsNearOtherPatches(const CollisionFreePatches& patch
   pointOf_.assign(vertices, -1);
   for (std::size_t i = 0; i < vertices; ++i) {
     if (near_[i] != 0) {
-      const auto v = static_cast<std::size_t>(patches.vertices[i]);
-      const auto at = static_cast<std::size_t>(points_.count);
+      const int v = patches.vertices[i];
+      const int at = points_.count;
       points_.positions.x[at] = sorted_.x[i];
       points_.positions.y[at] = sorted_.y[i];
       points_.positions.z[at] = sorted_.z[i];
@@ -185,10 +184,9 @@ void SelfContact::keepKnownPairs(const SelfContactMemory& old, const CollisionFr
                                  std::vector<VertexPair>& pairs) const {
   for (std::size_t i = 0; i < static_cast<std::size_t>(old.pairs.count()); ++i) {
     const VertexPair& pair = old.pairs.pairs[i];
-    const int a = pointOf_[static_cast<std::size_t>(pair.a)];
-    const int b = pointOf_[static_cast<std::size_t>(pair.b)];
-    const bool apart = patches.patchOfVertex[static_cast<std::size_t>(pair.a)] !=
-                       patches.patchOfVertex[static_cast<std::size_t>(pair.b)];
+    const int a = pointOf_[pair.a];
+    const int b = pointOf_[pair.b];
+    const bool apart = patches.patchOfVertex[pair.a] != patches.patchOfVertex[pair.b];
     if (a >= 0 && b >= 0 && apart && !hash_.compared(a, b) && squaredDistance(positions_, pair) < reach * reach) {
       pairs.push_back(pair);
     }
@@ -197,8 +195,7 @@ void SelfContact::keepKnownPairs(const SelfContactMemory& old, const CollisionFr
 
 void SelfContact::removeConnectedPairs(const ClothModel& model, double thickness, std::vector<VertexPair>& pairs) {
   const auto joined = [&](const VertexPair& pair) {
-    const Vec3 atRest =
-        model.restPositions[static_cast<std::size_t>(pair.b)] - model.restPositions[static_cast<std::size_t>(pair.a)];
+    const Vec3 atRest = model.restPositions[pair.b] - model.restPositions[pair.a];
     return atRest.squaredNorm() < thickness * thickness || connected(model, pair);
   };
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(), joined), pairs.end());

@@ -11,7 +11,7 @@ void PlaneSearch::prepare() {
   maxBound_ = 0.0;
   reachableBox_.setEmpty();
   for (std::size_t k = 0; k < 3; ++k) {
-    const double bound = cloth_.displacementBounds[static_cast<std::size_t>(corners[k])];
+    const double bound = cloth_.displacementBounds[corners[k]];
     const double far = bound + builder_.offsets().minimumSeparation;
     reachableBox_.extend((start_[k].array() - far).matrix());
     reachableBox_.extend((start_[k].array() + far).matrix());
@@ -26,7 +26,7 @@ void PlaneSearch::search(int t, const std::vector<int>& leaves, const BoxList& b
   prepare();
   boxesMeeting(boxes, reachableBox_, leaves_);
   for (std::int32_t& each : leaves_) {
-    each = leaves[static_cast<std::size_t>(each)];
+    each = leaves[each];
   }
   if (leaves_.empty()) {
     return;
@@ -42,7 +42,7 @@ void PlaneSearch::search(int t, const std::vector<int>& leaves, const BoxList& b
 bool PlaneSearch::separateAtOnce() {
   std::array<const NearestMeshPoint*, 3> near{};
   for (std::size_t k = 0; k < 3; ++k) {
-    near[k] = &nearest_[static_cast<std::size_t>(cloth_.triangles[t_][k])];
+    near[k] = &nearest_[cloth_.triangles[t_][k]];
   }
   std::stable_sort(near.begin(), near.end(), [](const auto* a, const auto* b) { return a->gap < b->gap; });
   if (!mesh_.moves()) {

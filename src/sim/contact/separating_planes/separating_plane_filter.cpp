@@ -106,7 +106,7 @@ bool hasLeft(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fall
 void SeparatingPlaneFilter::sortByVertex(std::span<const SeparatingPlane> planes, std::size_t vertices) {
   begin_.assign(vertices + 1, 0);
   for (const SeparatingPlane& plane : planes) {
-    ++begin_[static_cast<std::size_t>(plane.vertex)];
+    ++begin_[plane.vertex];
   }
   std::size_t sum = 0;
   for (std::size_t& each : begin_) {
@@ -115,7 +115,7 @@ void SeparatingPlaneFilter::sortByVertex(std::span<const SeparatingPlane> planes
   }
   sorted_.resize(planes.size());
   for (std::size_t i = planes.size(); i-- > 0;) {
-    sorted_[--begin_[static_cast<std::size_t>(planes[i].vertex)]] = planes[i];
+    sorted_[--begin_[planes[i].vertex]] = planes[i];
   }
 }
 

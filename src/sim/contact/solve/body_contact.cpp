@@ -81,15 +81,13 @@ void BodyContact::extendBoundsForDeformation(const Cloth& cloth, const NearBody&
   for (std::size_t c = 0; c < clusters.count(); ++c) {
     Eigen::AlignedBox3d box;
     for (const int vertex : clusters.vertices(c)) {
-      const auto v = static_cast<std::size_t>(vertex);
-      box.extend((near.start[v].array() - displacementBounds_[v]).matrix());
-      box.extend((near.start[v].array() + displacementBounds_[v]).matrix());
+      box.extend((near.start[vertex].array() - displacementBounds_[vertex]).matrix());
+      box.extend((near.start[vertex].array() + displacementBounds_[vertex]).matrix());
     }
     double maximum = 0.0;
     near.mesh->tree.forEachLeafIn(box, [&](std::size_t leaf) { maximum = std::max(maximum, near.mesh->moveOf(leaf)); });
     for (const int vertex : clusters.vertices(c)) {
-      const auto v = static_cast<std::size_t>(vertex);
-      deformations_[v] = std::max(deformations_[v], maximum);
+      deformations_[vertex] = std::max(deformations_[vertex], maximum);
     }
   }
 }
@@ -199,8 +197,8 @@ bool BodyContact::requestPlanesAround(const Cloth& cloth, bool all, const std::v
 /// @return number of infeasible vertices
 int BodyContact::applySeparatingPlanes(const Cloth& cloth, bool atEnd, std::vector<Vec3>& positions) {
   const auto fallbackOf = [&](int body, int vertex) {
-    const NearBody& near = near_[static_cast<std::size_t>(body)];
-    const Vec3& start = near.start[static_cast<std::size_t>(vertex)];
+    const NearBody& near = near_[body];
+    const Vec3& start = near.start[vertex];
     const bool carried = !atEnd && near.mesh != nullptr && near.mesh->isDeforming();
     const Vec3 move = carried ? nearestDisplacement(near.meshInStep(false), start) : Vec3(Vec3::Zero());
     return SeparatingPlaneFilter::Fallback{near.step->end.toWorld(start), near.step->end.toWorld(start + move)};

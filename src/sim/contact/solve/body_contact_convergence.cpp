@@ -23,14 +23,14 @@ bool BodyContact::needsAnotherPass(const Cloth& cloth, const std::vector<Vec3>* 
   }
   return std::any_of(candidates_.contacts.begin(), candidates_.contacts.end(), [&](const ContactConstraint& contact) {
     const bool stays = std::all_of(contact.vertices.begin(), contact.vertices.end(), [&](int vertex) {
-      const auto v = static_cast<std::size_t>(vertex);
-      return (positions[v] - (previous != nullptr ? (*previous)[v] : Vec3(cloth.start[v] + contact.bodyDisplacement)))
+      return (positions[vertex] -
+              (previous != nullptr ? (*previous)[vertex] : Vec3(cloth.start[vertex] + contact.bodyDisplacement)))
                  .norm() <= far;
     });
     if (stays) {
       return false;
     }
-    const NearBody& near = near_[static_cast<std::size_t>(contact.body)];
+    const NearBody& near = near_[contact.body];
     const Vec3 position = pointOf(contact, positions);
     const double gap = contact.normal.dot(position) - contact.height;
     const double tolerance = maxGapErrorRatio * near.offsets.contactOffset;

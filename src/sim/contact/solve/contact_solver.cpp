@@ -29,7 +29,7 @@ void ContactSolver::prepare(std::span<const ContactConstraint> contacts, std::sp
   for (const ContactConstraint& contact : contacts) {
     Point& point = points_.emplace_back();
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto v = static_cast<std::size_t>(contact.vertices[c]);
+      const int v = contact.vertices[c];
       const double weight = contact.weights[static_cast<Eigen::Index>(c)];
       if (weight != 0.0) {
         point.vertices[point.count] = v;

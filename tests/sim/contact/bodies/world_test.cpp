@@ -75,7 +75,7 @@ void expectClosed(const BodySurface& surface, double volume, double tolerance) {
     for (std::size_t k = 0; k < 3; ++k) {
       ++edges[{t[k], t[(k + 1) % 3]}];
     }
-    const auto at = [&](std::size_t k) { return surface.positions[static_cast<std::size_t>(t[k])]; };
+    const auto at = [&](std::size_t k) { return surface.positions[t[k]]; };
     six += at(0).dot(at(1).cross(at(2)));
   }
   for (const auto& [edge, count] : edges) {
@@ -96,7 +96,7 @@ TEST(BodySurface, ofEachShapeIsClosedFacesOutwardsAndLiesWithinTheTrueOne) {
   }
   const BodySurface plane = surfaceOf(PlaneShape{2.0});
   const Triangle& t = plane.triangles[0];
-  const auto at = [&](std::size_t k) { return plane.positions[static_cast<std::size_t>(t[k])]; };
+  const auto at = [&](std::size_t k) { return plane.positions[t[k]]; };
   EXPECT_GT((at(1) - at(0)).cross(at(2) - at(0)).y(), 0.0);
 }
 

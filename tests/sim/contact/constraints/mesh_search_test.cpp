@@ -118,7 +118,7 @@ struct Search {
     const std::vector<double> inverseMass(positions.size(), 1.0);
     const MeshInStep inStep{*mesh, before, after, false};
     const auto fallbackOf = [&](int, int v) {
-      const Vec3& from = start[static_cast<std::size_t>(v)];
+      const Vec3& from = start[v];
       return SeparatingPlaneFilter::Fallback{from, from + meshSearch.bodyDisplacementAt(inStep, v)};
     };
     return SeparatingPlaneFilter().apply(candidates.planes, inverseMass, displacementBounds, 1, fallbackOf, start,
@@ -189,7 +189,7 @@ TEST(MeshSearch, contactsEachVertexAtTheClosestPointOfTheMesh) {
       }
       Eigen::Index corner = 0;
       contact.weights.maxCoeff(&corner);
-      const Vec3& point = search.start[static_cast<std::size_t>(contact.vertices[static_cast<std::size_t>(corner)])];
+      const Vec3& point = search.start[contact.vertices[corner]];
       double smallest = 1e9;
       for (const Triangle& triangle : shape.triangles) {
         const Corners corners = cornersOf(shape.positions, triangle);
@@ -226,7 +226,7 @@ TEST(MeshTree, hasEveryTriangleInOneLeafAndFindsTheLeavesInABox) {
   for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
     EXPECT_LE(tree.leaf(leaf).size(), 4U);
     for (const int t : tree.leaf(leaf)) {
-      ++seen[static_cast<std::size_t>(t)];
+      ++seen[t];
     }
   }
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
@@ -256,10 +256,10 @@ TEST(ClothClusters, containEveryTriangleAndEveryVertexOnceForAnyDivision) {
     const auto [first, last] = clusters.clustersWithin(begin, std::min(begin + 37, count));
     for (std::size_t c = first; c < last; ++c) {
       for (const int t : clusters.triangles(c)) {
-        ++triangles[static_cast<std::size_t>(t)];
+        ++triangles[t];
       }
       for (const int v : clusters.ownVertices(c)) {
-        ++vertices[static_cast<std::size_t>(v)];
+        ++vertices[v];
       }
     }
   }

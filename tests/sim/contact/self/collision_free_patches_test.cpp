@@ -55,7 +55,7 @@ Flat seenAlong(const ClothMesh& mesh, const Triangle& triangle, const Vec3& axis
   const Vec3 w = axis.cross(u);
   Flat flat;
   for (std::size_t c = 0; c < 3; ++c) {
-    const Vec3& position = mesh.positions[static_cast<std::size_t>(triangle[c])];
+    const Vec3& position = mesh.positions[triangle[c]];
     flat[c] = Vec2(position.dot(u), position.dot(w));
   }
   return flat;
@@ -114,7 +114,7 @@ void expectPartition(const PatchedCloth& cloth) {
   std::sort(vertices.begin(), vertices.end());
   for (std::size_t v = 0; v < cloth.mesh.positions.size(); ++v) {
     EXPECT_EQ(vertices[v], static_cast<int>(v));
-    const CollisionFreePatch& patch = cloth.patches.patches[static_cast<std::size_t>(cloth.patches.patchOfVertex[v])];
+    const CollisionFreePatch& patch = cloth.patches.patches[cloth.patches.patchOfVertex[v]];
     const auto first = cloth.patches.vertices.begin() + patch.firstVertex;
     const auto last = cloth.patches.vertices.begin() + patch.lastVertex;
     EXPECT_TRUE(std::binary_search(first, last, static_cast<int>(v)));

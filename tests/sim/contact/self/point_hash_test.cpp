@@ -21,7 +21,7 @@ constexpr Phase noPhase = {0.0F, 0.0F, 0.0F};
 SurfacePoints cloud(int count, int patches, double size, unsigned seed) {
   testing::RandomVectors random(seed);
   SurfacePoints points;
-  points.resize(static_cast<std::size_t>(count));
+  points.resize(count);
   points.count = count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     const Vec3 position = random.next(size);
@@ -68,7 +68,7 @@ TEST(PointHash, FindsExactlyTheNearPairsOfDifferentPatchesThatShareACellOfEither
   int missed = 0;
   for (int i = 0; i < points.count; ++i) {
     for (int j = i + 1; j < points.count; ++j) {
-      const bool other = points.patch[static_cast<std::size_t>(i)] != points.patch[static_cast<std::size_t>(j)];
+      const bool other = points.patch[i] != points.patch[j];
       if (!other || (positionOf(points, i) - positionOf(points, j)).norm() >= 0.03) {
         continue;
       }
@@ -92,7 +92,7 @@ TEST(PointHash, FindsNoOtherPairsWhereManyCellsShareABucket) {
   ASSERT_FALSE(pairs.empty());
   for (const VertexPair& pair : pairs) {
     EXPECT_LT((positionOf(points, pair.a) - positionOf(points, pair.b)).norm(), 0.9);
-    EXPECT_NE(points.patch[static_cast<std::size_t>(pair.a)], points.patch[static_cast<std::size_t>(pair.b)]);
+    EXPECT_NE(points.patch[pair.a], points.patch[pair.b]);
   }
 }
 
@@ -162,7 +162,7 @@ TEST(PointHash, ReportsWhichPairsItHasCompared) {
   for (int i = 0; i < points.count; ++i) {
     for (int j = i + 1; j < points.count; ++j) {
       const bool near = (positionOf(points, i) - positionOf(points, j)).norm() < 0.03;
-      const bool other = points.patch[static_cast<std::size_t>(i)] != points.patch[static_cast<std::size_t>(j)];
+      const bool other = points.patch[i] != points.patch[j];
       if (near && other) {
         EXPECT_EQ(found.count({i, j}) > 0, hash.compared(i, j));
       }

@@ -111,7 +111,7 @@ TEST(SelfResponse, ConservesMomentumOfManyPairs) {
     positions.push_back(random.next(0.05));
     velocities.push_back(random.next(4.0));
     for (int j = 0; j < i; ++j) {
-      if ((positions[static_cast<std::size_t>(j)] - positions[static_cast<std::size_t>(i)]).norm() > 0.02) {
+      if ((positions[j] - positions[i]).norm() > 0.02) {
         pairs.push_back({j, i});
       }
     }

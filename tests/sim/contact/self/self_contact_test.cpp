@@ -23,7 +23,7 @@ ClothMesh twoSheets(int n, double gap) {
   ClothMesh mesh = sheet(n);
   const int count = n * n;
   for (int v = 0; v < count; ++v) {
-    mesh.positions.emplace_back(mesh.positions[static_cast<std::size_t>(v)] + Vec3(0.0, gap, 0.0));
+    mesh.positions.emplace_back(mesh.positions[v] + Vec3(0.0, gap, 0.0));
   }
   const std::size_t triangles = mesh.triangles.size();
   for (std::size_t t = 0; t < triangles; ++t) {
@@ -34,9 +34,9 @@ ClothMesh twoSheets(int n, double gap) {
 }
 
 std::vector<int> firstVertices(int count) {
-  std::vector<int> vertices(static_cast<std::size_t>(count));
+  std::vector<int> vertices(count);
   for (int v = 0; v < count; ++v) {
-    vertices[static_cast<std::size_t>(v)] = v;
+    vertices[v] = v;
   }
   return vertices;
 }
@@ -227,8 +227,7 @@ TEST(SelfContact, RarelyMissesAPairOfDifferentPatchesThatIsTooClose) {
       known.insert({memory.pairs.pairs[p].a, memory.pairs.pairs[p].b});
     }
     for (const auto& [a, b] : known) {
-      EXPECT_NE(memory.patches->patchOfVertex[static_cast<std::size_t>(a)],
-                memory.patches->patchOfVertex[static_cast<std::size_t>(b)]);
+      EXPECT_NE(memory.patches->patchOfVertex[a], memory.patches->patchOfVertex[b]);
     }
     const std::vector<Vec3>& x = fold.state.positions;
     for (int a = 0; a < fold.model->vertexCount(); ++a) {

@@ -14,7 +14,7 @@ namespace {
 void addSliver(ClothMesh& mesh, std::size_t triangle) {
   constexpr double height = 1e-3;  // over that of the triangle [-]
   const Triangle old = mesh.triangles[triangle];
-  const auto at = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(old[k])]; };
+  const auto at = [&](std::size_t k) { return mesh.positions[old[k]]; };
   mesh.positions.emplace_back((1.0 - height) * (0.4 * at(0) + 0.6 * at(1)) + height * at(2));
   const int middle = static_cast<int>(mesh.positions.size()) - 1;
   mesh.triangles[triangle] = {old[0], old[1], middle};
