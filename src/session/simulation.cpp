@@ -158,9 +158,9 @@ void Simulation::capture(Snapshot& snapshot) const {
   captureBodies(snapshot);
   snapshot.attachment.reset();
   if (attachment_) {
-    const int corner = nearestAttachedVertex();
-    snapshot.attachment = AttachmentStatus{attachment_->triangle, attachment_->barycentric, attachment_->target,
-                                           attachedPoint(), model_->pinned[static_cast<std::size_t>(corner)]};
+    const AttachedCorners corners = attachedCorners(*model_, *attachment_);
+    snapshot.attachment = AttachmentStatus{*attachment_, corners.interpolatedFrom(state_.positions),
+                                           model_->pinned[corners.nearestVertex()]};
   }
 }
 
@@ -237,7 +237,7 @@ void Simulation::on(const AttachCommand& command) {
   if (!exists || !inside || !command.target.allFinite()) {
     throw InputError("the attachment needs a point of the cloth");
   }
-  attachment_ = AttachedPoint{command.triangle, command.barycentric, command.target};
+  attachment_ = command;
 }
 
 void Simulation::on(const MoveAttachmentCommand& command) {
@@ -255,7 +255,7 @@ void Simulation::on(const TogglePinCommand&) {
     throw InputError("Hold the cloth with the mouse, then press P to pin it there.");
   }
   std::vector<bool> pinned = model_->pinned;
-  pinned[static_cast<std::size_t>(nearestAttachedVertex())].flip();
+  pinned[attachedCorners(*model_, *attachment_).nearestVertex()].flip();
   model_ = withPins(*model_, std::move(pinned));
 }
 
@@ -348,24 +348,9 @@ std::optional<Attachment> Simulation::currentAttachment() const {
     return std::nullopt;
   }
   const double borne = maxAttachmentForce(*model_, settings_.step, attachment_->triangle, attachment_->barycentric);
-  return Attachment{attachment_->triangle, attachment_->barycentric, attachment_->target,
-                    settings_.attachment.stiffness, std::min(settings_.attachment.maxForce, borne)};
-}
-
-Vec3 Simulation::attachedPoint() const {
-  const Triangle& corners = model_->triangles[static_cast<std::size_t>(attachment_->triangle)];
-  Vec3 point = Vec3::Zero();
-  for (int corner = 0; corner < 3; ++corner) {
-    const int vertex = corners[static_cast<std::size_t>(corner)];
-    point += attachment_->barycentric[corner] * state_.positions[static_cast<std::size_t>(vertex)];
-  }
-  return point;
-}
-
-int Simulation::nearestAttachedVertex() const {
-  Eigen::Index heaviest = 0;
-  attachment_->barycentric.maxCoeff(&heaviest);
-  return model_->triangles[static_cast<std::size_t>(attachment_->triangle)][static_cast<std::size_t>(heaviest)];
+  Attachment attachment{*attachment_, settings_.attachment};
+  attachment.maxForce = std::min(attachment.maxForce, borne);
+  return attachment;
 }
 
 }  // namespace drape

@@ -93,18 +93,10 @@ class Simulation {
   void stepGhost();
   void updateCostBudget();
 
-  /// The attached point and its target. Stiffness and maximum force come from the settings at each step.
-  struct AttachedPoint {
-    int triangle = 0;
-    Vec3 barycentric = Vec3::Zero();
-    Vec3 target = Vec3::Zero();  ///< [m]
-  };
   [[nodiscard]] std::optional<Attachment> currentAttachment() const;
   [[nodiscard]] std::size_t requireBody(int body) const;
   void captureBodies(Snapshot& snapshot) const;
   void reportOverlap();
-  [[nodiscard]] Vec3 attachedPoint() const;
-  [[nodiscard]] int nearestAttachedVertex() const;
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const ClothModel> model_;
@@ -116,8 +108,8 @@ class Simulation {
   std::optional<Ghost> ghost_;
   std::optional<EnergyBalance> balance_;
   CostBudget budget_;
-  bool replaying_ = false;  // commands that depend on the clock come from the log
-  std::optional<AttachedPoint> attachment_;
+  bool replaying_ = false;                    // commands that depend on the clock come from the log
+  std::optional<AttachmentEnds> attachment_;  // stiffness and maximum force come from the settings at each step
   StepInputs inputs_;
   std::function<void()> onProgress_;
   BodyWorld bodies_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/attachment.hpp"
 #include "sim/diagonal_change.hpp"
 #include "sim/scalar_system.hpp"
 #include "sim/vector.hpp"
@@ -8,12 +9,6 @@
 #include <vector>
 
 namespace drape {
-
-/// Additions of the attachment to the diagonal of the filter's matrix.
-struct AttachmentDiagonal {
-  std::array<std::size_t, 3> vertices{};  ///< the corners of its triangle
-  Vec3 additions = Vec3::Zero();          ///< h^2 w_c times its stiffness, w_c being the weight of corner c [kg]
-};
 
 /// The constant filter of Desbrun, Schroeder and Barr (1999). Backward Euler with the scalar part k of the spring
 /// derivative has the same matrix at every step. Its precomputed inverse filters the forces. The paper has equal
@@ -30,7 +25,7 @@ class ConstantFilter {
   explicit ConstantFilter(std::size_t largest = largestDense) : largest_(largest) {}
 
   /// Computes the filter for the given model and weight, if they changed.
-  /// @param hand additions to the diagonal of A, or nullptr
+  /// @param attachment additions to the diagonal of A, or nullptr
   void prepare(const ClothModel& model, const ScalarWeight& weight, const AttachmentDiagonal* attachment);
 
   /// Replaces impulses h F [N s], one a vertex, by velocity changes A^-1 h F = h M^-1 Ff [m/s]; zero where pinned.
