@@ -21,11 +21,7 @@ struct PauseCommand {
 struct SingleStepCommand {};
 /// Returns to the start of the scene. Settings and pins keep the user's changes.
 struct ResetCommand {};
-struct AttachCommand {
-  int triangle = 0;
-  Vec3 barycentric = Vec3::Zero();
-  Vec3 target = Vec3::Zero();  ///< [m]
-};
+struct AttachCommand : AttachmentEnds {};
 struct MoveAttachmentCommand {
   Vec3 target = Vec3::Zero();  ///< [m]
 };

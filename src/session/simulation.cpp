@@ -156,10 +156,9 @@ void Simulation::capture(Snapshot& snapshot) const {
   captureBodies(snapshot);
   snapshot.attachment.reset();
   if (inputs_.attachment) {
-    snapshot.attachment = AttachmentStatus{.triangle = inputs_.attachment->triangle,
-                                           .target = inputs_.attachment->target,
-                                           .point = attachedPoint(),
-                                           .pinned = model_->pinned[nearestAttachedVertex()]};
+    const AttachedCorners corners = attachedCorners(*model_, *inputs_.attachment);
+    snapshot.attachment = AttachmentStatus{*inputs_.attachment, corners.interpolatedFrom(state_.positions),
+                                           model_->pinned[corners.nearestVertex()]};
   }
 }
 
@@ -233,8 +232,7 @@ void Simulation::on(const AttachCommand& command) {
   if (!exists || !inside || !command.target.allFinite()) {
     throw InputError("the attachment needs a point of the cloth");
   }
-  inputs_.attachment =
-      Attachment{.triangle = command.triangle, .barycentric = command.barycentric, .target = command.target};
+  inputs_.attachment = Attachment{command, settings_.attachment};
 }
 
 void Simulation::on(const MoveAttachmentCommand& command) {
@@ -252,7 +250,7 @@ void Simulation::on(const TogglePinCommand&) {
     throw InputError("Hold the cloth with the mouse, then press P to pin it there.");
   }
   std::vector<bool> pinned = model_->pinned;
-  pinned[nearestAttachedVertex()].flip();
+  pinned[attachedCorners(*model_, *inputs_.attachment).nearestVertex()].flip();
   model_ = withPins(*model_, std::move(pinned));
 }
 
@@ -344,28 +342,11 @@ void Simulation::useBalance() {
 void Simulation::limitAttachment() {
   if (inputs_.attachment) {
     Attachment& attachment = *inputs_.attachment;
-    attachment.stiffness = settings_.attachment.stiffness;
+    static_cast<AttachmentSpring&>(attachment) = settings_.attachment;
     attachment.maxForce =
-        std::min(settings_.attachment.maxForce,
+        std::min(attachment.maxForce,
                  maxAttachmentForce(*model_, settings_.step, attachment.triangle, attachment.barycentric));
   }
-}
-
-Vec3 Simulation::attachedPoint() const {
-  const Triangle& corners = model_->triangles[static_cast<std::size_t>(inputs_.attachment->triangle)];
-  Vec3 point = Vec3::Zero();
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    point += inputs_.attachment->barycentric[static_cast<Eigen::Index>(corner)] *
-             state_.positions[static_cast<std::size_t>(corners[corner])];
-  }
-  return point;
-}
-
-std::size_t Simulation::nearestAttachedVertex() const {
-  Eigen::Index heaviest = 0;
-  inputs_.attachment->barycentric.maxCoeff(&heaviest);
-  const Triangle& corners = model_->triangles[static_cast<std::size_t>(inputs_.attachment->triangle)];
-  return static_cast<std::size_t>(corners[static_cast<std::size_t>(heaviest)]);
 }
 
 }  // namespace drape

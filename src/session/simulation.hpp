@@ -97,8 +97,6 @@ class Simulation {
   [[nodiscard]] std::size_t requireBody(int body) const;
   void captureBodies(Snapshot& snapshot) const;
   void reportOverlap();
-  [[nodiscard]] Vec3 attachedPoint() const;
-  [[nodiscard]] std::size_t nearestAttachedVertex() const;
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const ClothModel> model_;

@@ -14,12 +14,10 @@
 
 namespace drape {
 
-/// The current attachment.
-struct AttachmentStatus {
-  int triangle = 0;
-  Vec3 target = Vec3::Zero();  ///< position of the mouse in the scene [m]
-  Vec3 point = Vec3::Zero();   ///< the attached point of the cloth [m]
-  bool pinned = false;         ///< whether the vertex nearest to the attached point is pinned
+/// The current attachment. Its target is the position of the mouse in the scene.
+struct AttachmentStatus : AttachmentEnds {
+  Vec3 point = Vec3::Zero();  ///< the attached point of the cloth [m]
+  bool pinned = false;        ///< whether the vertex nearest to the attached point is pinned
 };
 
 /// The current state of the second cloth.

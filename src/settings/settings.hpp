@@ -32,10 +32,7 @@ struct Settings {
     std::string lumping = "area";         ///< "area" or "uniform"
   } material;
 
-  struct Attachment {
-    double stiffness = 500.0;  ///< [N/m]
-    double maxForce = 10.0;    ///< [N]
-  } attachment;
+  AttachmentSpring attachment{.stiffness = 500.0, .maxForce = 10.0};
 
   struct Playback {
     double speed = 1.0;  ///< simulated seconds per second of real time, on a fast machine [-]

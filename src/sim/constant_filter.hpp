@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/attachment.hpp"
 #include "sim/diagonal_change.hpp"
 #include "sim/scalar_system.hpp"
 #include "sim/vector.hpp"
@@ -8,12 +9,6 @@
 #include <vector>
 
 namespace drape {
-
-/// Additions of the attachment to the diagonal of the filter's matrix.
-struct AttachmentDiagonal {
-  std::array<std::size_t, 3> vertices{};  ///< the corners of its triangle
-  Vec3 additions = Vec3::Zero();          ///< h^2 w_c times its stiffness, w_c being the weight of corner c [kg]
-};
 
 /// The constant filter of Desbrun, Schroeder and Barr (1999). Backward Euler with the scalar part k of the spring
 /// derivative has the same matrix at every step. Its precomputed inverse filters the forces. The paper has equal

@@ -75,12 +75,7 @@ double attachmentWork(const ClothModel& model, const Attachment& attachment, con
                       const ClothState& after) {
   const AttachmentForce first = attachmentForce(model, attachment, before);
   const AttachmentForce last = attachmentForce(model, attachment, after);
-  Vec3 motion = Vec3::Zero();
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::size_t v = first.vertices[c];
-    motion += first.weights[static_cast<Eigen::Index>(c)] * (after.positions[v] - before.positions[v]);
-  }
-  return 0.5 * motion.dot(first.force + last.force);
+  return 0.5 * attachedPointMotion(first, before, after).dot(first.force + last.force);
 }
 
 }  // namespace

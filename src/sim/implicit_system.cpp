@@ -54,12 +54,11 @@ void ImplicitSystem::assembleVertex(const ClothModel& model, const StepParameter
 void ImplicitSystem::addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,
                                    const ClothState& state) {
   const AttachmentForce pull = attachmentForce(model, attachment, state);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double weight = pull.weights[static_cast<Eigen::Index>(c)];
-    const std::size_t v = pull.vertices[c];
-    rightHandSide_[v] += (timeStep * weight) * (pull.force - timeStep * pull.stiffness * pull.velocity);
+  const Vec3 force = pull.implicitForce(timeStep);
+  pull.forEach([&](std::size_t v, double weight) {
+    rightHandSide_[v] += (timeStep * weight) * force;
     diagonal_[v] += (weight * timeStep * timeStep * pull.stiffness) * Mat3::Identity();
-  }
+  });
 }
 
 Vec3 ImplicitSystem::coupling(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& dv,

@@ -11,23 +11,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Energy of the attachment's bounded spring [J]: quadratic, then linear where the force is bounded.
-double attachmentEnergy(const Attachment& attachment, double distance) {
-  const double linearFrom = attachment.maxForce / attachment.stiffness;  // distance at which the bound begins [m]
-  return attachment.stiffness * distance <= attachment.maxForce ? 0.5 * attachment.stiffness * distance * distance
-                                                                : attachment.maxForce * (distance - 0.5 * linearFrom);
-}
-
-/// Its second derivative [N/m].
-Mat3 attachmentStiffness(const Attachment& attachment, const Vec3& offset) {
-  const double distance = offset.norm();
-  if (attachment.stiffness * distance <= attachment.maxForce) {
-    return attachment.stiffness * Mat3::Identity();
-  }
-  const Vec3 direction = offset / distance;
-  return (attachment.maxForce / distance) * (Mat3::Identity() - direction * direction.transpose());
-}
-
 }  // namespace
 
 void IncrementalPotential::prepare(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -52,12 +35,9 @@ void IncrementalPotential::prepare(const ClothModel& model, const StepParameters
   workers.forEach(parameters.threads, springs, [&](std::size_t s) { prepareSpring(s, state); });
   attachment_ = inputs.attachment;
   if (attachment_) {
-    attachmentStartOffset_ = attachment_->target;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const int corner = model.triangles[static_cast<std::size_t>(attachment_->triangle)][c];
-      attachmentStartOffset_ -=
-          attachment_->barycentric[static_cast<Eigen::Index>(c)] * state.positions[static_cast<std::size_t>(corner)];
-    }
+    attachedCorners_ = attachedCorners(model, *attachment_);
+    attachmentStartOffset_ =
+        attachedCorners_.subtracted(attachment_->target, [&](std::size_t v) { return state.positions[v]; });
   }
 }
 
@@ -124,22 +104,16 @@ double IncrementalPotential::addAttachment(const std::vector<Vec3>& velocities) 
   if (!attachment_) {
     return 0.0;
   }
-  const Triangle& corners = model_->triangles[static_cast<std::size_t>(attachment_->triangle)];
-  attachmentOffset_ = attachmentStartOffset_;
-  for (std::size_t c = 0; c < 3; ++c) {
-    attachmentOffset_ -= (parameters_->timeStep * attachment_->barycentric[static_cast<Eigen::Index>(c)]) *
-                         velocities[static_cast<std::size_t>(corners[c])];
-  }
-  const Vec3 force = kernels::boundedSpringForce(attachmentOffset_, attachment_->stiffness, attachment_->maxForce);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto v = static_cast<std::size_t>(corners[c]);
+  const AttachedCorners timed{attachedCorners_.vertices, parameters_->timeStep * attachedCorners_.weights};
+  attachmentOffset_ = timed.subtracted(attachmentStartOffset_, [&](std::size_t v) { return velocities[v]; });
+  const Vec3 force = attachment_->force(attachmentOffset_);
+  timed.forEach([&](std::size_t v, double weight) {
     if (!model_->pinned[v]) {
-      const double impulse = parameters_->timeStep * attachment_->barycentric[static_cast<Eigen::Index>(c)];
-      gradient_[v] -= impulse * force;
-      size_[v] += std::abs(impulse) * force.norm();
+      gradient_[v] -= weight * force;
+      size_[v] += std::abs(weight) * force.norm();
     }
-  }
-  return attachmentEnergy(*attachment_, attachmentOffset_.norm());
+  });
+  return attachment_->energy(attachmentOffset_.norm());
 }
 
 IncrementalPotential::Value IncrementalPotential::sum(const std::vector<Vec3>& velocities,
@@ -189,16 +163,14 @@ void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& he
   if (!attachment_) {
     return;
   }
-  const Mat3 stiffness = h * h * attachmentStiffness(*attachment_, attachmentOffset_);
-  const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment_->triangle)];
+  const Mat3 stiffness = h * h * attachment_->forceDerivative(attachmentOffset_);
+  const auto& [corners, weights] = attachedCorners_;
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t d = c; d < 3; ++d) {
-      const double weight = attachment_->barycentric[static_cast<Eigen::Index>(c)] *
-                            attachment_->barycentric[static_cast<Eigen::Index>(d)];
+      const double weight = weights[static_cast<Eigen::Index>(c)] * weights[static_cast<Eigen::Index>(d)];
       // If two corners are the same vertex, both halves of the pair belong to its diagonal block.
       const double factor = c != d && corners[c] == corners[d] ? 2.0 : 1.0;
-      hessian.add(model, static_cast<std::size_t>(corners[c]), static_cast<std::size_t>(corners[d]),
-                  (factor * weight) * stiffness);
+      hessian.add(model, corners[c], corners[d], (factor * weight) * stiffness);
     }
   }
 }

@@ -66,6 +66,7 @@ class IncrementalPotential {
   std::vector<Mat3> diagonal_;
   std::vector<Mat3> springBlocks_;
   std::optional<Attachment> attachment_;
+  AttachedCorners attachedCorners_;            // of `attachment_`
   Vec3 attachmentStartOffset_ = Vec3::Zero();  // from the attached point to the target, at x0 [m]
   Vec3 attachmentOffset_ = Vec3::Zero();       // the same at x0 + h v [m]
 };

@@ -117,10 +117,4 @@ inline constexpr double shortestLength = 1e-9;
   return size > limit ? Vec3(force * (limit / size)) : force;
 }
 
-/// The force of a spring to `offset` = target - point, never larger than `maxForce` [N].
-[[nodiscard]] inline Vec3 boundedSpringForce(const Vec3& offset, double stiffness, double maxForce) {
-  const double size = stiffness * offset.norm();
-  return size > maxForce ? Vec3(offset * (stiffness * maxForce / size)) : Vec3(stiffness * offset);
-}
-
 }  // namespace drape::kernels

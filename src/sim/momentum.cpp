@@ -1,5 +1,6 @@
 #include "sim/momentum.hpp"
 
+#include "sim/external_forces.hpp"
 #include "sim/pieces.hpp"
 #include "sim/rigid_motion.hpp"
 
@@ -7,14 +8,6 @@
 
 namespace drape {
 namespace {
-
-Vec3 attachedPointOf(const AttachmentForce& pull, const ClothState& state) {
-  Vec3 point = Vec3::Zero();
-  for (std::size_t c = 0; c < 3; ++c) {
-    point += pull.weights[static_cast<Eigen::Index>(c)] * state.positions[pull.vertices[c]];
-  }
-  return point;
-}
 
 Vec3 linearMomentumOf(const ClothModel& model, const std::vector<std::size_t>& piece, const ClothState& state) {
   Vec3 sum = Vec3::Zero();
@@ -65,7 +58,7 @@ void MomentumKeeper::prepare(const ClothModel& model, const StepParameters& para
   pull_.reset();
   if (inputs.attachment) {
     pull_ = attachmentForce(model, *inputs.attachment, state);
-    attachedPoint_ = attachedPointOf(*pull_, state);
+    attachedPoint_ = pull_->interpolatedFrom(state.positions);
   }
   targets_.clear();
   for (const auto& piece : pieces_.get(model, freePieces)) {
@@ -74,7 +67,8 @@ void MomentumKeeper::prepare(const ClothModel& model, const StepParameters& para
 }
 
 void MomentumKeeper::correct(const ClothModel& model, double timeStep, double driftTime, ClothState& state) {
-  const Vec3 attachmentMotion = pull_ ? Vec3(attachedPointOf(*pull_, state) - attachedPoint_) : Vec3(Vec3::Zero());
+  const Vec3 attachmentMotion =
+      pull_ ? Vec3(pull_->interpolatedFrom(state.positions) - attachedPoint_) : Vec3(Vec3::Zero());
   const Pieces& pieces = pieces_.get(model, freePieces);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     correctPiece(model, timeStep, driftTime, pieces[p], targets_[p], attachmentMotion, state);
@@ -103,7 +97,7 @@ void MomentumKeeper::correctPiece(const ClothModel& model, double timeStep, doub
   Vec3 attachedArm = Vec3::Zero();  // from the barycentre to the attached point now [m]
   const Vec3& arm = target.attachmentArm;
   if (target.attached) {
-    attachedArm = attachedPointOf(*pull_, state) - moments.barycentre;
+    attachedArm = pull_->interpolatedFrom(state.positions) - moments.barycentre;
     const Vec3 impulse = timeStep * (pull_->force - pull_->stiffness * attachmentMotion);
     linear += impulse;
     angular += arm.cross(impulse);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "sim/attachment.hpp"
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
-#include "sim/external_forces.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/step_parameters.hpp"
 

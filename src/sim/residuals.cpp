@@ -27,9 +27,7 @@ std::vector<Vec3> forcesAtEnd(const ClothModel& model, const StepParameters& par
   }
   if (inputs.attachment) {
     const AttachmentForce pull = attachmentForce(model, *inputs.attachment, end);
-    for (std::size_t c = 0; c < 3; ++c) {
-      force[pull.vertices[c]] += pull.weights[static_cast<Eigen::Index>(c)] * pull.force;
-    }
+    pull.forEach([&](std::size_t v, double weight) { force[v] += weight * pull.force; });
   }
   return force;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/attachment.hpp"
 #include "sim/contact/contact_parameters.hpp"
 #include "sim/vector.hpp"
 
@@ -65,15 +66,6 @@ struct StepParameters {
   int threads = 1;                          ///< threads a step may use [-]; the result does not depend on it
 
   ContactParameters contact;
-};
-
-/// An attachment of the cloth, as by the mouse: a spring from a point on a triangle to a target, with a bounded force.
-struct Attachment {
-  int triangle = 0;                 ///< index into ClothModel::triangles
-  Vec3 barycentric = Vec3::Zero();  ///< weights of the triangle's corners, summing to 1
-  Vec3 target = Vec3::Zero();       ///< [m]
-  double stiffness = 0.0;           ///< [N/m]
-  double maxForce = 0.0;            ///< the force never exceeds this [N]
 };
 
 /// Thrown out of a step when StepInputs::stop requests a stop. `auto` and `newton` throw it with the state as it was at

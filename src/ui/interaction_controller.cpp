@@ -180,7 +180,7 @@ bool InteractionController::attach(const PressEvent& event, const Snapshot& snap
   if (!hit) {
     return false;
   }
-  output.commands.emplace_back(AttachCommand{hit->triangle, hit->barycentric, hit->point});
+  output.commands.emplace_back(AttachCommand{{hit->triangle, hit->barycentric, hit->point}});
   gesture_ = Pulling{hit->point, snapshot.scene};
   return true;
 }

@@ -23,7 +23,7 @@ std::unique_ptr<Simulation> busySession() {
   steps(3);
   simulation.apply(SetSettingCommand{"wind.x", 2.5});
   simulation.apply(SetSettingCommand{"drag", 1});
-  simulation.apply(AttachCommand{40, Vec3(0.2, 0.3, 0.5), Vec3(0.1, 1.4, 0.1)});
+  simulation.apply(AttachCommand{{40, Vec3(0.2, 0.3, 0.5), Vec3(0.1, 1.4, 0.1)}});
   steps(5);
   simulation.apply(MoveAttachmentCommand{Vec3(0.2, 1.6, 1.0 / 3.0)});
   steps(5);

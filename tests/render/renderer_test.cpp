@@ -168,7 +168,7 @@ TEST_F(RendererTest, AttachmentAndPinsAreShown) {
   const Camera camera = cameraInFront();
   const Image without = picture(snapshot);
   Snapshot attached = snapshot;
-  attached.attachment = AttachmentStatus{0, {1.0, 0.0, 0.0}, {0.3, 1.1, 0.4}, {0.0, 0.9, 0.0}, false};
+  attached.attachment = AttachmentStatus{{0, {1.0, 0.0, 0.0}, {0.3, 1.1, 0.4}}, {0.0, 0.9, 0.0}, false};
   const Image with = picture(attached);
   const Vec2 target = camera.project(attached.attachment->target, width, height);
   const Pixel amber = pixelAt(with, static_cast<int>(target.x()), static_cast<int>(target.y()));

@@ -72,7 +72,7 @@ Pulled pulled(const Pull& pull, const Vec3& way) {
   result.before = maxStretch(simulation.model(), simulation.state());
   const int triangle = lowestTriangle(simulation);
   const Vec3 target = centreOf(simulation, triangle) + way;
-  simulation.apply(AttachCommand{triangle, Vec3::Constant(1.0 / 3.0), target});
+  simulation.apply(AttachCommand{{triangle, Vec3::Constant(1.0 / 3.0), target}});
   for (int i = 0; i < 10; ++i) {
     run(simulation, 0.05);
     result.during = std::max(result.during, maxStretch(simulation.model(), simulation.state()));

@@ -114,7 +114,7 @@ TEST(Bodies, clothThatIsPulledOverATableSlidesAndKeepsItsShape) {
   const Triangle corner = simulation.model().triangles.back();
   const Vec3 taken = simulation.state().positions[static_cast<std::size_t>(corner[0])];
   const int triangle = static_cast<int>(simulation.model().triangles.size()) - 1;
-  simulation.apply(AttachCommand{triangle, Vec3(1.0, 0.0, 0.0), taken});
+  simulation.apply(AttachCommand{{triangle, Vec3(1.0, 0.0, 0.0), taken}});
   for (int i = 1; i <= 60; ++i) {
     simulation.apply(MoveAttachmentCommand{taken + Vec3(0.005 * i, 0.0, 0.0)});
     simulation.step();

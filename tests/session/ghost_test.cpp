@@ -26,7 +26,7 @@ void use(Simulation& simulation) {
   set(simulation, "wind.z", 2.0);
   set(simulation, "drag", 0.5);
   advance(simulation, 10);
-  simulation.apply(AttachCommand{70, Vec3::Constant(1.0 / 3.0), Vec3(0.1, 1.2, 0.3)});
+  simulation.apply(AttachCommand{{70, Vec3::Constant(1.0 / 3.0), Vec3(0.1, 1.2, 0.3)}});
   advance(simulation, 15);
   simulation.apply(TogglePinCommand{});
   set(simulation, "stiffness", 300.0);

@@ -20,7 +20,7 @@ Vec3 centreOf(const Simulation& simulation, int triangle) {
 }
 
 AttachCommand attachAt(const Simulation& simulation, int triangle, const Vec3& offset) {
-  return {triangle, Vec3::Constant(1.0 / 3.0), centreOf(simulation, triangle) + offset};
+  return {{triangle, Vec3::Constant(1.0 / 3.0), centreOf(simulation, triangle) + offset}};
 }
 
 int pinCount(const Simulation& simulation) {
@@ -94,9 +94,9 @@ TEST(Simulation, pullsTheAttachedPointToTheMouseAndLetsGo) {
 
 TEST(Simulation, refusesToAttachToWhatIsNotThere) {
   Simulation simulation(smallGrid());
-  simulation.apply(AttachCommand{100000, Vec3::Constant(1.0 / 3.0), Vec3::Zero()});
+  simulation.apply(AttachCommand{{100000, Vec3::Constant(1.0 / 3.0), Vec3::Zero()}});
   EXPECT_FALSE(simulation.message().empty());
-  simulation.apply(AttachCommand{0, Vec3(2.0, -0.5, -0.5), Vec3::Zero()});
+  simulation.apply(AttachCommand{{0, Vec3(2.0, -0.5, -0.5), Vec3::Zero()}});
   Snapshot snapshot;
   simulation.capture(snapshot);
   EXPECT_FALSE(snapshot.attachment.has_value());
@@ -120,7 +120,7 @@ TEST(Simulation, pinsWhatIsHeldWhereItIsAndLetsItGoAgain) {
     simulation.step();
   }
   EXPECT_EQ(simulation.state().positions[static_cast<std::size_t>(vertex)], place);
-  simulation.apply(AttachCommand{70, Vec3(1.0, 0.0, 0.0), place});
+  simulation.apply(AttachCommand{{70, Vec3(1.0, 0.0, 0.0), place}});
   simulation.apply(TogglePinCommand{});
   EXPECT_EQ(pinCount(simulation), 2);
 }

@@ -58,7 +58,7 @@ TEST(SimulationThread, takesCommandsAndScenesFromOtherThreadsWhileAReaderLooks) 
   SimulationThread simulation(smallGrid(), false);
   std::thread commander([&simulation] {
     for (int i = 0; i < 200; ++i) {
-      simulation.post(AttachCommand{i % 50, Vec3::Constant(1.0 / 3.0), Vec3(0.0, 1.5, 0.0)});
+      simulation.post(AttachCommand{{i % 50, Vec3::Constant(1.0 / 3.0), Vec3(0.0, 1.5, 0.0)}});
       simulation.post(SetSettingCommand{"wind.x", 0.01 * i});
       if (i % 50 == 0) {
         simulation.post(LoadSceneCommand{smallGrid(9 + i / 50)});

@@ -63,7 +63,7 @@ TEST(Pinning, holdsAVertexAtOnceWhateverTheIntegration) {
     simulation.apply(SetSettingCommand{"integration", std::string(integration)});
     simulation.step();
     const int vertex = simulation.model().triangles[70][0];
-    simulation.apply(AttachCommand{70, Vec3(1.0, 0.0, 0.0), Vec3::Zero()});
+    simulation.apply(AttachCommand{{70, Vec3(1.0, 0.0, 0.0), Vec3::Zero()}});
     simulation.step();
     const Vec3 place = simulation.state().positions[static_cast<std::size_t>(vertex)];
     simulation.apply(TogglePinCommand{});

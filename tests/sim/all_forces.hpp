@@ -18,9 +18,7 @@ inline void evaluateForces(const ClothModel& model, const StepParameters& parame
   });
   if (inputs.attachment) {
     const AttachmentForce pull = attachmentForce(model, *inputs.attachment, state);
-    for (std::size_t c = 0; c < 3; ++c) {
-      force[pull.vertices[c]] += pull.weights[static_cast<Eigen::Index>(c)] * pull.force;
-    }
+    pull.forEach([&](std::size_t v, double weight) { force[v] += weight * pull.force; });
   }
 }
 

@@ -100,7 +100,7 @@ TEST(EnergyBalance, givesTheWorkOfAWindThatPushesAMovingSheet) {
 TEST(EnergyBalance, givesTheWorkOfAnAttachmentAsTheEnergyOfItsSpring) {
   const auto model = testing::pinnedSheet(3);
   StepInputs inputs;
-  inputs.attachment = Attachment{7, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 2.0, 1.0), 5.0, 1e9};
+  inputs.attachment = Attachment{{7, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 2.0, 1.0)}, {5.0, 1e9}};
   const ClothState before = stateAtRest(model->restPositions);
   ClothState after = before;
   const Triangle& corners = model->triangles[7];
@@ -169,7 +169,7 @@ EnergyBalance everythingActing(int steps) {
   parameters.wind = Vec3(0.5, 4.0, 1.0);  // always from below: where it changes sides the forces have a kink
   parameters.timeStep = 0.1 / steps;
   StepInputs inputs;
-  inputs.attachment = Attachment{10, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 0.3, 1.0), 5.0, 1.0};
+  inputs.attachment = Attachment{{10, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 0.3, 1.0)}, {5.0, 1.0}};
   ClothState state = testing::shaken(*model, 0.02, 3);
   EnergyBalance balance;
   for (int i = 0; i < steps; ++i) {

@@ -23,7 +23,7 @@ struct Scene {
     parameters.drag = 0.5;
     parameters.lift = 0.5;
     parameters.wind = Vec3(1.0, 0.5, -0.3);
-    inputs.attachment = Attachment{7, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+    inputs.attachment = Attachment{{7, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, maxForce}};
     potential.prepare(*model, parameters, inputs, state, workers);
     testing::RandomVectors random(10);
     for (int i = 0; i < model->vertexCount(); ++i) {

@@ -213,11 +213,5 @@ TEST(AirForce, isThePlainFormulaInAGentleWind) {
   EXPECT_EQ(kernels::airForce(normal, velocity, 1e-3, 2e-3, 1e-3, 1.0 / 150.0), expected);
 }
 
-TEST(BoundedSpringForce, isLinearUpToItsBoundAndConstantBeyond) {
-  EXPECT_NEAR(kernels::boundedSpringForce(Vec3(0.1, 0.0, 0.0), 50.0, 8.0).x(), 5.0, 1e-12);
-  EXPECT_NEAR(kernels::boundedSpringForce(Vec3(0.0, 1e9, 0.0), 50.0, 8.0).norm(), 8.0, 1e-9);
-  EXPECT_EQ(kernels::boundedSpringForce(Vec3::Zero(), 50.0, 8.0), Vec3(Vec3::Zero()));
-}
-
 }  // namespace
 }  // namespace drape

@@ -143,7 +143,7 @@ TEST(KeepMomentum, givesAnAttachedClothTheImpulseOfTheAttachmentAtTheEndOfTheSte
   StepParameters p;
   p.keepMomentum = true;
   StepInputs inputs;
-  inputs.attachment = Attachment{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5), 500.0, 1e3};
+  inputs.attachment = Attachment{{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5)}, {500.0, 1e3}};
   const AttachmentForce pull = attachmentForce(*model, *inputs.attachment, state);
   const auto attachedPoint = [&] {
     Vec3 point = Vec3::Zero();
@@ -242,7 +242,7 @@ TEST(KeepMomentum, doesNotLetAStrongAttachmentThrowALightClothAbout) {
   p.damping = 0.01;
   p.keepMomentum = true;
   StepInputs inputs;
-  inputs.attachment = Attachment{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5), 500.0, 1e3};
+  inputs.attachment = Attachment{{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5)}, {500.0, 1e3}};
   ClothState state = stateAtRest(model->restPositions);
   Stepper stepper("one_iteration");
   for (int step = 0; step < 300; ++step) {

@@ -22,7 +22,7 @@ StepParameters everything() {
 
 StepInputs attachmentOnTriangle(int triangle) {
   StepInputs inputs;
-  inputs.attachment = Attachment{triangle, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 1.0, 1.0), 50.0, 2.0};
+  inputs.attachment = Attachment{{triangle, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 1.0, 1.0)}, {50.0, 2.0}};
   return inputs;
 }
 

@@ -50,7 +50,7 @@ TEST_F(SceneChanges, TheViewIsNotLost) {
 }
 
 TEST_F(SceneChanges, APinIsAChange) {
-  simulation_.apply(AttachCommand{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()});
+  simulation_.apply(AttachCommand{{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()}});
   EXPECT_TRUE(changed(TogglePinCommand{}));
 }
 

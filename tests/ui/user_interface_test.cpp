@@ -208,7 +208,7 @@ TEST_F(UserInterfaceTest, TheFirstHintGoesWithTheFirstDrag) {
   ASSERT_TRUE(panels_.buttons().contains("hint.drag"));
   const UiRect hint = button("hint.drag");
   EXPECT_FALSE(panels_.covers({hint.x + 5.0, hint.y + 5.0})) << "the cloth behind it can be taken";
-  simulation_.apply(AttachCommand{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()});
+  simulation_.apply(AttachCommand{{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()}});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("hint.drag"));
   simulation_.apply(DetachCommand{});

@@ -15,7 +15,7 @@ AttachCommand attachTo(const ClothModel& model, int vertex, const Vec3& target) 
   const Triangle& corners = model.triangles[triangle];
   Vec3 weights = Vec3::Zero();
   weights[std::find(corners.begin(), corners.end(), vertex) - corners.begin()] = 1.0;
-  return {triangle, weights, target};
+  return {{triangle, weights, target}};
 }
 
 Vec3 meanVelocity(const ClothModel& model, const ClothState& state) {

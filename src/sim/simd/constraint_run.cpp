@@ -78,23 +78,19 @@ class XpbdMember {
 /// Moves the corners of the attachment's triangle.
 void projectAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,
                        AttachmentConstraint& constraint, ConstraintLanes& lanes) {
-  std::array<float*, 3> corners{};
-  Vec3 offset = attachment.target;
-  double inverseMass = 0.0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto v = static_cast<std::size_t>(model.triangles[static_cast<std::size_t>(attachment.triangle)][c]);
-    float* const x = lanes.vertices.data() + 4 * static_cast<std::size_t>(lanes.indexOf[v]);
-    const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
-    offset -= weight * Vec3(static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]));
-    inverseMass += weight * weight * static_cast<double>(x[3]);
-    corners[c] = x;
-  }
-  const Vec3 change = constraint.correct(attachment, timeStep, offset, inverseMass);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double share = attachment.barycentric[static_cast<Eigen::Index>(c)] * static_cast<double>(corners[c][3]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[c][k] += static_cast<float>(share * change[static_cast<Eigen::Index>(k)]);
-    }
+  const AttachedCorners corners = attachedCorners(model, attachment);
+  const auto lanesOf = [&](std::size_t vertex) {
+    return lanes.vertices.data() + 4 * static_cast<std::size_t>(lanes.indexOf[vertex]);
+  };
+  const auto inverseMassOf = [&](std::size_t vertex) { return static_cast<double>(lanesOf(vertex)[3]); };
+  const auto& [a, b, c] = corners.vertices;
+  const Vec3 offset = corners.subtracted(attachment.target, [&](std::size_t vertex) {
+    return Eigen::Map<const Eigen::Vector3f>(lanesOf(vertex)).cast<double>();
+  });
+  const auto moves =
+      constraint.correct(attachment, corners, timeStep, offset, {inverseMassOf(a), inverseMassOf(b), inverseMassOf(c)});
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    Eigen::Map<Eigen::Vector3f>(lanesOf(corners.vertices[corner])) += moves[corner].cast<float>();
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/attachment_constraint.hpp"
+#include "sim/attachment.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/simd/constraint_lanes.hpp"
 #include "sim/simd/thread_team.hpp"

@@ -1,10 +1,5 @@
 #include "sim/simd/slice_step.hpp"
 
-#include "sim/kernels.hpp"
-
-#include <algorithm>
-#include <limits>
-
 namespace drape {
 namespace {
 
@@ -12,6 +7,12 @@ template <typename T>
 Vec3 vectorAt(const LaneVectors<T>& vectors, int index) {
   return {static_cast<double>(vectors.x.data()[index]), static_cast<double>(vectors.y.data()[index]),
           static_cast<double>(vectors.z.data()[index])};
+}
+
+/// The vector of a vertex of the model.
+template <typename T>
+auto vectorsOf(const SlicedCloth<T>& cloth, const LaneVectors<T>& vectors) {
+  return [&](std::size_t vertex) { return vectorAt(vectors, cloth.layout.indexOf[vertex]); };
 }
 
 }  // namespace
@@ -37,56 +38,43 @@ SliceStep<T> sliceStepOf(const StepParameters& parameters) {
 template <typename T>
 void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<T>& cloth,
                    SliceStep<T>& step) {
-  const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
-  Vec3 point = Vec3::Zero();
-  Vec3 velocity = Vec3::Zero();
-  std::array<int, 3> indices{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    indices[c] = cloth.layout.indexOf[static_cast<std::size_t>(corners[c])];
-    const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
-    point += weight * vectorAt(cloth.position, indices[c]);
-    velocity += weight * vectorAt(cloth.velocity, indices[c]);
-  }
-  const Vec3 offset = attachment.target - point;
-  const double distance = offset.norm();
-  const Vec3 force = kernels::boundedSpringForce(offset, attachment.stiffness, attachment.maxForce);
-  const double stiffness = distance > 0.0 ? force.norm() / distance : attachment.stiffness;
-  const Vec3 pull = force - static_cast<double>(step.timeStep) * stiffness * velocity;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
-    step.attachedCorners[c] = {.slice = indices[c] / sliceLanes,
-                               .lane = indices[c] % sliceLanes,
-                               .forceX = static_cast<T>(weight * pull.x()),
-                               .forceY = static_cast<T>(weight * pull.y()),
-                               .forceZ = static_cast<T>(weight * pull.z()),
-                               .stiffness = static_cast<T>(weight * stiffness)};
-  }
+  const AttachedCorners corners = attachedCorners(model, attachment);
+  const AttachmentForce pull =
+      attachmentForce(corners, attachment, corners.interpolated(vectorsOf(cloth, cloth.position)),
+                      corners.interpolated(vectorsOf(cloth, cloth.velocity)));
+  const Vec3 force = pull.implicitForce(static_cast<double>(step.timeStep));
+  auto lanes = step.attachedCorners.begin();
+  corners.forEach([&](std::size_t vertex, double weight) {
+    const int index = cloth.layout.indexOf[vertex];
+    *lanes++ = {.slice = index / sliceLanes,
+                .lane = index % sliceLanes,
+                .forceX = static_cast<T>(weight * force.x()),
+                .forceY = static_cast<T>(weight * force.y()),
+                .forceZ = static_cast<T>(weight * force.z()),
+                .stiffness = static_cast<T>(weight * pull.stiffness)};
+  });
 }
 
 template <typename T>
 void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,
                             SlicedCloth<T>& cloth) {
   const double h = timeStep;
-  const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
-  Vec3 offset = attachment.target;
+  const AttachedCorners corners = attachedCorners(model, attachment);
+  const auto positionOf = vectorsOf(cloth, cloth.position);
+  const auto velocityOf = vectorsOf(cloth, cloth.velocity);
+  const auto shareOf = [&](std::size_t v, double weight) {  // w_c / m_c [1/kg]
+    return model.pinned[v] ? 0.0 : weight / model.vertexMass[v];
+  };
+  const Vec3 offset = corners.subtracted(attachment.target,
+                                         [&](std::size_t v) { return Vec3(positionOf(v) + 0.5 * h * velocityOf(v)); });
   double inverseMass = 0.0;
-  std::array<double, 3> share{};  // w_i / m_i [1/kg]
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto v = static_cast<std::size_t>(corners[c]);
-    const int index = cloth.layout.indexOf[v];
-    const double weight = attachment.barycentric[static_cast<Eigen::Index>(c)];
-    offset -= weight * (vectorAt(cloth.position, index) + 0.5 * h * vectorAt(cloth.velocity, index));
-    share[c] = model.pinned[v] ? 0.0 : weight / model.vertexMass[v];
-    inverseMass += weight * share[c];
-  }
-  Vec3 impulse = (h * attachment.stiffness / (1.0 + 0.5 * h * h * attachment.stiffness * inverseMass)) * offset;
-  impulse *= std::min(1.0, h * attachment.maxForce / std::max(impulse.norm(), std::numeric_limits<double>::min()));
-  for (std::size_t c = 0; c < 3; ++c) {
-    const int index = cloth.layout.indexOf[static_cast<std::size_t>(corners[c])];
-    const Vec3 velocity = vectorAt(cloth.velocity, index) + share[c] * impulse;
-    cloth.velocity.set(static_cast<std::size_t>(index), static_cast<T>(velocity.x()), static_cast<T>(velocity.y()),
-                       static_cast<T>(velocity.z()));
-  }
+  corners.forEach([&](std::size_t v, double weight) { inverseMass += weight * shareOf(v, weight); });
+  const Vec3 impulse = attachment.implicitImpulse(h, offset, inverseMass);
+  corners.forEach([&](std::size_t v, double weight) {
+    const Vec3 velocity = velocityOf(v) + shareOf(v, weight) * impulse;
+    cloth.velocity.set(static_cast<std::size_t>(cloth.layout.indexOf[v]), static_cast<T>(velocity.x()),
+                       static_cast<T>(velocity.y()), static_cast<T>(velocity.z()));
+  });
 }
 
 template void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,

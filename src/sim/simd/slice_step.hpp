@@ -16,9 +16,8 @@ template <typename T>
 void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<T>& cloth,
                    SliceStep<T>& step);
 
-/// Applies the attachment's implicit impulse J to the velocities of its corners: J = h k (target - p - h/2 u') with
-/// u' = u + W J. p is the attached point, u its velocity and W its inverse mass, the sum of w_i^2 / m_i. J is bounded
-/// like the force. It is stable for any stiffness, so the attachment does not change the limit of an explicit step.
+/// Applies the attachment's implicit impulse (AttachmentSpring::implicitImpulse) to the velocities of its corners. It
+/// is stable for any stiffness, so the attachment does not change the limit of an explicit step.
 template <typename T>
 void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,
                             SlicedCloth<T>& cloth);

@@ -127,14 +127,8 @@ class AdaptiveStep {
     }
     after_ = state;
     run_.store(after_);
-    Vec3 motion = Vec3::Zero();
-    const Triangle& corners = model.triangles[static_cast<std::size_t>(inputs.attachment->triangle)];
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto v = static_cast<std::size_t>(corners[c]);
-      motion +=
-          inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * (after_.positions[v] - state.positions[v]);
-    }
-    return inputs.attachment->maxForce * motion.norm();
+    const AttachedCorners corners = attachedCorners(model, *inputs.attachment);
+    return inputs.attachment->maxForce * attachedPointMotion(corners, state, after_).norm();
   }
 
   /// Takes the step with the fallback solver, which must be unconditionally stable. With few iterations it leaves

@@ -45,9 +45,8 @@ Vec3 FilteredStepSolver::internalImpulse(const ClothModel& model, const StepPara
 void FilteredStepSolver::addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,
                                        const ClothState& state) {
   const AttachmentForce pull = attachmentForce(model, attachment, state);
-  attachment_.vertices = pull.vertices;
-  attachment_.additions = timeStep * timeStep * pull.stiffness * pull.weights;
-  const Vec3 impulse = timeStep * (pull.force - timeStep * pull.stiffness * pull.velocity);
+  attachment_ = pull.diagonal(timeStep);
+  const Vec3 impulse = timeStep * pull.implicitForce(timeStep);
   for (std::size_t c = 0; c < 3; ++c) {
     attachmentImpulse_[c] = pull.weights[static_cast<Eigen::Index>(c)] * impulse;
     filtered_[pull.vertices[c]] += attachmentImpulse_[c];

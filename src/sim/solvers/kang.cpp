@@ -80,16 +80,14 @@ class KangSolver final : public Solver {
   }
 
   void addAttachment(const ClothModel& model, double h, const AttachmentForce& pull) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::size_t v = pull.vertices[c];
-      if (model.pinned[v]) {
-        continue;
+    const Vec3 force = pull.implicitForce(h);
+    pull.forEach([&](std::size_t v, double weight) {
+      if (!model.pinned[v]) {
+        const Vec3 impulse = denominator_[v] * p_[v] + (h * weight) * force;
+        denominator_[v] += h * h * weight * pull.stiffness;
+        p_[v] = impulse / denominator_[v];
       }
-      const double weight = pull.weights[static_cast<Eigen::Index>(c)];
-      const Vec3 impulse = denominator_[v] * p_[v] + (h * weight) * (pull.force - h * pull.stiffness * pull.velocity);
-      denominator_[v] += h * h * weight * pull.stiffness;
-      p_[v] = impulse / denominator_[v];
-    }
+    });
   }
 
   /// dv_i = p_i + (h^2 k + h C_d) sum_j p_j / denominator_i; v += dv, x += h v.

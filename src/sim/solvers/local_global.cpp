@@ -96,14 +96,14 @@ class LocalGlobalSolver final : public Solver {
       return;
     }
     const AttachmentForce pull = attachmentForce(model, *inputs.attachment, state);
-    const Vec3 stiffness = h * h * pull.stiffness * pull.weights;
+    const AttachmentDiagonal diagonal = pull.diagonal(h);
     for (std::size_t c = 0; c < 3; ++c) {
       const std::size_t v = pull.vertices[c];
       const auto corner = static_cast<Eigen::Index>(c);
       const Vec3 lag = pull.velocity - state.velocities[v];
-      inertia_[v] += h * h * pull.weights[corner] * pull.force - h * stiffness[corner] * lag;
+      inertia_[v] += h * h * pull.weights[corner] * pull.force - h * diagonal.additions[corner] * lag;
     }
-    attachment_.set(system_, factorChanged, pull.vertices, stiffness);
+    attachment_.set(system_, factorChanged, diagonal.vertices, diagonal.additions);
   }
 
   void finish(const ClothModel& model, double h, ClothState& state) const {

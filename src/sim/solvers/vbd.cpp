@@ -1,5 +1,5 @@
+#include "sim/attachment.hpp"
 #include "sim/colouring.hpp"
-#include "sim/external_forces.hpp"
 #include "sim/kernels.hpp"
 #include "sim/model_cache.hpp"
 #include "sim/position_step.hpp"
@@ -7,8 +7,8 @@
 #include "sim/stability.hpp"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace drape {
 namespace {
@@ -125,15 +125,12 @@ class VbdSolver final : public Solver {
   /// Adds the attachment's force and secant stiffness if vertex i is a corner of its triangle.
   static void addAttachment(const ClothModel& model, const Attachment& attachment, std::size_t i,
                             const ClothState& state, Vec3& force, Mat3& stiffness) {
-    const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
-    const auto found = std::find(corners.begin(), corners.end(), static_cast<int>(i));
-    if (found == corners.end()) {
-      return;
+    const std::optional<double> weight = attachedCorners(model, attachment).weightOf(i);
+    if (weight) {
+      const AttachmentForce pull = attachmentForce(model, attachment, state);
+      force += *weight * pull.force;
+      stiffness += (*weight * *weight * pull.stiffness) * Mat3::Identity();
     }
-    const AttachmentForce pull = attachmentForce(model, attachment, state);
-    const double weight = pull.weights[found - corners.begin()];
-    force += weight * pull.force;
-    stiffness += (weight * weight * pull.stiffness) * Mat3::Identity();
   }
 
   Workers workers_;

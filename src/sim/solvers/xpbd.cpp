@@ -1,4 +1,4 @@
-#include "sim/attachment_constraint.hpp"
+#include "sim/attachment.hpp"
 #include "sim/colouring.hpp"
 #include "sim/kernels.hpp"
 #include "sim/model_cache.hpp"
@@ -97,18 +97,13 @@ class XpbdSolver final : public BatchSolver {
   }
 
   void projectAttachment(const ClothModel& model, double h, const Attachment& attachment, ClothState& state) {
-    const Triangle& corners = model.triangles[static_cast<std::size_t>(attachment.triangle)];
-    Vec3 offset = attachment.target;
-    double weight = 0.0;
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      const auto v = static_cast<std::size_t>(corners[static_cast<std::size_t>(c)]);
-      offset -= attachment.barycentric[c] * state.positions[v];
-      weight += attachment.barycentric[c] * attachment.barycentric[c] * inverseMass_[v];
-    }
-    const Vec3 change = attachment_.correct(attachment, h, offset, weight);
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      const auto v = static_cast<std::size_t>(corners[static_cast<std::size_t>(c)]);
-      state.positions[v] += (attachment.barycentric[c] * inverseMass_[v]) * change;
+    const AttachedCorners corners = attachedCorners(model, attachment);
+    const auto& [a, b, c] = corners.vertices;
+    const Vec3 offset = corners.subtracted(attachment.target, [&](std::size_t v) { return state.positions[v]; });
+    const auto moves =
+        attachment_.correct(attachment, corners, h, offset, {inverseMass_[a], inverseMass_[b], inverseMass_[c]});
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      state.positions[corners.vertices[corner]] += moves[corner];
     }
   }
 

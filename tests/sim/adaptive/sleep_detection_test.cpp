@@ -102,7 +102,7 @@ TEST_F(Sleeping, endsWhenAnythingChanges) {
       {"a pin let go", [&] { model = withPins(*model, std::vector<bool>(25, false)); }},
       {"mass", [&] { model = withMass(*model, 0.11, MassLumping::Uniform); }},
       {"an attachment", [&] {
-         inputs.attachment = Attachment{0, Vec3::Constant(1.0 / 3.0), Vec3::Zero(), 1.0, 1.0};
+         inputs.attachment = Attachment{{0, Vec3::Constant(1.0 / 3.0), Vec3::Zero()}, {1.0, 1.0}};
        }}};
   for (const auto& [what, change] : changes) {
     const auto before = model;

@@ -89,7 +89,7 @@ Difference floatFromDouble(const ClothModel& model, StepParameters parameters, c
 
 StepInputs pullingAttachment() {
   StepInputs inputs;
-  inputs.attachment = Attachment{3, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.3, 0.5), 20.0, 2.0};
+  inputs.attachment = Attachment{{3, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.3, 0.5)}, {20.0, 2.0}};
   return inputs;
 }
 

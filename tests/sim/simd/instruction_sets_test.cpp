@@ -83,7 +83,7 @@ ClothState stepsWith(const Kind& kind, const ClothModel& model, int steps) {
     parameters.soften = true;
   }
   StepInputs inputs;
-  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20.0, 2.0};
+  inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {20.0, 2.0}};
   ClothState state = testing::shaken(model, 0.003, 3);
   findSolver(kind.solver)->make()->steps(model, parameters, inputs, steps, state);
   EXPECT_TRUE(isFinite(state));

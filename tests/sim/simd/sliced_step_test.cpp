@@ -23,7 +23,7 @@ using testing::Turns;
 StepInputs attachmentAcrossSlices(const ClothModel& model) {
   const SliceLayout layout = buildSliceLayout(model);
   StepInputs inputs;
-  inputs.attachment = Attachment{0, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20.0, 2.0};
+  inputs.attachment = Attachment{{0, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {20.0, 2.0}};
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     std::set<int> slices;
     for (const int vertex : model.triangles[t]) {

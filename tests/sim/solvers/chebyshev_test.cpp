@@ -53,7 +53,7 @@ TEST(Chebyshev, convergesToTheExactSolveWithDampingAirAndAttachment) {
     parameters.iterations = 200;
     parameters.spectralRadius = 0.9;
     StepInputs inputs;
-    inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, 5.0};
+    inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, 5.0}};
     ClothState state = shaken(*model, 0.03, 7);
     ClothState exact = state;
     findSolver("chebyshev")->make()->step(*model, parameters, inputs, state);

@@ -198,7 +198,7 @@ TEST(Verlet, bringsTheClothToAnAttachmentThatIsFarStifferThanTheCloth) {
   parameters.damping = 1e-3;
   parameters.timeStep = 0.9 * verletStepLimit(*model, parameters);
   StepInputs inputs;
-  inputs.attachment = Attachment{100, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0.4, 0.8), 500.0, 20.0};
+  inputs.attachment = Attachment{{100, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0.4, 0.8)}, {500.0, 20.0}};
   ClothState state = stateAtRest(model->restPositions);
   const auto solver = findSolver("verlet")->make();
   for (int step = 0; step < 2000; ++step) {

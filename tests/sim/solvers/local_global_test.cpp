@@ -19,7 +19,7 @@ StepParameters everything() {
 
 StepInputs attachment(double maxForce) {
   StepInputs inputs;
-  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+  inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, maxForce}};
   return inputs;
 }
 

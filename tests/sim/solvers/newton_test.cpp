@@ -54,7 +54,7 @@ TEST(Newton, isTheDenseSolveOfTheLinearisedStepWithOneIteration) {
   for (const auto& model : {pinnedSheet(5), testing::irregularSheet(5), testing::irregularSheet(5, {})}) {
     for (const double maxForce : {50.0, 2.0}) {
       StepInputs inputs;
-      inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+      inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, maxForce}};
       ClothState state = shaken(*model, 0.03, 7);
       ClothState exact = state;
       EXPECT_EQ(solver->step(*model, parameters, inputs, state).iterations, 1);
@@ -183,7 +183,7 @@ TEST(Newton, settlesAnAttachedPointWhereMouseSpringAndWeightBalance) {
   parameters.damping = 0.5;
   parameters.timeStep = 1.0 / 30.0;
   StepInputs inputs;
-  inputs.attachment = Attachment{0, Vec3(0.2, 0.3, 0.5), Vec3(0.4, 0.5, 0.4), 40.0, 100.0};
+  inputs.attachment = Attachment{{0, Vec3(0.2, 0.3, 0.5), Vec3(0.4, 0.5, 0.4)}, {40.0, 100.0}};
   const auto solver = findSolver("newton")->make();
   for (int step = 0; step < 600; ++step) {
     EXPECT_TRUE(solver->step(*model, parameters, inputs, state).converged);

@@ -68,7 +68,7 @@ TEST(OneIteration, equalsTheDenseReferenceForSeveralSweepsAndEverythingTogether)
 
 TEST(OneIteration, equalsTheDenseReferenceWhileAnAttachmentPulls) {
   StepInputs inputs;
-  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, 5.0};
+  inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, 5.0}};
   EXPECT_LT(differenceFromReference({}, inputs), 1e-10);
   inputs.attachment->maxForce = 0.05;
   EXPECT_LT(differenceFromReference({}, inputs), 1e-10);
@@ -182,7 +182,7 @@ TEST(OneIteration, neverPullsHarderThanTheAttachmentMay) {
   StepParameters parameters;
   parameters.gravity = 0.0;
   StepInputs inputs;
-  inputs.attachment = Attachment{0, Vec3(1.0, 0.0, 0.0), Vec3(1e6, 0.0, 0.0), 1e5, 2.0};
+  inputs.attachment = Attachment{{0, Vec3(1.0, 0.0, 0.0), Vec3(1e6, 0.0, 0.0)}, {1e5, 2.0}};
   oneIteration()->step(*model, parameters, inputs, state);
   double momentum = 0.0;
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {

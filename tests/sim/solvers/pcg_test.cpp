@@ -24,7 +24,7 @@ StepParameters withEverything() {
 
 StepInputs attachmentWith(double maxForce) {
   StepInputs inputs;
-  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 50.0, maxForce};
+  inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, maxForce}};
   return inputs;
 }
 

@@ -39,7 +39,7 @@ double distanceFromBackwardEuler(std::string_view solver, const StepParameters& 
 
 StepInputs pullingAttachment() {
   StepInputs inputs;
-  inputs.attachment = Attachment{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.3, 0.5), 20.0, 1000.0};
+  inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.3, 0.5)}, {20.0, 1000.0}};
   return inputs;
 }
 
@@ -188,7 +188,7 @@ TEST_P(PositionSolver, holdsALightMeshByAStiffAttachmentAtALargeStep) {
   StepParameters parameters;
   parameters.timeStep = 1.0 / 60.0;
   StepInputs inputs;
-  inputs.attachment = Attachment{100, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0.4, 0.8), 500.0, 20.0};
+  inputs.attachment = Attachment{{100, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0.4, 0.8)}, {500.0, 20.0}};
   ClothState state = stateAtRest(model->restPositions);
   const auto solver = findSolver(GetParam())->make();
   for (int step = 0; step < 300; ++step) {
@@ -214,7 +214,7 @@ TEST_P(PositionSolver, neverPullsHarderThanTheAttachmentMay) {
   parameters.gravity = 0.0;
   parameters.iterations = 50;
   StepInputs inputs;
-  inputs.attachment = Attachment{0, Vec3(0.4, 0.3, 0.3), Vec3(1e6, 0.0, 0.0), 1e5, 2.0};
+  inputs.attachment = Attachment{{0, Vec3(0.4, 0.3, 0.3), Vec3(1e6, 0.0, 0.0)}, {1e5, 2.0}};
   findSolver(GetParam())->make()->step(*model, parameters, inputs, state);
   Vec3 momentum = Vec3::Zero();
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {

@@ -73,7 +73,7 @@ TEST_P(ScalarMatrixSolver, survivesVerticesThatFallTogetherAndAClothHeldEverywhe
   EXPECT_TRUE(isFinite(run(*loose, {}, 3, stateAtRest(std::vector<Vec3>(9, Vec3(0.5, 0.0, 0.5))))));
   const auto pinned = withPins(*model, std::vector<bool>(9, true));
   StepInputs inputs;
-  inputs.attachment = Attachment{0, Vec3(1.0, 0.0, 0.0), Vec3(1.0, 1.0, 0.0), 500.0, 10.0};
+  inputs.attachment = Attachment{{0, Vec3(1.0, 0.0, 0.0), Vec3(1.0, 1.0, 0.0)}, {500.0, 10.0}};
   ClothState state = stateAtRest(pinned->restPositions);
   make()->step(*pinned, {}, inputs, state);
   EXPECT_EQ(stateHash(state), stateHash(stateAtRest(pinned->restPositions)));
@@ -182,7 +182,7 @@ TEST_P(ScalarMatrixSolver, doesNotTakeEnergyFromNothingWhileAStrongAttachmentWav
       StepParameters p;
       p.timeStep = h;
       StepInputs inputs;
-      inputs.attachment = Attachment{40, Vec3(0.5, 0.3, 0.2), Vec3::Zero(), 500.0, 10.0};
+      inputs.attachment = Attachment{{40, Vec3(0.5, 0.3, 0.2), Vec3::Zero()}, {500.0, 10.0}};
       ClothState state = stateAtRest(model->restPositions);
       const auto solver = make();
       double fastest = 0.0;

@@ -118,7 +118,7 @@ TEST_P(SolverInThreads, hasTheSameBitsWhileAnAttachmentPullsAcrossTheBoundaryOfS
   parameters.damping = 0.001;
   StepInputs inputs;
   inputs.attachment =
-      Attachment{static_cast<int>(model->triangles.size()) / 2, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5), 20, 2};
+      Attachment{{static_cast<int>(model->triangles.size()) / 2, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {20, 2}};
   const auto hashWith = [&](int threads) {
     parameters.threads = threads;
     ClothState state = shaken(*model, 0.002, 3);
