@@ -18,21 +18,13 @@ struct StepHistory {
   double timeStep = 0.0;         ///< of the step from that state to the present one [s]; 0: there is no history
 };
 
-/// The memory of the solver `auto`. It is part of the state, so that a copy of the state continues identically.
-struct StepMemory {
-  double forceEvaluations = 0.0;   ///< of a step, for the error tolerance [-]; 0: not known yet
-  double error = -1.0;             ///< estimated mean position error after 0.2 s [m]; negative: not known yet
-  int steps = 0;                   ///< count of steps for estimates, cyclic after the first ones [-]
-  int retryLevel = 0;              ///< steps start with the plan of this retry [-]
-  int calmSteps = 0;               ///< steps since the last retry [-]
-  double schemeEnergyDrift = 0.0;  ///< drift of the energy that a stable scheme conserves, at least 0 [J]
-  double energyDrift = 0.0;        ///< drift of the energy at the ends of steps [J]
-  double energy = 0.0;             ///< at the end of the last step [J]
-  std::uint64_t fingerprint = 0;   ///< of the state and the settings that `energy` belongs to; 0: not known
-  /// Positions at `sleepReferenceTime`, near which the vertices have stayed since [m]; null: they move.
-  std::shared_ptr<const std::vector<Vec3>> sleepReference = {};
-  double sleepReferenceTime = 0.0;     ///< [s]
-  std::uint64_t sleepFingerprint = 0;  ///< of everything that acts on the sleeping cloth; 0: it does not sleep
+/// What a solver remembers from earlier steps. Each solver that needs it derives its own type. The memory never
+/// changes, since copies of a state share it: the solver replaces it.
+struct SolverMemory {
+  SolverMemory() = default;
+  SolverMemory(const SolverMemory&) = delete;
+  SolverMemory& operator=(const SolverMemory&) = delete;
+  virtual ~SolverMemory() = default;
 };
 
 /// The variable data of a cloth. Plain data: a copy is a checkpoint.
@@ -42,7 +34,7 @@ struct ClothState {
   double time = 0.0;                                          ///< simulated time since the start [s]
   StepHistory history = {};                                   ///< used by multistep integrations only
   std::shared_ptr<const SelfContactMemory> selfContact = {};  ///< used by self-collision only
-  StepMemory memory = {};                                     ///< used by `auto` only
+  std::shared_ptr<const SolverMemory> memory = {};            ///< used by `auto` only; null: there is none yet
 };
 
 /// A state at rest in the given positions at time 0.

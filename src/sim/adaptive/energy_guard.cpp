@@ -125,8 +125,7 @@ bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, 
 }
 
 void EnergyGuard::store(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan,
-                        const StepEnergy& energy, double work, ClothState& state) {
-  StepMemory& memory = state.memory;
+                        const StepEnergy& energy, double work, StepMemory& memory, ClothState& state) {
   memory.fingerprint = fingerprintOf(model, parameters, state) + fingerprintOf(plan);
   if (!energy.ends) {
     return;

@@ -19,7 +19,7 @@ namespace drape {
 double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<std::size_t>>& freePieces,
                          double energy, ClothState& state);
 
-/// Limits the energy drift of a cloth. It sums two drifts in the state's memory:
+/// Limits the energy drift of a cloth. It sums two drifts in the memory of the state:
 /// - that of the energy which a stable scheme conserves, from the first to the last substep. If it grows, the step must
 ///   be retried. Oscillations do not count;
 /// - that of the visible energy at the ends of steps. It may rise by at most 0.4 % of the reference energy; kinetic
@@ -41,9 +41,10 @@ class EnergyGuard {
   /// @param work upper bound of the external work [J]  @param isRetry whether the step is a retry
   [[nodiscard]] bool hasGrown(const StepEnergy& energy, double work, bool isRetry, StepMemory& memory) const;
 
-  /// Adds an accepted step, which ended in `state`, and removes kinetic energy if the drift is too large.
+  /// Adds an accepted step, which ended in `state`, and removes kinetic energy if the drift is too large. Updates
+  /// `memory`.
   void store(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan, const StepEnergy& energy,
-             double work, ClothState& state);
+             double work, StepMemory& memory, ClothState& state);
 
  private:
   /// The reference energy that drifts are compared with [J].

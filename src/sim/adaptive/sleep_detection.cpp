@@ -75,24 +75,23 @@ bool isBlocked(const std::vector<std::size_t>& piece, const Vec3& displacement, 
 }
 
 /// Whether the state is still the one that fell asleep.
-bool isUnchanged(const ClothState& state) {
-  return state.positions == *state.memory.sleepReference &&
+bool isUnchanged(const StepMemory& memory, const ClothState& state) {
+  return state.positions == *memory.sleepReference &&
          std::all_of(state.velocities.begin(), state.velocities.end(), [](const Vec3& v) { return v.isZero(0.0); });
 }
 
 }  // namespace
 
 bool SleepDetection::isAsleep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                              ClothState& state) {
+                              StepMemory& memory, ClothState& state) {
   const ModelData& data = models_.get(model, dataOf);
-  StepMemory& memory = state.memory;
   if (!canSleep(data, parameters, inputs)) {
     memory.sleepReference.reset();
     memory.sleepFingerprint = 0;
     return false;
   }
   if (memory.sleepFingerprint != 0) {
-    if (isUnchanged(state) && memory.sleepFingerprint == fingerprintOf(data, parameters, inputs)) {
+    if (isUnchanged(memory, state) && memory.sleepFingerprint == fingerprintOf(data, parameters, inputs)) {
       return true;
     }
     memory.sleepReference.reset();

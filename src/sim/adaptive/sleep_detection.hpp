@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/adaptive/step_memory.hpp"
 #include "sim/cloth_model.hpp"
 #include "sim/cloth_state.hpp"
 #include "sim/contact/contact_stage.hpp"
@@ -21,9 +22,9 @@ namespace drape {
 /// are bitwise the same.
 class SleepDetection {
  public:
-  /// Whether the cloth sleeps, so that the step has nothing to do. Updates the state's memory.
+  /// Whether the cloth sleeps, so that the step has nothing to do. Updates `memory`.
   [[nodiscard]] bool isAsleep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                              ClothState& state);
+                              StepMemory& memory, ClothState& state);
 
  private:
   /// Data of a model, computed once.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "sim/adaptive/step_memory.hpp"
 #include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
 #include "sim/local_rates.hpp"
 #include "sim/step_choice.hpp"
 #include "sim/step_parameters.hpp"

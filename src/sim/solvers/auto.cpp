@@ -1,6 +1,7 @@
 #include "sim/adaptive/adaptive_run.hpp"
 #include "sim/adaptive/energy_guard.hpp"
 #include "sim/adaptive/sleep_detection.hpp"
+#include "sim/adaptive/step_memory.hpp"
 #include "sim/adaptive/tuning.hpp"
 #include "sim/diagnostics.hpp"
 #include "sim/model_cache.hpp"
@@ -13,6 +14,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace drape {
 namespace {
@@ -51,9 +53,9 @@ class AdaptiveStep {
   explicit AdaptiveStep(MakeSolver makeFallback) : makeFallback_(makeFallback) {}
 
   StepReport step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                  const StepInputs& inputs, ClothState& state) {
-    StepPlan plan = planStep(model, rates, parameters, inputs, state.memory);
-    for (int i = 0; i < state.memory.retryLevel; ++i) {
+                  const StepInputs& inputs, StepMemory& memory, ClothState& state) {
+    StepPlan plan = planStep(model, rates, parameters, inputs, memory);
+    for (int i = 0; i < memory.retryLevel; ++i) {
       plan = saferPlan(plan);
     }
     StepChoice choice{.order = plan.scheme == ExplicitScheme::Pefrl ? 4 : 2,
@@ -62,42 +64,42 @@ class AdaptiveStep {
                       .costRatio = plan.cost() / evaluationsInBudget(model, parameters),
                       .stiffnessScale = medianStiffnessScale(rates, parameters, plan)};
     choice.forceEvaluations = 0;
-    const bool estimating = estimatesError(choice, evaluationsInBudget(model, parameters), state.memory);
+    const bool estimating = estimatesError(choice, evaluationsInBudget(model, parameters), memory);
     if (estimating) {
       takeFinerStep(model, rates, parameters, inputs, plan, state, choice);
     }
-    takeStep(model, rates, parameters, inputs, plan, state, choice);
+    takeStep(model, rates, parameters, inputs, plan, memory, state, choice);
     if (estimating && choice.retries == 0) {
-      estimateError(model, parameters, plan, state);
+      estimateError(model, parameters, plan, state, memory);
     }
-    updateRetryLevel(choice, state.memory);
-    state.memory.steps += 1;
-    if (state.memory.steps == 2 * tuning.estimateInterval) {
-      state.memory.steps = tuning.estimateInterval;
+    updateRetryLevel(choice, memory);
+    memory.steps += 1;
+    if (memory.steps == 2 * tuning.estimateInterval) {
+      memory.steps = tuning.estimateInterval;
     }
-    choice.error = state.memory.error;
-    choice.energyDrift = state.memory.energyDrift;
+    choice.error = memory.error;
+    choice.energyDrift = memory.energyDrift;
     state.time += parameters.timeStep;
     return {.choice = choice};
   }
 
  private:
   void takeStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                const StepInputs& inputs, StepPlan plan, ClothState& state, StepChoice& choice) {
+                const StepInputs& inputs, StepPlan plan, StepMemory& memory, ClothState& state, StepChoice& choice) {
     guard_.prepare(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()));
     for (int retry = 0; retry <= tuning.maxRetries; ++retry) {
       checkStop(inputs);
-      const bool startIsKnown = guard_.isStartEnergyKnown(plan, state.memory);
-      const bool measuring = retry > 0 || inputs.attachment || guard_.isMeasurementDue(plan, state.memory);
+      const bool startIsKnown = guard_.isStartEnergyKnown(plan, memory);
+      const bool measuring = retry > 0 || inputs.attachment || guard_.isMeasurementDue(plan, memory);
       StepEnergy energy =
           run_.run(model, rates, parameters, inputs, plan, state, {measuring && !startIsKnown, measuring});
-      energy.start = startIsKnown ? state.memory.energy : energy.start;
+      energy.start = startIsKnown ? memory.energy : energy.start;
       const double work = maxWindWork(rates, parameters) + attachmentWork(model, inputs, state);
       choice.forceEvaluations += plan.cost();
       choice.coarseLevels = run_.levels();
-      if (!guard_.hasGrown(energy, work, retry > 0, state.memory)) {
+      if (!guard_.hasGrown(energy, work, retry > 0, memory)) {
         run_.store(state);
-        guard_.store(model, parameters, plan, energy, work, state);
+        guard_.store(model, parameters, plan, energy, work, memory, state);
         return;
       }
       ++choice.retries;
@@ -107,6 +109,7 @@ class AdaptiveStep {
       choice.stiffnessScale = medianStiffnessScale(rates, parameters, plan);
     }
     takeFallbackStep(model, rates, parameters, inputs, state, choice);
+    memory.schemeEnergyDrift = 0.0;
   }
 
   /// After a retry the next steps start with a safer plan. The retry level falls again after some calm steps.
@@ -151,7 +154,6 @@ class AdaptiveStep {
     choice.stiffnessScale = 1.0;
     choice.coarseLevels = 0;
     choice.usedFallback = true;
-    state.memory.schemeEnergyDrift = 0.0;
     for (int i = 0; i < substeps; ++i) {
       momentum_.prepare(model, parameters, inputs, state);
       fallback_->step(model, parameters, inputs, state);
@@ -176,7 +178,7 @@ class AdaptiveStep {
   /// tolerance needs. The difference is averaged over neighbours first. That removes short fast vibrations, whose phase
   /// is wrong at any affordable step, and rounding; neither displaces the cloth as a whole.
   void estimateError(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan,
-                     ClothState& state) {
+                     const ClothState& state, StepMemory& memory) {
     std::vector<Vec3>& difference = finer_.positions;
     for (std::size_t i = 0; i < difference.size(); ++i) {
       difference[i] -= state.positions[i];
@@ -196,8 +198,8 @@ class AdaptiveStep {
       return;
     }
     const double evaluations = plan.cost() * std::pow(error / parameters.errorTolerance, 1.0 / order);
-    state.memory.error = error;
-    state.memory.forceEvaluations = std::max({1.0, tuning.maxDecrease * plan.cost(), evaluations});
+    memory.error = error;
+    memory.forceEvaluations = std::max({1.0, tuning.maxDecrease * plan.cost(), evaluations});
   }
 
   /// Replaces each value by the mean of itself and its neighbours.
@@ -231,24 +233,33 @@ class AutoSolver final : public Solver {
 
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
-    if (sleep_.isAsleep(model, parameters, inputs, state)) {
+    StepMemory memory = stepMemoryOf(state);
+    const StepReport report = step(model, parameters, inputs, memory, state);
+    storeStepMemory(std::move(memory), state);
+    return report;
+  }
+
+ private:
+  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                  StepMemory& memory, ClothState& state) {
+    if (sleep_.isAsleep(model, parameters, inputs, memory, state)) {
       state.time += parameters.timeStep;
       return {.choice = StepChoice{.substeps = 0, .forceEvaluations = 0, .sleeping = true}};
     }
     const LocalRates& rates = rates_.get(model, localRatesOf);
-    return needsDouble(model, rates, parameters, state) ? double_.step(model, rates, parameters, inputs, state)
-                                                        : single_.step(model, rates, parameters, inputs, state);
+    return needsDouble(model, rates, parameters, memory, state)
+               ? double_.step(model, rates, parameters, inputs, memory, state)
+               : single_.step(model, rates, parameters, inputs, memory, state);
   }
 
- private:
   static bool needsDouble(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                          const ClothState& state) {
+                          const StepMemory& memory, const ClothState& state) {
     if (parameters.precision == Precision::Double || dampingNeedsDouble(rates, parameters)) {
       return true;
     }
     const double largest = maxCoordinate(state.positions);
     return roundingAddsEnergy(model, rates, parameters, largest) ||
-           roundingExceedsTolerance(model, rates, parameters, state.memory, largest);
+           roundingExceedsTolerance(model, rates, parameters, memory, largest);
   }
 
   SleepDetection sleep_;

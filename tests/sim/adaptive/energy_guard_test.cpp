@@ -18,13 +18,14 @@ class MeasuringTheEnergy : public ::testing::Test {
     const StepPlan plan{.substeps = evaluations};
     int due = 0;
     state = stateAtRest(model->restPositions);
+    memory = {};
     prepare();
-    guard.store(*model, parameters, plan, StepEnergy{.ends = true}, 0.0, state);
-    state.memory.energyDrift = drift;
-    state.memory.retryLevel = retryLevel;
-    for (state.memory.steps = 1; state.memory.steps <= 24; ++state.memory.steps) {
+    guard.store(*model, parameters, plan, StepEnergy{.ends = true}, 0.0, memory, state);
+    memory.energyDrift = drift;
+    memory.retryLevel = retryLevel;
+    for (memory.steps = 1; memory.steps <= 24; ++memory.steps) {
       prepare();
-      due += guard.isMeasurementDue(plan, state.memory) ? 1 : 0;
+      due += guard.isMeasurementDue(plan, memory) ? 1 : 0;
     }
     return due;
   }
@@ -36,6 +37,7 @@ class MeasuringTheEnergy : public ::testing::Test {
   std::shared_ptr<const ClothModel> model = testing::pinnedSheet(9);
   StepParameters parameters;
   ClothState state;
+  StepMemory memory;
   EnergyGuard guard;
   double drift = 0.0;
   int retryLevel = 0;
@@ -64,12 +66,12 @@ TEST_F(MeasuringTheEnergy, isDueInEveryStepInWind) {
 TEST_F(MeasuringTheEnergy, isDueWhenTheStateChangedSinceTheLastStep) {
   measurements(6);
   const StepPlan plan{.substeps = 6};
-  state.memory.steps = 1;
+  memory.steps = 1;
   prepare();
-  ASSERT_FALSE(guard.isMeasurementDue(plan, state.memory));
+  ASSERT_FALSE(guard.isMeasurementDue(plan, memory));
   state.positions.back().y() += 0.01;
   prepare();
-  EXPECT_TRUE(guard.isMeasurementDue(plan, state.memory));
+  EXPECT_TRUE(guard.isMeasurementDue(plan, memory));
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "sim/cloth_state.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace drape {
+
+/// The memory of the solver `auto`. It is part of the state, so that a copy of the state continues identically.
+struct StepMemory {
+  double forceEvaluations = 0.0;   ///< of a step, for the error tolerance [-]; 0: not known yet
+  double error = -1.0;             ///< estimated mean position error after 0.2 s [m]; negative: not known yet
+  int steps = 0;                   ///< count of steps for estimates, cyclic after the first ones [-]
+  int retryLevel = 0;              ///< steps start with the plan of this retry [-]
+  int calmSteps = 0;               ///< steps since the last retry [-]
+  double schemeEnergyDrift = 0.0;  ///< drift of the energy that a stable scheme conserves, at least 0 [J]
+  double energyDrift = 0.0;        ///< drift of the energy at the ends of steps [J]
+  double energy = 0.0;             ///< at the end of the last step [J]
+  std::uint64_t fingerprint = 0;   ///< of the state and the settings that `energy` belongs to; 0: not known
+  /// Positions at `sleepReferenceTime`, near which the vertices have stayed since [m]; null: they move.
+  std::shared_ptr<const std::vector<Vec3>> sleepReference = {};
+  double sleepReferenceTime = 0.0;     ///< [s]
+  std::uint64_t sleepFingerprint = 0;  ///< of everything that acts on the sleeping cloth; 0: it does not sleep
+};
+
+/// The memory in a state; a new one if the state has none.
+[[nodiscard]] StepMemory stepMemoryOf(const ClothState& state);
+
+/// Puts a memory into a state. Copies of the state keep theirs.
+void storeStepMemory(StepMemory memory, ClothState& state);
+
+}  // namespace drape
