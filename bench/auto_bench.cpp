@@ -2,8 +2,8 @@
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
 #include "sim/adaptive/step_plan.hpp"
-#include "sim/solver.hpp"
-#include "sim/stability.hpp"
+#include "sim/forces/stability.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "scene/scene.hpp"
 #include "scene/scene_file.hpp"
 #include "sim/contact/bodies/world.hpp"
-#include "sim/stepper.hpp"
+#include "sim/stepping/stepper.hpp"
 
 #include <string>
 

@@ -3,7 +3,7 @@
 #include "bench/suite.hpp"
 #include "io/mesh_import.hpp"
 #include "sim/simd/sliced_cloth.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <malloc.h>
 

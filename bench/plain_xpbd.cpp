@@ -1,6 +1,6 @@
 #include "bench/plain_xpbd.hpp"
 
-#include "sim/colouring.hpp"
+#include "sim/model/colouring.hpp"
 
 #include <cmath>
 

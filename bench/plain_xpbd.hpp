@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
 
 #include <vector>
 

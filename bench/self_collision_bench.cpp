@@ -2,7 +2,7 @@
 // onto itself, with the search for near pairs and the growth of collision-free patches.
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
-#include "sim/stepper.hpp"
+#include "sim/stepping/stepper.hpp"
 
 #include <string>
 

@@ -4,7 +4,7 @@
 #include "bench/slice_runner.hpp"
 #include "bench/suite.hpp"
 #include "sim/simd/constraint_lanes.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <algorithm>
 #include <string_view>

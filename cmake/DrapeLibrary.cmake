@@ -9,16 +9,19 @@ function(drape_unity target)
   set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# drape_library(<name> [SOURCES <files>] [LINKS <targets>] [PRIVATE_LINKS <targets>] [ALONE])
+# drape_library(<path> [SOURCES <files>] [LINKS <targets>] [PRIVATE_LINKS <targets>] [ALONE])
 #
-# Adds the static library drape_<name> for src/<name>; without sources, a library of headers. Its headers are reached as "<name>/header.hpp", and only by
-# targets that link it: each library publishes a folder that holds nothing but a link to its own sources. So an
-# include that points upwards in the layering does not compile. ALONE keeps it out of unity builds.
-function(drape_library name)
+# Adds the static library drape_<path> for src/<path>; a slash in the path becomes "_" in the name. Without sources it is
+# a library of headers. Its headers are reached as "<path>/header.hpp", and only by targets that link it: each library
+# publishes a folder that holds nothing but a link to its own sources. So an include that points upwards in the layering
+# does not compile. ALONE keeps it out of unity builds.
+function(drape_library path)
   cmake_parse_arguments(ARG "ALONE" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  string(REPLACE "/" "_" name "${path}")
   set(include_root "${PROJECT_BINARY_DIR}/include/${name}")
-  file(MAKE_DIRECTORY "${include_root}")
-  file(CREATE_LINK "${PROJECT_SOURCE_DIR}/src/${name}" "${include_root}/${name}" SYMBOLIC)
+  cmake_path(GET path PARENT_PATH parent)
+  file(MAKE_DIRECTORY "${include_root}/${parent}")
+  file(CREATE_LINK "${PROJECT_SOURCE_DIR}/src/${path}" "${include_root}/${path}" SYMBOLIC)
 
   if(NOT ARG_SOURCES)
     add_library(drape_${name} INTERFACE)

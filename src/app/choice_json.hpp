@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/step_choice.hpp"
+#include "sim/adaptive/step_choice.hpp"
 
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "io/import_protocol.hpp"
 #include "io/message_text.hpp"
 #include "messages/error.hpp"
-#include "sim/fingerprint.hpp"
+#include "sim/model/fingerprint.hpp"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>

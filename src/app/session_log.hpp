@@ -18,7 +18,7 @@ struct SessionLog {
   std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of all, when the scene was opened
   std::vector<LoggedCommand> commands;
   std::int64_t steps = 0;  ///< taken in the whole session
-  std::string stateHash;   ///< at the end (sim/cloth_state.hpp)
+  std::string stateHash;   ///< at the end (sim/model/cloth_state.hpp)
 };
 
 /// The log of a simulation from its scene to now.

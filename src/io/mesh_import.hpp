@@ -2,8 +2,8 @@
 
 #include "io/import_watch.hpp"
 #include "messages/error.hpp"
-#include "sim/cloth_model.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/vector.hpp"
 
 #include <array>
 #include <filesystem>

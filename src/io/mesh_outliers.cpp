@@ -1,6 +1,6 @@
 #include "io/mesh_outliers.hpp"
 
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "io/mesh_summary.hpp"
 
 #include "io/topology_counts.hpp"
-#include "sim/bounds.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>

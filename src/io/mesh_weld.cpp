@@ -5,7 +5,7 @@
 #include "io/planar_uvs.hpp"
 #include "io/short_edges.hpp"
 #include "messages/error.hpp"
-#include "sim/fingerprint.hpp"
+#include "sim/model/fingerprint.hpp"
 #include "text/number_text.hpp"
 
 #include <fmt/core.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/import_watch.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <string>
 #include <string_view>

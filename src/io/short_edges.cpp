@@ -1,6 +1,6 @@
 #include "io/short_edges.hpp"
 
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

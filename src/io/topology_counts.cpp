@@ -1,6 +1,6 @@
 #include "io/topology_counts.hpp"
 
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "messages/error.hpp"
-#include "sim/sim_error.hpp"
+#include "sim/model/sim_error.hpp"
 
 #include <exception>
 #include <string>

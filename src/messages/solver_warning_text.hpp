@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/solver_warning.hpp"
+#include "sim/solvers/solver_warning.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

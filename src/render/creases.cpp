@@ -1,6 +1,6 @@
 #include "render/creases.hpp"
 
-#include "sim/ragged_rows.hpp"
+#include "sim/model/ragged_rows.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/camera.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <optional>
 #include <span>

@@ -2,7 +2,7 @@
 
 #include "render/gl_objects.hpp"
 #include "render/surface_shapes.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

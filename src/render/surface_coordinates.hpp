@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/mesh_import.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/contact/bodies/world.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <cstddef>
 #include <vector>

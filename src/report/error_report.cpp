@@ -1,6 +1,6 @@
 #include "report/error_report.hpp"
 
-#include "sim/momentum.hpp"
+#include "sim/motion/momentum.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "report/references.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/measures.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/measures.hpp"
 
 #include <span>
 #include <vector>

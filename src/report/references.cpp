@@ -1,8 +1,8 @@
 #include "report/references.hpp"
 
 #include "messages/error.hpp"
-#include "sim/measures.hpp"
-#include "sim/solver.hpp"
+#include "sim/measures/measures.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>

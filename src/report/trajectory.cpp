@@ -3,9 +3,9 @@
 #include "messages/error.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/contact/bodies/world.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/residuals.hpp"
-#include "sim/stepper.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/residuals.hpp"
+#include "sim/stepping/stepper.hpp"
 
 #include <algorithm>
 #include <cmath>

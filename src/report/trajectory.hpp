@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
-#include "sim/energy_balance.hpp"
+#include "sim/measures/energy_balance.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "scene/boundary_loops.hpp"
 
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #include "scene/ground.hpp"
 
-#include "sim/bounds.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -3,9 +3,9 @@
 #include "io/mesh_import.hpp"
 #include "scene/mesh_reading.hpp"
 #include "settings/settings.hpp"
-#include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
 #include "sim/contact/bodies/body.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -8,7 +8,7 @@
 #include "scene/pin_selection.hpp"
 #include "scene/scene.hpp"
 #include "scene/shape_pins.hpp"
-#include "sim/bounds.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <toml++/toml.h>
 #include <functional>

@@ -1,6 +1,6 @@
 #include "scene/up_guess.hpp"
 
-#include "sim/bounds.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

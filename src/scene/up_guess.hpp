@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scene/boundary_loops.hpp"
-#include "sim/cloth_model.hpp"
+#include "sim/model/cloth_model.hpp"
 
 #include <array>
 

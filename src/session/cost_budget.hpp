@@ -1,8 +1,8 @@
 #pragma once
 
 #include "settings/settings.hpp"
-#include "sim/cloth_model.hpp"
-#include "sim/solver.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <optional>
 

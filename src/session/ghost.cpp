@@ -1,6 +1,6 @@
 #include "session/ghost.hpp"
 
-#include "sim/measures.hpp"
+#include "sim/measures/measures.hpp"
 
 #include <chrono>
 

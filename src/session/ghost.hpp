@@ -2,7 +2,7 @@
 
 #include "session/snapshot.hpp"
 #include "settings/settings.hpp"
-#include "sim/stepper.hpp"
+#include "sim/stepping/stepper.hpp"
 
 #include <string>
 #include <utility>

@@ -3,8 +3,8 @@
 #include "messages/sim_error_text.hpp"
 #include "scene/mass.hpp"
 #include "settings/surface_fields.hpp"
-#include "sim/attachment_limit.hpp"
-#include "sim/unfolding.hpp"
+#include "sim/forces/attachment_limit.hpp"
+#include "sim/motion/unfolding.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -343,9 +343,8 @@ void Simulation::limitAttachment() {
   if (inputs_.attachment) {
     Attachment& attachment = *inputs_.attachment;
     static_cast<AttachmentSpring&>(attachment) = settings_.attachment;
-    attachment.maxForce =
-        std::min(attachment.maxForce,
-                 maxAttachmentForce(*model_, settings_.step, attachment.triangle, attachment.barycentric));
+    attachment.maxForce = std::min(
+        attachment.maxForce, maxAttachmentForce(*model_, settings_.step, attachment.triangle, attachment.barycentric));
   }
 }
 

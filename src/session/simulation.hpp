@@ -5,7 +5,7 @@
 #include "session/ghost.hpp"
 #include "session/snapshot.hpp"
 #include "sim/contact/bodies/world.hpp"
-#include "sim/stepper.hpp"
+#include "sim/stepping/stepper.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -2,9 +2,9 @@
 
 #include "scene/scene.hpp"
 #include "session/stretch_cause.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/energy_balance.hpp"
-#include "sim/solver.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/energy_balance.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "messages/solver_warning_text.hpp"
 #include "session/ghost.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 namespace drape {
 namespace {

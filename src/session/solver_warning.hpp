@@ -1,7 +1,7 @@
 #pragma once
 
 #include "settings/settings.hpp"
-#include "sim/cloth_model.hpp"
+#include "sim/model/cloth_model.hpp"
 
 #include <string>
 

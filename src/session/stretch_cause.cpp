@@ -3,7 +3,7 @@
 #include "scene/unit_guess.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/hanging_load.hpp"
+#include "sim/measures/hanging_load.hpp"
 #include "text/number_text.hpp"
 
 #include <fmt/core.h>

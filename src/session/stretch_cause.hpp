@@ -1,8 +1,8 @@
 #pragma once
 
 #include "scene/scene.hpp"
-#include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
 
 namespace drape {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
-#include "sim/step_parameters.hpp"
+#include "sim/forces/step_parameters.hpp"
+#include "sim/model/cloth_model.hpp"
 
 #include <string>
 

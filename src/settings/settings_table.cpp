@@ -1,5 +1,5 @@
 #include "settings/settings_table.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "text/number_text.hpp"
 
 #include <algorithm>

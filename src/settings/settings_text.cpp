@@ -1,6 +1,6 @@
 #include "messages/error.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "text/number_text.hpp"
 
 #include <algorithm>

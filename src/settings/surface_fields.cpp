@@ -2,8 +2,8 @@
 
 #include "messages/error.hpp"
 
-#include <algorithm>
 #include <fmt/core.h>
+#include <algorithm>
 #include <array>
 
 namespace drape {

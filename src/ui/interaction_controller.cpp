@@ -1,7 +1,7 @@
 #include "ui/interaction_controller.hpp"
 
 #include "render/picking.hpp"
-#include "sim/bounds.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

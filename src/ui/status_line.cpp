@@ -2,7 +2,7 @@
 #include "session/cost_budget.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "ui/panels.hpp"
 #include "ui/setting_widget.hpp"
 #include "ui/solver_facts.hpp"

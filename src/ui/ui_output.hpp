@@ -3,7 +3,7 @@
 #include "scene/scene_parts.hpp"
 #include "session/command.hpp"
 #include "settings/settings.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <map>
 #include <string>

@@ -1,6 +1,6 @@
 #include "messages/sim_error_text.hpp"
 
-#include "sim/stepper.hpp"
+#include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

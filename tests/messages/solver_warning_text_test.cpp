@@ -1,6 +1,6 @@
 #include "messages/solver_warning_text.hpp"
 
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

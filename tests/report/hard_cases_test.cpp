@@ -2,7 +2,7 @@
 #include "report/hardcases/case_trial.hpp"
 #include "report/hardcases/hard_case.hpp"
 #include "report/hardcases/hard_case_rows.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
 #include <limits>

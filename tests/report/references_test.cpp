@@ -2,8 +2,8 @@
 
 #include "messages/error.hpp"
 #include "report/sections/set_ups.hpp"
-#include "sim/measures.hpp"
-#include "sim/solver.hpp"
+#include "sim/measures/measures.hpp"
+#include "sim/solvers/solver.hpp"
 #include "small_grid.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "report/sections/section_scene.hpp"
 #include "report/sections/stability_rule.hpp"
 #include "report/sections/work_precision_view.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "small_grid.hpp"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 
 #include "messages/error.hpp"
 #include "report/sections/table2_starts.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/measures.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/measures.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "report/trajectory.hpp"
 
 #include "messages/error.hpp"
-#include "sim/stepper.hpp"
+#include "sim/stepping/stepper.hpp"
 #include "small_grid.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
+#include "sim/model/cloth_model.hpp"
 
 #include <string>
 #include <vector>

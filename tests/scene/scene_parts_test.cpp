@@ -2,7 +2,7 @@
 
 #include "messages/error.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/bounds.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "scene/scene.hpp"
 #include "session/simulation.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/measures.hpp"
+#include "sim/measures/measures.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "session/simulation.hpp"
-#include "sim/measures.hpp"
+#include "sim/measures/measures.hpp"
 #include "test_scene.hpp"
 
 #include <gtest/gtest.h>

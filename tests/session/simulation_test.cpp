@@ -1,6 +1,6 @@
 #include "session/simulation.hpp"
-#include "sim/cloth_state.hpp"
-#include "sim/unfolding.hpp"
+#include "sim/model/cloth_state.hpp"
+#include "sim/motion/unfolding.hpp"
 #include "test_scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "session/stretch_cause.hpp"
 
 #include "session/simulation.hpp"
-#include "sim/hanging_load.hpp"
+#include "sim/measures/hanging_load.hpp"
 #include "test_scene.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "settings/settings_table.hpp"
 
 #include "messages/error.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
 #include <set>

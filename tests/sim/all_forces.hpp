@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/external_forces.hpp"
-#include "sim/forces.hpp"
-#include "sim/workers.hpp"
+#include "sim/forces/external_forces.hpp"
+#include "sim/forces/forces.hpp"
+#include "sim/model/workers.hpp"
 
 #include <vector>
 

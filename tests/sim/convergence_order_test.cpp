@@ -1,5 +1,5 @@
-#include "sim/mesh_topology.hpp"
-#include "sim/stepper.hpp"
+#include "sim/model/mesh_topology.hpp"
+#include "sim/stepping/stepper.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>

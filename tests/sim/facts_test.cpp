@@ -1,6 +1,6 @@
 #include "all_forces.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/stepper.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

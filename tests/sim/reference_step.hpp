@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
-#include "sim/step_parameters.hpp"
+#include "sim/forces/step_parameters.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
 
 namespace drape::testing {
 

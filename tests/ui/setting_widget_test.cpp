@@ -2,7 +2,7 @@
 
 #include "messages/error.hpp"
 #include "panel_fixture.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "ui/number_slider.hpp"
 
 #include <imgui.h>

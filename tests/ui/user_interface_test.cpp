@@ -1,7 +1,7 @@
 #include "ui/user_interface.hpp"
 
 #include "panel_fixture.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <imgui.h>
 

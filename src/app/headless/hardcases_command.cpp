@@ -4,7 +4,7 @@
 #include "messages/error.hpp"
 #include "report/hardcases/hard_case_rows.hpp"
 #include "settings/settings.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -4,7 +4,7 @@
 #include "report/hardcases/hard_case_rows.hpp"
 #include "scene/scene.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <algorithm>
 #include <array>

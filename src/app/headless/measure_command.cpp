@@ -8,7 +8,7 @@
 #include "report/measurement.hpp"
 #include "report/report_json.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <iostream>
 #include <memory>

@@ -10,7 +10,7 @@
 #include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
 #include "session/simulation.hpp"
-#include "sim/diagnostics.hpp"
+#include "sim/forces/diagnostics.hpp"
 
 #include <fmt/core.h>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "app/choice_json.hpp"
 #include "report/number_text.hpp"
 #include "report/settings_json.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/measures.hpp"
-#include "sim/solver.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/measures.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <algorithm>
 #include <cmath>

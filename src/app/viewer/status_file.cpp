@@ -6,8 +6,7 @@
 #include "render/picking.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/bounds.hpp"
-#include "messages/error.hpp"
+#include "sim/model/bounds.hpp"
 #include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
 

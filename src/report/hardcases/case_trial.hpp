@@ -2,7 +2,7 @@
 
 #include "report/hardcases/hard_case.hpp"
 #include "session/simulation.hpp"
-#include "sim/cloth_model.hpp"
+#include "sim/model/cloth_model.hpp"
 
 #include <chrono>
 #include <cstdint>

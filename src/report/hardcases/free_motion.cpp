@@ -1,6 +1,6 @@
 #include "report/hardcases/cases.hpp"
 #include "report/hardcases/watched_cloth.hpp"
-#include "sim/momentum.hpp"
+#include "sim/motion/momentum.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 #include "report/hardcases/watched_cloth.hpp"
 #include "report/number_text.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/measures.hpp"
-#include "sim/stepper.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/measures.hpp"
+#include "sim/stepping/stepper.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "report/hardcases/cases.hpp"
 #include "report/hardcases/watched_cloth.hpp"
-#include "sim/diagnostics.hpp"
+#include "sim/forces/diagnostics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "report/hardcases/cases.hpp"
 #include "report/hardcases/watched_cloth.hpp"
 #include "session/pacer.hpp"
-#include "sim/diagnostics.hpp"
+#include "sim/forces/diagnostics.hpp"
 
 #include <algorithm>
 #include <cmath>

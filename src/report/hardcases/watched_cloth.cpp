@@ -1,7 +1,7 @@
 #include "report/hardcases/watched_cloth.hpp"
 
-#include "sim/diagnostics.hpp"
-#include "sim/measures.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/measures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "intersection/intersections.hpp"
 #include "report/body_intersections.hpp"
 #include "report/timing.hpp"
-#include "sim/stepper.hpp"
+#include "sim/stepping/stepper.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 #include "report/hardcases/hard_case_rows.hpp"
 #include "report/sections/sections.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <algorithm>
 #include <map>

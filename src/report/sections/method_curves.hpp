@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <string>
 #include <vector>

@@ -1,13 +1,13 @@
-#include "sim/stability.hpp"
+#include "sim/forces/stability.hpp"
 #include "report/number_text.hpp"
 #include "report/sections/section_scene.hpp"
 #include "report/sections/sections.hpp"
 #include "report/sections/stability_rule.hpp"
 #include "report/sections/time_limit.hpp"
 #include "report/trajectory.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/measures.hpp"
-#include "sim/solver.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/measures.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "report/sections/sections.hpp"
 #include "report/sections/table2_starts.hpp"
 #include "report/sections/table2_view.hpp"
-#include "sim/measures.hpp"
+#include "sim/measures/measures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "report/sections/work_ground.hpp"
 
 #include "messages/error.hpp"
-#include "sim/measures.hpp"
+#include "sim/measures/measures.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -2,7 +2,7 @@
 
 #include "sim/adaptive/lane_sum.hpp"
 #include "sim/adaptive/slot_stiffness.hpp"
-#include "sim/kernels.hpp"
+#include "sim/forces/kernels.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "sim/adaptive/coarse_motion.hpp"
 #include "sim/adaptive/step_plan.hpp"
-#include "sim/model_cache.hpp"
+#include "sim/model/model_cache.hpp"
 #include "sim/simd/damping_stages.hpp"
 #include "sim/simd/slice_step.hpp"
 #include "sim/simd/sliced_cloth_cache.hpp"

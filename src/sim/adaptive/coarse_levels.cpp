@@ -1,7 +1,7 @@
 #include "sim/adaptive/coarse_levels.hpp"
 
 #include "sim/adaptive/tuning.hpp"
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 #include "sim/adaptive/lane_sum.hpp"
 #include "sim/adaptive/slot_stiffness.hpp"
 #include "sim/adaptive/tuning.hpp"
-#include "sim/stability.hpp"
+#include "sim/model/local_frequency.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "sim/adaptive/energy_guard.hpp"
 
 #include "sim/adaptive/tuning.hpp"
-#include "sim/inner_motion.hpp"
-#include "sim/pieces.hpp"
+#include "sim/model/pieces.hpp"
+#include "sim/motion/inner_motion.hpp"
 #include "sim/simd/convert.hpp"
 
 #include <algorithm>

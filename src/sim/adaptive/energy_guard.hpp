@@ -1,10 +1,10 @@
 #pragma once
 
 #include "sim/adaptive/adaptive_run.hpp"
-#include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
-#include "sim/model_cache.hpp"
-#include "sim/step_parameters.hpp"
+#include "sim/forces/step_parameters.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
+#include "sim/model/model_cache.hpp"
 
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace drape {
 /// covers.
 [[nodiscard]] double maxWindWork(const LocalRates& rates, const StepParameters& parameters);
 
-/// Removes up to `energy` [J] from the inner motion of a cloth (sim/inner_motion.hpp). Momentum does not change.
+/// Removes up to `energy` [J] from the inner motion of a cloth (sim/motion/inner_motion.hpp). Momentum does not change.
 /// @return the energy removed [J]
 double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<std::size_t>>& freePieces,
                          double energy, ClothState& state);

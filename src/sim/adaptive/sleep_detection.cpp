@@ -3,11 +3,11 @@
 #include "sim/adaptive/tuning.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/contact/contact_stage.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/fingerprint.hpp"
-#include "sim/kernels.hpp"
-#include "sim/normals.hpp"
-#include "sim/pieces.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/forces/kernels.hpp"
+#include "sim/model/fingerprint.hpp"
+#include "sim/model/normals.hpp"
+#include "sim/model/pieces.hpp"
 
 #include <algorithm>
 #include <cmath>

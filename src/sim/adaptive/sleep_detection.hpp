@@ -1,11 +1,11 @@
 #pragma once
 
 #include "sim/adaptive/step_memory.hpp"
-#include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
 #include "sim/contact/contact_stage.hpp"
-#include "sim/model_cache.hpp"
-#include "sim/step_parameters.hpp"
+#include "sim/forces/step_parameters.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
+#include "sim/model/model_cache.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/cloth_state.hpp"
+#include "sim/model/cloth_state.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "sim/adaptive/step_plan.hpp"
 
 #include "sim/adaptive/tuning.hpp"
+#include "sim/forces/stability.hpp"
 #include "sim/simd/damping_stages.hpp"
-#include "sim/stability.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "sim/adaptive/step_choice.hpp"
 #include "sim/adaptive/step_memory.hpp"
-#include "sim/cloth_model.hpp"
-#include "sim/local_rates.hpp"
-#include "sim/step_choice.hpp"
-#include "sim/step_parameters.hpp"
+#include "sim/forces/local_rates.hpp"
+#include "sim/forces/step_parameters.hpp"
+#include "sim/model/cloth_model.hpp"
 
 #include <vector>
 

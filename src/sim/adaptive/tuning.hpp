@@ -3,7 +3,7 @@
 namespace drape {
 
 /// The tuned constants of the solver `auto`. h is a substep [s], H the time step [s], omega the largest local angular
-/// frequency of the mesh [1/s] (sim/stability.hpp). A force evaluation computes all springs once.
+/// frequency of the mesh [1/s] (sim/forces/stability.hpp). A force evaluation computes all springs once.
 struct AutoTuning {
   // Stability of the explicit schemes.
 

@@ -1,11 +1,11 @@
 #include "sim/contact/contact_stage.hpp"
 
-#include "sim/bounds.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/contact/closest_features/mesh_in_step.hpp"
 #include "sim/contact/self/memory.hpp"
 #include "sim/contact/self/self_contact.hpp"
 #include "sim/contact/solve/body_contact.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #include "sim/simd/constraint_lanes.hpp"
 
-#include "sim/colouring.hpp"
-#include "sim/external_forces.hpp"
+#include "sim/forces/external_forces.hpp"
+#include "sim/model/colouring.hpp"
 #include "sim/simd/vertex_order.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "sim/attachment.hpp"
-#include "sim/model_cache.hpp"
+#include "sim/forces/attachment.hpp"
+#include "sim/forces/step_parameters.hpp"
+#include "sim/model/model_cache.hpp"
 #include "sim/simd/constraint_lanes.hpp"
 #include "sim/simd/thread_team.hpp"
-#include "sim/step_parameters.hpp"
 
 namespace drape {
 

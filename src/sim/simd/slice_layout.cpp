@@ -1,6 +1,6 @@
 #include "sim/simd/slice_layout.hpp"
 
-#include "sim/sim_error.hpp"
+#include "sim/model/sim_error.hpp"
 #include "sim/simd/vertex_order.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "sim/simd/sliced_cloth_cache.hpp"
 
-#include "sim/fingerprint.hpp"
+#include "sim/model/fingerprint.hpp"
 
 namespace drape {
 namespace {

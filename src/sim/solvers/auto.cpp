@@ -3,12 +3,12 @@
 #include "sim/adaptive/sleep_detection.hpp"
 #include "sim/adaptive/step_memory.hpp"
 #include "sim/adaptive/tuning.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/model_cache.hpp"
-#include "sim/momentum.hpp"
-#include "sim/pieces.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/forces/stability.hpp"
+#include "sim/model/model_cache.hpp"
+#include "sim/model/pieces.hpp"
+#include "sim/motion/momentum.hpp"
 #include "sim/solvers/registry.hpp"
-#include "sim/stability.hpp"
 
 #include <algorithm>
 #include <bit>

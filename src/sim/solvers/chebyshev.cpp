@@ -1,7 +1,7 @@
+#include "sim/forces/stability.hpp"
 #include "sim/simd/sliced_run.hpp"
 #include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/registry.hpp"
-#include "sim/stability.hpp"
 
 #include <utility>
 

@@ -1,9 +1,9 @@
 #include "sim/solvers/filtered_step.hpp"
 
-#include "sim/external_forces.hpp"
-#include "sim/forces.hpp"
-#include "sim/pieces.hpp"
-#include "sim/rigid_motion.hpp"
+#include "sim/forces/external_forces.hpp"
+#include "sim/forces/forces.hpp"
+#include "sim/model/pieces.hpp"
+#include "sim/motion/rigid_motion.hpp"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "sim/constant_filter.hpp"
-#include "sim/model_cache.hpp"
-#include "sim/solver.hpp"
-#include "sim/workers.hpp"
+#include "sim/model/model_cache.hpp"
+#include "sim/model/workers.hpp"
+#include "sim/solvers/solver.hpp"
+#include "sim/systems/constant_filter.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
-#include "sim/external_forces.hpp"
-#include "sim/kernels.hpp"
+#include "sim/forces/external_forces.hpp"
+#include "sim/forces/kernels.hpp"
+#include "sim/model/workers.hpp"
+#include "sim/solvers/common_warnings.hpp"
 #include "sim/solvers/registry.hpp"
-#include "sim/stability.hpp"
-#include "sim/workers.hpp"
 
 namespace drape {
 namespace {

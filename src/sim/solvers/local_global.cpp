@@ -1,10 +1,10 @@
-#include "sim/diagonal_change.hpp"
-#include "sim/external_forces.hpp"
-#include "sim/kernels.hpp"
-#include "sim/scalar_system.hpp"
+#include "sim/forces/external_forces.hpp"
+#include "sim/forces/kernels.hpp"
+#include "sim/model/workers.hpp"
+#include "sim/solvers/common_warnings.hpp"
 #include "sim/solvers/registry.hpp"
-#include "sim/stability.hpp"
-#include "sim/workers.hpp"
+#include "sim/systems/diagonal_change.hpp"
+#include "sim/systems/scalar_system.hpp"
 
 namespace drape {
 namespace {

@@ -1,6 +1,6 @@
+#include "sim/solvers/common_warnings.hpp"
 #include "sim/solvers/filtered_step.hpp"
 #include "sim/solvers/registry.hpp"
-#include "sim/stability.hpp"
 
 namespace drape {
 

@@ -1,7 +1,7 @@
-#include "sim/incremental_potential.hpp"
-#include "sim/model_cache.hpp"
+#include "sim/model/model_cache.hpp"
 #include "sim/solvers/registry.hpp"
-#include "sim/sparse_system.hpp"
+#include "sim/systems/incremental_potential.hpp"
+#include "sim/systems/sparse_system.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "sim/solvers/one_iteration_limits.hpp"
 
-#include "sim/stability.hpp"
+#include "sim/forces/stability.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
-#include "sim/simd/conjugate_gradients_run.hpp"
 #include "sim/solvers/batch_solver.hpp"
+#include "sim/solvers/conjugate_gradients_run.hpp"
 #include "sim/solvers/registry.hpp"
 
 namespace drape {

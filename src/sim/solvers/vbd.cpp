@@ -1,10 +1,10 @@
-#include "sim/attachment.hpp"
-#include "sim/colouring.hpp"
-#include "sim/kernels.hpp"
-#include "sim/model_cache.hpp"
-#include "sim/position_step.hpp"
+#include "sim/forces/attachment.hpp"
+#include "sim/forces/kernels.hpp"
+#include "sim/model/colouring.hpp"
+#include "sim/model/model_cache.hpp"
+#include "sim/solvers/common_warnings.hpp"
 #include "sim/solvers/registry.hpp"
-#include "sim/stability.hpp"
+#include "sim/systems/position_step.hpp"
 
 #include <Eigen/Cholesky>
 #include <cmath>

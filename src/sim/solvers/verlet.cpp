@@ -1,7 +1,8 @@
+#include "sim/forces/stability.hpp"
 #include "sim/simd/sliced_run.hpp"
 #include "sim/solvers/batch_solver.hpp"
+#include "sim/solvers/common_warnings.hpp"
 #include "sim/solvers/registry.hpp"
-#include "sim/stability.hpp"
 
 namespace drape {
 namespace {

@@ -1,12 +1,12 @@
-#include "sim/attachment.hpp"
-#include "sim/colouring.hpp"
-#include "sim/kernels.hpp"
-#include "sim/model_cache.hpp"
-#include "sim/position_step.hpp"
+#include "sim/forces/attachment.hpp"
+#include "sim/forces/kernels.hpp"
+#include "sim/model/colouring.hpp"
+#include "sim/model/model_cache.hpp"
 #include "sim/simd/constraint_run.hpp"
 #include "sim/solvers/batch_solver.hpp"
+#include "sim/solvers/common_warnings.hpp"
 #include "sim/solvers/registry.hpp"
-#include "sim/stability.hpp"
+#include "sim/systems/position_step.hpp"
 
 namespace drape {
 namespace {

@@ -1,9 +1,9 @@
 #include "sim/adaptive/sleep_detection.hpp"
 
 #include "sim/contact/bodies/body.hpp"
-#include "sim/measures.hpp"
-#include "sim/stability.hpp"
-#include "sim/stepper.hpp"
+#include "sim/forces/stability.hpp"
+#include "sim/measures/measures.hpp"
+#include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

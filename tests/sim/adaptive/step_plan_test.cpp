@@ -1,6 +1,6 @@
 #include "sim/adaptive/step_plan.hpp"
 
-#include "sim/stability.hpp"
+#include "sim/forces/stability.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

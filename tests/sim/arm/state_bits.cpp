@@ -1,6 +1,6 @@
 // Prints a hash of the final state of two cloths for each method, one a line. It must be the same on every processor
 // with fused multiply-add. scripts/check-arm compares Arm with the machine that it runs on.
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "simd/simd_meshes.hpp"
 #include "test_meshes.hpp"
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "intersection/intersections.hpp"
-#include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
 #include "sim/contact/bodies/world.hpp"
-#include "sim/stepper.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
+#include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
 #include <Eigen/Geometry>

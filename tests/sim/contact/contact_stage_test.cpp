@@ -2,7 +2,7 @@
 
 #include "contact/contact_scene.hpp"
 #include "sim/contact/bodies/world.hpp"
-#include "sim/stepper.hpp"
+#include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "sim/simd/conjugate_gradients.hpp"
 
 #include "sim/simd/slice_step.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "simd_meshes.hpp"
 #include "sliced_stepping.hpp"
 

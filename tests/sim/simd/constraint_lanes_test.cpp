@@ -1,6 +1,6 @@
 #include "sim/simd/constraint_lanes.hpp"
 
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "simd_meshes.hpp"
 
 #include <gtest/gtest.h>

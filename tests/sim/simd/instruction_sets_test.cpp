@@ -1,4 +1,4 @@
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "simd_meshes.hpp"
 
 #include <hwy/highway.h>

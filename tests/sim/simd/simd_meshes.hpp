@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/step_parameters.hpp"
+#include "sim/forces/step_parameters.hpp"
 #include "test_meshes.hpp"
 
 #include <algorithm>

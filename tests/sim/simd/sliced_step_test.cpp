@@ -1,6 +1,6 @@
 #include "reference_step.hpp"
 #include "sim/simd/sliced_cloth_cache.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "simd_meshes.hpp"
 #include "sliced_stepping.hpp"
 

@@ -1,9 +1,9 @@
-#include "sim/diagnostics.hpp"
-#include "sim/measures.hpp"
-#include "sim/momentum.hpp"
-#include "sim/solver.hpp"
-#include "sim/stability.hpp"
-#include "sim/stepper.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/forces/stability.hpp"
+#include "sim/measures/measures.hpp"
+#include "sim/motion/momentum.hpp"
+#include "sim/solvers/solver.hpp"
+#include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "reference_step.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/solver.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/solvers/solver.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "runge_kutta.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/solver.hpp"
-#include "sim/stability.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/forces/stability.hpp"
+#include "sim/solvers/solver.hpp"
 #include "spring_chain.hpp"
 #include "test_meshes.hpp"
 
@@ -207,7 +207,8 @@ TEST(Verlet, bringsTheClothToAnAttachmentThatIsFarStifferThanTheCloth) {
   }
   Vec3 attached = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    attached += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * state.positions[model->triangles[100][c]];
+    attached +=
+        inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * state.positions[model->triangles[100][c]];
   }
   EXPECT_LT((attached - inputs.attachment->target).norm(), 0.01);
 }

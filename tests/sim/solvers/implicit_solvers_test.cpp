@@ -1,4 +1,4 @@
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "dense_cloth.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
 

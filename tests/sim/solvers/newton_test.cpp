@@ -1,5 +1,5 @@
 #include "reference_step.hpp"
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

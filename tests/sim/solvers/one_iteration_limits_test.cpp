@@ -1,8 +1,8 @@
 #include "sim/solvers/one_iteration_limits.hpp"
 
-#include "sim/diagnostics.hpp"
-#include "sim/solver.hpp"
-#include "sim/stepper.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/solvers/solver.hpp"
+#include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

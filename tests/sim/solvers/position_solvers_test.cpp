@@ -1,6 +1,6 @@
 #include "dense_backward_euler.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/solver.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/solvers/solver.hpp"
 #include "spring_chain.hpp"
 #include "test_meshes.hpp"
 
@@ -199,7 +199,8 @@ TEST_P(PositionSolver, holdsALightMeshByAStiffAttachmentAtALargeStep) {
   }
   Vec3 attached = Vec3::Zero();
   for (std::size_t c = 0; c < 3; ++c) {
-    attached += inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * state.positions[model->triangles[100][c]];
+    attached +=
+        inputs.attachment->barycentric[static_cast<Eigen::Index>(c)] * state.positions[model->triangles[100][c]];
   }
   EXPECT_LT((attached - inputs.attachment->target).norm(), 0.02);
   for (const Vec3& velocity : state.velocities) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
-#include "sim/mesh_topology.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <cmath>
 #include <memory>

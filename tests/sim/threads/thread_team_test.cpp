@@ -1,6 +1,6 @@
 #include "sim/simd/thread_team.hpp"
 
-#include "sim/solver.hpp"
+#include "sim/solvers/solver.hpp"
 #include "simd/simd_meshes.hpp"
 #include "simd/sliced_stepping.hpp"
 

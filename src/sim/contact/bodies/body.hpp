@@ -2,7 +2,7 @@
 
 #include "sim/contact/bodies/motion.hpp"
 #include "sim/contact/bodies/pose.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <memory>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/contact/bodies/pose.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
 #include "sim/contact/broad_phase/cloth_clusters.hpp"
 #include "sim/contact/broad_phase/searchable_mesh.hpp"
+#include "sim/model/cloth_model.hpp"
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #include "sim/contact/broad_phase/searchable_mesh.hpp"
 
 #include "sim/contact/closest_features/triangle_geometry.hpp"
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "sim/contact/closest_features/cloth_features.hpp"
 
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 namespace drape {
 

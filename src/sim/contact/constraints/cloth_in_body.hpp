@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
 #include "sim/contact/closest_features/cloth_features.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/vector.hpp"
 
 #include <span>
 

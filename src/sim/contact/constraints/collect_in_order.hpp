@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/workers.hpp"
+#include "sim/model/workers.hpp"
 
 #include <algorithm>
 #include <mutex>

@@ -5,7 +5,7 @@
 #include "sim/contact/closest_features/nearest_search.hpp"
 #include "sim/contact/constraints/sharp_feature_search.hpp"
 #include "sim/contact/separating_planes/plane_search.hpp"
-#include "sim/workers.hpp"
+#include "sim/model/workers.hpp"
 
 #include <vector>
 

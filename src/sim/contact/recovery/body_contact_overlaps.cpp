@@ -1,6 +1,6 @@
 // The part of BodyContact that handles cloth inside a body at the start of a step.
 #include "sim/contact/solve/body_contact.hpp"
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
 #include <cmath>

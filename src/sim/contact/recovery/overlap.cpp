@@ -1,6 +1,6 @@
 #include "sim/contact/recovery/overlap.hpp"
 
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
 #include <limits>

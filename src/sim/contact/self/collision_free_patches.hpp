@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
 #include "sim/contact/self/float_lanes.hpp"
+#include "sim/model/cloth_model.hpp"
 
 #include <array>
 #include <cstdint>

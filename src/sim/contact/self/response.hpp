@@ -1,10 +1,10 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
 #include "sim/contact/contact_report.hpp"
 #include "sim/contact/self/float_lanes.hpp"
-#include "sim/model_cache.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
+#include "sim/model/model_cache.hpp"
 
 #include <span>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "sim/contact/self/self_contact.hpp"
 
-#include "sim/diagnostics.hpp"
+#include "sim/forces/diagnostics.hpp"
 #include "sim/simd/convert.hpp"
 
 #include <algorithm>

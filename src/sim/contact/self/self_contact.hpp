@@ -1,14 +1,14 @@
 #pragma once
 
-#include "sim/cloth_model.hpp"
-#include "sim/cloth_state.hpp"
 #include "sim/contact/contact_report.hpp"
 #include "sim/contact/self/collision_free_patches.hpp"
 #include "sim/contact/self/memory.hpp"
 #include "sim/contact/self/point_hash.hpp"
 #include "sim/contact/self/response.hpp"
-#include "sim/model_cache.hpp"
-#include "sim/step_parameters.hpp"
+#include "sim/forces/step_parameters.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
+#include "sim/model/model_cache.hpp"
 
 #include <array>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "sim/contact/self/topology.hpp"
 
-#include "sim/mesh_topology.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 namespace drape {
 

@@ -1,7 +1,7 @@
 #include "sim/contact/solve/body_contact.hpp"
 
-#include "sim/bounds.hpp"
 #include "sim/contact/constraints/collect_in_order.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <algorithm>
 #include <limits>

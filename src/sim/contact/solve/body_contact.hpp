@@ -1,6 +1,5 @@
 #pragma once
 
-#include "sim/cloth_state.hpp"
 #include "sim/contact/broad_phase/mesh_clearance.hpp"
 #include "sim/contact/constraints/mesh_search.hpp"
 #include "sim/contact/constraints/primitive_search.hpp"
@@ -8,9 +7,10 @@
 #include "sim/contact/recovery/overlap.hpp"
 #include "sim/contact/separating_planes/separating_plane_filter.hpp"
 #include "sim/contact/solve/contact_solver.hpp"
-#include "sim/model_cache.hpp"
-#include "sim/step_parameters.hpp"
-#include "sim/workers.hpp"
+#include "sim/forces/step_parameters.hpp"
+#include "sim/model/cloth_state.hpp"
+#include "sim/model/model_cache.hpp"
+#include "sim/model/workers.hpp"
 
 #include <map>
 #include <memory>

@@ -1,6 +1,6 @@
 // Broad phase of BodyContact: chooses the bodies that the cloth could reach in a step.
-#include "sim/bounds.hpp"
 #include "sim/contact/solve/body_contact.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <algorithm>
 #include <variant>

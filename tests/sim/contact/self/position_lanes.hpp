@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/contact/self/float_lanes.hpp"
-#include "sim/vector.hpp"
+#include "sim/model/vector.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "sim/contact/self/response.hpp"
 
 #include "contact/self/position_lanes.hpp"
-#include "sim/momentum.hpp"
+#include "sim/motion/momentum.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

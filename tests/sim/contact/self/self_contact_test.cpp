@@ -1,8 +1,8 @@
 #include "sim/contact/self/self_contact.hpp"
 
-#include "sim/diagnostics.hpp"
-#include "sim/momentum.hpp"
-#include "sim/stepper.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/motion/momentum.hpp"
+#include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

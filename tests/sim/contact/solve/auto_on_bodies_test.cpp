@@ -1,7 +1,7 @@
 // An energy-conserving solver with contact, which stretches springs.
 #include "contact/contact_scene.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/measures.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/measures.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 #include "test_meshes.hpp"
 
 #include "sim/contact/closest_features/closest_points.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/momentum.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/motion/momentum.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>

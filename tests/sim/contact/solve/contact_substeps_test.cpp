@@ -1,7 +1,7 @@
 // Steps that need contact substeps.
 #include "contact/contact_scene.hpp"
-#include "sim/diagnostics.hpp"
-#include "sim/measures.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/measures/measures.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,41 @@
+#include "sim/forces/attachment_limit.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace drape {
+namespace {
+
+/// How far the springs around an attached point may stretch [-].
+constexpr double strain = 0.2;
+/// Springs in all directions carry a pull along one of them with a quarter of the sum of k l: half of them are in
+/// tension, and the mean squared cosine to the pull is a half.
+constexpr double alongPull = 0.25;
+constexpr double shareOfWeight = 0.25;
+
+/// The force that stretches the springs of a vertex by `strain` [N].
+double forceBorneBy(const ClothModel& model, const StepParameters& parameters, int vertex) {
+  double sum = 0.0;
+  for (const SpringEnd& end : model.springEnds[vertex]) {
+    const Spring& spring = model.springs[end.spring];
+    sum += spring.relativeStiffness * spring.restLength;
+  }
+  return strain * alongPull * parameters.stiffness * sum;
+}
+
+}  // namespace
+
+double maxAttachmentForce(const ClothModel& model, const StepParameters& parameters, int triangle,
+                          const Vec3& barycentric) {
+  const Triangle& corners = model.triangles[triangle];
+  double force = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double weight = barycentric[static_cast<Eigen::Index>(c)];
+    if (weight > 0.0) {
+      force = std::min(force, forceBorneBy(model, parameters, corners[c]) / weight);
+    }
+  }
+  return std::max(force, shareOfWeight * parameters.gravity * model.totalMass());
+}
+
+}  // namespace drape

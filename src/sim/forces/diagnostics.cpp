@@ -1,0 +1,43 @@
+#include "sim/forces/diagnostics.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace drape {
+
+Energy energyOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
+  Energy energy;
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    energy.kinetic += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
+    energy.potential +=
+        model.vertexMass[v] * parameters.gravity * (state.positions[v].y() - model.restPositions[v].y());
+  }
+  for (const Spring& spring : model.springs) {
+    const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();
+    const double elongation = length - spring.restLength;
+    energy.elastic += 0.5 * parameters.stiffness * spring.relativeStiffness * elongation * elongation;
+  }
+  return energy;
+}
+
+double maxStretch(const ClothModel& model, const ClothState& state) {
+  double largest = 0.0;
+  for (const Spring& spring : model.springs) {
+    if (spring.restLength > 0.0) {
+      const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();
+      largest = std::max(largest, (length - spring.restLength) / spring.restLength);
+    }
+  }
+  return largest;
+}
+
+double meanEdge(const ClothModel& model) {
+  if (model.springs.empty()) {
+    return 0.0;
+  }
+  const double sum = std::accumulate(model.springs.begin(), model.springs.end(), 0.0,
+                                     [](double length, const Spring& spring) { return length + spring.restLength; });
+  return sum / static_cast<double>(model.springs.size());
+}
+
+}  // namespace drape

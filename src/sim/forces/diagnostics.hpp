@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/forces/step_parameters.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
+
+namespace drape {
+
+/// Mechanical energy of a cloth [J].
+struct Energy {
+  double kinetic = 0.0;    ///< sum of m |v|^2 / 2
+  double elastic = 0.0;    ///< sum of k (L - l0)^2 / 2
+  double potential = 0.0;  ///< of gravity, zero at the rest positions
+
+  [[nodiscard]] double total() const { return kinetic + elastic + potential; }
+};
+
+[[nodiscard]] Energy energyOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state);
+
+/// The largest strain of a spring, (L - l0) / l0 [-]; 0 if no spring is stretched.
+[[nodiscard]] double maxStretch(const ClothModel& model, const ClothState& state);
+
+/// The mean rest length of the springs [m]; 0 without springs.
+[[nodiscard]] double meanEdge(const ClothModel& model);
+
+}  // namespace drape

@@ -1,0 +1,20 @@
+#include "sim/forces/forces.hpp"
+
+#include "sim/forces/kernels.hpp"
+
+namespace drape {
+
+Vec3 springForcesOn(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                    std::size_t vertex) {
+  Vec3 force = Vec3::Zero();
+  for (const SpringEnd& springEnd : model.springEnds[vertex]) {
+    const int neighbour = springEnd.neighbour;
+    const Spring& spring = model.springs[springEnd.spring];
+    force += kernels::springForce(state.positions[neighbour] - state.positions[vertex], spring.restLength,
+                                  parameters.stiffness * spring.relativeStiffness);
+    force += kernels::dampingForce(state.velocities[vertex], state.velocities[neighbour], parameters.damping);
+  }
+  return force;
+}
+
+}  // namespace drape

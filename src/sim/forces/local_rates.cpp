@@ -1,0 +1,49 @@
+#include "sim/forces/local_rates.hpp"
+
+#include "sim/model/local_frequency.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace drape {
+namespace {
+
+/// The largest value that at most one in `oneIn` values exceeds; 0 if there are no values. Reorders the values.
+double quantileExceededBy(std::vector<double>& values, std::size_t oneIn) {
+  if (values.empty()) {
+    return 0.0;
+  }
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() - 1 - (values.size() - 1) / oneIn);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+LocalRates localRatesOf(const ClothModel& model) {
+  LocalRates rates;
+  std::vector<double> free;
+  std::vector<double> freeDamping;
+  for (std::size_t i = 0; i < model.restPositions.size(); ++i) {
+    const auto ends = static_cast<double>(model.springEnds[i].size());
+    rates.frequencySquared.push_back(model.pinned[i] ? 0.0 : unitFrequencySquared(model, i));
+    rates.damping.push_back(model.pinned[i] ? 0.0 : 2.0 * ends / model.vertexMass[i]);
+    if (!model.pinned[i]) {
+      free.push_back(rates.frequencySquared.back());
+      freeDamping.push_back(rates.damping.back());
+    }
+  }
+  rates.median = quantileExceededBy(free, 2);
+  rates.percentile99 = quantileExceededBy(free, 100);
+  rates.dampingPercentile99 = quantileExceededBy(freeDamping, 100);
+  rates.diagonal = diagonalOf(model);
+  rates.mass = model.totalMass();
+  rates.area = model.restArea();
+  for (const Spring& spring : model.springs) {
+    const bool atPin = model.pinned[spring.a] != model.pinned[spring.b];
+    rates.pinnedLength += atPin ? spring.relativeStiffness * spring.restLength : 0.0;
+  }
+  return rates;
+}
+
+}  // namespace drape

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "sim/model/cloth_model.hpp"
+
+#include <vector>
+
+namespace drape {
+
+/// The local rates of a cloth's vertices, for a stiffness of 1 N/m and a damping of 1 N s/m, and sums over the cloth.
+struct LocalRates {
+  std::vector<double> frequencySquared;  ///< omega_i^2 / k [1/kg], one a vertex; 0 where pinned
+  std::vector<double> damping;           ///< lambda_i / C_d [1/kg], one a vertex; 0 where pinned
+  double median = 0.0;                   ///< of `frequencySquared` over the free vertices [1/kg]
+  double percentile99 = 0.0;             ///< of `frequencySquared`: one free vertex in 100 is faster [1/kg]
+  double dampingPercentile99 = 0.0;      ///< of `damping` [1/kg]
+  double diagonal = 0.0;                 ///< of the rest shape [m]
+  double mass = 0.0;                     ///< of the whole cloth [kg]
+  double area = 0.0;                     ///< of the whole rest shape [m^2]
+  double pinnedLength = 0.0;  ///< sum over springs with one end pinned of length times relative stiffness [m]
+};
+
+[[nodiscard]] LocalRates localRatesOf(const ClothModel& model);
+
+}  // namespace drape

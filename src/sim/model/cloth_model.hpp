@@ -1,0 +1,90 @@
+#pragma once
+
+#include "sim/model/ragged_rows.hpp"
+#include "sim/model/vector.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace drape {
+
+/// A spring between two vertices. One for each edge of the mesh.
+struct Spring {
+  int a = 0;                       ///< vertex index, a < b
+  int b = 0;                       ///< vertex index
+  double restLength = 0.0;         ///< [m]
+  double relativeStiffness = 1.0;  ///< factor on the stiffness of the settings [-]
+};
+
+/// A spring, seen from one of its ends.
+struct SpringEnd {
+  int neighbour = 0;  ///< vertex at the other end
+  int spring = 0;     ///< index into ClothModel::springs
+};
+
+/// How the mass of the cloth is distributed over its vertices.
+enum class MassLumping {
+  Uniform,  ///< the same mass at every vertex, as in the paper
+  Area,  ///< proportional to a third of the adjacent triangles' rest area, so that results do not depend on the mesh's
+         ///< resolution
+};
+
+/// A triangle mesh in its rest shape, from which a cloth is built.
+struct ClothMesh {
+  std::vector<Vec3> positions;      ///< rest positions [m], one a vertex
+  std::vector<Triangle> triangles;  ///< indices into positions
+};
+
+/// The constant data of a cloth: rest mesh, springs, masses and pins. Immutable once built; a change of mass or pins
+/// makes a new model.
+struct ClothModel : std::enable_shared_from_this<ClothModel> {
+  std::vector<Vec3> restPositions;   ///< [m]
+  std::vector<Triangle> triangles;   ///< front is counter-clockwise
+  std::vector<Spring> springs;       ///< one for each edge of the mesh, sorted by (a, b)
+  RaggedRows<SpringEnd> springEnds;  ///< the springs of each vertex, by ascending neighbour
+  RaggedRows<int> vertexTriangles;   ///< the triangles of each vertex, ascending
+  std::vector<double> vertexArea;    ///< a third of the adjacent triangles' rest area [m^2]
+  std::vector<double> vertexMass;    ///< [kg]
+  std::vector<bool> pinned;          ///< true for fixed vertices
+  double unitFrequency = 0.0;  ///< largest local angular frequency for springs of 1 N/m [1/s], see local_frequency.hpp
+  double unitDampingRate = 0.0;  ///< largest 2 n_i / m_i, for a damping of 1 N s/m [1/s]
+  double stiffestSpring = 1.0;   ///< largest relativeStiffness [-]; 1 without springs
+
+  [[nodiscard]] int vertexCount() const { return static_cast<int>(restPositions.size()); }
+  /// True if all springs are equally stiff.
+  [[nodiscard]] bool evenlyStiff() const;
+  [[nodiscard]] double restArea() const;   ///< [m^2]
+  [[nodiscard]] double totalMass() const;  ///< [kg]
+};
+
+/// The springs of each vertex, by ascending neighbour.
+[[nodiscard]] RaggedRows<SpringEnd> springEndsOf(const std::vector<Spring>& springs, std::size_t vertexCount);
+
+/// Diagonal of the bounding box of a cloth's rest shape [m], the unit of relative distances.
+[[nodiscard]] double diagonalOf(const ClothModel& model);
+
+/// Sum of the triangles' areas [m^2]. Throws ClothModelError as buildClothModel does.
+[[nodiscard]] double restAreaOf(const ClothMesh& mesh);
+
+/// Builds springs, adjacency, areas and masses. `pins` are vertex indices.
+/// Throws ClothModelError for an empty mesh, an index out of range, a position that is not finite or a mass that is not
+/// positive.
+[[nodiscard]] std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double totalMass,
+                                                                MassLumping lumping, const std::vector<int>& pins);
+
+/// The same cloth with another mass [kg]. Throws ClothModelError if it is not positive.
+[[nodiscard]] std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double totalMass,
+                                                         MassLumping lumping);
+
+/// The same cloth with these masses [kg], one a vertex. Throws ClothModelError if one is not positive and finite.
+[[nodiscard]] std::shared_ptr<const ClothModel> withVertexMasses(const ClothModel& model, std::vector<double> masses);
+
+/// The same cloth with springs of different stiffness. `relative` has one factor a spring on the stiffness of the
+/// settings [-]. Throws ClothModelError if one is negative or not finite.
+[[nodiscard]] std::shared_ptr<const ClothModel> withSpringStiffness(const ClothModel& model,
+                                                                    const std::vector<double>& relative);
+
+/// The same cloth with other pins. `pinned` has one entry a vertex.
+[[nodiscard]] std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned);
+
+}  // namespace drape

@@ -1,0 +1,72 @@
+#include "sim/model/colouring.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace drape {
+namespace {
+
+constexpr int none = -1;
+
+/// The smallest colour that is free in `taken`. Grows `taken` to include it.
+int smallestFree(std::vector<bool>& taken) {
+  const auto found = std::find(taken.begin(), taken.end(), false);
+  const auto colour = static_cast<int>(found - taken.begin());
+  if (found == taken.end()) {
+    taken.push_back(false);
+  }
+  return colour;
+}
+
+/// The indices of each colour, ascending.
+RaggedRows<int> gatherByColour(const std::vector<int>& colourOf) {
+  const int colours = colourOf.empty() ? 0 : *std::max_element(colourOf.begin(), colourOf.end()) + 1;
+  return indicesByRow(colourOf, colours);
+}
+
+/// Sets the entries of `taken` to `value` for the colours around a vertex. `index` maps a spring end to the item
+/// (spring or neighbour) whose colour counts.
+template <typename Index>
+void setTaken(const ClothModel& model, std::size_t vertex, const std::vector<int>& colourOf, const Index& index,
+              bool value, std::vector<bool>& taken) {
+  for (const SpringEnd& end : model.springEnds[vertex]) {
+    const int colour = colourOf[index(end)];
+    if (colour != none) {
+      taken[colour] = value;
+    }
+  }
+}
+
+}  // namespace
+
+RaggedRows<int> colourSprings(const ClothModel& model) {
+  std::vector<int> colourOf(model.springs.size(), none);
+  std::vector<bool> taken;
+  const auto springOf = [](const SpringEnd& end) { return end.spring; };
+  for (std::size_t s = 0; s < model.springs.size(); ++s) {
+    const int a = model.springs[s].a;
+    const int b = model.springs[s].b;
+    setTaken(model, a, colourOf, springOf, true, taken);
+    setTaken(model, b, colourOf, springOf, true, taken);
+    const int colour = smallestFree(taken);
+    setTaken(model, a, colourOf, springOf, false, taken);
+    setTaken(model, b, colourOf, springOf, false, taken);
+    colourOf[s] = colour;
+  }
+  return gatherByColour(colourOf);
+}
+
+RaggedRows<int> colourVertices(const ClothModel& model) {
+  std::vector<int> colourOf(model.restPositions.size(), none);
+  std::vector<bool> taken;
+  const auto neighbourOf = [](const SpringEnd& end) { return end.neighbour; };
+  for (std::size_t v = 0; v < colourOf.size(); ++v) {
+    setTaken(model, v, colourOf, neighbourOf, true, taken);
+    const int colour = smallestFree(taken);
+    setTaken(model, v, colourOf, neighbourOf, false, taken);
+    colourOf[v] = colour;
+  }
+  return gatherByColour(colourOf);
+}
+
+}  // namespace drape

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sim/model/cloth_model.hpp"
+
+#include <span>
+
+namespace drape {
+
+/// The unit normal of a vertex at the given positions: the mean of its triangles' normals, weighted by area. Zero if
+/// they cancel or have no area.
+[[nodiscard]] Vec3 vertexNormal(const ClothModel& model, std::span<const Vec3> positions, int vertex);
+
+}  // namespace drape

@@ -1,0 +1,30 @@
+#include "sim/motion/rigid_motion.hpp"
+
+#include <Eigen/QR>
+
+namespace drape {
+
+MassMoments momentsOf(const ClothModel& model, std::span<const std::size_t> vertices,
+                      const std::vector<Vec3>& positions) {
+  MassMoments moments;
+  for (const std::size_t v : vertices) {
+    moments.mass += model.vertexMass[v];
+    moments.barycentre += model.vertexMass[v] * positions[v];
+  }
+  moments.barycentre /= moments.mass;
+  for (const std::size_t v : vertices) {
+    const Vec3 arm = positions[v] - moments.barycentre;
+    moments.inertia += model.vertexMass[v] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+  }
+  return moments;
+}
+
+Vec3 solveRigid(const Mat3& matrix, const Vec3& rightSide) {
+  constexpr double negligible = 1e-9;
+  Eigen::CompleteOrthogonalDecomposition<Mat3> decomposition;
+  decomposition.setThreshold(negligible);
+  decomposition.compute(matrix);
+  return decomposition.solve(rightSide);
+}
+
+}  // namespace drape

@@ -1,0 +1,110 @@
+#include "sim/solvers/conjugate_gradients_run.hpp"
+
+#include "sim/simd/slice_step.hpp"
+
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// The work of one thread in some steps. All threads run the same phases, wait for each other between them, and make
+/// the same decisions from the same sums.
+template <typename T>
+class ConjugateMember {
+ public:
+  ConjugateMember(SlicedCloth<T>& cloth, ConjugateGradients<T>& system, const SliceStep<T>& step,
+                  const StepShare& share, ThreadTeam& team)
+      : cloth_(cloth), system_(system), step_(step), share_(share), team_(team) {}
+
+  /// The iteration starts from zero. The dv of the last step would be a better guess, but the residual of a stopped
+  /// iteration would then accumulate from step to step, and the cloth blows up.
+  StepReport step(const StepParameters& parameters) {
+    phase(ConjugatePhase::Start);
+    StepReport report;
+    const double first = std::sqrt(system_.squaredResidual());
+    if (first > 0.0) {
+      report = solve(parameters, first);
+    }
+    phase(ConjugatePhase::Advance);
+    return report;
+  }
+
+ private:
+  StepReport solve(const StepParameters& parameters, double first) {
+    StepReport report;
+    report.residual = 1.0;
+    double descent = system_.descent();
+    while (report.iterations < parameters.maxIterations) {
+      phase(ConjugatePhase::Multiply);
+      const double curvature = system_.curvature();
+      if (!(curvature > 0.0)) {
+        break;  // the matrix is indefinite: there is no minimum along this direction
+      }
+      phase(ConjugatePhase::Descend, descent / curvature);
+      ++report.iterations;
+      report.residual = std::sqrt(system_.squaredResidual()) / first;
+      if (report.residual <= parameters.tolerance) {
+        break;
+      }
+      const double next = system_.descent();
+      phase(ConjugatePhase::Turn, next / descent);
+      descent = next;
+    }
+    report.converged = report.residual <= parameters.tolerance;
+    return report;
+  }
+
+  void phase(ConjugatePhase phase, double factor = 0.0) {
+    conjugatePhase(cloth_, system_, step_, share_, phase, static_cast<T>(factor));
+    team_.arriveAndWait();
+  }
+
+  SlicedCloth<T>& cloth_;
+  ConjugateGradients<T>& system_;
+  const SliceStep<T>& step_;
+  const StepShare& share_;
+  ThreadTeam& team_;
+};
+
+}  // namespace
+
+StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParameters& parameters,
+                                        const StepInputs& inputs, int count, ClothState& state) {
+  return parameters.precision == Precision::Float ? steps(model, parameters, inputs, count, single_, state)
+                                                  : steps(model, parameters, inputs, count, double_, state);
+}
+
+template <typename T>
+StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParameters& parameters,
+                                        const StepInputs& inputs, int count, Memory<T>& memory, ClothState& state) {
+  SlicedCloth<T>& cloth = memory.cloths.get(model);
+  ConjugateGradients<T>& system =
+      memory.systems.get(model, [&](const ClothModel&) { return ConjugateGradients<T>(cloth.layout); });
+  SliceStep<T> step = sliceStepOf<T>(parameters);
+  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  cloth.prepare(threads, 0);
+  StepReport report;
+  team_.run(threads, [&](int member) {
+    const StepShare share = blockShareOf(cloth.layout, member, threads);
+    ConjugateMember<T> part(cloth, system, step, share, team_);
+    cloth.load(state, share);
+    team_.arriveAndWait();
+    for (int i = 0; i < count; ++i) {
+      if (inputs.attachment) {
+        if (member == 0) {
+          setAttachment(model, *inputs.attachment, cloth, step);
+        }
+        team_.arriveAndWait();
+      }
+      const StepReport one = part.step(parameters);
+      if (member == 0) {
+        report.add(one);
+      }
+    }
+    cloth.store(state, share);
+  });
+  state.time += count * parameters.timeStep;
+  return report;
+}
+
+}  // namespace drape

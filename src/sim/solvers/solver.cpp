@@ -1,0 +1,14 @@
+#include "sim/solvers/solver.hpp"
+
+namespace drape {
+
+StepReport Solver::steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+                         ClothState& state) {
+  StepReport total;
+  for (int i = 0; i < count; ++i) {
+    total.add(step(model, parameters, inputs, state));
+  }
+  return total;
+}
+
+}  // namespace drape

@@ -1,0 +1,257 @@
+#include "sim/stepping/stepper.hpp"
+
+#include "sim/contact/bodies/body.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/forces/local_rates.hpp"
+#include "sim/model/sim_error.hpp"
+#include "sim/motion/moving_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// The fraction of a BDF2 step that its backward-Euler solve covers.
+constexpr double bdf2Part = 2.0 / 3.0;
+
+/// Largest h omega of a contact substep, for solvers that choose their substeps, and largest number of contact substeps
+/// in a step. Stiff cloth gains energy with longer contact substeps, without limit when they are much longer (figures:
+/// docs/experiments/2026-11-22-contact-substeps.md).
+constexpr double maxContactHOmega = 4.0;
+constexpr double maxContactSubsteps = 128.0;
+
+/// Longest contact substep of any solver. The solver ignores contacts: if n supporting vertices carry the weight of N,
+/// they sink into the body by about N/n g h^2 before contact corrects them. The cloth below them stretches by as much
+/// and swings. Longer contact substeps add energy.
+constexpr double maxContactSubstepTime = 1.0 / 300.0;  // [s]
+
+/// Adds the report of a later contact substep of the same step. Overlaps are those at the start of the step.
+void addLater(const ContactReport& next, ContactReport& total) {
+  total.bodyContacts = std::max(total.bodyContacts, next.bodyContacts);
+  total.selfContacts = std::max(total.selfContacts, next.selfContacts);
+  total.infeasible += next.infeasible;
+  total.bodySeconds += next.bodySeconds;
+  total.selfSeconds += next.selfSeconds;
+}
+
+/// A state that was replaced since the last step, as by a new scene, has no history, or one of another size.
+bool hasHistory(const ClothState& state, double timeStep) {
+  return state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
+}
+
+}  // namespace
+
+Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
+  if (info_ == nullptr) {
+    throw UnknownSolver(solver);
+  }
+  solver_ = info_->make();
+}
+
+StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                         ClothState& state) {
+  earlierContactWork_ = 0.0;
+  contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state);
+  return contactSubsteps_ == 1 ? stepWithContact(model, parameters, inputs, state)
+                               : stepInContactSubsteps(model, parameters, inputs, contactSubsteps_, state);
+}
+
+int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                               const ClothState& state) {
+  constexpr double rounding = 1e-9;  // [-]
+  const bool nearItself = info_->choosesSubsteps && ContactStage::isNearItself(parameters, state);
+  const bool bodies = meetsBodies(parameters, inputs);
+  if (!nearItself && !bodies) {
+    return 1;
+  }
+  const int forStiffness = info_->choosesSubsteps ? contactSubstepsForStiffness(model, parameters) : 1;
+  const int forSelfCollision = nearItself ? forStiffness : 1;
+  if (!bodies) {
+    return forSelfCollision;
+  }
+  const int forTime = static_cast<int>(std::ceil(parameters.timeStep / maxContactSubstepTime * (1.0 - rounding)));
+  const int forBodies = std::max(forTime, forStiffness);
+  return forBodies > forSelfCollision && contact_.isNearBodies(model, parameters, inputs, state) ? forBodies
+                                                                                                 : forSelfCollision;
+}
+
+int Stepper::contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters) {
+  const double rate = rate_.get(model, [](const ClothModel& m) { return localRatesOf(m).percentile99; });
+  const double hOmega = parameters.timeStep * std::sqrt(parameters.stiffness * rate);
+  return std::max(1, static_cast<int>(std::min(std::ceil(hOmega / maxContactHOmega), maxContactSubsteps)));
+}
+
+StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters,
+                                          const StepInputs& inputs, int contactSubsteps, ClothState& state) {
+  const double end = state.time + parameters.timeStep;
+  StepParameters part = parameters;
+  part.timeStep = parameters.timeStep / contactSubsteps;
+  part.substeps = (parameters.substeps + contactSubsteps - 1) / contactSubsteps;
+  StepInputs acting = inputs;
+  StepReport total;
+  for (int i = 0; i < contactSubsteps; ++i) {
+    if (keepsContactWork_ && contact_.unresolved() != nullptr && i > 0) {
+      earlierContactWork_ +=
+          energyOf(model, parameters, state).total() - energyOf(model, parameters, *contact_.unresolved()).total();
+    }
+    if (inputs.bodies != nullptr) {
+      acting.bodies =
+          &bodySubsteps_.between(*inputs.bodies, static_cast<double>(i) / contactSubsteps, (i + 1.0) / contactSubsteps);
+    }
+    const StepReport report = stepWithContact(model, part, acting, state);
+    total.add(report);
+    if (i == 0) {
+      total.contact = report.contact;
+    } else {
+      addLater(report.contact, total.contact);
+    }
+  }
+  state.time = end;
+  return total;
+}
+
+StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                    ClothState& state) {
+  const double end = state.time + parameters.timeStep;
+  StepParameters part = parameters;
+  StepReport total;
+  contact_.begin(parameters, inputs, state);
+  planPins(model, inputs, state);
+  const int substeps = info_->choosesSubsteps && pinMotions_.empty() ? 1 : parameters.substeps;
+  part.timeStep = parameters.timeStep / substeps;
+  if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum && pinMotions_.empty()) {
+    state.history.timeStep = 0.0;
+    total = solver_->steps(model, part, inputs, substeps, state);
+  } else {
+    MovingFrame frame(meanPinVelocity(model, parameters.timeStep));
+    const StepParameters inFrame = frame.toFrame(part);
+    const StepInputs acting = frame.toFrame(inputs, part.timeStep);
+    for (int i = 0; i < substeps; ++i) {
+      movePins((i + 1.0) / substeps, state);
+      frame.enter(model, part.timeStep, state);
+      total.add(substep(model, inFrame, acting, state));
+      frame.leave(model, part.timeStep, state);
+    }
+  }
+  total.contact = contact_.resolve(model, parameters, inputs, state, 1.0 / contactSubsteps_);
+  state.time = end;  // not the sum of the substeps, which has rounding errors
+  return total;
+}
+
+void Stepper::planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state) {
+  pinMotions_.clear();
+  if (inputs.bodies == nullptr) {
+    return;
+  }
+  for (const BodyStep& body : *inputs.bodies) {
+    for (const CarriedPin& pin : body.body->pins) {
+      const auto v = static_cast<std::size_t>(pin.vertex);
+      if (model.pinned[v]) {
+        pinMotions_.push_back({v, state.positions[v], carriedBy(body, pin, state.positions[v])});
+      }
+    }
+  }
+}
+
+void Stepper::movePins(double fraction, ClothState& state) const {
+  for (const PinMotion& pin : pinMotions_) {
+    state.positions[pin.vertex] = pin.from + fraction * (pin.to - pin.from);
+  }
+}
+
+/// The mean velocity of all pins if the moving ones take that time [m/s].
+Vec3 Stepper::meanPinVelocity(const ClothModel& model, double seconds) const {
+  Vec3 sum = Vec3::Zero();
+  if (pinMotions_.empty()) {
+    return sum;
+  }
+  for (const PinMotion& pin : pinMotions_) {
+    sum += pin.to - pin.from;
+  }
+  const auto pins = std::count(model.pinned.begin(), model.pinned.end(), true);
+  return sum / (static_cast<double>(pins) * seconds);
+}
+
+StepReport Stepper::substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                            ClothState& state) {
+  if (!parameters.keepMomentum) {
+    return integrate(model, parameters, inputs, state);
+  }
+  const double driftTime = driftFraction(parameters, state) * parameters.timeStep;
+  momentum_.prepare(model, parameters, inputs, state);
+  const StepReport report = integrate(model, parameters, inputs, state);
+  momentum_.correct(model, parameters.timeStep, driftTime, state);
+  return report;
+}
+
+Integration Stepper::integrationOf(const StepParameters& parameters) const {
+  return info_->backwardEuler ? parameters.integration : Integration::BackwardEuler;
+}
+
+double Stepper::driftFraction(const StepParameters& parameters, const ClothState& state) const {
+  switch (integrationOf(parameters)) {
+    case Integration::Theta:
+      return parameters.theta;
+    case Integration::Bdf2:
+      return hasHistory(state, parameters.timeStep) ? bdf2Part : 1.0;
+    case Integration::BackwardEuler:
+      break;
+  }
+  return 1.0;
+}
+
+StepReport Stepper::integrate(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                              ClothState& state) {
+  const Integration integration = integrationOf(parameters);
+  if (integration != Integration::Bdf2) {
+    state.history.timeStep = 0.0;
+  }
+  switch (integration) {
+    case Integration::Theta:
+      return thetaStep(model, parameters, inputs, state);
+    case Integration::Bdf2:
+      return bdf2Step(model, parameters, inputs, state);
+    case Integration::BackwardEuler:
+      break;
+  }
+  return solver_->step(model, parameters, inputs, state);
+}
+
+StepReport Stepper::thetaStep(const ClothModel& model, StepParameters parameters, const StepInputs& inputs,
+                              ClothState& state) {
+  before_.positions = state.positions;
+  before_.velocities = state.velocities;
+  parameters.timeStep *= parameters.theta;
+  const StepReport report = solver_->step(model, parameters, inputs, state);
+  const double scale = 1.0 / parameters.theta;
+  for (std::size_t i = 0; i < state.positions.size(); ++i) {
+    state.positions[i] = before_.positions[i] + scale * (state.positions[i] - before_.positions[i]);
+    state.velocities[i] = before_.velocities[i] + scale * (state.velocities[i] - before_.velocities[i]);
+  }
+  return report;
+}
+
+StepReport Stepper::bdf2Step(const ClothModel& model, StepParameters parameters, const StepInputs& inputs,
+                             ClothState& state) {
+  before_.positions = state.positions;
+  before_.velocities = state.velocities;
+  const double timeStep = parameters.timeStep;
+  if (hasHistory(state, timeStep)) {
+    for (std::size_t i = 0; i < state.positions.size(); ++i) {
+      // A vertex that was pinned since the last step still has a history of motion.
+      if (!model.pinned[i]) {
+        state.positions[i] += (state.positions[i] - state.history.positions[i]) / 3.0;
+        state.velocities[i] += (state.velocities[i] - state.history.velocities[i]) / 3.0;
+      }
+    }
+    parameters.timeStep *= bdf2Part;
+  }
+  const StepReport report = solver_->step(model, parameters, inputs, state);
+  state.history.positions.swap(before_.positions);
+  state.history.velocities.swap(before_.velocities);
+  state.history.timeStep = timeStep;
+  return report;
+}
+
+}  // namespace drape

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "sim/contact/bodies/substeps.hpp"
+#include "sim/contact/contact_stage.hpp"
+#include "sim/model/model_cache.hpp"
+#include "sim/motion/momentum.hpp"
+#include "sim/solvers/solver.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace drape {
+
+/// Advances a cloth by one time step. It does everything around a solver: substeps (unless the solver chooses them),
+/// the integration, momentum, moving pins and contact.
+///
+/// With S(h) a solver's backward-Euler step from (x, v):
+/// - theta:  (x', v') = (x, v) + (S(theta h) - (x, v)) / theta. For theta = 1/2 this is the implicit midpoint rule.
+/// - BDF2:   S(2/3 h) from (x*, v*) = 4/3 (x_n, v_n) - 1/3 (x_{n-1}, v_{n-1}). The first step, and the first after a
+///   change of the step length, is a backward-Euler step.
+///
+/// With `keepMomentum` the MomentumKeeper corrects every substep. Contact acts at the end of the step. Pins on a body
+/// move before every substep, evenly over the step. Solvers assume pins at rest, so they work in a frame that moves
+/// with the pins (MovingFrame).
+///
+/// Near bodies a step is divided into contact substeps of at most 1/300 s. Each has its own contact and its part of the
+/// substeps. A solver that chooses its substeps conserves energy: when springs pull cloth into a body or into itself
+/// and contact then stretches them, that energy stays. So its contact substeps are shorter for stiffer cloth, by the
+/// 99th percentile of the local frequencies: a few slivers do not make the whole cloth expensive.
+class Stepper {
+ public:
+  /// Throws UnknownSolver if there is no solver of that name.
+  explicit Stepper(std::string_view solver);
+
+  [[nodiscard]] const SolverInfo& info() const { return *info_; }
+
+  /// Advances `state` by `parameters.timeStep`.
+  StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                  ClothState& state);
+
+  /// Contact in the last step, or in its last contact substep.
+  [[nodiscard]] const ContactStage& contact() const { return contact_; }
+  /// Number of contact substeps of the last step.
+  [[nodiscard]] int contactSubsteps() const { return contactSubsteps_; }
+  /// Whether to measure the energy change by contact in the contact substeps, which costs two sums over the springs in
+  /// each. Off by default.
+  void keepContactWork(bool kept) { keepsContactWork_ = kept; }
+  /// Energy change by contact in the contact substeps before the last one [J]; 0 if it is not measured.
+  [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
+
+ private:
+  /// The motion of a pin on a body over the step [m].
+  struct PinMotion {
+    std::size_t vertex = 0;
+    Vec3 from = Vec3::Zero();
+    Vec3 to = Vec3::Zero();
+  };
+
+  [[nodiscard]] int contactSubstepsOf(const ClothModel& model, const StepParameters& parameters,
+                                      const StepInputs& inputs, const ClothState& state);
+  /// Number of contact substeps for a solver that chooses its substeps.
+  [[nodiscard]] int contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters);
+  StepReport stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                   int contactSubsteps, ClothState& state);
+  /// A step, or a contact substep, with contact at its end.
+  StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                             ClothState& state);
+
+  void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
+  /// Moves pins on bodies to their positions after that fraction of the step.
+  void movePins(double fraction, ClothState& state) const;
+  [[nodiscard]] Vec3 meanPinVelocity(const ClothModel& model, double seconds) const;
+
+  StepReport substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                     ClothState& state);
+  StepReport integrate(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                       ClothState& state);
+  StepReport thetaStep(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state);
+  StepReport bdf2Step(const ClothModel& model, StepParameters parameters, const StepInputs& inputs, ClothState& state);
+
+  /// The fraction of a substep for which the velocity at its end acts on the positions [-].
+  [[nodiscard]] double driftFraction(const StepParameters& parameters, const ClothState& state) const;
+  [[nodiscard]] Integration integrationOf(const StepParameters& parameters) const;
+
+  const SolverInfo* info_;
+  std::unique_ptr<Solver> solver_;
+  ClothState before_;
+  MomentumKeeper momentum_;
+  ContactStage contact_;
+  BodySubsteps bodySubsteps_;
+  bool keepsContactWork_ = false;
+  int contactSubsteps_ = 1;
+  ModelCache<double> rate_;          // 99th percentile of omega^2 / k [1/kg]
+  double earlierContactWork_ = 0.0;  // [J]
+  std::vector<PinMotion> pinMotions_;
+};
+
+}  // namespace drape

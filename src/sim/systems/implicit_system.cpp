@@ -1,0 +1,89 @@
+#include "sim/systems/implicit_system.hpp"
+
+#include "sim/forces/external_forces.hpp"
+#include "sim/forces/kernels.hpp"
+
+namespace drape {
+
+void ImplicitSystem::assemble(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                              const ClothState& state, Workers& workers) {
+  springBlocks_.resize(model.springs.size());
+  springForces_.resize(model.springs.size());
+  diagonal_.resize(state.positions.size());
+  rightHandSide_.resize(state.positions.size());
+  workers.forEach(parameters.threads, model.springs.size(),
+                  [&](std::size_t s) { evaluateSpring(model, parameters, state, s); });
+  workers.forEach(parameters.threads, state.positions.size(),
+                  [&](std::size_t i) { assembleVertex(model, parameters, state, i); });
+  if (inputs.attachment) {
+    addAttachment(model, parameters.timeStep, *inputs.attachment, state);
+  }
+}
+
+void ImplicitSystem::evaluateSpring(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                                    std::size_t spring) {
+  const Spring& ends = model.springs[spring];
+  const auto a = static_cast<std::size_t>(ends.a);
+  const auto b = static_cast<std::size_t>(ends.b);
+  const Vec3 offset = state.positions[b] - state.positions[a];
+  const double stiffness = parameters.stiffness * ends.relativeStiffness;
+  const Mat3 block = kernels::springDerivative(offset, ends.restLength, stiffness, parameters.derivative);
+  springBlocks_[spring] = block;
+  springForces_[spring] = kernels::springForce(offset, ends.restLength, stiffness) +
+                          kernels::dampingForce(state.velocities[a], state.velocities[b], parameters.damping) +
+                          parameters.timeStep * (block * (state.velocities[b] - state.velocities[a]));
+}
+
+void ImplicitSystem::assembleVertex(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+                                    std::size_t vertex) {
+  const double h = parameters.timeStep;
+  Vec3 force = gravityAndAir(model, parameters, state, vertex);
+  Mat3 stiffness = Mat3::Zero();
+  const std::span<const SpringEnd> ends = model.springEnds[vertex];
+  for (const SpringEnd& end : ends) {
+    const int s = end.spring;
+    const bool first = static_cast<int>(vertex) == model.springs[s].a;
+    force += first ? springForces_[s] : Vec3(-springForces_[s]);
+    stiffness += springBlocks_[s];
+  }
+  rightHandSide_[vertex] = h * force;
+  const double isotropic = model.vertexMass[vertex] + static_cast<double>(ends.size()) * h * parameters.damping;
+  diagonal_[vertex] = h * h * stiffness + isotropic * Mat3::Identity();
+}
+
+void ImplicitSystem::addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,
+                                   const ClothState& state) {
+  const AttachmentForce pull = attachmentForce(model, attachment, state);
+  const Vec3 force = pull.implicitForce(timeStep);
+  pull.forEach([&](std::size_t v, double weight) {
+    rightHandSide_[v] += (timeStep * weight) * force;
+    diagonal_[v] += (weight * timeStep * timeStep * pull.stiffness) * Mat3::Identity();
+  });
+}
+
+Vec3 ImplicitSystem::coupling(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& dv,
+                              std::size_t vertex) const {
+  const double h = parameters.timeStep;
+  Vec3 elastic = Vec3::Zero();
+  Vec3 damped = Vec3::Zero();
+  for (const SpringEnd& springEnd : model.springEnds[vertex]) {
+    const Vec3& change = dv[static_cast<std::size_t>(springEnd.neighbour)];
+    elastic += springBlocks_[static_cast<std::size_t>(springEnd.spring)] * change;
+    damped += change;
+  }
+  return h * h * elastic + h * parameters.damping * damped;
+}
+
+void advance(const ClothModel& model, double timeStep, const std::vector<Vec3>& dv, ClothState& state) {
+  for (std::size_t i = 0; i < dv.size(); ++i) {
+    if (model.pinned[i]) {
+      state.velocities[i].setZero();
+    } else {
+      state.velocities[i] += dv[i];
+      state.positions[i] += timeStep * state.velocities[i];
+    }
+  }
+  state.time += timeStep;
+}
+
+}  // namespace drape
