@@ -20,11 +20,11 @@ struct Task {
   int evaluations = 0;
 
   Task(ModelPtr cloth, Precision precision) : model(std::move(cloth)), parameters(stillAir()) {
-    parameters.stiffness = 1000.0;
+    parameters.material.stiffness = 1000.0;
     parameters.precision = precision;
-    parameters.errorTolerance = 1e-12;
+    parameters.automatic.errorTolerance = 1e-12;
     evaluations = static_cast<int>(std::ceil(parameters.timeStep / (0.9 * verletStepLimit(*model, parameters))));
-    parameters.costBudget =
+    parameters.automatic.costBudget =
         (evaluations + 0.5) * static_cast<double>(model->springs.size()) * 1e-6 / parameters.timeStep;
   }
 };
@@ -78,16 +78,17 @@ void addLevels(Suite& suite, const std::string& name, int resolution) {
   constexpr int substeps = 10;
   const auto softened = [resolution] {
     Task task(grid(resolution), Precision::Float);
-    task.parameters.stiffness = 1e5;
-    task.parameters.soften = true;
+    task.parameters.material.stiffness = 1e5;
+    task.parameters.automatic.soften = true;
     task.evaluations = substeps;
-    task.parameters.costBudget = (costWithLevels * substeps + 0.5) * static_cast<double>(task.model->springs.size()) *
-                                 1e-6 / task.parameters.timeStep;
+    task.parameters.automatic.costBudget = (costWithLevels * substeps + 0.5) *
+                                           static_cast<double>(task.model->springs.size()) * 1e-6 /
+                                           task.parameters.timeStep;
     return task;
   };
   const auto plain = [resolution] {
     Task task(grid(resolution), Precision::Float);
-    task.parameters.stiffness = 10.0;  // stable with ten substeps; an evaluation costs the same
+    task.parameters.material.stiffness = 10.0;  // stable with ten substeps; an evaluation costs the same
     task.evaluations = substeps;
     return task;
   };

@@ -120,17 +120,17 @@ ClothState waving(const ClothModel& model) {
 
 StepParameters stillAir() {
   StepParameters parameters;
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   parameters.precision = Precision::Float;
   return parameters;
 }
 
 StepParameters fullStep() {
   StepParameters parameters = stillAir();
-  parameters.damping = 1e-3;
-  parameters.drag = 1.0;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.0, 2.0);
+  parameters.material.damping = 1e-3;
+  parameters.air.drag = 1.0;
+  parameters.air.lift = 0.5;
+  parameters.air.wind = Vec3(1.0, 0.0, 2.0);
   return parameters;
 }
 

@@ -21,9 +21,9 @@ ModelPtr foldingSheet(int n) {
 
 StepParameters folding(SelfCollision self) {
   StepParameters parameters = stillAir();
-  parameters.stiffness = 200.0;
-  parameters.damping = 0.002;
-  parameters.drag = 0.5;
+  parameters.material.stiffness = 200.0;
+  parameters.material.damping = 0.002;
+  parameters.air.drag = 0.5;
   parameters.precision = Precision::Float;
   parameters.contact.self = self;
   return parameters;

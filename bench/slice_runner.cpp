@@ -13,7 +13,7 @@ SliceRunner<T>::SliceRunner(ModelPtr model, Method method, const StepParameters&
     : model_(std::move(model)),
       method_(method),
       cloth_(*model_),
-      step_(sliceStepOf<T>(parameters)),
+      step_(sliceStepOf<T>(parameters, parameters.jacobi)),
       start_(waving(*model_)),
       threads_(usefulThreads(cloth_.layout, parameters.threads)) {
   cloth_.prepare(threads_, step_.sweeps);

@@ -29,7 +29,7 @@ StepParameters explicitly(StepParameters parameters) {
 
 StepParameters threeSweeps() {
   StepParameters parameters = fullStep();
-  parameters.sweeps = 3;
+  parameters.jacobi.sweeps = 3;
   return parameters;
 }
 
@@ -64,7 +64,7 @@ void addKernels(Suite& suite) {
 void addConstraints(Suite& suite) {
   const StepParameters parameters = stillAir();
   const auto inverseCompliance =
-      static_cast<float>(parameters.timeStep * parameters.timeStep * parameters.stiffness);  // h^2 k [kg]
+      static_cast<float>(parameters.timeStep * parameters.timeStep * parameters.material.stiffness);  // h^2 k [kg]
   suite.add({"step", "XPBD, plain", "us/iteration"}, [inverseCompliance]() -> Batch {
     const ModelPtr model = grid(sheet);
     auto xpbd = std::make_shared<PlainXpbd>(*model);
@@ -106,13 +106,13 @@ void addSolvers(Suite& suite) {
     StepParameters parameters = info.backwardEuler ? fullStep() : explicitly(fullStep());
     std::string label(info.name);
     if (info.name == "pcg") {
-      parameters.tolerance = 1e-3;
+      parameters.iteration.tolerance = 1e-3;
       label += ", to 1e-3";
     } else if (info.name == "chebyshev") {
-      parameters.iterations = 5;
+      parameters.iteration.iterations = 5;
       label += ", 5 iterations";
     } else if (std::find(info.settings.begin(), info.settings.end(), "iterations") != info.settings.end()) {
-      label += ", " + std::to_string(parameters.iterations) + " iterations";
+      label += ", " + std::to_string(parameters.iteration.iterations) + " iterations";
     }
     const bool fast = info.name == "verlet" || info.name == "chebyshev";
     const int count = fast ? batch : info.name == "newton" ? 1 : 4;

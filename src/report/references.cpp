@@ -166,7 +166,7 @@ Ending halve(Reference& reference, const Scene& scene, int checkpoints, const Co
 
 Settings sameStepSettings(Settings settings) {
   settings.solver.name = "newton";
-  settings.step.tolerance = 1e-10;
+  settings.step.iteration.tolerance = 1e-10;
   return settings;
 }
 

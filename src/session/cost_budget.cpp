@@ -35,7 +35,7 @@ std::optional<double> CostBudget::budgetAfter(const Settings& settings, const Cl
   const auto& field = std::get<NumberField>(requireSetting("auto.cost").field);
   const double affordable = millions * settings.automatic.budget * milliseconds / budgetedTime / cost_;
   const double budget = std::clamp(rounded(affordable), field.min, field.max);
-  const double ratio = budget / settings.step.costBudget;
+  const double ratio = budget / settings.step.automatic.costBudget;
   return ratio < changeRatio && ratio > 1.0 / changeRatio ? std::nullopt : std::optional(budget);
 }
 

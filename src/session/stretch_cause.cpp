@@ -85,7 +85,7 @@ std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel
 /// The stiffness at which the weight stretches the cloth by `wantedStrain` at most [N/m].
 double helpfulStiffness(const ClothModel& model, StepParameters parameters) {
   const auto& field = std::get<NumberField>(requireSetting("stiffness").field);
-  parameters.stiffness = 1.0;
+  parameters.material.stiffness = 1.0;
   return std::min(field.max, nextRoundNumber(strainByWeight(model, parameters) / wantedStrain));
 }
 
@@ -110,9 +110,10 @@ StretchDiagnosis explainByWeight(double strain, const Scene& scene, const Settin
              "density", roundedFigure(usualFabric), "Density " + roundedFigure(usualFabric) + " kg/m\u00B2"}};
   }
   const std::string stiffness = roundedFigure(helpfulStiffness(model, settings.step));
-  const std::string soft = settings.step.stiffness > 0.0
-                               ? weight + " at a stiffness of " + roundedFigure(settings.step.stiffness) + " N/m"
-                               : "a stiffness of 0 cannot carry any weight";
+  const std::string soft =
+      settings.step.material.stiffness > 0.0
+          ? weight + " at a stiffness of " + roundedFigure(settings.step.material.stiffness) + " N/m"
+          : "a stiffness of 0 cannot carry any weight";
   return {StretchCause::Soft,
           {"Too soft: " + soft + ". A stiffness of " + stiffness + " N/m carries it.", "stiffness", stiffness,
            "Stiffness " + stiffness + " N/m"}};

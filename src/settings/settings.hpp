@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
+#include "sim/solvers/step_parameters.hpp"
 
 #include <string>
 
@@ -22,7 +22,7 @@ struct Settings {
 
   /// Settings of the solver `auto` that are not in `step`.
   struct Auto {
-    double budget = 0.0;  ///< computing time for each 1/60 s of motion [ms]; 0: step.costBudget counts
+    double budget = 0.0;  ///< computing time for each 1/60 s of motion [ms]; 0: step.automatic.costBudget counts
   } automatic;
 
   struct Material {

@@ -224,10 +224,10 @@ bool isRelevant(const SettingInfo& info, const Settings& settings) {
 }
 
 void requireConsistent(const Settings& settings) {
-  if (settings.step.sweeps % 2 == 0 && settings.step.relaxation > evenSweepsRelaxation) {
+  if (settings.step.jacobi.sweeps % 2 == 0 && settings.step.jacobi.relaxation > evenSweepsRelaxation) {
     throw UsageError(
         "sweeps must be odd while relaxation is above " + exactNumber(evenSweepsRelaxation) + "; " +
-        std::to_string(settings.step.sweeps) +
+        std::to_string(settings.step.jacobi.sweeps) +
         " is not. An even number of block-Jacobi sweeps amplifies the stiffest modes up to twofold, and stiff "
         "cloth vibrates. Use an odd number, or lower relaxation first (damped Jacobi)");
   }

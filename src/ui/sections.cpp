@@ -26,7 +26,7 @@ void materialRows(PanelContext& context) {
 void airRows(PanelContext& context) {
   windDial(context);
   const StepParameters& step = context.settings.step;
-  if (step.wind.norm() > 0.0 && step.drag == 0.0 && step.lift == 0.0) {
+  if (step.air.wind.norm() > 0.0 && step.air.drag == 0.0 && step.air.lift == 0.0) {
     mutedText("Wind has no effect while drag and lift are zero.", palette().warning);
   }
 }

@@ -40,7 +40,7 @@ bool isOffered(Remedy remedy, const Settings& settings) {
     case Remedy::Auto:
       return !chooses && findSolver(choosingSolver) != nullptr;
     case Remedy::Soften:
-      return chooses && !settings.step.soften;
+      return chooses && !settings.step.automatic.soften;
     case Remedy::None:
       break;
   }
@@ -60,8 +60,8 @@ std::optional<Message> paceMessage(const Snapshot& snapshot) {
     return Message{"The cloth is at rest", palette().muted};
   }
   if (choice && choice->costRatio > toleratedCostRatio) {
-    return Message{snapshot.settings.step.soften ? "The springs are softened to keep real time"
-                                                 : "The cloth is too stiff and too fine for real time",
+    return Message{snapshot.settings.step.automatic.soften ? "The springs are softened to keep real time"
+                                                           : "The cloth is too stiff and too fine for real time",
                    palette().warning, Remedy::Soften};
   }
   return std::nullopt;

@@ -46,7 +46,7 @@ void drawDial(const PanelContext& context, const Dial& dial, bool hovered) {
   canvas.AddLine({dial.centre.x, dial.centre.y - dial.radius}, {dial.centre.x, dial.centre.y + dial.radius}, line);
   canvas.AddCircle(dial.centre, dial.radius, ImGui::GetColorU32(hovered ? palette().accent : palette().line), 48,
                    1.5F * context.scale);
-  drawArrow(canvas, dial.centre, tipOf(dial, context.settings.step.wind), context.scale,
+  drawArrow(canvas, dial.centre, tipOf(dial, context.settings.step.air.wind), context.scale,
             ImGui::GetColorU32(palette().accent));
 }
 
@@ -81,7 +81,7 @@ void windDial(PanelContext& context) {
               "right-click for no wind. The inner ring is 5 m/s, the outer ring 20 m/s.");
   ImGui::SameLine(0.0F, ImGui::GetFontSize());
   ImGui::BeginGroup();
-  const Vec3& wind = context.settings.step.wind;
+  const Vec3& wind = context.settings.step.air.wind;
   mutedText("Wind from above");
   valueRow(context, "Speed", formatQuantity(wind.norm(), "m/s"));
   valueRow(context, "Level", formatQuantity(std::hypot(wind.x(), wind.z()), "m/s"));

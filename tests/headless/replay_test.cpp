@@ -69,7 +69,7 @@ TEST(Replay, followsAResetToTheSameBits) {
 
 TEST(Replay, keepsTheSettingsThatTheSceneWasOpenedWith) {
   Settings settings = openScene("grid").settings;
-  settings.step.stiffness = 123.0;
+  settings.step.material.stiffness = 123.0;
   settings.material.mass = 0.2;
   settings.material.massGivenAs = "mass";
   Simulation session(buildScene(openScene("grid"), settings));

@@ -21,7 +21,7 @@ std::string warningOf(const char* solver, int n, const StepParameters& parameter
 
 StepParameters with(double stiffness, double timeStep = 1.0 / 150.0) {
   StepParameters parameters;
-  parameters.stiffness = stiffness;
+  parameters.material.stiffness = stiffness;
   parameters.timeStep = timeStep;
   return parameters;
 }
@@ -92,8 +92,8 @@ TEST(SolverWarningText, saysThatIterationsAreTooFew) {
 
 TEST(SolverWarningText, saysThatIterationsOvershoot) {
   StepParameters parameters = with(1000.0);
-  parameters.iterations = 3;
-  parameters.spectralRadius = 0.95;
+  parameters.iteration.iterations = 3;
+  parameters.iteration.spectralRadius = 0.95;
   EXPECT_EQ(warningOf("vbd", 5, parameters),
             "With 3 iterations a spectral radius of 0.95 overshoots: the cloth can blow up. Use 6 iterations or a "
             "smaller spectral radius.");

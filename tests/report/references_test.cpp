@@ -152,7 +152,7 @@ TEST(SameStepReference, solvesEachStepToTheEnd) {
 TEST(SameStepReference, saysWhenAStepWasNotSolved) {
   const auto scene = testing::smallGrid({"stiffness=1000"});
   Settings settings = sameStepSettings(scene->settings);
-  settings.step.maxIterations = 1;
+  settings.step.iteration.maxIterations = 1;
   const Reference reference = sameStepReference(*scene, settings, checkpoints);
   EXPECT_GT(reference.trajectory.unsolvedSteps, 0);
   EXPECT_NE(reference.doubt.find("did not reach its tolerance"), std::string::npos) << reference.doubt;
@@ -169,7 +169,7 @@ TEST(SameStepReference, keepsTheMethodsStep) {
   const auto scene = testing::smallGrid({"time_step=1/300", "substeps=2", "integration=theta", "theta=0.75"});
   const Settings settings = sameStepSettings(scene->settings);
   EXPECT_EQ(settings.solver.name, "newton");
-  EXPECT_EQ(settings.step.tolerance, 1e-10);
+  EXPECT_EQ(settings.step.iteration.tolerance, 1e-10);
   EXPECT_EQ(settings.step.timeStep, scene->settings.step.timeStep);
   EXPECT_EQ(settings.step.substeps, 2);
   EXPECT_EQ(settings.step.integration, Integration::Theta);

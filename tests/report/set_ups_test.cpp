@@ -28,7 +28,7 @@ TEST(SetUps, areTheReportsOwnOrOneByName) {
 TEST(SetUps, beginAtRestWithTheirPinsWhereTheyBelong) {
   for (const auto& setUp : comparedSetUps("")) {
     const auto scene = buildSetUp(setUp, 9, {"stiffness=50"});
-    EXPECT_EQ(scene->settings.step.stiffness, 50.0);
+    EXPECT_EQ(scene->settings.step.material.stiffness, 50.0);
     EXPECT_EQ(energyOf(*scene->model, scene->settings.step, scene->start).kinetic, 0.0) << setUp.name;
     const auto pins = std::count(scene->model->pinned.begin(), scene->model->pinned.end(), true);
     EXPECT_EQ(pins, setUp.name == "hang" ? 2 : setUp.name == "flag" ? 9 : 18) << setUp.name;

@@ -138,15 +138,15 @@ TEST(Scenes, giveAnOpenedMeshAirDampingSelfCollisionAndASolidGroundBelowIt) {
   const Folder folder;
   const auto scene = built(folder.write("sheet.obj", quad));
   const StepParameters& step = scene->description.settings.step;
-  EXPECT_GT(step.drag, 0.0);
-  EXPECT_GT(step.lift, 0.0);
-  EXPECT_GT(step.damping, 0.0);
+  EXPECT_GT(step.air.drag, 0.0);
+  EXPECT_GT(step.air.lift, 0.0);
+  EXPECT_GT(step.material.damping, 0.0);
   EXPECT_EQ(step.contact.self, SelfCollision::Hash);
   EXPECT_NE(bodyNamed(*scene, "ground"), nullptr);
   EXPECT_LT(scene->groundHeight, -0.2);
   // A scene file starts from the defaults of the table.
   const auto mine = built(folder.write("mine.toml", "[cloth]\nmesh = \"sheet.obj\"\n"));
-  EXPECT_EQ(mine->description.settings.step.drag, Settings().step.drag);
+  EXPECT_EQ(mine->description.settings.step.air.drag, Settings().step.air.drag);
   EXPECT_EQ(mine->description.settings.step.contact.self, SelfCollision::Off);
 }
 
@@ -175,7 +175,7 @@ TEST(Scenes, openAUsersFileWithAMeshBesideIt) {
   const auto file = folder.write("mine.toml", "[cloth]\nmesh = \"sheet.obj\"\n[settings]\nstiffness = 42\n");
   const SceneDescription description = openScene(file);
   EXPECT_EQ(description.name, "mine");
-  EXPECT_EQ(buildScene(description, description.settings)->settings.step.stiffness, 42.0);
+  EXPECT_EQ(buildScene(description, description.settings)->settings.step.material.stiffness, 42.0);
 }
 
 TEST(Scenes, areMovedByAutoUnlessTheyArePapersOrSayOtherwise) {

@@ -66,9 +66,9 @@ unit = "cm"
   EXPECT_EQ(scene.stand->mesh.path, "/folder/pole.obj");
   EXPECT_EQ(scene.groundHeight, -0.5);
   EXPECT_DOUBLE_EQ(scene.settings.step.timeStep, 1.0 / 300.0);
-  EXPECT_EQ(scene.settings.step.stiffness, 250.0);
-  EXPECT_EQ(scene.settings.step.sweeps, 3);
-  EXPECT_EQ(scene.settings.step.wind.x(), 4.5);
+  EXPECT_EQ(scene.settings.step.material.stiffness, 250.0);
+  EXPECT_EQ(scene.settings.step.jacobi.sweeps, 3);
+  EXPECT_EQ(scene.settings.step.air.wind.x(), 4.5);
   EXPECT_TRUE(scene.settings.view.wireframe);
   EXPECT_EQ(scene.settings.mesh.unit, "cm");
 }

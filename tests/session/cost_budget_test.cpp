@@ -50,7 +50,8 @@ TEST_F(Budgeting, takesContactForSomethingElse) {
 TEST_F(Budgeting, leavesSmallDifferencesSingleHiccupsAndOtherSolversAlone) {
   settings_.automatic.budget = 2.0;
   const double seconds = tenForceEvaluations(4.0 * nanosecond);
-  settings_.step.costBudget = budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), seconds).value();
+  settings_.step.automatic.costBudget =
+      budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), seconds).value();
   EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), 1.1 * seconds));
   EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), 1000.0 * seconds));
   EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, StepReport(), 100.0 * seconds));
@@ -60,14 +61,14 @@ TEST_F(Budgeting, leavesSmallDifferencesSingleHiccupsAndOtherSolversAlone) {
 
 TEST_F(Budgeting, followsAMachineThatBecomesSlower) {
   settings_.automatic.budget = 2.0;
-  settings_.step.costBudget = 30.0;
+  settings_.step.automatic.costBudget = 30.0;
   for (int step = 0; step < 100; ++step) {
     const double cost = (step < 20 ? 4.0 : 12.0) * nanosecond;
-    settings_.step.costBudget =
+    settings_.step.automatic.costBudget =
         budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), tenForceEvaluations(cost))
-            .value_or(settings_.step.costBudget);
+            .value_or(settings_.step.automatic.costBudget);
   }
-  EXPECT_NEAR(settings_.step.costBudget, 10.0, 2.5);
+  EXPECT_NEAR(settings_.step.automatic.costBudget, 10.0, 2.5);
 }
 
 /// Sets a cost budget that no machine can afford, with a short time budget, so that the cost budget must change.
@@ -88,7 +89,7 @@ TEST_F(Budgeting, isLoggedSoThatAReplayTakesTheSameSteps) {
   simulation.apply(SingleStepCommand{});
   simulation.apply(PauseCommand{});  // so that the log contains all steps
   EXPECT_GT(simulation.log().size(), 7U) << "the cost budget changed";
-  EXPECT_LT(simulation.settings().step.costBudget, 1e4);
+  EXPECT_LT(simulation.settings().step.automatic.costBudget, 1e4);
   Simulation again(scene_);
   again.replay(simulation.log());
   EXPECT_EQ(again.log().size(), simulation.log().size()) << "a replay adds nothing of its own";
@@ -105,7 +106,7 @@ TEST_F(Budgeting, asksNoClockWhenItIsOff) {
     simulation.step();
   }
   EXPECT_EQ(simulation.log().size(), commands);
-  EXPECT_EQ(simulation.settings().step.costBudget, 1e4);
+  EXPECT_EQ(simulation.settings().step.automatic.costBudget, 1e4);
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(Ghost, comesWithASceneThatAsksForIt) {
 std::shared_ptr<const Scene> explosive() {
   auto scene = std::make_shared<Scene>(*smallGrid());
   scene->settings.step.derivative = ForceDerivative::Axial;
-  scene->settings.step.stiffness = 1e3;
+  scene->settings.step.material.stiffness = 1e3;
   scene->settings.step.timeStep = 1.0 / 30.0;
   scene->settings.step.substeps = 20;
   scene->settings.ghost.solver = "one_iteration";

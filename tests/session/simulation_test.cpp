@@ -51,12 +51,12 @@ TEST(Simulation, refusesABadSettingWithAMessageAndKeepsTheOldOne) {
   Simulation simulation(smallGrid());
   simulation.apply(SetSettingCommand{"stiffness", -1.0});
   EXPECT_NE(simulation.message().find("stiffness"), std::string::npos);
-  EXPECT_EQ(simulation.settings().step.stiffness, smallGrid()->settings.step.stiffness);
+  EXPECT_EQ(simulation.settings().step.material.stiffness, smallGrid()->settings.step.material.stiffness);
   simulation.apply(SetSettingCommand{"no_such_thing", 1.0});
   EXPECT_NE(simulation.message().find("no_such_thing"), std::string::npos);
   simulation.apply(SetSettingCommand{"stiffness", 55.0});
   EXPECT_TRUE(simulation.message().empty());
-  EXPECT_EQ(simulation.settings().step.stiffness, 55.0);
+  EXPECT_EQ(simulation.settings().step.material.stiffness, 55.0);
 }
 
 TEST(Simulation, changesTheMassWithoutMovingTheCloth) {
@@ -149,7 +149,7 @@ TEST(Simulation, takesOneStepAndStaysPaused) {
 
 TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
   auto scene = std::make_shared<Scene>(*smallGrid());
-  scene->settings.step.stiffness = 1e7;  // far beyond the stability of explicit steps of this length
+  scene->settings.step.material.stiffness = 1e7;  // far beyond the stability of explicit steps of this length
   scene->settings.solver.name = "verlet";
   Simulation simulation(scene);
   for (int i = 0; i < 200 && !simulation.paused(); ++i) {
@@ -271,7 +271,7 @@ TEST(Simulation, loadsAnotherSceneWithItsOwnSettings) {
   const auto other = smallGrid(12);
   simulation.apply(LoadSceneCommand{other});
   EXPECT_EQ(simulation.model().vertexCount(), 144);
-  EXPECT_EQ(simulation.settings().step.stiffness, other->settings.step.stiffness);
+  EXPECT_EQ(simulation.settings().step.material.stiffness, other->settings.step.material.stiffness);
   simulation.step();
   EXPECT_TRUE(isFinite(simulation.state()));
 }

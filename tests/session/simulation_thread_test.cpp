@@ -41,17 +41,22 @@ TEST(SimulationThread, standsStillWhilePausedAndTakesSingleSteps) {
   simulation.post(SingleStepCommand{});
   simulation.post(SingleStepCommand{});
   EXPECT_TRUE(eventually(simulation, [](const Snapshot& s) { return s.step == 2; }));
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  // The thread has passed its loop several times when it has taken these commands one after the other.
+  for (const double stiffness : {50.0, 60.0, 70.0}) {
+    simulation.post(SetSettingCommand{"stiffness", stiffness});
+    EXPECT_TRUE(
+        eventually(simulation, [&](const Snapshot& s) { return s.settings.step.material.stiffness == stiffness; }));
+  }
   EXPECT_EQ(simulation.latest().step, 2);
 }
 
 TEST(SimulationThread, changesSettingsWhileItRuns) {
   SimulationThread simulation(smallGrid(), false);
   simulation.post(SetSettingCommand{"stiffness", 77.0});
-  EXPECT_TRUE(eventually(simulation, [](const Snapshot& s) { return s.settings.step.stiffness == 77.0; }));
+  EXPECT_TRUE(eventually(simulation, [](const Snapshot& s) { return s.settings.step.material.stiffness == 77.0; }));
   simulation.post(SetSettingCommand{"stiffness", -1.0});
   EXPECT_TRUE(eventually(simulation, [](const Snapshot& s) { return !s.message.empty(); }));
-  EXPECT_EQ(simulation.latest().settings.step.stiffness, 77.0);
+  EXPECT_EQ(simulation.latest().settings.step.material.stiffness, 77.0);
 }
 
 TEST(SimulationThread, takesCommandsAndScenesFromOtherThreadsWhileAReaderLooks) {

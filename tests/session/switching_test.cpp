@@ -18,8 +18,8 @@ double largestMove(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
 /// A soft falling sheet, with steps that are stable with every method.
 Simulation calmSheet() {
   auto scene = std::make_shared<Scene>(*testing::smallGrid());
-  scene->settings.step.stiffness = 10.0;
-  scene->settings.step.damping = 0.002;
+  scene->settings.step.material.stiffness = 10.0;
+  scene->settings.step.material.damping = 0.002;
   scene->settings.step.timeStep = 1.0 / 150.0;
   scene->settings.step.substeps = 10;
   Simulation simulation(scene);

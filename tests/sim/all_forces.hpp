@@ -2,6 +2,7 @@
 
 #include "sim/forces/external_forces.hpp"
 #include "sim/forces/forces.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/workers.hpp"
 
 #include <vector>
@@ -10,7 +11,7 @@ namespace drape::testing {
 
 /// The forces on all vertices: springs, damping, gravity, air and the attachment [N]. Pinned vertices have them too.
 /// @param force one a vertex; resized
-inline void evaluateForces(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+inline void evaluateForces(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                            const ClothState& state, Workers& workers, std::vector<Vec3>& force) {
   force.resize(state.positions.size());
   workers.forEach(parameters.threads, force.size(), [&](std::size_t i) {

@@ -32,7 +32,7 @@ constexpr double stretch = mass * gravity / stiffness;  // in equilibrium [m]
 
 /// Its height, let go `amplitude` below equilibrium: a damped harmonic motion.
 double exactHeight(const StepParameters& parameters, double amplitude, double time) {
-  const double decay = parameters.damping / (2.0 * mass);
+  const double decay = parameters.material.damping / (2.0 * mass);
   const double omega = std::sqrt(stiffness / mass - decay * decay);
   return -rest - stretch -
          amplitude * std::exp(-decay * time) * (std::cos(omega * time) + decay / omega * std::sin(omega * time));
@@ -53,11 +53,11 @@ double errorWith(const std::string& solver, StepParameters parameters, double am
 
 StepParameters parametersOf(Integration integration) {
   StepParameters parameters;
-  parameters.stiffness = stiffness;
-  parameters.damping = damping;
+  parameters.material.stiffness = stiffness;
+  parameters.material.damping = damping;
   parameters.gravity = gravity;
-  parameters.tolerance = 1e-12;
-  parameters.iterations = 41;
+  parameters.iteration.tolerance = 1e-12;
+  parameters.iteration.iterations = 41;
   parameters.integration = integration;
   parameters.theta = 0.5;
   return parameters;
@@ -76,7 +76,7 @@ TEST_P(Order, isOneForBackwardEulerAndTwoForMidpointAndBdf2OnAHangingSpring) {
   const auto order = [&](Integration integration) {
     StepParameters parameters = parametersOf(integration);
     if (GetParam() == "xpbd") {
-      parameters.damping = 0.0;  // which follows on the velocities there, as a first-order step of its own
+      parameters.material.damping = 0.0;  // which follows on the velocities there, as a first-order step of its own
     }
     return orderOf(GetParam(), parameters, amplitude);
   };

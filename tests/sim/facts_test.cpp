@@ -17,7 +17,7 @@ using testing::pinnedSheet;
 
 StepParameters with(double stiffness, double timeStep) {
   StepParameters parameters;
-  parameters.stiffness = stiffness;
+  parameters.material.stiffness = stiffness;
   parameters.timeStep = timeStep;
   return parameters;
 }
@@ -42,24 +42,24 @@ double largestEnergy(const char* solver, int n, const StepParameters& parameters
 TEST(OddSweeps, areCalmAndEvenOnesRattle) {
   StepParameters parameters = with(1e3, 1.0 / 150.0);
   for (const int sweeps : {1, 3, 5}) {
-    parameters.sweeps = sweeps;
+    parameters.jacobi.sweeps = sweeps;
     EXPECT_LT(largestEnergy("one_iteration", 17, parameters), 1.0) << sweeps;
   }
   for (const int sweeps : {2, 4}) {
-    parameters.sweeps = sweeps;
+    parameters.jacobi.sweeps = sweeps;
     EXPECT_GT(largestEnergy("one_iteration", 17, parameters), 100.0) << sweeps;
   }
 }
 
 TEST(EvenSweeps, areCalmWithTheRelaxationThatTheRuleAsksFor) {
   StepParameters parameters = with(1e3, 1.0 / 150.0);
-  parameters.relaxation = evenSweepsRelaxation;
+  parameters.jacobi.relaxation = evenSweepsRelaxation;
   for (const int sweeps : {2, 4}) {
-    parameters.sweeps = sweeps;
+    parameters.jacobi.sweeps = sweeps;
     EXPECT_LT(largestEnergy("one_iteration", 17, parameters), 2.0) << sweeps;
   }
-  parameters.relaxation = 0.9;  // (2 w - 1)^3 = 0.51 exceeds 1/3, the limit of a stable oscillator
-  parameters.sweeps = 2;
+  parameters.jacobi.relaxation = 0.9;  // (2 w - 1)^3 = 0.51 exceeds 1/3, the limit of a stable oscillator
+  parameters.jacobi.sweeps = 2;
   EXPECT_GT(largestEnergy("one_iteration", 17, parameters), 100.0);
 }
 
@@ -155,7 +155,7 @@ TEST(Accuracy, ofOneIterationIsLostToTheUnfinishedSolveAtLargeSteps) {
   EXPECT_NEAR(meanError("one_iteration", parameters), 165.0, 10.0);
   EXPECT_NEAR(meanError("pcg", parameters), 10.0, 1.0);
   EXPECT_NEAR(meanError("newton", parameters), 8.5, 1.0);
-  parameters.iterations = 5;
+  parameters.iteration.iterations = 5;
   EXPECT_NEAR(meanError("chebyshev", parameters), 20.0, 2.0);
 }
 
@@ -167,7 +167,7 @@ TEST(OneIterationOnFineStiffMeshes, gainsEnergyFromNothing) {
 
 TEST(ExactLinearSolveOnFineStiffMeshes, staysBounded) {
   StepParameters parameters = with(1e3, 1.0 / 150.0);
-  parameters.tolerance = 1e-4;
+  parameters.iteration.tolerance = 1e-4;
   EXPECT_LT(largestEnergy("pcg", 17, parameters), 0.01);
   parameters.timeStep = 1.0 / 30.0;
   EXPECT_LT(largestEnergy("pcg", 33, parameters), 1.0);
@@ -177,7 +177,7 @@ TEST(ExactLinearSolveOnFineStiffMeshes, staysBounded) {
 double lostMomentum(const char* solver, int n, double stiffness) {
   const auto model = buildClothModel(testing::sheet(n), 0.1, MassLumping::Uniform, {});
   StepParameters parameters = with(stiffness, 1.0 / 150.0);
-  parameters.tolerance = 1e-12;
+  parameters.iteration.tolerance = 1e-12;
   ClothState state = testing::shaken(*model, 0.002, 7);
   const auto momentum = [&] {
     Vec3 sum = Vec3::Zero();

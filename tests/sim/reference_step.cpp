@@ -43,19 +43,19 @@ void addSprings(const ClothModel& model, const StepParameters& p, const ClothSta
     const Vec3 xb = state.positions[spring.b];
     const double L = (xb - xa).norm();
     const Vec3 d = (xb - xa) / L;
-    const Mat3 block = couplingOf(d, L, spring.restLength, p.stiffness, p.derivative);
+    const Mat3 block = couplingOf(d, L, spring.restLength, p.material.stiffness, p.derivative);
     const int a = 3 * spring.a;
     const int b = 3 * spring.b;
     system.J.block<3, 3>(a, a) -= block;
     system.J.block<3, 3>(b, b) -= block;
     system.J.block<3, 3>(a, b) += block;
     system.J.block<3, 3>(b, a) += block;
-    const Mat3 damped = p.damping * Mat3::Identity();
+    const Mat3 damped = p.material.damping * Mat3::Identity();
     system.damping.block<3, 3>(a, a) += damped;
     system.damping.block<3, 3>(b, b) += damped;
     system.damping.block<3, 3>(a, b) -= damped;
     system.damping.block<3, 3>(b, a) -= damped;
-    const Vec3 pull = p.stiffness * (L - spring.restLength) * d;
+    const Vec3 pull = p.material.stiffness * (L - spring.restLength) * d;
     system.force.segment<3>(a) += pull;
     system.force.segment<3>(b) -= pull;
   }
@@ -79,18 +79,18 @@ void addGravityAndAir(const ClothModel& model, const StepParameters& p, const Cl
     const auto v = static_cast<std::size_t>(i);
     system.mass.block<3, 3>(3 * i, 3 * i) = model.vertexMass[v] * Mat3::Identity();
     system.force.segment<3>(3 * i) += model.vertexMass[v] * Vec3(0.0, -p.gravity, 0.0);
-    const Vec3 relative = state.velocities[v] - p.wind;
+    const Vec3 relative = state.velocities[v] - p.air.wind;
     const double speed = relative.norm();
-    if (speed == 0.0 || (p.drag == 0.0 && p.lift == 0.0)) {
+    if (speed == 0.0 || (p.air.drag == 0.0 && p.air.lift == 0.0)) {
       continue;
     }
     const Vec3 heading = relative / speed;
     Vec3 n = normalAt(model, state, i);
     n = n.dot(heading) < 0.0 ? Vec3(-n) : n;
-    const double K = 0.5 * p.airDensity * model.vertexArea[v];
+    const double K = 0.5 * p.air.density * model.vertexArea[v];
     const double facing = n.dot(heading);
-    system.force.segment<3>(3 * i) -= K * p.drag * facing * speed * speed * heading;
-    system.force.segment<3>(3 * i) += K * p.lift * (1.0 - facing) * speed * speed * n.cross(heading).cross(heading);
+    system.force.segment<3>(3 * i) -= K * p.air.drag * facing * speed * speed * heading;
+    system.force.segment<3>(3 * i) += K * p.air.lift * (1.0 - facing) * speed * speed * n.cross(heading).cross(heading);
   }
 }
 
@@ -176,8 +176,8 @@ void referenceStep(const ClothModel& model, const StepParameters& p, const StepI
   }
   // Damped Jacobi: every sweep goes by `relaxation` towards where Jacobi would go. The first comes from zero.
   VectorXd dv = VectorXd::Zero(3 * n);
-  for (int sweep = 0; sweep <= p.sweeps; ++sweep) {
-    dv += p.relaxation * (inverse * (rhs - W * dv));
+  for (int sweep = 0; sweep <= p.jacobi.sweeps; ++sweep) {
+    dv += p.jacobi.relaxation * (inverse * (rhs - W * dv));
   }
   advanceBy(model, p.timeStep, dv, state);
 }

@@ -8,14 +8,14 @@ namespace {
 TEST(PendingSettings, LieOverTheSettingsInForce) {
   PendingSettings pending;
   pending.add(requireSetting("drag"), 2.0, 0.0);
-  EXPECT_EQ(pending.overlay(Settings()).step.drag, 2.0);
+  EXPECT_EQ(pending.overlay(Settings()).step.air.drag, 2.0);
 }
 
 TEST(PendingSettings, AreForgottenOnceTheyArrived) {
   PendingSettings pending;
   pending.add(requireSetting("drag"), 2.0, 0.0);
   Settings arrived;
-  arrived.step.drag = 2.0;
+  arrived.step.air.drag = 2.0;
   pending.update(arrived, 0.1, false);
   EXPECT_TRUE(pending.empty());
 }

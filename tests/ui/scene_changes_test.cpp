@@ -15,7 +15,7 @@ class SceneChanges : public ::testing::Test {
   static std::shared_ptr<const Scene> opened() {
     const SceneDescription description = openScene("sphere");
     Settings settings = description.settings;
-    settings.step.drag = 0.25;  // as with --set
+    settings.step.air.drag = 0.25;  // as with --set
     return buildScene(description, settings);
   }
 

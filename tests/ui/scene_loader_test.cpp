@@ -113,17 +113,17 @@ TEST(CarryViewSettings, TakesOnlyWhatTheUserChangedAboutTheView) {
   own.view.surface = "plain";
   Settings current = own;
   current.view.wireframe = true;
-  current.step.drag = 3.0;
+  current.step.air.drag = 3.0;
   Settings target;
   carryViewSettings(current, own, target);
   EXPECT_TRUE(target.view.wireframe);
   EXPECT_EQ(target.view.surface, Settings().view.surface);
-  EXPECT_EQ(target.step.drag, Settings().step.drag);
+  EXPECT_EQ(target.step.air.drag, Settings().step.air.drag);
 }
 
 TEST(RunningChanges, LeaveOutWhatTheSceneIsBuiltFrom) {
   Settings to;
-  to.step.drag = 3.0;
+  to.step.air.drag = 3.0;
   to.grid.width = 4.0;
   const auto changes = runningChanges(Settings(), to);
   ASSERT_EQ(changes.size(), 1U);

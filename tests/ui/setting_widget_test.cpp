@@ -100,7 +100,7 @@ TEST_F(SettingWidget, DraggingASliderSetsTheValueUnderTheMouse) {
 
 TEST_F(SettingWidget, ASliderShowsWhatWasChosenUntilTheSimulationFollows) {
   const UiOutput output = drag(widget("drag"), 0.1, 0.5);
-  EXPECT_EQ(simulation_.settings().step.drag, 0.0) << "the commands are not applied yet";
+  EXPECT_EQ(simulation_.settings().step.air.drag, 0.0) << "the commands are not applied yet";
   // A right click acts only when the value differs from the scene's.
   const UiOutput reset = click(widget("drag"), 0.5, 1);
   EXPECT_EQ(std::get<double>(lastValue(reset, "drag")), 0.0);
@@ -124,7 +124,7 @@ TEST_F(SettingWidget, SweepsStayOdd) {
   for (const double place : {0.05, 0.2, 0.33, 0.47, 0.61, 0.78, 1.0}) {
     apply(drag(widget("sweeps"), 0.5, place));
     settle();
-    EXPECT_EQ(simulation_.settings().step.sweeps % 2, 1) << place;
+    EXPECT_EQ(simulation_.settings().step.jacobi.sweeps % 2, 1) << place;
     EXPECT_TRUE(simulation_.message().empty()) << simulation_.message();
   }
 }

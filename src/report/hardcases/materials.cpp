@@ -99,7 +99,7 @@ void scales(CaseTrial& trial) {
     const double slower = std::sqrt(size);
     Settings settings = trial.settings({"precision=double"});
     settings.step.timeStep = slower / 600.0;
-    settings.step.stiffness = 100.0 / size;
+    settings.step.material.stiffness = 100.0 / size;
     WatchedCloth watched(trial, sheetCloth(settings, trial.pick(17, 9), Pinned::TwoCorners, size));
     watched.run(seconds * slower);
     std::vector<Vec3> positions = watched.state().positions;

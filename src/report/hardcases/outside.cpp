@@ -41,10 +41,10 @@ void pinsTeleport(CaseTrial& trial) {
 void storm(CaseTrial& trial) {
   constexpr double reversedLimit = 0.01;
   Settings settings = trial.settings({"stiffness=1000", "drag=1", "lift=0.5"});
-  settings.step.wind = Vec3(0.0, 0.0, 1e3);  // ten times the maximum of the setting
+  settings.step.air.wind = Vec3(0.0, 0.0, 1e3);  // ten times the maximum of the setting
   const int resolution = trial.pick(33, 17);
   WatchedCloth free(trial, sheetCloth(settings, resolution, Pinned::Nowhere, 1.0, true), EnergyRule::WindFrame);
-  const Vec3 wind = settings.step.wind;
+  const Vec3 wind = settings.step.air.wind;
   const auto steps = trial.pick(150, 40);
   for (int i = 0; i < steps; ++i) {
     free.step();

@@ -70,7 +70,7 @@ double WatchedCloth::energy() const {
   }
   ClothState against = state();
   for (Vec3& velocity : against.velocities) {
-    velocity -= simulation_.settings().step.wind;
+    velocity -= simulation_.settings().step.air.wind;
   }
   return energyOf(model(), simulation_.settings().step, against).total();
 }

@@ -100,7 +100,7 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
       ground.scene(), {"solver=" + method, "time_step=" + timeStep, "max_iterations=100", "auto.cost=50"});
   ReportRow row{{"method", method},
                 {"resolution", ground.resolution()},
-                {"stiffness", settings.step.stiffness},
+                {"stiffness", settings.step.material.stiffness},
                 {"step", settings.step.timeStep}};
   if (isSlowWithLongerSteps(context.section, row)) {
     row["state"] = "too slow";

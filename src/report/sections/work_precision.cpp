@@ -88,7 +88,7 @@ std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settin
 ReportRow emptyRow(WorkGround& ground, const Entry& entry, double time) {
   return {{"scene", ground.name()},
           {"resolution", ground.resolution()},
-          {"stiffness", ground.scene().settings.step.stiffness},
+          {"stiffness", ground.scene().settings.step.material.stiffness},
           {"time", time},
           {"method", entry.curve.method},
           {"curve", entry.curve.label},
@@ -229,7 +229,7 @@ double expectedSeconds(WorkGround& ground, const Entry& entry, const ReportRows&
   double seconds = 0.0;
   for (const ReportRow& row : section) {
     const bool before = row.value("scene", "") == ground.name() && row.value("resolution", 0) == ground.resolution() &&
-                        numberIn(row, "stiffness") == ground.scene().settings.step.stiffness &&
+                        numberIn(row, "stiffness") == ground.scene().settings.step.material.stiffness &&
                         row.value("curve", "") == entry.curve.label;
     if (before) {
       const bool slow = row.value("state", "") == "too slow";

@@ -42,14 +42,14 @@ double startOf(ExplicitScheme scheme) {
 }  // namespace
 
 template <typename T>
-StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                                const StepInputs& inputs, const StepPlan& plan, const ClothState& state,
                                EnergyRequest request) {
   cloth_ = &cloths_.get(model);
-  step_ = sliceStepOf<T>(parameters);
-  step_.liftRise = static_cast<T>(kernels::liftRise(parameters.airDensity));
+  step_ = sliceStepOf<T>(parameters, {});
+  step_.liftRise = static_cast<T>(kernels::liftRise(parameters.air.density));
   const double substep = parameters.timeStep / plan.substeps;
-  damping_ = {.timedDamping = static_cast<T>(substep * parameters.damping), .stages = plan.dampingStages};
+  damping_ = {.timedDamping = static_cast<T>(substep * parameters.material.damping), .stages = plan.dampingStages};
   if (plan.dampingStages > 0) {
     prepareSplitDamping(model, rates);
   }
@@ -97,15 +97,15 @@ void AdaptiveRun<T>::prepareSplitDamping(const ClothModel& model, const LocalRat
 }
 
 template <typename T>
-void AdaptiveRun<T>::clampStiffness(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                                    const StepPlan& plan) {
+void AdaptiveRun<T>::clampStiffness(const ClothModel& model, const LocalRates& rates,
+                                    const CommonParameters& parameters, const StepPlan& plan) {
   const double h = parameters.timeStep / plan.substeps;
-  const StiffnessClamp wanted{plan.hOmegaLimit, h, parameters.stiffness, plan.usesCoarseLevels};
+  const StiffnessClamp wanted{plan.hOmegaLimit, h, parameters.material.stiffness, plan.usesCoarseLevels};
   StiffnessClamp& clamp = clamps_.get(model, [](const ClothModel&) { return StiffnessClamp{}; });
   if (!(clamp == wanted)) {
     double smallest = 1.0;
     if (plan.hOmegaLimit > 0.0) {
-      const double maxRate = plan.hOmegaLimit * plan.hOmegaLimit / (h * h * parameters.stiffness);
+      const double maxRate = plan.hOmegaLimit * plan.hOmegaLimit / (h * h * parameters.material.stiffness);
       smallest = fillSlots(
           *cloth_, rates.frequencySquared, [&](double rate) { return std::min(1.0, maxRate / rate); },
           stiffnessScales_);
@@ -118,8 +118,8 @@ void AdaptiveRun<T>::clampStiffness(const ClothModel& model, const LocalRates& r
                            return std::make_unique<CoarseMotion<T>>(buildCoarseLevels(own), own, *cloth_);
                          })
                     .get();
-      activeLevels_ =
-          motion_->setStiffness(parameters.stiffness, (1.0 - smallest) * parameters.stiffness, plan.hOmegaLimit, h);
+      activeLevels_ = motion_->setStiffness(parameters.material.stiffness,
+                                            (1.0 - smallest) * parameters.material.stiffness, plan.hOmegaLimit, h);
     }
     clamp = wanted;
   }

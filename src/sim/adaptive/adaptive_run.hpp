@@ -39,7 +39,7 @@ class AdaptiveRun {
  public:
   /// Takes a step from `state`, which does not change. Call `store` for the result. Throws StepStopped when
   /// `inputs.stop` asks to stop.
-  StepEnergy run(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+  StepEnergy run(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                  const StepInputs& inputs, const StepPlan& plan, const ClothState& state, EnergyRequest request);
 
   /// Writes positions and velocities at the end of the last step. `state` is the state at its start.
@@ -59,7 +59,7 @@ class AdaptiveRun {
     bool operator==(const StiffnessClamp&) const = default;
   };
 
-  void clampStiffness(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+  void clampStiffness(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                       const StepPlan& plan);
   void move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
             const StepShare& share);

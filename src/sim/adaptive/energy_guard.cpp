@@ -33,8 +33,8 @@ double massTimesHeight(const ClothModel& model, const ClothState& state) {
 }
 
 /// The fingerprint of everything that the energy depends on, except the plan.
-std::uint64_t fingerprintOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
-  return sumOf(state.positions) + 7 * sumOf(state.velocities) + bitsOf(parameters.stiffness) +
+std::uint64_t fingerprintOf(const ClothModel& model, const CommonParameters& parameters, const ClothState& state) {
+  return sumOf(state.positions) + 7 * sumOf(state.velocities) + bitsOf(parameters.material.stiffness) +
          3 * bitsOf(parameters.gravity) + 5 * bitsOf(parameters.timeStep) + 7 * bitsOf(model.unitFrequency);
 }
 
@@ -46,23 +46,23 @@ std::uint64_t fingerprintOf(const StepPlan& plan) {
 /// The energy of rounding errors times a margin [J]; 0 with gravity, whose energy is far above it. Cloth at rest
 /// without gravity has no other energy: springs deviate by the rounding of positions, and each substep adds heat
 /// (roundingAddsEnergy). The guard needs it as a reference.
-double roundingEnergyOf(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+double roundingEnergyOf(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                         const ClothState& state, double roundoff) {
   if (parameters.gravity * rates.diagonal > tuning.minGuardedFallEnergy) {
     return 0.0;
   }
   const double error = roundoff * maxCoordinate(state.positions);  // of a position [m]
-  const double hOmega = parameters.timeStep * std::sqrt(parameters.stiffness * rates.percentile99);
-  const double springs = parameters.stiffness * static_cast<double>(model.springs.size()) * error * error;
-  const double heat =
-      tuning.roundingHeat * rates.mass * parameters.stiffness * rates.percentile99 * error * error * (1.0 + hOmega);
+  const double hOmega = parameters.timeStep * std::sqrt(parameters.material.stiffness * rates.percentile99);
+  const double springs = parameters.material.stiffness * static_cast<double>(model.springs.size()) * error * error;
+  const double heat = tuning.roundingHeat * rates.mass * parameters.material.stiffness * rates.percentile99 * error *
+                      error * (1.0 + hOmega);
   return tuning.roundingMargin * (springs + heat);
 }
 
 }  // namespace
 
-double maxWindWork(const LocalRates& rates, const StepParameters& parameters) {
-  return maxWindForce(rates, parameters) * parameters.wind.norm() * parameters.timeStep;
+double maxWindWork(const LocalRates& rates, const CommonParameters& parameters) {
+  return maxWindForce(rates, parameters) * parameters.air.wind.norm() * parameters.timeStep;
 }
 
 double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<std::size_t>>& freePieces,
@@ -76,14 +76,14 @@ double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<
   return inner.energy() - left;
 }
 
-void EnergyGuard::prepare(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+void EnergyGuard::prepare(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                           const ClothState& state, double roundoff) {
   startPotential_ = parameters.gravity * massTimesHeight(model, state);
   fallEnergy_ = parameters.gravity * rates.mass * rates.diagonal;
   roundingEnergy_ = roundingEnergyOf(model, rates, parameters, state, roundoff);
   fingerprint_ = fingerprintOf(model, parameters, state);
   hasWind_ = maxWindWork(rates, parameters) > 0.0;
-  dissipates_ = parameters.damping != 0.0 || parameters.drag != 0.0 || parameters.lift != 0.0;
+  dissipates_ = parameters.material.damping != 0.0 || parameters.air.drag != 0.0 || parameters.air.lift != 0.0;
 }
 
 bool EnergyGuard::isStartEnergyKnown(const StepPlan& plan, const StepMemory& memory) const {
@@ -124,7 +124,7 @@ bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, 
   return false;
 }
 
-void EnergyGuard::store(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan,
+void EnergyGuard::store(const ClothModel& model, const CommonParameters& parameters, const StepPlan& plan,
                         const StepEnergy& energy, double work, StepMemory& memory, ClothState& state) {
   memory.fingerprint = fingerprintOf(model, parameters, state) + fingerprintOf(plan);
   if (!energy.ends) {

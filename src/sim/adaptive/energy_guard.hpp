@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/adaptive/adaptive_run.hpp"
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/model_cache.hpp"
@@ -12,7 +12,7 @@ namespace drape {
 
 /// An upper bound of the work of wind on a cloth in a step [J]: the force bound times the distance that the wind
 /// covers.
-[[nodiscard]] double maxWindWork(const LocalRates& rates, const StepParameters& parameters);
+[[nodiscard]] double maxWindWork(const LocalRates& rates, const CommonParameters& parameters);
 
 /// Removes up to `energy` [J] from the inner motion of a cloth (sim/motion/inner_motion.hpp). Momentum does not change.
 /// @return the energy removed [J]
@@ -27,7 +27,7 @@ double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<
 class EnergyGuard {
  public:
   /// Prepares for a step from `state`. @param roundoff unit roundoff of the step's precision [-]
-  void prepare(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+  void prepare(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                const ClothState& state, double roundoff);
 
   /// Whether the energy at the start of the step is known: it is then the energy at the end of the previous step.
@@ -43,8 +43,8 @@ class EnergyGuard {
 
   /// Adds an accepted step, which ended in `state`, and removes kinetic energy if the drift is too large. Updates
   /// `memory`.
-  void store(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan, const StepEnergy& energy,
-             double work, StepMemory& memory, ClothState& state);
+  void store(const ClothModel& model, const CommonParameters& parameters, const StepPlan& plan,
+             const StepEnergy& energy, double work, StepMemory& memory, ClothState& state);
 
  private:
   /// The reference energy that drifts are compared with [J].

@@ -37,24 +37,24 @@ bool areNear(const std::vector<Vec3>& positions, const std::vector<Vec3>& before
 }
 
 /// Weight and the air's force on a vertex at rest [N].
-Vec3 externalForce(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& positions,
+Vec3 externalForce(const ClothModel& model, const CommonParameters& parameters, const std::vector<Vec3>& positions,
                    std::size_t vertex) {
   Vec3 weight(0.0, -model.vertexMass[vertex] * parameters.gravity, 0.0);
-  const double speed = parameters.wind.norm();
-  if (speed == 0.0 || (parameters.drag == 0.0 && parameters.lift == 0.0)) {
+  const double speed = parameters.air.wind.norm();
+  if (speed == 0.0 || (parameters.air.drag == 0.0 && parameters.air.lift == 0.0)) {
     return weight;
   }
   const double area = model.vertexArea[vertex];
-  const double pressureArea = 0.5 * parameters.airDensity * area;
+  const double pressureArea = 0.5 * parameters.air.density * area;
   const Vec3 normal = vertexNormal(model, positions, static_cast<int>(vertex));
-  const Vec3 heading = -parameters.wind / speed;
-  return weight + kernels::dragForce(normal, speed, heading, pressureArea * parameters.drag) +
-         kernels::risingLiftForce(normal, speed, heading, pressureArea * parameters.lift,
-                                  kernels::liftRise(parameters.airDensity) * area);
+  const Vec3 heading = -parameters.air.wind / speed;
+  return weight + kernels::dragForce(normal, speed, heading, pressureArea * parameters.air.drag) +
+         kernels::risingLiftForce(normal, speed, heading, pressureArea * parameters.air.lift,
+                                  kernels::liftRise(parameters.air.density) * area);
 }
 
 /// The displacement of a piece as a whole by weight and air in the time of the trial [m].
-Vec3 trialDisplacement(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& positions,
+Vec3 trialDisplacement(const ClothModel& model, const CommonParameters& parameters, const std::vector<Vec3>& positions,
                        const std::vector<std::size_t>& piece) {
   constexpr double seconds = tuning.supportTrialTime;
   Vec3 force = Vec3::Zero();
@@ -82,23 +82,23 @@ bool isUnchanged(const StepMemory& memory, const ClothState& state) {
 
 }  // namespace
 
-bool SleepDetection::isAsleep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                              StepMemory& memory, ClothState& state) {
+bool SleepDetection::isAsleep(const ClothModel& model, const ActingConditions& acting, StepMemory& memory,
+                              ClothState& state) {
   const ModelData& data = models_.get(model, dataOf);
-  if (!canSleep(data, parameters, inputs)) {
+  if (!canSleep(data, acting)) {
     memory.sleepReference.reset();
     memory.sleepFingerprint = 0;
     return false;
   }
   if (memory.sleepFingerprint != 0) {
-    if (isUnchanged(memory, state) && memory.sleepFingerprint == fingerprintOf(data, parameters, inputs)) {
+    if (isUnchanged(memory, state) && memory.sleepFingerprint == fingerprintOf(data, acting)) {
       return true;
     }
     memory.sleepReference.reset();
     memory.sleepFingerprint = 0;
   }
   const double distance =
-      std::min(tuning.sleepToleranceFraction * parameters.errorTolerance, tuning.sleepEdgeFraction * data.meanEdge);
+      std::min(tuning.sleepToleranceFraction * acting.errorTolerance, tuning.sleepEdgeFraction * data.meanEdge);
   if (memory.sleepReference == nullptr || !areNear(state.positions, *memory.sleepReference, distance)) {
     memory.sleepReference.reset();
     if (memory.steps % tuning.sleepCheckInterval == 0) {
@@ -110,20 +110,21 @@ bool SleepDetection::isAsleep(const ClothModel& model, const StepParameters& par
   if (state.time < memory.sleepReferenceTime + tuning.sleepTime) {
     return false;
   }
-  if (!isSupported(model, data, parameters, inputs, state)) {
+  if (!isSupported(model, data, acting, state)) {
     memory.sleepReference.reset();
     return false;
   }
   std::fill(state.velocities.begin(), state.velocities.end(), Vec3::Zero());
   memory.sleepReference = std::make_shared<const std::vector<Vec3>>(state.positions);
-  memory.sleepFingerprint = fingerprintOf(data, parameters, inputs);
+  memory.sleepFingerprint = fingerprintOf(data, acting);
   return true;
 }
 
 /// Free cloth can sleep only if there is a body that may support it.
-bool SleepDetection::canSleep(const ModelData& data, const StepParameters& parameters, const StepInputs& inputs) {
-  const bool damped = parameters.damping > 0.0 || parameters.drag > 0.0;
-  const bool canBeSupported = data.freePieces.empty() || meetsBodies(parameters, inputs);
+bool SleepDetection::canSleep(const ModelData& data, const ActingConditions& acting) {
+  const auto& [parameters, contact, inputs, errorTolerance] = acting;
+  const bool damped = parameters.material.damping > 0.0 || parameters.air.drag > 0.0;
+  const bool canBeSupported = data.freePieces.empty() || meetsBodies(contact, inputs);
   const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), isStill);
   return damped && canBeSupported && still && !inputs.attachment;
 }
@@ -131,24 +132,24 @@ bool SleepDetection::canSleep(const ModelData& data, const StepParameters& param
 /// A trial: every free piece is displaced a little in the direction of weight and air. It is supported if contact with
 /// bodies blocks the displacement. Cloth that lies on other cloth is not supported: self-collision keeps it moving a
 /// little.
-bool SleepDetection::isSupported(const ClothModel& model, const ModelData& data, const StepParameters& parameters,
-                                 const StepInputs& inputs, const ClothState& state) {
+bool SleepDetection::isSupported(const ClothModel& model, const ModelData& data, const ActingConditions& acting,
+                                 const ClothState& state) {
   if (data.freePieces.empty()) {
     return true;
   }
   ClothState trial = state;
   std::vector<Vec3> displacements;
   for (const std::vector<std::size_t>& piece : data.freePieces) {
-    displacements.push_back(trialDisplacement(model, parameters, state.positions, piece));
+    displacements.push_back(trialDisplacement(model, acting.parameters, state.positions, piece));
     for (const std::size_t v : piece) {
       trial.positions[v] += displacements.back();
-      trial.velocities[v] = displacements.back() / parameters.timeStep;
+      trial.velocities[v] = displacements.back() / acting.parameters.timeStep;
     }
   }
-  StepParameters withBodies = parameters;
-  withBodies.contact.self = SelfCollision::Off;
-  contact_.begin(withBodies, inputs, state);
-  static_cast<void>(contact_.resolve(model, withBodies, inputs, trial));
+  ContactParameters withBodies = acting.contact;
+  withBodies.self = SelfCollision::Off;
+  contact_.begin(withBodies, acting.inputs, state);
+  static_cast<void>(contact_.resolve(model, acting.parameters, withBodies, acting.inputs, trial));
   std::size_t supported = 0;
   while (supported < displacements.size() &&
          isBlocked(data.freePieces[supported], displacements[supported], state.positions, trial.positions)) {
@@ -176,17 +177,17 @@ SleepDetection::ModelData SleepDetection::dataOf(const ClothModel& model) {
   return data;
 }
 
-std::uint64_t SleepDetection::fingerprintOf(const ModelData& data, const StepParameters& parameters,
-                                            const StepInputs& inputs) {
+std::uint64_t SleepDetection::fingerprintOf(const ModelData& data, const ActingConditions& acting) {
+  const auto& [parameters, contact, inputs, errorTolerance] = acting;
   Fingerprint fingerprint;
   fingerprint.add(data.fingerprint);
-  const ContactParameters& contact = parameters.contact;
-  for (const double value : {parameters.stiffness, parameters.damping, parameters.gravity, parameters.drag,
-                             parameters.lift, parameters.airDensity, parameters.errorTolerance, contact.thickness,
-                             contact.selfThickness, contact.staticFriction, contact.kineticFriction}) {
+  for (const double value :
+       {parameters.material.stiffness, parameters.material.damping, parameters.gravity, parameters.air.drag,
+        parameters.air.lift, parameters.air.density, errorTolerance, contact.thickness, contact.selfThickness,
+        contact.staticFriction, contact.kineticFriction}) {
     fingerprint.add(value);
   }
-  fingerprint.add(parameters.wind);
+  fingerprint.add(parameters.air.wind);
   fingerprint.add(std::uint64_t{contact.bodies});
   fingerprint.add(static_cast<std::uint64_t>(contact.self));
   if (inputs.bodies != nullptr) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "sim/adaptive/step_memory.hpp"
+#include "sim/contact/contact_parameters.hpp"
 #include "sim/contact/contact_stage.hpp"
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/model_cache.hpp"
@@ -12,6 +14,14 @@
 #include <vector>
 
 namespace drape {
+
+/// Everything apart from the model that acts on the cloth. A view: it does not outlive what it refers to.
+struct ActingConditions {
+  const CommonParameters& parameters;
+  const ContactParameters& contact;
+  const StepInputs& inputs;
+  double errorTolerance = 0.0;  ///< AutoOptions::errorTolerance [m]
+};
 
 /// Detects cloth at rest and puts it to sleep until something changes.
 ///
@@ -23,8 +33,8 @@ namespace drape {
 class SleepDetection {
  public:
   /// Whether the cloth sleeps, so that the step has nothing to do. Updates `memory`.
-  [[nodiscard]] bool isAsleep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                              StepMemory& memory, ClothState& state);
+  [[nodiscard]] bool isAsleep(const ClothModel& model, const ActingConditions& acting, StepMemory& memory,
+                              ClothState& state);
 
  private:
   /// Data of a model, computed once.
@@ -35,11 +45,10 @@ class SleepDetection {
   };
 
   [[nodiscard]] static ModelData dataOf(const ClothModel& model);
-  [[nodiscard]] static bool canSleep(const ModelData& data, const StepParameters& parameters, const StepInputs& inputs);
-  [[nodiscard]] bool isSupported(const ClothModel& model, const ModelData& data, const StepParameters& parameters,
-                                 const StepInputs& inputs, const ClothState& state);
-  [[nodiscard]] static std::uint64_t fingerprintOf(const ModelData& data, const StepParameters& parameters,
-                                                   const StepInputs& inputs);
+  [[nodiscard]] static bool canSleep(const ModelData& data, const ActingConditions& acting);
+  [[nodiscard]] bool isSupported(const ClothModel& model, const ModelData& data, const ActingConditions& acting,
+                                 const ClothState& state);
+  [[nodiscard]] static std::uint64_t fingerprintOf(const ModelData& data, const ActingConditions& acting);
 
   ModelCache<ModelData> models_;
   ContactStage contact_;  // of the trial that tests for support

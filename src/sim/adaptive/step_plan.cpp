@@ -11,18 +11,19 @@
 namespace drape {
 namespace {
 
-bool dependsOnPositionsAlone(const StepParameters& parameters, const StepInputs& inputs) {
-  return parameters.damping == 0.0 && parameters.drag == 0.0 && parameters.lift == 0.0 && !inputs.attachment;
+bool dependsOnPositionsAlone(const CommonParameters& parameters, const StepInputs& inputs) {
+  return parameters.material.damping == 0.0 && parameters.air.drag == 0.0 && parameters.air.lift == 0.0 &&
+         !inputs.attachment;
 }
 
 /// H lambda of damping over the time step H, with the 99th percentile of the rates [-].
-double dampingNumber(const LocalRates& rates, const StepParameters& parameters) {
-  return parameters.timeStep * rates.dampingPercentile99 * parameters.damping;
+double dampingNumber(const LocalRates& rates, const CommonParameters& parameters) {
+  return parameters.timeStep * rates.dampingPercentile99 * parameters.material.damping;
 }
 
 /// The same with the largest rate.
-double maxDampingNumber(const ClothModel& model, const StepParameters& parameters) {
-  return parameters.timeStep * model.unitDampingRate * parameters.damping;
+double maxDampingNumber(const ClothModel& model, const CommonParameters& parameters) {
+  return parameters.timeStep * model.unitDampingRate * parameters.material.damping;
 }
 
 /// Damping stages in each substep.
@@ -46,7 +47,8 @@ int substepsWithSplitDamping(double damped, double evaluations) {
 
 /// A plan of so many substeps, with springs clamped to what is stable. Damping is part of the kick where that is stable
 /// for all vertices.
-StepPlan clampedPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters, int substeps) {
+StepPlan clampedPlan(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
+                     int substeps) {
   const double inKick = 2.0 * maxDampingNumber(model, parameters) / substeps;
   if (inKick > 1.0) {
     const int stages = dampingStagesFor(dampingNumber(rates, parameters), substeps);
@@ -56,7 +58,7 @@ StepPlan clampedPlan(const ClothModel& model, const LocalRates& rates, const Ste
 }
 
 /// The same for a cost in force evaluations.
-StepPlan clampedPlanOfCost(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+StepPlan clampedPlanOfCost(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                            double cost) {
   const bool inKick = 2.0 * maxDampingNumber(model, parameters) <= std::floor(cost);
   return clampedPlan(
@@ -73,7 +75,7 @@ struct StableSteps {
 };
 
 /// @param damped H lambda for damping in stages [-]
-StableSteps stableStepsOf(const ClothModel& model, const StepParameters& parameters, double damped) {
+StableSteps stableStepsOf(const ClothModel& model, const CommonParameters& parameters, double damped) {
   const double limit = parameters.timeStep / verletStepLimit(model, parameters);
   const double hOmega = parameters.timeStep * largestFrequency(model, parameters);
   const double split = std::max({1.0, std::ceil(hOmega / tuning.clampHOmegaWithDampingStages),
@@ -87,18 +89,18 @@ StableSteps stableStepsOf(const ClothModel& model, const StepParameters& paramet
 }
 
 /// The stiffness scale under a plan at a vertex with that omega^2 / k [1/kg].
-double stiffnessScaleAt(double rate, const StepParameters& parameters, const StepPlan& plan) {
+double stiffnessScaleAt(double rate, const CommonParameters& parameters, const StepPlan& plan) {
   const double h = parameters.timeStep / plan.substeps;
-  const double hOmegaSquared = h * h * parameters.stiffness * rate;
+  const double hOmegaSquared = h * h * parameters.material.stiffness * rate;
   return plan.hOmegaLimit > 0.0 && hOmegaSquared > 0.0
              ? std::min(1.0, plan.hOmegaLimit * plan.hOmegaLimit / hOmegaSquared)
              : 1.0;
 }
 
 /// Enough substeps that only springs at the fastest hundredth of the vertices are clamped.
-StepPlan minimallyClampedPlan(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+StepPlan minimallyClampedPlan(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                               int substeps) {
-  const double hOmega = parameters.timeStep * std::sqrt(parameters.stiffness * rates.percentile99);
+  const double hOmega = parameters.timeStep * std::sqrt(parameters.material.stiffness * rates.percentile99);
   StepPlan plan = clampedPlan(model, rates, parameters,
                               std::max(substeps, static_cast<int>(std::ceil(hOmega / tuning.clampHOmega))));
   if (stiffnessScaleAt(rates.percentile99, parameters, plan) < 1.0) {
@@ -111,9 +113,9 @@ StepPlan minimallyClampedPlan(const ClothModel& model, const LocalRates& rates, 
 
 /// The strain of the springs at the pins under weight and wind, with the stiffness that a plan leaves [-]. Infinite
 /// without pins: the support of the cloth is then unknown.
-double strainAtPins(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {
+double strainAtPins(const LocalRates& rates, const CommonParameters& parameters, const StepPlan& plan) {
   const double wind = tuning.windLoadFraction * maxWindForce(rates, parameters);
-  const double stiffness = stiffnessScaleAt(rates.median, parameters, plan) * parameters.stiffness;
+  const double stiffness = stiffnessScaleAt(rates.median, parameters, plan) * parameters.material.stiffness;
   return (parameters.gravity * rates.mass + wind) / (stiffness * rates.pinnedLength);
 }
 
@@ -146,24 +148,24 @@ double maxCoordinate(const std::vector<Vec3>& positions) {
   return *std::max_element(maxima.begin(), maxima.end());
 }
 
-double maxWindForce(const LocalRates& rates, const StepParameters& parameters) {
-  const double speed = parameters.wind.norm();
-  return 0.5 * parameters.airDensity * (parameters.drag + parameters.lift) * speed * speed * rates.area;
+double maxWindForce(const LocalRates& rates, const CommonParameters& parameters) {
+  const double speed = parameters.air.wind.norm();
+  return 0.5 * parameters.air.density * (parameters.air.drag + parameters.air.lift) * speed * speed * rates.area;
 }
 
-double evaluationsInBudget(const ClothModel& model, const StepParameters& parameters) {
+double evaluationsInBudget(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
   const auto springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
-  return std::max(tuning.minEvaluations, parameters.costBudget * 1e6 * parameters.timeStep / springs);
+  return std::max(tuning.minEvaluations, options.costBudget * 1e6 * parameters.timeStep / springs);
 }
 
-double maxEvaluations(const ClothModel& model, const StepParameters& parameters) {
+double maxEvaluations(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
   const double springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
-  return std::max(evaluationsInBudget(model, parameters), tuning.maxSpringEvaluations / springs);
+  return std::max(evaluationsInBudget(model, parameters, options), tuning.maxSpringEvaluations / springs);
 }
 
-bool maySoften(const ClothModel& model, const StepParameters& parameters) {
-  return parameters.soften || stableStepsOf(model, parameters, maxDampingNumber(model, parameters)).evaluations >
-                                  maxEvaluations(model, parameters);
+bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
+  return options.soften || stableStepsOf(model, parameters, maxDampingNumber(model, parameters)).evaluations >
+                               maxEvaluations(model, parameters, options);
 }
 
 StepPlan saferPlan(StepPlan plan) {
@@ -176,9 +178,9 @@ StepPlan saferPlan(StepPlan plan) {
   return plan;
 }
 
-StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                  const StepInputs& inputs, const StepMemory& memory) {
-  const double budget = std::min(tuning.maxBudgetedEvaluations, evaluationsInBudget(model, parameters));
+StepPlan planStep(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
+                  const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory) {
+  const double budget = std::min(tuning.maxBudgetedEvaluations, evaluationsInBudget(model, parameters, options));
   const double damped = dampingNumber(rates, parameters);
   const StableSteps need = stableStepsOf(model, parameters, damped);
   const double evaluations = std::min(budget, evaluationsForTolerance(need, memory));
@@ -197,13 +199,13 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   if (substeps >= need.minimum) {
     return unclamped(substeps);
   }
-  if (!maySoften(model, parameters)) {
+  if (!maySoften(model, parameters, options)) {
     // The step exceeds the budget anyway. So keep a distance from the stability limit, where the energy oscillates less
     // and fewer steps are retried.
     const StepPlan clamped = minimallyClampedPlan(model, rates, parameters, substeps);
     return clamped.substeps < need.comfortable ? clamped : unclamped(static_cast<int>(need.comfortable));
   }
-  const double cost = parameters.soften ? evaluations : maxEvaluations(model, parameters);
+  const double cost = options.soften ? evaluations : maxEvaluations(model, parameters, options);
   StepPlan softer = clampedPlanOfCost(model, rates, parameters, cost);
   softer.softens = true;
   const bool hardlyLoaded = !inputs.attachment && strainAtPins(rates, parameters, softer) < tuning.smallStrain;
@@ -217,41 +219,44 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepPa
   return withLevels;
 }
 
-bool dampingNeedsDouble(const LocalRates& rates, const StepParameters& parameters) {
+bool dampingNeedsDouble(const LocalRates& rates, const CommonParameters& parameters) {
   return dampingNumber(rates, parameters) > tuning.maxDampingStagesInFloat * tuning.maxDampingStagesInFloat;
 }
 
-bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                        double maxCoordinate) {
-  const double rootStiffness = parameters.timeStep * std::sqrt(parameters.stiffness);  // times sqrt(omega^2/k): h omega
+bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
+                        const AutoOptions& options, double maxCoordinate) {
+  const double rootStiffness =
+      parameters.timeStep * std::sqrt(parameters.material.stiffness);  // times sqrt(omega^2/k): h omega
   const double evaluations =
-      parameters.soften ? evaluationsInBudget(model, parameters)
-                        : std::clamp(rootStiffness * std::sqrt(rates.percentile99) / tuning.clampHOmega,
-                                     evaluationsInBudget(model, parameters), maxEvaluations(model, parameters));
+      options.soften
+          ? evaluationsInBudget(model, parameters, options)
+          : std::clamp(rootStiffness * std::sqrt(rates.percentile99) / tuning.clampHOmega,
+                       evaluationsInBudget(model, parameters, options), maxEvaluations(model, parameters, options));
   const double substeps = std::min(evaluations, rootStiffness * model.unitFrequency / tuning.clampHOmega);
   const double h = parameters.timeStep / std::max(1.0, substeps);
   const double omegaSquared =
-      std::min(parameters.stiffness * rates.median, tuning.clampHOmega * tuning.clampHOmega / (h * h));
+      std::min(parameters.material.stiffness * rates.median, tuning.clampHOmega * tuning.clampHOmega / (h * h));
   const double rounding = 0x1p-24 * maxCoordinate;
   const double heating = 0.5 * tuning.roundingHeat * omegaSquared * rounding * rounding / h;  // [W/kg]
-  const bool comesToRest = (parameters.damping > 0.0 || parameters.drag > 0.0) && parameters.wind.isZero(0.0);
+  const bool comesToRest =
+      (parameters.material.damping > 0.0 || parameters.air.drag > 0.0) && parameters.air.wind.isZero(0.0);
   return heating > (comesToRest ? tuning.maxHeatingAtRest
                                 : tuning.maxHeatingInMotion *
                                       std::max(tuning.minFallEnergy, parameters.gravity * rates.diagonal));
 }
 
-bool roundingExceedsTolerance(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                              const StepMemory& memory, double maxCoordinate) {
+bool roundingExceedsTolerance(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
+                              const AutoOptions& options, const StepMemory& memory, double maxCoordinate) {
   const double evaluations =
       evaluationsForTolerance(stableStepsOf(model, parameters, dampingNumber(rates, parameters)), memory);
-  if (tuning.doubleCost * evaluations > evaluationsInBudget(model, parameters)) {
+  if (tuning.doubleCost * evaluations > evaluationsInBudget(model, parameters, options)) {
     return false;
   }
   const double count = evaluations * std::max(1.0, errorTime / parameters.timeStep);
-  return tuning.roundingDrift * 0x1p-24 * maxCoordinate * std::sqrt(count) > parameters.errorTolerance;
+  return tuning.roundingDrift * 0x1p-24 * maxCoordinate * std::sqrt(count) > options.errorTolerance;
 }
 
-double medianStiffnessScale(const LocalRates& rates, const StepParameters& parameters, const StepPlan& plan) {
+double medianStiffnessScale(const LocalRates& rates, const CommonParameters& parameters, const StepPlan& plan) {
   return stiffnessScaleAt(rates.median, parameters, plan);
 }
 

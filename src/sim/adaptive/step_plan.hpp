@@ -1,9 +1,11 @@
 #pragma once
 
+#include "sim/adaptive/auto_options.hpp"
 #include "sim/adaptive/step_choice.hpp"
 #include "sim/adaptive/step_memory.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/forces/local_rates.hpp"
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
 
 #include <vector>
@@ -51,14 +53,16 @@ struct StepPlan {
 [[nodiscard]] StepPlan saferPlan(StepPlan plan);
 
 /// The maximum number of force evaluations of a step that keeps the full stiffness: several seconds of computation.
-[[nodiscard]] double maxEvaluations(const ClothModel& model, const StepParameters& parameters);
+[[nodiscard]] double maxEvaluations(const ClothModel& model, const CommonParameters& parameters,
+                                    const AutoOptions& options);
 
 /// Whether springs may be softened: if the user allows it, or if a step with the full stiffness would exceed
 /// `maxEvaluations`.
-[[nodiscard]] bool maySoften(const ClothModel& model, const StepParameters& parameters);
+[[nodiscard]] bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options);
 
 /// The force evaluations that the cost budget allows in a step, at least four.
-[[nodiscard]] double evaluationsInBudget(const ClothModel& model, const StepParameters& parameters);
+[[nodiscard]] double evaluationsInBudget(const ClothModel& model, const CommonParameters& parameters,
+                                         const AutoOptions& options);
 
 /// The cheapest plan that is expected to keep `errorTolerance`, within the cost budget. With B force evaluations and
 /// H omega of the time step H (docs/theory/auto.md derives the bounds):
@@ -69,14 +73,14 @@ struct StepPlan {
 /// - and where clamped springs keep less than half of their stiffness and the load strains them by 0.001 or more at the
 ///   pins: half as many substeps, with coarse levels, which double the cost of a substep.
 /// Depends on its arguments only.
-[[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                                const StepInputs& inputs, const StepMemory& memory);
+[[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
+                                const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory);
 
 /// True if damping may need so many stages in a substep that rounding in float matters.
-[[nodiscard]] bool dampingNeedsDouble(const LocalRates& rates, const StepParameters& parameters);
+[[nodiscard]] bool dampingNeedsDouble(const LocalRates& rates, const CommonParameters& parameters);
 
 /// An upper bound of the wind's force on a cloth [N]: the full dynamic pressure on the whole area.
-[[nodiscard]] double maxWindForce(const LocalRates& rates, const StepParameters& parameters);
+[[nodiscard]] double maxWindForce(const LocalRates& rates, const CommonParameters& parameters);
 
 /// True if rounding to float would add noticeable energy. In each substep a position is rounded by up to
 /// d = 2^-24 |x|, which adds about c m omega^2 d^2 / 2 with stiff springs; c = AutoTuning::roundingHeat. Noticeable is
@@ -84,18 +88,19 @@ struct StepPlan {
 /// rest it is the heating that keeps vertices moving at some tenths of a millimetre per second.
 /// @param maxCoordinate the largest coordinate [m]
 [[nodiscard]] bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates,
-                                      const StepParameters& parameters, double maxCoordinate);
+                                      const CommonParameters& parameters, const AutoOptions& options,
+                                      double maxCoordinate);
 
 /// True if rounding to float alone would exceed the error tolerance, and the cost budget suffices for double, which
 /// costs twice as much. N force evaluations that each round a position x to float cause a mean error of about
 /// c 2^-24 |x| sqrt(N); c = AutoTuning::roundingDrift.
 /// @param maxCoordinate the largest coordinate [m]
 [[nodiscard]] bool roundingExceedsTolerance(const ClothModel& model, const LocalRates& rates,
-                                            const StepParameters& parameters, const StepMemory& memory,
-                                            double maxCoordinate);
+                                            const CommonParameters& parameters, const AutoOptions& options,
+                                            const StepMemory& memory, double maxCoordinate);
 
 /// The stiffness scale of the springs at the median vertex under a plan [-].
-[[nodiscard]] double medianStiffnessScale(const LocalRates& rates, const StepParameters& parameters,
+[[nodiscard]] double medianStiffnessScale(const LocalRates& rates, const CommonParameters& parameters,
                                           const StepPlan& plan);
 
 }  // namespace drape

@@ -24,8 +24,8 @@ bool hasBoundedPositions(const std::vector<Vec3>& positions) {
 
 }  // namespace
 
-bool meetsBodies(const StepParameters& parameters, const StepInputs& inputs) {
-  return parameters.contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty();
+bool meetsBodies(const ContactParameters& contact, const StepInputs& inputs) {
+  return contact.bodies && inputs.bodies != nullptr && !inputs.bodies->empty();
 }
 
 ContactStage::ContactStage() = default;
@@ -33,8 +33,8 @@ ContactStage::ContactStage(ContactStage&&) noexcept = default;
 ContactStage& ContactStage::operator=(ContactStage&&) noexcept = default;
 ContactStage::~ContactStage() = default;
 
-void ContactStage::begin(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state) {
-  active_ = parameters.contact.self != SelfCollision::Off || meetsBodies(parameters, inputs);
+void ContactStage::begin(const ContactParameters& contact, const StepInputs& inputs, const ClothState& state) {
+  active_ = contact.self != SelfCollision::Off || meetsBodies(contact, inputs);
   changed_ = false;
   points_.clear();
   if (active_) {
@@ -42,20 +42,19 @@ void ContactStage::begin(const StepParameters& parameters, const StepInputs& inp
   }
 }
 
-bool ContactStage::isNearBodies(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                const ClothState& state) {
+bool ContactStage::isNearBodies(const ClothModel& model, const CommonParameters& parameters,
+                                const ContactParameters& contact, const StepInputs& inputs, const ClothState& state) {
   const double fall = parameters.gravity * parameters.timeStep * parameters.timeStep;
   ahead_.resize(state.positions.size());
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     ahead_[v] = state.positions[v] + parameters.timeStep * state.velocities[v];
   }
   return hasBoundedPositions(state.positions) &&
-         bodyContact().isNearAnyBody(model, parameters, *inputs.bodies, state.positions, ahead_, fall);
+         bodyContact().isNearAnyBody(model, contact, *inputs.bodies, state.positions, ahead_, fall);
 }
 
-bool ContactStage::isNearItself(const StepParameters& parameters, const ClothState& state) {
-  return parameters.contact.self != SelfCollision::Off &&
-         (state.selfContact == nullptr || state.selfContact->pairs.count() > 0);
+bool ContactStage::isNearItself(const ContactParameters& contact, const ClothState& state) {
+  return contact.self != SelfCollision::Off && (state.selfContact == nullptr || state.selfContact->pairs.count() > 0);
 }
 
 BodyContact& ContactStage::bodyContact() {
@@ -65,33 +64,34 @@ BodyContact& ContactStage::bodyContact() {
   return *bodies_;
 }
 
-ContactReport ContactStage::resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                    ClothState& state, double stepFraction) {
+ContactReport ContactStage::resolve(const ClothModel& model, const CommonParameters& parameters,
+                                    const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
+                                    double stepFraction) {
   ContactReport report;
   if (!active_ || !hasBoundedPositions(start_) || !hasBoundedPositions(state.positions)) {
     return report;
   }
   // Far from all bodies, contact costs no more than two bounding boxes.
   const bool nearBodies =
-      meetsBodies(parameters, inputs) &&
-      bodyContact().couldReachAnyBody(parameters, *inputs.bodies, boundsOf(start_), boundsOf(state.positions));
-  if (parameters.contact.self == SelfCollision::Off && !nearBodies) {
+      meetsBodies(contact, inputs) &&
+      bodyContact().couldReachAnyBody(contact, *inputs.bodies, boundsOf(start_), boundsOf(state.positions));
+  if (contact.self == SelfCollision::Off && !nearBodies) {
     return report;
   }
   unresolved_.positions = state.positions;
   unresolved_.velocities = state.velocities;
   // Self-collision runs before body contact, so that it cannot push cloth into a body.
-  if (parameters.contact.self == SelfCollision::Hash) {
+  if (contact.self == SelfCollision::Hash) {
     const auto begin = std::chrono::steady_clock::now();
     if (!self_) {
       self_ = std::make_unique<SelfContact>();
     }
-    report.selfContacts = self_->resolve(model, parameters, start_, state, points_, stepFraction);
+    report.selfContacts = self_->resolve(model, contact, parameters.timeStep, start_, state, points_, stepFraction);
     report.selfSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   }
-  if (meetsBodies(parameters, inputs)) {
+  if (meetsBodies(contact, inputs)) {
     const auto before = std::chrono::steady_clock::now();
-    bodyContact().resolve(model, parameters, *inputs.bodies, start_, state, report, points_);
+    bodyContact().resolve(model, parameters, contact, *inputs.bodies, start_, state, report, points_);
     report.bodySeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   }
   changed_ = report.selfContacts > 0 || report.bodyContacts > 0;

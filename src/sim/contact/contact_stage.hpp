@@ -1,7 +1,9 @@
 #pragma once
 
+#include "sim/contact/contact_parameters.hpp"
 #include "sim/contact/contact_report.hpp"
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
@@ -15,7 +17,7 @@ class BodyContact;
 class SelfContact;
 
 /// Whether body contact is on and the scene has bodies.
-[[nodiscard]] bool meetsBodies(const StepParameters& parameters, const StepInputs& inputs);
+[[nodiscard]] bool meetsBodies(const ContactParameters& contact, const StepInputs& inputs);
 
 /// Contact for a step of any solver (docs/theory/contact.md). The solver predicts the motion without contact. Then
 /// contact corrects positions and velocities, so that the next step starts without overlap and without approach
@@ -34,22 +36,22 @@ class ContactStage {
   ~ContactStage();
 
   /// Stores the state at the start of the step. Does nothing if contact is off.
-  void begin(const StepParameters& parameters, const StepInputs& inputs, const ClothState& state);
+  void begin(const ContactParameters& contact, const StepInputs& inputs, const ClothState& state);
 
   /// Whether the cloth is near a body or, by its velocity and gravity, comes near one in this step.
   /// Requires bodies.
-  [[nodiscard]] bool isNearBodies(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                  const ClothState& state);
+  [[nodiscard]] bool isNearBodies(const ClothModel& model, const CommonParameters& parameters,
+                                  const ContactParameters& contact, const StepInputs& inputs, const ClothState& state);
 
   /// Whether the cloth may collide with itself in this step: self-collision is on, and there are near pairs or no
   /// search was made yet.
-  [[nodiscard]] static bool isNearItself(const StepParameters& parameters, const ClothState& state);
+  [[nodiscard]] static bool isNearItself(const ContactParameters& contact, const ClothState& state);
 
   /// Corrects the predicted state. Does nothing if `begin` did nothing.
   /// @param stepFraction length of this contact substep over that of the user's step [-]; scales how far pairs that are
   /// too close are pushed apart
-  ContactReport resolve(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                        ClothState& state, double stepFraction = 1.0);
+  ContactReport resolve(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
+                        const StepInputs& inputs, ClothState& state, double stepFraction = 1.0);
 
   /// The predicted state of the last step; nullptr if contact was off or changed nothing.
   [[nodiscard]] const ClothState* unresolved() const { return changed_ ? &unresolved_ : nullptr; }

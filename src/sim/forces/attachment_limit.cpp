@@ -14,18 +14,18 @@ constexpr double alongPull = 0.25;
 constexpr double shareOfWeight = 0.25;
 
 /// The force that stretches the springs of a vertex by `strain` [N].
-double forceBorneBy(const ClothModel& model, const StepParameters& parameters, int vertex) {
+double forceBorneBy(const ClothModel& model, const CommonParameters& parameters, int vertex) {
   double sum = 0.0;
   for (const SpringEnd& end : model.springEnds[vertex]) {
     const Spring& spring = model.springs[end.spring];
     sum += spring.relativeStiffness * spring.restLength;
   }
-  return strain * alongPull * parameters.stiffness * sum;
+  return strain * alongPull * parameters.material.stiffness * sum;
 }
 
 }  // namespace
 
-double maxAttachmentForce(const ClothModel& model, const StepParameters& parameters, int triangle,
+double maxAttachmentForce(const ClothModel& model, const CommonParameters& parameters, int triangle,
                           const Vec3& barycentric) {
   const Triangle& corners = model.triangles[triangle];
   double force = std::numeric_limits<double>::infinity();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 
 namespace drape {
@@ -9,7 +9,7 @@ namespace drape {
 /// is at least a quarter of the weight of the cloth, so that an attachment moves cloth that its own weight stretches
 /// more.
 /// @param triangle of the attachment  @param barycentric its point in the triangle; sums to 1
-[[nodiscard]] double maxAttachmentForce(const ClothModel& model, const StepParameters& parameters, int triangle,
+[[nodiscard]] double maxAttachmentForce(const ClothModel& model, const CommonParameters& parameters, int triangle,
                                         const Vec3& barycentric);
 
 }  // namespace drape

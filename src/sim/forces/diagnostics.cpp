@@ -5,7 +5,7 @@
 
 namespace drape {
 
-Energy energyOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
+Energy energyOf(const ClothModel& model, const CommonParameters& parameters, const ClothState& state) {
   Energy energy;
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     energy.kinetic += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
@@ -15,7 +15,7 @@ Energy energyOf(const ClothModel& model, const StepParameters& parameters, const
   for (const Spring& spring : model.springs) {
     const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();
     const double elongation = length - spring.restLength;
-    energy.elastic += 0.5 * parameters.stiffness * spring.relativeStiffness * elongation * elongation;
+    energy.elastic += 0.5 * parameters.material.stiffness * spring.relativeStiffness * elongation * elongation;
   }
   return energy;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
@@ -15,7 +15,7 @@ struct Energy {
   [[nodiscard]] double total() const { return kinetic + elastic + potential; }
 };
 
-[[nodiscard]] Energy energyOf(const ClothModel& model, const StepParameters& parameters, const ClothState& state);
+[[nodiscard]] Energy energyOf(const ClothModel& model, const CommonParameters& parameters, const ClothState& state);
 
 /// The largest strain of a spring, (L - l0) / l0 [-]; 0 if no spring is stretched.
 [[nodiscard]] double maxStretch(const ClothModel& model, const ClothState& state);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
@@ -9,7 +9,7 @@
 namespace drape {
 
 /// Gravity and air on a vertex [N]. Every method evaluates the air at the start of a step.
-[[nodiscard]] Vec3 gravityAndAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+[[nodiscard]] Vec3 gravityAndAir(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                                  std::size_t vertex);
 
 }  // namespace drape

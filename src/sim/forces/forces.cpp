@@ -4,15 +4,15 @@
 
 namespace drape {
 
-Vec3 springForcesOn(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+Vec3 springForcesOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                     std::size_t vertex) {
   Vec3 force = Vec3::Zero();
   for (const SpringEnd& springEnd : model.springEnds[vertex]) {
     const int neighbour = springEnd.neighbour;
     const Spring& spring = model.springs[springEnd.spring];
     force += kernels::springForce(state.positions[neighbour] - state.positions[vertex], spring.restLength,
-                                  parameters.stiffness * spring.relativeStiffness);
-    force += kernels::dampingForce(state.velocities[vertex], state.velocities[neighbour], parameters.damping);
+                                  parameters.material.stiffness * spring.relativeStiffness);
+    force += kernels::dampingForce(state.velocities[vertex], state.velocities[neighbour], parameters.material.damping);
   }
   return force;
 }

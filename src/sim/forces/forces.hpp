@@ -1,13 +1,13 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
 namespace drape {
 
 /// The elastic forces k (L - l0) d and the damping forces of all springs on one vertex [N].
-[[nodiscard]] Vec3 springForcesOn(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+[[nodiscard]] Vec3 springForcesOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                                   std::size_t vertex);
 
 }  // namespace drape

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/vector.hpp"
 
 #include <cmath>

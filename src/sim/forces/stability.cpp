@@ -5,13 +5,13 @@
 
 namespace drape {
 
-double largestFrequency(const ClothModel& model, const StepParameters& parameters) {
-  return model.unitFrequency * std::sqrt(parameters.stiffness);
+double largestFrequency(const ClothModel& model, const CommonParameters& parameters) {
+  return model.unitFrequency * std::sqrt(parameters.material.stiffness);
 }
 
-double verletStepLimit(const ClothModel& model, const StepParameters& parameters) {
+double verletStepLimit(const ClothModel& model, const CommonParameters& parameters) {
   const double omega = largestFrequency(model, parameters);
-  const double c = model.unitDampingRate * parameters.damping;
+  const double c = model.unitDampingRate * parameters.material.damping;
   // The positive root of omega^2 h^2 + 2 c h - 4 = 0, in the form that does not cancel.
   const double denominator = c + std::sqrt(c * c + 4.0 * omega * omega);
   return denominator > 0.0 ? 4.0 / denominator : std::numeric_limits<double>::infinity();

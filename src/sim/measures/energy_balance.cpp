@@ -27,7 +27,7 @@ double dampingWork(const ClothModel& model, double damping, const ClothState& be
 
 double airWork(const ClothModel& model, const StepParameters& parameters, const ClothState& before,
                const ClothState& after) {
-  if (parameters.drag == 0.0 && parameters.lift == 0.0) {
+  if (parameters.air.drag == 0.0 && parameters.air.lift == 0.0) {
     return 0.0;
   }
   StepParameters airOnly = parameters;
@@ -90,7 +90,7 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
     contact_ += end - energyOf(model, parameters, *unresolved).total();
   }
   const ClothState& solved = unresolved != nullptr ? *unresolved : after;  // without the correction by contact
-  damping_ += dampingWork(model, parameters.damping, before, solved);
+  damping_ += dampingWork(model, parameters.material.damping, before, solved);
   air_ += airWork(model, parameters, before, solved);
   contact_ += bodyPinWork(model, parameters, inputs, before, solved);
   if (inputs.attachment) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "sim/forces/diagnostics.hpp"
-#include "sim/forces/step_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
+#include "sim/solvers/step_parameters.hpp"
 
 namespace drape {
 

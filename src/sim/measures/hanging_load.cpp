@@ -79,7 +79,7 @@ CutSums sumOverCuts(const ClothModel& model, const std::vector<double>& distance
 
 }  // namespace
 
-double strainByWeight(const ClothModel& model, const StepParameters& parameters) {
+double strainByWeight(const ClothModel& model, const CommonParameters& parameters) {
   const std::vector<double> distance = distancesFromPins(model);
   double maxDistance = 0.0;
   for (const double each : distance) {
@@ -92,7 +92,8 @@ double strainByWeight(const ClothModel& model, const StepParameters& parameters)
   double strain = 0.0;
   for (std::size_t cut = 0; cut < cuts; ++cut) {
     if (sums.stiffness[cut] > 0.0) {
-      strain = std::max(strain, sums.mass[cut] * parameters.gravity / (sums.stiffness[cut] * parameters.stiffness));
+      strain =
+          std::max(strain, sums.mass[cut] * parameters.gravity / (sums.stiffness[cut] * parameters.material.stiffness));
     }
   }
   return strain;

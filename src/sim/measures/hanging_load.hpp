@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 
 namespace drape {
@@ -9,6 +9,6 @@ namespace drape {
 /// distance from the pins, measured along the springs, carry the weight of everything beyond it. The largest strain
 /// over all distances counts. Springs are assumed to pull along their rest direction. 0 for cloth without pins,
 /// infinite for cloth without stiffness.
-[[nodiscard]] double strainByWeight(const ClothModel& model, const StepParameters& parameters);
+[[nodiscard]] double strainByWeight(const ClothModel& model, const CommonParameters& parameters);
 
 }  // namespace drape

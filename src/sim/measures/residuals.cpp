@@ -19,7 +19,7 @@ double relative(double squaredResidual, double squaredScale) {
 }
 
 /// f(x, v) of springs, damping and attachment at `end`, of gravity and air at `start` [N].
-std::vector<Vec3> forcesAtEnd(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+std::vector<Vec3> forcesAtEnd(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                               const ClothState& start, const ClothState& end) {
   std::vector<Vec3> force(end.positions.size());
   for (std::size_t i = 0; i < force.size(); ++i) {
@@ -34,7 +34,7 @@ std::vector<Vec3> forcesAtEnd(const ClothModel& model, const StepParameters& par
 
 }  // namespace
 
-double nonlinearResidual(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+double nonlinearResidual(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                          const ClothState& before, const ClothState& after) {
   const double h = parameters.timeStep;
   ClothState coasting = before;

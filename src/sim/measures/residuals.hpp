@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
@@ -14,7 +15,7 @@ namespace drape {
 /// |M (v1 - v0) - h f(x1, v1)| / |h f(x0 + h v0, v0)|: the residual of the nonlinear equations, relative to that of a
 /// step with constant velocity [-]. Springs, damping and attachment count at the end of the step, gravity and air at
 /// its start (docs/theory/method.md).
-[[nodiscard]] double nonlinearResidual(const ClothModel& model, const StepParameters& parameters,
+[[nodiscard]] double nonlinearResidual(const ClothModel& model, const CommonParameters& parameters,
                                        const StepInputs& inputs, const ClothState& before, const ClothState& after);
 
 }  // namespace drape

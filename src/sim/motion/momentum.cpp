@@ -35,7 +35,7 @@ Vec3 angularMomentum(const ClothModel& model, const ClothState& state, const Vec
   return sum;
 }
 
-MomentumKeeper::Target MomentumKeeper::targetOf(const ClothModel& model, const StepParameters& parameters,
+MomentumKeeper::Target MomentumKeeper::targetOf(const ClothModel& model, const CommonParameters& parameters,
                                                 const std::vector<std::size_t>& piece, const ClothState& state,
                                                 const std::optional<AttachmentForce>& pull, const Vec3& attachedPoint) {
   const MassMoments moments = momentsOf(model, piece, state.positions);
@@ -53,7 +53,7 @@ MomentumKeeper::Target MomentumKeeper::targetOf(const ClothModel& model, const S
   return target;
 }
 
-void MomentumKeeper::prepare(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+void MomentumKeeper::prepare(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                              const ClothState& state) {
   pull_.reset();
   if (inputs.attachment) {

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "sim/forces/attachment.hpp"
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/model_cache.hpp"
@@ -30,7 +31,7 @@ namespace drape {
 class MomentumKeeper {
  public:
   /// Stores the momentum before a step.
-  void prepare(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+  void prepare(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                const ClothState& state);
 
   /// Corrects the state after the step that `prepare` began.
@@ -49,7 +50,7 @@ class MomentumKeeper {
     Vec3 attachmentArm = Vec3::Zero();  // from the barycentre to the attached point [m]
   };
 
-  static Target targetOf(const ClothModel& model, const StepParameters& parameters,
+  static Target targetOf(const ClothModel& model, const CommonParameters& parameters,
                          const std::vector<std::size_t>& piece, const ClothState& state,
                          const std::optional<AttachmentForce>& pull, const Vec3& attachedPoint);
   void correctPiece(const ClothModel& model, double timeStep, double driftTime, const std::vector<std::size_t>& piece,

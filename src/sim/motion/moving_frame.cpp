@@ -16,9 +16,9 @@ void shift(const ClothModel& model, const Vec3& move, const Vec3& velocity, std:
 
 }  // namespace
 
-StepParameters MovingFrame::toFrame(StepParameters parameters) const {
-  parameters.wind -= velocity_;
-  return parameters;
+AirParameters MovingFrame::toFrame(AirParameters air) const {
+  air.wind -= velocity_;
+  return air;
 }
 
 StepInputs MovingFrame::toFrame(StepInputs inputs, double timeStep) const {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/air_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
@@ -17,8 +18,8 @@ class MovingFrame {
   /// @param velocity of the frame [m/s]; zero: nothing changes, bit for bit
   explicit MovingFrame(const Vec3& velocity) : velocity_(velocity), moves_(!velocity.isZero(0.0)) {}
 
-  /// Parameters and inputs relative to the frame.
-  [[nodiscard]] StepParameters toFrame(StepParameters parameters) const;
+  /// Air and inputs relative to the frame.
+  [[nodiscard]] AirParameters toFrame(AirParameters air) const;
   [[nodiscard]] StepInputs toFrame(StepInputs inputs, double timeStep) const;
 
   /// Transforms the state to the frame at the start of a step of that length [s], and back at its end. The pins must be

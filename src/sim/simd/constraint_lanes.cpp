@@ -104,7 +104,7 @@ void predictVertices(ConstraintLanes& constraints, float timeStep, float gravity
   }
 }
 
-void predictWithAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+void predictWithAir(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                     ConstraintLanes& constraints, LaneRange range) {
   const auto h = static_cast<float>(parameters.timeStep);
   for (int index = range.begin; index < range.end; ++index) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/simd/slice_layout.hpp"
@@ -58,7 +58,7 @@ void storeVertices(const ClothModel& model, const ConstraintLanes& constraints, 
 void predictVertices(ConstraintLanes& constraints, float timeStep, float gravity, LaneRange range);
 
 /// The same with gravity and air at `state`, which must equal the state in the lanes.
-void predictWithAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+void predictWithAir(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                     ConstraintLanes& constraints, LaneRange range);
 
 /// Ends a step whose positions are solved: v = v' + (x - y) / h, which equals (x - start) / h. In float positions are

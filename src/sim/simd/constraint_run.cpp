@@ -14,7 +14,7 @@ constexpr int minBatchesPerThread = 64;
 /// The work of one thread in some steps. All threads run the same stages and wait for each other between them.
 class XpbdMember {
  public:
-  XpbdMember(const ClothModel& model, const StepParameters& parameters, ConstraintLanes& lanes, ThreadTeam& team,
+  XpbdMember(const ClothModel& model, const CommonParameters& parameters, ConstraintLanes& lanes, ThreadTeam& team,
              int member, int members)
       : model_(model),
         parameters_(parameters),
@@ -29,7 +29,7 @@ class XpbdMember {
   void store(ClothState& state) const { storeVertices(model_, lanes_, state, range_); }
 
   void predict(ClothState& state) {
-    if (parameters_.drag == 0.0 && parameters_.lift == 0.0) {
+    if (parameters_.air.drag == 0.0 && parameters_.air.lift == 0.0) {
       predictVertices(lanes_, timeStep_, static_cast<float>(parameters_.gravity), range_);
     } else {
       store(state);
@@ -42,16 +42,16 @@ class XpbdMember {
   void project(bool first) {
     const double h = parameters_.timeStep;
     eachColour([&](LaneRange part) {
-      projectSprings(lanes_, static_cast<float>(h * h * parameters_.stiffness), first, part);
+      projectSprings(lanes_, static_cast<float>(h * h * parameters_.material.stiffness), first, part);
     });
   }
 
   void findVelocities() {
     velocitiesFromVertices(lanes_, timeStep_, range_);
     team_.arriveAndWait();
-    if (parameters_.damping > 0.0) {
+    if (parameters_.material.damping > 0.0) {
       eachColour([&](LaneRange part) {
-        dampSprings(lanes_, static_cast<float>(parameters_.timeStep * parameters_.damping), part);
+        dampSprings(lanes_, static_cast<float>(parameters_.timeStep * parameters_.material.damping), part);
       });
     }
   }
@@ -66,7 +66,7 @@ class XpbdMember {
   }
 
   const ClothModel& model_;
-  const StepParameters& parameters_;
+  const CommonParameters& parameters_;
   ConstraintLanes& lanes_;
   ThreadTeam& team_;
   int member_;
@@ -96,8 +96,8 @@ void projectAttachment(const ClothModel& model, double timeStep, const Attachmen
 
 }  // namespace
 
-void ConstraintRun::xpbd(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
-                         ClothState& state) {
+void ConstraintRun::xpbd(const ClothModel& model, const CommonParameters& parameters, int iterations,
+                         const StepInputs& inputs, int count, ClothState& state) {
   ConstraintLanes& lanes = lanes_.get(model, [](const ClothModel& m) { return ConstraintLanes(m); });
   const int batchesAColour = static_cast<int>(lanes.batches.size()) / std::max(1, lanes.colours());
   const int threads = usefulThreads(batchesAColour, minBatchesPerThread, parameters.threads);
@@ -110,7 +110,7 @@ void ConstraintRun::xpbd(const ClothModel& model, const StepParameters& paramete
       if (member == 0) {
         attachment_ = {};
       }
-      for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
+      for (int iteration = 0; iteration < iterations; ++iteration) {
         part.project(iteration == 0);
         if (inputs.attachment) {
           if (member == 0) {

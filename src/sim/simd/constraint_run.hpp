@@ -1,7 +1,8 @@
 #pragma once
 
 #include "sim/forces/attachment.hpp"
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/model_cache.hpp"
 #include "sim/simd/constraint_lanes.hpp"
 #include "sim/simd/thread_team.hpp"
@@ -12,8 +13,8 @@ namespace drape {
 /// all steps; with air, which is evaluated in double, once for each step.
 class ConstraintRun {
  public:
-  void xpbd(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
-            ClothState& state);
+  void xpbd(const ClothModel& model, const CommonParameters& parameters, int iterations, const StepInputs& inputs,
+            int count, ClothState& state);
 
  private:
   ThreadTeam team_;

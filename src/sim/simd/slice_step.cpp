@@ -18,20 +18,20 @@ auto vectorsOf(const SlicedCloth<T>& cloth, const LaneVectors<T>& vectors) {
 }  // namespace
 
 template <typename T>
-SliceStep<T> sliceStepOf(const StepParameters& parameters) {
+SliceStep<T> sliceStepOf(const CommonParameters& parameters, const JacobiOptions& jacobi) {
   SliceStep<T> step;
   step.timeStep = static_cast<T>(parameters.timeStep);
-  step.stiffness = static_cast<T>(parameters.stiffness);
-  step.damping = static_cast<T>(parameters.damping);
+  step.stiffness = static_cast<T>(parameters.material.stiffness);
+  step.damping = static_cast<T>(parameters.material.damping);
   step.gravity = static_cast<T>(parameters.gravity);
-  step.drag = static_cast<T>(0.5 * parameters.airDensity * parameters.drag);
-  step.lift = static_cast<T>(0.5 * parameters.airDensity * parameters.lift);
-  step.windX = static_cast<T>(parameters.wind.x());
-  step.windY = static_cast<T>(parameters.wind.y());
-  step.windZ = static_cast<T>(parameters.wind.z());
-  step.relaxation = static_cast<T>(parameters.relaxation);
+  step.drag = static_cast<T>(0.5 * parameters.air.density * parameters.air.drag);
+  step.lift = static_cast<T>(0.5 * parameters.air.density * parameters.air.lift);
+  step.windX = static_cast<T>(parameters.air.wind.x());
+  step.windY = static_cast<T>(parameters.air.wind.y());
+  step.windZ = static_cast<T>(parameters.air.wind.z());
+  step.relaxation = static_cast<T>(jacobi.relaxation);
   step.derivative = parameters.derivative;
-  step.sweeps = parameters.sweeps;
+  step.sweeps = jacobi.sweeps;
   return step;
 }
 
@@ -81,8 +81,8 @@ template void applyAttachmentImpulse(const ClothModel& model, double timeStep, c
                                      SlicedCloth<float>& cloth);
 template void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,
                                      SlicedCloth<double>& cloth);
-template SliceStep<float> sliceStepOf(const StepParameters& parameters);
-template SliceStep<double> sliceStepOf(const StepParameters& parameters);
+template SliceStep<float> sliceStepOf(const CommonParameters& parameters, const JacobiOptions& jacobi);
+template SliceStep<double> sliceStepOf(const CommonParameters& parameters, const JacobiOptions& jacobi);
 template void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<float>& cloth,
                             SliceStep<float>& step);
 template void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<double>& cloth,

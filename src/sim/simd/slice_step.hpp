@@ -1,14 +1,16 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
+#include "sim/simd/jacobi_options.hpp"
 #include "sim/simd/sliced_cloth.hpp"
 
 namespace drape {
 
 /// The parameters of a step in the precision T, without an attachment.
 template <typename T>
-[[nodiscard]] SliceStep<T> sliceStepOf(const StepParameters& parameters);
+[[nodiscard]] SliceStep<T> sliceStepOf(const CommonParameters& parameters, const JacobiOptions& jacobi);
 
 /// Adds the attachment to an implicit step, at the cloth's present state: the force minus h times its stiffness times
 /// the velocity of the attached point, and the stiffness. Both are distributed by the weights of the corners.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/simd/slice_layout.hpp"
 #include "sim/simd/step_share.hpp"

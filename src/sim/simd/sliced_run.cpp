@@ -2,16 +2,17 @@
 
 namespace drape {
 
-void SlicedRun::oneIteration(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                             int count, const std::vector<double>& weights, ClothState& state) {
+void SlicedRun::oneIteration(const ClothModel& model, const CommonParameters& parameters, const JacobiOptions& jacobi,
+                             const StepInputs& inputs, int count, const std::vector<double>& weights,
+                             ClothState& state) {
   if (parameters.precision == Precision::Float) {
-    oneIteration(model, single_.get(model), parameters, inputs, count, weights, state);
+    oneIteration(model, single_.get(model), parameters, jacobi, inputs, count, weights, state);
   } else {
-    oneIteration(model, double_.get(model), parameters, inputs, count, weights, state);
+    oneIteration(model, double_.get(model), parameters, jacobi, inputs, count, weights, state);
   }
 }
 
-void SlicedRun::verlet(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+void SlicedRun::verlet(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs, int count,
                        ClothState& state) {
   if (parameters.precision == Precision::Float) {
     verlet(model, single_.get(model), parameters, inputs, count, state);
@@ -20,10 +21,10 @@ void SlicedRun::verlet(const ClothModel& model, const StepParameters& parameters
   }
 }
 
-void SlicedRun::explicitEuler(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+void SlicedRun::explicitEuler(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                               int count, ClothState& state) {
   SlicedCloth<double>& cloth = double_.get(model);
-  SliceStep<double> step = sliceStepOf<double>(parameters);
+  SliceStep<double> step = sliceStepOf<double>(parameters, {});
   step.driftsByOldVelocity = true;
   const int threads = usefulThreads(cloth.layout, parameters.threads);
   cloth.prepare(threads, 1);
@@ -49,17 +50,17 @@ void SlicedRun::explicitEuler(const ClothModel& model, const StepParameters& par
 }
 
 template <typename T>
-void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, const StepParameters& parameters,
-                             const StepInputs& inputs, int count, const std::vector<double>& weights,
-                             ClothState& state) {
-  SliceStep<T> step = sliceStepOf<T>(parameters);
+void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, const CommonParameters& parameters,
+                             const JacobiOptions& jacobi, const StepInputs& inputs, int count,
+                             const std::vector<double>& weights, ClothState& state) {
+  SliceStep<T> step = sliceStepOf<T>(parameters, jacobi);
   const std::vector<T> ownWeights(weights.begin(), weights.end());
   step.weights = ownWeights.empty() ? nullptr : ownWeights.data();
   const int threads = usefulThreads(cloth.layout, parameters.threads);
-  const int phases = threads == 1 ? 1 : parameters.sweeps + 1;
-  cloth.prepare(threads, parameters.sweeps);
+  const int phases = threads == 1 ? 1 : jacobi.sweeps + 1;
+  cloth.prepare(threads, jacobi.sweeps);
   team_.run(threads, [&](int member) {
-    const StepShare share = shareOf(cloth.layout, parameters.sweeps, member, threads);
+    const StepShare share = shareOf(cloth.layout, jacobi.sweeps, member, threads);
     cloth.load(state, share);
     team_.arriveAndWait();
     for (int i = 0; i < count; ++i) {
@@ -80,9 +81,9 @@ void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, con
 }
 
 template <typename T>
-void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const StepParameters& parameters,
+void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const CommonParameters& parameters,
                        const StepInputs& inputs, int count, ClothState& state) {
-  const SliceStep<T> step = sliceStepOf<T>(parameters);
+  const SliceStep<T> step = sliceStepOf<T>(parameters, {});
   const T half = step.timeStep / T(2);
   const int threads = usefulThreads(cloth.layout, parameters.threads);
   cloth.prepare(threads, 1);

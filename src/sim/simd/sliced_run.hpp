@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/simd/jacobi_options.hpp"
 #include "sim/simd/slice_step.hpp"
 #include "sim/simd/sliced_cloth_cache.hpp"
 #include "sim/simd/thread_team.hpp"
@@ -12,25 +13,26 @@ namespace drape {
 /// for all steps.
 class SlicedRun {
  public:
-  /// Steps of the one-iteration method with `parameters.sweeps` sweeps. `weights` of Chebyshev's acceleration, one a
+  /// Steps of the one-iteration method with `jacobi.sweeps` sweeps. `weights` of Chebyshev's acceleration, one a
   /// sweep, may be empty.
-  void oneIteration(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
-                    const std::vector<double>& weights, ClothState& state);
+  void oneIteration(const ClothModel& model, const CommonParameters& parameters, const JacobiOptions& jacobi,
+                    const StepInputs& inputs, int count, const std::vector<double>& weights, ClothState& state);
 
   /// Steps of Stoermer-Verlet.
-  void verlet(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+  void verlet(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs, int count,
               ClothState& state);
 
   /// Steps of explicit Euler, always in double: its steps are so short that float would lose most of each to rounding.
-  void explicitEuler(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
+  void explicitEuler(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs, int count,
                      ClothState& state);
 
  private:
   template <typename T>
-  void oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, const StepParameters& parameters,
-                    const StepInputs& inputs, int count, const std::vector<double>& weights, ClothState& state);
+  void oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, const CommonParameters& parameters,
+                    const JacobiOptions& jacobi, const StepInputs& inputs, int count,
+                    const std::vector<double>& weights, ClothState& state);
   template <typename T>
-  void verlet(const ClothModel& model, SlicedCloth<T>& cloth, const StepParameters& parameters,
+  void verlet(const ClothModel& model, SlicedCloth<T>& cloth, const CommonParameters& parameters,
               const StepInputs& inputs, int count, ClothState& state);
 
   ThreadTeam team_;

@@ -54,17 +54,18 @@ class AdaptiveStep {
 
   StepReport step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                   const StepInputs& inputs, StepMemory& memory, ClothState& state) {
-    StepPlan plan = planStep(model, rates, parameters, inputs, memory);
+    StepPlan plan = planStep(model, rates, parameters, parameters.automatic, inputs, memory);
     for (int i = 0; i < memory.retryLevel; ++i) {
       plan = saferPlan(plan);
     }
     StepChoice choice{.order = plan.scheme == ExplicitScheme::Pefrl ? 4 : 2,
                       .substeps = plan.substeps,
                       .hOmega = parameters.timeStep * largestFrequency(model, parameters),
-                      .costRatio = plan.cost() / evaluationsInBudget(model, parameters),
+                      .costRatio = plan.cost() / evaluationsInBudget(model, parameters, parameters.automatic),
                       .stiffnessScale = medianStiffnessScale(rates, parameters, plan)};
     choice.forceEvaluations = 0;
-    const bool estimating = estimatesError(choice, evaluationsInBudget(model, parameters), memory);
+    const bool estimating =
+        estimatesError(choice, evaluationsInBudget(model, parameters, parameters.automatic), memory);
     if (estimating) {
       takeFinerStep(model, rates, parameters, inputs, plan, state, choice);
     }
@@ -148,7 +149,7 @@ class AdaptiveStep {
                            (inputs.attachment ? inputs.attachment->maxForce * parameters.timeStep : 0.0);
     parameters.precision = Precision::Double;
     parameters.timeStep /= substeps;
-    choice.forceEvaluations += substeps * parameters.iterations;
+    choice.forceEvaluations += substeps * parameters.iteration.iterations;
     choice.substeps = substeps;
     choice.order = 1;
     choice.stiffnessScale = 1.0;
@@ -197,7 +198,7 @@ class AdaptiveStep {
     if (!std::isfinite(error)) {
       return;
     }
-    const double evaluations = plan.cost() * std::pow(error / parameters.errorTolerance, 1.0 / order);
+    const double evaluations = plan.cost() * std::pow(error / parameters.automatic.errorTolerance, 1.0 / order);
     memory.error = error;
     memory.forceEvaluations = std::max({1.0, tuning.maxDecrease * plan.cost(), evaluations});
   }
@@ -242,7 +243,8 @@ class AutoSolver final : public Solver {
  private:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   StepMemory& memory, ClothState& state) {
-    if (sleep_.isAsleep(model, parameters, inputs, memory, state)) {
+    if (sleep_.isAsleep(model, {parameters, parameters.contact, inputs, parameters.automatic.errorTolerance}, memory,
+                        state)) {
       state.time += parameters.timeStep;
       return {.choice = StepChoice{.substeps = 0, .forceEvaluations = 0, .sleeping = true}};
     }
@@ -258,8 +260,8 @@ class AutoSolver final : public Solver {
       return true;
     }
     const double largest = maxCoordinate(state.positions);
-    return roundingAddsEnergy(model, rates, parameters, largest) ||
-           roundingExceedsTolerance(model, rates, parameters, memory, largest);
+    return roundingAddsEnergy(model, rates, parameters, parameters.automatic, largest) ||
+           roundingExceedsTolerance(model, rates, parameters, parameters.automatic, memory, largest);
   }
 
   SleepDetection sleep_;
@@ -271,20 +273,21 @@ class AutoSolver final : public Solver {
 /// Warns that the cost budget is too small for this cloth, with what suffers, speed or stiffness.
 std::optional<SolverWarning> autoWarning(const ClothModel& model, const StepParameters& parameters) {
   const double frequency = largestFrequency(model, parameters);
-  const double evaluations = evaluationsInBudget(model, parameters);
+  const double evaluations = evaluationsInBudget(model, parameters, parameters.automatic);
   const double hOmega = std::max(frequency * parameters.timeStep, 1e-30);
   if (toleratedCostRatio * evaluations * 2.0 >= hOmega) {
     return std::nullopt;
   }
-  if (!maySoften(model, parameters)) {
+  if (!maySoften(model, parameters, parameters.automatic)) {
     return SolverWarning{.kind = SolverWarning::Kind::SlowMotion, .costRatio = 0.5 * hOmega / evaluations};
   }
-  const double cost = parameters.soften ? evaluations : maxEvaluations(model, parameters);
+  const double cost =
+      parameters.automatic.soften ? evaluations : maxEvaluations(model, parameters, parameters.automatic);
   const double clamped = std::floor(cost / costWithLevels) * tuning.clampHOmega / hOmega;
   return SolverWarning{.kind = SolverWarning::Kind::Softened,
                        .stiffnessScale = clamped * clamped,
                        .neededCost = std::ceil(0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6),
-                       .softenedByChoice = parameters.soften};
+                       .softenedByChoice = parameters.automatic.soften};
 }
 
 }  // namespace

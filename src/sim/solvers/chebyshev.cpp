@@ -27,10 +27,10 @@ class Weights {
 
 /// The weights of the sweeps after the start p, see ChebyshevSolver.
 std::vector<double> weightsOfSweeps(const StepParameters& parameters) {
-  const bool even = parameters.iterations % 2 == 0;
+  const bool even = parameters.iteration.iterations % 2 == 0;
   std::vector<double> weights(even ? 1U : 0U, 1.0);
-  Weights next(parameters.spectralRadius);
-  for (int iteration = even ? 2 : 0; iteration < parameters.iterations; ++iteration) {
+  Weights next(parameters.iteration.spectralRadius);
+  for (int iteration = even ? 2 : 0; iteration < parameters.iteration.iterations; ++iteration) {
     weights.push_back(next.next());
   }
   return weights;
@@ -53,11 +53,9 @@ class ChebyshevSolver final : public BatchSolver {
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
     const std::vector<double> ofSweeps = weightsOfSweeps(parameters);
-    StepParameters sweeping = parameters;
-    sweeping.sweeps = static_cast<int>(ofSweeps.size());
-    sweeping.relaxation = 1.0;
-    run_.oneIteration(model, sweeping, inputs, count, ofSweeps, state);
-    return {.iterations = count * parameters.iterations};
+    const JacobiOptions sweeping{.sweeps = static_cast<int>(ofSweeps.size()), .relaxation = 1.0};
+    run_.oneIteration(model, parameters, sweeping, inputs, count, ofSweeps, state);
+    return {.iterations = count * parameters.iteration.iterations};
   }
 
  private:
@@ -82,7 +80,7 @@ std::optional<SolverWarning> warningOf(const ClothModel& model, const StepParame
   constexpr int samples = 64;
   const double h = parameters.timeStep / parameters.substeps;
   const double omega = largestFrequency(model, parameters);
-  const double stiff = 0.5 * h * (h * omega * omega + model.unitDampingRate * parameters.damping);
+  const double stiff = 0.5 * h * (h * omega * omega + model.unitDampingRate * parameters.material.damping);
   const double radius = stiff / (1.0 + stiff);  // a bound for |mu|
   const std::vector<double> weights = weightsOfSweeps(parameters);
   for (int i = 0; i <= samples; ++i) {

@@ -27,14 +27,14 @@ std::optional<SolverWarning> stiffFoldsWarning(const ClothModel& model, const St
 
 std::optional<SolverWarning> slackWarning(const ClothModel& model, const StepParameters& parameters,
                                           double perIteration) {
-  const double maxHOmega = std::sqrt(perIteration * parameters.iterations);
+  const double maxHOmega = std::sqrt(perIteration * parameters.iteration.iterations);
   const double needed = parameters.timeStep * largestFrequency(model, parameters) / maxHOmega;
   if (needed <= parameters.substeps) {
     return std::nullopt;
   }
   return SolverWarning{.kind = SolverWarning::Kind::TooFewIterations,
                        .substeps = std::ceil(needed),
-                       .iterations = parameters.iterations};
+                       .iterations = parameters.iteration.iterations};
 }
 
 }  // namespace drape

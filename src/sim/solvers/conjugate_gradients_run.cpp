@@ -34,7 +34,7 @@ class ConjugateMember {
     StepReport report;
     report.residual = 1.0;
     double descent = system_.descent();
-    while (report.iterations < parameters.maxIterations) {
+    while (report.iterations < parameters.iteration.maxIterations) {
       phase(ConjugatePhase::Multiply);
       const double curvature = system_.curvature();
       if (!(curvature > 0.0)) {
@@ -43,14 +43,14 @@ class ConjugateMember {
       phase(ConjugatePhase::Descend, descent / curvature);
       ++report.iterations;
       report.residual = std::sqrt(system_.squaredResidual()) / first;
-      if (report.residual <= parameters.tolerance) {
+      if (report.residual <= parameters.iteration.tolerance) {
         break;
       }
       const double next = system_.descent();
       phase(ConjugatePhase::Turn, next / descent);
       descent = next;
     }
-    report.converged = report.residual <= parameters.tolerance;
+    report.converged = report.residual <= parameters.iteration.tolerance;
     return report;
   }
 
@@ -80,7 +80,7 @@ StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParam
   SlicedCloth<T>& cloth = memory.cloths.get(model);
   ConjugateGradients<T>& system =
       memory.systems.get(model, [&](const ClothModel&) { return ConjugateGradients<T>(cloth.layout); });
-  SliceStep<T> step = sliceStepOf<T>(parameters);
+  SliceStep<T> step = sliceStepOf<T>(parameters, {});
   const int threads = usefulThreads(cloth.layout, parameters.threads);
   cloth.prepare(threads, 0);
   StepReport report;

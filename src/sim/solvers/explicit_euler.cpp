@@ -34,12 +34,12 @@ class ExplicitEulerSolver final : public BatchSolver {
 /// The stiffness of an uncompressed spring in any direction is at most k / C_d times its damping. This holds for the
 /// whole cloth: c / w^2 >= C_d / k in every mode, with k of the stiffest spring. The second bound is that of an
 /// overdamped mode.
-double stepLimit(const ClothModel& model, const StepParameters& parameters) {
+double stepLimit(const ClothModel& model, const CommonParameters& parameters) {
   constexpr double unlimited = std::numeric_limits<double>::infinity();
   const double swinging = largestFrequency(model, parameters) > 0.0
-                              ? parameters.damping / (parameters.stiffness * model.stiffestSpring)
+                              ? parameters.material.damping / (parameters.material.stiffness * model.stiffestSpring)
                               : unlimited;
-  const double rate = model.unitDampingRate * parameters.damping;
+  const double rate = model.unitDampingRate * parameters.material.damping;
   const double damped = rate > 0.0 ? 2.0 / rate : unlimited;
   return std::min(swinging, damped);
 }

@@ -23,7 +23,8 @@ StepReport FilteredStepSolver::step(const ClothModel& model, const StepParameter
   if (inputs.attachment) {
     addAttachment(model, h, *inputs.attachment, state);
   }
-  filter_.prepare(model, {h, parameters.stiffness, parameters.damping}, attached_ ? &attachment_ : nullptr);
+  filter_.prepare(model, {h, parameters.material.stiffness, parameters.material.damping},
+                  attached_ ? &attachment_ : nullptr);
   filter_.apply(parameters.threads, workers_, filtered_);
   findCorrection(model, state);
   move(model, parameters, state);
@@ -39,7 +40,7 @@ Vec3 FilteredStepSolver::internalImpulse(const ClothModel& model, const StepPara
                   (state.velocities[neighbour] - state.velocities[vertex]);
   }
   const double h = parameters.timeStep;
-  return h * (springForcesOn(model, parameters, state, vertex) + h * parameters.stiffness * difference);
+  return h * (springForcesOn(model, parameters, state, vertex) + h * parameters.material.stiffness * difference);
 }
 
 void FilteredStepSolver::addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,

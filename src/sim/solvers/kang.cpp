@@ -46,7 +46,7 @@ class KangSolver final : public Solver {
   static double couplingOf(const ClothModel& model, const StepParameters& parameters, const SpringEnd& end) {
     const double h = parameters.timeStep;
     const double relative = model.springs[static_cast<std::size_t>(end.spring)].relativeStiffness;
-    return h * (h * (parameters.stiffness * relative) + parameters.damping);
+    return h * (h * (parameters.material.stiffness * relative) + parameters.material.damping);
   }
 
   /// The spring's part of F~ on its first end: force, damping and h k (v_b - v_a).
@@ -55,8 +55,8 @@ class KangSolver final : public Solver {
     const Spring& spring = model.springs[s];
     const auto a = static_cast<std::size_t>(spring.a);
     const auto b = static_cast<std::size_t>(spring.b);
-    const double stiffness = parameters.stiffness * spring.relativeStiffness;
-    const double viscosity = parameters.damping + parameters.timeStep * stiffness;
+    const double stiffness = parameters.material.stiffness * spring.relativeStiffness;
+    const double viscosity = parameters.material.damping + parameters.timeStep * stiffness;
     pull_[s] = kernels::springForce(state.positions[b] - state.positions[a], spring.restLength, stiffness) +
                viscosity * (state.velocities[b] - state.velocities[a]);
   }

@@ -33,7 +33,7 @@ class LocalGlobalSolver final : public Solver {
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
     const double h = parameters.timeStep;
-    const bool changed = system_.prepare(model, {h, parameters.stiffness, parameters.damping});
+    const bool changed = system_.prepare(model, {h, parameters.material.stiffness, parameters.material.damping});
     const std::size_t count = state.positions.size();
     stretch_.resize(model.springs.size());
     inertia_.resize(count);
@@ -43,13 +43,13 @@ class LocalGlobalSolver final : public Solver {
       move_[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : Vec3(inertia_[i] / model.vertexMass[i]);
     });
     useAttachment(model, h, inputs, state, changed);
-    for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
+    for (int iteration = 0; iteration < parameters.iteration.iterations; ++iteration) {
       workers_.forEach(parameters.threads, model.springs.size(),
                        [&](std::size_t s) { updateDirection(model, parameters, state, s); });
       solveGlobally(model, parameters.threads);
     }
     finish(model, h, state);
-    return {.iterations = parameters.iterations};
+    return {.iterations = parameters.iteration.iterations};
   }
 
  private:
@@ -63,7 +63,8 @@ class LocalGlobalSolver final : public Solver {
     const Vec3 before = state.positions[b] - state.positions[a];
     const Vec3 now = before + move_[b] - move_[a];
     const double length = now.norm();
-    const double weight = parameters.timeStep * parameters.timeStep * parameters.stiffness * spring.relativeStiffness;
+    const double weight =
+        parameters.timeStep * parameters.timeStep * parameters.material.stiffness * spring.relativeStiffness;
     // A spring without direction exerts no force: d_s equals its offset.
     const bool directed = length > kernels::shortestLength * spring.restLength;
     stretch_[s] = weight * (before - (directed ? Vec3((spring.restLength / length) * now) : now));

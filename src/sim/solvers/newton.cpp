@@ -60,7 +60,8 @@ class NewtonSolver final : public Solver {
     if (first <= current_.rounding) {
       return report;  // the residual at the start is rounding only
     }
-    while (current_.residual > parameters.tolerance * first && report.iterations < parameters.maxIterations) {
+    while (current_.residual > parameters.iteration.tolerance * first &&
+           report.iterations < parameters.iteration.maxIterations) {
       checkStop(inputs);
       if (!findDirection(parameters.derivative) || !searchLine()) {
         break;  // rounding prevents further decrease
@@ -68,7 +69,7 @@ class NewtonSolver final : public Solver {
       ++report.iterations;
     }
     report.residual = current_.residual / first;
-    report.converged = current_.residual <= std::max(parameters.tolerance * first, current_.rounding);
+    report.converged = current_.residual <= std::max(parameters.iteration.tolerance * first, current_.rounding);
     return report;
   }
 

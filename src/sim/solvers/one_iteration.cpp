@@ -20,7 +20,7 @@ class OneIterationSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
-    run_.oneIteration(model, parameters, inputs, count, {}, state);
+    run_.oneIteration(model, parameters, parameters.jacobi, inputs, count, {}, state);
     return {};
   }
 

@@ -16,7 +16,7 @@ double substepOf(const StepParameters& parameters) {
 
 /// (h omega)^2 of a substep over the number of sweeps times the relaxation.
 double stiffnessNumber(const ClothModel& model, const StepParameters& parameters) {
-  const double sweeps = parameters.relaxation * parameters.sweeps;
+  const double sweeps = parameters.jacobi.relaxation * parameters.jacobi.sweeps;
   return std::pow(substepOf(parameters) * largestFrequency(model, parameters), 2) / sweeps;
 }
 
@@ -58,7 +58,7 @@ std::optional<SolverWarning> oneIterationWarning(const ClothModel& model, const 
     return avoidedBy(parameters, Kind::FlatClothGains, std::pow(gain / maxGainNumber, 0.25));
   }
   SolverWarning slack = avoidedBy(parameters, Kind::TooFewSweeps, std::sqrt(stiff));
-  slack.iterations = parameters.sweeps;
+  slack.iterations = parameters.jacobi.sweeps;
   return slack;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/solvers/solver_warning.hpp"
+#include "sim/solvers/step_parameters.hpp"
 
 #include <optional>
 

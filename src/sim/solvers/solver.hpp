@@ -2,10 +2,10 @@
 
 #include "sim/adaptive/step_choice.hpp"
 #include "sim/contact/contact_report.hpp"
-#include "sim/forces/step_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/solvers/solver_warning.hpp"
+#include "sim/solvers/step_parameters.hpp"
 
 #include <memory>
 #include <optional>
@@ -70,7 +70,7 @@ struct SolverInfo {
   std::optional<SolverWarning> (*warning)(const ClothModel&, const StepParameters&) = nullptr;
   /// The longest stable substep on this cloth [s]; 0 if there is none, infinite if every substep is stable. Null for
   /// methods without such a limit.
-  double (*stepLimit)(const ClothModel&, const StepParameters&) = nullptr;
+  double (*stepLimit)(const ClothModel&, const CommonParameters&) = nullptr;
   std::unique_ptr<Solver> (*make)() = nullptr;
 };
 

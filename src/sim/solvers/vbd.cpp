@@ -40,9 +40,9 @@ class VbdSolver final : public Solver {
     predictPositions(model, parameters, state, workers_, inertial_);
     start_ = state.positions;
     state.positions = inertial_;
-    Acceleration acceleration(parameters.spectralRadius);
-    for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
-      if (parameters.spectralRadius > 0.0) {
+    Acceleration acceleration(parameters.iteration.spectralRadius);
+    for (int iteration = 0; iteration < parameters.iteration.iterations; ++iteration) {
+      if (parameters.iteration.spectralRadius > 0.0) {
         before_ = state.positions;
       }
       forEachByColour(workers_, parameters.threads, colours,
@@ -56,7 +56,7 @@ class VbdSolver final : public Solver {
     }
     velocitiesFromPositions(model, parameters.timeStep, start_, state);
     state.time += parameters.timeStep;
-    return {.iterations = parameters.iterations};
+    return {.iterations = parameters.iteration.iterations};
   }
 
  private:
@@ -97,7 +97,7 @@ class VbdSolver final : public Solver {
     for (const SpringEnd& springEnd : model.springEnds[i]) {
       const auto j = static_cast<std::size_t>(springEnd.neighbour);
       const Spring& spring = model.springs[static_cast<std::size_t>(springEnd.spring)];
-      const double own = parameters.stiffness * spring.relativeStiffness;
+      const double own = parameters.material.stiffness * spring.relativeStiffness;
       const Vec3 offset = state.positions[j] - position;
       force += kernels::springForce(offset, spring.restLength, own);
       stiffness += kernels::springDerivative(offset, spring.restLength, own, parameters.derivative);
@@ -108,9 +108,9 @@ class VbdSolver final : public Solver {
       addAttachment(model, *inputs.attachment, i, state, force, stiffness);
     }
     const double isotropic =
-        model.vertexMass[i] + static_cast<double>(model.springEnds[i].size()) * h * parameters.damping;
+        model.vertexMass[i] + static_cast<double>(model.springEnds[i].size()) * h * parameters.material.damping;
     const Vec3 residual =
-        model.vertexMass[i] * (inertial_[i] - position) + h * h * force + h * parameters.damping * drag;
+        model.vertexMass[i] * (inertial_[i] - position) + h * h * force + h * parameters.material.damping * drag;
     state.positions[i] +=
         solve(h * h * stiffness + isotropic * Mat3::Identity(), residual, isotropic + h * h * largest);
   }
@@ -155,17 +155,17 @@ bool overshoots(int iterations, double spectralRadius) {
 /// On sheets of 17 x 17 and 33 x 33 vertices the position error is a few times that of the converged step while
 /// (h omega)^2 is below the number of iterations.
 std::optional<SolverWarning> vbdWarning(const ClothModel& model, const StepParameters& parameters) {
-  if (!overshoots(parameters.iterations, parameters.spectralRadius)) {
+  if (!overshoots(parameters.iteration.iterations, parameters.iteration.spectralRadius)) {
     return slackWarning(model, parameters, 1.0);
   }
-  int enough = parameters.iterations;
-  while (overshoots(enough, parameters.spectralRadius)) {
+  int enough = parameters.iteration.iterations;
+  while (overshoots(enough, parameters.iteration.spectralRadius)) {
     ++enough;
   }
   return SolverWarning{.kind = SolverWarning::Kind::SpectralRadius,
-                       .iterations = parameters.iterations,
+                       .iterations = parameters.iteration.iterations,
                        .neededIterations = enough,
-                       .spectralRadius = parameters.spectralRadius};
+                       .spectralRadius = parameters.iteration.spectralRadius};
 }
 
 }  // namespace

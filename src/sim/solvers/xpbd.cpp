@@ -35,13 +35,13 @@ class XpbdSolver final : public BatchSolver {
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
     if (parameters.precision == Precision::Float) {
-      run_.xpbd(model, parameters, inputs, count, state);
+      run_.xpbd(model, parameters, parameters.iteration.iterations, inputs, count, state);
     } else {
       for (int i = 0; i < count; ++i) {
         stepInDouble(model, parameters, inputs, state);
       }
     }
-    return {.iterations = count * parameters.iterations};
+    return {.iterations = count * parameters.iteration.iterations};
   }
 
  private:
@@ -54,9 +54,9 @@ class XpbdSolver final : public BatchSolver {
     findInverseMasses(model);
     multiplier_.assign(model.springs.size(), 0.0);
     attachment_ = {};
-    for (int iteration = 0; iteration < parameters.iterations; ++iteration) {
+    for (int iteration = 0; iteration < parameters.iteration.iterations; ++iteration) {
       forEachByColour(workers_, parameters.threads, colours, [&](std::size_t s) {
-        const double stiffness = parameters.stiffness * model.springs[s].relativeStiffness;
+        const double stiffness = parameters.material.stiffness * model.springs[s].relativeStiffness;
         project(model.springs[s], h * h * stiffness, s, state);
       });
       if (inputs.attachment) {
@@ -64,9 +64,9 @@ class XpbdSolver final : public BatchSolver {
       }
     }
     velocitiesFromPositions(model, h, start_, state);
-    if (parameters.damping > 0.0) {
+    if (parameters.material.damping > 0.0) {
       forEachByColour(workers_, parameters.threads, colours,
-                      [&](std::size_t s) { damp(model.springs[s], h * parameters.damping, state); });
+                      [&](std::size_t s) { damp(model.springs[s], h * parameters.material.damping, state); });
     }
     state.time += h;
   }

@@ -60,8 +60,8 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                const ClothState& state) {
   constexpr double rounding = 1e-9;  // [-]
-  const bool nearItself = info_->choosesSubsteps && ContactStage::isNearItself(parameters, state);
-  const bool bodies = meetsBodies(parameters, inputs);
+  const bool nearItself = info_->choosesSubsteps && ContactStage::isNearItself(parameters.contact, state);
+  const bool bodies = meetsBodies(parameters.contact, inputs);
   if (!nearItself && !bodies) {
     return 1;
   }
@@ -72,13 +72,14 @@ int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& pa
   }
   const int forTime = static_cast<int>(std::ceil(parameters.timeStep / maxContactSubstepTime * (1.0 - rounding)));
   const int forBodies = std::max(forTime, forStiffness);
-  return forBodies > forSelfCollision && contact_.isNearBodies(model, parameters, inputs, state) ? forBodies
-                                                                                                 : forSelfCollision;
+  return forBodies > forSelfCollision && contact_.isNearBodies(model, parameters, parameters.contact, inputs, state)
+             ? forBodies
+             : forSelfCollision;
 }
 
 int Stepper::contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters) {
   const double rate = rate_.get(model, [](const ClothModel& m) { return localRatesOf(m).percentile99; });
-  const double hOmega = parameters.timeStep * std::sqrt(parameters.stiffness * rate);
+  const double hOmega = parameters.timeStep * std::sqrt(parameters.material.stiffness * rate);
   return std::max(1, static_cast<int>(std::min(std::ceil(hOmega / maxContactHOmega), maxContactSubsteps)));
 }
 
@@ -116,7 +117,7 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   const double end = state.time + parameters.timeStep;
   StepParameters part = parameters;
   StepReport total;
-  contact_.begin(parameters, inputs, state);
+  contact_.begin(parameters.contact, inputs, state);
   planPins(model, inputs, state);
   const int substeps = info_->choosesSubsteps && pinMotions_.empty() ? 1 : parameters.substeps;
   part.timeStep = parameters.timeStep / substeps;
@@ -125,16 +126,16 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
     total = solver_->steps(model, part, inputs, substeps, state);
   } else {
     MovingFrame frame(meanPinVelocity(model, parameters.timeStep));
-    const StepParameters inFrame = frame.toFrame(part);
+    part.air = frame.toFrame(part.air);
     const StepInputs acting = frame.toFrame(inputs, part.timeStep);
     for (int i = 0; i < substeps; ++i) {
       movePins((i + 1.0) / substeps, state);
       frame.enter(model, part.timeStep, state);
-      total.add(substep(model, inFrame, acting, state));
+      total.add(substep(model, part, acting, state));
       frame.leave(model, part.timeStep, state);
     }
   }
-  total.contact = contact_.resolve(model, parameters, inputs, state, 1.0 / contactSubsteps_);
+  total.contact = contact_.resolve(model, parameters, parameters.contact, inputs, state, 1.0 / contactSubsteps_);
   state.time = end;  // not the sum of the substeps, which has rounding errors
   return total;
 }

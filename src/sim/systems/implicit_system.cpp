@@ -5,7 +5,7 @@
 
 namespace drape {
 
-void ImplicitSystem::assemble(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+void ImplicitSystem::assemble(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                               const ClothState& state, Workers& workers) {
   springBlocks_.resize(model.springs.size());
   springForces_.resize(model.springs.size());
@@ -20,22 +20,22 @@ void ImplicitSystem::assemble(const ClothModel& model, const StepParameters& par
   }
 }
 
-void ImplicitSystem::evaluateSpring(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
-                                    std::size_t spring) {
+void ImplicitSystem::evaluateSpring(const ClothModel& model, const CommonParameters& parameters,
+                                    const ClothState& state, std::size_t spring) {
   const Spring& ends = model.springs[spring];
   const auto a = static_cast<std::size_t>(ends.a);
   const auto b = static_cast<std::size_t>(ends.b);
   const Vec3 offset = state.positions[b] - state.positions[a];
-  const double stiffness = parameters.stiffness * ends.relativeStiffness;
+  const double stiffness = parameters.material.stiffness * ends.relativeStiffness;
   const Mat3 block = kernels::springDerivative(offset, ends.restLength, stiffness, parameters.derivative);
   springBlocks_[spring] = block;
   springForces_[spring] = kernels::springForce(offset, ends.restLength, stiffness) +
-                          kernels::dampingForce(state.velocities[a], state.velocities[b], parameters.damping) +
+                          kernels::dampingForce(state.velocities[a], state.velocities[b], parameters.material.damping) +
                           parameters.timeStep * (block * (state.velocities[b] - state.velocities[a]));
 }
 
-void ImplicitSystem::assembleVertex(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
-                                    std::size_t vertex) {
+void ImplicitSystem::assembleVertex(const ClothModel& model, const CommonParameters& parameters,
+                                    const ClothState& state, std::size_t vertex) {
   const double h = parameters.timeStep;
   Vec3 force = gravityAndAir(model, parameters, state, vertex);
   Mat3 stiffness = Mat3::Zero();
@@ -47,7 +47,8 @@ void ImplicitSystem::assembleVertex(const ClothModel& model, const StepParameter
     stiffness += springBlocks_[s];
   }
   rightHandSide_[vertex] = h * force;
-  const double isotropic = model.vertexMass[vertex] + static_cast<double>(ends.size()) * h * parameters.damping;
+  const double isotropic =
+      model.vertexMass[vertex] + static_cast<double>(ends.size()) * h * parameters.material.damping;
   diagonal_[vertex] = h * h * stiffness + isotropic * Mat3::Identity();
 }
 
@@ -61,7 +62,7 @@ void ImplicitSystem::addAttachment(const ClothModel& model, double timeStep, con
   });
 }
 
-Vec3 ImplicitSystem::coupling(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& dv,
+Vec3 ImplicitSystem::coupling(const ClothModel& model, const CommonParameters& parameters, const std::vector<Vec3>& dv,
                               std::size_t vertex) const {
   const double h = parameters.timeStep;
   Vec3 elastic = Vec3::Zero();
@@ -71,7 +72,7 @@ Vec3 ImplicitSystem::coupling(const ClothModel& model, const StepParameters& par
     elastic += springBlocks_[static_cast<std::size_t>(springEnd.spring)] * change;
     damped += change;
   }
-  return h * h * elastic + h * parameters.damping * damped;
+  return h * h * elastic + h * parameters.material.damping * damped;
 }
 
 void advance(const ClothModel& model, double timeStep, const std::vector<Vec3>& dv, ClothState& state) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/workers.hpp"
@@ -23,7 +24,7 @@ namespace drape {
 class ImplicitSystem {
  public:
   /// Computes the system at the given state.
-  void assemble(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+  void assemble(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                 const ClothState& state, Workers& workers);
 
   /// W'_ii, one a vertex [kg].
@@ -34,19 +35,19 @@ class ImplicitSystem {
   [[nodiscard]] const std::vector<Mat3>& springBlocks() const { return springBlocks_; }
 
   /// h^2 sum_j J'_ij dv_j, the contribution of vertex i's neighbours to its row [N s].
-  [[nodiscard]] Vec3 coupling(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& dv,
+  [[nodiscard]] Vec3 coupling(const ClothModel& model, const CommonParameters& parameters, const std::vector<Vec3>& dv,
                               std::size_t vertex) const;
 
   /// Row i of W dv [N s].
-  [[nodiscard]] Vec3 row(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& dv,
+  [[nodiscard]] Vec3 row(const ClothModel& model, const CommonParameters& parameters, const std::vector<Vec3>& dv,
                          std::size_t vertex) const {
     return diagonal_[vertex] * dv[vertex] - coupling(model, parameters, dv, vertex);
   }
 
  private:
-  void evaluateSpring(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+  void evaluateSpring(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                       std::size_t spring);
-  void assembleVertex(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+  void assembleVertex(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                       std::size_t vertex);
   void addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment, const ClothState& state);
 

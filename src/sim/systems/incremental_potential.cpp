@@ -13,8 +13,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-void IncrementalPotential::prepare(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                   const ClothState& state, Workers& workers) {
+void IncrementalPotential::prepare(const ClothModel& model, const CommonParameters& parameters,
+                                   const StepInputs& inputs, const ClothState& state, Workers& workers) {
   model_ = &model;
   parameters_ = &parameters;
   workers_ = &workers;
@@ -59,7 +59,7 @@ IncrementalPotential::Value IncrementalPotential::evaluate(const std::vector<Vec
 void IncrementalPotential::evaluateSpring(std::size_t spring, const std::vector<Vec3>& velocities) {
   const Spring& ends = model_->springs[spring];
   const double h = parameters_->timeStep;
-  const double k = parameters_->stiffness * ends.relativeStiffness;
+  const double k = parameters_->material.stiffness * ends.relativeStiffness;
   const Vec3& va = velocities[static_cast<std::size_t>(ends.a)];
   const Vec3& vb = velocities[static_cast<std::size_t>(ends.b)];
   const Vec3 change = h * (vb - va);
@@ -71,13 +71,14 @@ void IncrementalPotential::evaluateSpring(std::size_t spring, const std::vector<
   const double elongation = both > 0.0 ? excess / both : 0.0;
   const bool hasDirection = length > kernels::shortestLength * ends.restLength;
   offsets_[spring] = offset;
-  springForces_[spring] = kernels::dampingForce(va, vb, parameters_->damping);
+  springForces_[spring] = kernels::dampingForce(va, vb, parameters_->material.damping);
   if (hasDirection) {
     springForces_[spring] += (k * elongation / length) * offset;
   }
-  springEnergy_[spring] = 0.5 * k * elongation * elongation + 0.5 * h * parameters_->damping * (vb - va).squaredNorm();
+  springEnergy_[spring] =
+      0.5 * k * elongation * elongation + 0.5 * h * parameters_->material.damping * (vb - va).squaredNorm();
   const double speeds = va.norm() + vb.norm();
-  springSize_[spring] = k * (std::abs(elongation) + h * speeds) + parameters_->damping * speeds;
+  springSize_[spring] = k * (std::abs(elongation) + h * speeds) + parameters_->material.damping * speeds;
 }
 
 void IncrementalPotential::gatherVertex(std::size_t vertex, const std::vector<Vec3>& velocities) {
@@ -145,12 +146,12 @@ IncrementalPotential::Value IncrementalPotential::sum(const std::vector<Vec3>& v
 void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& hessian) {
   const ClothModel& model = *model_;
   const double h = parameters_->timeStep;
-  const Mat3 damped = h * parameters_->damping * Mat3::Identity();
+  const Mat3 damped = h * parameters_->material.damping * Mat3::Identity();
   springBlocks_.resize(offsets_.size());
   diagonal_.resize(gradient_.size());
   workers_->forEach(parameters_->threads, offsets_.size(), [&](std::size_t s) {
     const Spring& spring = model.springs[s];
-    const double stiffness = parameters_->stiffness * spring.relativeStiffness;
+    const double stiffness = parameters_->material.stiffness * spring.relativeStiffness;
     springBlocks_[s] = -h * h * kernels::springDerivative(offsets_[s], spring.restLength, stiffness, variant) - damped;
   });
   workers_->forEach(parameters_->threads, diagonal_.size(), [&](std::size_t i) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/workers.hpp"
@@ -31,7 +32,7 @@ class IncrementalPotential {
   };
 
   /// Prepares a step from `state`. The arguments must outlive the step.
-  void prepare(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+  void prepare(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                const ClothState& state, Workers& workers);
 
   /// Computes value and gradient. `velocities` are zero where pinned.
@@ -51,7 +52,7 @@ class IncrementalPotential {
   [[nodiscard]] Value sum(const std::vector<Vec3>& velocities, double attachmentEnergy) const;
 
   const ClothModel* model_ = nullptr;
-  const StepParameters* parameters_ = nullptr;
+  const CommonParameters* parameters_ = nullptr;
   Workers* workers_ = nullptr;
   std::vector<Vec3> startVelocities_;  // v0 [m/s]
   std::vector<Vec3> external_;         // gravity and air [N]

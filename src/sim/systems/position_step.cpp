@@ -4,7 +4,7 @@
 
 namespace drape {
 
-void predictPositions(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
+void predictPositions(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                       Workers& workers, std::vector<Vec3>& predicted) {
   const double h = parameters.timeStep;
   predicted.resize(state.positions.size());

@@ -26,9 +26,9 @@ std::shared_ptr<const ClothModel> hangingSheet(double size) {
 /// Parameters with which the sheet comes to rest within some seconds.
 StepParameters dampedParameters() {
   StepParameters parameters;
-  parameters.stiffness = 200.0;
-  parameters.damping = 0.03;
-  parameters.drag = 1.0;
+  parameters.material.stiffness = 200.0;
+  parameters.material.damping = 0.03;
+  parameters.air.drag = 1.0;
   return parameters;
 }
 
@@ -87,7 +87,7 @@ TEST_F(Sleeping, isNearTheConvergedEquilibrium) {
   for (int step = 0; step < 600; ++step) {
     verlet.step(*model, fine, {}, exact);
   }
-  EXPECT_LT(meanDistance(state.positions, exact.positions), 0.1 * parameters.errorTolerance);
+  EXPECT_LT(meanDistance(state.positions, exact.positions), 0.1 * parameters.automatic.errorTolerance);
 }
 
 TEST_F(Sleeping, endsWhenAnythingChanges) {
@@ -95,8 +95,8 @@ TEST_F(Sleeping, endsWhenAnythingChanges) {
   const ClothState atRest = state;
   const std::vector<std::pair<const char*, std::function<void()>>> changes{
       {"gravity", [&] { parameters.gravity *= 1.0 + 1e-9; }},
-      {"stiffness", [&] { parameters.stiffness += 1e-3; }},
-      {"wind", [&] { parameters.wind.x() = 1e-6; }},
+      {"stiffness", [&] { parameters.material.stiffness += 1e-3; }},
+      {"wind", [&] { parameters.air.wind.x() = 1e-6; }},
       {"a pin that moves", [&] { state.positions[0].x() += 1e-6; }},
       {"a vertex that is pushed", [&] { state.velocities[12].z() = 1e-6; }},
       {"a pin let go", [&] { model = withPins(*model, std::vector<bool>(25, false)); }},
@@ -137,11 +137,11 @@ TEST_F(Sleeping, comesToClothOfAnySize) {
     state = stateAtRest(model->restPositions);
     parameters = dampedParameters();
     parameters.timeStep *= slower;
-    parameters.stiffness /= size;
-    parameters.damping /= slower;
-    parameters.drag /= size * size * size;
-    parameters.errorTolerance *= size;
-    parameters.costBudget /= slower;
+    parameters.material.stiffness /= size;
+    parameters.material.damping /= slower;
+    parameters.air.drag /= size * size * size;
+    parameters.automatic.errorTolerance *= size;
+    parameters.automatic.costBudget /= slower;
     int sleeping = 0;
     for (int round = 0; round < 120 && sleeping == 0; ++round) {
       sleeping = sleepingSteps(150);
@@ -166,11 +166,11 @@ TEST_F(Sleeping, doesNotComeToClothThatTheAirSupports) {
   // A wind from below that balances the weight of the flat sheet.
   model = buildClothModel(testing::sheet(5), 0.1, MassLumping::Area, {});
   state = stateAtRest(model->restPositions);
-  parameters.drag = 1.0;
-  parameters.lift = 0.0;
+  parameters.air.drag = 1.0;
+  parameters.air.lift = 0.0;
   placeGround(-1.0);
-  parameters.gravity = 0.5 * parameters.airDensity * 4.0 / 0.1;
-  parameters.wind = Vec3(0.0, 2.0, 0.0);
+  parameters.gravity = 0.5 * parameters.air.density * 4.0 / 0.1;
+  parameters.air.wind = Vec3(0.0, 2.0, 0.0);
   EXPECT_EQ(sleepingSteps(600), 0);
 }
 
@@ -186,11 +186,11 @@ TEST_F(Sleeping, comesToFreeClothOnABodyThatStandsAnywhere) {
 
 TEST_F(Sleeping, isNotForUndampedOrUnsupportedCloth) {
   parameters.gravity = 0.0;
-  parameters.damping = 0.0;
-  parameters.drag = 0.0;
+  parameters.material.damping = 0.0;
+  parameters.air.drag = 0.0;
   state = stateAtRest(model->restPositions);
   EXPECT_EQ(sleepingSteps(300), 0) << "undamped";
-  parameters.damping = 0.03;
+  parameters.material.damping = 0.03;
   model = withPins(*model, std::vector<bool>(25, false));
   state = stateAtRest(model->restPositions);
   for (Vec3& velocity : state.velocities) {
@@ -209,8 +209,8 @@ TEST_F(Sleeping, doesNotFreezeSlowMotion) {
       position.z() = -aside * position.y();
     }
     parameters = dampedParameters();
-    parameters.damping = 1e-4;
-    parameters.drag = drag;
+    parameters.material.damping = 1e-4;
+    parameters.air.drag = drag;
     ClothState exact = state;
     Stepper verlet("verlet");
     StepParameters fine = parameters;

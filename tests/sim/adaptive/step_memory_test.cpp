@@ -32,7 +32,7 @@ TEST(StepMemory, staysInACopyWhenTheStateGetsAnother) {
 TEST(StepMemory, makesACopyContinueToTheSameBits) {
   const auto model = testing::pinnedSheet(9);
   StepParameters parameters;
-  parameters.damping = 0.01;
+  parameters.material.damping = 0.01;
   const auto solver = findSolver("auto")->make();
   ClothState state = testing::shaken(*model, 0.01, 3);
   for (int i = 0; i < 5; ++i) {

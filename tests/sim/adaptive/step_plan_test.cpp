@@ -12,12 +12,13 @@ namespace {
 /// A sheet with a budget of so many force evaluations a step. Its springs may be softened.
 class StepPlanning : public ::testing::Test {
  protected:
-  StepPlanning() { parameters.soften = true; }
+  StepPlanning() { parameters.automatic.soften = true; }
 
   StepPlan plan(double evaluations) {
-    parameters.costBudget =
+    parameters.automatic.costBudget =
         1.0001 * evaluations * static_cast<double>(model->springs.size()) / parameters.timeStep * 1e-6;
-    return planStep(*model, localRatesOf(*model), parameters, inputs, StepMemory{.forceEvaluations = evaluations});
+    return planStep(*model, localRatesOf(*model), parameters, parameters.automatic, inputs,
+                    StepMemory{.forceEvaluations = evaluations});
   }
 
   std::shared_ptr<const ClothModel> model = testing::pinnedSheet(17);
@@ -26,26 +27,26 @@ class StepPlanning : public ::testing::Test {
 };
 
 TEST_F(StepPlanning, takesTheFourthOrderWhereTheBudgetGoesFarBeyondTheLimit) {
-  parameters.stiffness = 10.0;  // H = 3.2
+  parameters.material.stiffness = 10.0;  // H = 3.2
   const StepPlan chosen = plan(12.0);
   EXPECT_EQ(chosen.scheme, ExplicitScheme::Pefrl);
   EXPECT_EQ(chosen.forceEvaluations(), 12);
 }
 
 TEST_F(StepPlanning, takesVerletWhereDampingAirOrAnAttachmentActOnVelocities) {
-  parameters.stiffness = 10.0;
-  parameters.damping = 1e-5;
+  parameters.material.stiffness = 10.0;
+  parameters.material.damping = 1e-5;
   EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
-  parameters.damping = 0.0;
-  parameters.drag = 1.0;
+  parameters.material.damping = 0.0;
+  parameters.air.drag = 1.0;
   EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
-  parameters.drag = 0.0;
+  parameters.air.drag = 0.0;
   inputs.attachment.emplace();
   EXPECT_EQ(plan(12.0).scheme, ExplicitScheme::Verlet);
 }
 
 TEST_F(StepPlanning, keepsTheFullStiffnessWhileASubstepIsBelowTheLimit) {
-  parameters.stiffness = 1000.0;  // H = 32
+  parameters.material.stiffness = 1000.0;  // H = 32
   const StepPlan chosen = plan(17.0);
   EXPECT_EQ(chosen.substeps, 17);
   EXPECT_EQ(chosen.hOmegaLimit, 0.0);
@@ -53,17 +54,17 @@ TEST_F(StepPlanning, keepsTheFullStiffnessWhileASubstepIsBelowTheLimit) {
 }
 
 TEST_F(StepPlanning, exceedsTheBudgetALittleWhereAllSpringsThenKeepTheirStiffness) {
-  parameters.stiffness = 1000.0;
+  parameters.material.stiffness = 1000.0;
   const StepPlan close = plan(13.0);
   EXPECT_EQ(close.substeps, 16);
   EXPECT_EQ(close.hOmegaLimit, 0.0);
-  parameters.stiffness = 150.0;  // 7 evaluations, no more than the cost of four with coarse levels
+  parameters.material.stiffness = 150.0;  // 7 evaluations, no more than the cost of four with coarse levels
   EXPECT_EQ(plan(2.0).substeps, 7);
   EXPECT_FALSE(plan(2.0).usesCoarseLevels);
 }
 
 TEST_F(StepPlanning, clampsSpringsAndAddsLevelsWhereTheyKeepLittleStiffness) {
-  parameters.stiffness = 1000.0;
+  parameters.material.stiffness = 1000.0;
   const StepPlan far = plan(8.0);
   EXPECT_TRUE(far.usesCoarseLevels);
   EXPECT_EQ(far.substeps, 4);
@@ -72,7 +73,7 @@ TEST_F(StepPlanning, clampsSpringsAndAddsLevelsWhereTheyKeepLittleStiffness) {
 }
 
 TEST_F(StepPlanning, usesNoLevelsWhereTheLoadHardlyStretchesTheClampedSprings) {
-  parameters.stiffness = 1e5;
+  parameters.material.stiffness = 1e5;
   ASSERT_TRUE(plan(30.0).usesCoarseLevels) << "it hangs from two vertices";
   std::vector<int> edge;
   for (int v = 0; v < 17; ++v) {
@@ -85,20 +86,20 @@ TEST_F(StepPlanning, usesNoLevelsWhereTheLoadHardlyStretchesTheClampedSprings) {
   inputs.attachment.emplace();
   EXPECT_TRUE(plan(30.0).usesCoarseLevels) << "an attachment pulls at one place";
   inputs.attachment.reset();
-  parameters.wind = {100.0, 0.0, 0.0};
-  parameters.drag = 1.0;
+  parameters.air.wind = {100.0, 0.0, 0.0};
+  parameters.air.drag = 1.0;
   EXPECT_TRUE(plan(30.0).usesCoarseLevels) << "a storm";
 }
 
 TEST_F(StepPlanning, keepsToTheBudgetOtherwiseButTakesAtLeastFourEvaluations) {
-  parameters.stiffness = 1e5;
+  parameters.material.stiffness = 1e5;
   EXPECT_EQ(plan(30.0).forceEvaluations(), 15) << "coarse levels cost as much again";
   EXPECT_EQ(plan(0.5).forceEvaluations(), 4);
 }
 
 TEST_F(StepPlanning, exceedsTheBudgetWhereTheSpringsMayNotBeSoftened) {
-  parameters.soften = false;
-  parameters.stiffness = 1e5;  // H = 320
+  parameters.automatic.soften = false;
+  parameters.material.stiffness = 1e5;  // H = 320
   const double hOmega = parameters.timeStep * largestFrequency(*model, parameters);
   for (const double evaluations : {0.5, 30.0, 80.0}) {
     const StepPlan chosen = plan(evaluations);
@@ -110,11 +111,11 @@ TEST_F(StepPlanning, exceedsTheBudgetWhereTheSpringsMayNotBeSoftened) {
 }
 
 TEST_F(StepPlanning, softensClothOnlyWhereAStepWouldTakeSeconds) {
-  parameters.soften = false;
-  parameters.stiffness = 1e5;
-  EXPECT_FALSE(maySoften(*model, parameters));
-  parameters.stiffness = 1e15;  // 16 million evaluations
-  EXPECT_TRUE(maySoften(*model, parameters));
+  parameters.automatic.soften = false;
+  parameters.material.stiffness = 1e5;
+  EXPECT_FALSE(maySoften(*model, parameters, parameters.automatic));
+  parameters.material.stiffness = 1e15;  // 16 million evaluations
+  EXPECT_TRUE(maySoften(*model, parameters, parameters.automatic));
   const StepPlan chosen = plan(30.0);
   EXPECT_TRUE(chosen.softens);
   EXPECT_NEAR(chosen.cost(), 2e9 / static_cast<double>(model->springs.size()), 2.0);
@@ -135,28 +136,31 @@ TEST_F(StepPlanning, usesASaferPlanForARetry) {
 }
 
 TEST_F(StepPlanning, spendsNoMoreThanTheErrorEstimateNeeds) {
-  parameters.stiffness = 1000.0;
-  parameters.costBudget = 1e6;
+  parameters.material.stiffness = 1000.0;
+  parameters.automatic.costBudget = 1e6;
   const LocalRates rates = localRatesOf(*model);
-  const StepPlan frugal = planStep(*model, rates, parameters, inputs, StepMemory{.forceEvaluations = 1.0});
+  const StepPlan frugal =
+      planStep(*model, rates, parameters, parameters.automatic, inputs, StepMemory{.forceEvaluations = 1.0});
   const double hOmega = parameters.timeStep * largestFrequency(*model, parameters);
   EXPECT_NEAR(frugal.forceEvaluations(), hOmega / 1.8, 1.0);
-  EXPECT_EQ(planStep(*model, rates, parameters, inputs, StepMemory{.forceEvaluations = 50.0}).forceEvaluations(), 50);
+  EXPECT_EQ(planStep(*model, rates, parameters, parameters.automatic, inputs, StepMemory{.forceEvaluations = 50.0})
+                .forceEvaluations(),
+            50);
 }
 
 /// h lambda of damping in a substep.
 double dampedIn(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan) {
-  return parameters.timeStep / plan.substeps * model.unitDampingRate * parameters.damping;
+  return parameters.timeStep / plan.substeps * model.unitDampingRate * parameters.material.damping;
 }
 
 TEST_F(StepPlanning, splitsDampingWhereSubstepsForItWouldCostMore) {
-  parameters.soften = false;
-  parameters.stiffness = 1000.0;  // H = 32
+  parameters.automatic.soften = false;
+  parameters.material.stiffness = 1000.0;  // H = 32
   const double hOmega = parameters.timeStep * largestFrequency(*model, parameters);
-  parameters.damping = 1e-4;
+  parameters.material.damping = 1e-4;
   EXPECT_EQ(plan(20.0).dampingStages, 0);
   for (const double damping : {1.0, 10.0, 100.0}) {
-    parameters.damping = damping;
+    parameters.material.damping = damping;
     const StepPlan chosen = plan(20.0);
     const double s = chosen.dampingStages;
     EXPECT_GT(s, 0.0) << damping;
@@ -167,8 +171,8 @@ TEST_F(StepPlanning, splitsDampingWhereSubstepsForItWouldCostMore) {
 }
 
 TEST_F(StepPlanning, usesTheFullDampingWhereSpringsAreClampedToo) {
-  parameters.stiffness = 1e5;
-  parameters.damping = 0.1;
+  parameters.material.stiffness = 1e5;
+  parameters.material.damping = 0.1;
   const StepPlan chosen = plan(20.0);
   const double s = chosen.dampingStages;
   EXPECT_TRUE(chosen.softens);
@@ -181,19 +185,19 @@ TEST_F(StepPlanning, doesNotLetAFewFastVerticesDetermineTheSubsteps) {
   ClothMesh mesh = testing::sheet(17);
   mesh.positions[8 * 17 + 8] = mesh.positions[8 * 17 + 9] + Vec3(-1e-3, 0.0, 0.0);  // slivers around one vertex
   model = buildClothModel(mesh, 0.1, MassLumping::Area, {0, 16});
-  parameters.stiffness = 1000.0;
+  parameters.material.stiffness = 1000.0;
   const LocalRates rates = localRatesOf(*model);
   const StepPlan chosen = plan(17.0);
   EXPECT_GT(parameters.timeStep * largestFrequency(*model, parameters), 2.04 * 17.0);
   EXPECT_EQ(medianStiffnessScale(rates, parameters, chosen), 1.0);
   EXPECT_FALSE(chosen.usesCoarseLevels);
-  parameters.damping = 10.0;
+  parameters.material.damping = 10.0;
   const double slivers = model->unitDampingRate / rates.dampingPercentile99;
   EXPECT_GT(slivers, 1.2);
   const StepPlan damped = plan(17.0);
   EXPECT_LT(damped.dampingStages, std::sqrt(dampedIn(*model, parameters, damped) / slivers) + 2.0);
-  parameters.damping = 0.0;
-  parameters.soften = false;
+  parameters.material.damping = 0.0;
+  parameters.automatic.soften = false;
   EXPECT_LT(plan(17.0).substeps, 20) << "also where springs may not be softened";
   EXPECT_FALSE(plan(17.0).softens);
 }

@@ -21,7 +21,7 @@ struct Method {
 std::string hashAfter(const ClothModel& model, const Method& method) {
   constexpr int steps = 20;
   StepParameters parameters = testing::windyStep();
-  parameters.sweeps = method.sweeps;
+  parameters.jacobi.sweeps = method.sweeps;
   parameters.precision = method.precision;
   ClothState state = testing::shaken(model, 0.003, 3);
   findSolver(method.solver)->make()->steps(model, parameters, {}, steps, state);

@@ -20,7 +20,7 @@ TEST(ContactStage, costsNothingAndChangesNothingWhileItIsOff) {
   inputs.bodies = &none;
   ContactStage stage;
   stage.begin({}, inputs, state);
-  const ContactReport report = stage.resolve(*model, {}, inputs, state);
+  const ContactReport report = stage.resolve(*model, {}, {}, inputs, state);
   EXPECT_EQ(stateHash(state), before);
   EXPECT_EQ(stage.unresolved(), nullptr);
   EXPECT_EQ(report.bodySeconds, 0.0);

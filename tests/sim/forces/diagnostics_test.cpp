@@ -19,7 +19,7 @@ TEST(Energy, hasTheClosedFormForASheetThatIsScaledLiftedAndMoved) {
   ClothState state = stateAtRest(model->restPositions);
   double elastic = 0.0;
   for (const Spring& spring : model->springs) {
-    elastic += 0.5 * parameters.stiffness * 0.04 * spring.restLength * spring.restLength;
+    elastic += 0.5 * parameters.material.stiffness * 0.04 * spring.restLength * spring.restLength;
   }
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     state.positions[v] = 1.2 * state.positions[v] + Vec3(0.0, 2.0, 0.0);

@@ -28,15 +28,15 @@ std::shared_ptr<const ClothModel> breathingTriangle() {
 StepParameters breathingParameters() {
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.stiffness = 20.0;
-  parameters.damping = 0.01;
+  parameters.material.stiffness = 20.0;
+  parameters.material.damping = 0.01;
   return parameters;
 }
 
 /// r = r0 (1 + 0.2 e^(-c t) cos(w t)), the closed form.
 ClothState breathingState(const ClothModel& model, const StepParameters& parameters, double time) {
-  const double c = 1.5 * parameters.damping / vertexMass;
-  const double w = std::sqrt(3.0 * parameters.stiffness / vertexMass - c * c);
+  const double c = 1.5 * parameters.material.damping / vertexMass;
+  const double w = std::sqrt(3.0 * parameters.material.stiffness / vertexMass - c * c);
   const double decay = 0.2 * std::exp(-c * time);
   ClothState state = stateAtRest(model.restPositions);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -78,8 +78,8 @@ TEST(EnergyBalance, givesTheWorkOfAWindThatPushesAMovingSheet) {
   const auto free = withPins(*model, std::vector<bool>(9, false));
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.drag = 0.02;  // so little that the bound on the air's force is not reached
-  parameters.wind = Vec3(0.0, 3.0, 0.0);
+  parameters.air.drag = 0.02;  // so little that the bound on the air's force is not reached
+  parameters.air.wind = Vec3(0.0, 3.0, 0.0);
   parameters.timeStep = 0.01;
   ClothState before = stateAtRest(free->restPositions);
   for (Vec3& velocity : before.velocities) {
@@ -121,7 +121,7 @@ TEST(EnergyBalance, doesNotBlameTheMethodForChangedSettings) {
   const auto model = testing::pinnedSheet(3);
   const ClothState state = testing::shaken(*model, 0.05, 1);
   StepParameters stiffer;
-  stiffer.stiffness = 1e4;
+  stiffer.material.stiffness = 1e4;
   EnergyBalance balance;
   balance.add(*model, {}, {}, state, state);
   balance.add(*model, stiffer, {}, state, state);
@@ -162,11 +162,11 @@ ClothState rungeKutta(const ClothModel& model, const StepParameters& parameters,
 EnergyBalance everythingActing(int steps) {
   const auto model = testing::pinnedSheet(4);
   StepParameters parameters;
-  parameters.stiffness = 20.0;
-  parameters.damping = 0.01;
-  parameters.drag = 0.5;
-  parameters.lift = 0.3;
-  parameters.wind = Vec3(0.5, 4.0, 1.0);  // always from below: where it changes sides the forces have a kink
+  parameters.material.stiffness = 20.0;
+  parameters.material.damping = 0.01;
+  parameters.air.drag = 0.5;
+  parameters.air.lift = 0.3;
+  parameters.air.wind = Vec3(0.5, 4.0, 1.0);  // always from below: where it changes sides the forces have a kink
   parameters.timeStep = 0.1 / steps;
   StepInputs inputs;
   inputs.attachment = Attachment{{10, Vec3(0.2, 0.3, 0.5), Vec3(0.5, 0.3, 1.0)}, {5.0, 1.0}};
@@ -194,7 +194,7 @@ TEST(EnergyBalance, leavesTheIntegratorNothingButSecondOrderWhenDampingWindAndAt
 EnergyBalance verlet(int steps) {
   const auto model = testing::pinnedSheet(4);
   StepParameters parameters;
-  parameters.stiffness = 20.0;
+  parameters.material.stiffness = 20.0;
   parameters.timeStep = 0.2 / steps;
   Stepper stepper("verlet");
   ClothState state = testing::shaken(*model, 0.05, 3);

@@ -21,23 +21,23 @@ TEST(StrainByWeight, IsTheWeightOverWhatTheUpperRowOfSpringsBears) {
   constexpr int n = 11;
   const auto model = hungSheet(n, 0.2);
   StepParameters parameters;
-  parameters.stiffness = 5.0;
+  parameters.material.stiffness = 5.0;
   double weight = 0.0;
   for (std::size_t v = n; v < model->vertexMass.size(); ++v) {
     weight += model->vertexMass[v] * parameters.gravity;
   }
   // n springs along the pull, and n - 1 diagonals at 45 degrees, each of which carries half as much as the others.
   const double edge = 1.0 / (n - 1);
-  const double borne = parameters.stiffness * edge * (n + 0.5 * (n - 1));
+  const double borne = parameters.material.stiffness * edge * (n + 0.5 * (n - 1));
   EXPECT_NEAR(strainByWeight(*model, parameters), weight / borne, 1e-9 * weight / borne);
 }
 
 TEST(StrainByWeight, GrowsWithWeightAndFallsWithStiffness) {
   StepParameters parameters;
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   const double strain = strainByWeight(*hungSheet(9, 0.1), parameters);
   EXPECT_NEAR(strainByWeight(*hungSheet(9, 0.4), parameters), 4.0 * strain, 1e-9);
-  parameters.stiffness = 40.0;
+  parameters.material.stiffness = 40.0;
   EXPECT_NEAR(strainByWeight(*hungSheet(9, 0.1), parameters), strain / 4.0, 1e-9);
   parameters.gravity = 0.0;
   EXPECT_EQ(strainByWeight(*hungSheet(9, 0.1), parameters), 0.0);
@@ -45,7 +45,7 @@ TEST(StrainByWeight, GrowsWithWeightAndFallsWithStiffness) {
 
 TEST(StrainByWeight, IsLargerWhereFewPinsCarryAll) {
   StepParameters parameters;
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   const auto corners = buildClothModel(testing::sheet(9), 0.1, MassLumping::Area, {0, 8});
   EXPECT_GT(strainByWeight(*corners, parameters), 2.0 * strainByWeight(*hungSheet(9, 0.1), parameters));
 }
@@ -53,7 +53,7 @@ TEST(StrainByWeight, IsLargerWhereFewPinsCarryAll) {
 TEST(StrainByWeight, IsNothingWithoutPinsAndInfiniteWithoutStiffness) {
   StepParameters parameters;
   EXPECT_EQ(strainByWeight(*buildClothModel(testing::sheet(5), 0.1, MassLumping::Area, {}), parameters), 0.0);
-  parameters.stiffness = 0.0;
+  parameters.material.stiffness = 0.0;
   EXPECT_TRUE(std::isinf(strainByWeight(*hungSheet(5, 0.1), parameters)));
 }
 

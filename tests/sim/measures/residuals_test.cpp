@@ -13,10 +13,10 @@ namespace {
 
 StepParameters everything() {
   StepParameters parameters;
-  parameters.stiffness = 200.0;
-  parameters.damping = 0.01;
-  parameters.drag = 0.5;
-  parameters.wind = Vec3(1.0, 0.0, 2.0);
+  parameters.material.stiffness = 200.0;
+  parameters.material.damping = 0.01;
+  parameters.air.drag = 0.5;
+  parameters.air.wind = Vec3(1.0, 0.0, 2.0);
   return parameters;
 }
 
@@ -118,7 +118,7 @@ TEST(NonlinearResidual, vanishesForTheFixedPointOfTheImplicitEquations) {
   const StepInputs inputs = attachmentOnTriangle(8);
   const ClothState before = testing::shaken(*model, 0.05, 7);
   StepParameters airless = parameters;
-  airless.drag = 0.0;
+  airless.air.drag = 0.0;
   Workers workers;
   std::vector<Vec3> force;
   std::vector<Vec3> air;

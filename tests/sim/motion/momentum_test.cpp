@@ -32,7 +32,7 @@ ClothState thrown(const ClothModel& model) {
 StepParameters inEmptySpace() {
   StepParameters p;
   p.gravity = 0.0;
-  p.damping = 0.01;
+  p.material.damping = 0.01;
   return p;
 }
 
@@ -86,7 +86,7 @@ TEST(KeepMomentum, holdsForEverySolverWithSubstepsAndEveryIntegration) {
   for (const Integration integration : {Integration::BackwardEuler, Integration::Theta, Integration::Bdf2}) {
     for (const SolverInfo& solver : solverTable()) {
       StepParameters p = inEmptySpace();
-      p.stiffness = 1.0;  // which explicit methods carry too
+      p.material.stiffness = 1.0;  // which explicit methods carry too
       p.integration = integration;
       p.theta = 0.75;
       p.substeps = 2;
@@ -119,9 +119,9 @@ TEST(KeepMomentum, givesAClothInTheWindTheImpulseOfTheWind) {
   const auto model = unevenSheet(9, {});
   ClothState state = thrown(*model);
   StepParameters p;
-  p.drag = 0.5;
-  p.lift = 0.5;
-  p.wind = Vec3(2.0, 1.0, 0.0);
+  p.air.drag = 0.5;
+  p.air.lift = 0.5;
+  p.air.wind = Vec3(2.0, 1.0, 0.0);
   p.keepMomentum = true;
   const Rows impulse = p.timeStep * outerForces(*model, p, state);
   const Vec3 centre = barycentre(*model, state);
@@ -239,7 +239,7 @@ TEST(KeepMomentum, doesNotLetAStrongAttachmentThrowALightClothAbout) {
   const auto model = buildClothModel(sheet(9), 0.02, MassLumping::Uniform, {});
   StepParameters p;
   p.timeStep = 1.0 / 30.0;
-  p.damping = 0.01;
+  p.material.damping = 0.01;
   p.keepMomentum = true;
   StepInputs inputs;
   inputs.attachment = Attachment{{40, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.2, 0.5)}, {500.0, 1e3}};

@@ -30,10 +30,10 @@ std::unique_ptr<ContactScene> carriedSheet(const std::string& solver, const Vec3
   scene->parameters.timeStep = 1.0 / 300.0;
   scene->parameters.substeps = 4;
   scene->parameters.gravity = 0.0;
-  scene->parameters.stiffness = 20.0;
-  scene->parameters.damping = 0.1;
-  scene->parameters.drag = 0.5;
-  scene->parameters.wind = velocity;  // so that the air does not brake it
+  scene->parameters.material.stiffness = 20.0;
+  scene->parameters.material.damping = 0.1;
+  scene->parameters.air.drag = 0.5;
+  scene->parameters.air.wind = velocity;  // so that the air does not brake it
   for (auto v = static_cast<std::size_t>(n); v < scene->state.velocities.size(); ++v) {
     scene->state.velocities[v] = velocity;
   }

@@ -24,7 +24,7 @@ template <typename T>
 std::uint64_t hashOfIterations(const ClothModel& model, int members, Turns turns) {
   SlicedCloth<T> cloth(model);
   ConjugateGradients<T> system(cloth.layout);
-  const SliceStep<T> step = sliceStepOf<T>(everything());
+  const SliceStep<T> step = sliceStepOf<T>(everything(), {});
   cloth.prepare(members, 0);
   const auto each = [&](auto&& visit) {
     for (const int member : membersBy(turns, members)) {
@@ -84,8 +84,8 @@ TEST(ConjugateGradients, inFloatComeAsNearToTheSolutionAsInDoubleUpToRounding) {
   for (const double stiffness : {10.0, 1e3, 1e5}) {
     const auto model = pinnedCloth(testing::unevenSheet(21, 3));
     StepParameters parameters = everything();
-    parameters.stiffness = stiffness;
-    parameters.tolerance = 1e-6;
+    parameters.material.stiffness = stiffness;
+    parameters.iteration.tolerance = 1e-6;
     const ClothState start = shaken(*model, 0.002, 7);
     ClothState exact = start;
     ClothState single = start;

@@ -103,10 +103,10 @@ TEST(XpbdInFloat, takesTheStepOfXpbdInDoubleToWithinTwoMicrometres) {
     }
     for (const bool air : {false, true}) {
       StepParameters parameters;
-      parameters.damping = 0.01;
-      parameters.drag = air ? 0.8 : 0.0;
-      parameters.lift = air ? 0.5 : 0.0;
-      parameters.wind = Vec3(1.0, 0.2, -2.0);
+      parameters.material.damping = 0.01;
+      parameters.air.drag = air ? 0.8 : 0.0;
+      parameters.air.lift = air ? 0.5 : 0.0;
+      parameters.air.wind = Vec3(1.0, 0.2, -2.0);
       const Difference difference = floatFromDouble(*model, parameters, pullingAttachment(), 1);
       EXPECT_LT(difference.position, 2e-6) << mesh.name << (air ? " in air" : "");
       EXPECT_LT(difference.velocity, 3e-4) << mesh.name << (air ? " in air" : "");
@@ -117,7 +117,7 @@ TEST(XpbdInFloat, takesTheStepOfXpbdInDoubleToWithinTwoMicrometres) {
 TEST(XpbdInFloat, staysNearXpbdInDoubleForATenthOfASecond) {
   const auto model = pinnedCloth(testing::unevenSheet(12, 3));
   StepParameters parameters;
-  parameters.damping = 0.002;
+  parameters.material.damping = 0.002;
   parameters.timeStep = 1.0 / 600.0;
   const Difference difference = floatFromDouble(*model, parameters, {}, 60);
   EXPECT_LT(difference.position, 1e-4);
@@ -128,13 +128,13 @@ TEST(XpbdInFloat, takesManyStepsAtOnceAsOneAfterTheOtherToTheLastBit) {
   for (const double drag : {0.0, 0.7}) {
     StepParameters parameters;
     parameters.precision = Precision::Float;
-    parameters.damping = 0.01;
-    parameters.drag = drag;
+    parameters.material.damping = 0.01;
+    parameters.air.drag = drag;
     ClothState together = shaken(*model, 0.01, 3);
     ClothState apart = together;
     const int iterations =
         findSolver("xpbd")->make()->steps(*model, parameters, pullingAttachment(), 4, together).iterations;
-    EXPECT_EQ(iterations, 4 * parameters.iterations);
+    EXPECT_EQ(iterations, 4 * parameters.iteration.iterations);
     const auto solver = findSolver("xpbd")->make();
     for (int step = 0; step < 4; ++step) {
       solver->step(*model, parameters, pullingAttachment(), apart);
@@ -149,7 +149,7 @@ TEST(XpbdInFloat, fallsInStepsTooShortForItsPlacesToTell) {
   StepParameters parameters;
   parameters.precision = Precision::Float;
   parameters.timeStep = 1.0 / 30000.0;
-  parameters.iterations = 1;
+  parameters.iteration.iterations = 1;
   ClothState state = stateAtRest(model->restPositions);
   findSolver("xpbd")->make()->steps(*model, parameters, {}, 3000, state);
   EXPECT_NEAR(state.velocities[5].y(), -0.981, 0.01);

@@ -48,8 +48,8 @@ struct Kind {
   int sweeps = 1;
   Precision precision = Precision::Float;
   ForceDerivative derivative = ForceDerivative::Stabilised;
-  double damping = testing::windyStep().damping;  // [N s/m]
-  bool levels = false;                            // springs so stiff for the work that coarse levels carry them
+  double damping = testing::windyStep().material.damping;  // [N s/m]
+  bool levels = false;  // springs so stiff for the work that coarse levels carry them
 };
 
 std::vector<Kind> kinds() {
@@ -73,14 +73,14 @@ std::vector<Kind> kinds() {
 
 ClothState stepsWith(const Kind& kind, const ClothModel& model, int steps) {
   StepParameters parameters = testing::windyStep();
-  parameters.sweeps = kind.sweeps;
+  parameters.jacobi.sweeps = kind.sweeps;
   parameters.precision = kind.precision;
   parameters.derivative = kind.derivative;
-  parameters.damping = kind.damping;
+  parameters.material.damping = kind.damping;
   if (kind.levels) {
-    parameters.stiffness = 5e3;
-    parameters.costBudget = 0.001;
-    parameters.soften = true;
+    parameters.material.stiffness = 5e3;
+    parameters.automatic.costBudget = 0.001;
+    parameters.automatic.soften = true;
   }
   StepInputs inputs;
   inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {20.0, 2.0}};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/forces/step_parameters.hpp"
+#include "sim/solvers/step_parameters.hpp"
 #include "test_meshes.hpp"
 
 #include <algorithm>
@@ -119,10 +119,10 @@ inline std::shared_ptr<const ClothModel> pinnedCloth(const ClothMesh& mesh) {
 inline StepParameters windyStep() {
   StepParameters parameters;
   parameters.timeStep = 1.0 / 600.0;
-  parameters.damping = 0.002;
-  parameters.drag = 0.8;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  parameters.material.damping = 0.002;
+  parameters.air.drag = 0.8;
+  parameters.air.lift = 0.5;
+  parameters.air.wind = Vec3(1.0, 0.2, -2.0);
   return parameters;
 }
 

@@ -49,8 +49,8 @@ TEST(SlicedStep, equalsTheDenseReferenceOnUnevenMeshesWithAirAndAnAttachmentAcro
     const StepInputs inputs = attachmentAcrossSlices(*model);
     for (const int sweeps : {1, 2, 3, 5}) {
       StepParameters parameters = everything();
-      parameters.sweeps = sweeps;
-      parameters.relaxation = sweeps == 2 ? 0.8 : 1.0;
+      parameters.jacobi.sweeps = sweeps;
+      parameters.jacobi.relaxation = sweeps == 2 ? 0.8 : 1.0;
       SteppingByHand<double> fast(*model, parameters, 1, Turns::Forwards);
       ClothState state = shaken(*model, 0.02, 7);
       ClothState plain = state;
@@ -102,14 +102,14 @@ TEST(SlicedStep, equalsASumOfDenseJacobiAnswersWithChebyshevsWeights) {
     for (int k = 0; k <= sweeps; ++k) {
       ClothState plain = start;
       StepParameters jacobi = parameters;
-      jacobi.sweeps = k;
+      jacobi.jacobi.sweeps = k;
       testing::referenceStep(*model, jacobi, {}, plain);
       for (std::size_t v = 0; v < expected.size(); ++v) {
         expected[v] += part.back()[k + 1] * (plain.velocities[v] - start.velocities[v]);
       }
     }
     StepParameters accelerated = parameters;
-    accelerated.sweeps = sweeps;
+    accelerated.jacobi.sweeps = sweeps;
     SteppingByHand<double> fast(*model, accelerated, 2, Turns::Forwards);
     fast.accelerateBy({weights.begin(), weights.begin() + sweeps});
     ClothState state = start;
@@ -148,7 +148,7 @@ TEST(SlicedStep, staysNearTheDenseReferenceInFloat) {
 template <typename T>
 std::uint64_t hashOfSteps(const ClothModel& model, int sweeps, int members, Turns turns) {
   StepParameters parameters = everything();
-  parameters.sweeps = sweeps;
+  parameters.jacobi.sweeps = sweeps;
   SteppingByHand<T> stepping(model, parameters, members, turns);
   ClothState state = shaken(model, 0.002, 3);
   stepping.oneIteration(attachmentAcrossSlices(model), 3, state);

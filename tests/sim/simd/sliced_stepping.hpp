@@ -12,10 +12,10 @@ namespace drape::testing {
 /// Everything that a step can have, at once.
 inline StepParameters everything() {
   StepParameters parameters;
-  parameters.damping = 0.002;
-  parameters.drag = 0.8;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  parameters.material.damping = 0.002;
+  parameters.air.drag = 0.8;
+  parameters.air.lift = 0.5;
+  parameters.air.wind = Vec3(1.0, 0.2, -2.0);
   return parameters;
 }
 
@@ -44,9 +44,9 @@ class SteppingByHand {
       : model_(model),
         parameters_(parameters),
         cloth_(model),
-        step_(sliceStepOf<T>(parameters)),
+        step_(sliceStepOf<T>(parameters, parameters.jacobi)),
         order_(membersBy(turns, members)) {
-    cloth_.prepare(members, parameters.sweeps);
+    cloth_.prepare(members, parameters.jacobi.sweeps);
   }
 
   /// Of Chebyshev's acceleration, one a sweep.
@@ -61,8 +61,9 @@ class SteppingByHand {
       if (inputs.attachment) {
         setAttachment(model_, *inputs.attachment, cloth_, step_);
       }
-      for (int phase = 0; phase <= parameters_.sweeps; ++phase) {
-        eachMember(parameters_.sweeps, [&](const StepShare& share) { oneIterationPhase(cloth_, step_, share, phase); });
+      for (int phase = 0; phase <= parameters_.jacobi.sweeps; ++phase) {
+        eachMember(parameters_.jacobi.sweeps,
+                   [&](const StepShare& share) { oneIterationPhase(cloth_, step_, share, phase); });
       }
     }
     eachMember(1, [&](const StepShare& share) { cloth_.store(state, share); });
@@ -102,15 +103,15 @@ class SteppingByHand {
 template <typename T>
 void oneIterationByTeam(const ClothModel& model, const StepParameters& parameters, int steps, ClothState& state) {
   SlicedCloth<T> cloth(model);
-  const SliceStep<T> step = sliceStepOf<T>(parameters);
-  cloth.prepare(parameters.threads, parameters.sweeps);
+  const SliceStep<T> step = sliceStepOf<T>(parameters, parameters.jacobi);
+  cloth.prepare(parameters.threads, parameters.jacobi.sweeps);
   ThreadTeam team;
   team.run(parameters.threads, [&](int member) {
-    const StepShare share = shareOf(cloth.layout, parameters.sweeps, member, parameters.threads);
+    const StepShare share = shareOf(cloth.layout, parameters.jacobi.sweeps, member, parameters.threads);
     cloth.load(state, share);
     team.arriveAndWait();
     for (int i = 0; i < steps; ++i) {
-      for (int phase = 0; phase <= parameters.sweeps; ++phase) {
+      for (int phase = 0; phase <= parameters.jacobi.sweeps; ++phase) {
         oneIterationPhase(cloth, step, share, phase);
         team.arriveAndWait();
       }

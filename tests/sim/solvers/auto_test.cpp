@@ -23,10 +23,10 @@ constexpr double frame = 1.0 / 150.0;
 StepParameters withEvaluations(const ClothModel& model, double stiffness, double evaluations) {
   StepParameters parameters;
   parameters.timeStep = frame;
-  parameters.stiffness = stiffness;
-  parameters.costBudget = 1.0001e-6 * evaluations * static_cast<double>(model.springs.size()) / frame;
-  parameters.errorTolerance = 1e-12;
-  parameters.soften = true;
+  parameters.material.stiffness = stiffness;
+  parameters.automatic.costBudget = 1.0001e-6 * evaluations * static_cast<double>(model.springs.size()) / frame;
+  parameters.automatic.errorTolerance = 1e-12;
+  parameters.automatic.soften = true;
   return parameters;
 }
 
@@ -56,7 +56,7 @@ double meanDistanceOf(const ClothState& a, const ClothState& b) {
 ClothState converged(const ClothModel& model, double stiffness) {
   StepParameters parameters;
   parameters.timeStep = frame;
-  parameters.stiffness = stiffness;
+  parameters.material.stiffness = stiffness;
   parameters.substeps = static_cast<int>(std::ceil(frame / (0.5 * verletStepLimit(model, parameters)))) + 20;
   return fallen("verlet", model, parameters);
 }
@@ -97,7 +97,7 @@ TEST(Auto, usesCoarseLevelsWhereTheBudgetIsATenthOfWhatTheSpringsNeed) {
   EXPECT_EQ(report.choice->forceEvaluations, 34);
   StepParameters xpbd = withEvaluations(*model, 1e5, 0.0);
   xpbd.substeps = 17;
-  xpbd.iterations = 1;
+  xpbd.iteration.iterations = 1;
   EXPECT_LT(3.0 * error, meanDistanceOf(fallen("xpbd", *model, xpbd), exact));
 }
 
@@ -119,7 +119,7 @@ TEST(Auto, takesAsLongAsItNeedsRatherThanBreakThePhysics) {
   StepParameters parameters = withEvaluations(*model, 1e5, 10.0);
   StepReport report;
   EXPECT_GT(largestRise(*model, parameters, 30, report), 1.0) << "softer springs gain visible energy with this budget";
-  parameters.soften = false;
+  parameters.automatic.soften = false;
   EXPECT_LT(largestRise(*model, parameters, 30, report), 0.005);
   ASSERT_TRUE(report.choice);
   EXPECT_EQ(report.choice->stiffnessScale, 1.0);
@@ -130,7 +130,7 @@ TEST(Auto, takesAsLongAsItNeedsRatherThanBreakThePhysics) {
 TEST(Auto, endsALongStepWhenAStopIsRequested) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = withEvaluations(*model, 1e7, 10.0);
-  parameters.soften = false;
+  parameters.automatic.soften = false;
   int calls = 0;
   std::stop_source source;
   const std::function<void()> onProgress = [&] {
@@ -160,7 +160,7 @@ TEST(Auto, keepsTheEnergyWhereOnlySliversAreClamped) {
   const auto model = buildClothModel(mesh, 0.1, MassLumping::Area, {0, 32});
   for (const double stiffness : {100.0, 1e4}) {
     StepParameters parameters = withEvaluations(*model, stiffness, 10.0);
-    parameters.soften = false;
+    parameters.automatic.soften = false;
     StepReport report;
     EXPECT_LT(largestRise(*model, parameters, 60, report), 0.01) << stiffness;
     ASSERT_TRUE(report.choice);
@@ -188,10 +188,10 @@ TEST(Auto, estimatesTheSizeOfItsError) {
 TEST(Auto, spendsLessOnALooserTolerance) {
   const auto model = pinnedSheet(17);
   StepParameters parameters = withEvaluations(*model, 10.0, 1000.0);
-  parameters.damping = 1e-4;
+  parameters.material.damping = 1e-4;
   int before = 0;
   for (const double tolerance : {1e-2, 1e-6, 1e-8}) {
-    parameters.errorTolerance = tolerance;
+    parameters.automatic.errorTolerance = tolerance;
     StepReport report;
     fallen("auto", *model, parameters, &report);
     ASSERT_TRUE(report.choice);
@@ -205,8 +205,8 @@ TEST(Auto, keepsToItsToleranceUnderStrongDampingWithoutSubstepsForIt) {
   for (const double damping : {2.0, 10.0}) {
     StepParameters parameters;
     parameters.timeStep = frame;
-    parameters.stiffness = 1000.0;
-    parameters.damping = damping;
+    parameters.material.stiffness = 1000.0;
+    parameters.material.damping = damping;
     const double needed = frame / verletStepLimit(*model, parameters);
     StepParameters fine = parameters;
     fine.substeps = static_cast<int>(std::ceil(2.0 * needed));
@@ -215,7 +215,7 @@ TEST(Auto, keepsToItsToleranceUnderStrongDampingWithoutSubstepsForIt) {
       parameters.precision = precision;
       StepReport report;
       const ClothState state = fallen("auto", *model, parameters, &report);
-      EXPECT_LT(meanDistanceOf(state, reference), parameters.errorTolerance) << damping;
+      EXPECT_LT(meanDistanceOf(state, reference), parameters.automatic.errorTolerance) << damping;
       EXPECT_LT(report.choice->substeps, 0.5 * needed) << damping;
       EXPECT_EQ(report.choice->retries, 0) << damping;
     }
@@ -229,9 +229,9 @@ TEST(Auto, doesNotLetLiftTurnTheSideThatClothFacesTheWindWith) {
   const auto model = buildClothModel(mesh, 0.001, MassLumping::Uniform, {});
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.lift = 1.0;
-  parameters.airDensity = 1000.0;
-  parameters.wind = Vec3(10.0, 0.0, 0.0);
+  parameters.air.lift = 1.0;
+  parameters.air.density = 1000.0;
+  parameters.air.wind = Vec3(10.0, 0.0, 0.0);
   for (const double rising : {0.1, -0.1}) {
     ClothState state = stateAtRest(model->restPositions);
     for (Vec3& velocity : state.velocities) {
@@ -256,10 +256,10 @@ TEST(Auto, doesNotLetAFlatSheetHoverInTheWind) {
       for (const double lift : {0.2, 1.0}) {
         StepParameters parameters;
         parameters.timeStep = frame;
-        parameters.damping = 0.01;
-        parameters.drag = 0.5;
-        parameters.lift = lift;
-        parameters.wind = wind;
+        parameters.material.damping = 0.01;
+        parameters.air.drag = 0.5;
+        parameters.air.lift = lift;
+        parameters.air.wind = wind;
         parameters.precision = precision;
         ClothState state = stateAtRest(model->restPositions);
         Stepper stepper("auto");
@@ -278,15 +278,15 @@ TEST(Auto, letsAFlatSheetSinkThroughTheWindAsFastAsAThinPlate) {
   const auto model = buildClothModel(testing::sheet(9), 0.15, MassLumping::Area, {});
   StepParameters parameters;
   parameters.timeStep = frame;
-  parameters.lift = 0.4;
-  parameters.wind = Vec3(8.0, 0.0, 0.0);
+  parameters.air.lift = 0.4;
+  parameters.air.wind = Vec3(8.0, 0.0, 0.0);
   parameters.precision = Precision::Double;
   ClothState state = stateAtRest(model->restPositions);
   Stepper stepper("auto");
   for (int step = 0; step < 15; ++step) {
     stepper.step(*model, parameters, {}, state);
   }
-  const double sinking = 0.15 * parameters.gravity / (M_PI * parameters.airDensity * 8.0);
+  const double sinking = 0.15 * parameters.gravity / (M_PI * parameters.air.density * 8.0);
   EXPECT_NEAR(linearMomentum(*model, state).y() / model->totalMass(), -sinking, 0.01 * sinking);
 }
 
@@ -298,10 +298,10 @@ TEST(Auto, isNearTheConvergedMotionOfAFlagInHeavyAir) {
   const auto model = buildClothModel(mesh, 0.15, MassLumping::Area, {0, 9, 18, 27, 36, 45, 54, 63, 72});
   StepParameters parameters;
   parameters.timeStep = frame;
-  parameters.drag = 0.5;
-  parameters.lift = 0.3;
-  parameters.airDensity = 100.0;
-  parameters.wind = Vec3(8.0, 0.0, 2.0);
+  parameters.air.drag = 0.5;
+  parameters.air.lift = 0.3;
+  parameters.air.density = 100.0;
+  parameters.air.wind = Vec3(8.0, 0.0, 2.0);
   const auto after = [&](const char* solver, int substeps) {
     parameters.substeps = substeps;
     Stepper stepper(solver);
@@ -329,8 +329,8 @@ TEST(Auto, leavesClothAloneThatIsAtRestWithoutGravity) {
     for (const double damping : {0.0, 1.0}) {
       StepParameters parameters;
       parameters.gravity = 0.0;
-      parameters.stiffness = 1e4;
-      parameters.damping = damping;
+      parameters.material.stiffness = 1e4;
+      parameters.material.damping = damping;
       parameters.precision = precision;
       ClothState state = stateAtRest(model->restPositions);
       Stepper stepper("auto");
@@ -346,7 +346,7 @@ TEST(Auto, leavesClothAloneThatIsAtRestWithoutGravity) {
 TEST(Auto, goesOnFromACopyOfTheStateToTheSameBits) {
   const auto model = pinnedSheet(17);
   StepParameters parameters = withEvaluations(*model, 1000.0, 100.0);
-  parameters.errorTolerance = 1e-6;
+  parameters.automatic.errorTolerance = 1e-6;
   Stepper one("auto");
   ClothState state = stateAtRest(model->restPositions);
   for (int step = 0; step < 40; ++step) {
@@ -410,13 +410,13 @@ TEST(Auto, keepsTheMotionWithALargeBudgetAndASmallOne) {
   for (const double stiffness : {10.0, 1e3, 1e5}) {
     StepParameters parameters = withEvaluations(*model, stiffness, 1e4);
     parameters.timeStep = 1.0 / 30.0;
-    parameters.errorTolerance = 1e-4;
+    parameters.automatic.errorTolerance = 1e-4;
     StepParameters fine = parameters;
     fine.substeps = static_cast<int>(std::ceil(fine.timeStep / (0.5 * verletStepLimit(*model, parameters))));
     const auto reference = positionsOf("verlet", fine);
     for (const double share : {1.0, 0.002}) {  // of 50,000 evaluations a step
       StepParameters own = parameters;
-      own.costBudget *= share;
+      own.automatic.costBudget *= share;
       const auto positions = positionsOf("auto", own);
       MotionKept kept;
       for (std::size_t k = 1; k < positions.size(); ++k) {
@@ -439,7 +439,7 @@ TEST(Auto, usesDoubleWhereRoundingWouldAddEnergy) {
   const auto model = pinnedSheet(17);
   for (const double stiffness : {10.0, 1e7}) {
     StepParameters parameters = withEvaluations(*model, stiffness, 3000.0);
-    parameters.errorTolerance = 1e-4;
+    parameters.automatic.errorTolerance = 1e-4;
     EXPECT_EQ(isTakenInDouble(*model, parameters), stiffness > 1e6) << stiffness;
   }
 }
@@ -447,12 +447,12 @@ TEST(Auto, usesDoubleWhereRoundingWouldAddEnergy) {
 TEST(Auto, usesDoubleWhereRoundingExceedsTheToleranceAndTheBudgetAllowsIt) {
   const auto model = pinnedSheet(17);
   StepParameters parameters = withEvaluations(*model, 10.0, 1000.0);
-  parameters.errorTolerance = 1e-9;
+  parameters.automatic.errorTolerance = 1e-9;
   EXPECT_TRUE(isTakenInDouble(*model, parameters));
   StepParameters little = withEvaluations(*model, 10.0, 40.0);
-  little.errorTolerance = 1e-9;
+  little.automatic.errorTolerance = 1e-9;
   EXPECT_FALSE(isTakenInDouble(*model, little));
-  parameters.errorTolerance = 1e-5;
+  parameters.automatic.errorTolerance = 1e-5;
   EXPECT_FALSE(isTakenInDouble(*model, parameters));
 }
 
@@ -507,10 +507,10 @@ TEST(Auto, warnsWhenTheCostBudgetIsTooSmallForTheStiffness) {
   EXPECT_EQ(softened.kind, SolverWarning::Kind::Softened);
   EXPECT_NEAR(softened.stiffnessScale, 0.0019, 0.00005);
   EXPECT_TRUE(softened.softenedByChoice);
-  parameters.costBudget = softened.neededCost;
+  parameters.automatic.costBudget = softened.neededCost;
   EXPECT_FALSE(warning(*model, parameters)) << "the budget that was named must do";
   parameters = withEvaluations(*model, 1e5, 31.0);
-  parameters.soften = false;
+  parameters.automatic.soften = false;
   const SolverWarning slow = warning(*model, parameters).value();
   EXPECT_EQ(slow.kind, SolverWarning::Kind::SlowMotion);
   EXPECT_NEAR(slow.costRatio, 10.0, 0.5);

@@ -23,7 +23,7 @@ TEST(Chebyshev, isTheOneIterationMethodWithOneIteration) {
   const auto model = pinnedSheet(5);
   const ClothState start = shaken(*model, 0.03, 7);
   StepParameters parameters;
-  parameters.iterations = 1;
+  parameters.iteration.iterations = 1;
   EXPECT_LT(largestDifference(after("chebyshev", *model, parameters, start),
                               after("one_iteration", *model, parameters, start)),
             1e-14);
@@ -33,10 +33,10 @@ TEST(Chebyshev, isPlainJacobiForASpectralRadiusOfZero) {
   const auto model = pinnedSheet(5);
   const ClothState start = shaken(*model, 0.03, 7);
   StepParameters parameters;
-  parameters.spectralRadius = 0.0;
-  parameters.sweeps = 5;
+  parameters.iteration.spectralRadius = 0.0;
+  parameters.jacobi.sweeps = 5;
   for (const int iterations : {5, 6}) {  // of six the start counts as the first
-    parameters.iterations = iterations;
+    parameters.iteration.iterations = iterations;
     EXPECT_LT(largestDifference(after("chebyshev", *model, parameters, start),
                                 after("one_iteration", *model, parameters, start)),
               1e-13);
@@ -46,12 +46,12 @@ TEST(Chebyshev, isPlainJacobiForASpectralRadiusOfZero) {
 TEST(Chebyshev, convergesToTheExactSolveWithDampingAirAndAttachment) {
   for (const auto& model : {pinnedSheet(5), testing::irregularSheet(5, {})}) {
     StepParameters parameters;
-    parameters.damping = 0.02;
-    parameters.drag = 0.8;
-    parameters.lift = 0.5;
-    parameters.wind = Vec3(1.0, 0.2, -2.0);
-    parameters.iterations = 200;
-    parameters.spectralRadius = 0.9;
+    parameters.material.damping = 0.02;
+    parameters.air.drag = 0.8;
+    parameters.air.lift = 0.5;
+    parameters.air.wind = Vec3(1.0, 0.2, -2.0);
+    parameters.iteration.iterations = 200;
+    parameters.iteration.spectralRadius = 0.9;
     StepInputs inputs;
     inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, 5.0}};
     ClothState state = shaken(*model, 0.03, 7);
@@ -65,10 +65,10 @@ TEST(Chebyshev, convergesToTheExactSolveWithDampingAirAndAttachment) {
 TEST(Chebyshev, comesNearerToTheExactSolveThanAsManyPlainSweeps) {
   const auto model = pinnedSheet(9);
   StepParameters parameters;
-  parameters.stiffness = 1000.0;
-  parameters.spectralRadius = 0.95;
-  parameters.iterations = 15;
-  parameters.sweeps = 15;
+  parameters.material.stiffness = 1000.0;
+  parameters.iteration.spectralRadius = 0.95;
+  parameters.iteration.iterations = 15;
+  parameters.jacobi.sweeps = 15;
   const ClothState start = shaken(*model, 0.01, 7);
   ClothState exact = start;
   exactLinearStep(*model, parameters, {}, testing::AttachmentDerivative::Lumped, exact);
@@ -96,12 +96,12 @@ bool warnsOfOvershoot(const ClothModel& model, const StepParameters& parameters)
 TEST(Chebyshev, isCalmWithAnyNumberOfIterationsThatItDoesNotCallAnOvershoot) {
   const auto model = pinnedSheet(17);
   StepParameters parameters;
-  parameters.stiffness = 1000.0;
+  parameters.material.stiffness = 1000.0;
   int calm = 0;
   for (const double radius : {0.0, 0.8, 0.95}) {
     for (const int iterations : {1, 4, 5, 6, 9, 10}) {
-      parameters.spectralRadius = radius;
-      parameters.iterations = iterations;
+      parameters.iteration.spectralRadius = radius;
+      parameters.iteration.iterations = iterations;
       if (!warnsOfOvershoot(*model, parameters)) {
         EXPECT_LT(largestEnergy(*model, parameters), 1.0) << iterations << " iterations, radius " << radius;
         ++calm;
@@ -114,10 +114,10 @@ TEST(Chebyshev, isCalmWithAnyNumberOfIterationsThatItDoesNotCallAnOvershoot) {
 TEST(Chebyshev, warnsWhereItsIterationsOvershoot) {
   const auto model = pinnedSheet(17);
   StepParameters parameters;
-  parameters.stiffness = 1000.0;
-  parameters.spectralRadius = 0.99;
+  parameters.material.stiffness = 1000.0;
+  parameters.iteration.spectralRadius = 0.99;
   for (const int iterations : {5, 6}) {
-    parameters.iterations = iterations;
+    parameters.iteration.iterations = iterations;
     EXPECT_TRUE(warnsOfOvershoot(*model, parameters));
     EXPECT_GT(largestEnergy(*model, parameters), 10.0) << iterations;
   }
@@ -128,10 +128,10 @@ TEST(Chebyshev, warnsWhereItsIterationsOvershoot) {
 TEST(Chebyshev, saysThatClothIsSlackWhereIterationsAreTooFew) {
   const auto model = pinnedSheet(17);
   StepParameters parameters;
-  parameters.stiffness = 1000.0;
+  parameters.material.stiffness = 1000.0;
   EXPECT_EQ(findSolver("chebyshev")->warning(*model, parameters).value().kind,
             SolverWarning::Kind::AcceleratedTooLittle);
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   EXPECT_FALSE(findSolver("chebyshev")->warning(*model, parameters));
 }
 

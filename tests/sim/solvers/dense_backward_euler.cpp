@@ -32,11 +32,11 @@ void addSprings(const ClothModel& model, const StepParameters& p, const VectorXd
     const double L = offset.norm();
     const Vec3 d = offset / L;
     const double ratio = spring.restLength / L;
-    const Vec3 onFirst = p.stiffness * (L - spring.restLength) * d;
+    const Vec3 onFirst = p.material.stiffness * (L - spring.restLength) * d;
     const Vec3 slipped = (x - start).segment<3>(b) - (x - start).segment<3>(a);
-    const Vec3 row = h * h * onFirst + h * p.damping * slipped;
-    const Mat3 block = h * h * p.stiffness * ((1.0 - ratio) * Mat3::Identity() + ratio * d * d.transpose()) +
-                       h * p.damping * Mat3::Identity();
+    const Vec3 row = h * h * onFirst + h * p.material.damping * slipped;
+    const Mat3 block = h * h * p.material.stiffness * ((1.0 - ratio) * Mat3::Identity() + ratio * d * d.transpose()) +
+                       h * p.material.damping * Mat3::Identity();
     equations.residual.segment<3>(a) -= row;
     equations.residual.segment<3>(b) += row;
     equations.jacobian.block<3, 3>(a, a) += block;

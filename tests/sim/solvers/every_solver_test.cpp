@@ -64,9 +64,9 @@ class EverySolver : public ::testing::TestWithParam<Method> {
   static StepParameters calm() {
     StepParameters parameters;
     parameters.timeStep = 1.0 / 3000.0;
-    parameters.stiffness = 10.0;
-    parameters.iterations = 61;
-    parameters.tolerance = 1e-12;
+    parameters.material.stiffness = 10.0;
+    parameters.iteration.iterations = 61;
+    parameters.iteration.tolerance = 1e-12;
     return parameters;
   }
 
@@ -117,11 +117,11 @@ struct Oscillator {
     const auto model = hangingChain(1, mass, restLength);
     StepParameters parameters;
     parameters.timeStep = time / steps;
-    parameters.stiffness = stiffness;
-    parameters.damping = damping;
+    parameters.material.stiffness = stiffness;
+    parameters.material.damping = damping;
     parameters.gravity = gravity;
-    parameters.iterations = 41;
-    parameters.tolerance = 1e-12;
+    parameters.iteration.iterations = 41;
+    parameters.iteration.tolerance = 1e-12;
     ClothState state = stateAtRest(model->restPositions);
     state.velocities[1].y() = speed;
     for (int step = 0; step < steps; ++step) {
@@ -147,14 +147,14 @@ Vec3 weightAndAir(const ClothModel& model, const StepParameters& p, const ClothS
   }
   Vec3 sum(0.0, -p.gravity * model.totalMass(), 0.0);
   for (std::size_t v = 0; v < normals.size(); ++v) {
-    const Vec3 wind = state.velocities[v] - p.wind;
-    const double pressure = 0.5 * p.airDensity * wind.squaredNorm() * model.vertexArea[v];
+    const Vec3 wind = state.velocities[v] - p.air.wind;
+    const double pressure = 0.5 * p.air.density * wind.squaredNorm() * model.vertexArea[v];
     const Vec3 u = wind.normalized();
     const double incidence = normals[v].normalized().dot(u);
-    sum -= pressure * p.drag * std::abs(incidence) * u;
+    sum -= pressure * p.air.drag * std::abs(incidence) * u;
     if (incidence != 0.0) {
       const Vec3 front = (incidence > 0.0 ? 1.0 : -1.0) * normals[v].normalized();
-      const double full = p.lift * (1.0 - std::abs(incidence));
+      const double full = p.air.lift * (1.0 - std::abs(incidence));
       const Vec3 across = front.cross(u).cross(u);
       const double plate = 2.0 * M_PI * std::abs(incidence) / across.norm();
       sum += pressure * (thinPlate ? std::min(full, plate) : full) * across;
@@ -203,9 +203,9 @@ TEST_P(EverySolver, acceleratesFreeClothAsItsWeightAndTheAirAsk) {
         for (const Precision precision : {Precision::Float, Precision::Double}) {
           StepParameters parameters = calm();
           parameters.timeStep = 1e-5;
-          parameters.wind = wind;
-          parameters.drag = drag;
-          parameters.lift = lift;
+          parameters.air.wind = wind;
+          parameters.air.drag = drag;
+          parameters.air.lift = lift;
           parameters.precision = precision;
           ClothState state = stateAtRest(model->restPositions);
           const Vec3 expected = weightAndAir(*model, parameters, state, chooses) / model->totalMass();
@@ -231,9 +231,9 @@ TEST_P(EverySolver, goesOnAcceleratingFreeClothAsItsWeightAndTheAirAsk) {
       continue;
     }
     StepParameters parameters = calm();
-    parameters.wind = wind;
-    parameters.drag = 0.5;
-    parameters.lift = 0.3;
+    parameters.air.wind = wind;
+    parameters.air.drag = 0.5;
+    parameters.air.lift = 0.3;
     const auto solver = make();
     ClothState state = stateAtRest(model->restPositions);
     Vec3 impulse = Vec3::Zero();
@@ -274,8 +274,8 @@ TEST_P(EverySolver, leavesAClothAtRestWithoutForcesWhereItIs) {
   StepParameters parameters = calm();
   parameters.timeStep = 1.0 / 150.0;
   parameters.gravity = 0.0;
-  parameters.damping = 0.001;
-  parameters.drag = 1.0;
+  parameters.material.damping = 0.001;
+  parameters.air.drag = 1.0;
   run(*model, parameters, 100, state);
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     EXPECT_LT((state.positions[v] - model->restPositions[v]).norm(), 1e-12);
@@ -298,7 +298,7 @@ TEST_P(EverySolver, letsClothWithoutStiffnessFallFreely) {
   const auto model = pinnedSheet(5);
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters = calm();
-  parameters.stiffness = 0.0;
+  parameters.material.stiffness = 0.0;
   parameters.timeStep = 0.01;
   const int steps = 50;
   run(*model, parameters, steps, state);
@@ -312,10 +312,10 @@ TEST_P(EverySolver, letsClothWithoutStiffnessFallFreely) {
 TEST_P(EverySolver, losesNoMoreMomentumOfFreeClothThanItsBound) {
   const auto model = testing::irregularSheet(9, {});
   StepParameters parameters;
-  parameters.stiffness = 10.0;
-  parameters.damping = 0.001;
+  parameters.material.stiffness = 10.0;
+  parameters.material.damping = 0.001;
   parameters.gravity = 0.0;
-  parameters.tolerance = 1e-12;
+  parameters.iteration.tolerance = 1e-12;
   if (const auto limit = findSolver(GetParam().name)->stepLimit; limit != nullptr) {
     parameters.timeStep = std::min(parameters.timeStep, 0.9 * limit(*model, parameters));
   }
@@ -338,12 +338,12 @@ TEST_P(EverySolver, givesTheSameBitsForAnyNumberOfThreads) {
     ClothState state = shaken(*model, 0.0005, 3);
     StepParameters parameters = calm();
     parameters.timeStep = 1e-4;
-    parameters.iterations = 3;
-    parameters.maxIterations = 3;
+    parameters.iteration.iterations = 3;
+    parameters.iteration.maxIterations = 3;
     parameters.threads = threads;
-    parameters.drag = 0.5;
-    parameters.damping = 0.0001;
-    parameters.wind = Vec3(2.0, 0.0, 1.0);
+    parameters.air.drag = 0.5;
+    parameters.material.damping = 0.0001;
+    parameters.air.wind = Vec3(2.0, 0.0, 1.0);
     run(*model, parameters, 3, state);
     EXPECT_TRUE(isFinite(state));
     return stateHash(state);
@@ -382,8 +382,8 @@ std::vector<Vec3> exactFall(const ClothModel& model) {
 double extrapolatedError(const Method& method, Integration integration, int coarseSteps, const ClothModel& model,
                          const std::vector<Vec3>& exact) {
   StepParameters parameters;
-  parameters.stiffness = fallStiffness;
-  parameters.tolerance = 1e-9;
+  parameters.material.stiffness = fallStiffness;
+  parameters.iteration.tolerance = 1e-9;
   parameters.integration = integration;
   const auto after = [&](int steps) {
     parameters.timeStep = fallSeconds / steps;
@@ -430,12 +430,12 @@ TEST_P(EverySolver, takesStiffnessFromTheSpringsAsItTakesItFromTheSetting) {
   const auto stiffer = withSpringStiffness(*even, std::vector<double>(even->springs.size(), 4.0));
   for (const Precision precision : {Precision::Float, Precision::Double}) {
     StepParameters parameters = calm();
-    parameters.damping = 0.002;
+    parameters.material.damping = 0.002;
     parameters.precision = precision;
     ClothState own = shaken(*even, 0.01, 3);
     ClothState other = own;
     run(*stiffer, parameters, 5, own);
-    parameters.stiffness *= 4.0;
+    parameters.material.stiffness *= 4.0;
     run(*even, parameters, 5, other);
     EXPECT_EQ(stateHash(own), stateHash(other)) << "four is a power of two, so not a bit may differ";
   }
@@ -458,7 +458,7 @@ TEST_P(EverySolver, tellsWhatItIsAndWhenItFails) {
   EXPECT_NE(info.source, "");
   if (info.warning != nullptr) {
     StepParameters parameters = calm();
-    parameters.damping = 0.01;
+    parameters.material.damping = 0.01;
     EXPECT_FALSE(info.warning(*pinnedSheet(5), parameters)) << "nothing is wrong here";
   }
 }
@@ -466,7 +466,7 @@ TEST_P(EverySolver, tellsWhatItIsAndWhenItFails) {
 TEST(SolverWarnings, sayWhereOneConstantMatrixIsSluggishOrTooLittleIterated) {
   const auto model = pinnedSheet(17);
   StepParameters parameters;
-  parameters.stiffness = 10.0;  // (h omega)^2 = 10
+  parameters.material.stiffness = 10.0;  // (h omega)^2 = 10
   for (const char* solver : {"kang", "desbrun", "meyer"}) {
     const SolverWarning warning = findSolver(solver)->warning(*model, parameters).value();
     EXPECT_EQ(warning.kind, SolverWarning::Kind::StiffFolds);
@@ -474,7 +474,7 @@ TEST(SolverWarnings, sayWhereOneConstantMatrixIsSluggishOrTooLittleIterated) {
   }
   const SolverInfo& localGlobal = *findSolver("local_global");
   EXPECT_FALSE(localGlobal.warning(*model, parameters));
-  parameters.stiffness = 1000.0;
+  parameters.material.stiffness = 1000.0;
   EXPECT_EQ(localGlobal.warning(*model, parameters).value().kind, SolverWarning::Kind::TooFewIterations);
   EXPECT_EQ(localGlobal.warning(*model, parameters)->substeps, 4.0);
 }

@@ -71,8 +71,8 @@ TEST(Verlet, isStableUpToTheDenseMatrixsLargestFrequencyAndNotBeyond) {
   for (const auto& model : {pinnedSheet(9), irregularSheet(9)}) {
     StepParameters parameters;
     parameters.gravity = 0.0;
-    parameters.stiffness = 10.0;
-    const double exact = 2.0 / denseFrequency(*model, parameters.stiffness);
+    parameters.material.stiffness = 10.0;
+    const double exact = 2.0 / denseFrequency(*model, parameters.material.stiffness);
     const ClothState start = shaken(*model, 1e-7, 3);
     const double energy = energyOf(*model, parameters, start).total();
     parameters.timeStep = 0.98 * exact;
@@ -85,7 +85,7 @@ TEST(Verlet, isStableUpToTheDenseMatrixsLargestFrequencyAndNotBeyond) {
 TEST(Verlet, estimatesItsLimitFromBelowAndNotFarBelow) {
   for (const auto& model : {pinnedSheet(9), pinnedSheet(12), irregularSheet(9), irregularSheet(12)}) {
     StepParameters parameters;
-    const double exact = 2.0 / denseFrequency(*model, parameters.stiffness);
+    const double exact = 2.0 / denseFrequency(*model, parameters.material.stiffness);
     const double estimate = findSolver("verlet")->stepLimit(*model, parameters);
     EXPECT_LE(estimate, exact);
     EXPECT_GT(estimate, 0.7 * exact);
@@ -95,7 +95,7 @@ TEST(Verlet, estimatesItsLimitFromBelowAndNotFarBelow) {
 TEST(Verlet, isCalmBelowTheEstimatedLimitOfAFallingSheetAndGainsEnergyAbove) {
   const auto model = pinnedSheet(17);
   StepParameters parameters;
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   const double limit = verletStepLimit(*model, parameters);
   EXPECT_NEAR(1.0 / limit, 240.4, 0.1);
   const ClothState start = stateAtRest(model->restPositions);
@@ -111,11 +111,11 @@ TEST(Verlet, staysBelowItsLimitWithDampingAndNotAbove) {
   const auto model = hangingChain(1, 0.1, 0.5);
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.stiffness = 40.0;
-  parameters.damping = 1.5;
+  parameters.material.stiffness = 40.0;
+  parameters.material.damping = 1.5;
   // A mass on a spring to a pin swings by 1 / sqrt(2) of the local estimate and is damped by half the rate.
-  const double omega2 = parameters.stiffness / 0.1;
-  const double c = parameters.damping / 0.1;
+  const double omega2 = parameters.material.stiffness / 0.1;
+  const double c = parameters.material.damping / 0.1;
   const double exact = 4.0 / (c + std::sqrt(c * c + 4.0 * omega2));
   EXPECT_LT(verletStepLimit(*model, parameters), exact);
   ClothState start = stateAtRest(model->restPositions);
@@ -132,7 +132,7 @@ TEST(Verlet, goesBackTheWayItCame) {
   const ClothState start = shaken(*model, 0.03, 7);
   ClothState state = start;
   StepParameters parameters;
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   const auto solver = findSolver("verlet")->make();
   const auto turn = [&] {
     std::for_each(state.velocities.begin(), state.velocities.end(), [](Vec3& velocity) { velocity = -velocity; });
@@ -161,7 +161,7 @@ TEST(Verlet, keepsTheAngularMomentumOfFreeCloth) {
   };
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   const Vec3 before = spin();
   const auto solver = findSolver("verlet")->make();
   for (int step = 0; step < 300; ++step) {
@@ -174,9 +174,9 @@ TEST(Verlet, isWithinAQuarterMillimetreOnSoftClothAndExplodesOnStiffAtTheSameSte
   const auto model = pinnedSheet(17);
   StepParameters parameters;
   parameters.timeStep = 1.0 / 300.0;
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   const int steps = 140;
-  const std::vector<Vec3> reference = testing::rungeKutta(*model, parameters.stiffness, 14.0 / 30.0, 1400);
+  const std::vector<Vec3> reference = testing::rungeKutta(*model, parameters.material.stiffness, 14.0 / 30.0, 1400);
   const auto solver = findSolver("verlet")->make();
   ClothState state = stateAtRest(model->restPositions);
   for (int step = 0; step < steps; ++step) {
@@ -187,15 +187,15 @@ TEST(Verlet, isWithinAQuarterMillimetreOnSoftClothAndExplodesOnStiffAtTheSameSte
     error += (state.positions[v] - reference[v]).norm() / static_cast<double>(reference.size());
   }
   EXPECT_NEAR(error, 0.25e-3, 0.02e-3) << "[m]";
-  parameters.stiffness = 100.0;
+  parameters.material.stiffness = 100.0;
   EXPECT_GT(largestEnergy("verlet", *model, parameters, 14.0 / 30.0, stateAtRest(model->restPositions)), 1e6);
 }
 
 TEST(Verlet, bringsTheClothToAnAttachmentThatIsFarStifferThanTheCloth) {
   const auto model = buildClothModel(testing::sheet(9), 0.01, MassLumping::Uniform, {0, 8});
   StepParameters parameters;
-  parameters.stiffness = 1.0;
-  parameters.damping = 1e-3;
+  parameters.material.stiffness = 1.0;
+  parameters.material.damping = 1e-3;
   parameters.timeStep = 0.9 * verletStepLimit(*model, parameters);
   StepInputs inputs;
   inputs.attachment = Attachment{{100, Vec3(0.2, 0.3, 0.5), Vec3(0.6, 0.4, 0.8)}, {500.0, 20.0}};
@@ -217,7 +217,7 @@ TEST(Verlet, saysHowManySubstepsAreNeededAndIsContentWithThem) {
   const auto model = pinnedSheet(17);
   const SolverInfo& info = *findSolver("verlet");
   StepParameters parameters;
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   parameters.timeStep = 1.0 / 150.0;
   const SolverWarning warning = info.warning(*model, parameters).value();
   EXPECT_EQ(warning.kind, SolverWarning::Kind::StepTooLong);
@@ -229,7 +229,7 @@ TEST(Verlet, saysHowManySubstepsAreNeededAndIsContentWithThem) {
   parameters.timeStep = warning.seconds;
   parameters.substeps = 1;
   EXPECT_FALSE(info.warning(*model, parameters)) << "the step that was named must do";
-  parameters.stiffness = 1e9;
+  parameters.material.stiffness = 1e9;
   EXPECT_GT(info.warning(*model, parameters).value().substeps, 1000.0) << "more than the settings allow";
 }
 
@@ -237,12 +237,12 @@ TEST(ExplicitEuler, growsAnUndampedOscillatorsEnergyByOnePlusHOmegaSquaredInEver
   const auto model = hangingChain(1, 0.1, 0.5);
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.stiffness = 40.0;
+  parameters.material.stiffness = 40.0;
   parameters.timeStep = 1e-3;
   ClothState state = stateAtRest(model->restPositions);
   state.positions[1].y() -= 0.01;
   const auto solver = findSolver("explicit_euler")->make();
-  const double growth = 1.0 + 1e-6 * parameters.stiffness / 0.1;
+  const double growth = 1.0 + 1e-6 * parameters.material.stiffness / 0.1;
   for (int step = 0; step < 100; ++step) {
     const double before = energyOf(*model, parameters, state).total();
     solver->step(*model, parameters, {}, state);
@@ -255,10 +255,10 @@ TEST(ExplicitEuler, isStableUpToItsLimitWithDampingAndNotBeyond) {
   const SolverInfo& info = *findSolver("explicit_euler");
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.stiffness = 40.0;
-  parameters.damping = 0.4;
+  parameters.material.stiffness = 40.0;
+  parameters.material.damping = 0.4;
   const double limit = info.stepLimit(*model, parameters);
-  EXPECT_DOUBLE_EQ(limit, parameters.damping / parameters.stiffness);
+  EXPECT_DOUBLE_EQ(limit, parameters.material.damping / parameters.material.stiffness);
   ClothState start = stateAtRest(model->restPositions);
   start.positions[1].y() -= 0.01;
   const double energy = energyOf(*model, parameters, start).total();
@@ -275,8 +275,8 @@ TEST(ExplicitEuler, isStableBelowItsLimitOnADampedSheet) {
     const auto model = irregularSheet(9);
     StepParameters parameters;
     parameters.gravity = 0.0;
-    parameters.stiffness = 10.0;
-    parameters.damping = damping;
+    parameters.material.stiffness = 10.0;
+    parameters.material.damping = damping;
     parameters.timeStep = 0.98 * findSolver("explicit_euler")->stepLimit(*model, parameters);
     const ClothState start = shaken(*model, 1e-7, 3);
     const double energy = energyOf(*model, parameters, start).total();
@@ -288,13 +288,13 @@ TEST(ExplicitEuler, hasNoStableStepWithoutDampingAndSaysHowFastEnergyDoubles) {
   const auto model = pinnedSheet(17);
   const SolverInfo& info = *findSolver("explicit_euler");
   StepParameters parameters;
-  parameters.stiffness = 10.0;
+  parameters.material.stiffness = 10.0;
   parameters.timeStep = 1e-4;
   EXPECT_EQ(info.stepLimit(*model, parameters), 0.0);
   // ln 2 / (h omega^2), omega = 480.8 / s
   EXPECT_EQ(info.warning(*model, parameters).value().kind, SolverWarning::Kind::GainsEnergy);
   EXPECT_NEAR(info.warning(*model, parameters)->seconds, 0.03, 0.0005);
-  parameters.stiffness = 0.0;
+  parameters.material.stiffness = 0.0;
   EXPECT_EQ(info.stepLimit(*model, parameters), std::numeric_limits<double>::infinity());
   EXPECT_FALSE(info.warning(*model, parameters));
 }

@@ -30,8 +30,8 @@ TEST_P(ConvergingSolver, makesFreeClothFallByBackwardEulersClosedForm) {
   const auto model = irregularSheet(4, {});
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters;
-  parameters.damping = 0.1;
-  parameters.tolerance = 1e-12;
+  parameters.material.damping = 0.1;
+  parameters.iteration.tolerance = 1e-12;
   const int steps = 30;
   run(*model, parameters, steps, state);
   const double h = parameters.timeStep;
@@ -47,9 +47,10 @@ TEST_P(ImplicitSolver, movesVerticesFreelyWhereThereIsNoStiffness) {
   ClothState state = shaken(*model, 0.02, 5);
   const ClothState start = state;
   StepParameters parameters;
-  parameters.stiffness = 0.0;
-  parameters.tolerance = 1e-12;
-  parameters.iterations = 9;  // an even number of Chebyshev iterations is made for stiff modes and not exact here
+  parameters.material.stiffness = 0.0;
+  parameters.iteration.tolerance = 1e-12;
+  parameters.iteration.iterations =
+      9;  // an even number of Chebyshev iterations is made for stiff modes and not exact here
   run(*model, parameters, 1, state);
   const double h = parameters.timeStep;
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
@@ -64,9 +65,9 @@ TEST_P(ImplicitSolver, leavesAClothAtRestWithoutForcesWhereItIs) {
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.drag = 1.0;
-  parameters.lift = 1.0;
-  parameters.stiffness = 1e5;
+  parameters.air.drag = 1.0;
+  parameters.air.lift = 1.0;
+  parameters.material.stiffness = 1e5;
   run(*model, parameters, 100, state);
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     EXPECT_LT((state.positions[v] - model->restPositions[v]).norm(), 1e-13);
@@ -112,11 +113,11 @@ TEST_P(ImplicitSolver, givesTheSameBitsForAnyNumberOfThreads) {
     ClothState state = shaken(*model, 0.001, 3);
     StepParameters parameters;
     parameters.threads = threads;
-    parameters.drag = 0.5;
-    parameters.lift = 0.5;
-    parameters.damping = 0.01;
-    parameters.wind = Vec3(2.0, 0.0, 1.0);
-    parameters.maxIterations = 3;
+    parameters.air.drag = 0.5;
+    parameters.air.lift = 0.5;
+    parameters.material.damping = 0.01;
+    parameters.air.wind = Vec3(2.0, 0.0, 1.0);
+    parameters.iteration.maxIterations = 3;
     run(*model, parameters, 2, state);
     return stateHash(state);
   };

@@ -10,10 +10,10 @@ using namespace drape::testing;
 
 StepParameters everything() {
   StepParameters p;
-  p.damping = 0.01;
-  p.drag = 0.6;
-  p.lift = 0.4;
-  p.wind = Vec3(1.0, 0.0, -2.0);
+  p.material.damping = 0.01;
+  p.air.drag = 0.6;
+  p.air.lift = 0.4;
+  p.air.wind = Vec3(1.0, 0.0, -2.0);
   return p;
 }
 
@@ -31,14 +31,14 @@ TEST(Kang, equalsTheFormulaWithDenseMatrices) {
     const double h = p.timeStep;
     ClothState state = shaken(*model, 0.03, 7);
     const DenseAttachment pull = denseAttachment(*model, attachment(maxForce), h, state);
-    const Eigen::MatrixXd coupling = (h * h * p.stiffness + h * p.damping) * laplacian(*model);
+    const Eigen::MatrixXd coupling = (h * h * p.material.stiffness + h * p.material.damping) * laplacian(*model);
     const Eigen::MatrixXd W = massMatrix(*model) + coupling + h * h * pull.stiffness;
     const Eigen::MatrixXd inverse = free * Eigen::MatrixXd(W.diagonal().cwiseInverse().asDiagonal());
     const Eigen::MatrixXd off = W - Eigen::MatrixXd(W.diagonal().asDiagonal());
     const Rows x = rowsOf(state.positions);
     const Rows v = rowsOf(state.velocities);
-    const Rows impulse = h * (springForces(*model, p.stiffness, x) + outerForces(*model, p, state) + pull.force -
-                              (p.damping + h * p.stiffness) * (laplacian(*model) * v));
+    const Rows impulse = h * (springForces(*model, p.material.stiffness, x) + outerForces(*model, p, state) +
+                              pull.force - (p.material.damping + h * p.material.stiffness) * (laplacian(*model) * v));
     const Rows first = inverse * impulse;
     const Rows expected = v + inverse * (impulse - off * first);
     findSolver("kang")->make()->step(*model, p, attachment(maxForce), state);

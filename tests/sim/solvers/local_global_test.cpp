@@ -10,10 +10,10 @@ using namespace drape::testing;
 
 StepParameters everything() {
   StepParameters p;
-  p.damping = 0.01;
-  p.drag = 0.6;
-  p.lift = 0.4;
-  p.wind = Vec3(1.0, 0.0, -2.0);
+  p.material.damping = 0.01;
+  p.air.drag = 0.6;
+  p.air.lift = 0.4;
+  p.air.wind = Vec3(1.0, 0.0, -2.0);
   return p;
 }
 
@@ -41,14 +41,14 @@ Rows alternate(const ClothModel& model, const StepParameters& p, const StepInput
   const Eigen::MatrixXd L = laplacian(model);
   const Rows x0 = rowsOf(state.positions);
   const Rows inertia = inertiaTerm(model, p, pull, state);
-  const Eigen::MatrixXd A = M + (h * h * p.stiffness + h * p.damping) * L + h * h * pull.stiffness;
+  const Eigen::MatrixXd A = M + (h * h * p.material.stiffness + h * p.material.damping) * L + h * h * pull.stiffness;
   Rows x = x0 + freedom(model) * (M.inverse() * (inertiaTerm(model, p, denseAttachment(model, {}, h, state), state)));
-  for (int iteration = 0; iteration < p.iterations; ++iteration) {
-    Rows right = M * x0 + inertia + h * p.damping * L * x0 + h * h * pull.stiffness * x0;
+  for (int iteration = 0; iteration < p.iteration.iterations; ++iteration) {
+    Rows right = M * x0 + inertia + h * p.material.damping * L * x0 + h * h * pull.stiffness * x0;
     for (const Spring& s : model.springs) {
       const Eigen::RowVector3d d = s.restLength * (x.row(s.b) - x.row(s.a)).normalized();
-      right.row(s.a) -= h * h * p.stiffness * d;
-      right.row(s.b) += h * h * p.stiffness * d;
+      right.row(s.a) -= h * h * p.material.stiffness * d;
+      right.row(s.b) += h * h * p.material.stiffness * d;
     }
     const Eigen::MatrixXd fixed = Eigen::MatrixXd::Identity(A.rows(), A.cols()) - freedom(model);
     x = fixed * x0 + solveFree(model, A, right - A * fixed * x0);
@@ -61,13 +61,13 @@ Rows newton(const ClothModel& model, const StepParameters& p, const StepInputs& 
   const double h = p.timeStep;
   const Eigen::Index n = model.vertexCount();
   const DenseAttachment pull = denseAttachment(model, inputs, h, state);
-  const Eigen::MatrixXd scalar = massMatrix(model) + h * p.damping * laplacian(model) + h * h * pull.stiffness;
+  const Eigen::MatrixXd scalar = massMatrix(model) + h * p.material.damping * laplacian(model) + h * h * pull.stiffness;
   const Rows x0 = rowsOf(state.positions);
   const Rows inertia = inertiaTerm(model, p, pull, state);
   const Eigen::MatrixXd free = freedom(model);
   Rows x = x0;
   for (int iteration = 0; iteration < 50; ++iteration) {
-    const Rows residual = free * (inertia + h * h * springForces(model, p.stiffness, x) - scalar * (x - x0));
+    const Rows residual = free * (inertia + h * h * springForces(model, p.material.stiffness, x) - scalar * (x - x0));
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * n, 3 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
       for (Eigen::Index j = 0; j < n; ++j) {
@@ -78,7 +78,7 @@ Rows newton(const ClothModel& model, const StepParameters& p, const StepInputs& 
       const Vec3 offset = (x.row(s.b) - x.row(s.a)).transpose();
       const double ratio = s.restLength / offset.norm();
       const Vec3 d = offset.normalized();
-      const Mat3 block = h * h * p.stiffness * ((1.0 - ratio) * Mat3::Identity() + ratio * d * d.transpose());
+      const Mat3 block = h * h * p.material.stiffness * ((1.0 - ratio) * Mat3::Identity() + ratio * d * d.transpose());
       matrix.block<3, 3>(3 * s.a, 3 * s.a) += block;
       matrix.block<3, 3>(3 * s.b, 3 * s.b) += block;
       matrix.block<3, 3>(3 * s.a, 3 * s.b) -= block;
@@ -105,7 +105,7 @@ TEST(LocalGlobal, equalsTheAlternationAsPrintedWithDenseMatrices) {
     const auto model = unevenSheet(5, pins);
     for (const StepInputs& inputs : {StepInputs{}, attachment(5.0), attachment(0.05)}) {
       StepParameters p = everything();
-      p.iterations = 4;
+      p.iteration.iterations = 4;
       ClothState state = shaken(*model, 0.03, 7);
       const Rows x = rowsOf(state.positions);
       const Rows expected = alternate(*model, p, inputs, state);
@@ -119,7 +119,7 @@ TEST(LocalGlobal, endsWhereNewtonFindsTheBackwardEulerStep) {
   const auto model = unevenSheet(5, {0, 4});
   for (const StepInputs& inputs : {StepInputs{}, attachment(5.0)}) {
     StepParameters p = everything();
-    p.iterations = 3000;
+    p.iteration.iterations = 3000;
     ClothState state = shaken(*model, 0.01, 7);
     const Rows expected = newton(*model, p, inputs, state);
     findSolver("local_global")->make()->step(*model, p, inputs, state);
@@ -130,12 +130,12 @@ TEST(LocalGlobal, endsWhereNewtonFindsTheBackwardEulerStep) {
 TEST(LocalGlobal, comesCloserToTheBackwardEulerStepWithEveryIteration) {
   const auto model = unevenSheet(5, {0, 4});
   StepParameters p = everything();
-  p.stiffness = 1000.0;
+  p.material.stiffness = 1000.0;
   const ClothState start = shaken(*model, 0.01, 7);
   const Rows exact = newton(*model, p, {}, start);
   double last = 1.0;
   for (const int iterations : {1, 5, 20, 100}) {
-    p.iterations = iterations;
+    p.iteration.iterations = iterations;
     ClothState state = start;
     const StepReport report = findSolver("local_global")->make()->step(*model, p, {}, state);
     const double error = (rowsOf(state.positions) - exact).norm();

@@ -27,7 +27,8 @@ double leftOver(const ClothModel& model, const StepParameters& p, const ClothSta
     const auto a = static_cast<std::size_t>(spring.a);
     const auto b = static_cast<std::size_t>(spring.b);
     const double L = (x[b] - x[a]).norm();
-    const Vec3 pull = p.stiffness * (1.0 - spring.restLength / L) * (x[b] - x[a]) + p.damping * (v[b] - v[a]);
+    const Vec3 pull =
+        p.material.stiffness * (1.0 - spring.restLength / L) * (x[b] - x[a]) + p.material.damping * (v[b] - v[a]);
     rest[a] -= p.timeStep * pull;
     rest[b] += p.timeStep * pull;
   }
@@ -46,11 +47,11 @@ double leftOverAtFirst(const ClothModel& model, const StepParameters& p, const C
 TEST(Newton, isTheDenseSolveOfTheLinearisedStepWithOneIteration) {
   const auto solver = findSolver("newton")->make();
   StepParameters parameters;
-  parameters.maxIterations = 1;
-  parameters.damping = 0.02;
-  parameters.drag = 0.8;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  parameters.iteration.maxIterations = 1;
+  parameters.material.damping = 0.02;
+  parameters.air.drag = 0.8;
+  parameters.air.lift = 0.5;
+  parameters.air.wind = Vec3(1.0, 0.2, -2.0);
   for (const auto& model : {pinnedSheet(5), testing::irregularSheet(5), testing::irregularSheet(5, {})}) {
     for (const double maxForce : {50.0, 2.0}) {
       StepInputs inputs;
@@ -67,7 +68,7 @@ TEST(Newton, isTheDenseSolveOfTheLinearisedStepWithOneIteration) {
 /// Of cloth so stiff that Newton's method has to work for it.
 StepParameters stiffParameters() {
   StepParameters parameters;
-  parameters.stiffness = 1e5;
+  parameters.material.stiffness = 1e5;
   parameters.timeStep = 1.0 / 30.0;
   return parameters;
 }
@@ -75,8 +76,8 @@ StepParameters stiffParameters() {
 TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = stiffParameters();
-  parameters.damping = 0.01;
-  parameters.tolerance = 1e-10;
+  parameters.material.damping = 0.01;
+  parameters.iteration.tolerance = 1e-10;
   ClothState state = shaken(*model, 0.03, 7);
   const auto solver = findSolver("newton")->make();
   for (int step = 0; step < 3; ++step) {
@@ -85,7 +86,7 @@ TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
     EXPECT_TRUE(report.converged);
     EXPECT_LE(report.residual, 1e-10);
     // The residual uses lengths from positions near 1 m, which are accurate to 1e-16 m.
-    const double judgesRounding = parameters.timeStep * parameters.stiffness * 2.2e-16 *
+    const double judgesRounding = parameters.timeStep * parameters.material.stiffness * 2.2e-16 *
                                   std::sqrt(6.0 * static_cast<double>(model->springs.size()));
     EXPECT_LT(leftOver(*model, parameters, before, state.positions, state.velocities),
               1e-10 * leftOverAtFirst(*model, parameters, before) + judgesRounding)
@@ -96,8 +97,8 @@ TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
 TEST(Newton, saysWhenItDidNotGetThere) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = stiffParameters();
-  parameters.tolerance = 1e-10;
-  parameters.maxIterations = 3;
+  parameters.iteration.tolerance = 1e-10;
+  parameters.iteration.maxIterations = 3;
   ClothState state = shaken(*model, 0.03, 7);
   const ClothState before = state;
   const StepReport report = findSolver("newton")->make()->step(*model, parameters, {}, state);
@@ -111,7 +112,7 @@ TEST(Newton, saysWhenItDidNotGetThere) {
 TEST(Newton, stopsBetweenItsIterationsWhenAStopIsRequested) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = stiffParameters();
-  parameters.tolerance = 1e-10;
+  parameters.iteration.tolerance = 1e-10;
   int calls = 0;
   std::stop_source source;
   const std::function<void()> onProgress = [&] {
@@ -132,7 +133,7 @@ TEST(Newton, stopsBetweenItsIterationsWhenAStopIsRequested) {
 TEST(Newton, getsAsFarAsRoundingAllowsWhenItIsAskedForMore) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = stiffParameters();
-  parameters.tolerance = 1e-30;
+  parameters.iteration.tolerance = 1e-30;
   ClothState state = stateAtRest(model->restPositions);
   const auto solver = findSolver("newton")->make();
   for (int step = 0; step < 10; ++step) {
@@ -145,9 +146,9 @@ TEST(Newton, getsAsFarAsRoundingAllowsWhenItIsAskedForMore) {
 TEST(Newton, endsInTheSamePlaceForEveryVariantOfTheForceDerivative) {
   const auto model = pinnedSheet(9);
   StepParameters parameters;
-  parameters.stiffness = 100.0;
-  parameters.tolerance = 1e-10;
-  parameters.maxIterations = 2000;
+  parameters.material.stiffness = 100.0;
+  parameters.iteration.tolerance = 1e-10;
+  parameters.iteration.maxIterations = 2000;
   const auto end = [&](ForceDerivative variant) {
     ClothState state = shaken(*model, 0.03, 7);
     parameters.derivative = variant;
@@ -163,7 +164,7 @@ TEST(Newton, endsInTheSamePlaceForEveryVariantOfTheForceDerivative) {
 TEST(Newton, takesFewestIterationsWithTheExactDerivative) {
   const auto model = pinnedSheet(9);
   StepParameters parameters;
-  parameters.tolerance = 1e-8;
+  parameters.iteration.tolerance = 1e-8;
   const auto iterations = [&](ForceDerivative variant) {
     ClothState state = shaken(*model, 0.02, 7);
     parameters.derivative = variant;
@@ -179,8 +180,8 @@ TEST(Newton, settlesAnAttachedPointWhereMouseSpringAndWeightBalance) {
   const auto model = testing::irregularSheet(3, {});
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters;
-  parameters.stiffness = 1000.0;
-  parameters.damping = 0.5;
+  parameters.material.stiffness = 1000.0;
+  parameters.material.damping = 0.5;
   parameters.timeStep = 1.0 / 30.0;
   StepInputs inputs;
   inputs.attachment = Attachment{{0, Vec3(0.2, 0.3, 0.5), Vec3(0.4, 0.5, 0.4)}, {40.0, 100.0}};

@@ -18,9 +18,9 @@ using testing::pinnedSheet;
 
 StepParameters with(double stiffness, double timeStep, int sweeps = 1) {
   StepParameters parameters;
-  parameters.stiffness = stiffness;
+  parameters.material.stiffness = stiffness;
   parameters.timeStep = timeStep;
-  parameters.sweeps = sweeps;
+  parameters.jacobi.sweeps = sweeps;
   return parameters;
 }
 
@@ -52,8 +52,8 @@ TEST(OneIterationWarning, saysThatEnergyComesFromNothingWhereItDoes) {
                                       std::pair(33, with(100.0, 1.0 / 30.0)), std::pair(33, with(1e3, 1.0 / 60.0)),
                                       std::pair(33, with(1e5, 1.0 / 150.0)), std::pair(65, with(1e3, 1.0 / 150.0)),
                                       std::pair(33, with(1e3, 1.0 / 30.0, 3))}) {
-    EXPECT_TRUE(saysThatEnergyComesFromNothing(n, parameters)) << n << ", " << parameters.stiffness;
-    EXPECT_GT(largestEnergy(n, parameters), 50.0) << n << ", " << parameters.stiffness;
+    EXPECT_TRUE(saysThatEnergyComesFromNothing(n, parameters)) << n << ", " << parameters.material.stiffness;
+    EXPECT_GT(largestEnergy(n, parameters), 50.0) << n << ", " << parameters.material.stiffness;
   }
 }
 
@@ -62,8 +62,8 @@ TEST(OneIterationWarning, doesNotSaySoWhereLittleEnergyComesFromNothing) {
                                       std::pair(17, with(1e4, 1.0 / 150.0)), std::pair(33, with(1e3, 1.0 / 150.0)),
                                       std::pair(33, with(1e4, 1.0 / 600.0)), std::pair(65, with(10.0, 1.0 / 150.0)),
                                       std::pair(17, with(1e3, 1.0 / 60.0, 3))}) {
-    EXPECT_FALSE(saysThatEnergyComesFromNothing(n, parameters)) << n << ", " << parameters.stiffness;
-    EXPECT_LT(largestEnergy(n, parameters), 20.0) << n << ", " << parameters.stiffness;
+    EXPECT_FALSE(saysThatEnergyComesFromNothing(n, parameters)) << n << ", " << parameters.material.stiffness;
+    EXPECT_LT(largestEnergy(n, parameters), 20.0) << n << ", " << parameters.material.stiffness;
   }
 }
 
@@ -119,7 +119,7 @@ TEST(OneIterationWarning, saysWhichDerivativesBlowUp) {
     parameters.derivative = derivative;
     EXPECT_EQ(warningOf(17, parameters).value().kind, SolverWarning::Kind::IndefiniteMatrix);
     EXPECT_GT(largestEnergy(17, parameters), 1e3);
-    parameters.stiffness = 20.0;  // (h omega)^2 = 21
+    parameters.material.stiffness = 20.0;  // (h omega)^2 = 21
     EXPECT_NE(warningOf(17, parameters).value().kind, SolverWarning::Kind::IndefiniteMatrix);
     EXPECT_LT(largestEnergy(17, parameters), 10.0);
   }

@@ -40,28 +40,28 @@ TEST(OneIteration, equalsTheDenseReferenceForSpringsAlone) {
 
 TEST(OneIteration, equalsTheDenseReferenceWithDamping) {
   StepParameters parameters;
-  parameters.damping = 0.02;
+  parameters.material.damping = 0.02;
   EXPECT_LT(differenceFromReference(parameters), 1e-10);
 }
 
 TEST(OneIteration, equalsTheDenseReferenceWithWindDragAndLift) {
   StepParameters parameters;
-  parameters.drag = 0.8;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.2, -2.0);
+  parameters.air.drag = 0.8;
+  parameters.air.lift = 0.5;
+  parameters.air.wind = Vec3(1.0, 0.2, -2.0);
   EXPECT_LT(differenceFromReference(parameters), 1e-10);
 }
 
 TEST(OneIteration, equalsTheDenseReferenceForSeveralSweepsAndEverythingTogether) {
   for (const int sweeps : {1, 3, 5, 9}) {
     StepParameters parameters;
-    parameters.sweeps = sweeps;
-    parameters.damping = 0.01;
-    parameters.stiffness = 1000.0;
+    parameters.jacobi.sweeps = sweeps;
+    parameters.material.damping = 0.01;
+    parameters.material.stiffness = 1000.0;
     parameters.timeStep = 1.0 / 60.0;
-    parameters.drag = 0.4;
-    parameters.lift = 0.4;
-    parameters.wind = Vec3(0.0, 0.0, 3.0);
+    parameters.air.drag = 0.4;
+    parameters.air.lift = 0.4;
+    parameters.air.wind = Vec3(0.0, 0.0, 3.0);
     EXPECT_LT(differenceFromReference(parameters), 1e-10) << sweeps << " sweeps";
   }
 }
@@ -78,7 +78,7 @@ TEST(OneIteration, equalsTheDenseReferenceInEveryVariantOfTheForceDerivative) {
   for (const auto variant : testing::allDerivatives) {
     StepParameters parameters;
     parameters.derivative = variant;
-    parameters.damping = 0.01;
+    parameters.material.damping = 0.01;
     EXPECT_LT(differenceFromReference(parameters), 1e-9) << static_cast<int>(variant);
   }
 }
@@ -87,8 +87,8 @@ TEST(OneIteration, equalsTheDenseReferenceForDampedSweepsOddAndEven) {
   for (const int sweeps : {1, 2, 3, 4}) {
     for (const double relaxation : {0.5, 0.8}) {
       StepParameters parameters;
-      parameters.sweeps = sweeps;
-      parameters.relaxation = relaxation;
+      parameters.jacobi.sweeps = sweeps;
+      parameters.jacobi.relaxation = relaxation;
       EXPECT_LT(differenceFromReference(parameters), 1e-10) << sweeps << " sweeps by " << relaxation;
     }
   }
@@ -115,8 +115,8 @@ TEST(OneIteration, leavesAClothAtRestWithoutForcesWhereItIs) {
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.drag = 1.0;
-  parameters.lift = 1.0;
+  parameters.air.drag = 1.0;
+  parameters.air.lift = 1.0;
   const auto solver = oneIteration();
   for (int step = 0; step < 100; ++step) {
     solver->step(*model, parameters, {}, state);
@@ -145,10 +145,10 @@ TEST(OneIteration, givesTheSameBitsForAnyNumberOfThreads) {
     ClothState state = shaken(*model, 0.002, 3);
     StepParameters parameters;
     parameters.threads = threads;
-    parameters.drag = 0.5;
-    parameters.lift = 0.5;
-    parameters.damping = 0.01;
-    parameters.wind = Vec3(2.0, 0.0, 1.0);
+    parameters.air.drag = 0.5;
+    parameters.air.lift = 0.5;
+    parameters.material.damping = 0.01;
+    parameters.air.wind = Vec3(2.0, 0.0, 1.0);
     const auto solver = oneIteration();
     for (int step = 0; step < 40; ++step) {
       solver->step(*model, parameters, {}, state);
@@ -164,7 +164,7 @@ TEST(OneIteration, givesTheSameBitsForAnyNumberOfThreads) {
 TEST(OneIteration, isCalmAtALargeStepWhereExplicitStepsExplode) {
   const auto model = pinnedSheet(17);
   StepParameters parameters;
-  parameters.stiffness = 1000.0;
+  parameters.material.stiffness = 1000.0;
   ClothState state = stateAtRest(model->restPositions);
   const auto solver = oneIteration();
   double largest = -std::numeric_limits<double>::infinity();
@@ -196,9 +196,9 @@ TEST(OneIteration, staysFiniteInAStormThatWouldThrowLightVerticesBack) {
   const auto model = pinnedSheet(9);
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters;
-  parameters.drag = 2.0;
-  parameters.lift = 1.0;
-  parameters.wind = Vec3(0.0, 0.0, 100.0);
+  parameters.air.drag = 2.0;
+  parameters.air.lift = 1.0;
+  parameters.air.wind = Vec3(0.0, 0.0, 100.0);
   const auto solver = oneIteration();
   for (int step = 0; step < 300; ++step) {
     solver->step(*model, parameters, {}, state);

@@ -14,11 +14,11 @@ using testing::shaken;
 
 StepParameters withEverything() {
   StepParameters parameters;
-  parameters.damping = 0.02;
-  parameters.drag = 0.8;
-  parameters.lift = 0.5;
-  parameters.wind = Vec3(1.0, 0.2, -2.0);
-  parameters.tolerance = 1e-12;
+  parameters.material.damping = 0.02;
+  parameters.air.drag = 0.8;
+  parameters.air.lift = 0.5;
+  parameters.air.wind = Vec3(1.0, 0.2, -2.0);
+  parameters.iteration.tolerance = 1e-12;
   return parameters;
 }
 
@@ -52,7 +52,7 @@ TEST(Pcg, equalsTheDenseSolveInEveryVariantOfTheForceDerivativeThatIsSemiDefinit
     }
     StepParameters parameters = withEverything();
     parameters.derivative = variant;
-    parameters.stiffness = 1000.0;
+    parameters.material.stiffness = 1000.0;
     ClothState state = shaken(*model, 0.03, 7);
     ClothState exact = state;
     const StepReport report = findSolver("pcg")->make()->step(*model, parameters, {}, state);
@@ -77,7 +77,7 @@ TEST(Pcg, stopsAtNegativeCurvatureAndSaysSo) {
   const auto model = pinnedSheet(9);
   StepParameters parameters;
   parameters.derivative = ForceDerivative::Exact;
-  parameters.stiffness = 1e5;
+  parameters.material.stiffness = 1e5;
   parameters.timeStep = 1.0 / 30.0;
   ClothState state = stateAtRest(model->restPositions);
   for (Vec3& position : state.positions) {
@@ -97,15 +97,15 @@ TEST(Pcg, stopsAtNegativeCurvatureAndSaysSo) {
 TEST(Pcg, endsAtItsToleranceOrItsMostIterationsAndReportsWhich) {
   const auto model = pinnedSheet(9);
   StepParameters parameters;
-  parameters.stiffness = 1e4;
-  parameters.tolerance = 1e-4;
+  parameters.material.stiffness = 1e4;
+  parameters.iteration.tolerance = 1e-4;
   ClothState state = shaken(*model, 0.01, 7);
   const ClothState start = state;
   const StepReport reached = findSolver("pcg")->make()->step(*model, parameters, {}, state);
   EXPECT_TRUE(reached.converged);
   EXPECT_LE(reached.residual, 1e-4);
   EXPECT_GT(reached.iterations, 3);
-  parameters.maxIterations = 3;
+  parameters.iteration.maxIterations = 3;
   state = start;
   const StepReport stopped = findSolver("pcg")->make()->step(*model, parameters, {}, state);
   EXPECT_FALSE(stopped.converged);
@@ -116,13 +116,13 @@ TEST(Pcg, endsAtItsToleranceOrItsMostIterationsAndReportsWhich) {
 TEST(Pcg, comesNearerToTheExactSolveTheSmallerTheTolerance) {
   const auto model = pinnedSheet(5);
   StepParameters parameters;
-  parameters.stiffness = 1e4;
+  parameters.material.stiffness = 1e4;
   ClothState exact = shaken(*model, 0.03, 7);
   const ClothState start = exact;
   exactLinearStep(*model, parameters, {}, testing::AttachmentDerivative::Lumped, exact);
   double last = 1e3;
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
-    parameters.tolerance = tolerance;
+    parameters.iteration.tolerance = tolerance;
     ClothState state = start;
     findSolver("pcg")->make()->step(*model, parameters, {}, state);
     const double difference = largestDifference(state, exact);

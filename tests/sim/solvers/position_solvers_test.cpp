@@ -45,17 +45,17 @@ StepInputs pullingAttachment() {
 
 TEST(Vbd, convergesToTheBackwardEulerStepWithDampingAndAttachment) {
   StepParameters parameters;
-  parameters.iterations = 2000;
-  parameters.damping = 0.05;
+  parameters.iteration.iterations = 2000;
+  parameters.material.damping = 0.05;
   for (const double stiffness : {10.0, 100.0, 1000.0}) {
-    parameters.stiffness = stiffness;
+    parameters.material.stiffness = stiffness;
     EXPECT_LT(distanceFromBackwardEuler("vbd", parameters, pullingAttachment()), 1e-12) << stiffness << " N/m";
   }
 }
 
 TEST(Vbd, convergesToTheSameStepWithEveryDerivative) {
   StepParameters parameters;
-  parameters.iterations = 4000;
+  parameters.iteration.iterations = 4000;
   for (const auto derivative : {ForceDerivative::Exact, ForceDerivative::Scalar}) {
     parameters.derivative = derivative;
     EXPECT_LT(distanceFromBackwardEuler("vbd", parameters), 1e-12);
@@ -64,11 +64,11 @@ TEST(Vbd, convergesToTheSameStepWithEveryDerivative) {
 
 TEST(Vbd, comesNearerWithEveryDoublingOfItsSweeps) {
   StepParameters parameters;
-  parameters.spectralRadius = 0.0;
-  parameters.stiffness = 1000.0;
+  parameters.iteration.spectralRadius = 0.0;
+  parameters.material.stiffness = 1000.0;
   double last = 1.0;
   for (const int iterations : {10, 20, 40, 80}) {
-    parameters.iterations = iterations;
+    parameters.iteration.iterations = iterations;
     const double distance = distanceFromBackwardEuler("vbd", parameters);
     EXPECT_LT(distance, 0.8 * last);
     last = distance;
@@ -77,9 +77,9 @@ TEST(Vbd, comesNearerWithEveryDoublingOfItsSweeps) {
 
 TEST(Vbd, comesNearerWithTheDefaultAcceleration) {
   StepParameters parameters;
-  parameters.stiffness = 1000.0;
+  parameters.material.stiffness = 1000.0;
   const double accelerated = distanceFromBackwardEuler("vbd", parameters);
-  parameters.spectralRadius = 0.0;
+  parameters.iteration.spectralRadius = 0.0;
   EXPECT_LT(accelerated, 0.8 * distanceFromBackwardEuler("vbd", parameters));
 }
 
@@ -103,16 +103,16 @@ TEST(Vbd, warnsOfAnAccelerationThatOvershootsWhichReallyBlowsUp) {
     return largest;
   };
   StepParameters parameters;
-  parameters.stiffness = 1000.0;
-  parameters.iterations = 3;
-  parameters.spectralRadius = 0.95;
+  parameters.material.stiffness = 1000.0;
+  parameters.iteration.iterations = 3;
+  parameters.iteration.spectralRadius = 0.95;
   EXPECT_GT(largestSpeed(parameters), 1e6);
   const SolverWarning warning = info.warning(*model, parameters).value();
   EXPECT_EQ(warning.kind, SolverWarning::Kind::SpectralRadius);
   EXPECT_EQ(warning.iterations, 3);
   EXPECT_EQ(warning.spectralRadius, 0.95);
   EXPECT_EQ(warning.neededIterations, 6);
-  parameters.spectralRadius = 0.84;  // T_3(1 / rho) = 3.2
+  parameters.iteration.spectralRadius = 0.84;  // T_3(1 / rho) = 3.2
   EXPECT_LT(largestSpeed(parameters), 30.0);
   EXPECT_FALSE(overshoots(info.warning(*model, parameters)));
 }
@@ -120,9 +120,9 @@ TEST(Vbd, warnsOfAnAccelerationThatOvershootsWhichReallyBlowsUp) {
 TEST(Vbd, warnsOfItsDefaultAccelerationWithTwoSweepsAlone) {
   const auto model = pinnedSheet(5);
   StepParameters parameters;
-  parameters.stiffness = 1.0;
+  parameters.material.stiffness = 1.0;
   for (int iterations = 1; iterations < 20; ++iterations) {
-    parameters.iterations = iterations;
+    parameters.iteration.iterations = iterations;
     EXPECT_EQ(overshoots(findSolver("vbd")->warning(*model, parameters)), iterations == 2);
   }
 }
@@ -130,7 +130,7 @@ TEST(Vbd, warnsOfItsDefaultAccelerationWithTwoSweepsAlone) {
 TEST(Xpbd, convergesToTheBackwardEulerStepWhereSpringsDoNotTurn) {
   const auto model = hangingChain(4, 0.02, 0.1);
   StepParameters parameters;
-  parameters.iterations = 2000;
+  parameters.iteration.iterations = 2000;
   ClothState state = stateAtRest(model->restPositions);
   ClothState exact = state;
   const auto solver = findSolver("xpbd")->make();
@@ -144,8 +144,8 @@ TEST(Xpbd, convergesToTheBackwardEulerStepWhereSpringsDoNotTurn) {
 
 TEST(Xpbd, differsFromTheBackwardEulerStepByAThirdPowerOfTheStepWhereSpringsTurn) {
   StepParameters parameters;
-  parameters.iterations = 3000;
-  parameters.stiffness = 20.0;
+  parameters.iteration.iterations = 3000;
+  parameters.material.stiffness = 20.0;
   parameters.timeStep = 1.0 / 400.0;
   const double coarse = distanceFromBackwardEuler("xpbd", parameters, pullingAttachment());
   parameters.timeStep /= 2.0;
@@ -159,8 +159,8 @@ TEST(Xpbd, dampsEvenVeryStronglyWithoutLosingMomentum) {
   ClothState state = shaken(*model, 0.02, 5);
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.stiffness = 0.0;
-  parameters.damping = 100.0;
+  parameters.material.stiffness = 0.0;
+  parameters.material.damping = 100.0;
   const auto kineticAndMomentum = [&] {
     Vec3 sum = Vec3::Zero();
     for (std::size_t v = 0; v < state.velocities.size(); ++v) {
@@ -213,7 +213,7 @@ TEST_P(PositionSolver, neverPullsHarderThanTheAttachmentMay) {
   ClothState state = stateAtRest(model->restPositions);
   StepParameters parameters;
   parameters.gravity = 0.0;
-  parameters.iterations = 50;
+  parameters.iteration.iterations = 50;
   StepInputs inputs;
   inputs.attachment = Attachment{{0, Vec3(0.4, 0.3, 0.3), Vec3(1e6, 0.0, 0.0)}, {1e5, 2.0}};
   findSolver(GetParam())->make()->step(*model, parameters, inputs, state);
@@ -228,7 +228,7 @@ TEST_P(PositionSolver, staysBoundedWhereStepsAreHugeAndStiffnessToo) {
   const auto model = pinnedSheet(17);
   StepParameters parameters;
   parameters.timeStep = 0.1;
-  parameters.stiffness = 1e7;
+  parameters.material.stiffness = 1e7;
   ClothState state = stateAtRest(model->restPositions);
   const auto solver = findSolver(GetParam())->make();
   for (int step = 0; step < 50; ++step) {
@@ -243,7 +243,7 @@ TEST_P(PositionSolver, saysThatClothIsTooSoftWhereItIs) {
   const auto model = pinnedSheet(17);
   const SolverInfo& info = *findSolver(GetParam());
   StepParameters parameters;
-  parameters.stiffness = 1000.0;
+  parameters.material.stiffness = 1000.0;
   const SolverWarning warning = info.warning(*model, parameters).value();
   EXPECT_EQ(warning.kind, SolverWarning::Kind::TooFewIterations);
   parameters.substeps = static_cast<int>(warning.substeps);

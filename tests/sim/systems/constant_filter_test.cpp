@@ -13,10 +13,10 @@ using namespace drape::testing;
 
 StepParameters everything() {
   StepParameters p;
-  p.damping = 0.01;
-  p.drag = 0.6;
-  p.lift = 0.4;
-  p.wind = Vec3(1.0, 0.0, -2.0);
+  p.material.damping = 0.01;
+  p.air.drag = 0.6;
+  p.air.lift = 0.4;
+  p.air.wind = Vec3(1.0, 0.0, -2.0);
   return p;
 }
 
@@ -44,8 +44,9 @@ Expected filteredStep(const ClothModel& model, const StepParameters& p, const St
   const DenseAttachment pull = denseAttachment(model, inputs, h, state);
   const Rows x = rowsOf(state.positions);
   const Rows v = rowsOf(state.velocities);
-  const Rows internal = springForces(model, p.stiffness, x) - (p.damping + h * p.stiffness) * (L * v);
-  const Eigen::MatrixXd A = M + (h * h * p.stiffness + h * p.damping) * L + h * h * pull.stiffness;
+  const Rows internal =
+      springForces(model, p.material.stiffness, x) - (p.material.damping + h * p.material.stiffness) * (L * v);
+  const Eigen::MatrixXd A = M + (h * h * p.material.stiffness + h * p.material.damping) * L + h * h * pull.stiffness;
   const Rows dv = solveFree(model, A, h * (internal + pull.force));
   Rows rotation = Rows::Zero(x.rows(), 3);
   if (freedom(model).trace() == static_cast<double>(model.vertexCount())) {
@@ -146,15 +147,15 @@ TEST(Desbrun, hangsLowerByTheWeightThatItsMatrixPutsOnASpring) {
   const auto model = pair({0});
   StepParameters p;
   p.timeStep = 1.0 / 50.0;
-  p.damping = 0.5;
+  p.material.damping = 0.5;
   ClothState state = stateAtRest({Vec3(0.0, 0.0, 0.0), Vec3(0.0, -1.0, 0.0)});
   const auto solver = findSolver("desbrun")->make();
   for (int step = 0; step < 2000; ++step) {
     solver->step(*model, p, {}, state);
   }
   const double h = p.timeStep;
-  const double weight = model->vertexMass[1] * p.gravity / p.stiffness;
-  const double added = (h * h + h * p.damping / p.stiffness) * p.gravity;
+  const double weight = model->vertexMass[1] * p.gravity / p.material.stiffness;
+  const double added = (h * h + h * p.material.damping / p.material.stiffness) * p.gravity;
   EXPECT_NEAR(-1.0 - state.positions[1].y(), weight + added, 1e-9);
 }
 

@@ -19,10 +19,10 @@ struct Scene {
 
   explicit Scene(double maxForce) {
     parameters.timeStep = 1.0 / 30.0;
-    parameters.damping = 0.05;
-    parameters.drag = 0.5;
-    parameters.lift = 0.5;
-    parameters.wind = Vec3(1.0, 0.5, -0.3);
+    parameters.material.damping = 0.05;
+    parameters.air.drag = 0.5;
+    parameters.air.lift = 0.5;
+    parameters.air.wind = Vec3(1.0, 0.5, -0.3);
     inputs.attachment = Attachment{{7, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, maxForce}};
     potential.prepare(*model, parameters, inputs, state, workers);
     testing::RandomVectors random(10);

@@ -34,9 +34,9 @@ TEST_P(ScalarMatrixSolver, leavesAClothAtRestWithoutForcesWhereItIs) {
     const auto model = unevenSheet(9, pins);
     StepParameters p;
     p.gravity = 0.0;
-    p.drag = 1.0;
-    p.lift = 1.0;
-    p.damping = 0.1;
+    p.air.drag = 1.0;
+    p.air.lift = 1.0;
+    p.material.damping = 0.1;
     const ClothState state = run(*model, p, 100, stateAtRest(model->restPositions));
     EXPECT_LT(distance(state, rowsOf(model->restPositions), Rows::Zero(81, 3)), 1e-12);
   }
@@ -45,7 +45,7 @@ TEST_P(ScalarMatrixSolver, leavesAClothAtRestWithoutForcesWhereItIs) {
 TEST_P(ScalarMatrixSolver, keepsPinnedVerticesAndLetsTheRestFall) {
   const auto model = pinnedSheet(9);
   StepParameters p;
-  p.stiffness = 10.0;
+  p.material.stiffness = 10.0;
   const ClothState state = run(*model, p, 200, stateAtRest(model->restPositions));
   EXPECT_EQ(state.positions[0], model->restPositions[0]);
   EXPECT_EQ(state.velocities[8], Vec3(Vec3::Zero()));
@@ -56,7 +56,7 @@ TEST_P(ScalarMatrixSolver, keepsPinnedVerticesAndLetsTheRestFall) {
 TEST_P(ScalarMatrixSolver, letsSpringlessClothFallByBackwardEulersClosedForm) {
   const auto model = unevenSheet(5, {});
   StepParameters p;
-  p.stiffness = 0.0;
+  p.material.stiffness = 0.0;
   const int steps = 30;
   const ClothState state = run(*model, p, steps, stateAtRest(model->restPositions));
   const double h = p.timeStep;
@@ -84,9 +84,9 @@ TEST_P(ScalarMatrixSolver, givesTheSameBitsForAnyNumberOfThreads) {
   const auto hash = [&](int threads) {
     StepParameters p;
     p.threads = threads;
-    p.drag = 0.5;
-    p.damping = 0.01;
-    p.wind = Vec3(2.0, 0.0, 1.0);
+    p.air.drag = 0.5;
+    p.material.damping = 0.01;
+    p.air.wind = Vec3(2.0, 0.0, 1.0);
     return stateHash(run(*model, p, 5, shaken(*model, 0.002, 3)));
   };
   const auto alone = hash(1);
@@ -99,8 +99,8 @@ TEST_P(ScalarMatrixSolver, vibratesAFreePairWithAnErrorOfFirstOrder) {
   const auto model = pair({});
   StepParameters p;
   p.gravity = 0.0;
-  p.stiffness = 10.0;
-  const double omega = std::sqrt(2.0 * p.stiffness / model->vertexMass[0]);
+  p.material.stiffness = 10.0;
+  const double omega = std::sqrt(2.0 * p.material.stiffness / model->vertexMass[0]);
   const double amplitude = 0.1;
   const auto error = [&](int steps) {
     const double seconds = 0.25;
@@ -118,9 +118,9 @@ TEST_P(ScalarMatrixSolver, circlesAFreePairWithAnErrorOfFirstOrder) {
   const auto model = pair({});
   StepParameters p;
   p.gravity = 0.0;
-  p.stiffness = 10.0;
+  p.material.stiffness = 10.0;
   const double length = 1.5;
-  const double omega = std::sqrt(2.0 * p.stiffness * (length - 1.0) / (model->vertexMass[0] * length));
+  const double omega = std::sqrt(2.0 * p.material.stiffness * (length - 1.0) / (model->vertexMass[0] * length));
   const auto error = [&](int steps) {
     const double seconds = 0.1;
     p.timeStep = seconds / steps;
@@ -163,7 +163,7 @@ TEST_P(ScalarMatrixSolver, comesCloserToTheMotionOfAPinnedSheetWithShorterSteps)
   const auto model = pinnedSheet(17);
   static const Rows exact = rowsOf(exactMotion(*model, 10.0, 0.2).positions);
   StepParameters p;
-  p.stiffness = 10.0;
+  p.material.stiffness = 10.0;
   double last = 1.0;
   for (const int steps : {120, 480, 1920}) {
     p.timeStep = 0.2 / steps;
@@ -202,9 +202,9 @@ TEST_P(ScalarMatrixSolver, doesNotTakeEnergyFromNothingWhileAStrongAttachmentWav
 TEST_P(ScalarMatrixSolver, staysCalmWithStiffClothAtLargeSteps) {
   const auto model = pinnedSheet(17);
   StepParameters p;
-  p.stiffness = 1e5;
+  p.material.stiffness = 1e5;
   p.timeStep = 1.0 / 30.0;
-  p.damping = 0.01;
+  p.material.damping = 0.01;
   const auto solver = make();
   ClothState state = stateAtRest(model->restPositions);
   double highest = -1.0;
@@ -226,7 +226,7 @@ double linearLoss(const char* solver) {
   const Vec3 before = linearMomentum(*model, state);
   StepParameters p;
   p.gravity = 0.0;
-  p.damping = 0.01;
+  p.material.damping = 0.01;
   const auto method = findSolver(solver)->make();
   for (int step = 0; step < 100; ++step) {
     method->step(*model, p, {}, state);

@@ -235,12 +235,12 @@ void SelfContact::updatePairs(const ClothModel& model, double thickness, const s
   state.selfContact = memory;
 }
 
-int SelfContact::resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& start,
-                         ClothState& state, std::vector<ContactPoint>& points, double stepFraction) {
-  const double thickness =
-      parameters.contact.selfThickness > 0.0
-          ? parameters.contact.selfThickness
-          : edge_.get(model, [&](const ClothModel& m) { return selfThicknessOf(m, parameters.contact); });
+int SelfContact::resolve(const ClothModel& model, const ContactParameters& contact, double timeStep,
+                         const std::vector<Vec3>& start, ClothState& state, std::vector<ContactPoint>& points,
+                         double stepFraction) {
+  const double thickness = contact.selfThickness > 0.0
+                               ? contact.selfThickness
+                               : edge_.get(model, [&](const ClothModel& m) { return selfThicknessOf(m, contact); });
   copyPositions(state.positions, positions_);
   if (!pairListIsValid(model, thickness, state)) {
     if (!allFinite(positions_, state.positions.size())) {
@@ -253,11 +253,10 @@ int SelfContact::resolve(const ClothModel& model, const StepParameters& paramete
     return 0;
   }
   copyPositions(start, startPositions_);
-  const Friction friction = {static_cast<float>(parameters.contact.staticFriction),
-                             static_cast<float>(parameters.contact.kineticFriction)};
+  const Friction friction = {static_cast<float>(contact.staticFriction), static_cast<float>(contact.kineticFriction)};
   const auto pushOut = static_cast<float>(1.0 - std::pow(1.0 - SelfResponse::pushOut, stepFraction));
-  return response_.resolve(model, {parameters.timeStep, thickness, friction, pushOut}, memory.pairs, startPositions_,
-                           positions_, state, points);
+  return response_.resolve(model, {timeStep, thickness, friction, pushOut}, memory.pairs, startPositions_, positions_,
+                           state, points);
 }
 
 }  // namespace drape

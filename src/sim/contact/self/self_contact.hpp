@@ -1,11 +1,11 @@
 #pragma once
 
+#include "sim/contact/contact_parameters.hpp"
 #include "sim/contact/contact_report.hpp"
 #include "sim/contact/self/collision_free_patches.hpp"
 #include "sim/contact/self/memory.hpp"
 #include "sim/contact/self/point_hash.hpp"
 #include "sim/contact/self/response.hpp"
-#include "sim/forces/step_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/model_cache.hpp"
@@ -36,8 +36,9 @@ class SelfContact {
   /// @param start positions at the start of the step [m]  @param points the active contacts are appended
   /// @param stepFraction length of this contact substep over that of the user's step [-]; scales the push-out
   /// @returns number of active contacts
-  int resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<Vec3>& start,
-              ClothState& state, std::vector<ContactPoint>& points, double stepFraction = 1.0);
+  int resolve(const ClothModel& model, const ContactParameters& contact, double timeStep,
+              const std::vector<Vec3>& start, ClothState& state, std::vector<ContactPoint>& points,
+              double stepFraction = 1.0);
 
  private:
   [[nodiscard]] bool pairListIsValid(const ClothModel& model, double thickness, const ClothState& state) const;

@@ -360,10 +360,10 @@ void BodyContact::runPasses(const Cloth& cloth, ContactReport& report, std::vect
   }
 }
 
-void BodyContact::resolve(const ClothModel& model, const StepParameters& parameters,
+void BodyContact::resolve(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
                           const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start, ClothState& state,
                           ContactReport& report, std::vector<ContactPoint>& points) {
-  const Cloth cloth{model, parameters, start, predicted_};
+  const Cloth cloth{model, parameters, contact, start, predicted_};
   predicted_ = state.positions;
   Eigen::AlignedBox3d ends = boundsOf(predicted_);
   slowed_.clear();
@@ -378,8 +378,8 @@ void BodyContact::resolve(const ClothModel& model, const StepParameters& paramet
   correctVelocities(cloth, state);
   limitVelocitiesAtOverlap(cloth, state);
   report.bodyContacts = static_cast<int>(active_.size());
-  for (const ContactConstraint& contact : active_) {
-    points.push_back({pointOf(contact, state.positions), contact.normal});
+  for (const ContactConstraint& constraint : active_) {
+    points.push_back({pointOf(constraint, state.positions), constraint.normal});
   }
 }
 

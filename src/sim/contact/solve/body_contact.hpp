@@ -3,11 +3,12 @@
 #include "sim/contact/broad_phase/mesh_clearance.hpp"
 #include "sim/contact/constraints/mesh_search.hpp"
 #include "sim/contact/constraints/primitive_search.hpp"
+#include "sim/contact/contact_parameters.hpp"
 #include "sim/contact/contact_report.hpp"
 #include "sim/contact/recovery/overlap.hpp"
 #include "sim/contact/separating_planes/separating_plane_filter.hpp"
 #include "sim/contact/solve/contact_solver.hpp"
-#include "sim/forces/step_parameters.hpp"
+#include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/model_cache.hpp"
 #include "sim/model/workers.hpp"
@@ -35,25 +36,26 @@ class BodyContact {
  public:
   /// Corrects positions and velocities of `state`, which a solver predicted from `start`.
   /// @param points the active contacts are appended
-  void resolve(const ClothModel& model, const StepParameters& parameters, const std::vector<BodyStep>& bodies,
-               const std::vector<Vec3>& start, ClothState& state, ContactReport& report,
-               std::vector<ContactPoint>& points);
+  void resolve(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
+               const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start, ClothState& state,
+               ContactReport& report, std::vector<ContactPoint>& points);
 
   /// Whether cloth that moves from one box into another could come near any of the bodies.
-  [[nodiscard]] bool couldReachAnyBody(const StepParameters& parameters, const std::vector<BodyStep>& bodies,
+  [[nodiscard]] bool couldReachAnyBody(const ContactParameters& contact, const std::vector<BodyStep>& bodies,
                                        const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end);
 
   /// Whether cloth that moves from `start` to `end` comes so near to a body that the step needs contact substeps.
   /// The result depends on these arguments only, not on earlier calls.
   /// @param spread possible distance of the final positions from `end` [m]
-  [[nodiscard]] bool isNearAnyBody(const ClothModel& model, const StepParameters& parameters,
+  [[nodiscard]] bool isNearAnyBody(const ClothModel& model, const ContactParameters& contact,
                                    const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start,
                                    const std::vector<Vec3>& end, double spread);
 
  private:
   struct Cloth {
     const ClothModel& model;
-    const StepParameters& parameters;
+    const CommonParameters& parameters;
+    const ContactParameters& contact;
     const std::vector<Vec3>& start;      // at the start of the step [m]
     const std::vector<Vec3>& predicted;  // at its end, without contact [m]
   };

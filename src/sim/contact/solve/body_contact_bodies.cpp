@@ -53,8 +53,8 @@ bool isRigidMesh(const BodyStep& step, const SearchableMesh* mesh) {
 }
 
 /// The contact offset of vertices from a body [m].
-double contactOffsetOf(const BodyStep& step, const StepParameters& parameters) {
-  return step.surface.thickness + 0.5 * parameters.contact.thickness;
+double contactOffsetOf(const BodyStep& step, const ContactParameters& contact) {
+  return step.surface.thickness + 0.5 * contact.thickness;
 }
 
 }  // namespace
@@ -96,7 +96,7 @@ ClothMotion BodyContact::motionIn(const BodyStep& step, const ClothModel& model,
 /// Whether the cloth certainly does not touch a mesh on its way to the predicted and to the current positions.
 bool BodyContact::isKnownClearOf(const Cloth& cloth, const BodyStep& step, const SearchableMesh& mesh,
                                  const std::vector<Vec3>& positions) {
-  const double offset = clearanceRatio * contactOffsetOf(step, cloth.parameters);
+  const double offset = clearanceRatio * contactOffsetOf(step, cloth.contact);
   MeshClearance& clearance = clearances_[step.body];
   for (const std::vector<Vec3>* ends : {&cloth.predicted, &positions}) {
     if (clearance.couldMeet(mesh, motionIn(step, cloth.model, cloth.start, *ends), offset, models_)) {
@@ -128,7 +128,7 @@ bool BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& 
       continue;
     }
     SearchableMesh* mesh = meshOf(step);
-    if (couldMeet(step, mesh, start, ends, 2.0 * contactOffsetOf(step, cloth.parameters)) &&
+    if (couldMeet(step, mesh, start, ends, 2.0 * contactOffsetOf(step, cloth.contact)) &&
         !(isRigidMesh(step, mesh) && isKnownClearOf(cloth, step, *mesh, positions))) {
       addNearBody(cloth, step, mesh);
     }
@@ -136,21 +136,21 @@ bool BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& 
   return nearCount_ > before;
 }
 
-bool BodyContact::couldReachAnyBody(const StepParameters& parameters, const std::vector<BodyStep>& bodies,
+bool BodyContact::couldReachAnyBody(const ContactParameters& contact, const std::vector<BodyStep>& bodies,
                                     const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end) {
   return std::any_of(bodies.begin(), bodies.end(), [&](const BodyStep& step) {
-    return couldMeet(step, meshOf(step), start, end, 2.0 * contactOffsetOf(step, parameters));
+    return couldMeet(step, meshOf(step), start, end, 2.0 * contactOffsetOf(step, contact));
   });
 }
 
-bool BodyContact::isNearAnyBody(const ClothModel& model, const StepParameters& parameters,
+bool BodyContact::isNearAnyBody(const ClothModel& model, const ContactParameters& contact,
                                 const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start,
                                 const std::vector<Vec3>& end, double spread) {
   const Eigen::AlignedBox3d startBox = boundsOf(start);
   const Eigen::AlignedBox3d endBox = inflated(boundsOf(end), spread);
   return std::any_of(bodies.begin(), bodies.end(), [&](const BodyStep& step) {
     const SearchableMesh* mesh = meshOf(step);
-    const double offset = contactOffsetOf(step, parameters);
+    const double offset = contactOffsetOf(step, contact);
     return couldMeet(step, mesh, startBox, endBox, 2.0 * offset) &&
            (!isRigidMesh(step, mesh) || freeClothIsNear(*mesh, motionIn(step, model, start, end), offset + spread));
   });
@@ -163,7 +163,7 @@ void BodyContact::addNearBody(const Cloth& cloth, const BodyStep& step, Searchab
   NearBody& near = near_[nearCount_++];
   near.step = &step;
   near.mesh = mesh;
-  const double offset = contactOffsetOf(step, cloth.parameters);
+  const double offset = contactOffsetOf(step, cloth.contact);
   const double recoveryStep = recoverySpeed * cloth.parameters.timeStep;
   near.offsets = {offset, edgeOffsetRatio * offset, minimumSeparationRatio * offset, recoveryStep, recoveryStep};
 }

@@ -79,8 +79,8 @@ std::unique_ptr<ContactScene> sceneOf(const std::shared_ptr<const ClothModel>& c
   auto scene = std::make_unique<ContactScene>(cloth, std::vector<Body>{body}, solver);
   scene->parameters.timeStep = 1.0 / 100.0;
   scene->parameters.substeps = 4;
-  scene->parameters.stiffness = 30.0;
-  scene->parameters.damping = 0.01;
+  scene->parameters.material.stiffness = 30.0;
+  scene->parameters.material.damping = 0.01;
   scene->parameters.gravity = gravity;
   return scene;
 }

@@ -44,8 +44,8 @@ std::vector<int> firstVertices(int count) {
 StepParameters withSelfCollision() {
   StepParameters parameters;
   parameters.contact.self = SelfCollision::Hash;
-  parameters.stiffness = 100.0;
-  parameters.damping = 0.002;
+  parameters.material.stiffness = 100.0;
+  parameters.material.damping = 0.002;
   return parameters;
 }
 
@@ -108,9 +108,9 @@ Collision collide(double friction, double stiffness) {
   }
   StepParameters parameters = withSelfCollision();
   parameters.gravity = 0.0;
-  parameters.stiffness = stiffness;
-  parameters.damping = 0.0;
-  parameters.tolerance = 1e-12;
+  parameters.material.stiffness = stiffness;
+  parameters.material.damping = 0.0;
+  parameters.iteration.tolerance = 1e-12;
   parameters.contact.staticFriction = friction;
   parameters.contact.kineticFriction = friction;
   Stepper stepper("pcg");
@@ -250,8 +250,8 @@ TEST(SelfContact, RarelyMissesAPairOfDifferentPatchesThatIsTooClose) {
 TEST(SelfContact, AddsNoEnergyToStiffClothWithAnEnergyConservingSolver) {
   StepParameters parameters = withSelfCollision();
   parameters.timeStep = 1.0 / 150.0;
-  parameters.stiffness = 1000.0;
-  parameters.damping = 0.0;
+  parameters.material.stiffness = 1000.0;
+  parameters.material.damping = 0.0;
   Fold fold(17);
   Stepper stepper("auto");
   int contacts = 0;
@@ -269,7 +269,7 @@ TEST(SelfContact, PairsConnectedAtRestNeverCount) {
   const auto model = buildClothModel(sheet(9), 0.1, MassLumping::Uniform, {});
   StepParameters parameters = withSelfCollision();
   parameters.gravity = 0.0;
-  parameters.stiffness = 0.0;
+  parameters.material.stiffness = 0.0;
   parameters.contact.selfThickness = 0.3;  // 2.4 edges
   // Folded in the middle, so that there are two patches and all vertices are near the fold.
   ClothState state = stateAtRest(model->restPositions);
@@ -295,7 +295,9 @@ TEST(SelfContact, IgnoresAStateThatIsNotFinite) {
   const std::vector<Vec3> start = state.positions;
   state.positions[7].x() = std::nan("");
   std::vector<ContactPoint> points;
-  EXPECT_EQ(SelfContact().resolve(*model, withSelfCollision(), start, state, points), 0);
+  EXPECT_EQ(
+      SelfContact().resolve(*model, withSelfCollision().contact, withSelfCollision().timeStep, start, state, points),
+      0);
 }
 
 TEST(SelfThickness, IsThreeQuartersOfTheMeanEdgeUnlessItIsGiven) {

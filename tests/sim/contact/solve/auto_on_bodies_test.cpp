@@ -33,8 +33,8 @@ testing::ContactScene stiffSheetOver(const Body& body, double stiffness, bool sl
   }
   testing::ContactScene scene(buildClothModel(mesh, 0.15, MassLumping::Area, {}), {body}, "auto");
   scene.parameters.timeStep = 1.0 / 150.0;
-  scene.parameters.stiffness = stiffness;
-  scene.parameters.damping = 0.003;
+  scene.parameters.material.stiffness = stiffness;
+  scene.parameters.material.damping = 0.003;
   return scene;
 }
 

@@ -29,7 +29,7 @@ std::unique_ptr<ContactScene> onSlope(double slope, double staticFriction, doubl
   auto scene = std::make_unique<ContactScene>(freeSheet(6, 0.5, turn * Vec3(0.0, height, 0.0), turn),
                                               std::vector<Body>{plane}, solver);
   scene->parameters.timeStep = 1.0 / 100.0;
-  scene->parameters.stiffness = 2.0;
+  scene->parameters.material.stiffness = 2.0;
   // One sweep loses momentum along the springs, which lie in the sheet, and none across. Friction would then hold it.
   scene->parameters.keepMomentum = true;
   return scene;
@@ -72,9 +72,9 @@ TEST(BodyContact, restsOnASphereWithoutCreeping) {
   Body sphere = bodyAt(SphereShape{0.3}, Vec3::Zero());
   ContactScene scene(freeSheet(n, size, Vec3(0.0, 0.31, 0.0)), {sphere}, "pcg");
   scene.parameters.timeStep = 1.0 / 150.0;
-  scene.parameters.stiffness = 50.0;
-  scene.parameters.damping = 0.02;
-  scene.parameters.drag = 1.0;
+  scene.parameters.material.stiffness = 50.0;
+  scene.parameters.material.damping = 0.02;
+  scene.parameters.air.drag = 1.0;
   scene.run(11.0);
   const std::vector<Vec3> resting = scene.state.positions;
   double jitter = 0.0;

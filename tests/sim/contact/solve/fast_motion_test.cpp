@@ -88,7 +88,7 @@ void throwThrough(const char* name, const Body& body, const Pace& pace) {
   const double flight = throwDistance / pace.speed;
   ContactScene scene(buildClothModel(testing::sheet(5), 0.1, MassLumping::Area, {}), {body}, "xpbd");
   scene.parameters.timeStep = pace.timeStep;
-  scene.parameters.stiffness = 30.0;
+  scene.parameters.material.stiffness = 30.0;
   scene.parameters.gravity = 0.0;
   scene.run(flight, [&](const StepReport& report) {
     ASSERT_EQ(scene.pairs(0), 0) << name << " at " << scene.state.time << " s";
@@ -137,7 +137,7 @@ TEST(FastMotion, noDeformingMeshPasses) {
 void throwSheet(const char* name, const Body& body, const Eigen::Quaterniond& turn, const Pace& pace) {
   ContactScene scene(freeSheet(9, 0.6, Vec3(0.0, 0.9, 0.0), turn), {body}, "xpbd");
   scene.parameters.timeStep = pace.timeStep;
-  scene.parameters.stiffness = 100.0;
+  scene.parameters.material.stiffness = 100.0;
   for (Vec3& velocity : scene.state.velocities) {
     velocity = Vec3(0.0, -pace.speed, 0.0);
   }
@@ -188,7 +188,7 @@ TEST(FastMotion, aSheetDoesNotPassAConcaveMesh) {
     const Body body = bodyAt(std::make_shared<const MeshShape>(bowl()), Vec3::Zero());
     ContactScene scene(freeSheet(19, 0.7, Vec3(0.02, 0.4, 0.01)), {body}, "xpbd");
     scene.parameters.timeStep = pace.timeStep;
-    scene.parameters.stiffness = 50.0;
+    scene.parameters.material.stiffness = 50.0;
     for (Vec3& velocity : scene.state.velocities) {
       velocity = pace.speed * Vec3(0.125, -1.0, 0.0);
     }
@@ -208,7 +208,7 @@ void collideWithDeforming(const char* name, const Body& body, double height, dou
                           double seconds, bool strained = false) {
   ContactScene scene(freeSheet(15, 0.7, Vec3(0.0, height, 0.0)), {body}, "xpbd");
   scene.parameters.timeStep = pace.timeStep;
-  scene.parameters.stiffness = 50.0;
+  scene.parameters.material.stiffness = 50.0;
   for (Vec3& velocity : scene.state.velocities) {
     velocity.y() = -fall;
   }

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace drape {
+
+/// The options of the solver `auto`.
+struct AutoOptions {
+  double costBudget = 500.0;     ///< spring evaluations per simulated second [1e6/s]
+  bool soften = false;           ///< keeps to the cost budget by softer springs; else a step may exceed it
+  double errorTolerance = 1e-4;  ///< allowed mean position error after 0.2 s of motion [m]
+};
+
+}  // namespace drape

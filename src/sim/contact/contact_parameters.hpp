@@ -1,0 +1,21 @@
+#pragma once
+
+namespace drape {
+
+/// Self-collision methods.
+enum class SelfCollision {
+  Off,
+  Hash  ///< the paper's method (sec. 5.2): vertices against vertices, found by a spatial hash
+};
+
+/// Parameters of contact. A kind of contact that is off costs nothing; without bodies, body contact costs nothing.
+struct ContactParameters {
+  bool bodies = true;                       ///< contact with the bodies of the scene
+  SelfCollision self = SelfCollision::Off;  ///< self-collision
+  double thickness = 0.004;                 ///< of the cloth; distance between its layers [m]
+  double selfThickness = 0.0;               ///< of SelfCollision::Hash [m]; 0: from the mesh, see selfThicknessOf
+  double staticFriction = 0.4;              ///< of cloth on cloth [-]
+  double kineticFriction = 0.3;             ///< of cloth on cloth [-]
+};
+
+}  // namespace drape

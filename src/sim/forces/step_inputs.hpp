@@ -1,0 +1,40 @@
+#pragma once
+
+#include "sim/forces/attachment.hpp"
+#include "sim/model/vector.hpp"
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace drape {
+
+struct BodyStep;
+
+/// Thrown out of a step when StepInputs::stop requests a stop. `auto` and `newton` throw it with the state as it was at
+/// the start of the substep; the step is lost.
+struct StepStopped {};
+
+/// External actions on the cloth during one step.
+struct StepInputs {
+  std::optional<Attachment> attachment;
+  const std::vector<BodyStep>* bodies = nullptr;  ///< over this step (sim/contact/bodies/body.hpp); null: none
+  /// Methods whose steps may take seconds check it now and then and throw StepStopped.
+  std::stop_token stop = {};
+  /// Called at the same points, to show progress or to check a deadline. An exception that it throws ends the step like
+  /// StepStopped. Null if not needed.
+  const std::function<void()>* onProgress = nullptr;
+};
+
+/// Ends the step if a stop is requested, and reports progress.
+inline void checkStop(const StepInputs& inputs) {
+  if (inputs.stop.stop_requested()) {
+    throw StepStopped();
+  }
+  if (inputs.onProgress != nullptr) {
+    (*inputs.onProgress)();
+  }
+}
+
+}  // namespace drape
