@@ -180,7 +180,8 @@ TEST_F(ImportFailure, namesTheVertexThatLiesFarFromTheRest) {
 }
 
 TEST_F(ImportFailure, cancelsWhileTheReaderWorks) {
-  pretendReader("exec sleep 60");
+  const fs::path started = folder_ / "started";
+  pretendReader("touch '" + started.string() + "'; exec sleep 60");
   std::stop_source source;
   ImportOptions options;
   options.watch.stop = source.get_token();
@@ -189,8 +190,10 @@ TEST_F(ImportFailure, cancelsWhileTheReaderWorks) {
       source.request_stop();
     }
   };
-  std::thread later([&source] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  std::thread later([&source, &started] {
+    while (!fs::exists(started)) {
+      std::this_thread::yield();
+    }
     source.request_stop();
   });
   EXPECT_THROW((void)importMeshFromMemory("sound.obj", fourCorners + "f 1 2 3\n", options), Cancelled);

@@ -5,8 +5,12 @@
 #include "simd/sliced_stepping.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -17,6 +21,27 @@ namespace {
 using testing::oneIterationByTeam;
 using testing::pinnedCloth;
 using testing::shaken;
+
+/// Waits until all other threads of this process are blocked, which Linux reports as state S; false after ten seconds.
+bool waitUntilOthersSleep() {
+  namespace fs = std::filesystem;
+  const std::string own = std::to_string(gettid());
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (std::chrono::steady_clock::now() < end) {
+    const bool asleep =
+        std::all_of(fs::directory_iterator("/proc/self/task"), fs::directory_iterator(), [&](const fs::path& thread) {
+          std::string stat;
+          std::getline(std::ifstream(thread / "stat"), stat);
+          // "id (name) state ..."
+          return thread.filename() == own || stat.find(") S ") != std::string::npos;
+        });
+    if (asleep) {
+      return true;
+    }
+    std::this_thread::yield();
+  }
+  return false;
+}
 
 TEST(ThreadTeam, letsEveryMemberWorkOnceInEachOfManyRounds) {
   ThreadTeam team;
@@ -73,14 +98,13 @@ TEST(ThreadTeam, growsAndShrinksBetweenRounds) {
 }
 
 TEST(ThreadTeam, wakesMembersThatFellAsleepForWorkAndForTheEnd) {
-  const auto longEnoughToSleep = std::chrono::milliseconds(5);
   std::atomic<int> sum = 0;
   {
     ThreadTeam team;
     team.run(3, [&](int) { ++sum; });
-    std::this_thread::sleep_for(longEnoughToSleep);
+    ASSERT_TRUE(waitUntilOthersSleep());
     team.run(3, [&](int) { ++sum; });
-    std::this_thread::sleep_for(longEnoughToSleep);
+    ASSERT_TRUE(waitUntilOthersSleep());
   }
   EXPECT_EQ(sum, 6);
 }
@@ -90,10 +114,10 @@ TEST(SlicedStepInThreads, hasTheSameBitsWithMoreThreadsThanCores) {
   for (const int sweeps : {1, 3}) {
     const auto hashWith = [&](int threads) {
       StepParameters parameters;
-      parameters.sweeps = sweeps;
+      parameters.jacobi.sweeps = sweeps;
       parameters.threads = threads;
-      parameters.drag = 0.5;
-      parameters.wind = Vec3(1.0, 0.0, 2.0);
+      parameters.air.drag = 0.5;
+      parameters.air.wind = Vec3(1.0, 0.0, 2.0);
       ClothState state = shaken(*model, 0.002, 3);
       oneIterationByTeam<float>(*model, parameters, 4, state);
       return stateHash(state);
@@ -111,11 +135,11 @@ TEST_P(SolverInThreads, hasTheSameBitsWhileAnAttachmentPullsAcrossTheBoundaryOfS
   const bool coloured = std::string(GetParam()) == "xpbd";
   const auto model = testing::pinnedSheet(coloured ? 121 : 57);  // enough for two threads
   StepParameters parameters;
-  parameters.iterations = 2;
-  parameters.drag = coloured ? 0.5 : 0.0;
+  parameters.iteration.iterations = 2;
+  parameters.air.drag = coloured ? 0.5 : 0.0;
   parameters.precision = Precision::Float;
   parameters.timeStep = 1.0 / 1500.0;
-  parameters.damping = 0.001;
+  parameters.material.damping = 0.001;
   StepInputs inputs;
   inputs.attachment =
       Attachment{{static_cast<int>(model->triangles.size()) / 2, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {20, 2}};
