@@ -3,16 +3,12 @@
 namespace drape {
 namespace {
 
-template <typename T>
-Vec3 vectorAt(const LaneVectors<T>& vectors, int index) {
-  return {static_cast<double>(vectors.x.data()[index]), static_cast<double>(vectors.y.data()[index]),
-          static_cast<double>(vectors.z.data()[index])};
-}
-
 /// The vector of a vertex of the model.
 template <typename T>
-auto vectorsOf(const SlicedCloth<T>& cloth, const LaneVectors<T>& vectors) {
-  return [&](std::size_t vertex) { return vectorAt(vectors, cloth.layout.indexOf[vertex]); };
+Vec3 vectorAt(const SlicedCloth<T>& cloth, const LaneVectors<T>& vectors, std::size_t vertex) {
+  const int index = cloth.layout.indexOf[vertex];
+  return {static_cast<double>(vectors.x.data()[index]), static_cast<double>(vectors.y.data()[index]),
+          static_cast<double>(vectors.z.data()[index])};
 }
 
 }  // namespace
@@ -39,9 +35,9 @@ template <typename T>
 void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<T>& cloth,
                    SliceStep<T>& step) {
   const AttachedCorners corners = attachedCorners(model, attachment);
-  const AttachmentForce pull =
-      attachmentForce(corners, attachment, corners.interpolated(vectorsOf(cloth, cloth.position)),
-                      corners.interpolated(vectorsOf(cloth, cloth.velocity)));
+  const Vec3 point = corners.interpolated([&](std::size_t v) { return vectorAt(cloth, cloth.position, v); });
+  const Vec3 velocity = corners.interpolated([&](std::size_t v) { return vectorAt(cloth, cloth.velocity, v); });
+  const AttachmentForce pull = attachmentForce(corners, attachment, point, velocity);
   const Vec3 force = pull.implicitForce(static_cast<double>(step.timeStep));
   auto lanes = step.attachedCorners.begin();
   corners.forEach([&](std::size_t vertex, double weight) {
@@ -60,13 +56,13 @@ void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Atta
                             SlicedCloth<T>& cloth) {
   const double h = timeStep;
   const AttachedCorners corners = attachedCorners(model, attachment);
-  const auto positionOf = vectorsOf(cloth, cloth.position);
-  const auto velocityOf = vectorsOf(cloth, cloth.velocity);
+  const auto velocityOf = [&](std::size_t v) { return vectorAt(cloth, cloth.velocity, v); };
   const auto shareOf = [&](std::size_t v, double weight) {  // w_c / m_c [1/kg]
     return model.pinned[v] ? 0.0 : weight / model.vertexMass[v];
   };
-  const Vec3 offset = corners.subtracted(attachment.target,
-                                         [&](std::size_t v) { return Vec3(positionOf(v) + 0.5 * h * velocityOf(v)); });
+  const Vec3 offset = corners.subtracted(attachment.target, [&](std::size_t v) {
+    return Vec3(vectorAt(cloth, cloth.position, v) + 0.5 * h * velocityOf(v));
+  });
   double inverseMass = 0.0;
   corners.forEach([&](std::size_t v, double weight) { inverseMass += weight * shareOf(v, weight); });
   const Vec3 impulse = attachment.implicitImpulse(h, offset, inverseMass);
