@@ -32,7 +32,7 @@ class OutputFile {
   bool written_ = false;  // `write` was called
 };
 
-/// Replaces a file at once, by way of FILE.part: a reader never sees half of it. False when it could not be written.
+/// Writes FILE.part and renames it to FILE, so that a reader never sees half a file. False if that fails.
 [[nodiscard]] bool replaceFile(const std::filesystem::path& file, std::string_view text);
 
 /// Creates the folder, with those above it, if it does not exist. Throws InputError.

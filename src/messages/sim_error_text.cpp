@@ -1,27 +1,13 @@
 #include "messages/sim_error_text.hpp"
 
+#include <fmt/core.h>
+
 namespace drape {
 namespace {
 
 /// "the list of masses has 3 entries for a cloth of 4 vertices".
 std::string wrongCount(const ClothModelError::Numbers& numbers, const std::string& what, const std::string& ofWhat) {
-  return "the list of " + what + " has " + std::to_string(numbers.found) + " entries for a cloth of " +
-         std::to_string(numbers.count) + " " + ofWhat;
-}
-
-std::string noTriangle(const ClothModelError::Numbers& numbers) {
-  return "a cloth needs at least one triangle; the mesh has " + std::to_string(numbers.count) + " vertices and " +
-         std::to_string(numbers.found) + " triangles";
-}
-
-std::string noSuchVertex(const ClothModelError::Numbers& numbers) {
-  return "triangle " + std::to_string(numbers.index) + " names vertex " + std::to_string(numbers.found) +
-         ", but the mesh has only " + std::to_string(numbers.count) + " (counted from 0)";
-}
-
-std::string noSuchPin(const ClothModelError::Numbers& numbers) {
-  return "vertex " + std::to_string(numbers.index) + " cannot be pinned: the cloth has only " +
-         std::to_string(numbers.count) + " vertices (counted from 0)";
+  return fmt::format("the list of {} has {} entries for a cloth of {} {}", what, numbers.found, numbers.count, ofWhat);
 }
 
 }  // namespace
@@ -31,22 +17,25 @@ std::string inWords(const ClothModelError& error) {
   const ClothModelError::Numbers& numbers = error.numbers();
   switch (error.fault()) {
     case Fault::NoTriangle:
-      return noTriangle(numbers);
+      return fmt::format("a cloth needs at least one triangle; the mesh has {} vertices and {} triangles",
+                         numbers.count, numbers.found);
     case Fault::VertexNotFinite:
-      return "vertex " + std::to_string(numbers.index) + " of the mesh has a coordinate that is not a finite number";
+      return fmt::format("vertex {} of the mesh has a coordinate that is not a finite number", numbers.index);
     case Fault::NoSuchVertex:
-      return noSuchVertex(numbers);
+      return fmt::format("triangle {} names vertex {}, but the mesh has only {} (counted from 0)", numbers.index,
+                         numbers.found, numbers.count);
     case Fault::NoSuchPin:
-      return noSuchPin(numbers);
+      return fmt::format("vertex {} cannot be pinned: the cloth has only {} vertices (counted from 0)", numbers.index,
+                         numbers.count);
     case Fault::Mass:
-      return "the mass of a cloth must be positive and finite, not " + std::to_string(numbers.value) +
-             " kg; set mass or density";
+      return fmt::format("the mass of a cloth must be positive and finite, not {:f} kg; set mass or density",
+                         numbers.value);
     case Fault::VertexMass:
-      return "vertex " + std::to_string(numbers.index) + " would have a mass of " + std::to_string(numbers.value) +
-             " kg; it must be positive and finite";
+      return fmt::format("vertex {} would have a mass of {:f} kg; it must be positive and finite", numbers.index,
+                         numbers.value);
     case Fault::Stiffness:
-      return "spring " + std::to_string(numbers.index) + " would have " + std::to_string(numbers.value) +
-             " times the cloth's stiffness; it must be finite and not negative";
+      return fmt::format("spring {} would have {:f} times the cloth's stiffness; it must be finite and not negative",
+                         numbers.index, numbers.value);
     case Fault::MassCount:
       return wrongCount(numbers, "masses", "vertices");
     case Fault::StiffnessCount:
@@ -54,7 +43,7 @@ std::string inWords(const ClothModelError& error) {
     case Fault::PinCount:
       return wrongCount(numbers, "pins", "vertices");
     case Fault::TooManySprings:
-      return "a vertex of the cloth has more than " + std::to_string(numbers.count) + " springs";
+      return fmt::format("a vertex of the cloth has more than {} springs", numbers.count);
   }
   return error.what();
 }

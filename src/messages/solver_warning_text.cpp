@@ -1,9 +1,8 @@
 #include "messages/solver_warning_text.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace drape {
 namespace {
@@ -11,12 +10,7 @@ namespace {
 /// "12 substeps", or nothing where the settings do not allow as many.
 std::string substepsUpToTheMaximum(double substeps) {
   constexpr double maxSubsteps = 1000.0;  // the largest number in the settings (settings_table.cpp)
-  if (!(substeps <= maxSubsteps)) {
-    return {};
-  }
-  std::ostringstream words;
-  words << substeps << " substeps";
-  return words.str();
+  return substeps <= maxSubsteps ? fmt::format("{:g} substeps", substeps) : std::string();
 }
 
 /// "Use 12 substeps or more sweeps."
@@ -27,9 +21,7 @@ std::string remedy(double substeps, const std::string& otherwise) {
 
 /// Two significant digits.
 std::string inTwoDigits(double value) {
-  std::ostringstream words;
-  words << std::setprecision(2) << value;
-  return words.str();
+  return fmt::format("{:.2g}", value);
 }
 
 std::string stepTooLong(const SolverWarning& warning) {
@@ -54,21 +46,18 @@ std::string tooFewSweeps(const SolverWarning& warning) {
 }
 
 std::string wrongSpectralRadius(const SolverWarning& warning) {
-  std::ostringstream words;
-  words << "With " << warning.iterations << " iterations a spectral radius of " << warning.spectralRadius
-        << " overshoots: the cloth can blow up. Use " << warning.neededIterations
-        << " iterations or a smaller spectral radius.";
-  return words.str();
+  return fmt::format(
+      "With {} iterations a spectral radius of {:g} overshoots: the cloth can blow up. Use {} iterations or a smaller "
+      "spectral radius.",
+      warning.iterations, warning.spectralRadius, warning.neededIterations);
 }
 
 std::string softened(const SolverWarning& warning) {
-  std::ostringstream words;
-  words << "The cost budget is too small for this stiff and fine cloth: the springs keep "
-        << inTwoDigits(100.0 * warning.stiffnessScale)
-        << " % of their stiffness, and coarse levels carry the tension. The full stiffness needs auto.cost = "
-        << std::fixed << std::setprecision(0) << warning.neededCost
-        << (warning.softenedByChoice ? "." : " and auto.soften = off.");
-  return words.str();
+  return fmt::format(
+      "The cost budget is too small for this stiff and fine cloth: the springs keep {} % of their stiffness, "
+      "and coarse levels carry the tension. The full stiffness needs auto.cost = {:.0f}{}",
+      inTwoDigits(100.0 * warning.stiffnessScale), warning.neededCost,
+      warning.softenedByChoice ? "." : " and auto.soften = off.");
 }
 
 std::string indefiniteMatrix(const SolverWarning& warning) {
@@ -90,15 +79,12 @@ std::string stiffFolds(const SolverWarning& warning) {
 }  // namespace
 
 std::string stepInWords(double seconds) {
-  std::ostringstream words;
   if (!(seconds < 1.0)) {
-    words << seconds << " s";
-    return words.str();
+    return fmt::format("{:g} s", seconds);
   }
   const double denominator = 1.0 / seconds;
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(denominator)) - 2.0));
-  words << std::fixed << std::setprecision(0) << "1/" << std::ceil(denominator / unit * (1.0 - 1e-12)) * unit << " s";
-  return words.str();
+  return fmt::format("1/{:.0f} s", std::ceil(denominator / unit * (1.0 - 1e-12)) * unit);
 }
 
 std::string inWords(const SolverWarning& warning) {

@@ -1,20 +1,17 @@
 #include "messages/step_choice_text.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace drape {
 namespace {
 
 /// Two significant digits, without an exponent.
 std::string brief(double value) {
-  std::array<char, 32> text{};
   const double size = value > 0.0 ? std::floor(std::log10(value)) : 0.0;
   const int decimals = std::clamp(1 - static_cast<int>(size), 0, 9);
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  std::string words = text.data();
+  std::string words = fmt::format("{:.{}f}", value, decimals);
   if (words.find('.') != std::string::npos) {
     words.erase(words.find_last_not_of('0') + 1);
     if (words.back() == '.') {

@@ -130,9 +130,8 @@ std::string doubtAbout(const Reference& reference, Ending ending) {
     return blewUp(reference);
   }
   return fmt::format(
-             "The reference does not converge after {}: halving its step to {:.3g} s still moved the cloth by {:.3g} "
-             "mm "
-             "(mean) at {}",
+             "The reference does not converge after {}: halving its step to {:.3g} s still moved the cloth by "
+             "{:.3g} mm (mean) at {}",
              timeOf(reference.trusted), reference.settings.step.timeStep, 1000.0 * reference.differences[failing],
              timeOf(reference.trusted + 1)) +
          (ending == Ending::Stalled ? ", and finer steps do not reduce this: the motion is chaotic there. "

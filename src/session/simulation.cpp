@@ -343,8 +343,7 @@ void Simulation::limitAttachment() {
   if (inputs_.attachment) {
     Attachment& attachment = *inputs_.attachment;
     static_cast<AttachmentSpring&>(attachment) = settings_.attachment;
-    attachment.maxForce = std::min(
-        attachment.maxForce, maxAttachmentForce(*model_, settings_.step, attachment.triangle, attachment.barycentric));
+    attachment.maxForce = std::min(attachment.maxForce, maxAttachmentForce(*model_, settings_.step, attachment));
   }
 }
 

@@ -25,8 +25,8 @@ void materialRows(PanelContext& context) {
 
 void airRows(PanelContext& context) {
   windDial(context);
-  const StepParameters& step = context.settings.step;
-  if (step.air.wind.norm() > 0.0 && step.air.drag == 0.0 && step.air.lift == 0.0) {
+  const AirParameters& air = context.settings.step.air;
+  if (air.wind.norm() > 0.0 && !air.acts()) {
     mutedText("Wind has no effect while drag and lift are zero.", palette().warning);
   }
 }

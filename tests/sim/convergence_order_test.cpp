@@ -76,7 +76,7 @@ TEST_P(Order, isOneForBackwardEulerAndTwoForMidpointAndBdf2OnAHangingSpring) {
   const auto order = [&](Integration integration) {
     StepParameters parameters = parametersOf(integration);
     if (GetParam() == "xpbd") {
-      parameters.material.damping = 0.0;  // which follows on the velocities there, as a first-order step of its own
+      parameters.material.damping = 0.0;  // XPBD damps the velocities in a separate step of first order
     }
     return orderOf(GetParam(), parameters, amplitude);
   };

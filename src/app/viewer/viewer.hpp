@@ -74,8 +74,8 @@ class Viewer {
 
   std::shared_ptr<const Scene> shownScene_;    ///< the title bar has its name
   std::shared_ptr<const Scene> openedScene_;   ///< the last opened scene, before any change of its settings
-  std::shared_ptr<const Scene> newScene_;      ///< on its way; the camera takes the author's view
-  std::shared_ptr<const Scene> resizedScene_;  ///< on its way; the camera keeps its direction
+  std::shared_ptr<const Scene> newScene_;      ///< not shown yet; the camera will take the view of the scene file
+  std::shared_ptr<const Scene> resizedScene_;  ///< not shown yet; the camera will keep its direction
   std::string notOpened_;                      ///< dropped files that were not opened, and why
   UiStats stats_;
   UiDisplay display_;

@@ -83,7 +83,7 @@ void EnergyGuard::prepare(const ClothModel& model, const LocalRates& rates, cons
   roundingEnergy_ = roundingEnergyOf(model, rates, parameters, state, roundoff);
   fingerprint_ = fingerprintOf(model, parameters, state);
   hasWind_ = maxWindWork(rates, parameters) > 0.0;
-  dissipates_ = parameters.material.damping != 0.0 || parameters.air.drag != 0.0 || parameters.air.lift != 0.0;
+  dissipates_ = parameters.material.damping != 0.0 || parameters.air.acts();
 }
 
 bool EnergyGuard::isStartEnergyKnown(const StepPlan& plan, const StepMemory& memory) const {

@@ -41,7 +41,7 @@ Vec3 externalForce(const ClothModel& model, const CommonParameters& parameters, 
                    std::size_t vertex) {
   Vec3 weight(0.0, -model.vertexMass[vertex] * parameters.gravity, 0.0);
   const double speed = parameters.air.wind.norm();
-  if (speed == 0.0 || (parameters.air.drag == 0.0 && parameters.air.lift == 0.0)) {
+  if (speed == 0.0 || !parameters.air.acts()) {
     return weight;
   }
   const double area = model.vertexArea[vertex];
@@ -82,23 +82,23 @@ bool isUnchanged(const StepMemory& memory, const ClothState& state) {
 
 }  // namespace
 
-bool SleepDetection::isAsleep(const ClothModel& model, const ActingConditions& acting, StepMemory& memory,
+bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& conditions, StepMemory& memory,
                               ClothState& state) {
   const ModelData& data = models_.get(model, dataOf);
-  if (!canSleep(data, acting)) {
+  if (!canSleep(data, conditions)) {
     memory.sleepReference.reset();
     memory.sleepFingerprint = 0;
     return false;
   }
   if (memory.sleepFingerprint != 0) {
-    if (isUnchanged(memory, state) && memory.sleepFingerprint == fingerprintOf(data, acting)) {
+    if (isUnchanged(memory, state) && memory.sleepFingerprint == fingerprintOf(data, conditions)) {
       return true;
     }
     memory.sleepReference.reset();
     memory.sleepFingerprint = 0;
   }
   const double distance =
-      std::min(tuning.sleepToleranceFraction * acting.errorTolerance, tuning.sleepEdgeFraction * data.meanEdge);
+      std::min(tuning.sleepToleranceFraction * conditions.errorTolerance, tuning.sleepEdgeFraction * data.meanEdge);
   if (memory.sleepReference == nullptr || !areNear(state.positions, *memory.sleepReference, distance)) {
     memory.sleepReference.reset();
     if (memory.steps % tuning.sleepCheckInterval == 0) {
@@ -110,19 +110,19 @@ bool SleepDetection::isAsleep(const ClothModel& model, const ActingConditions& a
   if (state.time < memory.sleepReferenceTime + tuning.sleepTime) {
     return false;
   }
-  if (!isSupported(model, data, acting, state)) {
+  if (!isSupported(model, data, conditions, state)) {
     memory.sleepReference.reset();
     return false;
   }
   std::fill(state.velocities.begin(), state.velocities.end(), Vec3::Zero());
   memory.sleepReference = std::make_shared<const std::vector<Vec3>>(state.positions);
-  memory.sleepFingerprint = fingerprintOf(data, acting);
+  memory.sleepFingerprint = fingerprintOf(data, conditions);
   return true;
 }
 
 /// Free cloth can sleep only if there is a body that may support it.
-bool SleepDetection::canSleep(const ModelData& data, const ActingConditions& acting) {
-  const auto& [parameters, contact, inputs, errorTolerance] = acting;
+bool SleepDetection::canSleep(const ModelData& data, const SleepConditions& conditions) {
+  const auto& [parameters, contact, inputs, errorTolerance] = conditions;
   const bool damped = parameters.material.damping > 0.0 || parameters.air.drag > 0.0;
   const bool canBeSupported = data.freePieces.empty() || meetsBodies(contact, inputs);
   const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), isStill);
@@ -132,7 +132,7 @@ bool SleepDetection::canSleep(const ModelData& data, const ActingConditions& act
 /// A trial: every free piece is displaced a little in the direction of weight and air. It is supported if contact with
 /// bodies blocks the displacement. Cloth that lies on other cloth is not supported: self-collision keeps it moving a
 /// little.
-bool SleepDetection::isSupported(const ClothModel& model, const ModelData& data, const ActingConditions& acting,
+bool SleepDetection::isSupported(const ClothModel& model, const ModelData& data, const SleepConditions& conditions,
                                  const ClothState& state) {
   if (data.freePieces.empty()) {
     return true;
@@ -140,16 +140,16 @@ bool SleepDetection::isSupported(const ClothModel& model, const ModelData& data,
   ClothState trial = state;
   std::vector<Vec3> displacements;
   for (const std::vector<std::size_t>& piece : data.freePieces) {
-    displacements.push_back(trialDisplacement(model, acting.parameters, state.positions, piece));
+    displacements.push_back(trialDisplacement(model, conditions.parameters, state.positions, piece));
     for (const std::size_t v : piece) {
       trial.positions[v] += displacements.back();
-      trial.velocities[v] = displacements.back() / acting.parameters.timeStep;
+      trial.velocities[v] = displacements.back() / conditions.parameters.timeStep;
     }
   }
-  ContactParameters withBodies = acting.contact;
+  ContactParameters withBodies = conditions.contact;
   withBodies.self = SelfCollision::Off;
-  contact_.begin(withBodies, acting.inputs, state);
-  static_cast<void>(contact_.resolve(model, acting.parameters, withBodies, acting.inputs, trial));
+  contact_.begin(withBodies, conditions.inputs, state);
+  static_cast<void>(contact_.resolve(model, conditions.parameters, withBodies, conditions.inputs, trial));
   std::size_t supported = 0;
   while (supported < displacements.size() &&
          isBlocked(data.freePieces[supported], displacements[supported], state.positions, trial.positions)) {
@@ -177,8 +177,8 @@ SleepDetection::ModelData SleepDetection::dataOf(const ClothModel& model) {
   return data;
 }
 
-std::uint64_t SleepDetection::fingerprintOf(const ModelData& data, const ActingConditions& acting) {
-  const auto& [parameters, contact, inputs, errorTolerance] = acting;
+std::uint64_t SleepDetection::fingerprintOf(const ModelData& data, const SleepConditions& conditions) {
+  const auto& [parameters, contact, inputs, errorTolerance] = conditions;
   Fingerprint fingerprint;
   fingerprint.add(data.fingerprint);
   for (const double value :

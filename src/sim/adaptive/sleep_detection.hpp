@@ -15,8 +15,9 @@
 
 namespace drape {
 
-/// Everything apart from the model that acts on the cloth. A view: it does not outlive what it refers to.
-struct ActingConditions {
+/// Everything, apart from the model and the state, that decides whether a cloth sleeps. It holds references and must
+/// not outlive what they refer to.
+struct SleepConditions {
   const CommonParameters& parameters;
   const ContactParameters& contact;
   const StepInputs& inputs;
@@ -33,7 +34,7 @@ struct ActingConditions {
 class SleepDetection {
  public:
   /// Whether the cloth sleeps, so that the step has nothing to do. Updates `memory`.
-  [[nodiscard]] bool isAsleep(const ClothModel& model, const ActingConditions& acting, StepMemory& memory,
+  [[nodiscard]] bool isAsleep(const ClothModel& model, const SleepConditions& conditions, StepMemory& memory,
                               ClothState& state);
 
  private:
@@ -45,10 +46,10 @@ class SleepDetection {
   };
 
   [[nodiscard]] static ModelData dataOf(const ClothModel& model);
-  [[nodiscard]] static bool canSleep(const ModelData& data, const ActingConditions& acting);
-  [[nodiscard]] bool isSupported(const ClothModel& model, const ModelData& data, const ActingConditions& acting,
+  [[nodiscard]] static bool canSleep(const ModelData& data, const SleepConditions& conditions);
+  [[nodiscard]] bool isSupported(const ClothModel& model, const ModelData& data, const SleepConditions& conditions,
                                  const ClothState& state);
-  [[nodiscard]] static std::uint64_t fingerprintOf(const ModelData& data, const ActingConditions& acting);
+  [[nodiscard]] static std::uint64_t fingerprintOf(const ModelData& data, const SleepConditions& conditions);
 
   ModelCache<ModelData> models_;
   ContactStage contact_;  // of the trial that tests for support

@@ -12,8 +12,7 @@ namespace drape {
 namespace {
 
 bool dependsOnPositionsAlone(const CommonParameters& parameters, const StepInputs& inputs) {
-  return parameters.material.damping == 0.0 && parameters.air.drag == 0.0 && parameters.air.lift == 0.0 &&
-         !inputs.attachment;
+  return parameters.material.damping == 0.0 && !parameters.air.acts() && !inputs.attachment;
 }
 
 /// H lambda of damping over the time step H, with the 99th percentile of the rates [-].

@@ -10,8 +10,8 @@ namespace drape {
 namespace {
 
 /// A vector shortened to at most that length.
-Vec3 shortened(const Vec3& vector, double most) {
-  return vector * std::min(1.0, most / std::max(vector.norm(), std::numeric_limits<double>::min()));
+Vec3 shortened(const Vec3& vector, double maxLength) {
+  return vector * std::min(1.0, maxLength / std::max(vector.norm(), std::numeric_limits<double>::min()));
 }
 
 }  // namespace

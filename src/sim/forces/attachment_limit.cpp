@@ -14,7 +14,7 @@ constexpr double alongPull = 0.25;
 constexpr double shareOfWeight = 0.25;
 
 /// The force that stretches the springs of a vertex by `strain` [N].
-double forceBorneBy(const ClothModel& model, const CommonParameters& parameters, int vertex) {
+double forceBorneBy(const ClothModel& model, const CommonParameters& parameters, std::size_t vertex) {
   double sum = 0.0;
   for (const SpringEnd& end : model.springEnds[vertex]) {
     const Spring& spring = model.springs[end.spring];
@@ -25,16 +25,13 @@ double forceBorneBy(const ClothModel& model, const CommonParameters& parameters,
 
 }  // namespace
 
-double maxAttachmentForce(const ClothModel& model, const CommonParameters& parameters, int triangle,
-                          const Vec3& barycentric) {
-  const Triangle& corners = model.triangles[triangle];
+double maxAttachmentForce(const ClothModel& model, const CommonParameters& parameters, const AttachmentEnds& ends) {
   double force = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double weight = barycentric[static_cast<Eigen::Index>(c)];
+  attachedCorners(model, ends).forEach([&](std::size_t vertex, double weight) {
     if (weight > 0.0) {
-      force = std::min(force, forceBorneBy(model, parameters, corners[c]) / weight);
+      force = std::min(force, forceBorneBy(model, parameters, vertex) / weight);
     }
-  }
+  });
   return std::max(force, shareOfWeight * parameters.gravity * model.totalMass());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/forces/attachment.hpp"
 #include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 
@@ -8,8 +9,7 @@ namespace drape {
 /// The maximum force of an attachment [N]: the force that stretches the springs around its point by about a fifth. It
 /// is at least a quarter of the weight of the cloth, so that an attachment moves cloth that its own weight stretches
 /// more.
-/// @param triangle of the attachment  @param barycentric its point in the triangle; sums to 1
-[[nodiscard]] double maxAttachmentForce(const ClothModel& model, const CommonParameters& parameters, int triangle,
-                                        const Vec3& barycentric);
+[[nodiscard]] double maxAttachmentForce(const ClothModel& model, const CommonParameters& parameters,
+                                        const AttachmentEnds& ends);
 
 }  // namespace drape

@@ -9,7 +9,7 @@ Vec3 gravityAndAir(const ClothModel& model, const CommonParameters& parameters, 
                    std::size_t vertex) {
   const double mass = model.vertexMass[vertex];
   Vec3 weight(0.0, -mass * parameters.gravity, 0.0);
-  if (parameters.air.drag == 0.0 && parameters.air.lift == 0.0) {
+  if (!parameters.air.acts()) {
     return weight;
   }
   const double pressureArea = 0.5 * parameters.air.density * model.vertexArea[vertex];

@@ -27,7 +27,7 @@ double dampingWork(const ClothModel& model, double damping, const ClothState& be
 
 double airWork(const ClothModel& model, const StepParameters& parameters, const ClothState& before,
                const ClothState& after) {
-  if (parameters.air.drag == 0.0 && parameters.air.lift == 0.0) {
+  if (!parameters.air.acts()) {
     return 0.0;
   }
   StepParameters airOnly = parameters;

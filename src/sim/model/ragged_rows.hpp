@@ -45,8 +45,6 @@ class RaggedRows {
   /// The values of all rows, row by row.
   [[nodiscard]] const std::vector<T>& values() const { return values_; }
 
-  friend bool operator==(const RaggedRows&, const RaggedRows&) = default;
-
  private:
   static std::vector<int> beginsOf(std::span<const int> lengths) {
     std::vector<int> begins(lengths.size() + 1, 0);

@@ -29,7 +29,7 @@ class XpbdMember {
   void store(ClothState& state) const { storeVertices(model_, lanes_, state, range_); }
 
   void predict(ClothState& state) {
-    if (parameters_.air.drag == 0.0 && parameters_.air.lift == 0.0) {
+    if (!parameters_.air.acts()) {
       predictVertices(lanes_, timeStep_, static_cast<float>(parameters_.gravity), range_);
     } else {
       store(state);

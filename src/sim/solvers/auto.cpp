@@ -58,14 +58,14 @@ class AdaptiveStep {
     for (int i = 0; i < memory.retryLevel; ++i) {
       plan = saferPlan(plan);
     }
+    const double budget = evaluationsInBudget(model, parameters, parameters.automatic);
     StepChoice choice{.order = plan.scheme == ExplicitScheme::Pefrl ? 4 : 2,
                       .substeps = plan.substeps,
                       .hOmega = parameters.timeStep * largestFrequency(model, parameters),
-                      .costRatio = plan.cost() / evaluationsInBudget(model, parameters, parameters.automatic),
+                      .costRatio = plan.cost() / budget,
                       .stiffnessScale = medianStiffnessScale(rates, parameters, plan)};
     choice.forceEvaluations = 0;
-    const bool estimating =
-        estimatesError(choice, evaluationsInBudget(model, parameters, parameters.automatic), memory);
+    const bool estimating = estimatesError(choice, budget, memory);
     if (estimating) {
       takeFinerStep(model, rates, parameters, inputs, plan, state, choice);
     }
@@ -270,7 +270,7 @@ class AutoSolver final : public Solver {
   AdaptiveStep<double> double_;
 };
 
-/// Warns that the cost budget is too small for this cloth, with what suffers, speed or stiffness.
+/// Warns if the cost budget is too small for this cloth, and says whether speed or stiffness suffers.
 std::optional<SolverWarning> autoWarning(const ClothModel& model, const StepParameters& parameters) {
   const double frequency = largestFrequency(model, parameters);
   const double evaluations = evaluationsInBudget(model, parameters, parameters.automatic);

@@ -7,7 +7,6 @@
 // neighbour begin 3 p values later.
 
 namespace drape {
-namespace {}  // namespace
 
 SparseSystem::SparseSystem(const ClothModel& model) {
   Eigen::Index free = 0;

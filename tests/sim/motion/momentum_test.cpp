@@ -86,7 +86,7 @@ TEST(KeepMomentum, holdsForEverySolverWithSubstepsAndEveryIntegration) {
   for (const Integration integration : {Integration::BackwardEuler, Integration::Theta, Integration::Bdf2}) {
     for (const SolverInfo& solver : solverTable()) {
       StepParameters p = inEmptySpace();
-      p.material.stiffness = 1.0;  // which explicit methods carry too
+      p.material.stiffness = 1.0;  // stable for explicit methods too
       p.integration = integration;
       p.theta = 0.75;
       p.substeps = 2;

@@ -49,7 +49,7 @@ struct Kind {
   Precision precision = Precision::Float;
   ForceDerivative derivative = ForceDerivative::Stabilised;
   double damping = testing::windyStep().material.damping;  // [N s/m]
-  bool levels = false;  // springs so stiff for the work that coarse levels carry them
+  bool levels = false;  // springs so stiff for the cost budget that coarse levels are used
 };
 
 std::vector<Kind> kinds() {
