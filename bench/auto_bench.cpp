@@ -16,14 +16,14 @@ constexpr int cycle = 128;
 /// A cloth that starts to fall, with a budget of as many force evaluations as Verlet needs.
 struct Task {
   ModelPtr model;
-  StepParameters parameters;
+  sim::StepParameters parameters;
   int evaluations = 0;
 
-  Task(ModelPtr cloth, Precision precision) : model(std::move(cloth)), parameters(stillAir()) {
+  Task(ModelPtr cloth, sim::Precision precision) : model(std::move(cloth)), parameters(stillAir()) {
     parameters.material.stiffness = 1000.0;
     parameters.precision = precision;
     parameters.automatic.errorTolerance = 1e-12;
-    evaluations = static_cast<int>(std::ceil(parameters.timeStep / (0.9 * verletStepLimit(*model, parameters))));
+    evaluations = static_cast<int>(std::ceil(parameters.timeStep / (0.9 * sim::verletStepLimit(*model, parameters))));
     parameters.automatic.costBudget =
         (evaluations + 0.5) * static_cast<double>(model->springs.size()) * 1e-6 / parameters.timeStep;
   }
@@ -32,11 +32,11 @@ struct Task {
 Batch byAuto(Task task) {
   struct Run {
     Task task;
-    ClothState state;
-    std::unique_ptr<Solver> solver = findSolver("auto")->make();
+    sim::ClothState state;
+    std::unique_ptr<sim::Solver> solver = sim::findSolver("auto")->make();
   };
   auto run = std::make_shared<Run>(Run{std::move(task), {}});
-  run->state = stateAtRest(run->task.model->restPositions);
+  run->state = sim::stateAtRest(run->task.model->restPositions);
   const auto advance = [run] {
     for (int i = 0; i < cycle; ++i) {
       run->solver->step(*run->task.model, run->task.parameters, {}, run->state);
@@ -49,11 +49,11 @@ Batch byAuto(Task task) {
 Batch byVerlet(Task task) {
   struct Run {
     Task task;
-    ClothState state;
-    std::unique_ptr<Solver> solver = findSolver("verlet")->make();
+    sim::ClothState state;
+    std::unique_ptr<sim::Solver> solver = sim::findSolver("verlet")->make();
   };
   auto run = std::make_shared<Run>(Run{std::move(task), {}});
-  run->state = stateAtRest(run->task.model->restPositions);
+  run->state = sim::stateAtRest(run->task.model->restPositions);
   run->task.parameters.timeStep /= run->task.evaluations;
   return {cycle, [run] {
             return threadSeconds([&] {
@@ -64,7 +64,7 @@ Batch byVerlet(Task task) {
           }};
 }
 
-void addCloth(Suite& suite, const std::string& name, Precision precision, ModelPtr (*make)()) {
+void addCloth(Suite& suite, const std::string& name, sim::Precision precision, ModelPtr (*make)()) {
   const std::string own = name + ", auto";
   const std::string plain = name + ", its substeps alone";
   suite.add({"auto", own, "us/step"}, [make, precision] { return byAuto(Task(make(), precision)); });
@@ -77,17 +77,17 @@ void addCloth(Suite& suite, const std::string& name, Precision precision, ModelP
 void addLevels(Suite& suite, const std::string& name, int resolution) {
   constexpr int substeps = 10;
   const auto softened = [resolution] {
-    Task task(grid(resolution), Precision::Float);
+    Task task(grid(resolution), sim::Precision::Float);
     task.parameters.material.stiffness = 1e5;
     task.parameters.automatic.soften = true;
     task.evaluations = substeps;
-    task.parameters.automatic.costBudget = (costWithLevels * substeps + 0.5) *
+    task.parameters.automatic.costBudget = (sim::adaptive::costWithLevels * substeps + 0.5) *
                                            static_cast<double>(task.model->springs.size()) * 1e-6 /
                                            task.parameters.timeStep;
     return task;
   };
   const auto plain = [resolution] {
-    Task task(grid(resolution), Precision::Float);
+    Task task(grid(resolution), sim::Precision::Float);
     task.parameters.material.stiffness = 10.0;  // stable with ten substeps; an evaluation costs the same
     task.evaluations = substeps;
     return task;
@@ -102,12 +102,12 @@ void addLevels(Suite& suite, const std::string& name, int resolution) {
 }  // namespace
 
 void addAutoGroup(Suite& suite) {
-  addCloth(suite, "33x33, float", Precision::Float, [] { return grid(33); });
-  addCloth(suite, "33x33, double", Precision::Double, [] { return grid(33); });
-  addCloth(suite, "65x65, float", Precision::Float, [] { return grid(65); });
+  addCloth(suite, "33x33, float", sim::Precision::Float, [] { return grid(33); });
+  addCloth(suite, "33x33, double", sim::Precision::Double, [] { return grid(33); });
+  addCloth(suite, "65x65, float", sim::Precision::Float, [] { return grid(65); });
   addLevels(suite, "33x33, 1e5 N/m", 33);
   // With float, auto would use double here because of rounding.
-  addCloth(suite, "T-shirt, double", Precision::Double, tshirt);
+  addCloth(suite, "T-shirt, double", sim::Precision::Double, tshirt);
 }
 
 }  // namespace drape::bench

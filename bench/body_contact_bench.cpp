@@ -50,25 +50,26 @@ std::vector<Fall> falls() {
   };
 }
 
-std::shared_ptr<const Scene> sceneOf(const Fall& fall) {
+std::shared_ptr<const scene::Scene> sceneOf(const Fall& fall) {
   std::string text = fall.cloth + settings;
   if (!fall.body.empty()) {
     text += "[[bodies]]\nname = \"body\"\n" + fall.body;
   }
-  const SceneDescription description = parseScene(text, fall.name, fall.name, ".");
-  return buildScene(description, description.settings);
+  const scene::SceneDescription description = scene::parseScene(text, fall.name, fall.name, ".");
+  return scene::buildScene(description, description.settings);
 }
 
 /// The bodies of the scene; a sphere as a mesh with its drawn surface.
-std::shared_ptr<const std::vector<Body>> bodiesOf(const Scene& scene) {
+std::shared_ptr<const std::vector<sim::contact::Body>> bodiesOf(const scene::Scene& scene) {
   if (!scene.bodies->empty()) {
     return scene.bodies;
   }
-  const BodySurface surface = surfaceOf(SphereShape{0.3});
-  Body body;
-  body.shape = std::make_shared<const MeshShape>(MeshShape{surface.positions, surface.triangles, {}, 1.0, false});
+  const sim::contact::BodySurface surface = sim::contact::surfaceOf(sim::contact::SphereShape{0.3});
+  sim::contact::Body body;
+  body.shape = std::make_shared<const sim::contact::MeshShape>(
+      sim::contact::MeshShape{surface.positions, surface.triangles, {}, 1.0, false});
   body.motion.keyframes = {{0.0, Vec3::Zero(), Vec3::Zero()}};
-  return std::make_shared<const std::vector<Body>>(1, body);
+  return std::make_shared<const std::vector<sim::contact::Body>>(1, body);
 }
 
 /// A whole fall; the time of its steps without contact, or of contact alone per thousand triangles.
@@ -77,15 +78,15 @@ Batch fallOn(const Fall& fall, bool contact) {
   const auto bodies = bodiesOf(*scene);
   const double thousands = static_cast<double>(scene->model->triangles.size()) / 1000.0;
   return {steps * (contact ? thousands : 1.0), [scene, bodies, contact] {
-            Stepper stepper(scene->settings.solver.name);
-            ClothState state = scene->start;
-            BodyWorld world(bodies, state.time);
-            const StepParameters& parameters = scene->settings.step;
+            sim::Stepper stepper(scene->settings.solver.name);
+            sim::ClothState state = scene->start;
+            sim::contact::BodyWorld world(bodies, state.time);
+            const sim::StepParameters& parameters = scene->settings.step;
             double inContact = 0.0;
             const double all = threadSeconds([&] {
               for (int i = 0; i < steps; ++i) {
                 world.advance(state.time, parameters.timeStep);
-                StepInputs inputs;
+                sim::StepInputs inputs;
                 inputs.bodies = &world.steps();
                 inContact += stepper.step(*scene->model, parameters, inputs, state).contact.bodySeconds;
               }

@@ -34,7 +34,7 @@ class BulletCloth {
       masses.push_back(model_->pinned[v] ? 0.0F : static_cast<btScalar>(model_->vertexMass[v]));
     }
     body_ = std::make_unique<btSoftBody>(&world_.getWorldInfo(), model_->vertexCount(), places.data(), masses.data());
-    for (const Spring& spring : model_->springs) {
+    for (const sim::Spring& spring : model_->springs) {
       body_->appendLink(spring.a, spring.b);
       body_->m_links[body_->m_links.size() - 1].m_rl = static_cast<btScalar>(spring.restLength);
     }
@@ -66,7 +66,7 @@ class BulletCloth {
 
  private:
   ModelPtr model_;
-  ClothState start_;
+  sim::ClothState start_;
   btSoftBodyRigidBodyCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;

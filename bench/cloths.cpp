@@ -13,8 +13,8 @@ namespace {
 
 constexpr double mass = 0.1;  // [kg]
 
-ModelPtr modelOf(const ClothMesh& mesh, const std::vector<int>& pins) {
-  return buildClothModel(mesh, mass, MassLumping::Uniform, pins);
+ModelPtr modelOf(const sim::ClothMesh& mesh, const std::vector<int>& pins) {
+  return sim::buildClothModel(mesh, mass, sim::MassLumping::Uniform, pins);
 }
 
 /// A random permutation newIndex[v] of the vertices, the same in every run.
@@ -26,8 +26,8 @@ std::vector<int> randomNumbering(std::size_t count) {
   return numbers;
 }
 
-ClothMesh renumbered(const ClothMesh& mesh, const std::vector<int>& newIndex) {
-  ClothMesh result{std::vector<Vec3>(mesh.positions.size()), mesh.triangles};
+sim::ClothMesh renumbered(const sim::ClothMesh& mesh, const std::vector<int>& newIndex) {
+  sim::ClothMesh result{std::vector<Vec3>(mesh.positions.size()), mesh.triangles};
   for (std::size_t v = 0; v < newIndex.size(); ++v) {
     result.positions[static_cast<std::size_t>(newIndex[v])] = mesh.positions[v];
   }
@@ -64,8 +64,8 @@ void turnDiagonal(Triangle& first, Triangle& second) {
 
 }  // namespace
 
-ClothMesh gridMesh(int n) {
-  return makeGrid({n, n, 1.0, 1.0}, GridSource::Plane::Horizontal).cloth;
+sim::ClothMesh gridMesh(int n) {
+  return scene::makeGrid({n, n, 1.0, 1.0}, scene::GridSource::Plane::Horizontal).cloth;
 }
 
 ModelPtr grid(int n) {
@@ -73,13 +73,13 @@ ModelPtr grid(int n) {
 }
 
 ModelPtr shuffledGrid(int n) {
-  const ClothMesh mesh = gridMesh(n);
+  const sim::ClothMesh mesh = gridMesh(n);
   const std::vector<int> numbering = randomNumbering(mesh.positions.size());
   return modelOf(renumbered(mesh, numbering), corners(n, numbering));
 }
 
-ClothMesh irregularMesh(int n) {
-  ClothMesh mesh = gridMesh(n);
+sim::ClothMesh irregularMesh(int n) {
+  sim::ClothMesh mesh = gridMesh(n);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shift(-1.0 / 3.0, 1.0 / 3.0);
   for (Vec3& position : mesh.positions) {
@@ -100,13 +100,13 @@ ModelPtr irregularSheet(int n) {
 }
 
 ModelPtr tshirt() {
-  SceneDescription description;
-  description.source = MeshFileSource{"tshirt.obj", true};
-  return buildScene(description, description.settings)->model;
+  scene::SceneDescription description;
+  description.source = scene::MeshFileSource{"tshirt.obj", true};
+  return scene::buildScene(description, description.settings)->model;
 }
 
-ClothState waving(const ClothModel& model) {
-  ClothState state = stateAtRest(model.restPositions);
+sim::ClothState waving(const sim::ClothModel& model) {
+  sim::ClothState state = sim::stateAtRest(model.restPositions);
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     const Vec3 at = model.restPositions[v];
     const Vec3 wave(std::sin(9.0 * at.z()), std::sin(7.0 * at.x() + 5.0 * at.z()), std::cos(8.0 * at.x()));
@@ -118,15 +118,15 @@ ClothState waving(const ClothModel& model) {
   return state;
 }
 
-StepParameters stillAir() {
-  StepParameters parameters;
+sim::StepParameters stillAir() {
+  sim::StepParameters parameters;
   parameters.material.stiffness = 10.0;
-  parameters.precision = Precision::Float;
+  parameters.precision = sim::Precision::Float;
   return parameters;
 }
 
-StepParameters fullStep() {
-  StepParameters parameters = stillAir();
+sim::StepParameters fullStep() {
+  sim::StepParameters parameters = stillAir();
   parameters.material.damping = 1e-3;
   parameters.air.drag = 1.0;
   parameters.air.lift = 0.5;

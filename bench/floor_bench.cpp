@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace drape::bench::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using D = drape::HWY_NAMESPACE::LanesOf<float>;
+using D = drape::sim::simd::HWY_NAMESPACE::LanesOf<float>;
 
 /// Eight sums that are independent of each other, so that no operation waits for the one before.
 struct Sums {
@@ -55,7 +55,7 @@ float arithmetic(int slots, int slices, bool air, const float* numbers) {
   const auto factor = hn::Set(d, 0.5F);
   const auto one = hn::LoadU(d, numbers);
   Sums sums{one, one, one, one, one, one, one, one};
-  for (int lane = 0; lane < sliceLanes; lane += static_cast<int>(hn::Lanes(d))) {
+  for (int lane = 0; lane < sim::simd::sliceLanes; lane += static_cast<int>(hn::Lanes(d))) {
     for (int slot = 0; slot < slots; ++slot) {
       work(sums, factor, 7, 1, numbers);
     }
@@ -79,7 +79,7 @@ HWY_EXPORT(arithmetic);
 
 Batch arithmeticOf(int n, bool air) {
   constexpr int steps = 50;
-  const SliceLayout layout = buildSliceLayout(*grid(n));
+  const sim::simd::SliceLayout layout = sim::simd::buildSliceLayout(*grid(n));
   const auto slots = static_cast<int>(layout.slots.size());
   return {steps, [slots, slices = layout.slices(), air, numbers = std::vector<float>(64, 1.5F)] {
             return threadSeconds([&] {

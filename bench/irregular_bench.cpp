@@ -9,7 +9,7 @@ constexpr int batch = 20;
 constexpr int likeTshirt = 53;  // a grid with 8216 springs
 
 void addCloth(Suite& suite, const char* name, ModelPtr (*make)()) {
-  const auto add = [&](const char* what, StepParameters (*parameters)()) {
+  const auto add = [&](const char* what, sim::StepParameters (*parameters)()) {
     suite.add({"irregular", std::string(name) + what, "ns/(spring step)"}, [=]() -> Batch {
       auto runner = std::make_shared<SliceRunner<float>>(make(), Method::OneIteration, parameters());
       return {batch * static_cast<double>(runner->model().springs.size()),

@@ -27,10 +27,10 @@ double bytesPerVertex(int vertices, Make&& make) {
 }
 
 /// A solver that has taken a step, and so has all that it needs.
-double solverBytes(const ModelPtr& model, const StepParameters& parameters) {
-  ClothState state = waving(*model);
+double solverBytes(const ModelPtr& model, const sim::StepParameters& parameters) {
+  sim::ClothState state = waving(*model);
   return bytesPerVertex(model->vertexCount(), [&] {
-    auto solver = findSolver("one_iteration")->make();
+    auto solver = sim::findSolver("one_iteration")->make();
     solver->step(*model, parameters, {}, state);
     return solver;
   });
@@ -45,13 +45,13 @@ void addMemory(Suite& suite) {
   add("one_iteration, float, irregular sheet 317x317", bound,
       [] { return solverBytes(irregularSheet(side), fullStep()); });
   add("one_iteration, double, grid 317x317", std::nullopt, [] {
-    StepParameters parameters = fullStep();
-    parameters.precision = Precision::Double;
+    sim::StepParameters parameters = fullStep();
+    parameters.precision = sim::Precision::Double;
     return solverBytes(grid(side), parameters);
   });
   add("the mesh with its springs (ClothModel), grid 317x317", std::nullopt, [] {
-    const ClothMesh mesh = gridMesh(side);
-    return bytesPerVertex(side * side, [&] { return buildClothModel(mesh, 0.1, MassLumping::Uniform, {}); });
+    const sim::ClothMesh mesh = gridMesh(side);
+    return bytesPerVertex(side * side, [&] { return sim::buildClothModel(mesh, 0.1, sim::MassLumping::Uniform, {}); });
   });
   add("the state in double", std::nullopt, [] {
     const ModelPtr model = grid(side);
@@ -61,8 +61,8 @@ void addMemory(Suite& suite) {
 
 /// The stages from the parsed file to the first step, on the irregular sheet.
 struct Stages {
-  RawMesh raw;
-  ClothMesh mesh;
+  io::RawMesh raw;
+  sim::ClothMesh mesh;
   ModelPtr model;
 };
 
@@ -71,13 +71,13 @@ std::shared_ptr<Stages> stages() {
   result->mesh = irregularMesh(side);
   result->raw.positions = result->mesh.positions;
   result->raw.triangles = result->mesh.triangles;
-  result->model = buildClothModel(result->mesh, 0.1, MassLumping::Area, {});
+  result->model = sim::buildClothModel(result->mesh, 0.1, sim::MassLumping::Area, {});
   return result;
 }
 
-void firstStep(const ClothModel& model) {
-  ClothState state = stateAtRest(model.restPositions);
-  findSolver("one_iteration")->make()->step(model, fullStep(), {}, state);
+void firstStep(const sim::ClothModel& model) {
+  sim::ClothState state = sim::stateAtRest(model.restPositions);
+  sim::findSolver("one_iteration")->make()->step(model, fullStep(), {}, state);
 }
 
 void addReadiness(Suite& suite) {
@@ -87,15 +87,16 @@ void addReadiness(Suite& suite) {
     });
   };
   add("weld and check, irregular 100,489 vertices", std::nullopt,
-      [](const Stages& input) { static_cast<void>(weldMesh(input.raw, "sheet", {})); });
-  add("springs and masses (buildClothModel)", std::nullopt,
-      [](const Stages& input) { static_cast<void>(buildClothModel(input.mesh, 0.1, MassLumping::Area, {})); });
+      [](const Stages& input) { static_cast<void>(io::weldMesh(input.raw, "sheet", {})); });
+  add("springs and masses (buildClothModel)", std::nullopt, [](const Stages& input) {
+    static_cast<void>(sim::buildClothModel(input.mesh, 0.1, sim::MassLumping::Area, {}));
+  });
   add("layout for vector instructions (SlicedCloth)", std::nullopt,
-      [](const Stages& input) { const SlicedCloth<float> cloth(*input.model); });
+      [](const Stages& input) { const sim::simd::SlicedCloth<float> cloth(*input.model); });
   add("layout and first step", std::nullopt, [](const Stages& input) { firstStep(*input.model); });
   add("all of it, from the parsed file to the first step", Bound{Bound::Side::AtMost, 1000.0}, [](const Stages& input) {
-    const ImportedMesh mesh = weldMesh(input.raw, "sheet", {});
-    firstStep(*buildClothModel(mesh.cloth, 0.1, MassLumping::Area, {}));
+    const io::ImportedMesh mesh = io::weldMesh(input.raw, "sheet", {});
+    firstStep(*sim::buildClothModel(mesh.cloth, 0.1, sim::MassLumping::Area, {}));
   });
 }
 

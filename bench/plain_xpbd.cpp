@@ -6,15 +6,15 @@
 
 namespace drape::bench {
 
-PlainXpbd::PlainXpbd(const ClothModel& model) {
-  const RaggedRows<int> colours = colourSprings(model);
+PlainXpbd::PlainXpbd(const sim::ClothModel& model) {
+  const sim::RaggedRows<int> colours = sim::colourSprings(model);
   for (const int index : colours.values()) {
-    const Spring& spring = model.springs[index];
+    const sim::Spring& spring = model.springs[index];
     constraints_.push_back({spring.a, spring.b, static_cast<float>(spring.restLength), 0.0F});
   }
 }
 
-void PlainXpbd::load(const ClothModel& model, const ClothState& state) {
+void PlainXpbd::load(const sim::ClothModel& model, const sim::ClothState& state) {
   vertices_.clear();
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     const Eigen::Vector3f x = state.positions[v].cast<float>();

@@ -11,9 +11,9 @@ namespace drape::bench {
 /// without intrinsics. It is the yardstick for other times.
 class PlainXpbd {
  public:
-  explicit PlainXpbd(const ClothModel& model);
+  explicit PlainXpbd(const sim::ClothModel& model);
 
-  void load(const ClothModel& model, const ClothState& state);
+  void load(const sim::ClothModel& model, const sim::ClothState& state);
 
   /// One iteration over all springs (Macklin, Mueller, Chentanez 2016, eqs. 17 and 18). @param inverseCompliance h^2 k
   void iterate(float inverseCompliance);

@@ -9,20 +9,20 @@
 namespace drape::bench {
 
 template <typename T>
-SliceRunner<T>::SliceRunner(ModelPtr model, Method method, const StepParameters& parameters)
+SliceRunner<T>::SliceRunner(ModelPtr model, Method method, const sim::StepParameters& parameters)
     : model_(std::move(model)),
       method_(method),
       cloth_(*model_),
-      step_(sliceStepOf<T>(parameters, parameters.jacobi)),
+      step_(sim::simd::sliceStepOf<T>(parameters, parameters.jacobi)),
       start_(waving(*model_)),
-      threads_(usefulThreads(cloth_.layout, parameters.threads)) {
+      threads_(sim::simd::usefulThreads(cloth_.layout, parameters.threads)) {
   cloth_.prepare(threads_, step_.sweeps);
   restart();
 }
 
 template <typename T>
 void SliceRunner<T>::restart() {
-  cloth_.load(start_, shareOf(cloth_.layout, 1, 0, 1));
+  cloth_.load(start_, sim::simd::shareOf(cloth_.layout, 1, 0, 1));
 }
 
 template <typename T>
@@ -33,14 +33,14 @@ void SliceRunner<T>::steps(int count) {
 template <typename T>
 void SliceRunner<T>::phases(int member, int count) {
   const int sweeps = method_ == Method::Verlet ? 1 : step_.sweeps;
-  const StepShare share = shareOf(cloth_.layout, sweeps, member, threads_);
+  const sim::simd::StepShare share = sim::simd::shareOf(cloth_.layout, sweeps, member, threads_);
   const int last = threads_ == 1 ? 0 : sweeps;
   for (int i = 0; i < count; ++i) {
     for (int phase = 0; phase <= last; ++phase) {
       if (method_ == Method::Verlet) {
-        verletPhase(cloth_, step_, step_.timeStep, share, phase);
+        sim::simd::verletPhase(cloth_, step_, step_.timeStep, share, phase);
       } else {
-        oneIterationPhase(cloth_, step_, share, phase);
+        sim::simd::oneIterationPhase(cloth_, step_, share, phase);
       }
       team_.arriveAndWait();
     }
@@ -49,9 +49,9 @@ void SliceRunner<T>::phases(int member, int count) {
 
 template <typename T>
 void SliceRunner<T>::check() {
-  ClothState state = start_;
-  cloth_.store(state, shareOf(cloth_.layout, 1, 0, 1));
-  if (!isFinite(state)) {
+  sim::ClothState state = start_;
+  cloth_.store(state, sim::simd::shareOf(cloth_.layout, 1, 0, 1));
+  if (!sim::isFinite(state)) {
     throw std::runtime_error("the cloth that is measured has blown up");
   }
 }

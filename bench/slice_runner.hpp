@@ -13,7 +13,7 @@ enum class Method { OneIteration, Verlet };
 template <typename T>
 class SliceRunner {
  public:
-  SliceRunner(ModelPtr model, Method method, const StepParameters& parameters);
+  SliceRunner(ModelPtr model, Method method, const sim::StepParameters& parameters);
 
   /// Where the cloth waves.
   void restart();
@@ -23,18 +23,18 @@ class SliceRunner {
   /// Throws when the cloth is not where a cloth can be: such numbers may cost less or more.
   void check();
 
-  [[nodiscard]] const ClothModel& model() const { return *model_; }
+  [[nodiscard]] const sim::ClothModel& model() const { return *model_; }
 
  private:
   void phases(int member, int count);
 
   ModelPtr model_;
   Method method_;
-  SlicedCloth<T> cloth_;
-  SliceStep<T> step_;
-  ClothState start_;
+  sim::simd::SlicedCloth<T> cloth_;
+  sim::simd::SliceStep<T> step_;
+  sim::ClothState start_;
   int threads_;
-  ThreadTeam team_;
+  sim::simd::ThreadTeam team_;
 };
 
 /// The time of a batch of steps from the waving cloth on, by the thread's own clock or by the one on the wall.

@@ -16,35 +16,35 @@ constexpr int sheet = 33;
 constexpr int batch = 50;
 
 template <typename T>
-Batch sliced(Method method, const StepParameters& parameters) {
+Batch sliced(Method method, const sim::StepParameters& parameters) {
   auto runner = std::make_shared<SliceRunner<T>>(grid(sheet), method, parameters);
   return {batch, [runner] { return batchSeconds(*runner, batch); }};
 }
 
 /// Explicit methods need a shorter step than the others.
-StepParameters explicitly(StepParameters parameters) {
+sim::StepParameters explicitly(sim::StepParameters parameters) {
   parameters.timeStep /= 10.0;
   return parameters;
 }
 
-StepParameters threeSweeps() {
-  StepParameters parameters = fullStep();
+sim::StepParameters threeSweeps() {
+  sim::StepParameters parameters = fullStep();
   parameters.jacobi.sweeps = 3;
   return parameters;
 }
 
 /// Steps of a solver including the conversion from and to the state in double.
-Batch ofSolver(std::string_view name, const StepParameters& parameters, int count) {
+Batch ofSolver(std::string_view name, const sim::StepParameters& parameters, int count) {
   struct Run {
     ModelPtr model;
-    StepParameters parameters;
-    ClothState start;
-    std::unique_ptr<Solver> solver;
+    sim::StepParameters parameters;
+    sim::ClothState start;
+    std::unique_ptr<sim::Solver> solver;
   };
   const ModelPtr model = grid(sheet);
-  auto run = std::make_shared<Run>(Run{model, parameters, waving(*model), findSolver(name)->make()});
+  auto run = std::make_shared<Run>(Run{model, parameters, waving(*model), sim::findSolver(name)->make()});
   return {static_cast<double>(count), [run, count] {
-            ClothState state = run->start;
+            sim::ClothState state = run->start;
             return threadSeconds([&] { run->solver->steps(*run->model, run->parameters, {}, count, state); });
           }};
 }
@@ -62,7 +62,7 @@ void addKernels(Suite& suite) {
 }
 
 void addConstraints(Suite& suite) {
-  const StepParameters parameters = stillAir();
+  const sim::StepParameters parameters = stillAir();
   const auto inverseCompliance =
       static_cast<float>(parameters.timeStep * parameters.timeStep * parameters.material.stiffness);  // h^2 k [kg]
   suite.add({"step", "XPBD, plain", "us/iteration"}, [inverseCompliance]() -> Batch {
@@ -79,14 +79,14 @@ void addConstraints(Suite& suite) {
   });
   suite.add({"step", "XPBD, SIMD", "us/iteration"}, [inverseCompliance]() -> Batch {
     const ModelPtr model = grid(sheet);
-    auto lanes = std::make_shared<ConstraintLanes>(*model);
+    auto lanes = std::make_shared<sim::simd::ConstraintLanes>(*model);
     return {batch, [=, start = waving(*model)] {
-              loadVertices(*model, start, *lanes, {0, lanes->vertexCount()});
+              sim::simd::loadVertices(*model, start, *lanes, {0, lanes->vertexCount()});
               return threadSeconds([&] {
                 for (int i = 0; i < batch; ++i) {
                   for (int c = 0; c < lanes->colours(); ++c) {
                     const auto colour = lanes->colourBegin.begin() + c;
-                    projectSprings(*lanes, inverseCompliance, i == 0, {colour[0], colour[1]});
+                    sim::simd::projectSprings(*lanes, inverseCompliance, i == 0, {colour[0], colour[1]});
                   }
                 }
               });
@@ -99,11 +99,11 @@ void addSolvers(Suite& suite) {
             [] { return ofSolver("one_iteration", fullStep(), batch); });
   suite.add({"step", "one_iteration by the solver, one by one", "us/step"},
             [] { return ofSolver("one_iteration", fullStep(), 1); });
-  for (const SolverInfo& info : solverTable()) {
+  for (const sim::SolverInfo& info : sim::solverTable()) {
     if (info.name == "one_iteration") {
       continue;
     }
-    StepParameters parameters = info.backwardEuler ? fullStep() : explicitly(fullStep());
+    sim::StepParameters parameters = info.backwardEuler ? fullStep() : explicitly(fullStep());
     std::string label(info.name);
     if (info.name == "pcg") {
       parameters.iteration.tolerance = 1e-3;

@@ -11,9 +11,9 @@ namespace {
 constexpr int side = 225;  // 100,352 triangles
 
 struct Drawn {
-  ClothMesh mesh;
+  sim::ClothMesh mesh;
   std::vector<Vec3> positions;
-  SurfaceShapes shapes;
+  render::SurfaceShapes shapes;
 };
 
 std::shared_ptr<Drawn> drawn() {
@@ -34,8 +34,8 @@ void addViewerGroup(Suite& suite) {
   suite.add({"viewer", "the same with the upload (SmoothMesh)", "ms/frame", Bound{Bound::Side::AtMost, 2.0}},
             []() -> Batch {
               struct Card {
-                OsmesaContext context;
-                SmoothMesh mesh;
+                render::OsmesaContext context;
+                render::SmoothMesh mesh;
               };
               auto card = std::make_shared<Card>();
               const auto input = drawn();

@@ -1,11 +1,12 @@
 # drape_embed(<target> <accessor> <root> <files relative to root or absolute>...)
 #
 # Puts files into a library, so that the programs find them from any folder. Generates the function
-#   std::span<const drape::EmbeddedFile> drape::<accessor>()
+#   std::span<const drape::EmbeddedFile> drape::<library>::<accessor>()
 # whose entries carry the file's path below <root> (or its name, for a file from elsewhere) and its bytes. The type is
 # declared in src/embed; the library is linked to it here.
 # The bytes are taken in by the assembler (.incbin): no large array for the compiler to chew on.
 function(drape_embed target accessor root)
+  string(REGEX REPLACE "^drape_" "" library "${target}")
   set(source "${CMAKE_CURRENT_BINARY_DIR}/${accessor}.cpp")
   set(declarations "")
   set(entries "")
@@ -35,14 +36,14 @@ function(drape_embed target accessor root)
 #include <span>
 
 ${declarations}
-namespace drape {
+namespace drape::${library} {
 std::span<const EmbeddedFile> ${accessor}();
 std::span<const EmbeddedFile> ${accessor}() {
   static const std::array<EmbeddedFile, ${index}> files{{
 ${entries}  }};
   return files;
 }
-}  // namespace drape
+}  // namespace drape::${library}
 ")
   target_link_libraries(${target} PRIVATE drape_embed)
   target_sources(${target} PRIVATE "${source}")

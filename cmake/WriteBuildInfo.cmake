@@ -14,11 +14,11 @@ file(CONFIGURE OUTPUT "${OUTPUT}" CONTENT [=[
 
 #include "report/machine.hpp"
 
-namespace drape {
+namespace drape::report {
 
 inline BuildInfo buildInfo() {
   return {"@COMPILER@", "@FLAGS@", "@BUILD_TYPE@", "@commit@"};
 }
 
-}  // namespace drape
+}  // namespace drape::report
 ]=] @ONLY)

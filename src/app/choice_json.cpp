@@ -4,17 +4,17 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::app {
 
-nlohmann::ordered_json toJson(const std::optional<StepChoice>& choice) {
+nlohmann::ordered_json toJson(const std::optional<sim::adaptive::StepChoice>& choice) {
   if (!choice) {
     return nullptr;
   }
-  nlohmann::ordered_json json{{"words", inWords(*choice)}};
-  for (const auto& [name, value] : figuresOf(*choice)) {
+  nlohmann::ordered_json json{{"words", messages::inWords(*choice)}};
+  for (const auto& [name, value] : sim::adaptive::figuresOf(*choice)) {
     json[std::string(name)] = value;
   }
   return json;
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-namespace drape {
+namespace drape::app {
 
 /// The choices of a solver such as `auto`; null for others.
-[[nodiscard]] nlohmann::ordered_json toJson(const std::optional<StepChoice>& choice);
+[[nodiscard]] nlohmann::ordered_json toJson(const std::optional<sim::adaptive::StepChoice>& choice);
 
-}  // namespace drape
+}  // namespace drape::app

@@ -4,13 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
-namespace drape {
+namespace drape::app {
 
 /// A command as JSON: {"step": 12, "command": "attach", "triangle": 3, ...}. Numbers keep all bits.
 /// Throws InputError for a command that loads a scene: a log belongs to one scene.
-[[nodiscard]] nlohmann::ordered_json toJson(const LoggedCommand& entry);
+[[nodiscard]] nlohmann::ordered_json toJson(const session::LoggedCommand& entry);
 
 /// The command that `toJson` wrote. Throws InputError that names the wrong entry.
-[[nodiscard]] LoggedCommand commandFrom(const nlohmann::ordered_json& json);
+[[nodiscard]] session::LoggedCommand commandFrom(const nlohmann::ordered_json& json);
 
-}  // namespace drape
+}  // namespace drape::app

@@ -10,7 +10,7 @@
 #include <iostream>
 #include <new>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 int fail(const CLI::App& app, ExitStatus status, const std::string& message) {
@@ -36,28 +36,29 @@ bool parseOrHelp(CLI::App& app, int argc, char** argv) {
 }
 
 /// Builds a scene. When this takes longer than half a second, the terminal shows a progress bar.
-std::shared_ptr<const Scene> buildWithProgress(const SceneDescription& description, const Settings& settings) {
+std::shared_ptr<const scene::Scene> buildWithProgress(const scene::SceneDescription& description,
+                                                      const settings::Settings& settings) {
   constexpr double patience = 0.5;  // [s]
   ProgressLine bar;
-  ImportWatch watch;
+  io::ImportWatch watch;
   watch.progress = [&](double share, std::string_view) {
     if (bar.spent() > patience) {
       bar.show("opening " + description.name, std::round(100.0 * share), 100.0);
     }
   };
-  return buildScene(description, settings, watch);
+  return scene::buildScene(description, settings, watch);
 }
 
 /// Prints how a mesh file was read, and warns when all vertices or none are pinned, each with the option that changes
 /// it.
-void printNotes(const Scene& scene) {
+void printNotes(const scene::Scene& scene) {
   if (scene.reading && scene.reading->needsReview()) {
     std::string options;
-    for (const ReadingAlternative& other : scene.reading->alternatives) {
+    for (const scene::ReadingAlternative& other : scene.reading->alternatives) {
       const std::string option = "--set " + other.key + "=";
       options += options.find(option) != std::string::npos ? "" : (options.empty() ? "" : ", ") + option + other.value;
     }
-    std::cerr << "note: " << inWords(*scene.reading) << " To change it: " << options << '\n';
+    std::cerr << "note: " << scene::inWords(*scene.reading) << " To change it: " << options << '\n';
   }
   if (scene.pinAdvice) {
     std::cerr << "warning: " << scene.pinAdvice->text << " Use --set " << scene.pinAdvice->key << '='
@@ -68,7 +69,7 @@ void printNotes(const Scene& scene) {
 }  // namespace
 
 void printFormerKey(std::string_view expression) {
-  if (const std::string note = formerKeyNote(expression.substr(0, expression.find('='))); !note.empty()) {
+  if (const std::string note = settings::formerKeyNote(expression.substr(0, expression.find('='))); !note.empty()) {
     std::cerr << "note: " << note << '\n';
   }
 }
@@ -85,17 +86,17 @@ void SceneArguments::addTo(CLI::App& app) {
       ->check(notEmpty());
 }
 
-std::shared_ptr<const Scene> SceneArguments::load() const {
-  const SceneDescription description = openScene(scene.empty() ? sceneList().front().name : scene);
-  Settings inForce = description.settings;
+std::shared_ptr<const scene::Scene> SceneArguments::load() const {
+  const scene::SceneDescription description = scene::openScene(scene.empty() ? scene::sceneList().front().name : scene);
+  settings::Settings inForce = description.settings;
   for (const std::string& note : description.notes) {
     std::cerr << "note: " << note << '\n';
   }
   for (const std::string& expression : settings) {
-    assignSettingExpression(inForce, expression);
+    settings::assignSettingExpression(inForce, expression);
     printFormerKey(expression);
   }
-  requireConsistent(inForce);
+  settings::requireConsistent(inForce);
   auto built = buildWithProgress(description, inForce);
   for (const std::string& warning : built->summary.warnings) {
     std::cerr << "warning: " << warning << '\n';
@@ -105,13 +106,13 @@ std::shared_ptr<const Scene> SceneArguments::load() const {
 }
 
 CLI::Validator numberFrom(double min, double max) {
-  const std::string range = formatValue(min) + " to " + formatValue(max);
+  const std::string range = settings::formatValue(min) + " to " + settings::formatValue(max);
   return {[min, max, range](std::string& text) {
             double value = 0.0;
             const bool inside = CLI::detail::lexical_cast(text, value) && value >= min && value <= max;
             return inside ? std::string() : "must be a number from " + range + "; '" + text + "' is not";
           },
-          "FLOAT in [" + formatValue(min) + " - " + formatValue(max) + "]"};
+          "FLOAT in [" + settings::formatValue(min) + " - " + settings::formatValue(max) + "]"};
 }
 
 CLI::Validator notEmpty() {
@@ -128,15 +129,15 @@ int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>
     return static_cast<int>(ExitStatus::Ok);
   } catch (const CLI::ParseError& error) {
     return fail(app, ExitStatus::WrongUsage, error.what());
-  } catch (const UsageError& error) {
+  } catch (const messages::UsageError& error) {
     return fail(app, ExitStatus::WrongUsage, error.what());
-  } catch (const InputError& error) {
+  } catch (const messages::InputError& error) {
     return fail(app, ExitStatus::Failed, error.what());
   } catch (const std::bad_alloc&) {
     return fail(app, ExitStatus::Failed, "not enough memory; use a smaller mesh or grid");
   } catch (const std::exception& error) {
-    return fail(app, ExitStatus::Failed, messageOf(error));
+    return fail(app, ExitStatus::Failed, messages::messageOf(error));
   }
 }
 
-}  // namespace drape
+}  // namespace drape::app

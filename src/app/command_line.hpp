@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 
 /// Exit status of the programs: WrongUsage for a UsageError, Failed for every other error.
 enum class ExitStatus { Ok = 0, Failed = 1, WrongUsage = 2 };
@@ -23,7 +23,7 @@ struct SceneArguments {
 
   /// Opens and builds the scene. Warnings about the mesh go to standard error. Throws UsageError for a bad --set,
   /// InputError for a bad scene or mesh.
-  [[nodiscard]] std::shared_ptr<const Scene> load() const;
+  [[nodiscard]] std::shared_ptr<const scene::Scene> load() const;
 };
 
 /// Prints a note to standard error when "key=value" uses a former key of a setting.
@@ -40,4 +40,4 @@ void printFormerKey(std::string_view expression);
 /// status.
 [[nodiscard]] int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& body);
 
-}  // namespace drape
+}  // namespace drape::app

@@ -11,7 +11,7 @@ namespace {
 
 void writeAll(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  for (const drape::GarmentFile& file : drape::garmentFiles()) {
+  for (const drape::io::GarmentFile& file : drape::io::garmentFiles()) {
     std::ofstream stream(folder / file.name, std::ios::binary);
     stream << file.text << std::flush;
     if (!stream) {

@@ -31,9 +31,9 @@
 
 namespace {
 
-using drape::ImportReply;
-using drape::InputError;
-using drape::RawMesh;
+using drape::io::ImportReply;
+using drape::io::RawMesh;
+using drape::messages::InputError;
 
 /// A mesh file must not make the library open other files (materials, textures).
 class NoOtherFiles : public Assimp::IOSystem {
@@ -108,14 +108,14 @@ std::string withoutInnerName(std::string reason) {
   for (std::size_t found = reason.find(inner); found != std::string::npos; found = reason.find(inner)) {
     reason.replace(found, inner.size(), "mesh");
   }
-  return drape::oneLine(reason);
+  return drape::io::oneLine(reason);
 }
 
 /// Passes on the progress of the library, one byte per per cent.
 class ProgressTeller : public Assimp::ProgressHandler {
  public:
   bool Update(float share) override {
-    const char byte = drape::progressByte(static_cast<double>(share));
+    const char byte = drape::io::progressByte(static_cast<double>(share));
     if (share >= 0.0F && byte != last_) {
       last_ = byte;
       writeStandardOutput(std::string(1, byte));
@@ -124,7 +124,7 @@ class ProgressTeller : public Assimp::ProgressHandler {
   }
 
  private:
-  char last_ = drape::progressByte(0.0);
+  char last_ = drape::io::progressByte(0.0);
 };
 
 /// Parses and triangulates. Drops data that cloth does not need (normals, colours, further texture coordinates).
@@ -199,7 +199,7 @@ class Collector {
   static std::uint64_t hashOf(const aiVector3D& position, const aiVector3D& uv) {
     std::uint64_t hash = 0;
     for (const float value : {position.x, position.y, position.z, uv.x, uv.y}) {
-      hash = drape::mixHash(hash, std::bit_cast<std::uint32_t>(value + 0.0F));
+      hash = drape::sim::mixHash(hash, std::bit_cast<std::uint32_t>(value + 0.0F));
     }
     return hash;
   }
@@ -208,17 +208,17 @@ class Collector {
   /// the raw mesh for each vertex of the mesh. The library has a similar step, but it takes four times as long as the
   /// import.
   std::vector<int> addVertices(const aiMesh& mesh, const aiMatrix4x4& placement) {
-    drape::ChainedIndex index(mesh.mNumVertices);
+    drape::io::ChainedIndex index(mesh.mNumVertices);
     std::vector<int> number(mesh.mNumVertices, -1);
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
       const aiVector3D& place = mesh.mVertices[i];
       const aiVector3D uv = uvOf(mesh, i);
       const std::uint64_t hash = hashOf(place, uv);
       int same = index.first(hash);
-      while (same != drape::ChainedIndex::none && !agree(mesh, static_cast<unsigned>(same), place, uv)) {
+      while (same != drape::io::ChainedIndex::none && !agree(mesh, static_cast<unsigned>(same), place, uv)) {
         same = index.next(same);
       }
-      if (same != drape::ChainedIndex::none) {
+      if (same != drape::io::ChainedIndex::none) {
         number[i] = number[same];
         continue;
       }
@@ -298,6 +298,6 @@ int main(int argumentCount, char** arguments) {
     return write(STDERR_FILENO, usage.data(), usage.size()) < 0 ? EXIT_FAILURE : 2;
   }
   limitThisProcess(std::strtol(arguments[2], nullptr, 10));
-  writeStandardOutput(drape::encodeReply(import(arguments[1])));
+  writeStandardOutput(drape::io::encodeReply(import(arguments[1])));
   return EXIT_SUCCESS;
 }

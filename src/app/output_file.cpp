@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 /// Read and write for everybody; the user's umask restricts it.
@@ -44,8 +44,8 @@ OutputFile::OutputFile(std::string name, std::string what) : name_(std::move(nam
     file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, usualMode);
   }
   if (file_ < 0) {
-    throw InputError("cannot write " + what_ + " to " + name_ + ": " + std::strerror(errno) +
-                     ". Check that the folder exists and is writable.");
+    throw messages::InputError("cannot write " + what_ + " to " + name_ + ": " + std::strerror(errno) +
+                               ". Check that the folder exists and is writable.");
   }
 }
 
@@ -65,8 +65,8 @@ void OutputFile::write(const nlohmann::ordered_json& figures) {
   const int reason = errno;
   const bool closed = ::close(std::exchange(file_, -1)) == 0;
   if (!complete || !closed) {
-    throw InputError(what_ + " could not be written completely to " + name_ + ": " +
-                     std::strerror(complete ? errno : reason));
+    throw messages::InputError(what_ + " could not be written completely to " + name_ + ": " +
+                               std::strerror(complete ? errno : reason));
   }
 }
 
@@ -87,7 +87,7 @@ void makeFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
-    throw InputError("cannot create the folder " + folder.string() + ": " + error.message());
+    throw messages::InputError("cannot create the folder " + folder.string() + ": " + error.message());
   }
 }
 
@@ -95,4 +95,4 @@ std::string jsonText(const nlohmann::ordered_json& json, int indent) {
   return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::app {
 
 /// A file for the results of a program.
 ///
@@ -42,4 +42,4 @@ void makeFolder(const std::filesystem::path& folder);
 /// @param indent spaces per level
 [[nodiscard]] std::string jsonText(const nlohmann::ordered_json& json, int indent);
 
-}  // namespace drape
+}  // namespace drape::app

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 constexpr double betweenLines = 15.0;  // in a file [s]
@@ -43,7 +43,7 @@ void ProgressLine::show(std::string_view label, double done, double total) {
     return;
   }
   const double pace = done > 0.0 ? spent() / done : 1.0;
-  std::string line = fmt::format("{}: {} %, {} left", label, percent, formatMinutes(pace * (total - done)));
+  std::string line = fmt::format("{}: {} %, {} left", label, percent, text::formatMinutes(pace * (total - done)));
   if (terminal_) {
     overwrite(std::move(line), percent);
   } else {
@@ -64,4 +64,4 @@ void ProgressLine::overwrite(std::string line, int percent) {
   std::cerr << '\r' << line << std::flush;
 }
 
-}  // namespace drape
+}  // namespace drape::app

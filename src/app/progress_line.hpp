@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace drape {
+namespace drape::app {
 
 /// The progress of a program: one line on standard error that is overwritten on a terminal.
 class ProgressLine {
@@ -40,4 +40,4 @@ class ProgressLine {
   int shownPercent_ = -1;
 };
 
-}  // namespace drape
+}  // namespace drape::app

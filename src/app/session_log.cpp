@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -19,13 +19,13 @@ constexpr int formatVersion = 1;
 
 /// Built-in scenes keep their names. A file gets an absolute name, so that the log can be replayed from any folder.
 std::string absoluteName(const std::string& name) {
-  const auto scenes = sceneList();
+  const auto scenes = scene::sceneList();
   const bool builtIn =
-      std::any_of(scenes.begin(), scenes.end(), [&](const SceneInfo& scene) { return scene.name == name; });
+      std::any_of(scenes.begin(), scenes.end(), [&](const scene::SceneInfo& scene) { return scene.name == name; });
   return name.empty() || builtIn ? name : std::filesystem::absolute(name).string();
 }
 
-SceneParts absoluteParts(SceneParts parts) {
+scene::SceneParts absoluteParts(scene::SceneParts parts) {
   parts.scene = absoluteName(parts.scene);
   parts.cloth = absoluteName(parts.cloth);
   for (std::string& body : parts.bodies) {
@@ -37,7 +37,7 @@ SceneParts absoluteParts(SceneParts parts) {
 SessionLog parse(const Json& json) {
   SessionLog log;
   if (json.at("drape_session") != formatVersion) {
-    throw InputError("it was written by another version of Drape");
+    throw messages::InputError("it was written by another version of Drape");
   }
   log.parts.scene = json.at("scene");
   log.parts.cloth = json.at("cloth");
@@ -56,30 +56,31 @@ SessionLog parse(const Json& json) {
 void requireOrder(const SessionLog& log) {
   constexpr std::int64_t maxSteps = 1'000'000'000;
   std::int64_t before = 0;
-  for (const LoggedCommand& entry : log.commands) {
+  for (const session::LoggedCommand& entry : log.commands) {
     if (entry.step < before) {
-      throw InputError("the steps of its commands must not decrease (step " + std::to_string(entry.step) + " after " +
-                       std::to_string(before) + ")");
+      throw messages::InputError("the steps of its commands must not decrease (step " + std::to_string(entry.step) +
+                                 " after " + std::to_string(before) + ")");
     }
     before = entry.step;
   }
   if (log.steps < before || log.steps > maxSteps) {
-    throw InputError("\"steps\" must be from " + std::to_string(before) + " to " + std::to_string(maxSteps) + ", not " +
-                     std::to_string(log.steps));
+    throw messages::InputError("\"steps\" must be from " + std::to_string(before) + " to " + std::to_string(maxSteps) +
+                               ", not " + std::to_string(log.steps));
   }
 }
 
 }  // namespace
 
-SessionLog sessionLogOf(const Simulation& simulation) {
+SessionLog sessionLogOf(const session::Simulation& simulation) {
   SessionLog log;
   log.parts = absoluteParts(simulation.scene().description.parts);
-  for (const SettingInfo& info : settingsTable()) {
-    log.settings.emplace_back(info.key, formatValue(settingValue(simulation.scene().settings, info)));
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
+    log.settings.emplace_back(info.key,
+                              settings::formatValue(settings::settingValue(simulation.scene().settings, info)));
   }
   log.commands = simulation.log();
   log.steps = simulation.stepsTaken();
-  log.stateHash = toHex(stateHash(simulation.state()));
+  log.stateHash = sim::toHex(sim::stateHash(simulation.state()));
   return log;
 }
 
@@ -93,7 +94,7 @@ void write(const SessionLog& log, OutputFile& file) {
     json["settings"][key] = value;
   }
   json["commands"] = Json::array();
-  for (const LoggedCommand& entry : log.commands) {
+  for (const session::LoggedCommand& entry : log.commands) {
     json["commands"].push_back(toJson(entry));
   }
   json["steps"] = log.steps;
@@ -105,33 +106,33 @@ SessionLog readSessionLog(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) {
-    throw InputError("cannot read the session log " + file + "; check the name");
+    throw messages::InputError("cannot read the session log " + file + "; check the name");
   }
   try {
     SessionLog log = parse(Json::parse(text));
     requireOrder(log);
     return log;
-  } catch (const InputError& error) {
-    throw InputError(file + ": " + error.what());
+  } catch (const messages::InputError& error) {
+    throw messages::InputError(file + ": " + error.what());
   } catch (const Json::exception&) {
-    throw InputError(file + " is not a complete session log; 'drape --record FILE' writes one");
+    throw messages::InputError(file + " is not a complete session log; 'drape --record FILE' writes one");
   }
 }
 
-std::shared_ptr<const Scene> openLoggedScene(const SessionLog& log) {
-  const SceneDescription description = openParts(log.parts);
-  Settings settings = description.settings;
+std::shared_ptr<const scene::Scene> openLoggedScene(const SessionLog& log) {
+  const scene::SceneDescription description = scene::openParts(log.parts);
+  settings::Settings settings = description.settings;
   // First the settings that decide others: mass and density decide mass_given_as.
   for (const bool decides : {true, false}) {
     for (const auto& [key, value] : log.settings) {
-      const SettingInfo& info = requireSetting(key);
+      const settings::SettingInfo& info = settings::requireSetting(key);
       if (decides != info.alsoKey.empty()) {
-        assignSettingText(settings, info, value);
+        settings::assignSettingText(settings, info, value);
       }
     }
   }
-  requireConsistent(settings);
-  return buildScene(description, settings);
+  settings::requireConsistent(settings);
+  return scene::buildScene(description, settings);
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -9,20 +9,20 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 
 /// A recorded session: the scene, the commands and the end. `drape --record` writes it, `drape-headless run --replay`
 /// runs it again to the same bits. It covers the time since the last scene was opened.
 struct SessionLog {
-  SceneParts parts;                                           ///< of the scene; file names are absolute
+  scene::SceneParts parts;                                    ///< of the scene; file names are absolute
   std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of all, when the scene was opened
-  std::vector<LoggedCommand> commands;
+  std::vector<session::LoggedCommand> commands;
   std::int64_t steps = 0;  ///< taken in the whole session
   std::string stateHash;   ///< at the end (sim/model/cloth_state.hpp)
 };
 
 /// The log of a simulation from its scene to now.
-[[nodiscard]] SessionLog sessionLogOf(const Simulation& simulation);
+[[nodiscard]] SessionLog sessionLogOf(const session::Simulation& simulation);
 
 /// Writes the log as JSON (docs/guide/headless.md). Throws InputError when it could not be written.
 void write(const SessionLog& log, OutputFile& file);
@@ -31,6 +31,6 @@ void write(const SessionLog& log, OutputFile& file);
 [[nodiscard]] SessionLog readSessionLog(const std::string& file);
 
 /// Opens the scene of the log and builds it under the logged settings. Throws InputError as opening a scene does.
-[[nodiscard]] std::shared_ptr<const Scene> openLoggedScene(const SessionLog& log);
+[[nodiscard]] std::shared_ptr<const scene::Scene> openLoggedScene(const SessionLog& log);
 
-}  // namespace drape
+}  // namespace drape::app

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <string>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 bool isClosed(int descriptor) {
@@ -37,7 +37,7 @@ void flushStandardOutput() {
     static_cast<void>(::write(STDOUT_FILENO, "", 0));  // an earlier write failed: try again to get the reason
   }
   const std::string reason = errno == EBADF ? "it is closed" : errno != 0 ? std::strerror(errno) : "a write failed";
-  throw InputError("standard output could not be written completely: " + reason);
+  throw messages::InputError("standard output could not be written completely: " + reason);
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape {
+namespace drape::app {
 
 /// Opens those of standard input, output and error that the caller closed. Otherwise the next file that the program
 /// opens would take their place and receive text for the terminal. Writing to a standard output that was closed still
@@ -11,4 +11,4 @@ void occupyStandardStreams();
 /// standard output was closed.
 void flushStandardOutput();
 
-}  // namespace drape
+}  // namespace drape::app

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::intersection {
 namespace {
 
 using Point = Eigen::Vector3d;
@@ -102,4 +102,4 @@ bool collinear(const Point& a, const Point& b, const Point& c) {
                      [&](Projection projection) { return orientation(a, b, c, projection) == 0; });
 }
 
-}  // namespace drape
+}  // namespace drape::intersection

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace drape {
+namespace drape::intersection {
 
 /// A segment; a point if both ends are equal.
 struct Segment {
@@ -49,4 +49,4 @@ class Facet {
 /// Whether three points are collinear.
 [[nodiscard]] bool collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-}  // namespace drape
+}  // namespace drape::intersection

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <unsupported/Eigen/BVH>
 
-namespace drape {
+namespace drape::intersection {
 namespace {
 
 using Corners = std::array<int, 3>;
@@ -146,4 +146,4 @@ std::vector<int> trianglesReaching(const Surface& surface, const std::array<Eige
   return reaching;
 }
 
-}  // namespace drape
+}  // namespace drape::intersection

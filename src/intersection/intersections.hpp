@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::intersection {
 
 /// A triangle mesh at one time.
 struct Surface {
@@ -36,4 +36,4 @@ struct TrianglePair {
 /// points are in counter-clockwise order.
 [[nodiscard]] std::vector<int> trianglesReaching(const Surface& surface, const std::array<Eigen::Vector3d, 3>& plane);
 
-}  // namespace drape
+}  // namespace drape::intersection

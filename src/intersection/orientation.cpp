@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace drape {
+namespace drape::intersection {
 namespace {
 
 using Point = Eigen::Vector3d;
@@ -205,4 +205,4 @@ int orientation(const Point& a, const Point& b, const Point& c, Projection p) {
   return exactAreaSign(a, b, c, p);
 }
 
-}  // namespace drape
+}  // namespace drape::intersection

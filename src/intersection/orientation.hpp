@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace drape {
+namespace drape::intersection {
 
 /// The exact sign of the volume that b - a, c - a and d - a span: 1 if d lies on the side of the plane a, b, c from
 /// which these are in counter-clockwise order, -1 on the other side, 0 if and only if the four points are coplanar. A
@@ -23,4 +23,4 @@ struct Projection {
 [[nodiscard]] int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                               Projection projection);
 
-}  // namespace drape
+}  // namespace drape::intersection

@@ -4,7 +4,7 @@
 #include <array>
 #include <initializer_list>
 
-namespace drape {
+namespace drape::intersection {
 namespace {
 
 using Point = Eigen::Vector3d;
@@ -109,4 +109,4 @@ bool meetBeyondEdge(const Facet& first, const Facet& second) {
   return side != 0 && beyond(b, {u, v}) == side;
 }
 
-}  // namespace drape
+}  // namespace drape::intersection

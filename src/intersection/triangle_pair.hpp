@@ -2,7 +2,7 @@
 
 #include "intersection/facet.hpp"
 
-namespace drape {
+namespace drape::intersection {
 
 /// Whether two triangles without common vertices have a point in common. Triangles are closed: touching counts.
 [[nodiscard]] bool meet(const Facet& first, const Facet& second);
@@ -14,4 +14,4 @@ namespace drape {
 /// folded flat onto the other.
 [[nodiscard]] bool meetBeyondEdge(const Facet& first, const Facet& second);
 
-}  // namespace drape
+}  // namespace drape::intersection

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// A hash table of the indices 0, 1, 2, ... whose keys the caller stores. It finds indices with equal hashes, and the
 /// caller compares the keys. It consists of two flat arrays, so a million entries cost milliseconds.
@@ -43,4 +43,4 @@ class ChainedIndex {
   std::vector<int> next_;
 };
 
-}  // namespace drape
+}  // namespace drape::io

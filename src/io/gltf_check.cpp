@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,11 +54,12 @@ void checkContent(const Json& json) {
   for (const Json& extension : arrayOf(json, "extensionsRequired")) {
     const std::string name = extension.is_string() ? extension.get<std::string>() : "";
     if (name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression") {
-      throw InputError("its vertices are compressed (" + name + "), which is not read. Export it without compression.");
+      throw messages::InputError("its vertices are compressed (" + name +
+                                 "), which is not read. Export it without compression.");
     }
   }
   if (arrayOf(json, "meshes").empty()) {
-    throw InputError("there is no mesh in it. Export the mesh again.");
+    throw messages::InputError("there is no mesh in it. Export the mesh again.");
   }
 }
 
@@ -76,23 +77,25 @@ std::string placeOf(std::string_view text, const Json::exception& error) {
 Json parseJson(std::string_view text) {
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos || (text[start] != '{' && text[start] != '[')) {
-    throw InputError("it is not a glTF file: it does not begin with '{'. Check what it is, or export it again.");
+    throw messages::InputError(
+        "it is not a glTF file: it does not begin with '{'. Check what it is, or export it again.");
   }
   try {
     // Writing JSON goes into depth by recursion, so the depth is limited here.
     Json json = Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
       constexpr int deepest = 200;
       if (depth > deepest) {
-        throw InputError("its JSON is nested deeper than any mesh needs. Export the mesh again.");
+        throw messages::InputError("its JSON is nested deeper than any mesh needs. Export the mesh again.");
       }
       return true;
     });
     if (!json.is_object()) {
-      throw InputError("its JSON is not an object. Export the mesh again.");
+      throw messages::InputError("its JSON is not an object. Export the mesh again.");
     }
     return json;
   } catch (const Json::exception& error) {
-    throw InputError("its JSON cannot be read" + placeOf(text, error) + ": it was cut off or damaged." + again);
+    throw messages::InputError("its JSON cannot be read" + placeOf(text, error) + ": it was cut off or damaged." +
+                               again);
   }
 }
 
@@ -118,19 +121,22 @@ fs::path fileOf(const std::string& uri, const fs::path& folder) {
   const bool plain = !name.empty() && name.find('\0') == std::string::npos && name.find("://") == std::string::npos &&
                      relative.filename() == relative && name != "." && name != "..";
   if (!plain || folder.empty()) {
-    throw InputError("its vertices are in " + drape::quoted(name) +
-                     ", and only files beside it, in the same folder, are read. Export it as binary glTF (.glb).");
+    throw messages::InputError(
+        "its vertices are in " + drape::io::quoted(name) +
+        ", and only files beside it, in the same folder, are read. Export it as binary glTF (.glb).");
   }
   std::error_code problem;
   const fs::path home = fs::canonical(folder, problem);
   const fs::path file = fs::canonical(home / relative, problem);
   if (problem) {
-    throw InputError("its vertices are in " + drape::quoted(name) +
-                     ", which is not beside it. Put that file into the same folder, or export binary glTF (.glb).");
+    throw messages::InputError(
+        "its vertices are in " + drape::io::quoted(name) +
+        ", which is not beside it. Put that file into the same folder, or export binary glTF (.glb).");
   }
   if (file.parent_path() != home || !fs::is_regular_file(file)) {
-    throw InputError("its vertices are in " + drape::quoted(name) +
-                     ", which is not a regular file of the same folder. Copy it there, or export binary glTF (.glb).");
+    throw messages::InputError(
+        "its vertices are in " + drape::io::quoted(name) +
+        ", which is not a regular file of the same folder. Copy it there, or export binary glTF (.glb).");
   }
   return file;
 }
@@ -154,7 +160,7 @@ std::string base64(std::string_view bytes) {
 }
 
 [[noreturn]] void failBase64(const std::string& what) {
-  throw InputError("the data of its buffer " + what + ": the file is cut off or damaged." + again);
+  throw messages::InputError("the data of its buffer " + what + ": the file is cut off or damaged." + again);
 }
 
 std::string fromBase64(std::string_view text) {
@@ -174,7 +180,7 @@ std::string fromBase64(std::string_view text) {
   for (const char letter : text) {
     const int value = values[static_cast<unsigned char>(letter)];
     if (value < 0) {
-      failBase64("holds " + drape::quoted(std::string_view(&letter, 1)) + ", which is no letter of base64");
+      failBase64("holds " + drape::io::quoted(std::string_view(&letter, 1)) + ", which is no letter of base64");
     }
     group = (group << 6U | static_cast<std::uint32_t>(value)) & 0xffffffU;
     bits += 6;
@@ -198,20 +204,21 @@ std::string dataOf(std::string_view uri) {
 
 std::string readBuffer(const fs::path& file, std::uint64_t promised, std::uintmax_t room) {
   const std::uintmax_t size = fs::file_size(file);
-  const std::string name = drape::quoted(file.filename().string());
+  const std::string name = drape::io::quoted(file.filename().string());
   if (size < promised) {
-    throw InputError("its buffer " + name + " holds " + std::to_string(size) + " of " + std::to_string(promised) +
-                     " bytes: that file was cut off. Export or copy both files again.");
+    throw messages::InputError("its buffer " + name + " holds " + std::to_string(size) + " of " +
+                               std::to_string(promised) +
+                               " bytes: that file was cut off. Export or copy both files again.");
   }
   if (size > room) {
-    throw InputError("its buffers are larger than " + std::to_string(largestBuffers >> 20U) +
-                     " MiB together. Reduce the mesh first.");
+    throw messages::InputError("its buffers are larger than " + std::to_string(largestBuffers >> 20U) +
+                               " MiB together. Reduce the mesh first.");
   }
   // The file may hold more than the buffer.
   std::string bytes(static_cast<std::size_t>(promised > 0 ? promised : size), '\0');
   std::ifstream stream(file, std::ios::binary);
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) && !bytes.empty()) {
-    throw InputError("its buffer " + name + " cannot be read. Check that file's permissions.");
+    throw messages::InputError("its buffer " + name + " cannot be read. Check that file's permissions.");
   }
   return bytes;
 }
@@ -224,12 +231,12 @@ std::string_view binaryChunk(std::string_view rest) {
   }
   const std::size_t length = wordAt(rest, 0);
   if (wordAt(rest, 4) != binaryMark) {
-    throw InputError("its second part is not the binary data that should follow the JSON: it is damaged." +
-                     std::string(again));
+    throw messages::InputError("its second part is not the binary data that should follow the JSON: it is damaged." +
+                               std::string(again));
   }
   if (length > rest.size() - headerSize) {
-    throw InputError("its binary data has " + std::to_string(rest.size() - headerSize) + " of the " +
-                     std::to_string(length) + " bytes that it promises: it was cut off or damaged." + again);
+    throw messages::InputError("its binary data has " + std::to_string(rest.size() - headerSize) + " of the " +
+                               std::to_string(length) + " bytes that it promises: it was cut off or damaged." + again);
   }
   return rest.substr(headerSize, length);
 }
@@ -255,7 +262,7 @@ std::string bufferOf(const Json& buffer, const fs::path& folder, std::optional<s
 
 std::vector<std::string> buffersOf(const Json& json, const fs::path& folder, std::optional<std::string_view> binary) {
   if (arrayOf(json, "buffers").empty()) {
-    throw InputError("it has no buffers, and so no vertices. Export the mesh again.");
+    throw messages::InputError("it has no buffers, and so no vertices. Export the mesh again.");
   }
   std::uintmax_t room = largestBuffers;
   std::vector<std::string> buffers;
@@ -304,28 +311,28 @@ std::string joinGlb(Json parts, std::vector<std::string>& buffers) {
 std::string glbWithMesh(std::string_view bytes) {
   constexpr std::size_t headerSize = 20;  // that of the file and that of the first chunk
   if (bytes.substr(0, 4) != std::string_view("glTF").substr(0, bytes.size())) {
-    throw InputError(
+    throw messages::InputError(
         "it is not a binary glTF file: it does not begin with 'glTF'. Check what it is, or export it again.");
   }
   if (bytes.size() < headerSize) {
-    throw InputError("it ends in its header: it was cut off." + std::string(again));
+    throw messages::InputError("it ends in its header: it was cut off." + std::string(again));
   }
   const std::uint32_t version = wordAt(bytes, 4);
   if (version == 1 && wordAt(bytes, 16) == 0) {
     return std::string(bytes);  // The parsing library reads this version too.
   }
   if (version != 2) {
-    throw InputError("it is binary glTF of version " + std::to_string(version) +
-                     ", and version 2 is read. Export it as glTF 2.0.");
+    throw messages::InputError("it is binary glTF of version " + std::to_string(version) +
+                               ", and version 2 is read. Export it as glTF 2.0.");
   }
   if (wordAt(bytes, 8) > bytes.size()) {
-    throw InputError("it holds " + std::to_string(bytes.size()) + " of the " + std::to_string(wordAt(bytes, 8)) +
-                     " bytes that it promises: it was cut off." + again);
+    throw messages::InputError("it holds " + std::to_string(bytes.size()) + " of the " +
+                               std::to_string(wordAt(bytes, 8)) + " bytes that it promises: it was cut off." + again);
   }
   const std::size_t length = wordAt(bytes, 12);
   if (wordAt(bytes, 16) != jsonChunk || length > bytes.size() - headerSize) {
-    throw InputError("its first part is not the JSON that a binary glTF file begins with: it is damaged." +
-                     std::string(again));
+    throw messages::InputError("its first part is not the JSON that a binary glTF file begins with: it is damaged." +
+                               std::string(again));
   }
   Json json = parseJson(bytes.substr(headerSize, length));
   checkContent(json);
@@ -346,4 +353,4 @@ std::string gltfWithBuffers(std::string_view text, const fs::path& folder) {
   return parts.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace drape
+}  // namespace drape::io

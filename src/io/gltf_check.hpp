@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::io {
 
 /// A binary glTF file with only the parts that its mesh is made of (meshPartsOf). Throws InputError when it is cut off,
 /// is not what its header says, its JSON cannot be read, or its vertices are stored in a way that is not read (Draco
@@ -16,4 +16,4 @@ namespace drape {
 /// resolves to elsewhere. Without a folder every other file is refused.
 [[nodiscard]] std::string gltfWithBuffers(std::string_view text, const std::filesystem::path& folder);
 
-}  // namespace drape
+}  // namespace drape::io

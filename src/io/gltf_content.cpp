@@ -14,7 +14,7 @@
 #include <string_view>
 #include <utility>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using Json = nlohmann::json;
@@ -31,7 +31,7 @@ constexpr std::uint64_t lastMode = 6;  // fans of triangles
 constexpr std::uint64_t largestNumber = std::uint64_t{1} << 32U;
 
 [[noreturn]] void fail(const std::string& what) {
-  throw InputError("its JSON is damaged: " + what + ". Export or copy it again.");
+  throw messages::InputError("its JSON is damaged: " + what + ". Export or copy it again.");
 }
 
 std::string element(const char* list, std::size_t index) {
@@ -116,8 +116,8 @@ class PartsCollector {
     }
     const std::string text = version->get<std::string>();
     if (text.rfind("2.", 0) != 0) {
-      throw InputError("it is glTF of version " + drape::quoted(text) +
-                       ", and version 2.0 is read. Export it as glTF 2.0.");
+      throw messages::InputError("it is glTF of version " + drape::io::quoted(text) +
+                                 ", and version 2.0 is read. Export it as glTF 2.0.");
     }
     parts_["asset"]["version"] = "2.0";
   }
@@ -145,7 +145,7 @@ class PartsCollector {
       meshes.push_back(Json{{"primitives", std::move(primitives)}});
     }
     if (usable == 0) {
-      throw InputError("none of its meshes has positions of vertices. Export the mesh again.");
+      throw messages::InputError("none of its meshes has positions of vertices. Export the mesh again.");
     }
   }
 
@@ -176,7 +176,7 @@ class PartsCollector {
   static void requireNoDraco(const Json& primitive) {
     const Json* const extensions = memberOf(primitive, "extensions");
     if (extensions != nullptr && extensions->is_object() && extensions->contains("KHR_draco_mesh_compression")) {
-      throw InputError(
+      throw messages::InputError(
           "its vertices are compressed (KHR_draco_mesh_compression), which is not read. Export it without "
           "compression.");
     }
@@ -187,17 +187,18 @@ class PartsCollector {
     const std::string name = element("accessors", index);
     const Json& accessor = get("accessors", index, where + ".POSITION");
     if (typeOf(accessor) != "VEC3" || componentOf(accessor, name) != realNumber) {
-      throw InputError("the positions of its vertices (" + name +
-                       ") are not three float numbers each. Export it without quantization or compression.");
+      throw messages::InputError("the positions of its vertices (" + name +
+                                 ") are not three float numbers each. Export it without quantization or compression.");
     }
     const Numbers positions = addAccessor(index, 3 * sizeof(float));
     for (std::uint64_t i = 0; positions.data != nullptr && i < positions.count; ++i) {
       std::array<float, 3> place{};
       std::memcpy(place.data(), positions.data + i * positions.stride, sizeof(place));
       if (!std::all_of(place.begin(), place.end(), [](float value) { return std::isfinite(value); })) {
-        throw InputError("vertex " + std::to_string(i) + " of " + where +
-                         " has a coordinate that is not a finite number (nan or inf). Repair the mesh or export it "
-                         "again.");
+        throw messages::InputError(
+            "vertex " + std::to_string(i) + " of " + where +
+            " has a coordinate that is not a finite number (nan or inf). Repair the mesh or export it "
+            "again.");
       }
     }
     kept["attributes"]["POSITION"] = index;
@@ -230,9 +231,9 @@ class PartsCollector {
       std::uint32_t vertex = 0;
       std::memcpy(&vertex, corners.data + i * corners.stride, size);
       if (vertex >= vertices) {
-        throw InputError("a face uses vertex " + std::to_string(vertex) + ", and its mesh has only " +
-                         std::to_string(vertices) + " counted from 0 (" + name +
-                         "). The file is damaged: export or copy it again.");
+        throw messages::InputError("a face uses vertex " + std::to_string(vertex) + ", and its mesh has only " +
+                                   std::to_string(vertices) + " counted from 0 (" + name +
+                                   "). The file is damaged: export or copy it again.");
       }
     }
   }
@@ -349,7 +350,7 @@ class PartsCollector {
   void addScene() {
     const std::uint64_t index = numberOf(document_, "scene", "JSON").value_or(0);
     if (list("scenes").empty()) {
-      throw InputError("it has no scene, so nothing says which meshes belong to it. Export the mesh again.");
+      throw messages::InputError("it has no scene, so nothing says which meshes belong to it. Export the mesh again.");
     }
     const std::string name = element("scenes", index);
     Json roots = Json::array();
@@ -358,7 +359,7 @@ class PartsCollector {
       roots.push_back(addNode(root, name, 0));
     }
     if (!hasMesh_) {
-      throw InputError("no node of its scene uses a mesh. Export the mesh again.");
+      throw messages::InputError("no node of its scene uses a mesh. Export the mesh again.");
     }
     parts_["scene"] = 0;
     parts_["scenes"] = Json::array({Json{{"nodes", std::move(roots)}}});
@@ -422,4 +423,4 @@ Json meshPartsOf(const Json& document, const std::vector<std::string>& buffers) 
   return PartsCollector(document, buffers).collect();
 }
 
-}  // namespace drape
+}  // namespace drape::io

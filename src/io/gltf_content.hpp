@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// The parts of a glTF document that a mesh is made of: the nodes of its scene, and the positions, first texture
 /// coordinates and indices of its meshes. Damage in all other parts (materials, skins, animations) does no harm then.
@@ -14,4 +14,4 @@ namespace drape {
 /// Source: glTF 2.0 specification, sections 3.5 to 3.7 and 5.
 [[nodiscard]] nlohmann::json meshPartsOf(const nlohmann::json& document, const std::vector<std::string>& buffers);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -18,7 +18,7 @@
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the user
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -81,7 +81,7 @@ class SpawnSetup {
     pid_t child = 0;
     const int problem = posix_spawn(&child, program.c_str(), &actions_, &attributes_, pointers.data(), environ);
     if (problem != 0) {
-      throw InputError("cannot start " + program.string() + ": " + std::strerror(problem));
+      throw messages::InputError("cannot start " + program.string() + ": " + std::strerror(problem));
     }
     return child;
   }
@@ -247,7 +247,7 @@ ProcessOutcome runProcess(const std::filesystem::path& program, const std::vecto
   // A socket instead of two pipes: writing to a dead child can then avoid SIGPIPE.
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    throw InputError(std::string("cannot talk to the import program: ") + std::strerror(errno));
+    throw messages::InputError(std::string("cannot talk to the import program: ") + std::strerror(errno));
   }
   Descriptor ours(ends[0]);
   Descriptor theirs(ends[1]);
@@ -257,4 +257,4 @@ ProcessOutcome runProcess(const std::filesystem::path& program, const std::vecto
   return converse(child, conversation, deadline, limits.stop);
 }
 
-}  // namespace drape
+}  // namespace drape::io

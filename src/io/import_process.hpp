@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// How a child process ended.
 struct ProcessOutcome {
@@ -40,4 +40,4 @@ using OutputListener = std::function<void(std::string_view piece)>;
                                         std::string_view input, const ProcessLimits& limits,
                                         const OutputListener& listener = {});
 
-}  // namespace drape
+}  // namespace drape::io

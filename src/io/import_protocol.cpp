@@ -9,7 +9,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 constexpr std::uint64_t openingMark = 0x314853454d505244ULL;  // "DRPMESH1"
@@ -28,8 +28,8 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(d
 static_assert(sizeof(Triangle) == 3 * sizeof(int) && std::is_trivially_copyable_v<Header>);
 
 [[noreturn]] void throwGarbled(const std::string& what) {
-  throw InputError("the answer of drape-mesh-import " + what +
-                   ". Both programs must be from the same build: install them again.");
+  throw messages::InputError("the answer of drape-mesh-import " + what +
+                             ". Both programs must be from the same build: install them again.");
 }
 
 void append(std::string& bytes, const void* data, std::size_t size) {
@@ -138,4 +138,4 @@ ImportReply decodeReply(std::string_view bytes) {
   return reply;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::io {
 
 /// The reply of the import program: a mesh, or an error message.
 struct ImportReply {
@@ -30,4 +30,4 @@ struct ImportReply {
 /// Decodes a reply and checks everything. Throws InputError when the bytes are not exactly one whole reply.
 [[nodiscard]] ImportReply decodeReply(std::string_view bytes);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <stop_token>
 #include <string_view>
 
-namespace drape {
+namespace drape::io {
 
 /// Thrown when the user cancels. It is not an error and is not reported.
 class Cancelled : public std::exception {
@@ -40,4 +40,4 @@ struct ImportWatch {
   }
 };
 
-}  // namespace drape
+}  // namespace drape::io

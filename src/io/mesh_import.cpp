@@ -21,7 +21,7 @@
 #include <cstring>
 #include <fstream>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,7 +67,7 @@ std::string formatList() {
 
 /// The file's extension in lower case, with its dot; empty when there is none.
 std::string endingOf(const fs::path& file) {
-  return lowerCase(file.extension().string());
+  return text::lowerCase(file.extension().string());
 }
 
 /// The file's format by its extension. Throws InputError when it is not supported.
@@ -75,11 +75,12 @@ std::string formatOf(std::string_view name) {
   const std::string ending = endingOf(name);
   if (!isMeshFile(name)) {
     const std::string advice = adviceForFormat(name);
-    throw InputError(std::string(name) + ": " +
-                     (advice.empty() ? (ending.empty() ? "no extension" : "'" + ending + "' is not an extension") +
-                                           " of a mesh format. The formats are " + formatList() +
-                                           ": export the mesh in one of these."
-                                     : advice));
+    throw messages::InputError(std::string(name) + ": " +
+                               (advice.empty()
+                                    ? (ending.empty() ? "no extension" : "'" + ending + "' is not an extension") +
+                                          " of a mesh format. The formats are " + formatList() +
+                                          ": export the mesh in one of these."
+                                    : advice));
   }
   return ending.substr(1);
 }
@@ -89,27 +90,28 @@ std::string readWholeFile(const fs::path& file) {
   std::error_code problem;
   const fs::file_status status = fs::status(file, problem);
   if (!fs::exists(status)) {
-    throw InputError(name + ": " + (status.type() == fs::file_type::not_found ? "no such file" : problem.message()) +
-                     ". Check the path.");
+    throw messages::InputError(name + ": " +
+                               (status.type() == fs::file_type::not_found ? "no such file" : problem.message()) +
+                               ". Check the path.");
   }
   if (fs::is_directory(status)) {
-    throw InputError(name + ": is a directory. Give a mesh file inside it.");
+    throw messages::InputError(name + ": is a directory. Give a mesh file inside it.");
   }
   if (!fs::is_regular_file(status)) {
-    throw InputError(name + ": is not a regular file. Copy it to a regular file.");
+    throw messages::InputError(name + ": is not a regular file. Copy it to a regular file.");
   }
   (void)formatOf(name);
   const std::uintmax_t size = fs::file_size(file, problem);
   if (!problem && size > largestFile) {
-    throw InputError(name + ": is " + std::to_string(size / mebibyte) + " MiB large, and the limit is " +
-                     std::to_string(largestFile / mebibyte) + " MiB. Reduce the mesh first.");
+    throw messages::InputError(name + ": is " + std::to_string(size / mebibyte) + " MiB large, and the limit is " +
+                               std::to_string(largestFile / mebibyte) + " MiB. Reduce the mesh first.");
   }
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::string bytes(problem ? 0 : static_cast<std::size_t>(size), '\0');
   if (!stream || !stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
-    throw InputError(name + ": cannot be read (" + std::strerror(errno != 0 ? errno : EIO) +
-                     "). Check the file's permissions.");
+    throw messages::InputError(name + ": cannot be read (" + std::strerror(errno != 0 ? errno : EIO) +
+                               "). Check the file's permissions.");
   }
   return bytes;
 }
@@ -123,8 +125,8 @@ fs::path importProgram() {
   const fs::path self = fs::read_symlink("/proc/self/exe", problem);
   fs::path program = self.parent_path() / "drape-mesh-import";
   if (problem || !fs::exists(program, problem)) {
-    throw InputError("the program drape-mesh-import, which reads meshes, is not at " + program.string() +
-                     ". Install it there or set DRAPE_MESH_IMPORT to its path.");
+    throw messages::InputError("the program drape-mesh-import, which reads meshes, is not at " + program.string() +
+                               ". Install it there or set DRAPE_MESH_IMPORT to its path.");
   }
   return program;
 }
@@ -167,12 +169,13 @@ RawMesh readInChild(const std::string& format, std::string_view bytes, double ti
     throw Cancelled();
   }
   if (outcome.end != ProcessOutcome::End::Exited || outcome.code != 0) {
-    throw InputError(describeFailure(outcome, timeLimit) +
-                     ". The file is probably damaged: export it again, or in another format (" + formatList() + ").");
+    throw messages::InputError(describeFailure(outcome, timeLimit) +
+                               ". The file is probably damaged: export it again, or in another format (" +
+                               formatList() + ").");
   }
   ImportReply reply = decodeReply(withoutProgress(outcome.output));
   if (!reply.error.empty()) {
-    throw InputError(reply.error);
+    throw messages::InputError(reply.error);
   }
   return std::move(reply.mesh);
 }
@@ -237,7 +240,7 @@ ImportedMesh weldNamed(const RawMesh& raw, const std::string& name, std::string_
       std::string storage;
       vertex = nameObjVertex(plainText(bytes, storage), place);
     }
-    throw InputError(name + ": " + vertex + " " + error.what());
+    throw messages::InputError(name + ": " + vertex + " " + error.what());
   }
 }
 
@@ -245,11 +248,11 @@ ImportedMesh importBytes(const std::string& name, std::string_view bytes, const 
                          const ImportOptions& options) {
   const std::string format = formatOf(name);
   if (bytes.empty()) {
-    throw InputError(name + ": the file is empty. Export the mesh again.");
+    throw messages::InputError(name + ": the file is empty. Export the mesh again.");
   }
   if (bytes.size() > largestFile) {
-    throw InputError(name + ": is larger than " + std::to_string(largestFile / mebibyte) +
-                     " MiB. Reduce the mesh first.");
+    throw messages::InputError(name + ": is larger than " + std::to_string(largestFile / mebibyte) +
+                               " MiB. Reduce the mesh first.");
   }
   constexpr double longestTime = 86400.0;
   const double timeLimit =
@@ -259,8 +262,8 @@ ImportedMesh importBytes(const std::string& name, std::string_view bytes, const 
   try {
     checkFile(format, bytes, folder, options.watch.part(0.0, 0.2), checked);
     raw = readInChild(format, checked.bytes, timeLimit, options.watch.part(0.2, 0.7));
-  } catch (const InputError& error) {
-    throw InputError(name + ": " + error.what());
+  } catch (const messages::InputError& error) {
+    throw messages::InputError(name + ": " + error.what());
   }
   raw.facesSkipped += checked.facesSkipped;
   raw.unusedVertices += checked.unusedVertices;
@@ -311,4 +314,4 @@ ImportedMesh importMeshFromMemory(std::string_view name, std::string_view bytes,
   return importBytes(std::string(name), bytes, {}, options);
 }
 
-}  // namespace drape
+}  // namespace drape::io

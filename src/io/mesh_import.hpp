@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// A mesh of a file after triangulation. Vertices are split where their texture coordinates differ.
 struct RawMesh {
@@ -63,7 +63,7 @@ struct FormatFacts {
 
 /// A mesh ready to become a cloth.
 struct ImportedMesh {
-  ClothMesh cloth;
+  sim::ClothMesh cloth;
   RenderMesh render;
   MeshSummary summary;
   FormatFacts format;
@@ -110,9 +110,9 @@ struct ImportOptions {
                                                 const ImportOptions& options);
 
 /// A vertex far from all others, when ImportOptions::outliers refuses it.
-class OutlierError : public InputError {
+class OutlierError : public messages::InputError {
  public:
-  OutlierError(const std::string& message, int rawVertex) : InputError(message), rawVertex_(rawVertex) {}
+  OutlierError(const std::string& message, int rawVertex) : messages::InputError(message), rawVertex_(rawVertex) {}
 
   [[nodiscard]] int rawVertex() const { return rawVertex_; }  ///< index into RawMesh::positions
 
@@ -127,4 +127,4 @@ class OutlierError : public InputError {
 /// One line per fact, for a terminal or a panel.
 [[nodiscard]] std::vector<std::string> describe(const MeshSummary& summary);
 
-}  // namespace drape
+}  // namespace drape::io

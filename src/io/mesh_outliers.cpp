@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// Outliers are at most one vertex in this many. More are a second object.
@@ -90,7 +90,7 @@ std::vector<int> findOutliers(const std::vector<Vec3>& positions, const std::vec
 double medianEdge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
   std::vector<double> lengths;
   lengths.reserve(3 * triangles.size());
-  forEachSide(triangles, [&](int from, int to) {
+  sim::forEachSide(triangles, [&](int from, int to) {
     const double length = (positions[from] - positions[to]).norm();
     if (length > 0.0) {
       lengths.push_back(length);
@@ -99,4 +99,4 @@ double medianEdge(const std::vector<Vec3>& positions, const std::vector<Triangle
   return lengths.empty() ? 0.0 : median(lengths);
 }
 
-}  // namespace drape
+}  // namespace drape::io

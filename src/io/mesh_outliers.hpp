@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// The vertices far from all others, in ascending order: at most one in twenty, and at least twenty times farther from
 /// the centre than the rest. The centre is the median of each coordinate, so that outliers do not move it. Only
@@ -15,4 +15,4 @@ namespace drape {
 /// faces counts twice.
 [[nodiscard]] double medianEdge(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 std::string counted(int count, const char* one, const char* many) {
@@ -69,7 +69,7 @@ void warnAboutTopology(MeshUse use, MeshSummary& summary) {
 
 }  // namespace
 
-void summarise(const ClothMesh& cloth, MeshUse use, MeshSummary& summary) {
+void summarise(const sim::ClothMesh& cloth, MeshUse use, MeshSummary& summary) {
   const TopologyCounts topology = countTopology(cloth.positions.size(), cloth.triangles);
   summary.vertices = static_cast<int>(cloth.positions.size());
   summary.triangles = static_cast<int>(cloth.triangles.size());
@@ -78,7 +78,7 @@ void summarise(const ClothMesh& cloth, MeshUse use, MeshSummary& summary) {
   summary.boundaryLoops = topology.boundaryLoops;
   summary.nonManifoldEdges = topology.nonManifoldEdges;
   summary.misorientedEdges = topology.misorientedEdges;
-  const Vec3 size = boundsOf(cloth.positions).sizes();
+  const Vec3 size = sim::boundsOf(cloth.positions).sizes();
   summary.size = {size.x(), size.y(), size.z()};
   warnAboutFaces(summary);
   warnAboutShortEdges(summary);
@@ -102,4 +102,4 @@ std::vector<std::string> describe(const MeshSummary& summary) {
   return lines;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <string>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// Largest coordinate, so that squares and products of lengths stay finite.
@@ -52,32 +52,33 @@ double largestOf(const Vec3& position) {
 
 void requireUsable(const RawMesh& raw, const std::string& name, const ImportOptions& options) {
   if (!(options.metresPerUnit > 0.0) || !std::isfinite(options.metresPerUnit)) {
-    throw InputError(name + ": the unit of the mesh must be a positive number of metres.");
+    throw messages::InputError(name + ": the unit of the mesh must be a positive number of metres.");
   }
   if (!(options.weldTolerance >= 0.0) || options.weldTolerance > 0.1) {
-    throw InputError(name + ": the weld tolerance must be between 0 and 0.1 of the mesh's diagonal.");
+    throw messages::InputError(name + ": the weld tolerance must be between 0 and 0.1 of the mesh's diagonal.");
   }
   if (!raw.uvs.empty() && raw.uvs.size() != raw.positions.size()) {
-    throw InputError(name + ": there are " + std::to_string(raw.uvs.size()) + " texture coordinates for " +
-                     std::to_string(raw.positions.size()) + " vertices. Export the mesh again.");
+    throw messages::InputError(name + ": there are " + std::to_string(raw.uvs.size()) + " texture coordinates for " +
+                               std::to_string(raw.positions.size()) + " vertices. Export the mesh again.");
   }
   const int count = static_cast<int>(raw.positions.size());
   for (const Triangle& triangle : raw.triangles) {
     for (const int vertex : triangle) {
       if (vertex < 0 || vertex >= count) {
-        throw InputError(name + ": a face uses vertex " + std::to_string(vertex) + ", but there are only " +
-                         std::to_string(count) + ". Export the mesh again.");
+        throw messages::InputError(name + ": a face uses vertex " + std::to_string(vertex) + ", but there are only " +
+                                   std::to_string(count) + ". Export the mesh again.");
       }
     }
   }
   for (std::size_t i = 0; i < raw.positions.size(); ++i) {
     if (!raw.positions[i].allFinite()) {
-      throw InputError(name + ": the position of vertex " + std::to_string(i) +
-                       " is not a finite number. Repair or export the mesh again.");
+      throw messages::InputError(name + ": the position of vertex " + std::to_string(i) +
+                                 " is not a finite number. Repair or export the mesh again.");
     }
     if (raw.positions[i].cwiseAbs().maxCoeff() > largestCoordinate) {
-      throw InputError(name + ": a vertex has the coordinate " + fmt::format("{:.6g}", largestOf(raw.positions[i])) +
-                       ", which is far too large. Repair or export the mesh again.");
+      throw messages::InputError(name + ": a vertex has the coordinate " +
+                                 fmt::format("{:.6g}", largestOf(raw.positions[i])) +
+                                 ", which is far too large. Repair or export the mesh again.");
     }
   }
 }
@@ -136,7 +137,7 @@ class PointWelder {
   static std::uint64_t cellHash(const Cell& cell) {
     std::uint64_t hash = 0;
     for (const std::int64_t coordinate : cell) {
-      hash = mixHash(hash, static_cast<std::uint64_t>(coordinate));
+      hash = sim::mixHash(hash, static_cast<std::uint64_t>(coordinate));
     }
     return hash;
   }
@@ -244,7 +245,7 @@ Faces cleanFaces(const RawMesh& raw, const Weld& weld, double flat, MeshSummary&
     const Triangle key = sorted(face);
     std::uint64_t hash = 0;
     for (const int vertex : key) {
-      hash = mixHash(hash, static_cast<std::uint64_t>(vertex));
+      hash = sim::mixHash(hash, static_cast<std::uint64_t>(vertex));
     }
     int same = index.first(hash);
     while (same != ChainedIndex::none && sorted(kept.particles[same]) != key) {
@@ -302,9 +303,9 @@ RenderMesh renderMeshFromUvs(const RawMesh& raw, const Weld& weld, const Faces& 
       continue;
     }
     const Vec2 uv = raw.uvs[i].allFinite() ? raw.uvs[i] : Vec2(0.0, 0.0);
-    std::uint64_t hash = mixHash(0, static_cast<std::uint64_t>(particle));
-    hash = mixHash(hash, std::bit_cast<std::uint64_t>(uv.x()));
-    hash = mixHash(hash, std::bit_cast<std::uint64_t>(uv.y()));
+    std::uint64_t hash = sim::mixHash(0, static_cast<std::uint64_t>(particle));
+    hash = sim::mixHash(hash, std::bit_cast<std::uint64_t>(uv.x()));
+    hash = sim::mixHash(hash, std::bit_cast<std::uint64_t>(uv.y()));
     int same = index.first(hash);
     while (same != ChainedIndex::none && (render.particle[same] != particle || render.uvs[same] != uv)) {
       same = index.next(same);
@@ -340,15 +341,15 @@ RawMesh withoutOutliers(const RawMesh& raw, const std::vector<int>& outliers, co
     const double away = (place - place.cwiseMax(bounds.min).cwiseMin(bounds.max)).norm() * options.metresPerUnit;
     const std::string others =
         outliers.size() == 1 ? "" : " (and " + std::to_string(outliers.size() - 1) + " more like it)";
-    throw OutlierError("lies " + formatLength(away) + " from the rest of the mesh" + others +
+    throw OutlierError("lies " + text::formatLength(away) + " from the rest of the mesh" + others +
                            ". Repair the mesh, or leave such vertices out with --set outliers=leave_out.",
                        outliers.front());
   }
   if (rest.triangles.size() * 2 < raw.triangles.size()) {
-    throw InputError(name + ": " + std::to_string(raw.triangles.size() - rest.triangles.size()) + " of its " +
-                     std::to_string(raw.triangles.size()) +
-                     " faces use a vertex that lies far from all others, so "
-                     "most of the mesh would be left out. Repair the mesh.");
+    throw messages::InputError(name + ": " + std::to_string(raw.triangles.size() - rest.triangles.size()) + " of its " +
+                               std::to_string(raw.triangles.size()) +
+                               " faces use a vertex that lies far from all others, so "
+                               "most of the mesh would be left out. Repair the mesh.");
   }
   return rest;
 }
@@ -383,25 +384,27 @@ void requireMostFaces(const RawMesh& raw, const MeshSummary& summary) {
   const auto dropped = static_cast<std::size_t>(summary.degenerateFaces);
   if (2 * dropped > raw.triangles.size()) {
     const std::string all = std::to_string(raw.triangles.size());
-    throw InputError(summary.source + ": " +
-                     (dropped == raw.triangles.size() ? "none of its " + all + " faces has an area."
-                                                      : std::to_string(dropped) + " of its " + all +
-                                                            " faces have no area, so most of the mesh would be lost.") +
-                     " Repair or export the mesh again, or lower weld_tolerance if it is not the default.");
+    throw messages::InputError(
+        summary.source + ": " +
+        (dropped == raw.triangles.size()
+             ? "none of its " + all + " faces has an area."
+             : std::to_string(dropped) + " of its " + all + " faces have no area, so most of the mesh would be lost.") +
+        " Repair or export the mesh again, or lower weld_tolerance if it is not the default.");
   }
 }
 
 void requireVisibleSize(const MeshSummary& summary, const ImportOptions& options) {
   const double largest = *std::max_element(summary.size.begin(), summary.size.end());
   if (options.use == MeshUse::Cloth && largest < smallestCloth) {
-    throw InputError(summary.source + ": it is " + formatLength(largest) +
-                     " large, and the minimum is 1 mm. Set the unit of the file (--set unit=...), or "
-                     "scale the mesh to metres.");
+    throw messages::InputError(summary.source + ": it is " + text::formatLength(largest) +
+                               " large, and the minimum is 1 mm. Set the unit of the file (--set unit=...), or "
+                               "scale the mesh to metres.");
   }
   if (largest > largestMesh) {
-    throw InputError(summary.source + ": it is " + formatLength(largest) +
-                     " large, and meshes above 1e+06 km are not simulated. Its coordinates are damaged, or it is in "
-                     "another unit (--set unit=...). Repair or export the mesh again.");
+    throw messages::InputError(
+        summary.source + ": it is " + text::formatLength(largest) +
+        " large, and meshes above 1e+06 km are not simulated. Its coordinates are damaged, or it is in "
+        "another unit (--set unit=...). Repair or export the mesh again.");
   }
 }
 
@@ -411,9 +414,9 @@ ImportedMesh weldMesh(const RawMesh& source, std::string_view nameView, const Im
   const std::string name(nameView);
   requireUsable(source, name, options);
   if (source.triangles.empty()) {
-    throw InputError(name + ": there are no faces in it" +
-                     (source.facesSkipped > 0 ? " but lines and points. " : ". ") +
-                     "A cloth needs a mesh of triangles or polygons.");
+    throw messages::InputError(name + ": there are no faces in it" +
+                               (source.facesSkipped > 0 ? " but lines and points. " : ". ") +
+                               "A cloth needs a mesh of triangles or polygons.");
   }
   ImportedMesh mesh;
   mesh.summary.source = name;
@@ -445,4 +448,4 @@ ImportedMesh weldMesh(const RawMesh& source, std::string_view nameView, const Im
   return mesh;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::io {
 
 /// A library's message as part of a sentence: one line of at most 160 characters, without control characters and
 /// without the final full stop.
@@ -20,4 +20,4 @@ namespace drape {
   return line;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// Words that begin a line of an OBJ file and do not change a mesh of polygons: normals, libraries, and curves.
@@ -118,10 +118,10 @@ class Checker {
  private:
   [[noreturn]] void fail(const std::string& problem) const {
     if (lines_.broken()) {
-      throw InputError(endsInLine(lines_.number()));
+      throw messages::InputError(endsInLine(lines_.number()));
     }
-    throw InputError("line " + std::to_string(lines_.number()) + ": " + problem +
-                     ". Correct it, or export the mesh again.");
+    throw messages::InputError("line " + std::to_string(lines_.number()) + ": " + problem +
+                               ". Correct it, or export the mesh again.");
   }
 
   void checkLine(std::string_view line) {
@@ -326,23 +326,23 @@ class Checker {
 
   static void requireThere(const MaxIndex& largest, long long count, const char* what) {
     if (largest.index > count) {
-      throw InputError("line " + std::to_string(largest.line) + ": there is no " + what + " " +
-                       std::to_string(largest.index) + ", the file has only " + std::to_string(count) +
-                       ". Correct it, or export the mesh again.");
+      throw messages::InputError("line " + std::to_string(largest.line) + ": there is no " + what + " " +
+                                 std::to_string(largest.index) + ", the file has only " + std::to_string(count) +
+                                 ". Correct it, or export the mesh again.");
     }
   }
 
   void checkWhole() {
     if (vertices_ == 0 && faces_ == 0 && unknown_.count > 0) {
-      throw InputError("it is not an OBJ file: line " + std::to_string(unknown_.line) + " begins with " +
-                       unknown_.word + ". Check what it is, or export the mesh again.");
+      throw messages::InputError("it is not an OBJ file: line " + std::to_string(unknown_.line) + " begins with " +
+                                 unknown_.word + ". Check what it is, or export the mesh again.");
     }
     requireThere(maxVertex_, vertices_, "vertex");
     requireThere(maxTexture_, textures_, "texture coordinate");
     if (faces_ == 0) {
-      throw InputError("there are no faces in it" +
-                       std::string(result_.facesSkipped > 0 ? " but lines and points. " : ". ") +
-                       "A cloth needs a mesh of triangles or polygons. If it should have faces, the file was cut off.");
+      throw messages::InputError(
+          "there are no faces in it" + std::string(result_.facesSkipped > 0 ? " but lines and points. " : ". ") +
+          "A cloth needs a mesh of triangles or polygons. If it should have faces, the file was cut off.");
     }
     const auto used = std::count(used_.begin(), used_.end(), true);
     result_.unusedVertices = static_cast<int>(vertices_ - used);
@@ -410,4 +410,4 @@ std::string nameObjVertex(std::string_view text, const Vec3& position) {
   return name;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// An OBJ file reduced to what a mesh needs, in a form that the parsing library does not misread.
 struct ObjText {
@@ -27,4 +27,4 @@ struct ObjText {
 /// The number, from 1, and the line of the vertex nearest to `position`: "vertex 500 (line 512)".
 [[nodiscard]] std::string nameObjVertex(std::string_view text, const Vec3& position);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 void appendNumber(std::string& text, double value) {
@@ -40,4 +40,4 @@ std::string objText(const std::vector<Vec3>& positions, const RenderMesh& render
   return text;
 }
 
-}  // namespace drape
+}  // namespace drape::io

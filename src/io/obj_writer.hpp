@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// A mesh as the text of an OBJ file: `positions` [m], one per particle, with the texture coordinates and faces of
 /// `render`. Seams exist in the texture only; the mesh stays connected. Without texture coordinates faces contain
@@ -15,4 +15,4 @@ namespace drape {
 [[nodiscard]] std::string objText(const std::vector<Vec3>& positions, const RenderMesh& render,
                                   std::string_view comment);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -9,7 +9,7 @@
 #include <charconv>
 #include <optional>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 class OffChecker {
@@ -28,7 +28,7 @@ class OffChecker {
       kept += readFace(i) ? 1 : 0;
     }
     if (kept == 0) {
-      throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
+      throw messages::InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
     }
     result_.text.insert(countsAt, std::to_string(vertices_) + " " + std::to_string(kept) + " 0\n");
     if (broken_) {
@@ -42,9 +42,9 @@ class OffChecker {
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(broken_ ? endsInLine(number_)
-                             : "line " + std::to_string(number_) + ": " + problem +
-                                   ". Correct it, or export the mesh again.");
+    throw messages::InputError(broken_ ? endsInLine(number_)
+                                       : "line " + std::to_string(number_) + ": " + problem +
+                                             ". Correct it, or export the mesh again.");
   }
 
   /// Moves on to the next line that holds something. False at the end of the file.
@@ -65,9 +65,9 @@ class OffChecker {
 
   void requireLine(const char* what, std::size_t index, std::size_t count) {
     if (!nextLine()) {
-      throw InputError(std::string(what) + " " + std::to_string(index + 1) + " of " + std::to_string(count) +
-                       " is missing: the file was cut off after line " + std::to_string(number_) +
-                       ". Export or copy it again.");
+      throw messages::InputError(std::string(what) + " " + std::to_string(index + 1) + " of " + std::to_string(count) +
+                                 " is missing: the file was cut off after line " + std::to_string(number_) +
+                                 ". Export or copy it again.");
     }
   }
 
@@ -75,25 +75,25 @@ class OffChecker {
     constexpr std::array<std::string_view, 9> known{"OFF",    "COFF",   "NOFF",    "CNOFF", "STOFF",
                                                     "STCOFF", "STNOFF", "STCNOFF", "NCOFF"};
     if (!nextLine()) {
-      throw InputError("there is nothing in it. Export the mesh again.");
+      throw messages::InputError("there is nothing in it. Export the mesh again.");
     }
     std::string_view look = line_;
     const std::string_view keyword = takeWord(look);
     if (keyword.find("OFF") == std::string_view::npos) {
-      throw InputError("it is not an OFF file: it begins with " + quoted(keyword) +
-                       ", and not with 'OFF'. Check what it is, or export it again.");
+      throw messages::InputError("it is not an OFF file: it begins with " + quoted(keyword) +
+                                 ", and not with 'OFF'. Check what it is, or export it again.");
     }
     std::string_view more = look;
     if (takeWord(more) == "BINARY") {
-      throw InputError("it is a binary OFF file, which is not read. Export it as text, or as PLY.");
+      throw messages::InputError("it is a binary OFF file, which is not read. Export it as text, or as PLY.");
     }
     if (std::find(known.begin(), known.end(), keyword) == known.end()) {
-      throw InputError("it is an OFF file of the kind " + quoted(keyword) +
-                       ", which is not read. Export it as plain OFF, or as PLY.");
+      throw messages::InputError("it is an OFF file of the kind " + quoted(keyword) +
+                                 ", which is not read. Export it as plain OFF, or as PLY.");
     }
     line_ = look;
     if (std::string_view counts = line_; takeWord(counts).empty() && !nextLine()) {
-      throw InputError("it ends after its first line: it was cut off. Export or copy it again.");
+      throw messages::InputError("it ends after its first line: it was cut off. Export or copy it again.");
     }
     vertices_ = readCount("vertices");
     faces_ = readCount("faces");
@@ -179,4 +179,4 @@ OffText checkOff(std::string_view text) {
   return OffChecker(text).check();
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// An OFF file reduced to positions and faces.
 struct OffText {
@@ -19,4 +19,4 @@ struct OffText {
 /// Source: Geomview manual, "OFF Files".
 [[nodiscard]] OffText checkOff(std::string_view text);
 
-}  // namespace drape
+}  // namespace drape::io

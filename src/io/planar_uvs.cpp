@@ -4,11 +4,11 @@
 #include <array>
 #include <cstddef>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// The axis (0, 1, 2 for x, y, z) closest to a face's normal.
-std::size_t mainAxis(const ClothMesh& cloth, const Triangle& face) {
+std::size_t mainAxis(const sim::ClothMesh& cloth, const Triangle& face) {
   const Vec3& a = cloth.positions[face[0]];
   const Vec3& b = cloth.positions[face[1]];
   const Vec3& c = cloth.positions[face[2]];
@@ -31,7 +31,7 @@ Vec2 seenAlong(std::size_t axis, const Vec3& position) {
 
 }  // namespace
 
-RenderMesh renderMeshFromPlanes(const ClothMesh& cloth) {
+RenderMesh renderMeshFromPlanes(const sim::ClothMesh& cloth) {
   RenderMesh render;
   render.uvsInMetres = true;
   std::vector<std::array<int, 3>> byAxis(cloth.positions.size(), {-1, -1, -1});
@@ -53,4 +53,4 @@ RenderMesh renderMeshFromPlanes(const ClothMesh& cloth) {
   return render;
 }
 
-}  // namespace drape
+}  // namespace drape::io

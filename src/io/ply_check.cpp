@@ -12,7 +12,7 @@
 #include <cstring>
 #include <string>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using Kind = PlyNumber::Kind;
@@ -26,8 +26,8 @@ struct Place {
 };
 
 [[noreturn]] void fail(const Place& place, const std::string& what) {
-  throw InputError(place.element->name + " " + std::to_string(place.index + 1) + " of " +
-                   std::to_string(place.element->count) + " " + what);
+  throw messages::InputError(place.element->name + " " + std::to_string(place.index + 1) + " of " +
+                             std::to_string(place.element->count) + " " + what);
 }
 
 [[noreturn]] void failCutOff(const Place& place) {
@@ -209,7 +209,7 @@ void requireCoordinates(const PlyHeader& header) {
   }
   for (const char axis : {'x', 'y', 'z'}) {
     if (found.find(axis) == std::string::npos) {
-      throw InputError(std::string("its vertices have no '") + axis + "'. Export the mesh again.");
+      throw messages::InputError(std::string("its vertices have no '") + axis + "'. Export the mesh again.");
     }
   }
 }
@@ -220,7 +220,7 @@ void requireIndices(const PlyHeader& header) {
       return;
     }
   }
-  throw InputError("its faces have no list 'vertex_indices' or 'vertex_index'. Export the mesh again.");
+  throw messages::InputError("its faces have no list 'vertex_indices' or 'vertex_index'. Export the mesh again.");
 }
 
 }  // namespace
@@ -228,7 +228,8 @@ void requireIndices(const PlyHeader& header) {
 PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& storage) {
   const PlyHeader header = readPlyHeader(text);
   if (countOf(header, "vertex") == 0 || countOf(header, "face") == 0) {
-    throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons, not a cloud of points.");
+    throw messages::InputError(
+        "there are no faces in it. A cloth needs a mesh of triangles or polygons, not a cloud of points.");
   }
   requireCoordinates(header);
   requireIndices(header);
@@ -261,4 +262,4 @@ PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& st
   return result;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// Walks through a PLY file and throws InputError when it does not hold what its header promises: when it is cut off,
 /// has a coordinate that is not a finite number, or a face with a vertex that is not there. The parsing library
@@ -16,4 +16,4 @@ struct PlyBytes {
 };
 [[nodiscard]] PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& storage);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <utility>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using Kind = PlyNumber::Kind;
@@ -51,13 +51,14 @@ class HeaderReader {
 
   PlyHeader read() {
     if (wordsOf(nextLine()) != std::vector<std::string>{"ply"}) {
-      throw InputError("it is not a PLY file: its first line is not 'ply'. Check the file, or export it again.");
+      throw messages::InputError(
+          "it is not a PLY file: its first line is not 'ply'. Check the file, or export it again.");
     }
     while (true) {
       const std::vector<std::string> words = wordsOf(nextLine());
       if (!words.empty() && words[0] == "end_header") {
         if (!hasFormat_) {
-          throw InputError("its header has no line 'format'. Export the mesh again.");
+          throw messages::InputError("its header has no line 'format'. Export the mesh again.");
         }
         header_.size = position_;
         return header_;
@@ -68,13 +69,13 @@ class HeaderReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError("line " + std::to_string(line_) + " of its header " + what + ". Export the mesh again.");
+    throw messages::InputError("line " + std::to_string(line_) + " of its header " + what + ". Export the mesh again.");
   }
 
   std::string_view nextLine() {
     const std::size_t end = bytes_.find('\n', position_);
     if (end == std::string_view::npos || end - position_ > 4096) {
-      throw InputError("its header does not end: the file is cut off or damaged. Export the mesh again.");
+      throw messages::InputError("its header does not end: the file is cut off or damaged. Export the mesh again.");
     }
     const std::string_view line = bytes_.substr(position_, end - position_);
     position_ = end + 1;
@@ -162,4 +163,4 @@ PlyHeader readPlyHeader(std::string_view bytes) {
   return HeaderReader(bytes).read();
 }
 
-}  // namespace drape
+}  // namespace drape::io

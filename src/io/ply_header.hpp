@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// A number type of a PLY file.
 struct PlyNumber {
@@ -36,4 +36,4 @@ struct PlyHeader {
 /// Reads the header of a PLY file. Throws InputError with the line when it is invalid.
 [[nodiscard]] PlyHeader readPlyHeader(std::string_view bytes);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::io {
 
 /// A word from a file in quotes, for a message: shortened, without bytes that could confuse a terminal.
 [[nodiscard]] inline std::string quoted(std::string_view word) {
@@ -15,4 +15,4 @@ namespace drape {
   return text + (word.size() > longest ? "...'" : "'");
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 struct Edge {
@@ -26,7 +26,7 @@ struct Edge {
 /// The edges below the limit, shortest first, without duplicates.
 std::vector<Edge> shortEdges(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles, double limit) {
   std::vector<Edge> edges;
-  forEachSide(triangles, [&](int from, int to) {
+  sim::forEachSide(triangles, [&](int from, int to) {
     const auto [low, high] = std::minmax({from, to});
     const double length = (positions[high] - positions[low]).norm();
     if (length < limit) {
@@ -192,4 +192,4 @@ ShortEdges collapseShortEdges(const std::vector<Vec3>& positions, const std::vec
   return result;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// The result of collapseShortEdges.
 struct ShortEdges {
@@ -22,4 +22,4 @@ struct ShortEdges {
 [[nodiscard]] ShortEdges collapseShortEdges(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
                                             double limit);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <utility>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 constexpr std::size_t headerSize = 84;
@@ -27,27 +27,28 @@ void checkTriangle(std::string_view bytes, std::size_t index, std::size_t count)
   std::memcpy(numbers.data(), bytes.data() + headerSize + index * triangleSize, sizeof(numbers));
   for (std::size_t i = 3; i < numbers.size(); ++i) {
     if (!std::isfinite(numbers[i])) {
-      throw InputError("triangle " + std::to_string(index + 1) + " of " + std::to_string(count) +
-                       " has a coordinate that is not a finite number (nan or inf). Repair the mesh.");
+      throw messages::InputError("triangle " + std::to_string(index + 1) + " of " + std::to_string(count) +
+                                 " has a coordinate that is not a finite number (nan or inf). Repair the mesh.");
     }
   }
 }
 
 StlBytes checkBinary(std::string_view bytes) {
   if (bytes.size() < headerSize) {
-    throw InputError("it is too short for an STL file: it was cut off. Export or copy it again.");
+    throw messages::InputError("it is too short for an STL file: it was cut off. Export or copy it again.");
   }
   const std::size_t promised = promisedTriangles(bytes);
   const std::size_t present = (bytes.size() - headerSize) / triangleSize;
   if (present < promised) {
-    throw InputError("it holds " + std::to_string(present) + " of the " + std::to_string(promised) +
-                     " triangles that it promises: it was cut off, or it is not an STL file. Export or copy it again.");
+    throw messages::InputError(
+        "it holds " + std::to_string(present) + " of the " + std::to_string(promised) +
+        " triangles that it promises: it was cut off, or it is not an STL file. Export or copy it again.");
   }
   for (std::size_t i = 0; i < promised; ++i) {
     checkTriangle(bytes, i, promised);
   }
   if (promised == 0) {
-    throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
+    throw messages::InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
   }
   StlBytes stl{bytes.substr(0, headerSize + promised * triangleSize), {}};
   // Some programs end the file with a remark.
@@ -77,20 +78,20 @@ class TextChecker {
       checkLine(line);
     }
     if (open_) {
-      throw InputError("it ends in the middle of a solid, after line " + std::to_string(line_) +
-                       ", without 'endsolid': it was cut off. Export or copy it again.");
+      throw messages::InputError("it ends in the middle of a solid, after line " + std::to_string(line_) +
+                                 ", without 'endsolid': it was cut off. Export or copy it again.");
     }
     if (facets_ == 0) {
-      throw InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
+      throw messages::InputError("there are no faces in it. A cloth needs a mesh of triangles or polygons.");
     }
     return std::move(text_) + "endsolid\n";
   }
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(broken_ ? endsInLine(line_)
-                             : "line " + std::to_string(line_) + ": " + problem +
-                                   ". Correct it, or export the mesh again.");
+    throw messages::InputError(broken_ ? endsInLine(line_)
+                                       : "line " + std::to_string(line_) + ": " + problem +
+                                             ". Correct it, or export the mesh again.");
   }
 
   void checkLine(std::string_view line) {
@@ -171,4 +172,4 @@ StlBytes checkStl(std::string_view text, std::string_view bytes, std::string& st
   return {storage, {}};
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// An STL file that holds what it promises.
 struct StlBytes {
@@ -20,4 +20,4 @@ struct StlBytes {
 /// Source: 3D Systems, StereoLithography Interface Specification, 1989.
 [[nodiscard]] StlBytes checkStl(std::string_view text, std::string_view bytes, std::string& storage);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
@@ -81,8 +81,8 @@ class Decoder {
         break;
       }
       if (problem != 0 && problem != E2BIG) {
-        throw InputError("line " + std::to_string(lineAt(text, text.size())) +
-                         " contains invalid characters: the file is damaged. Save it as UTF-8.");
+        throw messages::InputError("line " + std::to_string(lineAt(text, text.size())) +
+                                   " contains invalid characters: the file is damaged. Save it as UTF-8.");
       }
     }
     return text;
@@ -134,8 +134,8 @@ std::size_t lineAt(std::string_view text, std::size_t offset) {
 void requireNoZeroBytes(std::string_view text) {
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos) {
-    throw InputError("line " + std::to_string(lineAt(text, zero)) +
-                     " contains a zero byte: the file is damaged. Export or copy it again.");
+    throw messages::InputError("line " + std::to_string(lineAt(text, zero)) +
+                               " contains a zero byte: the file is damaged. Export or copy it again.");
   }
 }
 
@@ -185,4 +185,4 @@ std::string moreThanPromised(const std::string& where) {
   return where + " more than its header promises: left out. If faces are missing, export it again.";
 }
 
-}  // namespace drape
+}  // namespace drape::io

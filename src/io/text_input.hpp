@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::io {
 
 /// The text of a file as UTF-8 with "\n" between lines. It decodes UTF-16 and UTF-32 (by their byte order mark, or
 /// UTF-16 by the zero bytes of ASCII letters), removes a byte order mark, and turns a lone "\r" into "\n". "\r\n" may
@@ -39,4 +39,4 @@ inline constexpr std::size_t maxCorners = 20000;
 /// A warning about what follows the last element that the header promises.
 [[nodiscard]] std::string moreThanPromised(const std::string& where);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -4,15 +4,15 @@
 
 #include <span>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// Counts the chains of boundary edges.
-int countChains(std::size_t vertexCount, const std::vector<MeshEdge>& edges) {
-  DisjointSets sets(vertexCount);
+int countChains(std::size_t vertexCount, const std::vector<sim::MeshEdge>& edges) {
+  sim::DisjointSets sets(vertexCount);
   std::vector<bool> onBoundary(vertexCount, false);
   int chains = 0;
-  for (const MeshEdge& edge : edges) {
+  for (const sim::MeshEdge& edge : edges) {
     for (const int vertex : {edge.a, edge.b}) {
       if (!onBoundary[vertex]) {
         onBoundary[vertex] = true;
@@ -27,17 +27,17 @@ int countChains(std::size_t vertexCount, const std::vector<MeshEdge>& edges) {
 }  // namespace
 
 TopologyCounts countTopology(std::size_t vertexCount, const std::vector<Triangle>& triangles) {
-  const MeshEdges mesh = edgesOf(triangles, vertexCount);
+  const sim::MeshEdges mesh = sim::edgesOf(triangles, vertexCount);
   TopologyCounts counts;
   counts.edges = static_cast<int>(mesh.edges.size());
-  counts.components = componentsOf(triangles, vertexCount).count();
-  counts.boundaryLoops = countChains(vertexCount, boundaryEdges(mesh));
+  counts.components = sim::componentsOf(triangles, vertexCount).count();
+  counts.boundaryLoops = countChains(vertexCount, sim::boundaryEdges(mesh));
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    const std::span<const TriangleSide> sides = mesh.sides[e];
+    const std::span<const sim::TriangleSide> sides = mesh.sides[e];
     counts.nonManifoldEdges += sides.size() > 2 ? 1 : 0;
     counts.misorientedEdges += sides.size() == 2 && sides[0].ascending == sides[1].ascending ? 1 : 0;
   }
   return counts;
 }
 
-}  // namespace drape
+}  // namespace drape::io

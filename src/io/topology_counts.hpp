@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// Numbers that describe the topology of a triangle mesh.
 struct TopologyCounts {
@@ -20,4 +20,4 @@ struct TopologyCounts {
 /// sorting the neighbours of each vertex.
 [[nodiscard]] TopologyCounts countTopology(std::size_t vertexCount, const std::vector<Triangle>& triangles);
 
-}  // namespace drape
+}  // namespace drape::io

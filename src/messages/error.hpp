@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace drape {
+namespace drape::messages {
 
 /// Invalid input: a file, a setting, a scene. The message is for the user and tells what is wrong, where, and what to
 /// do.
@@ -19,4 +19,4 @@ class UsageError : public InputError {
   using InputError::InputError;
 };
 
-}  // namespace drape
+}  // namespace drape::messages

@@ -2,19 +2,20 @@
 
 #include <fmt/core.h>
 
-namespace drape {
+namespace drape::messages {
 namespace {
 
 /// "the list of masses has 3 entries for a cloth of 4 vertices".
-std::string wrongCount(const ClothModelError::Numbers& numbers, const std::string& what, const std::string& ofWhat) {
+std::string wrongCount(const sim::ClothModelError::Numbers& numbers, const std::string& what,
+                       const std::string& ofWhat) {
   return fmt::format("the list of {} has {} entries for a cloth of {} {}", what, numbers.found, numbers.count, ofWhat);
 }
 
 }  // namespace
 
-std::string inWords(const ClothModelError& error) {
-  using Fault = ClothModelError::Fault;
-  const ClothModelError::Numbers& numbers = error.numbers();
+std::string inWords(const sim::ClothModelError& error) {
+  using Fault = sim::ClothModelError::Fault;
+  const sim::ClothModelError::Numbers& numbers = error.numbers();
   switch (error.fault()) {
     case Fault::NoTriangle:
       return fmt::format("a cloth needs at least one triangle; the mesh has {} vertices and {} triangles",
@@ -49,13 +50,13 @@ std::string inWords(const ClothModelError& error) {
 }
 
 std::string messageOf(const std::exception& error) {
-  if (const auto* fault = dynamic_cast<const ClothModelError*>(&error)) {
+  if (const auto* fault = dynamic_cast<const sim::ClothModelError*>(&error)) {
     return inWords(*fault);
   }
-  if (const auto* unknown = dynamic_cast<const UnknownSolver*>(&error)) {
+  if (const auto* unknown = dynamic_cast<const sim::UnknownSolver*>(&error)) {
     return "there is no solver '" + unknown->name() + "'";
   }
   return error.what();
 }
 
-}  // namespace drape
+}  // namespace drape::messages

@@ -6,10 +6,10 @@
 #include <exception>
 #include <string>
 
-namespace drape {
+namespace drape::messages {
 
 /// The fault as a sentence for the user.
-[[nodiscard]] std::string inWords(const ClothModelError& error);
+[[nodiscard]] std::string inWords(const sim::ClothModelError& error);
 
 /// The message of an exception for the user: the sentence of a SimError, what() of any other.
 [[nodiscard]] std::string messageOf(const std::exception& error);
@@ -19,9 +19,9 @@ template <typename Call>
 auto withInputErrors(const Call& call) {
   try {
     return call();
-  } catch (const SimError& error) {
+  } catch (const sim::SimError& error) {
     throw InputError(messageOf(error));
   }
 }
 
-}  // namespace drape
+}  // namespace drape::messages

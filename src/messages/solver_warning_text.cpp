@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::messages {
 namespace {
 
 /// "12 substeps", or nothing where the settings do not allow as many.
@@ -24,14 +24,14 @@ std::string inTwoDigits(double value) {
   return fmt::format("{:.2g}", value);
 }
 
-std::string stepTooLong(const SolverWarning& warning) {
+std::string stepTooLong(const sim::SolverWarning& warning) {
   const std::string substeps = substepsUpToTheMaximum(warning.substeps);
   return "The time step is above this mesh's stability limit of " + stepInWords(warning.seconds) +
          ": the cloth can blow up. Use " +
          (substeps.empty() ? "softer or heavier cloth or an implicit solver" : substeps) + '.';
 }
 
-std::string tooFewIterations(const SolverWarning& warning) {
+std::string tooFewIterations(const sim::SolverWarning& warning) {
   const bool reachable = !substepsUpToTheMaximum(warning.substeps).empty();
   return std::to_string(warning.iterations) + (warning.iterations == 1 ? " iteration is" : " iterations are") +
          " too few for this stiffness and time step: the cloth is softer than specified. " +
@@ -39,20 +39,20 @@ std::string tooFewIterations(const SolverWarning& warning) {
                 reachable ? "more iterations" : "more iterations, or a solver that solves for all springs at once");
 }
 
-std::string tooFewSweeps(const SolverWarning& warning) {
+std::string tooFewSweeps(const sim::SolverWarning& warning) {
   return (warning.iterations == 1 ? "One sweep is" : std::to_string(warning.iterations) + " sweeps are") +
          " too few at this stiffness and time step: the cloth is slack and loses momentum. " +
          remedy(warning.substeps, "more sweeps");
 }
 
-std::string wrongSpectralRadius(const SolverWarning& warning) {
+std::string wrongSpectralRadius(const sim::SolverWarning& warning) {
   return fmt::format(
       "With {} iterations a spectral radius of {:g} overshoots: the cloth can blow up. Use {} iterations or a smaller "
       "spectral radius.",
       warning.iterations, warning.spectralRadius, warning.neededIterations);
 }
 
-std::string softened(const SolverWarning& warning) {
+std::string softened(const sim::SolverWarning& warning) {
   return fmt::format(
       "The cost budget is too small for this stiff and fine cloth: the springs keep {} % of their stiffness, "
       "and coarse levels carry the tension. The full stiffness needs auto.cost = {:.0f}{}",
@@ -60,17 +60,17 @@ std::string softened(const SolverWarning& warning) {
       warning.softenedByChoice ? "." : " and auto.soften = off.");
 }
 
-std::string indefiniteMatrix(const SolverWarning& warning) {
+std::string indefiniteMatrix(const sim::SolverWarning& warning) {
   return "With this force derivative stiff cloth can blow up at this time step. " +
          remedy(warning.substeps, "the stabilised derivative");
 }
 
-std::string flatClothGains(const SolverWarning& warning) {
+std::string flatClothGains(const sim::SolverWarning& warning) {
   return "The time step is too long for this fine and stiff mesh: flat cloth gains energy and can blow up. " +
          remedy(warning.substeps, "a solver that solves for all springs at once");
 }
 
-std::string stiffFolds(const SolverWarning& warning) {
+std::string stiffFolds(const sim::SolverWarning& warning) {
   return "At this stiffness and time step folding meets as much resistance as stretching: the cloth moves far too "
          "slowly. " +
          remedy(warning.substeps, "softer cloth");
@@ -87,8 +87,8 @@ std::string stepInWords(double seconds) {
   return fmt::format("1/{:.0f} s", std::ceil(denominator / unit * (1.0 - 1e-12)) * unit);
 }
 
-std::string inWords(const SolverWarning& warning) {
-  using Kind = SolverWarning::Kind;
+std::string inWords(const sim::SolverWarning& warning) {
+  using Kind = sim::SolverWarning::Kind;
   switch (warning.kind) {
     case Kind::StepTooLong:
       return stepTooLong(warning);
@@ -129,4 +129,4 @@ std::string inWords(const SolverWarning& warning) {
   return {};
 }
 
-}  // namespace drape
+}  // namespace drape::messages

@@ -4,13 +4,13 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::messages {
 
 /// The warning as one or two sentences: what is wrong, and a remedy.
-[[nodiscard]] std::string inWords(const SolverWarning& warning);
+[[nodiscard]] std::string inWords(const sim::SolverWarning& warning);
 
 /// A short time as text: "1/240 s". The denominator is rounded up to three digits, so that the printed time is never
 /// above the given one.
 [[nodiscard]] std::string stepInWords(double seconds);
 
-}  // namespace drape
+}  // namespace drape::messages

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::messages {
 namespace {
 
 /// Two significant digits, without an exponent.
@@ -44,7 +44,7 @@ std::string hOmegaInWords(double hOmega) {
   return hOmega < stiff ? "stiff cloth: " : "very stiff cloth: ";
 }
 
-std::string schemeInWords(const StepChoice& choice) {
+std::string schemeInWords(const sim::adaptive::StepChoice& choice) {
   std::string words = std::to_string(choice.substeps);
   words += choice.usedFallback ? " substep" : " explicit substep";
   words += choice.substeps == 1 ? "" : "s";
@@ -56,7 +56,7 @@ std::string schemeInWords(const StepChoice& choice) {
 
 }  // namespace
 
-std::string inWords(const StepChoice& choice, double seconds, double available) {
+std::string inWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
   constexpr double almostFull = 0.995;
   if (choice.sleeping) {
     return "at rest: nothing is computed until something changes";
@@ -69,7 +69,7 @@ std::string inWords(const StepChoice& choice, double seconds, double available) 
     words += choice.coarseLevels == 1 ? " with 1 coarse level"
                                       : " with " + std::to_string(choice.coarseLevels) + " coarse levels";
   }
-  if (choice.costRatio > toleratedCostRatio) {
+  if (choice.costRatio > sim::adaptive::toleratedCostRatio) {
     words += ", " + brief(choice.costRatio) + " times the cost budget";
     words += seconds >= available ? ": slow motion" : "";
   }
@@ -85,4 +85,4 @@ std::string inWords(const StepChoice& choice, double seconds, double available) 
   return words;
 }
 
-}  // namespace drape
+}  // namespace drape::messages

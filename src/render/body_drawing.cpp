@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 constexpr double creaseAngle = 0.7;  // sharper edges get separate normals [rad]
@@ -13,25 +13,26 @@ constexpr double sectors = 8.0;      // number of coloured sectors around a roun
 
 /// The sector of a point around a round body's axis, as a wave that changes its sign from sector to sector. A wave has
 /// no seam where the circle closes.
-Vec2 sectorWave(const BodyShape& shape, const Vec3& position) {
-  const bool round = std::holds_alternative<SphereShape>(shape) || std::holds_alternative<CapsuleShape>(shape);
+Vec2 sectorWave(const sim::contact::BodyShape& shape, const Vec3& position) {
+  const bool round = std::holds_alternative<sim::contact::SphereShape>(shape) ||
+                     std::holds_alternative<sim::contact::CapsuleShape>(shape);
   return {round ? std::sin(0.5 * sectors * std::atan2(position.x(), position.z())) : 0.0, 0.0};
 }
 
 }  // namespace
 
-void BodyDrawing::takeScene(const Scene& scene) {
+void BodyDrawing::takeScene(const scene::Scene& scene) {
   bodies_.clear();
   for (std::size_t i = 0; i < scene.bodies->size(); ++i) {
-    const Body& body = (*scene.bodies)[i];
+    const sim::contact::Body& body = (*scene.bodies)[i];
     if (!body.drawn) {
       continue;
     }
     auto drawn = std::make_unique<Drawn>();
-    const BodySurface surface = surfaceOf(body.shape);
+    const sim::contact::BodySurface surface = sim::contact::surfaceOf(body.shape);
     CreasedMesh creased = splitAtCreases(surface.positions, surface.triangles, creaseAngle);
     drawn->body = i;
-    drawn->endless = std::holds_alternative<PlaneShape>(body.shape);
+    drawn->endless = std::holds_alternative<sim::contact::PlaneShape>(body.shape);
     drawn->source.assign(creased.positions.size(), 0);
     for (std::size_t t = 0; t < creased.triangles.size(); ++t) {
       for (std::size_t c = 0; c < 3; ++c) {
@@ -47,9 +48,9 @@ void BodyDrawing::takeScene(const Scene& scene) {
   }
 }
 
-void BodyDrawing::take(const Snapshot& snapshot) {
+void BodyDrawing::take(const session::Snapshot& snapshot) {
   for (const auto& drawn : bodies_) {
-    const BodyStatus& status = snapshot.bodies[drawn->body];
+    const session::BodyStatus& status = snapshot.bodies[drawn->body];
     drawn->on = status.on && snapshot.settings.step.contact.bodies;
     const bool stays = drawn->placed && status.vertices.empty() && drawn->pose.position == status.pose.position &&
                        drawn->pose.rotation.coeffs() == status.pose.rotation.coeffs();
@@ -59,7 +60,7 @@ void BodyDrawing::take(const Snapshot& snapshot) {
   }
 }
 
-void BodyDrawing::place(const BodyStatus& status, Drawn& drawn) {
+void BodyDrawing::place(const session::BodyStatus& status, Drawn& drawn) {
   drawn.placed = true;
   drawn.pose = status.pose;
   moved_.resize(drawn.positions.size());
@@ -96,4 +97,4 @@ Eigen::AlignedBox3d BodyDrawing::bounds() const {
   return box;
 }
 
-}  // namespace drape
+}  // namespace drape::render

@@ -6,16 +6,16 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::render {
 
 /// The bodies of a scene on the graphics card. Bodies at rest are uploaded once.
 class BodyDrawing {
  public:
   /// Takes over the bodies of a scene.
-  void takeScene(const Scene& scene);
+  void takeScene(const scene::Scene& scene);
 
   /// Takes over their positions and which of them are on.
-  void take(const Snapshot& snapshot);
+  void take(const session::Snapshot& snapshot);
 
   /// Draws the active bodies with the current program.
   void draw() const;
@@ -34,14 +34,14 @@ class BodyDrawing {
     bool endless = false;
     bool on = false;
     bool placed = false;
-    Pose pose;
+    sim::contact::Pose pose;
     SmoothMesh mesh;
   };
 
-  void place(const BodyStatus& status, Drawn& drawn);
+  void place(const session::BodyStatus& status, Drawn& drawn);
 
   std::vector<std::unique_ptr<Drawn>> bodies_;
   std::vector<Vec3> moved_;
 };
 
-}  // namespace drape
+}  // namespace drape::render

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 constexpr double maxElevation = 89.5 * std::numbers::pi / 180.0;  // [rad]
@@ -18,7 +18,7 @@ Vec3 directionFrom(double azimuth, double elevation) {
 
 }  // namespace
 
-CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight, const CameraPose& pose) {
+CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight, const scene::CameraPose& pose) {
   constexpr double clearance = 0.02;     // above the ground, in sizes of the box
   constexpr double sideways = 1.0;       // from the box to the focal point, in sizes of the box
   constexpr double away = 8.0;           // from the focal point, in sizes of the box
@@ -30,7 +30,7 @@ CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight, cons
   bounds.focalPoints = Eigen::AlignedBox3d(box.min() - margin, box.max() + margin);
   bounds.focalPoints.min().y() = std::min(std::max(bounds.focalPoints.min().y(), bounds.lowest), box.max().y());
   bounds.focalPoints.extend(pose.focalPoint);
-  bounds.maxDistance = std::max(away * size, viewOffset(pose).norm());
+  bounds.maxDistance = std::max(away * size, scene::viewOffset(pose).norm());
   return bounds;
 }
 
@@ -38,7 +38,7 @@ void Camera::keepWithin(const CameraBounds& bounds) {
   const Vec3 focalPoint = pose_.focalPoint.cwiseMax(bounds.focalPoints.min()).cwiseMin(bounds.focalPoints.max());
   pose_.position += focalPoint - pose_.focalPoint;
   pose_.focalPoint = focalPoint;
-  const Vec3 offset = viewOffset(pose_);
+  const Vec3 offset = scene::viewOffset(pose_);
   const double distance = std::min(offset.norm(), bounds.maxDistance);
   if (distance < offset.norm()) {
     pose_.position = pose_.focalPoint + distance * offset.normalized();
@@ -51,7 +51,7 @@ void Camera::keepWithin(const CameraBounds& bounds) {
 }
 
 void Camera::orbit(double yaw, double pitch) {
-  const Vec3 offset = viewOffset(pose_);
+  const Vec3 offset = scene::viewOffset(pose_);
   const double distance = offset.norm();
   const double horizontal = std::hypot(offset.x(), offset.z());
   const double azimuth = horizontal > 1e-9 ? std::atan2(offset.x(), offset.z()) : 0.0;
@@ -61,16 +61,16 @@ void Camera::orbit(double yaw, double pitch) {
 }
 
 void Camera::pan(double right, double up) {
-  const CameraBasis basis = basisOf(pose_);
-  const double viewHeight = 2.0 * viewOffset(pose_).norm() * tanHalfAngle(pose_);
+  const scene::CameraBasis basis = scene::basisOf(pose_);
+  const double viewHeight = 2.0 * scene::viewOffset(pose_).norm() * scene::tanHalfAngle(pose_);
   const Vec3 shift = viewHeight * (right * basis.right + up * basis.up);
   pose_.position += shift;
   pose_.focalPoint += shift;
 }
 
 void Camera::zoom(double factor) {
-  const Vec3 offset = viewOffset(pose_);
-  const double distance = std::clamp(offset.norm() * factor, minViewDistance, maxViewDistance);
+  const Vec3 offset = scene::viewOffset(pose_);
+  const double distance = std::clamp(offset.norm() * factor, scene::minViewDistance, scene::maxViewDistance);
   pose_.position = pose_.focalPoint + distance * offset.normalized();
 }
 
@@ -80,18 +80,18 @@ void Camera::recentre(const Vec3& focalPoint) {
 }
 
 void Camera::lookFrom(Side side) {
-  const double distance = viewOffset(pose_).norm();
+  const double distance = scene::viewOffset(pose_).norm();
   const double azimuth = side == Side::Right ? std::numbers::pi / 2.0 : 0.0;
   const double elevation = side == Side::Top ? maxElevation : 0.0;
   pose_.position = pose_.focalPoint + distance * directionFrom(azimuth, elevation);
 }
 
 void Camera::frame(const Vec3& min, const Vec3& max, double aspect) {
-  pose_ = framed(pose_, min, max, aspect);
+  pose_ = scene::framed(pose_, min, max, aspect);
 }
 
 Eigen::Matrix4f Camera::viewMatrix() const {
-  const CameraBasis basis = basisOf(pose_);
+  const scene::CameraBasis basis = scene::basisOf(pose_);
   Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
   view.row(0) << basis.right.transpose(), -basis.right.dot(pose_.position);
   view.row(1) << basis.up.transpose(), -basis.up.dot(pose_.position);
@@ -101,9 +101,9 @@ Eigen::Matrix4f Camera::viewMatrix() const {
 
 Eigen::Matrix4f Camera::projectionMatrix(double aspect) const {
   // The clipping planes scale with the distance: near views are not cut, and far views keep their depth precision.
-  const double near = std::clamp(0.02 * viewOffset(pose_).norm(), 0.001, 0.1);
+  const double near = std::clamp(0.02 * scene::viewOffset(pose_).norm(), 0.001, 0.1);
   const double far = 5000.0 * near;
-  const double slope = tanHalfAngle(pose_);
+  const double slope = scene::tanHalfAngle(pose_);
   Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
   projection(0, 0) = 1.0 / (slope * aspect);
   projection(1, 1) = 1.0 / slope;
@@ -114,8 +114,8 @@ Eigen::Matrix4f Camera::projectionMatrix(double aspect) const {
 }
 
 Ray Camera::rayThrough(double x, double y, int width, int height) const {
-  const CameraBasis basis = basisOf(pose_);
-  const double slope = tanHalfAngle(pose_);
+  const scene::CameraBasis basis = scene::basisOf(pose_);
+  const double slope = scene::tanHalfAngle(pose_);
   const double aspect = static_cast<double>(width) / height;
   const double right = (2.0 * x / width - 1.0) * slope * aspect;
   const double up = (1.0 - 2.0 * y / height) * slope;
@@ -123,18 +123,18 @@ Ray Camera::rayThrough(double x, double y, int width, int height) const {
 }
 
 Vec2 Camera::project(const Vec3& point, int width, int height) const {
-  const CameraBasis basis = basisOf(pose_);
+  const scene::CameraBasis basis = scene::basisOf(pose_);
   const Vec3 offset = point - pose_.position;
   const double depth = std::max(-offset.dot(basis.back), 1e-9);
-  const double scale = 0.5 * height / (tanHalfAngle(pose_) * depth);
+  const double scale = 0.5 * height / (scene::tanHalfAngle(pose_) * depth);
   return {0.5 * width + scale * offset.dot(basis.right), 0.5 * height - scale * offset.dot(basis.up)};
 }
 
 Vec3 Camera::pointAtDepthOf(const Vec3& reference, double x, double y, int width, int height) const {
-  const CameraBasis basis = basisOf(pose_);
+  const scene::CameraBasis basis = scene::basisOf(pose_);
   const Ray ray = rayThrough(x, y, width, height);
   const double depth = (pose_.position - reference).dot(basis.back);
   return ray.origin + ray.direction * (depth / -ray.direction.dot(basis.back));
 }
 
-}  // namespace drape
+}  // namespace drape::render

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <utility>
 
-namespace drape {
+namespace drape::render {
 
 /// A ray in world space.
 struct Ray {
@@ -24,15 +24,16 @@ struct CameraBounds {
 
 /// The bounds for things in `box` [m] on a ground at that height [m]. They always include `pose`, since the author of a
 /// scene may choose any view.
-[[nodiscard]] CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight, const CameraPose& pose);
+[[nodiscard]] CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight,
+                                     const scene::CameraPose& pose);
 
 /// A perspective camera that orbits its focal point; y is up.
 class Camera {
  public:
   Camera() = default;
-  explicit Camera(CameraPose pose) : pose_(std::move(pose)) {}
+  explicit Camera(scene::CameraPose pose) : pose_(std::move(pose)) {}
 
-  [[nodiscard]] const CameraPose& pose() const { return pose_; }
+  [[nodiscard]] const scene::CameraPose& pose() const { return pose_; }
 
   /// Turns around the focal point [rad]: positive yaw moves the camera to its right, positive pitch upwards. It stops
   /// near the poles, so that up stays up.
@@ -64,7 +65,7 @@ class Camera {
   [[nodiscard]] Vec3 pointAtDepthOf(const Vec3& reference, double x, double y, int width, int height) const;
 
  private:
-  CameraPose pose_;
+  scene::CameraPose pose_;
 };
 
-}  // namespace drape
+}  // namespace drape::render

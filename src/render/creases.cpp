@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 /// A triangle and the index of its corner at the vertex in question.
@@ -28,8 +28,8 @@ std::vector<Vec3> unitNormals(std::span<const Vec3> positions, std::span<const T
   return normals;
 }
 
-RaggedRows<Corner> cornersOfVertices(std::size_t vertices, std::span<const Triangle> triangles) {
-  return RaggedRows<Corner>::collect(vertices, [&](const auto& add) {
+sim::RaggedRows<Corner> cornersOfVertices(std::size_t vertices, std::span<const Triangle> triangles) {
+  return sim::RaggedRows<Corner>::collect(vertices, [&](const auto& add) {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       for (std::size_t c = 0; c < 3; ++c) {
         add(triangles[t][c], {t, c});
@@ -54,7 +54,7 @@ CreasedMesh splitAtCreases(std::span<const Vec3> positions, std::span<const Tria
   mesh.triangles.assign(triangles.begin(), triangles.end());
   std::vector<Corner> group;
   std::vector<Corner> rest;
-  const RaggedRows<Corner> corners = cornersOfVertices(positions.size(), triangles);
+  const sim::RaggedRows<Corner> corners = cornersOfVertices(positions.size(), triangles);
   for (std::size_t vertex = 0; vertex < positions.size(); ++vertex) {
     rest.assign(corners[vertex].begin(), corners[vertex].end());
     while (!rest.empty()) {
@@ -80,4 +80,4 @@ CreasedMesh splitAtCreases(std::span<const Vec3> positions, std::span<const Tria
   return mesh;
 }
 
-}  // namespace drape
+}  // namespace drape::render

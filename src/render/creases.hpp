@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::render {
 
 /// A mesh with vertices split along its sharp edges.
 struct CreasedMesh {
@@ -18,4 +18,4 @@ struct CreasedMesh {
 [[nodiscard]] CreasedMesh splitAtCreases(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                                          double angle);
 
-}  // namespace drape
+}  // namespace drape::render

@@ -2,7 +2,7 @@
 
 #include "render/shader_program.hpp"
 
-namespace drape {
+namespace drape::render {
 
 static_assert(sizeof(FrameUniforms) == (2 * 16 + 6 * 4) * sizeof(float), "the block must have no gaps");
 
@@ -17,4 +17,4 @@ void FrameBlock::upload(const FrameUniforms& uniforms) {
   glBindBufferBase(GL_UNIFORM_BUFFER, frameBlockBinding, buffer_.name());
 }
 
-}  // namespace drape
+}  // namespace drape::render

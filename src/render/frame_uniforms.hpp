@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace drape {
+namespace drape::render {
 
 /// The data of a picture for all shaders: the block "Frame" of shaders/frame.glsl, member by member (std140).
 struct FrameUniforms {
@@ -28,4 +28,4 @@ class FrameBlock {
   GlBuffer buffer_;
 };
 
-}  // namespace drape
+}  // namespace drape::render

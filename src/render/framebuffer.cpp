@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::render {
 
 void Framebuffer::begin(int width, int height) {
   if (width != width_ || height != height_) {
@@ -61,4 +61,4 @@ void Framebuffer::blitToWindow(int left, int bottom) const {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-}  // namespace drape
+}  // namespace drape::render

@@ -2,7 +2,7 @@
 
 #include "render/gl_objects.hpp"
 
-namespace drape {
+namespace drape::render {
 
 /// The target of a picture: colour and depth with up to four samples per pixel, and the resolved picture. When the
 /// driver refuses that many samples, there are fewer, down to no multisampling.
@@ -46,4 +46,4 @@ class Framebuffer {
   GlRenderbuffer colour_;
 };
 
-}  // namespace drape
+}  // namespace drape::render

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-namespace drape {
+namespace drape::render {
 
 /// An OpenGL 3.3 core context that is current on this thread. This interface hides its origin (a window or OSMesa);
 /// GLEW is loaded with it. Throws InputError with the reason when there is no such context.
@@ -18,4 +18,4 @@ class GlContext {
 /// return value is unreliable outside GLX, so the version decides.
 void loadGlFunctions(const char* label);
 
-}  // namespace drape
+}  // namespace drape::render

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace drape {
+namespace drape::render {
 
 #ifdef NDEBUG
 void checkGl(const char* /*where*/) {}
@@ -24,4 +24,4 @@ void requireCompleteFramebuffer(const char* what) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::render

@@ -3,7 +3,7 @@
 #include <GL/glew.h>
 #include <utility>
 
-namespace drape {
+namespace drape::render {
 
 /// Owns an OpenGL object. `Kind` creates and deletes it. The context must outlive it.
 template <typename Kind>
@@ -67,4 +67,4 @@ void checkGl(const char* where);
 /// Throws std::runtime_error when the bound framebuffer is not complete.
 void requireCompleteFramebuffer(const char* what);
 
-}  // namespace drape
+}  // namespace drape::render

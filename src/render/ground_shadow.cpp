@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 constexpr double penumbraRoom = 1.25;  // side of the square relative to the sharp shadow, for the penumbra [-]
@@ -65,4 +65,4 @@ void GroundShadow::bind(GLuint unit) const {
   glBindTexture(GL_TEXTURE_2D, shadow_.name());
 }
 
-}  // namespace drape
+}  // namespace drape::render

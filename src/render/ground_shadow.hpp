@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace drape {
+namespace drape::render {
 
 /// The soft shadow on the ground; it is softer below higher objects. It is computed per texel of ground and only after
 /// motion, so many samples are affordable at any picture size.
@@ -40,4 +40,4 @@ class GroundShadow {
   double halfSide_ = 1.0;
 };
 
-}  // namespace drape
+}  // namespace drape::render

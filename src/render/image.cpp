@@ -10,7 +10,7 @@
 #include <string>
 #include <system_error>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 void appendBytes(void* target, void* data, int size) {
@@ -34,18 +34,18 @@ std::string encodePng(const Image& image) {
 void writePng(const Image& image, const std::filesystem::path& file) {
   const std::string bytes = encodePng(image);
   if (bytes.empty()) {
-    throw InputError("cannot write '" + file.string() + "': the picture could not be encoded (" +
-                     std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels)");
+    throw messages::InputError("cannot write '" + file.string() + "': the picture could not be encoded (" +
+                               std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels)");
   }
   std::ofstream stream(file, std::ios::binary);
   if (!stream) {
     const std::error_code reason(errno, std::generic_category());
-    throw InputError("cannot write '" + file.string() + "': " + reason.message());
+    throw messages::InputError("cannot write '" + file.string() + "': " + reason.message());
   }
   stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   stream.close();
   if (!stream) {
-    throw InputError("cannot write '" + file.string() + "': the disk may be full");
+    throw messages::InputError("cannot write '" + file.string() + "': the disk may be full");
   }
 }
 
@@ -53,7 +53,7 @@ Image readPng(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
     const std::error_code reason(errno, std::generic_category());
-    throw InputError("cannot read '" + file.string() + "': " + reason.message());
+    throw messages::InputError("cannot read '" + file.string() + "': " + reason.message());
   }
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   Image image;
@@ -63,7 +63,7 @@ Image readPng(const std::filesystem::path& file) {
       stbi_load_from_memory(data, static_cast<int>(bytes.size()), &image.width, &image.height, &channels, 3),
       &stbi_image_free);
   if (pixels == nullptr) {
-    throw InputError("cannot read '" + file.string() + "' as a picture: " + stbi_failure_reason());
+    throw messages::InputError("cannot read '" + file.string() + "' as a picture: " + stbi_failure_reason());
   }
   const std::size_t size =
       std::size_t{3} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
@@ -71,4 +71,4 @@ Image readPng(const std::filesystem::path& file) {
   return image;
 }
 
-}  // namespace drape
+}  // namespace drape::render

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace drape {
+namespace drape::render {
 
 /// 8-bit RGB, rows from top to bottom.
 struct Image {
@@ -17,4 +17,4 @@ struct Image {
 void writePng(const Image& image, const std::filesystem::path& file);
 [[nodiscard]] Image readPng(const std::filesystem::path& file);
 
-}  // namespace drape
+}  // namespace drape::render

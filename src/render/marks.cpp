@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 // Screen colours, with opacity.
@@ -26,9 +26,9 @@ float sizeOfPins(std::size_t count) {
 }
 
 /// The median length of the edges with two pinned ends [m]; 0 when there is none.
-float gapBetweenPins(const ClothModel& model) {
+float gapBetweenPins(const sim::ClothModel& model) {
   std::vector<double> gaps;
-  for (const Spring& spring : model.springs) {
+  for (const sim::Spring& spring : model.springs) {
     if (model.pinned[spring.a] && model.pinned[spring.b]) {
       gaps.push_back(spring.restLength);
     }
@@ -56,9 +56,9 @@ Marks::Marks()
   glBindVertexArray(0);
 }
 
-void Marks::setContacts(const Snapshot& snapshot) {
+void Marks::setContacts(const session::Snapshot& snapshot) {
   contacts_.clear();
-  for (const ContactPoint& contact : snapshot.contactPoints) {
+  for (const sim::contact::ContactPoint& contact : snapshot.contactPoints) {
     contacts_.emplace_back(contact.point.cast<float>());
     contacts_.emplace_back((contact.point + contactLength * contact.normal).cast<float>());
   }
@@ -86,7 +86,7 @@ void Marks::drawContacts(float scale) const {
   glBindVertexArray(0);
 }
 
-void Marks::setPins(const Snapshot& snapshot) {
+void Marks::setPins(const session::Snapshot& snapshot) {
   pins_.clear();
   const std::vector<bool>& pinned = snapshot.model->pinned;
   for (std::size_t i = 0; i < std::min(pinned.size(), snapshot.positions.size()); ++i) {
@@ -119,7 +119,7 @@ void Marks::drawPins(float scale, float pixelsPerMetre) const {
   glBindVertexArray(0);
 }
 
-void Marks::drawAttachment(const AttachmentStatus& attachment, float scale) const {
+void Marks::drawAttachment(const session::AttachmentStatus& attachment, float scale) const {
   const Eigen::Vector3f attached = attachment.point.cast<float>();
   const Eigen::Vector3f target = attachment.target.cast<float>();
   thread_.use();
@@ -143,4 +143,4 @@ void Marks::drawDot(const Eigen::Vector3f& position, float size, const Eigen::Ve
   glDrawArrays(GL_POINTS, 0, 1);
 }
 
-}  // namespace drape
+}  // namespace drape::render

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::render {
 
 /// Draws aids for the user: pins as dots, the attachment as a thread from the attached point to the mouse, and contacts
 /// as dots with their normals. All except the normals have a constant size on the screen.
@@ -17,15 +17,15 @@ class Marks {
   Marks();
 
   /// Takes over the positions of the pins.
-  void setPins(const Snapshot& snapshot);
+  void setPins(const session::Snapshot& snapshot);
   /// Takes over the contacts: each becomes a dot and a line along its normal.
-  void setContacts(const Snapshot& snapshot);
+  void setContacts(const session::Snapshot& snapshot);
 
   /// `scale` is the size of a mark's unit [pixels]. Dense pins get smaller dots.
   /// @param pixelsPerMetre of the picture, at the depth of the pins
   void drawPins(float scale, float pixelsPerMetre) const;
   void drawContacts(float scale) const;
-  void drawAttachment(const AttachmentStatus& attachment, float scale) const;
+  void drawAttachment(const session::AttachmentStatus& attachment, float scale) const;
 
  private:
   void drawDot(const Eigen::Vector3f& position, float size, const Eigen::Vector4f& fill) const;
@@ -36,12 +36,12 @@ class Marks {
   GlBuffer pinBuffer_;
   GlVertexArray nothing_;
   std::vector<Eigen::Vector3f> pins_;
-  std::shared_ptr<const ClothModel> pinnedModel_;  // the model of pinGap_
-  float pinGap_ = 0.0F;                            // between neighbouring pins [m]; 0: no neighbours
+  std::shared_ptr<const sim::ClothModel> pinnedModel_;  // the model of pinGap_
+  float pinGap_ = 0.0F;                                 // between neighbouring pins [m]; 0: no neighbours
   ShaderProgram lines_;
   GlVertexArray contactArray_;
   GlBuffer contactBuffer_;
   std::vector<Eigen::Vector3f> contacts_;  // two per contact: its foot and the end of its normal
 };
 
-}  // namespace drape
+}  // namespace drape::render

@@ -37,7 +37,7 @@ __attribute__((visibility("default"))) const char* __lsan_default_suppressions()
 
 }  // extern "C"
 
-namespace drape {
+namespace drape::render {
 
 struct OsmesaContext::State {
   static constexpr int side = 16;  // [pixels]
@@ -59,16 +59,16 @@ OsmesaContext::OsmesaContext() : state_(std::make_unique<State>()) {
                                        0};
   state_->context = OSMesaCreateContextAttribs(attributes.data(), nullptr);
   if (state_->context == nullptr) {
-    throw InputError("off-screen drawing: this OSMesa has no OpenGL 3.3 core; Mesa 17 or newer is needed");
+    throw messages::InputError("off-screen drawing: this OSMesa has no OpenGL 3.3 core; Mesa 17 or newer is needed");
   }
   if (OSMesaMakeCurrent(state_->context, state_->pixels.data(), GL_UNSIGNED_BYTE, State::side, State::side) !=
       GL_TRUE) {
     OSMesaDestroyContext(state_->context);
-    throw InputError("off-screen drawing: the OSMesa context cannot be made current");
+    throw messages::InputError("off-screen drawing: the OSMesa context cannot be made current");
   }
   try {
     loadGlFunctions("off-screen drawing");
-  } catch (const InputError&) {
+  } catch (const messages::InputError&) {
     OSMesaDestroyContext(state_->context);
     throw;
   }
@@ -78,4 +78,4 @@ OsmesaContext::~OsmesaContext() {
   OSMesaDestroyContext(state_->context);
 }
 
-}  // namespace drape
+}  // namespace drape::render

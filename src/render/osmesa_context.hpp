@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace drape {
+namespace drape::render {
 
 /// An OpenGL 3.3 core context without a window and without a display: Mesa's off-screen renderer, on the processor.
 /// Pictures are drawn into framebuffer objects; its default framebuffer has a few unused pixels. For programs that link
@@ -19,4 +19,4 @@ class OsmesaContext : public GlContext {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace drape
+}  // namespace drape::render

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 /// Where a ray meets one triangle, from either side (Moeller and Trumbore 1997).
@@ -45,4 +45,4 @@ std::optional<Hit> pick(const Ray& ray, std::span<const Vec3> positions, std::sp
   return nearest;
 }
 
-}  // namespace drape
+}  // namespace drape::render

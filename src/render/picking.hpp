@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-namespace drape {
+namespace drape::render {
 
 /// The point where a ray hits a cloth.
 struct Hit {
@@ -20,4 +20,4 @@ struct Hit {
 [[nodiscard]] std::optional<Hit> pick(const Ray& ray, std::span<const Vec3> positions,
                                       std::span<const Triangle> triangles);
 
-}  // namespace drape
+}  // namespace drape::render

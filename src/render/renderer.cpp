@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 constexpr double fadeInSizes = 5.0;   // distance at which the ground has faded out, in sizes of the scene [-]
@@ -36,26 +36,26 @@ float markScale(int height) {
 
 /// The size of a metre at the distance of the focal point [pixels].
 float pixelsPerMetre(const Camera& camera, int height) {
-  const CameraPose& pose = camera.pose();
-  return static_cast<float>(height / (2.0 * viewOffset(pose).norm() * tanHalfAngle(pose)));
+  const scene::CameraPose& pose = camera.pose();
+  return static_cast<float>(height / (2.0 * scene::viewOffset(pose).norm() * scene::tanHalfAngle(pose)));
 }
 
 }  // namespace
 
 struct Renderer::Parts {
-  void take(const Snapshot& snapshot);
-  void takeScene(const Scene& scene);
-  void takeGhost(const Snapshot& snapshot);
+  void take(const session::Snapshot& snapshot);
+  void takeScene(const scene::Scene& scene);
+  void takeGhost(const session::Snapshot& snapshot);
   void updateShadows(const FrameUniforms& uniforms);
-  [[nodiscard]] FrameUniforms frameUniforms(const Snapshot& snapshot, const Camera& camera, int width,
+  [[nodiscard]] FrameUniforms frameUniforms(const session::Snapshot& snapshot, const Camera& camera, int width,
                                             int height) const;
   void drawBackground() const;
   void drawStand() const;
   void drawBodies() const;
-  void drawCloth(const Settings::View& view) const;
-  void drawGhost(const Settings::View& view) const;
+  void drawCloth(const settings::Settings::View& view) const;
+  void drawGhost(const settings::Settings::View& view) const;
   void drawGround() const;
-  void drawMarks(const Snapshot& snapshot, const Camera& camera, int height) const;
+  void drawMarks(const session::Snapshot& snapshot, const Camera& camera, int height) const;
 
   Framebuffer framebuffer;
   FrameBlock frameBlock;
@@ -74,8 +74,8 @@ struct Renderer::Parts {
   ShadowMap shadowMap;
   GroundShadow groundShadow;
 
-  std::shared_ptr<const Scene> scene;
-  std::shared_ptr<const ClothModel> model;
+  std::shared_ptr<const scene::Scene> scene;
+  std::shared_ptr<const sim::ClothModel> model;
   std::int64_t version = -1;
   double checkSize = 0.1;                       // [m]
   Eigen::Vector3d groundCentre{0.0, 0.0, 0.0};  // [m]
@@ -88,7 +88,7 @@ struct Renderer::Parts {
 };
 
 /// Uploads the changes since the last picture.
-void Renderer::Parts::take(const Snapshot& snapshot) {
+void Renderer::Parts::take(const session::Snapshot& snapshot) {
   const bool newScene = snapshot.scene != scene;
   if (newScene) {
     scene = snapshot.scene;
@@ -106,7 +106,7 @@ void Renderer::Parts::take(const Snapshot& snapshot) {
   }
 }
 
-void Renderer::Parts::takeGhost(const Snapshot& snapshot) {
+void Renderer::Parts::takeGhost(const session::Snapshot& snapshot) {
   hasGhost = snapshot.ghost.has_value();
   if (!hasGhost) {
     return;
@@ -120,8 +120,8 @@ void Renderer::Parts::takeGhost(const Snapshot& snapshot) {
   ghostStandsBeside = std::abs(offset) > 0.5 * clothWidth;
 }
 
-void Renderer::Parts::takeScene(const Scene& newScene) {
-  const RenderMesh& mesh = newScene.renderMesh;
+void Renderer::Parts::takeScene(const scene::Scene& newScene) {
+  const io::RenderMesh& mesh = newScene.renderMesh;
   const SurfaceCoordinates coordinates = surfaceCoordinates(mesh, newScene.model->restPositions);
   checkSize = coordinates.checkSize;
   const MeshTopology topology{newScene.model->triangles, mesh.triangles, mesh.particle, coordinates.metres};
@@ -133,7 +133,7 @@ void Renderer::Parts::takeScene(const Scene& newScene) {
     box.extend(position);
   }
   clothWidth = box.sizes().x();
-  const Decor standing = newScene.stand.value_or(Decor{});
+  const scene::Decor standing = newScene.stand.value_or(scene::Decor{});
   const CreasedMesh creased = splitAtCreases(standing.positions, standing.triangles, creaseAngle);
   stand.setTopology({creased.triangles, creased.triangles, {}, {}});
   stand.setPositions(creased.positions);
@@ -144,7 +144,7 @@ void Renderer::Parts::takeScene(const Scene& newScene) {
   groundFade = std::max(smallestFade, fadeInSizes * 0.5 * box.diagonal().norm());
 }
 
-FrameUniforms Renderer::Parts::frameUniforms(const Snapshot& snapshot, const Camera& camera, int width,
+FrameUniforms Renderer::Parts::frameUniforms(const session::Snapshot& snapshot, const Camera& camera, int width,
                                              int height) const {
   const auto w = static_cast<float>(width);
   const auto h = static_cast<float>(height);
@@ -196,7 +196,7 @@ void Renderer::Parts::drawBodies() const {
   bodies.draw();
 }
 
-void Renderer::Parts::drawCloth(const Settings::View& view) const {
+void Renderer::Parts::drawCloth(const settings::Settings::View& view) const {
   const ShaderProgram& program = view.wireframe ? wireframeProgram : clothProgram;
   program.use();
   program.set("shadowMap", static_cast<int>(shadowUnit));
@@ -210,7 +210,7 @@ void Renderer::Parts::drawCloth(const Settings::View& view) const {
 
 /// Draws the second cloth translucent. Only its nearest layer counts, since folds would add up. Where both cloths
 /// coincide, the first one is visible.
-void Renderer::Parts::drawGhost(const Settings::View& view) const {
+void Renderer::Parts::drawGhost(const settings::Settings::View& view) const {
   const ShaderProgram& program = view.wireframe ? wireframeProgram : clothProgram;
   program.use();
   program.set("ghostly", 1.0F);
@@ -244,7 +244,7 @@ void Renderer::Parts::drawGround() const {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void Renderer::Parts::drawMarks(const Snapshot& snapshot, const Camera& camera, int height) const {
+void Renderer::Parts::drawMarks(const session::Snapshot& snapshot, const Camera& camera, int height) const {
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glEnable(GL_PROGRAM_POINT_SIZE);
@@ -270,9 +270,9 @@ Renderer::Renderer() : parts_(std::make_unique<Parts>()) {
 
 Renderer::~Renderer() = default;
 
-void Renderer::draw(const Snapshot& snapshot, const Camera& camera, int width, int height) {
+void Renderer::draw(const session::Snapshot& snapshot, const Camera& camera, int width, int height) {
   Parts& parts = *parts_;
-  const Settings::View& view = snapshot.settings.view;
+  const settings::Settings::View& view = snapshot.settings.view;
   parts.take(snapshot);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_CULL_FACE);
@@ -339,4 +339,4 @@ Image Renderer::read() {
   return image;
 }
 
-}  // namespace drape
+}  // namespace drape::render

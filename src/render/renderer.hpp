@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace drape {
+namespace drape::render {
 
 /// Draws snapshots: cloth (smooth, two-sided, checkered or plain), its ghost in green, stand, bodies, ground, soft
 /// light with shadows, attachment, pins and contacts. Needs a current GlContext from construction to destruction.
@@ -20,7 +20,7 @@ class Renderer {
   /// Draws into its own multisampled framebuffer of that size [pixels], resolves it, and leaves the result bound for
   /// blitToWindow() and read(). Uses snapshot.settings.view. The snapshot's scene, model and version tell what must be
   /// uploaded, so all snapshots of one renderer must come from one simulation.
-  void draw(const Snapshot& snapshot, const Camera& camera, int width, int height);
+  void draw(const session::Snapshot& snapshot, const Camera& camera, int width, int height);
 
   /// Copies the last picture into framebuffer 0 (the window's), with its lower left corner there [pixels], and leaves
   /// that framebuffer bound.
@@ -37,4 +37,4 @@ class Renderer {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace drape
+}  // namespace drape::render

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace drape {
+namespace drape::render {
 
 std::span<const EmbeddedFile> embeddedShaders();
 
@@ -133,4 +133,4 @@ void ShaderProgram::set(const char* uniform, const Eigen::Vector4f& value) const
   glUniform4fv(glGetUniformLocation(program_, uniform), 1, value.data());
 }
 
-}  // namespace drape
+}  // namespace drape::render

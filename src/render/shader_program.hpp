@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::render {
 
 /// A linked shader program from the embedded files of shaders/. A line `#include "name"` in a shader includes that
 /// file. Throws std::logic_error with the compiler's log on failure: shaders are part of the program, so this is a bug.
@@ -34,4 +34,4 @@ class ShaderProgram {
 /// The binding point of the uniform block "Frame" in every program.
 inline constexpr GLuint frameBlockBinding = 0U;
 
-}  // namespace drape
+}  // namespace drape::render

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 constexpr double radiusStep = 1.25;  // the map grows and shrinks by this factor [-]
@@ -87,4 +87,4 @@ void ShadowMap::bind(GLuint comparingUnit, GLuint depthUnit) const {
   glBindSampler(depthUnit, plain_.name());
 }
 
-}  // namespace drape
+}  // namespace drape::render

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 #include <span>
 
-namespace drape {
+namespace drape::render {
 
 /// The depth of the nearest surface along the parallel rays of the key light.
 class ShadowMap {
@@ -43,4 +43,4 @@ class ShadowMap {
   Eigen::Matrix4f fromWorld_ = Eigen::Matrix4f::Identity();
 };
 
-}  // namespace drape
+}  // namespace drape::render

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 constexpr GLuint positionAttribute = 0U;
@@ -96,4 +96,4 @@ void SmoothMesh::draw() const {
   glBindVertexArray(0);
 }
 
-}  // namespace drape
+}  // namespace drape::render

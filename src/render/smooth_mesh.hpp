@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::render {
 
 /// The constant data of a moving mesh. The views are only read during setTopology().
 struct MeshTopology {
@@ -53,4 +53,4 @@ class SmoothMesh {
   Eigen::AlignedBox3d bounds_;
 };
 
-}  // namespace drape
+}  // namespace drape::render

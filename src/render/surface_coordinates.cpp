@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 /// Sums over triangles, weighted by their area in the rest shape.
@@ -15,7 +15,7 @@ struct Measure {
   double mappedArea = 0.0;  // of the triangles with an area in the texture [m^2]
 };
 
-void addTriangle(const RenderMesh& mesh, std::span<const Vec3> rest, const Triangle& triangle, Measure& measure) {
+void addTriangle(const io::RenderMesh& mesh, std::span<const Vec3> rest, const Triangle& triangle, Measure& measure) {
   std::array<Vec3, 3> x;
   std::array<Vec2, 3> uv;
   for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -50,7 +50,7 @@ double roundLength(double length) {
 
 }  // namespace
 
-SurfaceCoordinates surfaceCoordinates(const RenderMesh& mesh, std::span<const Vec3> restPositions) {
+SurfaceCoordinates surfaceCoordinates(const io::RenderMesh& mesh, std::span<const Vec3> restPositions) {
   SurfaceCoordinates result;
   if (mesh.uvs.size() != mesh.particle.size()) {
     return result;
@@ -76,4 +76,4 @@ SurfaceCoordinates surfaceCoordinates(const RenderMesh& mesh, std::span<const Ve
   return result;
 }
 
-}  // namespace drape
+}  // namespace drape::render

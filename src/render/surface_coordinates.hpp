@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::render {
 
 /// Texture coordinates in metres of cloth, so that a check has the same size on every cloth, for any layout of the
 /// texture.
@@ -17,6 +17,6 @@ struct SurfaceCoordinates {
 
 /// Scales the texture coordinates of a mesh so that one unit along u and along v is one metre of the rest shape on
 /// average.
-[[nodiscard]] SurfaceCoordinates surfaceCoordinates(const RenderMesh& mesh, std::span<const Vec3> restPositions);
+[[nodiscard]] SurfaceCoordinates surfaceCoordinates(const io::RenderMesh& mesh, std::span<const Vec3> restPositions);
 
-}  // namespace drape
+}  // namespace drape::render

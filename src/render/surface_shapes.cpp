@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 using Lanes = SurfaceShapes::Lanes;
@@ -63,4 +63,4 @@ SurfaceShape SurfaceShapes::shapeOf(const Sums& sums) {
   return {{normal[0], normal[1], normal[2]}, curvature};
 }
 
-}  // namespace drape
+}  // namespace drape::render

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::render {
 
 /// The shape of a surface at a vertex.
 struct SurfaceShape {
@@ -41,4 +41,4 @@ class SurfaceShapes {
   std::vector<SurfaceShape> shapes_;
 };
 
-}  // namespace drape
+}  // namespace drape::render

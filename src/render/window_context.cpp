@@ -5,7 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 /// A message with GLFW's reason and a remedy.
@@ -31,19 +31,19 @@ GLFWwindow* openWindow(const std::string& title, int width, int height) {
 
 WindowContext::WindowContext(const std::string& title, int width, int height) {
   if (glfwInit() != GLFW_TRUE) {
-    throw InputError(windowMessage("cannot reach a display"));
+    throw messages::InputError(windowMessage("cannot reach a display"));
   }
   window_ = openWindow(title, width, height);
   if (window_ == nullptr) {
     // Get the reason before GLFW terminates.
     const std::string message = windowMessage("cannot open a window");
     glfwTerminate();
-    throw InputError(message);
+    throw messages::InputError(message);
   }
   glfwMakeContextCurrent(window_);
   try {
     loadGlFunctions("the window");
-  } catch (const InputError&) {
+  } catch (const messages::InputError&) {
     glfwTerminate();
     throw;
   }
@@ -54,4 +54,4 @@ WindowContext::~WindowContext() {
   glfwTerminate();
 }
 
-}  // namespace drape
+}  // namespace drape::render

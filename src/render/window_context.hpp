@@ -6,7 +6,7 @@
 
 struct GLFWwindow;
 
-namespace drape {
+namespace drape::render {
 
 /// A desktop window with an OpenGL 3.3 core context that is current on this thread. The window has no multisampling:
 /// the renderer draws into its own framebuffer. Only one may exist, on the main thread. Throws InputError when there is
@@ -24,4 +24,4 @@ class WindowContext : public GlContext {
   GLFWwindow* window_ = nullptr;
 };
 
-}  // namespace drape
+}  // namespace drape::render

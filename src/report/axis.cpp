@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 /// With more labels the axis is crowded.
@@ -15,7 +15,7 @@ constexpr int maxLabels = 8;
 /// "10" with a raised exponent; plain numbers near one.
 std::string decadeLabel(int exponent) {
   if (exponent >= -2 && exponent <= 3) {
-    return figure(std::pow(10.0, exponent), 4);
+    return text::figure(std::pow(10.0, exponent), 4);
   }
   constexpr std::array<const char*, 10> raised{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                                "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
@@ -58,13 +58,13 @@ void Axis::makeLinear(double lowest, double highest) {
     lowest -= 0.5 * margin;
     highest += 0.5 * margin;
   }
-  const double step = nextRoundNumber((highest - lowest) / (maxLabels - 2));
+  const double step = text::nextRoundNumber((highest - lowest) / (maxLabels - 2));
   const double first = std::floor(lowest / step + 1e-9);
   const double last = std::ceil(highest / step - 1e-9);
   begin_ = first * step;
   end_ = last * step;
   for (double k = first; k <= last; k += 1.0) {
-    ticks_.push_back({k * step, figure(k * step, 6)});
+    ticks_.push_back({k * step, text::figure(k * step, 6)});
   }
 }
 
@@ -84,4 +84,4 @@ void Axis::makeLogarithmic(double lowest, double highest) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 struct Tick {
   double value = 0.0;
@@ -38,4 +38,4 @@ class Axis {
   std::vector<Tick> ticks_;
 };
 
-}  // namespace drape
+}  // namespace drape::report

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace drape {
+namespace drape::report {
 
 bool holdsWords(const TextTable& table, std::size_t column) {
   const auto words = std::count_if(table.rows.begin(), table.rows.end(), [&](const std::vector<std::string>& row) {
@@ -13,4 +13,4 @@ bool holdsWords(const TextTable& table, std::size_t column) {
   return column == 0 || 2 * words > static_cast<std::ptrdiff_t>(table.rows.size());
 }
 
-}  // namespace drape
+}  // namespace drape::report

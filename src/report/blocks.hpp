@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// The contents of a section of the report, as plain data. The writers (report_html.cpp, report_markdown.cpp) convert
 /// them to their format; sections are independent of the formats.
@@ -94,4 +94,4 @@ struct StateMap {
 
 using Block = std::variant<Paragraph, TextTable, Plot, StateMap>;
 
-}  // namespace drape
+}  // namespace drape::report

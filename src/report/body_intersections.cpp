@@ -2,12 +2,12 @@
 
 #include "intersection/intersections.hpp"
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 /// A body's current surface, in the world.
-BodySurface placed(const BodyWorld& world, std::size_t body) {
-  BodySurface surface = surfaceOf(world.bodies()[body].shape);
+sim::contact::BodySurface placed(const sim::contact::BodyWorld& world, std::size_t body) {
+  sim::contact::BodySurface surface = sim::contact::surfaceOf(world.bodies()[body].shape);
   const auto vertices = world.vertices(body);
   if (!vertices.empty()) {
     surface.positions.assign(vertices.begin(), vertices.end());
@@ -21,17 +21,19 @@ BodySurface placed(const BodyWorld& world, std::size_t body) {
 }  // namespace
 
 std::size_t pairsWithBodies(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
-                            const BodyWorld& world) {
-  const Surface cloth{positions, triangles};
+                            const sim::contact::BodyWorld& world) {
+  const intersection::Surface cloth{positions, triangles};
   std::size_t pairs = 0;
-  BodySurface solids;
+  sim::contact::BodySurface solids;
   for (std::size_t body = 0; body < world.bodies().size(); ++body) {
     if (!world.isOn(body)) {
       continue;
     }
-    const BodySurface surface = placed(world, body);
-    if (std::holds_alternative<PlaneShape>(world.bodies()[body].shape)) {
-      pairs += trianglesReaching(cloth, {surface.positions[0], surface.positions[1], surface.positions[2]}).size();
+    const sim::contact::BodySurface surface = placed(world, body);
+    if (std::holds_alternative<sim::contact::PlaneShape>(world.bodies()[body].shape)) {
+      pairs +=
+          intersection::trianglesReaching(cloth, {surface.positions[0], surface.positions[1], surface.positions[2]})
+              .size();
       continue;
     }
     const auto first = static_cast<int>(solids.positions.size());
@@ -40,7 +42,8 @@ std::size_t pairsWithBodies(const std::vector<Vec3>& positions, const std::vecto
       solids.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     }
   }
-  return pairs + intersectingPairs(cloth, Surface{solids.positions, solids.triangles}).size();
+  return pairs +
+         intersection::intersectingPairs(cloth, intersection::Surface{solids.positions, solids.triangles}).size();
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// The number of intersecting pairs of a cloth triangle and a body triangle, by exact arithmetic
 /// (intersection/intersections.hpp). Active bodies count as they are drawn, at the end of the step. For an infinite
@@ -14,6 +14,6 @@ namespace drape {
 /// @param positions of the cloth [m]
 /// @param triangles of the cloth
 [[nodiscard]] std::size_t pairsWithBodies(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles,
-                                          const BodyWorld& world);
+                                          const sim::contact::BodyWorld& world);
 
-}  // namespace drape
+}  // namespace drape::report

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -147,7 +147,7 @@ class Comparer {
 };
 
 std::string textOf(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.is_number() ? figure(value.get<double>(), 4) : "-";
+  return value.is_string() ? value.get<std::string>() : value.is_number() ? text::figure(value.get<double>(), 4) : "-";
 }
 
 std::string changeOf(const Json& row) {
@@ -156,7 +156,7 @@ std::string changeOf(const Json& row) {
   }
   constexpr double percent = 100.0;
   const double change = percent * (row["after"].get<double>() / row["before"].get<double>() - 1.0);
-  return (change > 0.0 ? "+" : "") + figure(change) + " %";
+  return (change > 0.0 ? "+" : "") + text::figure(change) + " %";
 }
 
 std::string summaryText(const Json& comparison) {
@@ -205,4 +205,4 @@ std::vector<Block> showComparison(const Json& comparison) {
   return blocks;
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// The changes between two reports, as stored in report.json under "comparison":
 ///
@@ -29,4 +29,4 @@ inline constexpr std::string_view comparisonTitle = "Changes since an earlier re
 /// The comparison in words and as a table, for the report and the terminal.
 [[nodiscard]] std::vector<Block> showComparison(const nlohmann::ordered_json& comparison);
 
-}  // namespace drape
+}  // namespace drape::report

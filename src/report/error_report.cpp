@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 /// The two motions over the interval that ends at checkpoint k. A restarted run began it at the reference.
-CheckpointPair pairAt(const Trajectory& own, const Trajectory& reference, std::size_t k) {
+sim::CheckpointPair pairAt(const Trajectory& own, const Trajectory& reference, std::size_t k) {
   const std::vector<Vec3>& referenceBefore = reference.states[k - 1].positions;
   const std::vector<Vec3>& before = own.restarted ? referenceBefore : own.states[k - 1].positions;
   return {before, own.states[k].positions, referenceBefore, reference.states[k].positions};
@@ -31,45 +31,45 @@ class Mean {
   double count_ = 0.0;
 };
 
-Momentum momentumOf(const ClothModel& model, const ClothState& state) {
+Momentum momentumOf(const sim::ClothModel& model, const sim::ClothState& state) {
   Vec3 barycentre = Vec3::Zero();
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     barycentre += model.vertexMass[v] * state.positions[v];
   }
   barycentre /= model.totalMass();
-  return {linearMomentum(model, state), angularMomentum(model, state, barycentre)};
+  return {sim::linearMomentum(model, state), sim::angularMomentum(model, state, barycentre)};
 }
 
 }  // namespace
 
-ErrorReport compareWithReference(const ClothModel& model, const StepParameters& parameters, const Trajectory& own,
-                                 const Reference& reference) {
+ErrorReport compareWithReference(const sim::ClothModel& model, const sim::StepParameters& parameters,
+                                 const Trajectory& own, const Reference& reference) {
   const Trajectory& truth = reference.trajectory;
   ErrorReport report;
-  report.diagonal = diagonalOf(model);
+  report.diagonal = sim::diagonalOf(model);
   const std::size_t count = std::min(own.states.size(), truth.states.size());
   for (std::size_t k = 1; k < count; ++k) {
-    const CheckpointPair pair = pairAt(own, truth, k);
+    const sim::CheckpointPair pair = pairAt(own, truth, k);
     CheckpointReport checkpoint;
     checkpoint.time = static_cast<double>(k) * checkpointInterval;
-    checkpoint.displacement = displacementError(model, pair, report.diagonal);
-    checkpoint.meanError = meanDistance(pair.after, pair.referenceAfter);
-    checkpoint.rmsError = rmsDistance(pair.after, pair.referenceAfter);
-    checkpoint.motionKept = motionKept(model, pair);
-    checkpoint.maxStretch = maxStretch(model, own.states[k]);
-    checkpoint.energy = energyOf(model, parameters, own.states[k]);
-    checkpoint.balance = k < own.balances.size() ? own.balances[k] : EnergyBalance{};
+    checkpoint.displacement = sim::displacementError(model, pair, report.diagonal);
+    checkpoint.meanError = sim::meanDistance(pair.after, pair.referenceAfter);
+    checkpoint.rmsError = sim::rmsDistance(pair.after, pair.referenceAfter);
+    checkpoint.motionKept = sim::motionKept(model, pair);
+    checkpoint.maxStretch = sim::maxStretch(model, own.states[k]);
+    checkpoint.energy = sim::energyOf(model, parameters, own.states[k]);
+    checkpoint.balance = k < own.balances.size() ? own.balances[k] : sim::EnergyBalance{};
     checkpoint.momentum = momentumOf(model, own.states[k]);
     checkpoint.referenceMomentum = momentumOf(model, truth.states[k]);
-    checkpoint.referenceStretch = maxStretch(model, truth.states[k]);
-    checkpoint.referenceEnergy = energyOf(model, reference.settings.step, truth.states[k]);
+    checkpoint.referenceStretch = sim::maxStretch(model, truth.states[k]);
+    checkpoint.referenceEnergy = sim::energyOf(model, reference.settings.step, truth.states[k]);
     checkpoint.trusted = static_cast<int>(k) <= reference.trusted;
     report.checkpoints.push_back(checkpoint);
   }
   return report;
 }
 
-std::vector<ErrorSummary> summarise(const ClothModel& model, const Trajectory& own, const Reference& reference,
+std::vector<ErrorSummary> summarise(const sim::ClothModel& model, const Trajectory& own, const Reference& reference,
                                     const ErrorReport& report, std::span<const double> times) {
   std::vector<ErrorSummary> summaries;
   for (const double time : times) {
@@ -79,7 +79,7 @@ std::vector<ErrorSummary> summarise(const ClothModel& model, const Trajectory& o
     }
     Mean eps;
     Mean squaredCosine;
-    MotionKept kept;
+    sim::MotionKept kept;
     for (std::size_t k = 1; k <= last; ++k) {
       eps.add(report.checkpoints[k - 1].displacement.eps);
       squaredCosine.add(report.checkpoints[k - 1].displacement.squaredCosine);
@@ -91,4 +91,4 @@ std::vector<ErrorSummary> summarise(const ClothModel& model, const Trajectory& o
   return summaries;
 }
 
-}  // namespace drape
+}  // namespace drape::report

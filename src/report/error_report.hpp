@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// Linear and angular momentum of a cloth.
 struct Momentum {
@@ -17,19 +17,19 @@ struct Momentum {
 
 /// The errors of a method against a reference at one checkpoint (docs/theory/measures.md).
 struct CheckpointReport {
-  double time = 0.0;               ///< [s]
-  DisplacementError displacement;  ///< of the interval that ends here
-  double meanError = 0.0;          ///< mean distance of the positions [m]
-  double rmsError = 0.0;           ///< root of their mean square [m]
-  double motionKept = 0.0;         ///< of the interval [-]
-  double maxStretch = 0.0;         ///< [-]
-  Energy energy;                   ///< [J]
-  EnergyBalance balance;           ///< since the start, or over the interval when restarted
-  Momentum momentum;               ///< of the method
-  Momentum referenceMomentum;      ///< of the reference
-  double referenceStretch = 0.0;   ///< largest, of the reference [-]
-  Energy referenceEnergy;          ///< [J]
-  bool trusted = true;             ///< whether the reference passed its check here
+  double time = 0.0;                    ///< [s]
+  sim::DisplacementError displacement;  ///< of the interval that ends here
+  double meanError = 0.0;               ///< mean distance of the positions [m]
+  double rmsError = 0.0;                ///< root of their mean square [m]
+  double motionKept = 0.0;              ///< of the interval [-]
+  double maxStretch = 0.0;              ///< [-]
+  sim::Energy energy;                   ///< [J]
+  sim::EnergyBalance balance;           ///< since the start, or over the interval when restarted
+  Momentum momentum;                    ///< of the method
+  Momentum referenceMomentum;           ///< of the reference
+  double referenceStretch = 0.0;        ///< largest, of the reference [-]
+  sim::Energy referenceEnergy;          ///< [J]
+  bool trusted = true;                  ///< whether the reference passed its check here
 };
 
 /// The errors of a method over a run.
@@ -50,13 +50,13 @@ struct ErrorSummary {
 
 /// Compares `own` with `reference`, up to the end of the shorter one.
 /// @param parameters of the method, for its energies
-[[nodiscard]] ErrorReport compareWithReference(const ClothModel& model, const StepParameters& parameters,
+[[nodiscard]] ErrorReport compareWithReference(const sim::ClothModel& model, const sim::StepParameters& parameters,
                                                const Trajectory& own, const Reference& reference);
 
 /// The summary at the checkpoint nearest to each of these times [s]. It omits times beyond the run and checkpoints
 /// without valid vertices.
-[[nodiscard]] std::vector<ErrorSummary> summarise(const ClothModel& model, const Trajectory& own,
+[[nodiscard]] std::vector<ErrorSummary> summarise(const sim::ClothModel& model, const Trajectory& own,
                                                   const Reference& reference, const ErrorReport& report,
                                                   std::span<const double> times);
 
-}  // namespace drape
+}  // namespace drape::report

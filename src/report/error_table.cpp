@@ -2,13 +2,13 @@
 
 #include <fmt/core.h>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr double millimetres = 1e3;
 constexpr double percent = 100.0;
 
-std::string stepText(const Settings& settings) {
+std::string stepText(const settings::Settings& settings) {
   std::string text = fmt::format("{}, time step 1/{:.6g} s", settings.solver.name, 1.0 / settings.step.timeStep);
   if (settings.step.substeps > 1) {
     text += fmt::format(" in {} substeps", settings.step.substeps);
@@ -76,4 +76,4 @@ std::string errorTable(const Measurement& measurement) {
   return text + (measurement.summaries.empty() ? "" : "\n");
 }
 
-}  // namespace drape
+}  // namespace drape::report

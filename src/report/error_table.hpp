@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::report {
 
 /// A measurement as a plain text table: a line per checkpoint, with the reference's check above and the summaries
 /// below.
 [[nodiscard]] std::string errorTable(const Measurement& measurement);
 
-}  // namespace drape
+}  // namespace drape::report

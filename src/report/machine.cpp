@@ -7,7 +7,7 @@
 #include <fstream>
 #include <thread>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 std::string cpuModel() {
@@ -34,10 +34,14 @@ std::string now() {
 }  // namespace
 
 nlohmann::ordered_json machineJson(const BuildInfo& build) {
-  return {{"cpu", cpuModel()},      {"cores", std::thread::hardware_concurrency()},
-          {"simd", simdTarget()},   {"compiler", build.compiler},
-          {"flags", build.flags},   {"build_type", build.buildType},
-          {"commit", build.commit}, {"date", now()}};
+  return {{"cpu", cpuModel()},
+          {"cores", std::thread::hardware_concurrency()},
+          {"simd", sim::simd::simdTarget()},
+          {"compiler", build.compiler},
+          {"flags", build.flags},
+          {"build_type", build.buildType},
+          {"commit", build.commit},
+          {"date", now()}};
 }
 
-}  // namespace drape
+}  // namespace drape::report

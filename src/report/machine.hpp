@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace drape {
+namespace drape::report {
 
 /// The build of a program.
 struct BuildInfo {
@@ -16,4 +16,4 @@ struct BuildInfo {
 /// The machine and the build, for the head of a report: cpu, cores, simd, compiler, flags, build_type, commit, date.
 [[nodiscard]] nlohmann::ordered_json machineJson(const BuildInfo& build);
 
-}  // namespace drape
+}  // namespace drape::report

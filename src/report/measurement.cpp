@@ -2,10 +2,10 @@
 
 #include "messages/error.hpp"
 
-namespace drape {
+namespace drape::report {
 namespace {
 
-Reference runReference(const Scene& scene, const MeasurementPlan& plan, const Trajectory* judged,
+Reference runReference(const scene::Scene& scene, const MeasurementPlan& plan, const Trajectory* judged,
                        const Progress& progress) {
   ConvergenceTolerance tolerance = plan.tolerance;
   tolerance.judged = judged;
@@ -22,7 +22,7 @@ Reference runReference(const Scene& scene, const MeasurementPlan& plan, const Tr
 
 }  // namespace
 
-Measurement measure(const Scene& scene, const Settings& settings, const MeasurementPlan& plan,
+Measurement measure(const scene::Scene& scene, const settings::Settings& settings, const MeasurementPlan& plan,
                     const Progress& progress) {
   const Watch watch{.energy = true, .stepResiduals = false, .label = "method", .progress = progress};
   Measurement measurement;
@@ -36,7 +36,8 @@ Measurement measure(const Scene& scene, const Settings& settings, const Measurem
     measurement.reference = runReference(scene, plan, &measurement.own, progress);
   }
   if (measurement.own.checkpoints() < 1) {
-    throw InputError("the cloth blew up before the first checkpoint; use a smaller time step or a lower stiffness");
+    throw messages::InputError(
+        "the cloth blew up before the first checkpoint; use a smaller time step or a lower stiffness");
   }
   measurement.report = compareWithReference(*scene.model, settings.step, measurement.own, measurement.reference);
   measurement.summaries =
@@ -44,4 +45,4 @@ Measurement measure(const Scene& scene, const Settings& settings, const Measurem
   return measurement;
 }
 
-}  // namespace drape
+}  // namespace drape::report

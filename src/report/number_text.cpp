@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::report {
 
 std::string figure(const nlohmann::ordered_json& row, const char* key, int digits) {
-  return figure(numberIn(row, key), digits);
+  return text::figure(numberIn(row, key), digits);
 }
 
 nlohmann::ordered_json finiteOrNull(double value) {
@@ -23,7 +23,7 @@ std::string gridText(int resolution) {
 }
 
 std::string stepText(double seconds) {
-  return "1/" + figure(std::round(1.0 / seconds)) + " s";
+  return "1/" + text::figure(std::round(1.0 / seconds)) + " s";
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace drape {
+namespace drape::report {
 
 /// A number in JSON with so many significant digits; "-" when it is missing.
 [[nodiscard]] std::string figure(const nlohmann::ordered_json& row, const char* key, int digits = 3);
@@ -22,4 +22,4 @@ namespace drape {
 /// A step in words: "1/150 s".
 [[nodiscard]] std::string stepText(double seconds);
 
-}  // namespace drape
+}  // namespace drape::report

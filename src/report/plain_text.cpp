@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 std::string lineOf(const std::vector<std::string>& fields, const std::vector<std::size_t>& widths) {
@@ -33,4 +33,4 @@ std::string plainText(const TextTable& table) {
   return text;
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::report {
 
 /// A table for a terminal, with fitting columns: the first aligned left, numbers aligned right.
 [[nodiscard]] std::string plainText(const TextTable& table);
 
-}  // namespace drape
+}  // namespace drape::report

@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 /// The number of consecutive halvings without improvement that ends the search.
@@ -24,9 +24,9 @@ std::string timeOf(int checkpoint) {
 
 void requireMotion(const Reference& reference) {
   if (reference.trajectory.checkpoints() < 1) {
-    throw InputError("the reference (" + reference.settings.solver.name +
-                     ") blew up before the first checkpoint; use a shorter step or another solver with "
-                     "--reference-set");
+    throw messages::InputError("the reference (" + reference.settings.solver.name +
+                               ") blew up before the first checkpoint; use a shorter step or another solver with "
+                               "--reference-set");
   }
 }
 
@@ -35,7 +35,7 @@ std::string blewUp(const Reference& reference) {
          "; later checkpoints have no reference.";
 }
 
-Reference runOnce(ReferenceKind kind, const Scene& scene, const Settings& settings, int checkpoints,
+Reference runOnce(ReferenceKind kind, const scene::Scene& scene, const settings::Settings& settings, int checkpoints,
                   const Watch& watch) {
   Reference reference;
   reference.kind = kind;
@@ -51,7 +51,7 @@ Reference runOnce(ReferenceKind kind, const Scene& scene, const Settings& settin
 
 /// The same steps as substeps of longer steps, so that a solver converts its own representation of the cloth less
 /// often.
-Settings inLongSteps(Settings settings) {
+settings::Settings inLongSteps(settings::Settings settings) {
   constexpr int longest = 64;
   int steps = stepsPerCheckpoint(settings.step.timeStep);
   int parts = 1;
@@ -65,9 +65,9 @@ Settings inLongSteps(Settings settings) {
 
 /// The first step of the halving: at most half of the stability limit, and a whole part of the time between
 /// checkpoints.
-double firstStep(const Scene& scene, const Settings& settings) {
+double firstStep(const scene::Scene& scene, const settings::Settings& settings) {
   double longest = settings.step.timeStep;
-  const SolverInfo* solver = findSolver(settings.solver.name);
+  const sim::SolverInfo* solver = sim::findSolver(settings.solver.name);
   if (solver != nullptr && solver->stepLimit != nullptr) {
     const double limit = solver->stepLimit(*scene.model, settings.step);
     longest = limit > 0.0 ? std::min(longest, 0.5 * limit) : longest;
@@ -79,7 +79,8 @@ double toleranceAt(const ConvergenceTolerance& tolerance, const Trajectory& run,
   if (tolerance.judged == nullptr || checkpoint >= tolerance.judged->states.size()) {
     return tolerance.absolute;
   }
-  const double error = meanDistance(tolerance.judged->states[checkpoint].positions, run.states[checkpoint].positions);
+  const double error =
+      sim::meanDistance(tolerance.judged->states[checkpoint].positions, run.states[checkpoint].positions);
   return std::max(tolerance.absolute, tolerance.share * error);
 }
 
@@ -92,7 +93,7 @@ void accept(Reference& reference, Trajectory finer, const ConvergenceTolerance& 
   reference.differences.assign(count, 0.0);
   bool passing = true;
   for (std::size_t k = 1; k < count; ++k) {
-    reference.differences[k] = meanDistance(coarser.states[k].positions, finer.states[k].positions);
+    reference.differences[k] = sim::meanDistance(coarser.states[k].positions, finer.states[k].positions);
     halving.difference = std::max(halving.difference, reference.differences[k]);
     passing = passing && reference.differences[k] <= toleranceAt(tolerance, finer, k);
     halving.trusted = passing ? static_cast<int>(k) : halving.trusted;
@@ -139,12 +140,12 @@ std::string doubtAbout(const Reference& reference, Ending ending) {
          "Later checkpoints have no reference.";
 }
 
-double workOf(const Scene& scene, double timeStep, int checkpoints) {
+double workOf(const scene::Scene& scene, double timeStep, int checkpoints) {
   return static_cast<double>(scene.model->springs.size()) * checkpoints * checkpointInterval / timeStep;
 }
 
 /// Halves the step until every checkpoint passes or another limit ends it.
-Ending halve(Reference& reference, const Scene& scene, int checkpoints, const ConvergenceTolerance& tolerance,
+Ending halve(Reference& reference, const scene::Scene& scene, int checkpoints, const ConvergenceTolerance& tolerance,
              const Watch& watch) {
   ProgressCheck progressCheck;
   for (int i = 0; reference.trusted < checkpoints; ++i) {
@@ -163,22 +164,23 @@ Ending halve(Reference& reference, const Scene& scene, int checkpoints, const Co
 
 }  // namespace
 
-Settings sameStepSettings(Settings settings) {
+settings::Settings sameStepSettings(settings::Settings settings) {
   settings.solver.name = "newton";
   settings.step.iteration.tolerance = 1e-10;
   return settings;
 }
 
-Settings convergedSettings(Settings settings) {
+settings::Settings convergedSettings(settings::Settings settings) {
   settings.solver.name = "verlet";
-  settings.step.integration = Integration::BackwardEuler;
+  settings.step.integration = sim::Integration::BackwardEuler;
   settings.step.substeps = 1;
   return settings;
 }
 
-Reference sameStepReference(const Scene& scene, const Settings& settings, int checkpoints, const Progress& progress) {
+Reference sameStepReference(const scene::Scene& scene, const settings::Settings& settings, int checkpoints,
+                            const Progress& progress) {
   // Substeps and extrapolated steps do not satisfy the equation of the whole step.
-  const bool plain = settings.step.substeps == 1 && settings.step.integration == Integration::BackwardEuler;
+  const bool plain = settings.step.substeps == 1 && settings.step.integration == sim::Integration::BackwardEuler;
   Reference reference = runOnce(ReferenceKind::SameStep, scene, settings, checkpoints,
                                 {.energy = false, .stepResiduals = plain, .label = "reference", .progress = progress});
   if (reference.trajectory.unsolvedSteps > 0 && reference.doubt.empty()) {
@@ -189,7 +191,7 @@ Reference sameStepReference(const Scene& scene, const Settings& settings, int ch
   return reference;
 }
 
-Reference convergedReference(const Scene& scene, const Settings& settings, int checkpoints,
+Reference convergedReference(const scene::Scene& scene, const settings::Settings& settings, int checkpoints,
                              const ConvergenceTolerance& tolerance, const Progress& progress) {
   Watch watch;
   watch.label = "reference";
@@ -206,16 +208,18 @@ Reference convergedReference(const Scene& scene, const Settings& settings, int c
     reference.doubt = doubtAbout(reference, ending);
   }
   if (reference.trusted < 1 && !tolerance.takeAnyway) {
-    throw InputError(reference.doubt + " Use a larger --reference-tolerance, or another solver with --reference-set");
+    throw messages::InputError(reference.doubt +
+                               " Use a larger --reference-tolerance, or another solver with --reference-set");
   }
   return reference;
 }
 
-Reference solverReference(const Scene& scene, const Settings& settings, int checkpoints, const Progress& progress) {
+Reference solverReference(const scene::Scene& scene, const settings::Settings& settings, int checkpoints,
+                          const Progress& progress) {
   Watch watch;
   watch.label = "reference";
   watch.progress = progress;
   return runOnce(ReferenceKind::Solver, scene, settings, checkpoints, watch);
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// The kinds of reference. They answer different questions:
 ///
@@ -31,7 +31,7 @@ struct Halving {
 /// A reference and its own estimated error.
 struct Reference {
   ReferenceKind kind = ReferenceKind::Solver;
-  Settings settings;  ///< of its run
+  settings::Settings settings;  ///< of its run
   Trajectory trajectory;
   /// The distance of each checkpoint from the run with twice the step [m]; empty except for the converged reference.
   /// The remaining error is about a third of it for a second-order method, and about equal to it for a first-order one.
@@ -54,24 +54,25 @@ struct ConvergenceTolerance {
 };
 
 /// The settings of the same-step reference for a method's: solver newton, tolerance 1e-10.
-[[nodiscard]] Settings sameStepSettings(Settings settings);
+[[nodiscard]] settings::Settings sameStepSettings(settings::Settings settings);
 
 /// The settings from which the converged reference starts: solver verlet, backward Euler's integration, no substeps.
-[[nodiscard]] Settings convergedSettings(Settings settings);
+[[nodiscard]] settings::Settings convergedSettings(settings::Settings settings);
 
 /// Runs the reference with `settings` and checks that every solve reached its tolerance. Throws InputError when it
 /// blows up before the first checkpoint.
-[[nodiscard]] Reference sameStepReference(const Scene& scene, const Settings& settings, int checkpoints,
-                                          const Progress& progress = {});
+[[nodiscard]] Reference sameStepReference(const scene::Scene& scene, const settings::Settings& settings,
+                                          int checkpoints, const Progress& progress = {});
 
 /// Starts with a step below half of the solver's stability limit (and at most the settings' own), then halves the step
 /// until every checkpoint meets the tolerance. It stops where halving no longer helps, as in chaotic motion, and
 /// reports that time. Throws InputError when the first checkpoint does not converge, unless that is allowed.
-[[nodiscard]] Reference convergedReference(const Scene& scene, const Settings& settings, int checkpoints,
-                                           const ConvergenceTolerance& tolerance, const Progress& progress = {});
+[[nodiscard]] Reference convergedReference(const scene::Scene& scene, const settings::Settings& settings,
+                                           int checkpoints, const ConvergenceTolerance& tolerance,
+                                           const Progress& progress = {});
 
 /// Runs another solver without any check.
-[[nodiscard]] Reference solverReference(const Scene& scene, const Settings& settings, int checkpoints,
+[[nodiscard]] Reference solverReference(const scene::Scene& scene, const settings::Settings& settings, int checkpoints,
                                         const Progress& progress = {});
 
-}  // namespace drape
+}  // namespace drape::report

@@ -2,7 +2,7 @@
 
 #include "messages/error.hpp"
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 /// Increases when rows change their meaning, so that an old report is not continued.
@@ -32,35 +32,36 @@ void requireComparable(const nlohmann::ordered_json& json, const Report& report)
   const bool isReport = json.is_object() && json.contains("format") && json.contains("settings") &&
                         json.contains("machine") && json["machine"].is_object();
   if (!isReport) {
-    throw InputError("the file to compare with is not a report.json of drape-report");
+    throw messages::InputError("the file to compare with is not a report.json of drape-report");
   }
   if (json["format"] != formatVersion) {
-    throw InputError("the report to compare with has format " + json["format"].dump() + ", this program writes " +
-                     std::to_string(formatVersion) + ": their values are not comparable; make the report again");
+    throw messages::InputError("the report to compare with has format " + json["format"].dump() +
+                               ", this program writes " + std::to_string(formatVersion) +
+                               ": their values are not comparable; make the report again");
   }
   if (json["settings"] != optionsJson(report.options)) {
-    throw InputError("the report to compare with was made with " + json["settings"].dump() + ", this one with " +
-                     optionsJson(report.options).dump() + "; give the same options");
+    throw messages::InputError("the report to compare with was made with " + json["settings"].dump() +
+                               ", this one with " + optionsJson(report.options).dump() + "; give the same options");
   }
   if (json["machine"].value("build_type", "") != report.machine.value("build_type", "")) {
-    throw InputError("the report to compare with is of a " + json["machine"].value("build_type", "") +
-                     " build, this one of a " + report.machine.value("build_type", "") + " build");
+    throw messages::InputError("the report to compare with is of a " + json["machine"].value("build_type", "") +
+                               " build, this one of a " + report.machine.value("build_type", "") + " build");
   }
 }
 
 SectionRows rowsToResume(const nlohmann::ordered_json& json, const Report& report) {
   if (!json.is_object() || json.value("format", 0) != formatVersion || !json.contains("machine")) {
-    throw InputError("this report.json cannot be continued; start again without --resume");
+    throw messages::InputError("this report.json cannot be continued; start again without --resume");
   }
   for (const char* key : {"cpu", "commit", "build_type"}) {
     if (json["machine"].value(key, "") != report.machine.value(key, "")) {
-      throw InputError(std::string("report.json was made with another ") + key +
-                       ", and values of two must not be mixed; start again without --resume");
+      throw messages::InputError(std::string("report.json was made with another ") + key +
+                                 ", and values of two must not be mixed; start again without --resume");
     }
   }
   if (json["settings"] != optionsJson(report.options)) {
-    throw InputError("report.json was made with " + json["settings"].dump() +
-                     "; continue with the same options, or start again without --resume");
+    throw messages::InputError("report.json was made with " + json["settings"].dump() +
+                               "; continue with the same options, or start again without --resume");
   }
   SectionRows rows;
   for (const Section& section : sectionTable()) {
@@ -95,4 +96,4 @@ ReportRows rowsOf(const Report& report, const Section& section) {
   return rows == report.rows.end() ? ReportRows() : rows->second;
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// The whole report.
 struct Report {
@@ -51,4 +51,4 @@ struct MarkdownReport {
 /// The rows of a section: measured, or derived from others.
 [[nodiscard]] ReportRows rowsOf(const Report& report, const Section& section);
 
-}  // namespace drape
+}  // namespace drape::report

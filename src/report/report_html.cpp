@@ -3,7 +3,7 @@
 #include "report/svg.hpp"
 #include "report/xml_writer.hpp"
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr std::string_view pageStyle = R"(
@@ -133,4 +133,4 @@ std::string reportHtml(const Report& report) {
   return html.take();
 }
 
-}  // namespace drape
+}  // namespace drape::report

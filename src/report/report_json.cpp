@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -17,14 +17,14 @@ Json momentumJson(const Momentum& momentum) {
   return {{"linear", vectorJson(momentum.linear)}, {"angular", vectorJson(momentum.angular)}};
 }
 
-Json energyJson(const Energy& energy) {
+Json energyJson(const sim::Energy& energy) {
   return {{"total", energy.total()},
           {"kinetic", energy.kinetic},
           {"elastic", energy.elastic},
           {"potential", energy.potential}};
 }
 
-Json balanceJson(const EnergyBalance& balance) {
+Json balanceJson(const sim::EnergyBalance& balance) {
   return {{"change", balance.change()},         {"damping", balance.damping()}, {"air", balance.air()},
           {"attachment", balance.attachment()}, {"contact", balance.contact()}, {"integrator", balance.integrator()}};
 }
@@ -63,7 +63,7 @@ Json summaryJson(const ErrorSummary& summary, double diagonal) {
           {"motion_kept", summary.motionKept}};
 }
 
-Json runJson(const Trajectory& run, const Settings& settings) {
+Json runJson(const Trajectory& run, const settings::Settings& settings) {
   return {{"solver", settings.solver.name},      {"time_step", settings.step.timeStep},
           {"checkpoints", run.checkpoints()},    {"finite", run.finite},
           {"unsolved_steps", run.unsolvedSteps}, {"largest_residual", run.largestResidual}};
@@ -125,4 +125,4 @@ nlohmann::ordered_json measurementJson(const Measurement& measurement) {
   return json;
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -2,7 +2,7 @@
 #include "report/report_document.hpp"
 #include "report/svg.hpp"
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 /// Escapes characters that end a field of a table or start an HTML element.
@@ -85,4 +85,4 @@ MarkdownReport reportMarkdown(const Report& report) {
   return std::move(writer.report);
 }
 
-}  // namespace drape
+}  // namespace drape::report

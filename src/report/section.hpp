@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// The options of a report.
 struct ReportOptions {
@@ -65,4 +65,4 @@ struct Section {
 /// All sections, in the order of the report.
 [[nodiscard]] std::span<const Section> sectionTable();
 
-}  // namespace drape
+}  // namespace drape::report

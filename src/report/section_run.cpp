@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 bool isWanted(const ReportOptions& options, const Section& section) {
@@ -24,7 +24,7 @@ bool isWanted(const ReportOptions& options, const Section& section) {
     known += known.empty() ? "" : ", ";
     known += section.name;
   }
-  throw UsageError("--only needs the name of a section; '" + name + "' is not one of " + known);
+  throw messages::UsageError("--only needs the name of a section; '" + name + "' is not one of " + known);
 }
 
 void requireSections(std::span<const Section> sections, const ReportOptions& options) {
@@ -181,4 +181,4 @@ bool measureSections(std::span<const Section> sections, const ReportOptions& opt
   return true;
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace drape {
+namespace drape::report {
 
 /// Callbacks of a run of the report. All may be empty.
 struct RunHooks {
@@ -27,4 +27,4 @@ bool measureSections(const ReportOptions& options, SectionRows& rows, const RunH
 bool measureSections(std::span<const Section> sections, const ReportOptions& options, SectionRows& rows,
                      const RunHooks& hooks);
 
-}  // namespace drape
+}  // namespace drape::report

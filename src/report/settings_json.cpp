@@ -4,14 +4,14 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::report {
 
-nlohmann::ordered_json settingsJson(const Settings& settings) {
+nlohmann::ordered_json settingsJson(const settings::Settings& settings) {
   nlohmann::ordered_json json;
-  for (const SettingInfo& info : settingsTable()) {
-    std::visit([&](const auto& value) { json[std::string(info.key)] = value; }, settingValue(settings, info));
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
+    std::visit([&](const auto& value) { json[std::string(info.key)] = value; }, settings::settingValue(settings, info));
   }
   return json;
 }
 
-}  // namespace drape
+}  // namespace drape::report

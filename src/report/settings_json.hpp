@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace drape {
+namespace drape::report {
 
 /// All settings with their current values, by key.
-[[nodiscard]] nlohmann::ordered_json settingsJson(const Settings& settings);
+[[nodiscard]] nlohmann::ordered_json settingsJson(const settings::Settings& settings);
 
-}  // namespace drape
+}  // namespace drape::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::report {
 
 /// The style sheet of the pictures, for a light and a dark background and for print. A page with several pictures
 /// contains it once.
@@ -18,4 +18,4 @@ namespace drape {
 /// A picture as a separate file.
 [[nodiscard]] std::string svgFile(std::string_view svg);
 
-}  // namespace drape
+}  // namespace drape::report

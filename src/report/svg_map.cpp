@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr double widestCell = 62.0;
@@ -104,4 +104,4 @@ std::string svgOf(const StateMap& map) {
   return svg.take();
 }
 
-}  // namespace drape
+}  // namespace drape::report

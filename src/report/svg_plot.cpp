@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr double left = 72.0;
@@ -264,4 +264,4 @@ std::string svgOf(const Plot& plot) {
   return PlotDrawing(plot).draw();
 }
 
-}  // namespace drape
+}  // namespace drape::report

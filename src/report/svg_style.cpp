@@ -1,6 +1,6 @@
 #include "report/svg.hpp"
 
-namespace drape {
+namespace drape::report {
 
 // Eight colours for colour-blind readers (Okabe and Ito); black is the text colour.
 std::string_view svgStyle() {
@@ -49,4 +49,4 @@ std::string svgFile(std::string_view svg) {
   return file;
 }
 
-}  // namespace drape
+}  // namespace drape::report

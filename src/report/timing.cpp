@@ -9,7 +9,7 @@
 #include <malloc.h>
 #endif
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -66,12 +66,12 @@ double fittedExponent(const std::vector<double>& x, const std::vector<double>& y
   return x.size() > 1 && spread > 0.0 ? (count * sumXY - sumX * sumY) / spread : none;
 }
 
-StepTiming timeSteps(const Scene& scene, const Settings& settings, const TimingBudget& budget,
+StepTiming timeSteps(const scene::Scene& scene, const settings::Settings& settings, const TimingBudget& budget,
                      const std::function<void()>& checkStop) {
   StepTiming timing;
-  ClothState state = scene.start;
+  sim::ClothState state = scene.start;
   const double before = allocatedBytes();
-  Stepper stepper(settings.solver.name);
+  sim::Stepper stepper(settings.solver.name);
   const auto step = [&] {
     checkStop();
     return secondsOf([&] { stepper.step(*scene.model, settings.step, {}, state); });
@@ -83,7 +83,7 @@ StepTiming timeSteps(const Scene& scene, const Settings& settings, const TimingB
   for (double spent = 0.0; static_cast<int>(timing.stepSeconds.size()) < budget.maxSteps &&
                            (spent < budget.seconds || static_cast<int>(timing.stepSeconds.size()) < budget.minSteps);
        spent += timing.stepSeconds.back()) {
-    if (!isFinite(state)) {
+    if (!sim::isFinite(state)) {
       timing.finite = false;
       state = scene.start;
     }
@@ -93,4 +93,4 @@ StepTiming timeSteps(const Scene& scene, const Settings& settings, const TimingB
   return timing;
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// The duration of a call by the wall clock [s].
 [[nodiscard]] double secondsOf(const std::function<void()>& call);
@@ -34,7 +34,7 @@ struct TimingBudget {
 };
 
 /// @param checkStop is called before each step and may throw
-[[nodiscard]] StepTiming timeSteps(const Scene& scene, const Settings& settings, const TimingBudget& budget,
-                                   const std::function<void()>& checkStop);
+[[nodiscard]] StepTiming timeSteps(const scene::Scene& scene, const settings::Settings& settings,
+                                   const TimingBudget& budget, const std::function<void()>& checkStop);
 
-}  // namespace drape
+}  // namespace drape::report

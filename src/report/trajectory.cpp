@@ -13,13 +13,13 @@
 #include <string>
 #include <utility>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 /// Advances a cloth from checkpoint to checkpoint and records the results.
 class Runner {
  public:
-  Runner(const Scene& scene, const Settings& settings, int checkpoints, const Watch& watch)
+  Runner(const scene::Scene& scene, const settings::Settings& settings, int checkpoints, const Watch& watch)
       : model_(*scene.model),
         parameters_(settings.step),
         watch_(watch),
@@ -29,18 +29,18 @@ class Runner {
     stepper_.keepContactWork(watch.energy);
     trajectory_.stepsPerCheckpoint = stepsPerCheckpoint(settings.step.timeStep);
     if (watch.energyPeak) {
-      trajectory_.largestEnergy = energyOf(model_, parameters_, scene.start).total();
+      trajectory_.largestEnergy = sim::energyOf(model_, parameters_, scene.start).total();
     }
     record(scene.start);
   }
 
   /// Advances `state` to the next checkpoint and records it. False when it blew up.
-  bool advance(ClothState& state) {
+  bool advance(sim::ClothState& state) {
     bodies_.reset(state.time);
     for (int i = 0; i < trajectory_.stepsPerCheckpoint; ++i) {
       step(state);
     }
-    if (!isFinite(state)) {
+    if (!sim::isFinite(state)) {
       trajectory_.finite = false;
       return false;
     }
@@ -53,16 +53,16 @@ class Runner {
   [[nodiscard]] Trajectory take() { return std::move(trajectory_); }
 
  private:
-  void step(ClothState& state) {
+  void step(sim::ClothState& state) {
     const bool compare = watch_.energy || watch_.stepResiduals;
     if (compare) {
       before_ = state;
     }
     bodies_.advance(state.time, parameters_.timeStep);
-    StepInputs inputs;
+    sim::StepInputs inputs;
     inputs.bodies = &bodies_.steps();
     inputs.onProgress = watch_.progress ? &reportProgress_ : nullptr;
-    const StepReport report = stepper_.step(model_, parameters_, inputs, state);
+    const sim::StepReport report = stepper_.step(model_, parameters_, inputs, state);
     trajectory_.unsolvedSteps += report.converged ? 0 : 1;
     trajectory_.largestResidual = std::max(trajectory_.largestResidual, report.residual);
     if (watch_.energy) {
@@ -70,13 +70,13 @@ class Runner {
                    stepper_.earlierContactWork());
     }
     if (watch_.energyPeak) {
-      const double energy = energyOf(model_, parameters_, state).total();
+      const double energy = sim::energyOf(model_, parameters_, state).total();
       // This form of the comparison keeps NaN.
       trajectory_.largestEnergy = energy <= trajectory_.largestEnergy ? trajectory_.largestEnergy : energy;
     }
     if (watch_.stepResiduals) {
       trajectory_.largestStepResidual =
-          std::max(trajectory_.largestStepResidual, nonlinearResidual(model_, parameters_, {}, before_, state));
+          std::max(trajectory_.largestStepResidual, sim::nonlinearResidual(model_, parameters_, {}, before_, state));
     }
     if (watch_.progress) {
       ++stepsDone_;
@@ -84,7 +84,7 @@ class Runner {
     }
   }
 
-  void record(const ClothState& state) {
+  void record(const sim::ClothState& state) {
     trajectory_.states.push_back(state);
     trajectory_.states.back().history = {};
     if (watch_.energy) {
@@ -92,16 +92,16 @@ class Runner {
     }
   }
 
-  const ClothModel& model_;
-  StepParameters parameters_;
+  const sim::ClothModel& model_;
+  sim::StepParameters parameters_;
   const Watch& watch_;
-  Stepper stepper_;
-  BodyWorld bodies_;
+  sim::Stepper stepper_;
+  sim::contact::BodyWorld bodies_;
   std::int64_t stepsDone_ = 0;
   std::int64_t stepsTotal_;
   std::function<void()> reportProgress_ = [this] { watch_.progress(watch_.label, stepsDone_, stepsTotal_); };
-  EnergyBalance balance_;
-  ClothState before_;
+  sim::EnergyBalance balance_;
+  sim::ClothState before_;
   Trajectory trajectory_;
 };
 
@@ -119,34 +119,36 @@ int stepsPerCheckpoint(double timeStep) {
     return static_cast<int>(whole);
   }
   const int fewer = static_cast<int>(std::floor(steps));
-  throw UsageError("measuring needs a time_step that divides 1/30 s, the time between two checkpoints; " +
-                   formatValue(timeStep) + " s does not: use " + (fewer < 1 ? "" : stepText(fewer) + " or ") +
-                   stepText(fewer + 1));
+  throw messages::UsageError("measuring needs a time_step that divides 1/30 s, the time between two checkpoints; " +
+                             settings::formatValue(timeStep) + " s does not: use " +
+                             (fewer < 1 ? "" : stepText(fewer) + " or ") + stepText(fewer + 1));
 }
 
 int checkpointsIn(double seconds) {
   const double count = std::round(seconds / checkpointInterval);
   if (!(count >= 1.0)) {
-    throw UsageError("measuring needs at least 1/30 s, the time between two checkpoints; " + formatValue(seconds) +
-                     " s is less");
+    throw messages::UsageError("measuring needs at least 1/30 s, the time between two checkpoints; " +
+                               settings::formatValue(seconds) + " s is less");
   }
   return static_cast<int>(count);
 }
 
-Trajectory runTrajectory(const Scene& scene, const Settings& settings, int checkpoints, const Watch& watch) {
+Trajectory runTrajectory(const scene::Scene& scene, const settings::Settings& settings, int checkpoints,
+                         const Watch& watch) {
   Runner runner(scene, settings, checkpoints, watch);
-  ClothState state = scene.start;
+  sim::ClothState state = scene.start;
   for (int k = 0; k < checkpoints && runner.advance(state); ++k) {
   }
   return runner.take();
 }
 
-Trajectory runRestarted(const Scene& scene, const Settings& settings, const Trajectory& reference, const Watch& watch) {
+Trajectory runRestarted(const scene::Scene& scene, const settings::Settings& settings, const Trajectory& reference,
+                        const Watch& watch) {
   const int checkpoints = reference.checkpoints();
   Runner runner(scene, settings, checkpoints, watch);
   bool finite = true;
   for (int k = 0; k < checkpoints && finite; ++k) {
-    ClothState state = reference.states[k];
+    sim::ClothState state = reference.states[k];
     runner.forgetBalance();
     finite = runner.advance(state);
   }
@@ -155,4 +157,4 @@ Trajectory runRestarted(const Scene& scene, const Settings& settings, const Traj
   return trajectory;
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// Time between two checkpoints, as in the paper [s].
 inline constexpr double checkpointInterval = 1.0 / 30.0;
@@ -18,8 +18,8 @@ using Progress = std::function<void(std::string_view label, std::int64_t done, s
 
 /// A run, recorded at its checkpoints.
 struct Trajectory {
-  std::vector<ClothState> states;  ///< [k] at k/30 s; [0] is the start
-  std::vector<EnergyBalance>
+  std::vector<sim::ClothState> states;  ///< [k] at k/30 s; [0] is the start
+  std::vector<sim::EnergyBalance>
       balances;  ///< [k] from the start to checkpoint k; if restarted, over the last interval only
   int stepsPerCheckpoint = 0;
   bool restarted = false;            ///< whether each interval started at the reference
@@ -50,12 +50,12 @@ struct Watch {
 [[nodiscard]] int checkpointsIn(double seconds);
 
 /// Runs the scene's cloth with these settings, without attachment. Mesh, masses and pins are those of the scene.
-[[nodiscard]] Trajectory runTrajectory(const Scene& scene, const Settings& settings, int checkpoints,
+[[nodiscard]] Trajectory runTrajectory(const scene::Scene& scene, const settings::Settings& settings, int checkpoints,
                                        const Watch& watch = {});
 
 /// The same, but each interval starts from the reference's positions and velocities at its beginning: the error made
 /// within an interval, without what earlier errors grew to. Integrations that look back begin afresh each time.
-[[nodiscard]] Trajectory runRestarted(const Scene& scene, const Settings& settings, const Trajectory& reference,
-                                      const Watch& watch = {});
+[[nodiscard]] Trajectory runRestarted(const scene::Scene& scene, const settings::Settings& settings,
+                                      const Trajectory& reference, const Watch& watch = {});
 
-}  // namespace drape
+}  // namespace drape::report

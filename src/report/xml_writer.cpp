@@ -1,6 +1,6 @@
 #include "report/xml_writer.hpp"
 
-namespace drape {
+namespace drape::report {
 
 std::string escapedXml(std::string_view text) {
   std::string escaped;
@@ -65,4 +65,4 @@ std::string XmlWriter::take() {
   return std::move(xml_);
 }
 
-}  // namespace drape
+}  // namespace drape::report

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 
 /// Writes well-formed XML: every element is closed, all text is escaped.
 class XmlWriter {
@@ -35,4 +35,4 @@ class XmlWriter {
 /// The text with XML's reserved characters replaced. Control characters, which XML does not allow, are removed.
 [[nodiscard]] std::string escapedXml(std::string_view text);
 
-}  // namespace drape
+}  // namespace drape::report

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 constexpr double smallest = 1e-4;  // [m] of a body
@@ -51,22 +51,22 @@ double length(const TomlReader& table, std::string_view key, double usual) {
   return table.number(key, smallest, farAway).value_or(usual);
 }
 
-BodyShape readShape(const TomlReader& table, const std::string& shape) {
+sim::contact::BodyShape readShape(const TomlReader& table, const std::string& shape) {
   if (shape == "plane") {
-    return PlaneShape{0.5 * length(table, "size", 2.0 * PlaneShape{}.halfSize)};
+    return sim::contact::PlaneShape{0.5 * length(table, "size", 2.0 * sim::contact::PlaneShape{}.halfSize)};
   }
   if (shape == "sphere") {
-    return SphereShape{length(table, "radius", SphereShape{}.radius)};
+    return sim::contact::SphereShape{length(table, "radius", sim::contact::SphereShape{}.radius)};
   }
   if (shape == "capsule") {
-    return CapsuleShape{length(table, "radius", CapsuleShape{}.radius),
-                        0.5 * length(table, "length", 2.0 * CapsuleShape{}.halfLength)};
+    return sim::contact::CapsuleShape{length(table, "radius", sim::contact::CapsuleShape{}.radius),
+                                      0.5 * length(table, "length", 2.0 * sim::contact::CapsuleShape{}.halfLength)};
   }
   const Vec3 size = table.vector("size").value_or(Vec3::Ones());
   if (!(size.minCoeff() >= smallest && size.maxCoeff() <= farAway)) {
     table.fail("bodies.size must be three lengths from 0.0001 to 10000");
   }
-  return BoxShape{0.5 * size};
+  return sim::contact::BoxShape{0.5 * size};
 }
 
 /// One file per frame: "walk_####.obj" becomes "walk_0001.obj" and so on.
@@ -105,9 +105,9 @@ void readMesh(const TomlReader& table, const std::filesystem::path& folder, Body
   }
 }
 
-Keyframe readKeyframe(const TomlReader& table, const Keyframe& usual) {
+sim::contact::Keyframe readKeyframe(const TomlReader& table, const sim::contact::Keyframe& usual) {
   table.allowOnly({"time", "position", "rotation"});
-  Keyframe key = usual;
+  sim::contact::Keyframe key = usual;
   const auto time = table.number("time", -longTime, longTime);
   if (!time) {
     table.fail("a keyframe needs a time");
@@ -120,13 +120,13 @@ Keyframe readKeyframe(const TomlReader& table, const Keyframe& usual) {
   return key;
 }
 
-BodyMotion readMotion(const TomlReader& table) {
-  BodyMotion motion;
-  const Keyframe start{0.0, table.vector("position").value_or(Vec3::Zero()),
-                       degree * table.vector("rotation", manyTurns).value_or(Vec3::Zero())};
+sim::contact::BodyMotion readMotion(const TomlReader& table) {
+  sim::contact::BodyMotion motion;
+  const sim::contact::Keyframe start{0.0, table.vector("position").value_or(Vec3::Zero()),
+                                     degree * table.vector("rotation", manyTurns).value_or(Vec3::Zero())};
   motion.spin = degree * table.vector("spin", manyTurns).value_or(Vec3::Zero());
   for (const TomlReader& key : table.tables("keyframes")) {
-    const Keyframe next = readKeyframe(key, motion.keyframes.empty() ? start : motion.keyframes.back());
+    const sim::contact::Keyframe next = readKeyframe(key, motion.keyframes.empty() ? start : motion.keyframes.back());
     if (!motion.keyframes.empty() && !(next.time > motion.keyframes.back().time)) {
       key.fail("the times of the keyframes must ascend");
     }
@@ -146,7 +146,7 @@ BodyDescription readBody(const TomlReader& table, const std::filesystem::path& f
   const std::string shape = table.text("shape").value_or("");
   checkKeys(table, shape);
   BodyDescription description;
-  Body& body = description.body;
+  sim::contact::Body& body = description.body;
   body.name = table.text("name").value_or("body " + std::to_string(number));
   if (shape == "mesh") {
     readMesh(table, folder, description);
@@ -167,8 +167,8 @@ MeshFileSource meshSource(const TomlReader& table, const std::filesystem::path& 
   const std::string name = written.value_or("");
   const std::string place = table.place("mesh");
   if (name.empty() || name == builtin) {
-    throw InputError(place + ": mesh " + (written ? "has no name" : "is missing") +
-                     "; write mesh = \"file.obj\" or mesh = \"builtin:skirt.obj\"");
+    throw messages::InputError(place + ": mesh " + (written ? "has no name" : "is missing") +
+                               "; write mesh = \"file.obj\" or mesh = \"builtin:skirt.obj\"");
   }
   if (name.starts_with(builtin)) {
     return {name.substr(builtin.size()), true, place};
@@ -176,9 +176,9 @@ MeshFileSource meshSource(const TomlReader& table, const std::filesystem::path& 
   return {(folder / name).string(), false, place};
 }
 
-void readSurface(const TomlReader& table, Body& body) {
-  SurfaceProperties surface = body.surface;
-  for (const SurfaceField& field : surfaceFields()) {
+void readSurface(const TomlReader& table, sim::contact::Body& body) {
+  sim::contact::SurfaceProperties surface = body.surface;
+  for (const settings::SurfaceField& field : settings::surfaceFields()) {
     surface.*field.value = table.number(field.key, field.min, field.max).value_or(surface.*field.value);
   }
   if (!table.has("kinetic_friction")) {
@@ -204,4 +204,4 @@ std::vector<BodyDescription> readBodies(const TomlReader& scene, const std::file
   return bodies;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

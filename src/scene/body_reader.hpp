@@ -9,14 +9,14 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::scene {
 
 /// Reads the tables [[bodies]] of a scene (docs/guide/scenes.md). Throws InputError with file and line.
 /// @param folder base of relative mesh file names
 [[nodiscard]] std::vector<BodyDescription> readBodies(const TomlReader& scene, const std::filesystem::path& folder);
 
 /// Reads the friction and thickness of a body from a table.
-void readSurface(const TomlReader& table, Body& body);
+void readSurface(const TomlReader& table, sim::contact::Body& body);
 
 /// The keys that readSurface reads.
 inline constexpr std::array<std::string_view, 3> surfaceKeys{"static_friction", "kinetic_friction", "thickness"};
@@ -25,4 +25,4 @@ inline constexpr std::array<std::string_view, 3> surfaceKeys{"static_friction", 
 /// with file and line when there is no name.
 [[nodiscard]] MeshFileSource meshSource(const TomlReader& table, const std::filesystem::path& folder);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -7,13 +7,13 @@
 #include <numbers>
 #include <utility>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 /// The boundary edges at each boundary vertex, with a flag for visited edges.
 class BoundaryWalk {
  public:
-  explicit BoundaryWalk(const std::vector<MeshEdge>& edges) : edges_(edges), walked_(edges.size(), false) {
+  explicit BoundaryWalk(const std::vector<sim::MeshEdge>& edges) : edges_(edges), walked_(edges.size(), false) {
     for (std::size_t edge = 0; edge < edges.size(); ++edge) {
       edgesAt_[edges[edge].a].push_back(edge);
       edgesAt_[edges[edge].b].push_back(edge);
@@ -55,7 +55,7 @@ class BoundaryWalk {
     return -1;
   }
 
-  const std::vector<MeshEdge>& edges_;
+  const std::vector<sim::MeshEdge>& edges_;
   std::vector<bool> walked_;
   std::map<int, std::vector<std::size_t>> edgesAt_;
 };
@@ -89,9 +89,9 @@ bool ClothPieces::isOutline(const BoundaryLoop& loop) const {
   return piece.loops == 1 && piece.eulerNumber == 1 && piece.area < 1.1 * flatDisc;
 }
 
-ClothPieces findPieces(const ClothMesh& mesh) {
+ClothPieces findPieces(const sim::ClothMesh& mesh) {
   ClothPieces found;
-  const ConnectedComponents components = componentsOf(mesh.triangles, mesh.positions.size());
+  const sim::ConnectedComponents components = sim::componentsOf(mesh.triangles, mesh.positions.size());
   const std::vector<int>& pieceOf = components.componentOf;
   found.pieces.resize(components.count());
   for (std::size_t v = 0; v < pieceOf.size(); ++v) {
@@ -104,11 +104,11 @@ ClothPieces findPieces(const ClothMesh& mesh) {
     piece.area += areaOf(triangle, mesh.positions);
     ++piece.eulerNumber;
   }
-  const MeshEdges topology = edgesOf(mesh.triangles, mesh.positions.size());
-  for (const MeshEdge& edge : topology.edges) {
+  const sim::MeshEdges topology = sim::edgesOf(mesh.triangles, mesh.positions.size());
+  for (const sim::MeshEdge& edge : topology.edges) {
     --found.pieces[pieceOf[edge.a]].eulerNumber;
   }
-  const std::vector<MeshEdge> boundary = boundaryEdges(topology);
+  const std::vector<sim::MeshEdge> boundary = sim::boundaryEdges(topology);
   BoundaryWalk walk(boundary);
   for (const int start : walk.vertices()) {
     for (std::vector<int> chain = walk.walkFrom(start); !chain.empty(); chain = walk.walkFrom(start)) {
@@ -120,4 +120,4 @@ ClothPieces findPieces(const ClothMesh& mesh) {
   return found;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

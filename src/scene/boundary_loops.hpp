@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::scene {
 
 /// A closed chain of edges with one face each: an opening of a garment, or the outline of a sheet.
 struct BoundaryLoop {
@@ -34,6 +34,6 @@ struct ClothPieces {
 };
 
 /// Finds the pieces and the boundary loops of a mesh. Cost: sorting the edges.
-[[nodiscard]] ClothPieces findPieces(const ClothMesh& mesh);
+[[nodiscard]] ClothPieces findPieces(const sim::ClothMesh& mesh);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::scene {
 
 Vec3 viewOffset(const CameraPose& pose) {
   const Vec3 offset = pose.position - pose.focalPoint;
@@ -46,4 +46,4 @@ CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, doub
   return result;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -2,7 +2,7 @@
 
 #include "scene/scene.hpp"
 
-namespace drape {
+namespace drape::scene {
 
 /// The axes of a camera in world space: it looks along -back.
 struct CameraBasis {
@@ -26,4 +26,4 @@ inline constexpr double maxViewDistance = 400.0;
 /// @param aspect width over height of the picture
 [[nodiscard]] CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, double aspect);
 
-}  // namespace drape
+}  // namespace drape::scene

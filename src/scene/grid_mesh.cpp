@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 /// One fold of a pleat: a sine of the given amplitude over `length` along x, sampled by arc length.
@@ -56,7 +56,7 @@ Fold foldOfArc(double length, double arc) {
 std::vector<int> edgeOf(const std::string& name, const GridLayout& layout) {
   const bool vertical = name == "left" || name == "right";
   if (!vertical && name != "top" && name != "bottom") {
-    throw InputError("a grid has no edge '" + name + "'; its edges are top, bottom, left and right");
+    throw messages::InputError("a grid has no edge '" + name + "'; its edges are top, bottom, left and right");
   }
   std::vector<int> vertices;
   for (int i = 0; i < (vertical ? layout.rows : layout.columns); ++i) {
@@ -70,13 +70,13 @@ int cornerOf(const std::string& name, const GridLayout& layout) {
   const bool top = name.starts_with("top_");
   const bool left = name.ends_with("_left");
   if ((!top && !name.starts_with("bottom_")) || (!left && !name.ends_with("_right"))) {
-    throw InputError("a grid has no corner '" + name +
-                     "'; its corners are top_left, top_right, bottom_left and bottom_right");
+    throw messages::InputError("a grid has no corner '" + name +
+                               "'; its corners are top_left, top_right, bottom_left and bottom_right");
   }
   return layout.index(top ? 0 : layout.rows - 1, left ? 0 : layout.columns - 1);
 }
 
-void measure(const GridLayout& layout, GridSource::Plane plane, MeshSummary& summary) {
+void measure(const GridLayout& layout, GridSource::Plane plane, io::MeshSummary& summary) {
   summary.source = "grid";
   summary.verticesInFile = layout.columns * layout.rows;
   summary.vertices = summary.verticesInFile;
@@ -91,21 +91,22 @@ void measure(const GridLayout& layout, GridSource::Plane plane, MeshSummary& sum
 
 }  // namespace
 
-GridLayout layoutOf(const Settings::Grid& grid) {
+GridLayout layoutOf(const settings::Settings::Grid& grid) {
   constexpr double maxVertices = 4e6;
   const double cell = std::min(grid.width, grid.height) / (grid.resolution - 1);
   const double vertices = (grid.width / cell + 1.0) * (grid.height / cell + 1.0);
   if (vertices > maxVertices) {
-    throw InputError("a grid of " + std::to_string(static_cast<long long>(vertices)) +
-                     " vertices is too large (4000000 at most): lower grid.resolution, or bring grid.width and "
-                     "grid.height closer to each other");
+    throw messages::InputError(
+        "a grid of " + std::to_string(static_cast<long long>(vertices)) +
+        " vertices is too large (4000000 at most): lower grid.resolution, or bring grid.width and "
+        "grid.height closer to each other");
   }
   const auto along = [&](double length) { return static_cast<int>(std::lround(length / cell)) + 1; };
   return {along(grid.width), along(grid.height), grid.width, grid.height};
 }
 
-ImportedMesh makeGrid(const GridLayout& layout, GridSource::Plane plane) {
-  ImportedMesh mesh;
+io::ImportedMesh makeGrid(const GridLayout& layout, GridSource::Plane plane) {
+  io::ImportedMesh mesh;
   for (int row = 0; row < layout.rows; ++row) {
     const double v = layout.height * row / (layout.rows - 1);
     for (int column = 0; column < layout.columns; ++column) {
@@ -159,4 +160,4 @@ std::vector<int> gridPins(const PinSelection& pins, const GridLayout& layout) {
   return selected;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -2,7 +2,7 @@
 
 #include "scene/scene.hpp"
 
-namespace drape {
+namespace drape::scene {
 
 /// Vertices of a grid: row-major, row 0 is the top (vertical) or the back (horizontal) edge, column 0 the left one.
 struct GridLayout {
@@ -16,11 +16,11 @@ struct GridLayout {
 
 /// `resolution` vertices along the shorter side, and a number along the longer one that makes the cells nearly square.
 /// Throws InputError for more than four million vertices.
-[[nodiscard]] GridLayout layoutOf(const Settings::Grid& grid);
+[[nodiscard]] GridLayout layoutOf(const settings::Settings::Grid& grid);
 
 /// A flat sheet centred on the origin, with one diagonal per quad (from row r, column c to row r + 1, column c + 1) and
 /// texture coordinates in metres. Its front faces up (horizontal) or towards +z (vertical).
-[[nodiscard]] ImportedMesh makeGrid(const GridLayout& layout, GridSource::Plane plane);
+[[nodiscard]] io::ImportedMesh makeGrid(const GridLayout& layout, GridSource::Plane plane);
 
 /// Compresses a sheet along x into sine-shaped folds that keep the lengths along its rows. The x coordinates run from
 /// -width/2 to width/2.
@@ -29,4 +29,4 @@ void applyPleats(const Pleats& pleats, double width, std::vector<Vec3>& position
 /// The vertices of named corners and edges. Throws InputError for an unknown name.
 [[nodiscard]] std::vector<int> gridPins(const PinSelection& pins, const GridLayout& layout);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 constexpr double clearance = 0.01;         // cloth that starts below this height gets a ground below itself [m]
@@ -37,7 +37,7 @@ double lowestHang(std::span<const Vec3> start, std::span<const int> pins) {
 }
 
 double heightBelow(std::span<const Vec3> start, std::span<const int> pins) {
-  const Eigen::AlignedBox3d box = boundsOf(start);
+  const Eigen::AlignedBox3d box = sim::boundsOf(start);
   const double extent = box.sizes().maxCoeff();
   const double below = box.min().y() - shareBelow * extent;
   return pins.empty() ? below : std::min(below, lowestHang(start, pins) - shareStretch * extent);
@@ -45,16 +45,16 @@ double heightBelow(std::span<const Vec3> start, std::span<const int> pins) {
 
 }  // namespace
 
-Body groundBody() {
-  Body ground;
+sim::contact::Body groundBody() {
+  sim::contact::Body ground;
   ground.name = "ground";
-  ground.shape = PlaneShape{};
+  ground.shape = sim::contact::PlaneShape{};
   ground.drawn = false;
   return ground;
 }
 
-Body standBody() {
-  Body stand;
+sim::contact::Body standBody() {
+  sim::contact::Body stand;
   stand.name = "stand";
   stand.drawn = false;
   return stand;
@@ -65,8 +65,8 @@ double groundHeightOf(const SceneDescription& description, std::span<const Vec3>
     return *description.groundHeight;
   }
   constexpr double usualHeight = 0.0;
-  const bool above = boundsOf(start).min().y() > usualHeight + clearance;
+  const bool above = sim::boundsOf(start).min().y() > usualHeight + clearance;
   return above && !description.groundBelowCloth ? usualHeight : heightBelow(start, pins);
 }
 
-}  // namespace drape
+}  // namespace drape::scene

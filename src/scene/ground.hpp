@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace drape {
+namespace drape::scene {
 
 /// The height of the ground of a scene [m]. The scene's own value has priority. Otherwise the ground is at 0, or below
 /// the cloth when the cloth starts at 0 or lower. "Below" leaves room for cloth that hangs from its pins.
@@ -12,4 +12,4 @@ namespace drape {
 [[nodiscard]] double groundHeightOf(const SceneDescription& description, std::span<const Vec3> start,
                                     std::span<const int> pins);
 
-}  // namespace drape
+}  // namespace drape::scene

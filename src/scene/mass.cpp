@@ -1,13 +1,13 @@
 #include "scene/mass.hpp"
 
-namespace drape {
+namespace drape::scene {
 
-MassLumping lumpingOf(const Settings& settings) {
-  return settings.material.lumping == "uniform" ? MassLumping::Uniform : MassLumping::Area;
+sim::MassLumping lumpingOf(const settings::Settings& settings) {
+  return settings.material.lumping == "uniform" ? sim::MassLumping::Uniform : sim::MassLumping::Area;
 }
 
-double totalMassOf(const Settings& settings, double restArea) {
+double totalMassOf(const settings::Settings& settings, double restArea) {
   return settings.material.massGivenAs == "mass" ? settings.material.mass : settings.material.density * restArea;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <string_view>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 constexpr std::string_view guessed = "auto";
@@ -41,7 +41,7 @@ Vec3 turned(const Vec3& p, std::string_view up) {
   return p;
 }
 
-void scale(ImportedMesh& mesh, double factor) {
+void scale(io::ImportedMesh& mesh, double factor) {
   for (Vec3& position : mesh.cloth.positions) {
     position *= factor;
   }
@@ -55,7 +55,7 @@ void scale(ImportedMesh& mesh, double factor) {
   }
 }
 
-void turn(ImportedMesh& mesh, std::string_view up) {
+void turn(io::ImportedMesh& mesh, std::string_view up) {
   for (Vec3& position : mesh.cloth.positions) {
     position = turned(position, up);
   }
@@ -64,7 +64,8 @@ void turn(ImportedMesh& mesh, std::string_view up) {
 }
 
 /// The unit of the reading, and plausible alternatives.
-void readUnit(const Settings::Mesh& settings, const FormatFacts& format, double largestExtent, MeshReading& reading) {
+void readUnit(const settings::Settings::Mesh& settings, const io::FormatFacts& format, double largestExtent,
+              MeshReading& reading) {
   const UnitGuess guess = guessUnit(largestExtent);
   const bool open = settings.unit == guessed;
   reading.unitGuessed = open && !format.metresPerUnit;
@@ -86,7 +87,8 @@ void readUnit(const Settings::Mesh& settings, const FormatFacts& format, double 
   }
 }
 
-void readUp(const Settings::Mesh& settings, const FormatFacts& format, const ClothMesh& mesh, MeshReading& reading) {
+void readUp(const settings::Settings::Mesh& settings, const io::FormatFacts& format, const sim::ClothMesh& mesh,
+            MeshReading& reading) {
   const bool open = settings.up == guessed;
   reading.upGuessed = open && !format.up;
   reading.up = open && format.up ? std::string(1, *format.up) : settings.up;
@@ -109,11 +111,11 @@ std::string lengthText(double metres) {
 
 }  // namespace
 
-double metresPerUnitOf(const Settings::Mesh& settings) {
+double metresPerUnitOf(const settings::Settings::Mesh& settings) {
   return settings.unit == guessed ? 1.0 : metresPerUnit(settings.unit);
 }
 
-MeshReading readUpright(const Settings::Mesh& settings, ImportedMesh& mesh) {
+MeshReading readUpright(const settings::Settings::Mesh& settings, io::ImportedMesh& mesh) {
   MeshReading reading;
   readUnit(settings, mesh.format, largestOf(mesh.summary.size) / metresPerUnitOf(settings), reading);
   readUp(settings, mesh.format, mesh.cloth, reading);
@@ -143,4 +145,4 @@ std::string inWords(const MeshReading& reading) {
   return "Read as " + unitInWords(reading.unit) + ", " + reading.up + " up: " + size + ".";
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::scene {
 
 /// An alternative reading of a mesh file: a setting and its value.
 struct ReadingAlternative {
@@ -32,11 +32,11 @@ struct MeshReading {
 
 /// The factor for the coordinates of an imported file: metres per unit of the setting, or 1 when the unit is to be
 /// guessed.
-[[nodiscard]] double metresPerUnitOf(const Settings::Mesh& settings);
+[[nodiscard]] double metresPerUnitOf(const settings::Settings::Mesh& settings);
 
 /// Takes unit and up axis from the settings, or for "auto" from the file format, or else guesses them. Scales and
 /// rotates the mesh, which was imported with metresPerUnitOf(settings).
-[[nodiscard]] MeshReading readUpright(const Settings::Mesh& settings, ImportedMesh& mesh);
+[[nodiscard]] MeshReading readUpright(const settings::Settings::Mesh& settings, io::ImportedMesh& mesh);
 
 /// The rotation from the named axis ("z", "-y") to y: axis times angle [rad].
 [[nodiscard]] Vec3 rotationToY(std::string_view up);
@@ -44,4 +44,4 @@ struct MeshReading {
 /// "Read as centimetres, z up: 0.77 m tall."
 [[nodiscard]] std::string inWords(const MeshReading& reading);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -2,10 +2,10 @@
 
 #include "settings/settings.hpp"
 
-namespace drape {
+namespace drape::scene {
 
 /// The settings of a mesh that is opened without a scene: a cotton garment in still air, with self-collision and
 /// damping. docs/guide/scenes.md explains the differences from the defaults.
-[[nodiscard]] Settings openedMeshSettings();
+[[nodiscard]] settings::Settings openedMeshSettings();
 
-}  // namespace drape
+}  // namespace drape::scene

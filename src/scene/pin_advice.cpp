@@ -1,6 +1,6 @@
 #include "scene/pin_advice.hpp"
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 /// Whether a scene defines pins.
@@ -11,8 +11,8 @@ bool namesPins(const PinSelection& pins) {
 
 }  // namespace
 
-std::optional<Advice> adviceOnPins(const SceneDescription& description, const Settings& settings, std::size_t pinned,
-                                   std::size_t vertices) {
+std::optional<Advice> adviceOnPins(const SceneDescription& description, const settings::Settings& settings,
+                                   std::size_t pinned, std::size_t vertices) {
   const bool byShape = settings.mesh.pins == "shape";
   const std::string cure = byShape ? "none" : "shape";
   const std::string button = byShape ? "Pin nothing" : "Pin by shape";
@@ -34,4 +34,4 @@ std::optional<Advice> adviceOnPins(const SceneDescription& description, const Se
   return std::nullopt;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 int nearestVertex(const std::vector<Vec3>& positions, const Vec3& point) {
@@ -37,15 +37,17 @@ std::vector<int> selectPins(const PinSelection& pins, const std::vector<Vec3>& r
   std::vector<int> selected = pins.vertices;
   for (const int vertex : selected) {
     if (vertex < 0 || vertex >= static_cast<int>(restPositions.size())) {
-      throw InputError("pins.vertices contains vertex " + std::to_string(vertex) + ", but the cloth has only " +
-                       std::to_string(restPositions.size()) + " (counted from 0)");
+      throw messages::InputError("pins.vertices contains vertex " + std::to_string(vertex) +
+                                 ", but the cloth has only " + std::to_string(restPositions.size()) +
+                                 " (counted from 0)");
     }
   }
   if (grid != nullptr) {
     const std::vector<int> named = gridPins(pins, *grid);
     selected.insert(selected.end(), named.begin(), named.end());
   } else if (!pins.corners.empty() || !pins.edges.empty()) {
-    throw InputError("pins.corners and pins.edges belong to a grid; for a mesh use vertices, nearest, boxes or top");
+    throw messages::InputError(
+        "pins.corners and pins.edges belong to a grid; for a mesh use vertices, nearest, boxes or top");
   }
   for (const Vec3& point : pins.nearest) {
     selected.push_back(nearestVertex(restPositions, point));
@@ -64,4 +66,4 @@ std::vector<int> selectPins(const PinSelection& pins, const std::vector<Vec3>& r
   return selected;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

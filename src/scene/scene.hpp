@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-namespace drape {
+namespace drape::scene {
 
 /// A view of the scene.
 struct CameraPose {
@@ -64,7 +64,7 @@ struct PinSelection {
 
 /// A body of a scene file; its meshes are not loaded yet.
 struct BodyDescription {
-  Body body;                           ///< without the shape when that is a mesh
+  sim::contact::Body body;             ///< without the shape when that is a mesh
   std::vector<MeshFileSource> meshes;  ///< one, or one per frame; empty for other shapes
   double scale = 1.0;                  ///< of the meshes [-]
   double frameTime = 1.0 / 30.0;       ///< time between two frames [s]
@@ -73,15 +73,15 @@ struct BodyDescription {
 };
 
 /// The ground as a body for contact. The renderer draws the ground separately.
-[[nodiscard]] Body groundBody();
+[[nodiscard]] sim::contact::Body groundBody();
 
 /// A stand as a body for contact, without its shape. The renderer draws the stand separately.
-[[nodiscard]] Body standBody();
+[[nodiscard]] sim::contact::Body standBody();
 
 /// A fixed object of a scene, such as a pole.
 struct StandDescription {
   MeshFileSource mesh;
-  std::optional<Body> body = standBody();  ///< absent: it is drawn, but has no contact
+  std::optional<sim::contact::Body> body = standBody();  ///< absent: it is drawn, but has no contact
 };
 
 /// The files of a scene. Either `scene` or `cloth` must be set.
@@ -105,12 +105,12 @@ struct SceneDescription {
   std::optional<CameraPose> camera;  ///< absent: the cloth fills the view
   std::optional<StandDescription> stand;
   std::vector<BodyDescription> bodies;
-  std::optional<double> groundHeight;         ///< absent: groundHeightOf chooses it [m]
-  bool groundBelowCloth = false;              ///< an automatic height is always below the cloth
-  std::optional<Body> ground = groundBody();  ///< absent: the cloth falls through the ground
-  bool opened = false;                        ///< a mesh file that was opened without a scene
-  Settings settings;                          ///< the defaults with the scene's values
-  std::vector<std::string> notes;             ///< about the scene file, for the user
+  std::optional<double> groundHeight;                       ///< absent: groundHeightOf chooses it [m]
+  bool groundBelowCloth = false;                            ///< an automatic height is always below the cloth
+  std::optional<sim::contact::Body> ground = groundBody();  ///< absent: the cloth falls through the ground
+  bool opened = false;                                      ///< a mesh file that was opened without a scene
+  settings::Settings settings;                              ///< the defaults with the scene's values
+  std::vector<std::string> notes;                           ///< about the scene file, for the user
 };
 
 /// The surface of a stand.
@@ -130,15 +130,16 @@ struct Advice {
 /// A scene that is ready to run. Immutable; the simulation, the renderer and the panels share it.
 struct Scene {
   SceneDescription description;
-  Settings settings;  ///< the settings with which it was built
-  std::shared_ptr<const ClothModel> model;
-  ClothState start;
-  RenderMesh renderMesh;
-  MeshSummary summary;
+  settings::Settings settings;  ///< the settings with which it was built
+  std::shared_ptr<const sim::ClothModel> model;
+  sim::ClothState start;
+  io::RenderMesh renderMesh;
+  io::MeshSummary summary;
   std::optional<MeshReading> reading;  ///< of a mesh file that is not built in
   std::optional<Advice> pinAdvice;     ///< when the pins fix all vertices or none
   std::optional<Decor> stand;
-  std::shared_ptr<const std::vector<Body>> bodies = std::make_shared<std::vector<Body>>();  ///< never null
+  std::shared_ptr<const std::vector<sim::contact::Body>> bodies =
+      std::make_shared<std::vector<sim::contact::Body>>();  ///< never null
   CameraPose camera;
   double groundHeight = 0.0;  ///< [m]
 };
@@ -158,7 +159,8 @@ struct SceneInfo {
 
 /// Builds mesh, model and start from a description with these settings. Throws InputError, and Cancelled when the watch
 /// cancels.
-[[nodiscard]] std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const Settings& settings,
-                                                      const ImportWatch& watch = {});
+[[nodiscard]] std::shared_ptr<const Scene> buildScene(const SceneDescription& description,
+                                                      const settings::Settings& settings,
+                                                      const io::ImportWatch& watch = {});
 
-}  // namespace drape
+}  // namespace drape::scene

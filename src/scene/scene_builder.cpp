@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 /// Adds the place in the scene file to a message, if there is one.
@@ -21,12 +21,12 @@ std::string placed(const std::string& where, const std::string& message) {
   return where.empty() ? message : where + ": " + message;
 }
 
-OutlierRule outlierRule(const Settings& settings) {
-  return settings.mesh.outliers == "leave_out" ? OutlierRule::LeaveOut : OutlierRule::Refuse;
+io::OutlierRule outlierRule(const settings::Settings& settings) {
+  return settings.mesh.outliers == "leave_out" ? io::OutlierRule::LeaveOut : io::OutlierRule::Refuse;
 }
 
-ImportOptions importOptions(const Settings& settings, const ImportWatch& watch) {
-  ImportOptions options;
+io::ImportOptions importOptions(const settings::Settings& settings, const io::ImportWatch& watch) {
+  io::ImportOptions options;
   options.metresPerUnit = metresPerUnitOf(settings.mesh);
   options.weldTolerance = settings.mesh.weldTolerance;
   options.outliers = outlierRule(settings);
@@ -35,16 +35,16 @@ ImportOptions importOptions(const Settings& settings, const ImportWatch& watch) 
 }
 
 /// Reads a mesh. Messages start with the place in the scene file that names it.
-ImportedMesh readMesh(const MeshFileSource& source, const ImportOptions& options) {
+io::ImportedMesh readMesh(const MeshFileSource& source, const io::ImportOptions& options) {
   try {
-    return source.builtIn ? importMeshFromMemory(source.path, builtinMesh(source.path), options)
-                          : importMesh(source.path, options);
-  } catch (const InputError& error) {
-    throw InputError(placed(source.where, error.what()));
+    return source.builtIn ? io::importMeshFromMemory(source.path, builtinMesh(source.path), options)
+                          : io::importMesh(source.path, options);
+  } catch (const messages::InputError& error) {
+    throw messages::InputError(placed(source.where, error.what()));
   }
 }
 
-PinSelection pinsInForce(const SceneDescription& description, const Settings& settings) {
+PinSelection pinsInForce(const SceneDescription& description, const settings::Settings& settings) {
   if (settings.mesh.pins == "scene") {
     return description.pins;
   }
@@ -56,18 +56,18 @@ PinSelection pinsInForce(const SceneDescription& description, const Settings& se
 }
 
 /// Import options for the meshes of bodies and stands: in metres, without progress.
-ImportOptions bodyOptions(const Settings& settings, const ImportWatch& watch) {
-  ImportOptions options;
-  options.use = MeshUse::Body;
+io::ImportOptions bodyOptions(const settings::Settings& settings, const io::ImportWatch& watch) {
+  io::ImportOptions options;
+  options.use = io::MeshUse::Body;
   options.outliers = outlierRule(settings);
   options.watch.stop = watch.stop;
   return options;
 }
 
 /// Reads the mesh of a body or a stand. Adds its warnings to `warnings`, except for built-in meshes.
-ImportedMesh readBodyMesh(const MeshFileSource& source, const ImportOptions& options,
-                          std::vector<std::string>& warnings) {
-  ImportedMesh mesh = readMesh(source, options);
+io::ImportedMesh readBodyMesh(const MeshFileSource& source, const io::ImportOptions& options,
+                              std::vector<std::string>& warnings) {
+  io::ImportedMesh mesh = readMesh(source, options);
   for (const std::string& warning : mesh.summary.warnings) {
     if (!source.builtIn) {
       warnings.push_back(source.path + ": " + warning);
@@ -76,22 +76,23 @@ ImportedMesh readBodyMesh(const MeshFileSource& source, const ImportOptions& opt
   return mesh;
 }
 
-std::optional<Decor> readStand(const std::optional<StandDescription>& stand, const ImportOptions& options,
+std::optional<Decor> readStand(const std::optional<StandDescription>& stand, const io::ImportOptions& options,
                                std::vector<std::string>& warnings) {
   if (!stand) {
     return std::nullopt;
   }
-  ImportedMesh mesh = readBodyMesh(stand->mesh, options, warnings);
+  io::ImportedMesh mesh = readBodyMesh(stand->mesh, options, warnings);
   return Decor{std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles)};
 }
 
 /// Reads one mesh from several files, which must have the same triangles.
-std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& description, const ImportOptions& options,
-                                               std::vector<std::string>& warnings) {
-  auto shape = std::make_shared<MeshShape>();
+std::shared_ptr<const sim::contact::MeshShape> readMeshShape(const BodyDescription& description,
+                                                             const io::ImportOptions& options,
+                                                             std::vector<std::string>& warnings) {
+  auto shape = std::make_shared<sim::contact::MeshShape>();
   for (const MeshFileSource& source : description.meshes) {
     std::vector<std::string> others;  // warnings of later frames repeat those of the first
-    ImportedMesh mesh = readBodyMesh(source, options, shape->frames.empty() ? warnings : others);
+    io::ImportedMesh mesh = readBodyMesh(source, options, shape->frames.empty() ? warnings : others);
     for (Vec3& position : mesh.cloth.positions) {
       position *= description.scale;
     }
@@ -99,9 +100,9 @@ std::shared_ptr<const MeshShape> readMeshShape(const BodyDescription& descriptio
       shape->triangles = mesh.cloth.triangles;
     } else if (shape->triangles != mesh.cloth.triangles ||
                shape->frames.front().size() != mesh.cloth.positions.size()) {
-      throw InputError(placed(source.where, source.path + " does not have the same triangles as " +
-                                                description.meshes.front().path +
-                                                "; the frames of a body must be one mesh with different positions"));
+      throw messages::InputError(
+          placed(source.where, source.path + " does not have the same triangles as " + description.meshes.front().path +
+                                   "; the frames of a body must be one mesh with different positions"));
     }
     shape->frames.push_back(std::move(mesh.cloth.positions));
   }
@@ -123,21 +124,22 @@ BodyDescription inMetres(BodyDescription body, const std::optional<MeshReading>&
   return body;
 }
 
-Body bodyOf(const Body& stand, const Decor& surface) {
-  auto shape = std::make_shared<MeshShape>();
+sim::contact::Body bodyOf(const sim::contact::Body& stand, const Decor& surface) {
+  auto shape = std::make_shared<sim::contact::MeshShape>();
   shape->positions = surface.positions;
   shape->triangles = surface.triangles;
-  Body body = stand;
+  sim::contact::Body body = stand;
   body.shape = std::move(shape);
   return body;
 }
 
 /// The bodies of the scene, then its stand, then its ground.
-std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& description,
-                                               const std::optional<MeshReading>& reading,
-                                               const std::optional<Decor>& stand, double groundHeight,
-                                               const ImportOptions& options, std::vector<std::string>& warnings) {
-  auto bodies = std::make_shared<std::vector<Body>>();
+std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(const SceneDescription& description,
+                                                             const std::optional<MeshReading>& reading,
+                                                             const std::optional<Decor>& stand, double groundHeight,
+                                                             const io::ImportOptions& options,
+                                                             std::vector<std::string>& warnings) {
+  auto bodies = std::make_shared<std::vector<sim::contact::Body>>();
   for (const BodyDescription& written : description.bodies) {
     const BodyDescription each = inMetres(written, reading);
     bodies->push_back(each.body);
@@ -156,8 +158,8 @@ std::shared_ptr<std::vector<Body>> buildBodies(const SceneDescription& descripti
 }
 
 /// The vertex of a deforming mesh that is nearest to a point at the start; -1 for other shapes.
-int anchorNear(const BodyShape& shape, const Vec3& place) {
-  const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&shape);
+int anchorNear(const sim::contact::BodyShape& shape, const Vec3& place) {
+  const auto* mesh = std::get_if<std::shared_ptr<const sim::contact::MeshShape>>(&shape);
   if (mesh == nullptr || (*mesh)->frames.empty()) {
     return -1;
   }
@@ -169,15 +171,15 @@ int anchorNear(const BodyShape& shape, const Vec3& place) {
 }
 
 /// Attaches the pins to their body.
-void carryPins(const SceneDescription& description, const std::vector<int>& pins, const ClothState& start,
-               std::vector<Body>& bodies) {
+void carryPins(const SceneDescription& description, const std::vector<int>& pins, const sim::ClothState& start,
+               std::vector<sim::contact::Body>& bodies) {
   // Stand and ground come after the scene's bodies. They move no pins, and may share a name with a body.
   for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-    Body& body = bodies[i];
+    sim::contact::Body& body = bodies[i];
     if (body.name != description.pins.body) {
       continue;
     }
-    const Pose pose = poseAt(body.motion, start.time);
+    const sim::contact::Pose pose = sim::contact::poseAt(body.motion, start.time);
     for (const int vertex : pins) {
       const Vec3 place = pose.toLocal(start.positions[vertex]);
       body.pins.push_back({vertex, anchorNear(body.shape, place)});
@@ -187,12 +189,13 @@ void carryPins(const SceneDescription& description, const std::vector<int>& pins
 
 /// The imported mesh, the layout of a grid, and how a file was read.
 struct Source {
-  ImportedMesh mesh;
+  io::ImportedMesh mesh;
   std::optional<GridLayout> grid;
   std::optional<MeshReading> reading;
 };
 
-Source makeSource(const SceneDescription& description, const Settings& settings, const ImportWatch& watch) {
+Source makeSource(const SceneDescription& description, const settings::Settings& settings,
+                  const io::ImportWatch& watch) {
   if (const auto* grid = std::get_if<GridSource>(&description.source)) {
     const GridLayout layout = layoutOf(settings.grid);
     return {makeGrid(layout, grid->plane), layout, std::nullopt};
@@ -203,21 +206,22 @@ Source makeSource(const SceneDescription& description, const Settings& settings,
   return source;
 }
 
-std::vector<int> choosePins(const SceneDescription& description, const Settings& settings, const Source& source) {
+std::vector<int> choosePins(const SceneDescription& description, const settings::Settings& settings,
+                            const Source& source) {
   if (settings.mesh.pins == "shape") {
     return pinsByShape(source.mesh.cloth);
   }
   const PinSelection pins = pinsInForce(description, settings);
   try {
     return selectPins(pins, source.mesh.cloth.positions, source.grid ? &*source.grid : nullptr);
-  } catch (const InputError& error) {
-    throw InputError(placed(pins.where, error.what()));
+  } catch (const messages::InputError& error) {
+    throw messages::InputError(placed(pins.where, error.what()));
   }
 }
 
 /// Moves the mesh to its position in the scene.
 void placeCloth(const SceneDescription& description, std::vector<Vec3>& positions) {
-  const Pose pose = poseOf(description.position, description.rotation);
+  const sim::contact::Pose pose = sim::contact::poseOf(description.position, description.rotation);
   for (Vec3& position : positions) {
     position = pose.toWorld(position);
   }
@@ -234,8 +238,8 @@ std::vector<Vec3> startPositions(const SceneDescription& description, const Sour
 
 }  // namespace
 
-std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const Settings& settings,
-                                        const ImportWatch& watch) {
+std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const settings::Settings& settings,
+                                        const io::ImportWatch& watch) {
   auto scene = std::make_shared<Scene>();
   scene->description = description;
   scene->settings = settings;
@@ -243,12 +247,12 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   constexpr double meshIsRead = 0.7;  // share of the time for building a scene from a large file
   Source source = makeSource(description, settings, watch.part(0.0, meshIsRead));
   watch.tell(meshIsRead, "Building");
-  scene->start = stateAtRest(startPositions(description, source));
+  scene->start = sim::stateAtRest(startPositions(description, source));
   placeCloth(description, source.mesh.cloth.positions);
   const std::vector<int> pins = choosePins(description, settings, source);
-  scene->model = withInputErrors([&] {
-    return buildClothModel(source.mesh.cloth, totalMassOf(settings, restAreaOf(source.mesh.cloth)), lumpingOf(settings),
-                           pins);
+  scene->model = messages::withInputErrors([&] {
+    return sim::buildClothModel(source.mesh.cloth, totalMassOf(settings, sim::restAreaOf(source.mesh.cloth)),
+                                lumpingOf(settings), pins);
   });
   watch.tell(0.95, "Building");
   scene->renderMesh = std::move(source.mesh.render);
@@ -260,7 +264,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->pinAdvice = adviceOnPins(description, settings, pins.size(), scene->start.positions.size());
   scene->stand = readStand(description.stand, bodyOptions(settings, watch), scene->summary.warnings);
 
-  const Eigen::AlignedBox3d box = boundsOf(scene->start.positions);
+  const Eigen::AlignedBox3d box = sim::boundsOf(scene->start.positions);
   scene->groundHeight = groundHeightOf(description, scene->start.positions, pins);
   const auto bodies = buildBodies(description, source.reading, scene->stand, scene->groundHeight,
                                   bodyOptions(settings, watch), scene->summary.warnings);
@@ -275,4 +279,4 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   return scene;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <span>
 
-namespace drape {
+namespace drape::scene {
 
 std::span<const EmbeddedFile> embeddedScenes();
 std::span<const EmbeddedFile> embeddedMeshes();
@@ -42,12 +42,12 @@ std::string sceneNames() {
 
 std::string readText(const std::filesystem::path& file) {
   if (std::filesystem::file_size(file) > largestSceneFile) {
-    throw InputError(file.string() + " is larger than the limit for scene files (1 MiB)");
+    throw messages::InputError(file.string() + " is larger than the limit for scene files (1 MiB)");
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) {
-    throw InputError(file.string() + " cannot be read; check its permissions");
+    throw messages::InputError(file.string() + " cannot be read; check its permissions");
   }
   return text;
 }
@@ -71,28 +71,30 @@ SceneDescription sceneOfMesh(const std::filesystem::path& file) {
 SceneDescription openFile(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
-    throw InputError(file.string() + " is a folder; give a scene (.toml) or a mesh file");
+    throw messages::InputError(file.string() + " is a folder; give a scene (.toml) or a mesh file");
   }
   if (!std::filesystem::exists(file, error)) {
     if (file.has_parent_path() || file.has_extension()) {
-      throw InputError("there is no file '" + file.string() + "'");
+      throw messages::InputError("there is no file '" + file.string() + "'");
     }
-    throw InputError("there is no scene and no file '" + file.string() + "'; the built-in scenes are " + sceneNames());
+    throw messages::InputError("there is no scene and no file '" + file.string() + "'; the built-in scenes are " +
+                               sceneNames());
   }
   if (file.extension() == sceneEnding) {
     return parseScene(readText(file), file.stem().string(), file.string(), file.parent_path());
   }
-  if (isMeshFile(file)) {
+  if (io::isMeshFile(file)) {
     return sceneOfMesh(file);
   }
-  if (const std::string advice = adviceForFormat(file); !advice.empty()) {
-    throw InputError(file.string() + ": " + advice);
+  if (const std::string advice = io::adviceForFormat(file); !advice.empty()) {
+    throw messages::InputError(file.string() + ": " + advice);
   }
   std::string formats;
-  for (const std::string& format : meshFormats()) {
+  for (const std::string& format : io::meshFormats()) {
     formats += ", ." + format;
   }
-  throw InputError(file.string() + " is neither a scene nor a known mesh format; known extensions: .toml" + formats);
+  throw messages::InputError(file.string() + " is neither a scene nor a known mesh format; known extensions: .toml" +
+                             formats);
 }
 
 }  // namespace
@@ -102,8 +104,8 @@ std::string_view builtinMesh(std::string_view name) {
   const auto found =
       std::find_if(meshes.begin(), meshes.end(), [&](const EmbeddedFile& file) { return file.name == name; });
   if (found == meshes.end()) {
-    throw InputError("there is no built-in mesh '" + std::string(name) + "'; the built-in meshes are " +
-                     listOf(meshes));
+    throw messages::InputError("there is no built-in mesh '" + std::string(name) + "'; the built-in meshes are " +
+                               listOf(meshes));
   }
   return found->bytes;
 }
@@ -130,4 +132,4 @@ SceneDescription openScene(const std::string& nameOrPath) {
   return scene;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

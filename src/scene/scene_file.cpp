@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 constexpr double manyDegrees = 1e6;
@@ -58,7 +58,7 @@ PinSelection readPins(const TomlReader& reader) {
 }
 
 /// Reads whether an object has contact (`solid`, by default true), and its surface.
-void readSolidity(const TomlReader& table, const std::string& what, std::optional<Body>& body) {
+void readSolidity(const TomlReader& table, const std::string& what, std::optional<sim::contact::Body>& body) {
   if (table.flag("solid").value_or(true)) {
     readSurface(table, *body);
     return;
@@ -99,7 +99,7 @@ CameraPose readCamera(const TomlReader& reader) {
   return pose;
 }
 
-SettingValue valueOf(const toml::node& node) {
+settings::SettingValue valueOf(const toml::node& node) {
   if (const auto* flag = node.as_boolean()) {
     return flag->get();
   }
@@ -127,25 +127,25 @@ void requireCarrier(const TomlReader& scene, const SceneDescription& description
 }
 
 void readSettings(const TomlReader& reader, SceneDescription& scene) {
-  Settings& settings = scene.settings;
+  settings::Settings& settings = scene.settings;
   reader.forEachValue([&](const std::string& key, const toml::node& node) {
-    if (const std::string note = formerKeyNote(key); !note.empty()) {
+    if (const std::string note = settings::formerKeyNote(key); !note.empty()) {
       scene.notes.push_back(reader.placeOf(node) + ": " + note);
     }
     try {
       // A text may also be a fraction: time_step = "1/150".
       if (const auto* text = node.as_string()) {
-        assignSettingText(settings, requireSetting(key), text->get());
+        settings::assignSettingText(settings, settings::requireSetting(key), text->get());
       } else {
-        assignSetting(settings, requireSetting(key), valueOf(node));
+        settings::assignSetting(settings, settings::requireSetting(key), valueOf(node));
       }
-    } catch (const UsageError& error) {
+    } catch (const messages::UsageError& error) {
       reader.fail(node, error.what());
     }
   });
   try {
-    requireConsistent(settings);
-  } catch (const UsageError& error) {
+    settings::requireConsistent(settings);
+  } catch (const messages::UsageError& error) {
     reader.fail(error.what());
   }
 }
@@ -162,7 +162,7 @@ SceneDescription parseScene(std::string_view text, const std::string& name, cons
   scene.help = reader.text("help").value_or("");
   const auto cloth = reader.table("cloth");
   if (!cloth) {
-    throw InputError(file + ": a scene needs a table [cloth] with either mesh or grid");
+    throw messages::InputError(file + ": a scene needs a table [cloth] with either mesh or grid");
   }
   readCloth(*cloth, folder, scene);
   if (const auto pins = reader.table("pins")) {
@@ -185,4 +185,4 @@ SceneDescription parseScene(std::string_view text, const std::string& name, cons
   return scene;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

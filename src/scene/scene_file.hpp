@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace drape {
+namespace drape::scene {
 
 /// Reads a scene from TOML text (docs/guide/scenes.md). Mesh paths are relative to `folder`; "builtin:skirt.obj" names
 /// a built-in mesh. Throws InputError with file and line.
@@ -13,4 +13,4 @@ namespace drape {
 [[nodiscard]] SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
                                           const std::filesystem::path& folder);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 constexpr std::size_t maxBodies = 32;
@@ -26,7 +26,7 @@ std::string freeName(const std::vector<BodyDescription>& bodies, const std::stri
 void replaceCloth(SceneDescription& scene, const std::string& file) {
   SceneDescription cloth = openScene(file);
   if (!std::holds_alternative<MeshFileSource>(cloth.source)) {
-    throw InputError(file + " is not a mesh; the cloth for a scene must be a mesh");
+    throw messages::InputError(file + " is not a mesh; the cloth for a scene must be a mesh");
   }
   scene.name = cloth.name;
   scene.title = cloth.title;
@@ -41,12 +41,12 @@ void replaceCloth(SceneDescription& scene, const std::string& file) {
 }
 
 void addBody(SceneDescription& scene, const std::string& file) {
-  if (!isMeshFile(file)) {
-    throw InputError(file + " is not a mesh; only a mesh can be a body");
+  if (!io::isMeshFile(file)) {
+    throw messages::InputError(file + " is not a mesh; only a mesh can be a body");
   }
   BodyDescription description;
   description.body.name = freeName(scene.bodies, std::filesystem::path(file).stem().string());
-  description.body.motion.keyframes = {Keyframe{}};
+  description.body.motion.keyframes = {sim::contact::Keyframe{}};
   description.meshes = {MeshFileSource{file, false}};
   description.readLikeCloth = true;
   scene.bodies.push_back(std::move(description));
@@ -56,8 +56,8 @@ void addBody(SceneDescription& scene, const std::string& file) {
 
 SceneDescription openParts(const SceneParts& parts) {
   if (parts.bodies.size() > maxBodies) {
-    throw InputError("there are " + std::to_string(parts.bodies.size()) + " files for bodies; drop at most " +
-                     std::to_string(maxBodies) + " at a time");
+    throw messages::InputError("there are " + std::to_string(parts.bodies.size()) + " files for bodies; drop at most " +
+                               std::to_string(maxBodies) + " at a time");
   }
   SceneDescription scene = openScene(parts.scene.empty() ? parts.cloth : parts.scene);
   if (!parts.scene.empty() && !parts.cloth.empty()) {
@@ -78,4 +78,4 @@ SceneDescription openParts(const SceneParts& parts) {
   return scene;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::scene {
 
 /// Reads the parts and combines them. A new cloth replaces that of the scene with its pins, pleats, stand and
 /// placement. Bodies are read with the unit and the up axis of the cloth and keep the positions of their files. Throws
 /// InputError like openScene, and for too many bodies.
 [[nodiscard]] SceneDescription openParts(const SceneParts& parts);
 
-}  // namespace drape
+}  // namespace drape::scene

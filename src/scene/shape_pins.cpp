@@ -9,7 +9,7 @@
 #include <iterator>
 #include <limits>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 constexpr double nearTop = 0.06;      // share of a piece's height: shoulders, straps
@@ -28,7 +28,7 @@ struct Heights {
 
 class PieceHanger {
  public:
-  PieceHanger(const ClothMesh& mesh, const ClothPieces& found, const ClothPiece& piece,
+  PieceHanger(const sim::ClothMesh& mesh, const ClothPieces& found, const ClothPiece& piece,
               const std::vector<const BoundaryLoop*>& loops)
       : positions_(mesh.positions), found_(found), piece_(piece), loops_(loops), heights_(heightsOf(piece.vertices)) {}
 
@@ -149,7 +149,7 @@ class PieceHanger {
 
 }  // namespace
 
-std::vector<int> pinsByShape(const ClothMesh& mesh) {
+std::vector<int> pinsByShape(const sim::ClothMesh& mesh) {
   const ClothPieces found = findPieces(mesh);
   std::vector<std::vector<const BoundaryLoop*>> loops(found.pieces.size());
   for (const BoundaryLoop& loop : found.loops) {
@@ -171,4 +171,4 @@ std::vector<int> pinsByShape(const ClothMesh& mesh) {
   return pins;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::scene {
 TomlReader::TomlReader(std::string_view text, const std::string& file) : file_(file) {
   try {
     document_ = std::make_shared<const toml::table>(toml::parse(text, file));
   } catch (const toml::parse_error& error) {
-    throw InputError(file + ":" + std::to_string(error.source().begin.line) +
-                     ": this is not valid TOML: " + std::string(error.description()));
+    throw messages::InputError(file + ":" + std::to_string(error.source().begin.line) +
+                               ": this is not valid TOML: " + std::string(error.description()));
   }
   table_ = document_.get();
 }
@@ -22,7 +22,7 @@ TomlReader::TomlReader(const TomlReader& parent, std::string where, const toml::
     : file_(parent.file_), where_(std::move(where)), document_(parent.document_), table_(&table) {}
 
 void TomlReader::fail(const toml::node& node, const std::string& message) const {
-  throw InputError(placeOf(node) + ": " + message);
+  throw messages::InputError(placeOf(node) + ": " + message);
 }
 
 std::string TomlReader::placeOf(const toml::node& node) const {
@@ -193,4 +193,4 @@ void TomlReader::forEachValue(const std::function<void(const std::string&, const
   visitBelow("", *table_, visit);
 }
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::scene {
 
 /// A larger coordinate in a scene is an error [m].
 inline constexpr double farAway = 1e4;
@@ -75,4 +75,4 @@ class TomlReader {
   const toml::table* table_;
 };
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 /// A unit, and the approximate percentage of files that use it.
@@ -60,13 +60,13 @@ const LengthUnit* findUnit(std::string_view word) {
 
 double metresPerUnit(std::string_view unit) {
   const LengthUnit* known = findUnit(unit);
-  return known != nullptr ? known->metres : parseNumber(unit).value_or(1.0);
+  return known != nullptr ? known->metres : text::parseNumber(unit).value_or(1.0);
 }
 
 std::string wordForUnit(double metres) {
   const auto found =
       std::find_if(usualUnits.begin(), usualUnits.end(), [&](const auto& each) { return each.unit.metres == metres; });
-  return found != usualUnits.end() ? std::string(found->unit.word) : formatValue(metres);
+  return found != usualUnits.end() ? std::string(found->unit.word) : settings::formatValue(metres);
 }
 
 std::string unitInWords(std::string_view unit) {
@@ -99,4 +99,4 @@ UnitGuess guessUnit(double largestExtent) {
   return guess;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

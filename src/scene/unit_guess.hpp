@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::scene {
 
 /// The range of sizes of garments and of the bodies that wear them [m].
 inline constexpr double smallestGarment = 0.2;
@@ -37,4 +37,4 @@ struct UnitGuess {
 /// are the most common units. If no unit fits, it takes the closest one.
 [[nodiscard]] UnitGuess guessUnit(double largestExtent);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 constexpr int cells = 16;  // of a silhouette along each axis
@@ -74,7 +74,7 @@ void spread(const Vec3& a, const Vec3& b, const Vec3& c, int depth, const Visit&
   spread(ab, bc, ca, depth - 1, visit);
 }
 
-std::array<double, 3> asymmetries(const ClothMesh& mesh, const Eigen::AlignedBox3d& box) {
+std::array<double, 3> asymmetries(const sim::ClothMesh& mesh, const Eigen::AlignedBox3d& box) {
   const Vec3 size = box.sizes().cwiseMax(1e-3 * box.sizes().maxCoeff());
   const auto within = [&](int vertex) -> Vec3 {
     const Vec3 fromMiddle = mesh.positions[static_cast<std::size_t>(vertex)] - box.center();
@@ -124,14 +124,14 @@ std::array<double, 3> openingShares(const ClothPieces& pieces, const Eigen::Alig
 
 }  // namespace
 
-UpGuess guessUp(const ClothMesh& mesh, const ClothPieces& pieces) {
+UpGuess guessUp(const sim::ClothMesh& mesh, const ClothPieces& pieces) {
   constexpr std::array<double, 3> usual{-0.6, 0.15, 0.0};  // files with y up are the most common, with x up the rarest
   constexpr double openingWeight = 1.5;
   constexpr double asymmetryWeight = 1.0;
   constexpr double extentWeight = 0.8;
   constexpr double extentWeightAlone = 1.3;  // for a shape without openings
   UpGuess guess;
-  const Eigen::AlignedBox3d box = boundsOf(mesh.positions);
+  const Eigen::AlignedBox3d box = sim::boundsOf(mesh.positions);
   UpEvidence& evidence = guess.evidence;
   evidence.openings = openingShares(pieces, box);
   evidence.asymmetry = asymmetries(mesh, box);
@@ -155,4 +155,4 @@ UpGuess guessUp(const ClothMesh& mesh, const ClothPieces& pieces) {
   return guess;
 }
 
-}  // namespace drape
+}  // namespace drape::scene

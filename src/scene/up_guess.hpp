@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace drape {
+namespace drape::scene {
 
 /// The evidence from the shape of a mesh for each of its axes x, y and z to point up [-].
 struct UpEvidence {
@@ -26,6 +26,6 @@ struct UpGuess {
 /// Guesses the up axis of a garment or a body. The neck, waist and hem of a garment face up or down. It is symmetric
 /// left and right, often nearly so front and back, but not top and bottom. It is wide and tall rather than deep. A
 /// shape without evidence, such as a flat sheet, gets y.
-[[nodiscard]] UpGuess guessUp(const ClothMesh& mesh, const ClothPieces& pieces);
+[[nodiscard]] UpGuess guessUp(const sim::ClothMesh& mesh, const ClothPieces& pieces);
 
-}  // namespace drape
+}  // namespace drape::scene

@@ -8,11 +8,11 @@
 #include <string>
 #include <variant>
 
-namespace drape {
+namespace drape::session {
 
 struct SetSettingCommand {
   std::string key;
-  SettingValue value;
+  settings::SettingValue value;
 };
 struct PauseCommand {
   bool paused = true;
@@ -21,7 +21,7 @@ struct PauseCommand {
 struct SingleStepCommand {};
 /// Returns to the start of the scene. Settings and pins keep the user's changes.
 struct ResetCommand {};
-struct AttachCommand : AttachmentEnds {};
+struct AttachCommand : sim::AttachmentEnds {};
 struct MoveAttachmentCommand {
   Vec3 target = Vec3::Zero();  ///< [m]
 };
@@ -40,7 +40,7 @@ struct SwitchBodyCommand {
 /// Changes the surface of a body.
 struct SetSurfaceCommand {
   int body = 0;  ///< index into the scene's bodies
-  SurfaceProperties surface;
+  sim::contact::SurfaceProperties surface;
 };
 /// Shifts a body relative to its own motion. The body moves there at a bounded speed while the simulation runs.
 struct MoveBodyCommand {
@@ -53,7 +53,7 @@ struct SetCostBudgetCommand {
   double costBudget = 0.0;  ///< spring evaluations per simulated second [1e6/s]
 };
 struct LoadSceneCommand {
-  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const scene::Scene> scene;
 };
 
 /// All commands to a running simulation.
@@ -67,4 +67,4 @@ struct LoggedCommand {
   Command command;
 };
 
-}  // namespace drape
+}  // namespace drape::session

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-namespace drape {
+namespace drape::session {
 
 /// Commands on their way to the simulation. Any thread may post; one thread drains. The lock is held only for a push or
 /// a swap, so neither side waits for the other's work.
@@ -28,4 +28,4 @@ class CommandQueue {
   std::vector<Command> commands_;
 };
 
-}  // namespace drape
+}  // namespace drape::session

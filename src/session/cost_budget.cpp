@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 constexpr double newestWeight = 0.1;  // of a measurement in the running mean
@@ -21,8 +21,8 @@ double rounded(double value) {
 
 }  // namespace
 
-std::optional<double> CostBudget::budgetAfter(const Settings& settings, const ClothModel& model,
-                                              const StepReport& report, double seconds) {
+std::optional<double> CostBudget::budgetAfter(const settings::Settings& settings, const sim::ClothModel& model,
+                                              const sim::StepReport& report, double seconds) {
   const double spent = seconds - report.contact.bodySeconds - report.contact.selfSeconds;
   if (settings.automatic.budget == 0.0 || !report.choice || report.choice->forceEvaluations <= 0 ||
       model.springs.empty() || !(spent > 0.0)) {
@@ -32,11 +32,11 @@ std::optional<double> CostBudget::budgetAfter(const Settings& settings, const Cl
   cost_ = cost_ > 0.0 ? cost_ + newestWeight * (std::min(cost, largestRatio * cost_) - cost_) : cost;
   constexpr double milliseconds = 1e-3;
   constexpr double millions = 1e-6;
-  const auto& field = std::get<NumberField>(requireSetting("auto.cost").field);
+  const auto& field = std::get<settings::NumberField>(settings::requireSetting("auto.cost").field);
   const double affordable = millions * settings.automatic.budget * milliseconds / budgetedTime / cost_;
   const double budget = std::clamp(rounded(affordable), field.min, field.max);
   const double ratio = budget / settings.step.automatic.costBudget;
   return ratio < changeRatio && ratio > 1.0 / changeRatio ? std::nullopt : std::optional(budget);
 }
 
-}  // namespace drape
+}  // namespace drape::session

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace drape {
+namespace drape::session {
 
 /// The time of motion to which `auto.budget` refers: one frame of a screen [s].
 inline constexpr double budgetedTime = 1.0 / 60.0;
@@ -17,11 +17,11 @@ class CostBudget {
  public:
   /// Adds the measured duration of a step, contact included [s].
   /// @return the cost budget that fits the time budget [1e6/s], when it is off by a fifth or more
-  [[nodiscard]] std::optional<double> budgetAfter(const Settings& settings, const ClothModel& model,
-                                                  const StepReport& report, double seconds);
+  [[nodiscard]] std::optional<double> budgetAfter(const settings::Settings& settings, const sim::ClothModel& model,
+                                                  const sim::StepReport& report, double seconds);
 
  private:
   double cost_ = 0.0;  // of one spring evaluation, recently [s]; 0: not known
 };
 
-}  // namespace drape
+}  // namespace drape::session

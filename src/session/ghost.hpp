@@ -7,41 +7,42 @@
 #include <string>
 #include <utility>
 
-namespace drape {
+namespace drape::session {
 
 /// A second cloth of the same model, moved by another solver. It has its own state and solver and does not affect the
 /// first cloth.
 class Ghost {
  public:
   /// Starts from `start`. Throws InputError when no solver has that name.
-  Ghost(const std::string& solver, ClothState start) : stepper_(solver), state_(std::move(start)) {}
+  Ghost(const std::string& solver, sim::ClothState start) : stepper_(solver), state_(std::move(start)) {}
 
   /// Continues from the current state with another solver.
   void useSolver(const std::string& name);
 
   /// Returns to `start`.
-  void reset(const ClothState& start);
+  void reset(const sim::ClothState& start);
 
   /// Moves the pinned vertices by `by` [m].
-  void movePins(const ClothModel& model, const Vec3& by) { drape::movePins(model.pinned, by, state_); }
+  void movePins(const sim::ClothModel& model, const Vec3& by) { drape::sim::movePins(model.pinned, by, state_); }
 
   /// Advances by one time step, with the substeps of `settings.ghost`. False when the state is no longer finite.
-  [[nodiscard]] bool step(const ClothModel& model, const Settings& settings, const StepInputs& inputs);
+  [[nodiscard]] bool step(const sim::ClothModel& model, const settings::Settings& settings,
+                          const sim::StepInputs& inputs);
 
-  [[nodiscard]] const SolverInfo& solver() const { return stepper_.info(); }
-  [[nodiscard]] const ClothState& state() const { return state_; }
+  [[nodiscard]] const sim::SolverInfo& solver() const { return stepper_.info(); }
+  [[nodiscard]] const sim::ClothState& state() const { return state_; }
 
   /// Fills `status`, reusing its memory. `first` is the state of the first cloth.
-  void capture(const ClothState& first, GhostStatus& status) const;
+  void capture(const sim::ClothState& first, GhostStatus& status) const;
 
  private:
-  Stepper stepper_;
-  ClothState state_;
-  StepReport report_;
+  sim::Stepper stepper_;
+  sim::ClothState state_;
+  sim::StepReport report_;
   double stepSeconds_ = 0.0;  // duration of the last step
 };
 
 /// The step parameters of the ghost: those of the first cloth, with the values of `settings.ghost`.
-[[nodiscard]] StepParameters ghostParameters(const Settings& settings);
+[[nodiscard]] sim::StepParameters ghostParameters(const settings::Settings& settings);
 
-}  // namespace drape
+}  // namespace drape::session

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::session {
 
 /// Decides how many fixed steps are due. It collects elapsed time and spends it in whole steps. Time beyond a limit is
 /// dropped: on a slow machine the simulation becomes slower than real time instead of falling behind without bound.
@@ -58,4 +58,4 @@ class RealTimeFactor {
   double value_ = 0.0;
 };
 
-}  // namespace drape
+}  // namespace drape::session

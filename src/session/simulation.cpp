@@ -12,9 +12,9 @@
 #include <cmath>
 #include <utility>
 
-namespace drape {
+namespace drape::session {
 
-Simulation::Simulation(std::shared_ptr<const Scene> scene) {
+Simulation::Simulation(std::shared_ptr<const scene::Scene> scene) {
   on(LoadSceneCommand{std::move(scene)});
 }
 
@@ -23,10 +23,10 @@ void Simulation::apply(const Command& command) {
   ++version_;
   try {
     std::visit([this](const auto& each) { on(each); }, command);
-  } catch (const InputError& error) {
+  } catch (const messages::InputError& error) {
     message_ = error.what();
-  } catch (const SimError& error) {
-    message_ = messageOf(error);
+  } catch (const sim::SimError& error) {
+    message_ = messages::messageOf(error);
   }
 }
 
@@ -41,7 +41,7 @@ void Simulation::step() {
   stepReport_ = stepper_->step(*model_, settings_.step, inputs_, state_);
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   ++version_;
-  blewUp_ = !isFinite(state_);
+  blewUp_ = !sim::isFinite(state_);
   if (blewUp_) {
     state_ = lastFinite_;
     paused_ = true;
@@ -72,7 +72,7 @@ void Simulation::updateCostBudget() {
 /// Reports cloth inside a body, which contact pushes out slowly.
 void Simulation::reportOverlap() {
   constexpr double patience = 1.5;  // contact pushes nearly everything out within this time [s]
-  const ContactReport& contact = stepReport_.contact;
+  const sim::contact::ContactReport& contact = stepReport_.contact;
   overlapMessage_.clear();
   if (contact.overlaps == 0 || stepIndex_ == 0) {
     lastOutside_ = state_.time;
@@ -135,9 +135,9 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.time = state_.time;
   snapshot.settings = settings_;
   snapshot.paused = paused_;
-  snapshot.energy = energyOf(*model_, settings_.step, state_);
+  snapshot.energy = sim::energyOf(*model_, settings_.step, state_);
   snapshot.balance = balance_;
-  snapshot.maxStretch = drape::maxStretch(*model_, state_);
+  snapshot.maxStretch = drape::sim::maxStretch(*model_, state_);
   snapshot.stepSeconds = stepSeconds_;
   snapshot.stepReport = stepReport_;
   snapshot.message = message();
@@ -156,7 +156,7 @@ void Simulation::capture(Snapshot& snapshot) const {
   captureBodies(snapshot);
   snapshot.attachment.reset();
   if (inputs_.attachment) {
-    const AttachedCorners corners = attachedCorners(*model_, *inputs_.attachment);
+    const sim::AttachedCorners corners = sim::attachedCorners(*model_, *inputs_.attachment);
     snapshot.attachment = AttachmentStatus{*inputs_.attachment, corners.interpolatedFrom(state_.positions),
                                            model_->pinned[corners.nearestVertex()]};
   }
@@ -184,13 +184,13 @@ void Simulation::captureBodies(Snapshot& snapshot) const {
 }
 
 void Simulation::on(const SetSettingCommand& command) {
-  const SettingInfo& info = requireSetting(command.key);
-  if (info.effect == SettingEffect::Scene) {
-    throw InputError(command.key + " takes effect when the scene is built again");
+  const settings::SettingInfo& info = settings::requireSetting(command.key);
+  if (info.effect == settings::SettingEffect::Scene) {
+    throw messages::InputError(command.key + " takes effect when the scene is built again");
   }
-  settings_ = withSetting(settings_, info, command.value);
-  if (info.effect == SettingEffect::Mass) {
-    model_ = withMass(*model_, totalMassOf(settings_, model_->restArea()), lumpingOf(settings_));
+  settings_ = settings::withSetting(settings_, info, command.value);
+  if (info.effect == settings::SettingEffect::Mass) {
+    model_ = sim::withMass(*model_, scene::totalMassOf(settings_, model_->restArea()), scene::lumpingOf(settings_));
   }
   useSolvers();
   useBalance();
@@ -208,7 +208,7 @@ void Simulation::on(const SingleStepCommand&) {
 
 void Simulation::on(const ResetCommand&) {
   state_ = scene_->start;
-  const bool unfolded = makeUnfoldable(*model_, state_);
+  const bool unfolded = sim::makeUnfoldable(*model_, state_);
   bodies_.reset(state_.time);
   if (ghost_) {
     ghost_->reset(state_);
@@ -230,9 +230,9 @@ void Simulation::on(const AttachCommand& command) {
   const bool inside = command.barycentric.allFinite() && (command.barycentric.array() >= -1e-6).all() &&
                       std::abs(command.barycentric.sum() - 1.0) < 1e-6;
   if (!exists || !inside || !command.target.allFinite()) {
-    throw InputError("the attachment needs a point of the cloth");
+    throw messages::InputError("the attachment needs a point of the cloth");
   }
-  inputs_.attachment = Attachment{command, settings_.attachment};
+  inputs_.attachment = sim::Attachment{command, settings_.attachment};
 }
 
 void Simulation::on(const MoveAttachmentCommand& command) {
@@ -247,21 +247,21 @@ void Simulation::on(const DetachCommand&) {
 
 void Simulation::on(const TogglePinCommand&) {
   if (!inputs_.attachment) {
-    throw InputError("Hold the cloth with the mouse, then press P to pin it there.");
+    throw messages::InputError("Hold the cloth with the mouse, then press P to pin it there.");
   }
   std::vector<bool> pinned = model_->pinned;
-  pinned[attachedCorners(*model_, *inputs_.attachment).nearestVertex()].flip();
-  model_ = withPins(*model_, std::move(pinned));
+  pinned[sim::attachedCorners(*model_, *inputs_.attachment).nearestVertex()].flip();
+  model_ = sim::withPins(*model_, std::move(pinned));
 }
 
 void Simulation::on(const MovePinsCommand& command) {
   if (!command.by.allFinite()) {
-    throw InputError("pins can only be moved by finite distances");
+    throw messages::InputError("pins can only be moved by finite distances");
   }
   if (std::find(model_->pinned.begin(), model_->pinned.end(), true) == model_->pinned.end()) {
-    throw InputError("there are no pins to move");
+    throw messages::InputError("there are no pins to move");
   }
-  movePins(model_->pinned, command.by, state_);
+  sim::movePins(model_->pinned, command.by, state_);
   if (ghost_) {
     ghost_->movePins(*model_, command.by);
   }
@@ -273,7 +273,7 @@ void Simulation::on(const SwitchBodyCommand& command) {
 
 void Simulation::on(const SetSurfaceCommand& command) {
   const std::size_t body = requireBody(command.body);
-  requireAllowed(command.surface);
+  settings::requireAllowed(command.surface);
   bodies_.setSurface(body, command.surface);
 }
 
@@ -286,25 +286,25 @@ void Simulation::on(const MoveBodyCommand& command) {
 
 std::size_t Simulation::requireBody(int body) const {
   if (body < 0 || body >= static_cast<int>(bodies_.bodies().size())) {
-    throw InputError("there is no body " + std::to_string(body) + " in this scene");
+    throw messages::InputError("there is no body " + std::to_string(body) + " in this scene");
   }
   return static_cast<std::size_t>(body);
 }
 
 void Simulation::on(const SetCostBudgetCommand& command) {
-  assignSetting(settings_, requireSetting("auto.cost"), command.costBudget);
+  settings::assignSetting(settings_, settings::requireSetting("auto.cost"), command.costBudget);
 }
 
 void Simulation::on(const LoadSceneCommand& command) {
   if (!command.scene) {
-    throw InputError("there is no scene to load");
+    throw messages::InputError("there is no scene to load");
   }
   scene_ = command.scene;
   model_ = scene_->model;
   settings_ = scene_->settings;
   ghost_.reset();
   budget_ = {};
-  bodies_ = BodyWorld(scene_->bodies, scene_->start.time);
+  bodies_ = sim::contact::BodyWorld(scene_->bodies, scene_->start.time);
   on(ResetCommand{});
   useSolvers();
   useBalance();
@@ -316,7 +316,7 @@ void Simulation::on(const LoadSceneCommand& command) {
 /// Creates the solvers that the settings name. The states do not change.
 void Simulation::useSolvers() {
   if (!stepper_ || stepper_->info().name != settings_.solver.name) {
-    stepper_ = std::make_unique<Stepper>(settings_.solver.name);
+    stepper_ = std::make_unique<sim::Stepper>(settings_.solver.name);
     stepReport_ = {};
   }
   const std::string& ghost = settings_.ghost.solver;
@@ -341,10 +341,10 @@ void Simulation::useBalance() {
 /// The mouse spring follows the settings, and the cloth limits its force.
 void Simulation::limitAttachment() {
   if (inputs_.attachment) {
-    Attachment& attachment = *inputs_.attachment;
-    static_cast<AttachmentSpring&>(attachment) = settings_.attachment;
-    attachment.maxForce = std::min(attachment.maxForce, maxAttachmentForce(*model_, settings_.step, attachment));
+    sim::Attachment& attachment = *inputs_.attachment;
+    static_cast<sim::AttachmentSpring&>(attachment) = settings_.attachment;
+    attachment.maxForce = std::min(attachment.maxForce, sim::maxAttachmentForce(*model_, settings_.step, attachment));
   }
 }
 
-}  // namespace drape
+}  // namespace drape::session

@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::session {
 
 /// A running scene: model, state, settings and solver, changed by commands and advanced by steps. It has no thread; the
 /// viewer's thread, drape-headless and the tests all use this class.
 class Simulation {
  public:
-  explicit Simulation(std::shared_ptr<const Scene> scene);
+  explicit Simulation(std::shared_ptr<const scene::Scene> scene);
 
   /// Takes effect at once; call it between two steps. An invalid command (a value out of range, a triangle that does
   /// not exist) changes nothing and sets the message.
@@ -49,11 +49,11 @@ class Simulation {
   /// Fills `snapshot` with the current state, reusing its memory.
   void capture(Snapshot& snapshot) const;
 
-  [[nodiscard]] const Scene& scene() const { return *scene_; }
-  [[nodiscard]] const ClothModel& model() const { return *model_; }
-  [[nodiscard]] const ClothState& state() const { return state_; }
-  [[nodiscard]] const BodyWorld& bodies() const { return bodies_; }
-  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
+  [[nodiscard]] const sim::ClothModel& model() const { return *model_; }
+  [[nodiscard]] const sim::ClothState& state() const { return state_; }
+  [[nodiscard]] const sim::contact::BodyWorld& bodies() const { return bodies_; }
+  [[nodiscard]] const settings::Settings& settings() const { return settings_; }
   [[nodiscard]] std::int64_t stepIndex() const { return stepIndex_; }
   [[nodiscard]] bool paused() const { return paused_; }
   /// The second cloth, or nullptr.
@@ -63,7 +63,7 @@ class Simulation {
   /// Duration of the last step, without the ghost's [s].
   [[nodiscard]] double lastStepSeconds() const { return stepSeconds_; }
   /// The report of the last step.
-  [[nodiscard]] const StepReport& lastStepReport() const { return stepReport_; }
+  [[nodiscard]] const sim::StepReport& lastStepReport() const { return stepReport_; }
   [[nodiscard]] const std::string& message() const { return message_.empty() ? overlapMessage_ : message_; }
 
   /// The commands since the scene was loaded, in order, each with the number of steps before it.
@@ -98,20 +98,20 @@ class Simulation {
   void captureBodies(Snapshot& snapshot) const;
   void reportOverlap();
 
-  std::shared_ptr<const Scene> scene_;
-  std::shared_ptr<const ClothModel> model_;
-  Settings settings_;
-  std::unique_ptr<Stepper> stepper_;
-  StepReport stepReport_;
-  ClothState state_;
-  ClothState lastFinite_;
+  std::shared_ptr<const scene::Scene> scene_;
+  std::shared_ptr<const sim::ClothModel> model_;
+  settings::Settings settings_;
+  std::unique_ptr<sim::Stepper> stepper_;
+  sim::StepReport stepReport_;
+  sim::ClothState state_;
+  sim::ClothState lastFinite_;
   std::optional<Ghost> ghost_;
-  std::optional<EnergyBalance> balance_;
+  std::optional<sim::EnergyBalance> balance_;
   CostBudget budget_;
   bool replaying_ = false;  // commands that depend on the clock come from the log
-  StepInputs inputs_;       // its attachment is the current one
+  sim::StepInputs inputs_;  // its attachment is the current one
   std::function<void()> onProgress_;
-  BodyWorld bodies_;
+  sim::contact::BodyWorld bodies_;
   std::int64_t stepIndex_ = 0;   // since the last reset
   std::int64_t stepsTaken_ = 0;  // since the scene was loaded
   std::int64_t version_ = 0;
@@ -124,4 +124,4 @@ class Simulation {
   std::vector<LoggedCommand> log_;
 };
 
-}  // namespace drape
+}  // namespace drape::session

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <utility>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -22,14 +22,15 @@ double secondsSince(Clock::time_point start) {
 
 }  // namespace
 
-SimulationThread::SimulationThread(std::shared_ptr<const Scene> scene, bool paused) : simulation_(std::move(scene)) {
+SimulationThread::SimulationThread(std::shared_ptr<const scene::Scene> scene, bool paused)
+    : simulation_(std::move(scene)) {
   simulation_.apply(PauseCommand{paused});
   simulation_.setStopToken(stop_.get_token());
   publish();
   thread_ = std::thread([this] {
     try {
       run();
-    } catch (const StepStopped&) {
+    } catch (const sim::StepStopped&) {
       // The aborted step is not needed.
     }
   });
@@ -82,7 +83,7 @@ void SimulationThread::run() {
     const bool changed = drain(commands);
     const double elapsed = secondsSince(last);
     last = Clock::now();
-    const Settings& settings = simulation_.settings();
+    const settings::Settings& settings = simulation_.settings();
     double simulated = 0.0;
     if (simulation_.paused()) {
       pacer.forget();
@@ -105,4 +106,4 @@ void SimulationThread::run() {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::session

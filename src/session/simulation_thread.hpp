@@ -11,12 +11,12 @@
 #include <thread>
 #include <vector>
 
-namespace drape {
+namespace drape::session {
 
 /// A simulation on its own thread, in real time. Commands go in, snapshots come out; neither side waits.
 class SimulationThread {
  public:
-  SimulationThread(std::shared_ptr<const Scene> scene, bool paused);
+  SimulationThread(std::shared_ptr<const scene::Scene> scene, bool paused);
   SimulationThread(const SimulationThread&) = delete;
   SimulationThread& operator=(const SimulationThread&) = delete;
   /// Stops and joins.
@@ -46,4 +46,4 @@ class SimulationThread {
   std::thread thread_;
 };
 
-}  // namespace drape
+}  // namespace drape::session

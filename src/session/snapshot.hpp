@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::session {
 
 /// The current attachment. Its target is the position of the mouse in the scene.
-struct AttachmentStatus : AttachmentEnds {
+struct AttachmentStatus : sim::AttachmentEnds {
   Vec3 point = Vec3::Zero();  ///< the attached point of the cloth [m]
   bool pinned = false;        ///< whether the vertex nearest to the attached point is pinned
 };
@@ -25,40 +25,40 @@ struct GhostStatus {
   std::vector<Vec3> positions;  ///< one per vertex [m], without ghost.offset
   double meanDistance = 0.0;    ///< from the first cloth, averaged over the vertices [m]
   double stepSeconds = 0.0;     ///< duration of its last step [s]
-  StepReport stepReport;        ///< of its last step
+  sim::StepReport stepReport;   ///< of its last step
 };
 
 /// The current state of a body.
 struct BodyStatus {
-  Pose pose;
+  sim::contact::Pose pose;
   Vec3 shift = Vec3::Zero();  ///< set by the user, relative to its own motion [m]
   bool on = true;
-  SurfaceProperties surface;
+  sim::contact::SurfaceProperties surface;
   std::vector<Vec3> vertices;  ///< of a deforming mesh, in its own frame [m]; otherwise empty
 };
 
 /// The state of the simulation at a step boundary. The renderer and the panels see nothing else of it.
 struct Snapshot {
-  std::shared_ptr<const Scene> scene;
-  std::shared_ptr<const ClothModel> model;  ///< the scene's model, or a successor with other masses or pins
-  std::vector<Vec3> positions;              ///< one per vertex [m]
-  std::int64_t step = 0;                    ///< steps since the scene was loaded or reset
-  std::int64_t version = 0;                 ///< increases with every snapshot that differs from the one before
-  double time = 0.0;                        ///< simulated [s]
-  Settings settings;                        ///< the current values
+  std::shared_ptr<const scene::Scene> scene;
+  std::shared_ptr<const sim::ClothModel> model;  ///< the scene's model, or a successor with other masses or pins
+  std::vector<Vec3> positions;                   ///< one per vertex [m]
+  std::int64_t step = 0;                         ///< steps since the scene was loaded or reset
+  std::int64_t version = 0;                      ///< increases with every snapshot that differs from the one before
+  double time = 0.0;                             ///< simulated [s]
+  settings::Settings settings;                   ///< the current values
   bool paused = false;
-  Energy energy;
-  std::optional<EnergyBalance> balance;           ///< since the balance was switched on or the cloth was reset
+  sim::Energy energy;
+  std::optional<sim::EnergyBalance> balance;      ///< since the balance was switched on or the cloth was reset
   double maxStretch = 0.0;                        ///< largest (L - l0) / l0 [-]
   std::optional<StretchDiagnosis> overstretched;  ///< the cause, when maxStretch is above implausibleStretch
   double stepSeconds = 0.0;                       ///< duration of the last step, without the ghost's [s]
-  StepReport stepReport;                          ///< of the last step
+  sim::StepReport stepReport;                     ///< of the last step
   double realTimeFactor = 0.0;  ///< simulated time divided by real time, recently [-]; 0 while paused or not timed
   std::optional<AttachmentStatus> attachment;
   std::optional<GhostStatus> ghost;
-  std::vector<BodyStatus> bodies;           ///< one per body of the scene
-  std::vector<ContactPoint> contactPoints;  ///< of the last step; only with view.contacts
-  std::string message;                      ///< for the status line, when something went wrong; otherwise empty
+  std::vector<BodyStatus> bodies;                         ///< one per body of the scene
+  std::vector<sim::contact::ContactPoint> contactPoints;  ///< of the last step; only with view.contacts
+  std::string message;  ///< for the status line, when something went wrong; otherwise empty
 };
 
-}  // namespace drape
+}  // namespace drape::session

@@ -4,26 +4,26 @@
 #include "session/ghost.hpp"
 #include "sim/solvers/solver.hpp"
 
-namespace drape {
+namespace drape::session {
 namespace {
 
-std::string warningOf(const std::string& name, const ClothModel& model, const StepParameters& parameters) {
-  const SolverInfo* solver = findSolver(name);
+std::string warningOf(const std::string& name, const sim::ClothModel& model, const sim::StepParameters& parameters) {
+  const sim::SolverInfo* solver = sim::findSolver(name);
   if (solver == nullptr || solver->warning == nullptr) {
     return {};
   }
-  const std::optional<SolverWarning> warning = solver->warning(model, parameters);
-  return warning ? inWords(*warning) : std::string();
+  const std::optional<sim::SolverWarning> warning = solver->warning(model, parameters);
+  return warning ? messages::inWords(*warning) : std::string();
 }
 
 }  // namespace
 
-std::string solverWarning(const Settings& settings, const ClothModel& model) {
+std::string solverWarning(const settings::Settings& settings, const sim::ClothModel& model) {
   return warningOf(settings.solver.name, model, settings.step);
 }
 
-std::string ghostWarning(const Settings& settings, const ClothModel& model) {
+std::string ghostWarning(const settings::Settings& settings, const sim::ClothModel& model) {
   return warningOf(settings.ghost.solver, model, ghostParameters(settings));
 }
 
-}  // namespace drape
+}  // namespace drape::session

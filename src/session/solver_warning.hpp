@@ -5,12 +5,12 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::session {
 
 /// A warning in words when the chosen solver does not suit this cloth; empty otherwise.
-[[nodiscard]] std::string solverWarning(const Settings& settings, const ClothModel& model);
+[[nodiscard]] std::string solverWarning(const settings::Settings& settings, const sim::ClothModel& model);
 
 /// The same for the ghost; empty without a ghost.
-[[nodiscard]] std::string ghostWarning(const Settings& settings, const ClothModel& model);
+[[nodiscard]] std::string ghostWarning(const settings::Settings& settings, const sim::ClothModel& model);
 
-}  // namespace drape
+}  // namespace drape::session

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 constexpr double muchByWeight = 0.5;    // strain under the weight alone that explains the rest [-]
@@ -27,10 +27,10 @@ std::string place(const Vec3& point) {
   return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", point.x(), point.y(), point.z());
 }
 
-std::vector<std::size_t> overstretched(const ClothModel& model, const ClothState& state) {
+std::vector<std::size_t> overstretched(const sim::ClothModel& model, const sim::ClothState& state) {
   std::vector<std::size_t> springs;
   for (std::size_t i = 0; i < model.springs.size(); ++i) {
-    const Spring& spring = model.springs[i];
+    const sim::Spring& spring = model.springs[i];
     const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();
     if (length > (1.0 + implausibleStretch) * spring.restLength) {
       springs.push_back(i);
@@ -39,10 +39,10 @@ std::vector<std::size_t> overstretched(const ClothModel& model, const ClothState
   return springs;
 }
 
-double medianLength(const ClothModel& model) {
+double medianLength(const sim::ClothModel& model) {
   std::vector<double> lengths;
   lengths.reserve(model.springs.size());
-  for (const Spring& spring : model.springs) {
+  for (const sim::Spring& spring : model.springs) {
     lengths.push_back(spring.restLength);
   }
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
@@ -51,7 +51,8 @@ double medianLength(const ClothModel& model) {
 }
 
 /// A diagnosis when all overstretched springs are far shorter than the others.
-std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel& model, const ClothState& state) {
+std::optional<StretchDiagnosis> findSlivers(const scene::Scene& scene, const sim::ClothModel& model,
+                                            const sim::ClothState& state) {
   const std::vector<std::size_t> springs = overstretched(model, state);
   const double median = model.springs.empty() ? 0.0 : medianLength(model);
   double shortest = median;
@@ -64,70 +65,72 @@ std::optional<StretchDiagnosis> findSlivers(const Scene& scene, const ClothModel
   if (springs.empty()) {
     return std::nullopt;
   }
-  const Spring& first = model.springs[springs.front()];
+  const sim::Spring& first = model.springs[springs.front()];
   const Vec3 at = 0.5 * (model.restPositions[first.a] + model.restPositions[first.b]);
   StretchDiagnosis found{StretchCause::Slivers, {}};
   found.advice.text = "Slivers: " + std::to_string(springs.size()) + (springs.size() == 1 ? " edge is" : " edges are") +
-                      " overstretched. The shortest is 1/" + roundedFigure(median / shortest, 1) +
+                      " overstretched. The shortest is 1/" + text::roundedFigure(median / shortest, 1) +
                       " of the median length. The first is at " + place(at) +
                       ". Merge their ends with a larger weld_tolerance, or repair the mesh.";
   const Vec3 size(scene.summary.size[0], scene.summary.size[1], scene.summary.size[2]);
   const double tolerance = 2.0 * sliverRatio * median / std::max(size.norm(), 1e-12);
-  const auto& field = std::get<NumberField>(requireSetting("weld_tolerance").field);
-  if (std::holds_alternative<MeshFileSource>(scene.description.source) && tolerance <= field.max) {
+  const auto& field = std::get<settings::NumberField>(settings::requireSetting("weld_tolerance").field);
+  if (std::holds_alternative<scene::MeshFileSource>(scene.description.source) && tolerance <= field.max) {
     found.advice.key = "weld_tolerance";
-    found.advice.value = roundedFigure(tolerance, 1);
+    found.advice.value = text::roundedFigure(tolerance, 1);
     found.advice.button = "Merge them";
   }
   return found;
 }
 
 /// The stiffness at which the weight stretches the cloth by `wantedStrain` at most [N/m].
-double helpfulStiffness(const ClothModel& model, StepParameters parameters) {
-  const auto& field = std::get<NumberField>(requireSetting("stiffness").field);
+double helpfulStiffness(const sim::ClothModel& model, sim::StepParameters parameters) {
+  const auto& field = std::get<settings::NumberField>(settings::requireSetting("stiffness").field);
   parameters.material.stiffness = 1.0;
-  return std::min(field.max, nextRoundNumber(strainByWeight(model, parameters) / wantedStrain));
+  return std::min(field.max, text::nextRoundNumber(sim::strainByWeight(model, parameters) / wantedStrain));
 }
 
-StretchDiagnosis explainByWeight(double strain, const Scene& scene, const Settings& settings, const ClothModel& model) {
+StretchDiagnosis explainByWeight(double strain, const scene::Scene& scene, const settings::Settings& settings,
+                                 const sim::ClothModel& model) {
   const double largest = *std::max_element(scene.summary.size.begin(), scene.summary.size.end());
   const double density = model.totalMass() / std::max(model.restArea(), 1e-12);
-  const std::string weight = "Its weight of " + roundedFigure(model.totalMass()) + " kg alone stretches it by " +
-                             roundedFigure(100.0 * strain) + " %";
-  const bool file = std::holds_alternative<MeshFileSource>(scene.description.source);
-  if (file && largest > 2.0 * largestGarment && scene.reading) {
+  const std::string weight = "Its weight of " + text::roundedFigure(model.totalMass()) + " kg alone stretches it by " +
+                             text::roundedFigure(100.0 * strain) + " %";
+  const bool file = std::holds_alternative<scene::MeshFileSource>(scene.description.source);
+  if (file && largest > 2.0 * scene::largestGarment && scene.reading) {
     const double inFile = largest / scene.reading->metresPerUnit;
-    const std::string unit = guessUnit(inFile).unit;
+    const std::string unit = scene::guessUnit(inFile).unit;
     return {StretchCause::Unit,
-            {"The cloth is " + roundedFigure(largest) + " m large. " + weight + ". The file is probably in " +
-                 unitInWords(unit) + ": read it so.",
-             "unit", unit, "Read as " + unitInWords(unit)}};
+            {"The cloth is " + text::roundedFigure(largest) + " m large. " + weight + ". The file is probably in " +
+                 scene::unitInWords(unit) + ": read it so.",
+             "unit", unit, "Read as " + scene::unitInWords(unit)}};
   }
   if (density > heaviestFabric) {
-    return {StretchCause::Heavy,
-            {"Too heavy: the cloth weighs " + roundedFigure(density) +
-                 " kg/m\u00B2. Fabrics weigh 0.05 to 1 kg/m\u00B2. " + weight + ". Lower the density.",
-             "density", roundedFigure(usualFabric), "Density " + roundedFigure(usualFabric) + " kg/m\u00B2"}};
+    return {
+        StretchCause::Heavy,
+        {"Too heavy: the cloth weighs " + text::roundedFigure(density) +
+             " kg/m\u00B2. Fabrics weigh 0.05 to 1 kg/m\u00B2. " + weight + ". Lower the density.",
+         "density", text::roundedFigure(usualFabric), "Density " + text::roundedFigure(usualFabric) + " kg/m\u00B2"}};
   }
-  const std::string stiffness = roundedFigure(helpfulStiffness(model, settings.step));
+  const std::string stiffness = text::roundedFigure(helpfulStiffness(model, settings.step));
   const std::string soft =
       settings.step.material.stiffness > 0.0
-          ? weight + " at a stiffness of " + roundedFigure(settings.step.material.stiffness) + " N/m"
+          ? weight + " at a stiffness of " + text::roundedFigure(settings.step.material.stiffness) + " N/m"
           : "a stiffness of 0 cannot carry any weight";
   return {StretchCause::Soft,
           {"Too soft: " + soft + ". A stiffness of " + stiffness + " N/m carries it.", "stiffness", stiffness,
            "Stiffness " + stiffness + " N/m"}};
 }
 
-StretchDiagnosis explainBySolver(const Settings& settings, const ClothModel& model) {
+StretchDiagnosis explainBySolver(const settings::Settings& settings, const sim::ClothModel& model) {
   const bool chooses = settings.solver.name == "auto";
-  const Advice toAuto{"", "solver", "auto", "Use auto"};
+  const scene::Advice toAuto{"", "solver", "auto", "Use auto"};
   if (const std::string warning = solverWarning(settings, model); !chooses && !warning.empty()) {
     StretchDiagnosis found{StretchCause::TimeStep, toAuto};
     found.advice.text = "The time step is too long for the solver " + settings.solver.name + ": " + warning;
     return found;
   }
-  StretchDiagnosis found{StretchCause::Solver, chooses ? Advice{} : toAuto};
+  StretchDiagnosis found{StretchCause::Solver, chooses ? scene::Advice{} : toAuto};
   found.advice.text =
       "Overstretched: springs are longer than three times their rest length. Neither the weight nor the "
       "mouse causes this. The solver " +
@@ -138,12 +141,12 @@ StretchDiagnosis explainBySolver(const Settings& settings, const ClothModel& mod
 
 }  // namespace
 
-StretchDiagnosis diagnoseStretch(const Scene& scene, const Settings& settings, const ClothModel& model,
-                                 const ClothState& state, bool pulled) {
+StretchDiagnosis diagnoseStretch(const scene::Scene& scene, const settings::Settings& settings,
+                                 const sim::ClothModel& model, const sim::ClothState& state, bool pulled) {
   if (auto slivers = findSlivers(scene, model, state)) {
     return *std::move(slivers);
   }
-  if (const double strain = strainByWeight(model, settings.step); strain > muchByWeight) {
+  if (const double strain = sim::strainByWeight(model, settings.step); strain > muchByWeight) {
     return explainByWeight(strain, scene, settings, model);
   }
   if (pulled) {
@@ -154,4 +157,4 @@ StretchDiagnosis diagnoseStretch(const Scene& scene, const Settings& settings, c
   return explainBySolver(settings, model);
 }
 
-}  // namespace drape
+}  // namespace drape::session

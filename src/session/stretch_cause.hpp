@@ -4,7 +4,7 @@
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
-namespace drape {
+namespace drape::session {
 
 /// Causes of implausibly stretched springs.
 enum class StretchCause {
@@ -20,7 +20,7 @@ enum class StretchCause {
 /// The cause of overstretched springs, with advice.
 struct StretchDiagnosis {
   StretchCause cause = StretchCause::Solver;
-  Advice advice;  ///< in words, with the setting that helps
+  scene::Advice advice;  ///< in words, with the setting that helps
 };
 
 /// A spring is overstretched when its strain exceeds this [-].
@@ -28,7 +28,7 @@ inline constexpr double implausibleStretch = 2.0;
 
 /// Finds the cause of overstretched springs in a state. Call it only when there are some.
 /// @param pulled whether the mouse pulls at the cloth
-[[nodiscard]] StretchDiagnosis diagnoseStretch(const Scene& scene, const Settings& settings, const ClothModel& model,
-                                               const ClothState& state, bool pulled);
+[[nodiscard]] StretchDiagnosis diagnoseStretch(const scene::Scene& scene, const settings::Settings& settings,
+                                               const sim::ClothModel& model, const sim::ClothState& state, bool pulled);
 
-}  // namespace drape
+}  // namespace drape::session

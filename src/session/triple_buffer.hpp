@@ -3,7 +3,7 @@
 #include <array>
 #include <atomic>
 
-namespace drape {
+namespace drape::session {
 
 /// Passes the newest value from one writing thread to one reading thread; neither ever waits. Values that the reader
 /// misses are dropped. There are three slots: one of the writer, one of the reader, and one in exchange.
@@ -34,4 +34,4 @@ class TripleBuffer {
   unsigned reader_ = 2U;
 };
 
-}  // namespace drape
+}  // namespace drape::session

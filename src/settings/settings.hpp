@@ -5,16 +5,16 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::settings {
 
 /// All values that a user can change, with their defaults. The table (settings_table.cpp) holds the name, unit, range
 /// and help of each. The panels, the command line, the scene files and the documentation use that table.
 struct Settings {
   /// The library calculates in double by default. The programs use float where a solver supports it: it is at least as
   /// fast, and its error is too small to see (docs/guide/performance.md).
-  Settings() { step.precision = Precision::Float; }
+  Settings() { step.precision = sim::Precision::Float; }
 
-  StepParameters step;
+  sim::StepParameters step;
 
   struct SolverChoice {
     std::string name = "auto";
@@ -32,7 +32,7 @@ struct Settings {
     std::string lumping = "area";         ///< "area" or "uniform"
   } material;
 
-  AttachmentSpring attachment{.stiffness = 500.0, .maxForce = 10.0};
+  sim::AttachmentSpring attachment{.stiffness = 500.0, .maxForce = 10.0};
 
   struct Playback {
     double speed = 1.0;  ///< simulated seconds per second of real time, on a fast machine [-]
@@ -88,4 +88,4 @@ enum class SettingScope { Everywhere, Grid, MeshFile };
 /// The panel that shows a setting.
 enum class SettingGroup { Material, Air, Simulation, Contact, Scene, View, Ghost, Advanced };
 
-}  // namespace drape
+}  // namespace drape::settings

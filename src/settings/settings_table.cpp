@@ -6,14 +6,14 @@
 #include <array>
 #include <optional>
 
-namespace drape {
+namespace drape::settings {
 namespace {
 
 using enum SettingGroup;
 
 std::vector<std::string> solverNames() {
   std::vector<std::string> names;
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     names.emplace_back(solver.name);
   }
   return names;
@@ -26,7 +26,7 @@ std::vector<std::string> ghostNames() {
 }
 
 ChoiceLabel solverLabel(std::string_view word) {
-  const SolverInfo* solver = findSolver(word);
+  const sim::SolverInfo* solver = sim::findSolver(word);
   if (solver == nullptr) {
     return {"Off", "There is no second cloth."};
   }
@@ -43,41 +43,45 @@ template <typename Enum>
 Word(Enum, std::string_view, ChoiceLabel) -> Word<Enum>;
 
 constexpr std::array integrations{
-    Word{Integration::BackwardEuler, "backward_euler", {"Backward Euler", "First order, robust, damps fast motion."}},
-    Word{Integration::Theta,
+    Word{sim::Integration::BackwardEuler,
+         "backward_euler",
+         {"Backward Euler", "First order, robust, damps fast motion."}},
+    Word{sim::Integration::Theta,
          "theta",
          {"Theta scheme", "Up to second order: extrapolates a shorter backward Euler step."}},
-    Word{Integration::Bdf2, "bdf2", {"BDF2", "Second order: uses the last two states."}}};
+    Word{sim::Integration::Bdf2, "bdf2", {"BDF2", "Second order: uses the last two states."}}};
 
 constexpr std::array derivatives{
-    Word{ForceDerivative::Stabilised,
+    Word{sim::ForceDerivative::Stabilised,
          "stabilised",
          {"Stabilised", "The paper's: exact for stretched springs, stable for compressed ones."}},
-    Word{ForceDerivative::Exact,
+    Word{sim::ForceDerivative::Exact,
          "exact",
          {"Exact", "The true derivative. It can be unstable where springs are compressed."}},
-    Word{ForceDerivative::Scalar,
+    Word{sim::ForceDerivative::Scalar,
          "scalar",
          {"Scalar (Desbrun)", "As stiff across a spring as along it. Always stable, damps much."}},
-    Word{ForceDerivative::Axial, "axial", {"Axial (Volino)", "Acts along the spring only. Unstable in stiff cloth."}},
-    Word{ForceDerivative::TensionOnly,
+    Word{sim::ForceDerivative::Axial,
+         "axial",
+         {"Axial (Volino)", "Acts along the spring only. Unstable in stiff cloth."}},
+    Word{sim::ForceDerivative::TensionOnly,
          "tension_only",
          {"Tension only (Choi, Ko)", "Zero for compressed springs. Vibrates with a single sweep."}}};
 
 constexpr std::array precisions{
-    Word{Precision::Float, "float", {"Float", "Seven digits. Fast, and the error is too small to see."}},
-    Word{Precision::Double, "double", {"Double", "Sixteen digits. For comparisons and very small steps."}}};
+    Word{sim::Precision::Float, "float", {"Float", "Seven digits. Fast, and the error is too small to see."}},
+    Word{sim::Precision::Double, "double", {"Double", "Sixteen digits. For comparisons and very small steps."}}};
 
 constexpr std::array selfCollisions{
-    Word{SelfCollision::Off, "off", {"Off", "The cloth passes through itself. Costs nothing."}},
-    Word{SelfCollision::Hash,
+    Word{sim::contact::SelfCollision::Off, "off", {"Off", "The cloth passes through itself. Costs nothing."}},
+    Word{sim::contact::SelfCollision::Hash,
          "hash",
          {"Hashed vertices",
           "The paper's: keeps vertices apart. Costs about as much as the step. Sharp folds and loose meshes leak."}}};
 
 /// Metres per unit, as a number.
 bool isUnitFactor(std::string_view text) {
-  const std::optional<double> factor = parseNumber(text);
+  const std::optional<double> factor = text::parseNumber(text);
   return factor && *factor >= 1e-6 && *factor <= 1e3;
 }
 
@@ -146,7 +150,7 @@ ChoiceField textOf(decltype(ChoiceField::choices) choices, decltype(ChoiceField:
 /// Whether the solver of the cloth or of its ghost takes backward Euler steps.
 bool solvesBackwardEuler(const Settings& settings) {
   const auto solves = [](const std::string& name) {
-    const SolverInfo* solver = findSolver(name);
+    const sim::SolverInfo* solver = sim::findSolver(name);
     return solver != nullptr && solver->backwardEuler;
   };
   return solves(settings.solver.name) || solves(settings.ghost.solver);
@@ -154,12 +158,12 @@ bool solvesBackwardEuler(const Settings& settings) {
 
 /// Whether the solver of the cloth uses the setting `substeps`.
 bool takesSubsteps(const Settings& settings) {
-  const SolverInfo* solver = findSolver(settings.solver.name);
+  const sim::SolverInfo* solver = sim::findSolver(settings.solver.name);
   return solver == nullptr || !solver->choosesSubsteps;
 }
 
 bool collidesWithItself(const Settings& settings) {
-  return settings.step.contact.self != SelfCollision::Off;
+  return settings.step.contact.self != sim::contact::SelfCollision::Off;
 }
 
 bool showsGhost(const Settings& settings) {
@@ -191,7 +195,7 @@ const std::array table{
         "Point of the step at which the theta scheme evaluates the forces. 0.5 is the implicit midpoint rule: "
         "accurate, but easily unstable. 1 is backward Euler. 0.75 is stable in nearly all scenes.",
         {}, {}, SettingScope::Everywhere,
-        [](const Settings& s) { return solvesBackwardEuler(s) && s.step.integration == Integration::Theta; }},
+        [](const Settings& s) { return solvesBackwardEuler(s) && s.step.integration == sim::Integration::Theta; }},
     SettingInfo{"sweeps", "Sweeps", "-", Advanced, SettingEffect::Step,
         IntegerField{[](auto& s) -> auto& { return s.step.jacobi.sweeps; }, 1, 99},
         "Number of block-Jacobi sweeps per step. The paper uses 1. More sweeps solve the linear system of the step "
@@ -422,4 +426,4 @@ const SettingInfo* findSetting(std::string_view key) {
   return found == table.end() ? nullptr : &*found;
 }
 
-}  // namespace drape
+}  // namespace drape::settings

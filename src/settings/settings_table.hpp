@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace drape {
+namespace drape::settings {
 
 using SettingValue = std::variant<double, int, bool, std::string>;
 
@@ -127,4 +127,4 @@ void assignSettingText(Settings& settings, const SettingInfo& info, std::string_
 /// Sets a value from "key=value", as given to --set. Throws UsageError as above.
 void assignSettingExpression(Settings& settings, std::string_view expression);
 
-}  // namespace drape
+}  // namespace drape::settings

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <optional>
 
-namespace drape {
+namespace drape::settings {
 namespace {
 
 template <typename... Ts>
@@ -35,7 +35,7 @@ std::string listWords(const std::vector<std::string>& words) {
 }
 
 [[noreturn]] void refuse(const SettingInfo& info, const std::string& given) {
-  throw UsageError(std::string(info.key) + " must be " + describeRange(info) + "; " + given + " is not");
+  throw messages::UsageError(std::string(info.key) + " must be " + describeRange(info) + "; " + given + " is not");
 }
 
 void assignNumber(Settings& settings, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
@@ -46,7 +46,7 @@ void assignNumber(Settings& settings, const SettingInfo& info, const NumberField
   }
   const double number = real != nullptr ? *real : static_cast<double>(*whole);
   if (!(number >= field.min && number <= field.max)) {
-    refuse(info, exactNumber(number));
+    refuse(info, text::exactNumber(number));
   }
   field.access.ref(settings) = number;
 }
@@ -81,7 +81,7 @@ void assignFlag(Settings& settings, const SettingInfo& info, const FlagField& fi
 
 SettingValue parseValue(const SettingInfo& info, std::string_view text) {
   if (std::holds_alternative<NumberField>(info.field)) {
-    if (const auto number = parseNumber(text)) {
+    if (const auto number = text::parseNumber(text)) {
       return *number;
     }
   } else if (std::holds_alternative<IntegerField>(info.field)) {
@@ -142,9 +142,9 @@ const SettingInfo& requireSetting(std::string_view key) {
     return *info;
   }
   const std::string_view meant = nearestKey(key);
-  throw UsageError("there is no setting " + quoted(key) + "; " +
-                   (meant.empty() ? "" : "did you mean " + quoted(meant) + "? ") +
-                   "'drape-headless list settings' lists all settings");
+  throw messages::UsageError("there is no setting " + quoted(key) + "; " +
+                             (meant.empty() ? "" : "did you mean " + quoted(meant) + "? ") +
+                             "'drape-headless list settings' lists all settings");
 }
 
 std::string formerKeyNote(std::string_view key) {
@@ -162,11 +162,11 @@ SettingValue settingValue(const Settings& settings, const SettingInfo& info) {
 }
 
 std::string formatValue(const SettingValue& value) {
-  return std::visit(
-      Overloaded{[](double number) { return exactNumber(number); }, [](int whole) { return std::to_string(whole); },
-                 [](bool flag) { return std::string(flag ? "on" : "off"); },
-                 [](const std::string& word) { return word; }},
-      value);
+  return std::visit(Overloaded{[](double number) { return text::exactNumber(number); },
+                               [](int whole) { return std::to_string(whole); },
+                               [](bool flag) { return std::string(flag ? "on" : "off"); },
+                               [](const std::string& word) { return word; }},
+                    value);
 }
 
 std::string choiceTitle(const ChoiceField& field, std::string_view word) {
@@ -183,19 +183,20 @@ SettingValue defaultValue(const SettingInfo& info) {
 }
 
 std::string describeRange(const SettingInfo& info) {
-  return std::visit(Overloaded{[&](const NumberField& field) {
-                                 return withUnit(info, exactNumber(field.min) + " to " + exactNumber(field.max));
-                               },
-                               [&](const IntegerField& field) {
-                                 return withUnit(info, "a whole number from " + std::to_string(field.min) + " to " +
-                                                           std::to_string(field.max));
-                               },
-                               [](const FlagField&) { return std::string("on or off"); },
-                               [](const ChoiceField& field) {
-                                 return listWords(field.choices()) +
-                                        (field.otherTexts.empty() ? "" : ", or " + std::string(field.otherTexts));
-                               }},
-                    info.field);
+  return std::visit(
+      Overloaded{[&](const NumberField& field) {
+                   return withUnit(info, text::exactNumber(field.min) + " to " + text::exactNumber(field.max));
+                 },
+                 [&](const IntegerField& field) {
+                   return withUnit(
+                       info, "a whole number from " + std::to_string(field.min) + " to " + std::to_string(field.max));
+                 },
+                 [](const FlagField&) { return std::string("on or off"); },
+                 [](const ChoiceField& field) {
+                   return listWords(field.choices()) +
+                          (field.otherTexts.empty() ? "" : ", or " + std::string(field.otherTexts));
+                 }},
+      info.field);
 }
 
 void assignSetting(Settings& settings, const SettingInfo& info, const SettingValue& value) {
@@ -210,12 +211,12 @@ void assignSetting(Settings& settings, const SettingInfo& info, const SettingVal
 }
 
 bool isRelevant(const SettingInfo& info, const Settings& settings) {
-  const auto lists = [&](const SolverInfo& solver) {
+  const auto lists = [&](const sim::SolverInfo& solver) {
     return std::find(solver.settings.begin(), solver.settings.end(), info.key) != solver.settings.end();
   };
-  const auto solvers = solverTable();
+  const auto solvers = sim::solverTable();
   const auto read = [&](const std::string& name) {
-    const SolverInfo* chosen = findSolver(name);
+    const sim::SolverInfo* chosen = sim::findSolver(name);
     return chosen != nullptr && lists(*chosen);
   };
   const bool special = std::any_of(solvers.begin(), solvers.end(), lists);
@@ -224,9 +225,9 @@ bool isRelevant(const SettingInfo& info, const Settings& settings) {
 }
 
 void requireConsistent(const Settings& settings) {
-  if (settings.step.jacobi.sweeps % 2 == 0 && settings.step.jacobi.relaxation > evenSweepsRelaxation) {
-    throw UsageError(
-        "sweeps must be odd while relaxation is above " + exactNumber(evenSweepsRelaxation) + "; " +
+  if (settings.step.jacobi.sweeps % 2 == 0 && settings.step.jacobi.relaxation > sim::simd::evenSweepsRelaxation) {
+    throw messages::UsageError(
+        "sweeps must be odd while relaxation is above " + text::exactNumber(sim::simd::evenSweepsRelaxation) + "; " +
         std::to_string(settings.step.jacobi.sweeps) +
         " is not. An even number of block-Jacobi sweeps amplifies the stiffest modes up to twofold, and stiff "
         "cloth vibrates. Use an odd number, or lower relaxation first (damped Jacobi)");
@@ -256,10 +257,10 @@ void assignSettingText(Settings& settings, const SettingInfo& info, std::string_
 void assignSettingExpression(Settings& settings, std::string_view expression) {
   const auto equals = expression.find('=');
   if (equals == std::string_view::npos || equals == 0) {
-    throw UsageError("a setting is given as key=value, for example --set stiffness=100; " + quoted(expression) +
-                     " is not");
+    throw messages::UsageError("a setting is given as key=value, for example --set stiffness=100; " +
+                               quoted(expression) + " is not");
   }
   assignSettingText(settings, requireSetting(expression.substr(0, equals)), expression.substr(equals + 1));
 }
 
-}  // namespace drape
+}  // namespace drape::settings

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace drape {
+namespace drape::text {
 namespace {
 
 std::optional<double> parsePlainNumber(std::string_view text) {
@@ -121,4 +121,4 @@ std::optional<double> parseNumber(std::string_view text) {
   return *numerator / *denominator;
 }
 
-}  // namespace drape
+}  // namespace drape::text

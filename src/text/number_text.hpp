@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::text {
 
 // The ways to write a number that have a rule. Where the number of digits is fixed, call fmt::format.
 
@@ -43,4 +43,4 @@ namespace drape {
 /// Parses a number or a fraction such as 1/150. Empty for any other text.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view text);
 
-}  // namespace drape
+}  // namespace drape::text

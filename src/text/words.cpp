@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace drape {
+namespace drape::text {
 
 std::string lowerCase(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -11,4 +11,4 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-}  // namespace drape
+}  // namespace drape::text

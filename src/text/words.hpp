@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::text {
 
 /// The text with its ASCII letters in lower case.
 [[nodiscard]] std::string lowerCase(std::string text);
 
-}  // namespace drape
+}  // namespace drape::text

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 /// A curve of one of the choices per step, with gaps for steps of other solvers.
@@ -13,23 +13,23 @@ std::optional<double> chosen(const MeasureSample& sample) {
   return sample.choice ? value(*sample.choice) : std::nullopt;
 }
 
-std::optional<double> substeps(const StepChoice& choice) {
+std::optional<double> substeps(const sim::adaptive::StepChoice& choice) {
   return choice.substeps;
 }
 
-std::optional<double> forceEvaluations(const StepChoice& choice) {
+std::optional<double> forceEvaluations(const sim::adaptive::StepChoice& choice) {
   return choice.forceEvaluations;
 }
 
-std::optional<double> stiffnessScale(const StepChoice& choice) {
+std::optional<double> stiffnessScale(const sim::adaptive::StepChoice& choice) {
   return 100.0 * choice.stiffnessScale;
 }
 
-std::optional<double> error(const StepChoice& choice) {
+std::optional<double> error(const sim::adaptive::StepChoice& choice) {
   return choice.error < 0.0 ? std::nullopt : std::optional(1e3 * choice.error);
 }
 
-std::optional<double> energyDrift(const StepChoice& choice) {
+std::optional<double> energyDrift(const sim::adaptive::StepChoice& choice) {
   return 1e3 * choice.energyDrift;
 }
 
@@ -56,4 +56,4 @@ void choicePlots(const PanelContext& context) {
   timePlot(context, "Energy drift", "mJ", samples, energy);
 }
 
-}  // namespace drape
+}  // namespace drape::ui

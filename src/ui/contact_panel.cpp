@@ -10,19 +10,21 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
-std::string withUnit(const SurfaceField& field, double value) {
+std::string withUnit(const settings::SurfaceField& field, double value) {
   return fmt::sprintf(numberFormat("%.4g", field.unit), value);
 }
 
-SliderInput sliderOf(const std::string& key, const SurfaceField& field) {
-  const auto nearest = [&field](double value) -> SettingValue { return std::clamp(value, field.min, field.max); };
+SliderInput sliderOf(const std::string& key, const settings::SurfaceField& field) {
+  const auto nearest = [&field](double value) -> settings::SettingValue {
+    return std::clamp(value, field.min, field.max);
+  };
   const auto typed = [&field, nearest](const std::string& text) {
-    const auto number = parseNumber(text);
+    const auto number = text::parseNumber(text);
     if (!number || !std::isfinite(*number)) {
-      throw UsageError(std::string(field.key) + " must be a number, not '" + text + "'");
+      throw messages::UsageError(std::string(field.key) + " must be a number, not '" + text + "'");
     }
     return nearest(*number);
   };
@@ -30,14 +32,14 @@ SliderInput sliderOf(const std::string& key, const SurfaceField& field) {
   return {key, range, numberFormat("%.4g", field.unit), nearest, typed};
 }
 
-void surfaceRow(PanelContext& context, std::size_t i, const SurfaceField& field) {
-  const Body& body = (*context.snapshot.scene->bodies)[i];
-  const SurfaceProperties& surface = context.snapshot.bodies[i].surface;
+void surfaceRow(PanelContext& context, std::size_t i, const settings::SurfaceField& field) {
+  const sim::contact::Body& body = (*context.snapshot.scene->bodies)[i];
+  const sim::contact::SurfaceProperties& surface = context.snapshot.bodies[i].surface;
   const double value = surface.*field.value;
   const double sceneValue = body.surface.*field.value;
   const auto change = [&](double changed) {
     context.output.commands.emplace_back(
-        SetSurfaceCommand{static_cast<int>(i), withSurfaceValue(surface, field, changed)});
+        session::SetSurfaceCommand{static_cast<int>(i), settings::withSurfaceValue(surface, field, changed)});
   };
   const std::string key = "body." + body.name + "." + std::string(field.key);
   ImGui::PushID(key.c_str());
@@ -78,17 +80,17 @@ void surfaceButton(PanelContext& context, const std::string& name) {
 
 /// One check box per body of the scene, and the surface of one body.
 void bodyRows(PanelContext& context) {
-  const std::vector<Body>& bodies = *context.snapshot.scene->bodies;
+  const std::vector<sim::contact::Body>& bodies = *context.snapshot.scene->bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     beginRow(context, bodies[i].name);
     bool on = i < context.snapshot.bodies.size() && context.snapshot.bodies[i].on;
     if (ImGui::Checkbox("##body", &on)) {
-      context.output.commands.emplace_back(SwitchBodyCommand{static_cast<int>(i), on});
+      context.output.commands.emplace_back(session::SwitchBodyCommand{static_cast<int>(i), on});
     }
     context.buttons["body." + bodies[i].name] = lastItemRect();
     surfaceButton(context, bodies[i].name);
-    for (const SurfaceField& field : surfaceFields()) {
+    for (const settings::SurfaceField& field : settings::surfaceFields()) {
       if (context.memory.openSurface == bodies[i].name && i < context.snapshot.bodies.size()) {
         surfaceRow(context, i, field);
       }
@@ -98,15 +100,15 @@ void bodyRows(PanelContext& context) {
 }
 
 void reportRows(PanelContext& context) {
-  const ContactReport& contact = context.snapshot.stepReport.contact;
-  valueRow(context, "Contacts with bodies", formatCount(contact.bodyContacts));
-  valueRow(context, "Cost of bodies", formatDuration(contact.bodySeconds));
+  const sim::contact::ContactReport& contact = context.snapshot.stepReport.contact;
+  valueRow(context, "Contacts with bodies", text::formatCount(contact.bodyContacts));
+  valueRow(context, "Cost of bodies", text::formatDuration(contact.bodySeconds));
   if (contact.overlaps > 0) {
-    valueRow(context, "Triangles inside a body", formatCount(contact.overlaps), palette().warning);
-    valueRow(context, "Deepest", formatQuantity(contact.deepestOverlap * 1e3, "mm"), palette().warning);
+    valueRow(context, "Triangles inside a body", text::formatCount(contact.overlaps), palette().warning);
+    valueRow(context, "Deepest", text::formatQuantity(contact.deepestOverlap * 1e3, "mm"), palette().warning);
   }
   if (contact.infeasible > 0) {
-    valueRow(context, "Vertices between bodies", formatCount(contact.infeasible), palette().warning);
+    valueRow(context, "Vertices between bodies", text::formatCount(contact.infeasible), palette().warning);
   }
 }
 
@@ -114,16 +116,16 @@ void reportRows(PanelContext& context) {
 
 bool contactMatters(const PanelContext& context) {
   // Every scene has a ground. A ground or stand alone does not make contact the main subject of a scene.
-  const std::vector<Body>& bodies = *context.snapshot.scene->bodies;
-  return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.drawn; }) ||
-         context.settings.step.contact.self != SelfCollision::Off;
+  const std::vector<sim::contact::Body>& bodies = *context.snapshot.scene->bodies;
+  return std::any_of(bodies.begin(), bodies.end(), [](const sim::contact::Body& body) { return body.drawn; }) ||
+         context.settings.step.contact.self != sim::contact::SelfCollision::Off;
 }
 
 void contactRows(PanelContext& context) {
-  if (context.settings.step.contact.self != SelfCollision::Off) {
-    const ContactReport& contact = context.snapshot.stepReport.contact;
-    valueRow(context, "Contacts with itself", formatCount(contact.selfContacts));
-    valueRow(context, "Cost of self-collision", formatDuration(contact.selfSeconds));
+  if (context.settings.step.contact.self != sim::contact::SelfCollision::Off) {
+    const sim::contact::ContactReport& contact = context.snapshot.stepReport.contact;
+    valueRow(context, "Contacts with itself", text::formatCount(contact.selfContacts));
+    valueRow(context, "Cost of self-collision", text::formatDuration(contact.selfSeconds));
   }
   if (context.snapshot.scene->bodies->empty()) {
     mutedText("There are no bodies in this scene.");
@@ -133,4 +135,4 @@ void contactRows(PanelContext& context) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::ui

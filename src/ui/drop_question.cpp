@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 constexpr const char* explanation =
@@ -86,4 +86,4 @@ bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles&
   return !open && !cancel;
 }
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <string_view>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 bool hasBodyName(const std::string& file) {
   static constexpr std::array<std::string_view, 9> words{"body",   "avatar", "mannequin", "figure", "human",
                                                          "person", "woman",  "smpl",      "dummy"};
-  const std::string name = lowerCase(shortName(file));
+  const std::string name = text::lowerCase(shortName(file));
   return std::any_of(words.begin(), words.end(),
                      [&](std::string_view word) { return name.find(word) != std::string::npos; });
 }
@@ -52,8 +52,8 @@ std::vector<std::string> distinctNames(const std::vector<std::string>& files) {
 DroppedFiles sortDropped(const std::vector<std::string>& files) {
   DroppedFiles sorted;
   for (const std::string& file : files) {
-    const bool scene = lowerCase(std::filesystem::path(file).extension().string()) == ".toml";
-    (scene ? sorted.scenes : isMeshFile(file) ? sorted.meshes : sorted.others).push_back(file);
+    const bool scene = text::lowerCase(std::filesystem::path(file).extension().string()) == ".toml";
+    (scene ? sorted.scenes : io::isMeshFile(file) ? sorted.meshes : sorted.others).push_back(file);
   }
   return sorted;
 }
@@ -67,10 +67,10 @@ DropDecision decide(const DroppedFiles& files) {
   const std::size_t pieces = files.meshes.size() + (files.scenes.empty() ? 0 : 1);
   std::vector<std::string> unknown = files.others;
   if (pieces == 0 && !unknown.empty()) {
-    decision.open = SceneParts{.scene = unknown.front()};  // opening it says what is wrong with it
+    decision.open = scene::SceneParts{.scene = unknown.front()};  // opening it says what is wrong with it
     unknown.erase(unknown.begin());
   } else if (pieces == 1) {
-    decision.open = SceneParts{.scene = files.scenes.empty() ? files.meshes.front() : files.scenes.back()};
+    decision.open = scene::SceneParts{.scene = files.scenes.empty() ? files.meshes.front() : files.scenes.back()};
   }
   if (!unknown.empty()) {
     addSentence(decision.notice, "Neither scenes nor meshes, and not opened: " + listOf(unknown) + ".");
@@ -79,8 +79,8 @@ DropDecision decide(const DroppedFiles& files) {
   return decision;
 }
 
-SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth) {
-  SceneParts parts;
+scene::SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth) {
+  scene::SceneParts parts;
   if (!files.scenes.empty()) {
     parts.scene = files.scenes.back();
   }
@@ -102,4 +102,4 @@ std::size_t likelyCloth(const DroppedFiles& files) {
   return found == files.meshes.end() ? 0 : static_cast<std::size_t>(found - files.meshes.begin());
 }
 
-}  // namespace drape
+}  // namespace drape::ui

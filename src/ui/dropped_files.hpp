@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 
 /// Files that were dropped on the window together, by kind.
 struct DroppedFiles {
@@ -20,9 +20,9 @@ struct DroppedFiles {
 
 /// The next step for dropped files.
 struct DropDecision {
-  std::optional<SceneParts> open;  ///< opened at once; empty: none
-  bool ask = false;                ///< whether the user must say which mesh is the cloth
-  std::string notice;              ///< which files are not opened, and why; or empty
+  std::optional<scene::SceneParts> open;  ///< opened at once; empty: none
+  bool ask = false;                       ///< whether the user must say which mesh is the cloth
+  std::string notice;                     ///< which files are not opened, and why; or empty
 };
 
 /// One scene or one mesh is opened at once; of several scenes the last one. For several meshes, or a mesh with a scene,
@@ -31,7 +31,7 @@ struct DropDecision {
 
 /// The parts when the mesh with that index is the cloth and the others are bodies; an index beyond the meshes takes the
 /// cloth of the scene and makes bodies of all of them.
-[[nodiscard]] SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth);
+[[nodiscard]] scene::SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth);
 
 /// The index of the mesh that is most likely the cloth: the first without a name of a body. With a scene it is the
 /// index after the meshes, since the scene has a cloth.
@@ -43,4 +43,4 @@ struct DropDecision {
 /// The same for several files. Where two have the same name, the folder follows: "coat.obj (summer)".
 [[nodiscard]] std::vector<std::string> distinctNames(const std::vector<std::string>& files);
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -4,9 +4,9 @@
 
 #include <span>
 
-namespace drape {
+namespace drape::ui {
 
 /// The fonts of the panels, embedded at build time.
 [[nodiscard]] std::span<const EmbeddedFile> embeddedFonts();
 
-}  // namespace drape
+}  // namespace drape::ui

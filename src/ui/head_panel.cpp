@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 std::string titleOf(const std::string& title, const std::string& name) {
@@ -13,7 +13,7 @@ std::string titleOf(const std::string& title, const std::string& name) {
 
 /// The list of built-in scenes.
 void otherScenes(PanelContext& context) {
-  for (const SceneInfo& scene : context.memory.scenes) {
+  for (const scene::SceneInfo& scene : context.memory.scenes) {
     ImGui::PushID(scene.name.c_str());
     if (ImGui::Selectable(titleOf(scene.title, scene.name).c_str(),
                           scene.name == context.snapshot.scene->description.name)) {
@@ -32,7 +32,7 @@ void otherScenes(PanelContext& context) {
 
 /// The title of the scene, which opens the list of the others.
 void sceneChoice(PanelContext& context) {
-  const SceneDescription& running = context.snapshot.scene->description;
+  const scene::SceneDescription& running = context.snapshot.scene->description;
   ImGui::PushFont(context.fonts.title);
   ImGui::PushStyleColor(ImGuiCol_FrameBg, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
@@ -68,7 +68,7 @@ void resetAllButton(PanelContext& context, float width) {
 }  // namespace
 
 void headPanel(PanelContext& context) {
-  const Snapshot& snapshot = context.snapshot;
+  const session::Snapshot& snapshot = context.snapshot;
   sceneChoice(context);
   ImGui::Dummy({0.0F, 2.0F * context.scale});
 
@@ -80,17 +80,17 @@ void headPanel(PanelContext& context) {
   const float narrow = share * (oneRow ? 0.235F : 0.3F);
   if (iconButton(context, "play", snapshot.paused ? Icon::Play : Icon::Pause, snapshot.paused ? "Play" : "Pause", wide,
                  true)) {
-    context.output.commands.emplace_back(PauseCommand{!snapshot.paused});
+    context.output.commands.emplace_back(session::PauseCommand{!snapshot.paused});
   }
   explainItem(context, "button.play", "Starts and pauses the simulation (space).");
   ImGui::SameLine();
   if (iconButton(context, "step", Icon::Step, "Step", narrow)) {
-    context.output.commands.emplace_back(SingleStepCommand{});
+    context.output.commands.emplace_back(session::SingleStepCommand{});
   }
   explainItem(context, "button.step", "Advances by one time step and pauses (full stop).");
   ImGui::SameLine();
   if (iconButton(context, "reset", Icon::Reset, "Reset", narrow)) {
-    context.output.commands.emplace_back(ResetCommand{});
+    context.output.commands.emplace_back(session::ResetCommand{});
   }
   explainItem(context, "button.reset", "Returns to the start of the scene. Keeps settings and pins (R).");
   if (oneRow) {
@@ -99,4 +99,4 @@ void headPanel(PanelContext& context) {
   resetAllButton(context, oneRow ? ImGui::GetContentRegionAvail().x : width);
 }
 
-}  // namespace drape
+}  // namespace drape::ui

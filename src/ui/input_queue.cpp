@@ -2,7 +2,7 @@
 
 #include <set>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 /// The events of a frame so far, and whether another event still fits into it.
@@ -50,4 +50,4 @@ std::vector<RawEvent> InputQueue::takeFrame() {
   return events;
 }
 
-}  // namespace drape
+}  // namespace drape::ui

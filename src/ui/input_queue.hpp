@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 
 /// Raw events of the window system, in its own codes. Positions in window units, times in seconds.
 struct RawMove {
@@ -58,4 +58,4 @@ class InputQueue {
   std::deque<RawEvent> waiting_;
 };
 
-}  // namespace drape
+}  // namespace drape::ui

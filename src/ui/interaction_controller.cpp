@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 constexpr double doubleClickTime = 0.35;     // [s]
@@ -17,32 +17,32 @@ constexpr double zoomPerNotch = 0.88;        // factor of the distance
 constexpr double turnPerHeight =
     std::numbers::pi;  // a drag over the whole height of the view turns by half a circle [rad]
 
-std::optional<Hit> clothHitBy(const Ray& ray, const Snapshot& snapshot) {
-  return pick(ray, snapshot.positions, snapshot.model->triangles);
+std::optional<render::Hit> clothHitBy(const render::Ray& ray, const session::Snapshot& snapshot) {
+  return render::pick(ray, snapshot.positions, snapshot.model->triangles);
 }
 
 /// A body under the mouse pointer.
 struct BodyHit {
   std::size_t body = 0;
-  Hit hit;
+  render::Hit hit;
 };
 
 /// The first body that a ray hits. Infinite planes are ignored.
-std::optional<BodyHit> bodyHitBy(const Ray& ray, const Snapshot& snapshot) {
+std::optional<BodyHit> bodyHitBy(const render::Ray& ray, const session::Snapshot& snapshot) {
   std::optional<BodyHit> nearest;
   for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
-    const BodyStatus& status = snapshot.bodies[i];
-    const Body& body = (*snapshot.scene->bodies)[i];
+    const session::BodyStatus& status = snapshot.bodies[i];
+    const sim::contact::Body& body = (*snapshot.scene->bodies)[i];
     if (!status.on || !body.drawn || !snapshot.settings.step.contact.bodies ||
-        std::holds_alternative<PlaneShape>(body.shape)) {
+        std::holds_alternative<sim::contact::PlaneShape>(body.shape)) {
       continue;
     }
-    BodySurface surface = surfaceOf(body.shape);
+    sim::contact::BodySurface surface = sim::contact::surfaceOf(body.shape);
     if (!status.vertices.empty()) {
       surface.positions = status.vertices;
     }
-    const Ray local{status.pose.toLocal(ray.origin), status.pose.rotation.conjugate() * ray.direction};
-    std::optional<Hit> hit = pick(local, surface.positions, surface.triangles);
+    const render::Ray local{status.pose.toLocal(ray.origin), status.pose.rotation.conjugate() * ray.direction};
+    std::optional<render::Hit> hit = render::pick(local, surface.positions, surface.triangles);
     if (hit && (!nearest || hit->distance < nearest->hit.distance)) {
       hit->point = status.pose.toWorld(hit->point);
       nearest = BodyHit{i, *hit};
@@ -52,15 +52,15 @@ std::optional<BodyHit> bodyHitBy(const Ray& ray, const Snapshot& snapshot) {
 }
 
 /// The bounds for the camera: around the cloth now and at its start.
-CameraBounds boundsAround(const Snapshot& snapshot, const CameraPose& pose) {
-  Eigen::AlignedBox3d box = boundsOf(snapshot.scene->start.positions);
-  box.extend(boundsOf(snapshot.positions));
-  return boundsFor(box, snapshot.scene->groundHeight, pose);
+render::CameraBounds boundsAround(const session::Snapshot& snapshot, const scene::CameraPose& pose) {
+  Eigen::AlignedBox3d box = sim::boundsOf(snapshot.scene->start.positions);
+  box.extend(sim::boundsOf(snapshot.positions));
+  return render::boundsFor(box, snapshot.scene->groundHeight, pose);
 }
 
 }  // namespace
 
-void InteractionController::handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output) {
+void InteractionController::handle(const InputEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
   const auto* pulling = std::get_if<Pulling>(&gesture_);
   if (pulling != nullptr && pulling->scene != snapshot.scene) {
     gesture_ = Idle{};  // another scene is running, so the attachment is gone
@@ -72,57 +72,58 @@ void InteractionController::handle(const InputEvent& event, const Snapshot& snap
   std::visit([&](const auto& each) { on(each, snapshot, output); }, event);
 }
 
-void InteractionController::lookAtScene(const Scene& scene) {
+void InteractionController::lookAtScene(const scene::Scene& scene) {
   constexpr double authorsAspect = 4.0 / 3.0;
-  camera_ = Camera(scene.camera);
+  camera_ = render::Camera(scene.camera);
   camera_.zoom(std::max(1.0, authorsAspect * view_.height / view_.width));
 }
 
-void InteractionController::frameCloth(const Snapshot& snapshot) {
+void InteractionController::frameCloth(const session::Snapshot& snapshot) {
   if (snapshot.positions.empty()) {
     return;
   }
-  Eigen::AlignedBox3d box = boundsOf(snapshot.positions);
+  Eigen::AlignedBox3d box = sim::boundsOf(snapshot.positions);
   if (snapshot.ghost) {
-    const Eigen::AlignedBox3d ghost = boundsOf(snapshot.ghost->positions);
+    const Eigen::AlignedBox3d ghost = sim::boundsOf(snapshot.ghost->positions);
     box.extend(ghost.translated(Vec3(snapshot.settings.ghost.offset, 0.0, 0.0)));
   }
   camera_.frame(box.min(), box.max(), view_.width / view_.height);
 }
 
-void InteractionController::lookFrom(Camera::Side side, const Snapshot& snapshot) {
-  moveCamera(snapshot, [&](Camera& camera) { camera.lookFrom(side); });
+void InteractionController::lookFrom(render::Camera::Side side, const session::Snapshot& snapshot) {
+  moveCamera(snapshot, [&](render::Camera& camera) { camera.lookFrom(side); });
 }
 
-bool InteractionController::moveCamera(UiAction action, const Snapshot& snapshot) {
+bool InteractionController::moveCamera(UiAction action, const session::Snapshot& snapshot) {
   switch (action) {
     case UiAction::FrameCloth:
       frameCloth(snapshot);
       return true;
     case UiAction::ViewFront:
-      lookFrom(Camera::Side::Front, snapshot);
+      lookFrom(render::Camera::Side::Front, snapshot);
       return true;
     case UiAction::ViewRight:
-      lookFrom(Camera::Side::Right, snapshot);
+      lookFrom(render::Camera::Side::Right, snapshot);
       return true;
     case UiAction::ViewTop:
-      lookFrom(Camera::Side::Top, snapshot);
+      lookFrom(render::Camera::Side::Top, snapshot);
       return true;
     default:
       return false;
   }
 }
 
-void InteractionController::moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move) {
+void InteractionController::moveCamera(const session::Snapshot& snapshot,
+                                       const std::function<void(render::Camera&)>& move) {
   if (snapshot.positions.empty()) {
     return;
   }
-  const CameraBounds bounds = boundsAround(snapshot, camera_.pose());
+  const render::CameraBounds bounds = boundsAround(snapshot, camera_.pose());
   move(camera_);
   camera_.keepWithin(bounds);
 }
 
-Ray InteractionController::rayThrough(const Vec2& position) const {
+render::Ray InteractionController::rayThrough(const Vec2& position) const {
   return camera_.rayThrough(position.x() - view_.x, position.y() - view_.y, static_cast<int>(view_.width),
                             static_cast<int>(view_.height));
 }
@@ -132,7 +133,7 @@ Vec3 InteractionController::movedTo(const Vec2& position, const Vec3& point) con
                                 static_cast<int>(view_.height));
 }
 
-void InteractionController::on(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
+void InteractionController::on(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
   mouse_ = event.position;
   if (!std::holds_alternative<Idle>(gesture_)) {
     return;  // one gesture at a time; another button does not end it
@@ -145,7 +146,7 @@ void InteractionController::on(const PressEvent& event, const Snapshot& snapshot
   }
 }
 
-void InteractionController::pressLeft(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
+void InteractionController::pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
   if (event.shift) {
     gesture_ = Panning{};
   } else if (!recentreOnDoubleClick(event, snapshot) && !attach(event, snapshot, output) && !event.control) {
@@ -153,7 +154,7 @@ void InteractionController::pressLeft(const PressEvent& event, const Snapshot& s
   }
 }
 
-bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const Snapshot& snapshot) {
+bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const session::Snapshot& snapshot) {
   const bool isDouble = lastLeftPress_ && event.time - lastLeftPress_->time < doubleClickTime &&
                         (event.position - lastLeftPress_->position).norm() < doubleClickDistance;
   lastLeftPress_ = event;
@@ -168,8 +169,8 @@ bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const
 }
 
 /// Starts to drag the nearest thing under the mouse: the cloth or a body.
-bool InteractionController::attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output) {
-  const Ray ray = rayThrough(event.position);
+bool InteractionController::attach(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
+  const render::Ray ray = rayThrough(event.position);
   const auto hit = clothHitBy(ray, snapshot);
   const auto body = bodyHitBy(ray, snapshot);
   if (body && (!hit || body->hit.distance < hit->distance)) {
@@ -180,44 +181,45 @@ bool InteractionController::attach(const PressEvent& event, const Snapshot& snap
   if (!hit) {
     return false;
   }
-  output.commands.emplace_back(AttachCommand{{hit->triangle, hit->barycentric, hit->point}});
+  output.commands.emplace_back(session::AttachCommand{{hit->triangle, hit->barycentric, hit->point}});
   gesture_ = Pulling{hit->point, snapshot.scene};
   return true;
 }
 
 void InteractionController::letGo(UiOutput& output) {
   if (holdsCloth()) {
-    output.commands.emplace_back(DetachCommand{});
+    output.commands.emplace_back(session::DetachCommand{});
   }
   gesture_ = Idle{};
 }
 
-void InteractionController::on(const ReleaseEvent& event, const Snapshot& /*snapshot*/, UiOutput& output) {
+void InteractionController::on(const ReleaseEvent& event, const session::Snapshot& /*snapshot*/, UiOutput& output) {
   if (event.button == gestureButton_) {
     letGo(output);
   }
 }
 
-void InteractionController::on(const MoveEvent& event, const Snapshot& snapshot, UiOutput& output) {
+void InteractionController::on(const MoveEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
   const Vec2 moved = (event.position - mouse_) / view_.height;
   mouse_ = event.position;
   if (std::holds_alternative<Orbiting>(gesture_)) {
-    moveCamera(snapshot, [&](Camera& camera) { camera.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight); });
+    moveCamera(snapshot,
+               [&](render::Camera& camera) { camera.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight); });
   } else if (std::holds_alternative<Panning>(gesture_)) {
-    moveCamera(snapshot, [&](Camera& camera) { camera.pan(-moved.x(), moved.y()); });
+    moveCamera(snapshot, [&](render::Camera& camera) { camera.pan(-moved.x(), moved.y()); });
   } else if (const auto* pulling = std::get_if<Pulling>(&gesture_)) {
-    output.commands.emplace_back(MoveAttachmentCommand{movedTo(event.position, pulling->point)});
+    output.commands.emplace_back(session::MoveAttachmentCommand{movedTo(event.position, pulling->point)});
   } else if (const auto* moving = std::get_if<MovingBody>(&gesture_)) {
     const Vec3 target = movedTo(event.position, moving->point);
-    output.commands.emplace_back(MoveBodyCommand{moving->body, moving->shift + target - moving->point});
+    output.commands.emplace_back(session::MoveBodyCommand{moving->body, moving->shift + target - moving->point});
   }
 }
 
-void InteractionController::on(const ScrollEvent& event, const Snapshot& snapshot, UiOutput& /*output*/) {
-  moveCamera(snapshot, [&](Camera& camera) { camera.zoom(std::pow(zoomPerNotch, event.amount)); });
+void InteractionController::on(const ScrollEvent& event, const session::Snapshot& snapshot, UiOutput& /*output*/) {
+  moveCamera(snapshot, [&](render::Camera& camera) { camera.zoom(std::pow(zoomPerNotch, event.amount)); });
 }
 
-void InteractionController::on(const KeyEvent& event, const Snapshot& snapshot, UiOutput& output) {
+void InteractionController::on(const KeyEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
   const Shortcut& shortcut = shortcutOf(event.key);
   if (event.repeated && !shortcut.repeats) {
     return;
@@ -229,12 +231,13 @@ void InteractionController::on(const KeyEvent& event, const Snapshot& snapshot, 
       output.requests.emplace_back(*action);
     }
   } else {
-    output.commands.push_back(std::get<Command (*)(const Snapshot&)>(shortcut.action)(snapshot));
+    output.commands.push_back(std::get<session::Command (*)(const session::Snapshot&)>(shortcut.action)(snapshot));
   }
 }
 
-void InteractionController::on(const FocusLostEvent& /*event*/, const Snapshot& /*snapshot*/, UiOutput& output) {
+void InteractionController::on(const FocusLostEvent& /*event*/, const session::Snapshot& /*snapshot*/,
+                               UiOutput& output) {
   letGo(output);
 }
 
-}  // namespace drape
+}  // namespace drape::ui

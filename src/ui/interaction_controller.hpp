@@ -10,7 +10,7 @@
 #include <optional>
 #include <variant>
 
-namespace drape {
+namespace drape::ui {
 
 enum class MouseButton { Left, Middle, Right };
 
@@ -42,21 +42,21 @@ using InputEvent = std::variant<PressEvent, ReleaseEvent, MoveEvent, ScrollEvent
 /// Turns mouse and keyboard events into commands and camera moves. Independent of the window system.
 class InteractionController {
  public:
-  [[nodiscard]] const Camera& camera() const { return camera_; }
+  [[nodiscard]] const render::Camera& camera() const { return camera_; }
 
   /// The part of the window with the picture.
   void setView(const UiRect& view) { view_ = view; }
 
-  void handle(const InputEvent& event, const Snapshot& snapshot, UiOutput& output);
+  void handle(const InputEvent& event, const session::Snapshot& snapshot, UiOutput& output);
 
   /// Takes the author's view of a scene, from farther away when the picture is too narrow.
-  void lookAtScene(const Scene& scene);
+  void lookAtScene(const scene::Scene& scene);
   /// Moves the camera so that the cloth at its current position fills the view.
-  void frameCloth(const Snapshot& snapshot);
+  void frameCloth(const session::Snapshot& snapshot);
   /// Looks from a side, never from below the ground.
-  void lookFrom(Camera::Side side, const Snapshot& snapshot);
+  void lookFrom(render::Camera::Side side, const session::Snapshot& snapshot);
   /// Moves the camera when the action does that. False for other actions.
-  bool moveCamera(UiAction action, const Snapshot& snapshot);
+  bool moveCamera(UiAction action, const session::Snapshot& snapshot);
 
   /// Whether a gesture drags a body.
   [[nodiscard]] bool holdsBody() const { return std::holds_alternative<MovingBody>(gesture_); }
@@ -67,35 +67,35 @@ class InteractionController {
   struct Orbiting {};
   struct Panning {};
   struct Pulling {
-    Vec3 point = Vec3::Zero();           ///< the attached point [m]; sets the depth of the drag
-    std::shared_ptr<const Scene> scene;  ///< at the start of the gesture
+    Vec3 point = Vec3::Zero();                  ///< the attached point [m]; sets the depth of the drag
+    std::shared_ptr<const scene::Scene> scene;  ///< at the start of the gesture
   };
 
   struct MovingBody {
     int body = 0;
     Vec3 point = Vec3::Zero();  ///< the point that was hit [m]
     Vec3 shift = Vec3::Zero();  ///< shift of the body at the start of the gesture [m]
-    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const scene::Scene> scene;
   };
 
-  void on(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
-  void on(const ReleaseEvent& event, const Snapshot& snapshot, UiOutput& output);
-  void on(const MoveEvent& event, const Snapshot& snapshot, UiOutput& output);
-  void on(const ScrollEvent& event, const Snapshot& snapshot, UiOutput& output);
-  void on(const KeyEvent& event, const Snapshot& snapshot, UiOutput& output);
-  void on(const FocusLostEvent& event, const Snapshot& snapshot, UiOutput& output);
+  void on(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
+  void on(const ReleaseEvent& event, const session::Snapshot& snapshot, UiOutput& output);
+  void on(const MoveEvent& event, const session::Snapshot& snapshot, UiOutput& output);
+  void on(const ScrollEvent& event, const session::Snapshot& snapshot, UiOutput& output);
+  void on(const KeyEvent& event, const session::Snapshot& snapshot, UiOutput& output);
+  void on(const FocusLostEvent& event, const session::Snapshot& snapshot, UiOutput& output);
 
-  void pressLeft(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
-  bool recentreOnDoubleClick(const PressEvent& event, const Snapshot& snapshot);
-  bool attach(const PressEvent& event, const Snapshot& snapshot, UiOutput& output);
+  void pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
+  bool recentreOnDoubleClick(const PressEvent& event, const session::Snapshot& snapshot);
+  bool attach(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   void letGo(UiOutput& output);
-  void moveCamera(const Snapshot& snapshot, const std::function<void(Camera&)>& move);
+  void moveCamera(const session::Snapshot& snapshot, const std::function<void(render::Camera&)>& move);
   /// The ray through a position in the window.
-  [[nodiscard]] Ray rayThrough(const Vec2& position) const;
+  [[nodiscard]] render::Ray rayThrough(const Vec2& position) const;
   /// `point` moved parallel to the view to a position in the window.
   [[nodiscard]] Vec3 movedTo(const Vec2& position, const Vec3& point) const;
 
-  Camera camera_;
+  render::Camera camera_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};
   std::variant<Idle, Orbiting, Panning, Pulling, MovingBody> gesture_;
   MouseButton gestureButton_ = MouseButton::Left;
@@ -103,4 +103,4 @@ class InteractionController {
   std::optional<PressEvent> lastLeftPress_;
 };
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::ui {
 
-void MeasureHistory::add(const Snapshot& snapshot) {
+void MeasureHistory::add(const session::Snapshot& snapshot) {
   if (snapshot.scene != scene_ || (!samples_.empty() && snapshot.time < samples_.back().time)) {
     samples_.clear();
     scene_ = snapshot.scene;
@@ -24,4 +24,4 @@ void MeasureHistory::add(const Snapshot& snapshot) {
   samples_.erase(samples_.begin(), recent);
 }
 
-}  // namespace drape
+}  // namespace drape::ui

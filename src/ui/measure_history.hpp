@@ -6,15 +6,15 @@
 #include <optional>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 
 /// The measures at one simulated time.
 struct MeasureSample {
   double time = 0.0;  ///< [s]
-  Energy energy;
-  std::optional<EnergyBalance> balance;  ///< only when it is switched on
-  std::optional<double> ghostDistance;   ///< mean distance of the ghost, if there is one [m]
-  std::optional<StepChoice> choice;      ///< of a solver such as auto
+  sim::Energy energy;
+  std::optional<sim::EnergyBalance> balance;        ///< only when it is switched on
+  std::optional<double> ghostDistance;              ///< mean distance of the ghost, if there is one [m]
+  std::optional<sim::adaptive::StepChoice> choice;  ///< of a solver such as auto
 };
 
 /// The measures of the last seconds of simulated time. It starts again with another scene and after a reset.
@@ -26,14 +26,14 @@ class MeasureHistory {
   static constexpr double spacing = window / 500.0;
 
   /// Adds the measures of a snapshot. Adding the same snapshot again changes nothing.
-  void add(const Snapshot& snapshot);
+  void add(const session::Snapshot& snapshot);
 
   /// In order of time.
   [[nodiscard]] const std::vector<MeasureSample>& samples() const { return samples_; }
 
  private:
   std::vector<MeasureSample> samples_;
-  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const scene::Scene> scene_;
 };
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -11,27 +11,28 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
-double asNumber(const SettingValue& value) {
+double asNumber(const settings::SettingValue& value) {
   const int* whole = std::get_if<int>(&value);
   return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value);
 }
 
-bool isAllowed(const SettingInfo& info, const Settings& settings, int value) {
+bool isAllowed(const settings::SettingInfo& info, const settings::Settings& settings, int value) {
   try {
-    static_cast<void>(withSetting(settings, info, value));
+    static_cast<void>(settings::withSetting(settings, info, value));
     return true;
-  } catch (const UsageError&) {
+  } catch (const messages::UsageError&) {
     return false;
   }
 }
 
 /// The nearest value of the setting's type within its range. When other settings exclude a whole number, the result is
 /// its neighbour, so that a slider skips it.
-SettingValue allowedValue(const SettingInfo& info, const Settings& settings, double value) {
-  if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
+settings::SettingValue allowedValue(const settings::SettingInfo& info, const settings::Settings& settings,
+                                    double value) {
+  if (const auto* integer = std::get_if<settings::IntegerField>(&info.field)) {
     const int nearest = nearestAllowed(*integer, value);
     for (const int candidate : {nearest, nearest + 1, nearest - 1}) {
       if (isAllowed(info, settings, candidate)) {
@@ -40,7 +41,7 @@ SettingValue allowedValue(const SettingInfo& info, const Settings& settings, dou
     }
     return nearest;
   }
-  const auto& number = std::get<NumberField>(info.field);
+  const auto& number = std::get<settings::NumberField>(info.field);
   return std::clamp(value, number.min, number.max);
 }
 
@@ -50,11 +51,11 @@ double roundedForDisplay(double value) {
     return 0.0;
   }
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3.0);
-  return std::strtod(formatValue(std::round(value / unit) * unit).c_str(), nullptr);
+  return std::strtod(settings::formatValue(std::round(value / unit) * unit).c_str(), nullptr);
 }
 
 /// Draws field, filled part, slider handle and number over the last item.
-void paint(const PanelContext& context, const SliderInput& input, const SettingValue& value) {
+void paint(const PanelContext& context, const SliderInput& input, const settings::SettingValue& value) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
   const float width = high.x - low.x;
@@ -83,7 +84,7 @@ void paint(const PanelContext& context, const SliderInput& input, const SettingV
                  ImGui::GetColorU32(palette().text), text.c_str());
 }
 
-Edit typing(PanelContext& context, const SliderInput& input, const SettingValue& value) {
+Edit typing(PanelContext& context, const SliderInput& input, const settings::SettingValue& value) {
   TypedText& typed = context.memory.typed;
   if (typed.frames++ == 0) {
     ImGui::SetKeyboardFocusHere();
@@ -99,7 +100,7 @@ Edit typing(PanelContext& context, const SliderInput& input, const SettingValue&
     try {
       edit.value = input.typed(typed.text);
       edit.changed = edit.value != value;
-    } catch (const UsageError& error) {
+    } catch (const messages::UsageError& error) {
       context.output.hint = error.what();
     }
   }
@@ -109,17 +110,18 @@ Edit typing(PanelContext& context, const SliderInput& input, const SettingValue&
 
 }  // namespace
 
-int nearestAllowed(const IntegerField& field, double value) {
+int nearestAllowed(const settings::IntegerField& field, double value) {
   const double inside = std::clamp(value, static_cast<double>(field.min), static_cast<double>(field.max));
   return static_cast<int>(std::lround(inside));
 }
 
-SettingValue typedValue(const SettingInfo& info, const Settings& settings, const std::string& text) {
-  Settings changed = settings;
+settings::SettingValue typedValue(const settings::SettingInfo& info, const settings::Settings& settings,
+                                  const std::string& text) {
+  settings::Settings changed = settings;
   try {
-    assignSettingText(changed, info, text);
-    return settingValue(changed, info);
-  } catch (const UsageError&) {
+    settings::assignSettingText(changed, info, text);
+    return settings::settingValue(changed, info);
+  } catch (const messages::UsageError&) {
     char* end = nullptr;
     const double number = std::strtod(text.c_str(), &end);
     if (end == text.c_str() || *end != '\0' || !std::isfinite(number)) {
@@ -141,30 +143,31 @@ std::string numberFormat(std::string_view digits, std::string_view unit) {
   return format;
 }
 
-SliderInput sliderOf(const SettingInfo& info, const Settings& settings) {
+SliderInput sliderOf(const settings::SettingInfo& info, const settings::Settings& settings) {
   SliderInput input{.key = std::string(info.key),
                     .range = {},
                     .format = numberFormat("%.4g", info.unit),
                     .nearest = [&](double value) { return allowedValue(info, settings, value); },
                     .typed = [&](const std::string& text) { return typedValue(info, settings, text); }};
-  if (const auto* integer = std::get_if<IntegerField>(&info.field)) {
+  if (const auto* integer = std::get_if<settings::IntegerField>(&info.field)) {
     constexpr int many = 32;  // above this the slider is logarithmic
     input.range = {static_cast<double>(integer->min), static_cast<double>(integer->max), integer->max > many};
     input.format = numberFormat("%.0f", info.unit);
   } else {
-    input.range = commonRange(std::get<NumberField>(info.field), std::get<double>(defaultValue(info)));
+    input.range =
+        commonRange(std::get<settings::NumberField>(info.field), std::get<double>(settings::defaultValue(info)));
   }
   return input;
 }
 
-Edit numberSlider(PanelContext& context, const SliderInput& input, const SettingValue& value) {
+Edit numberSlider(PanelContext& context, const SliderInput& input, const settings::SettingValue& value) {
   if (context.memory.typed.key == input.key) {
     return typing(context, input, value);
   }
   ImGui::InvisibleButton("##value", {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()});
   Edit edit{.finished = ImGui::IsItemDeactivated(), .value = value};
   if (ImGui::IsItemActivated() && ImGui::GetIO().KeyCtrl) {
-    context.memory.typed = {.key = input.key, .text = formatValue(value), .frames = 0};
+    context.memory.typed = {.key = input.key, .text = settings::formatValue(value), .frames = 0};
   } else if (ImGui::IsItemActive()) {
     const float width = ImGui::GetItemRectSize().x;
     const double fraction = static_cast<double>((ImGui::GetMousePos().x - ImGui::GetItemRectMin().x) / width);
@@ -175,4 +178,4 @@ Edit numberSlider(PanelContext& context, const SliderInput& input, const Setting
   return edit;
 }
 
-}  // namespace drape
+}  // namespace drape::ui

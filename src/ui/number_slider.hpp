@@ -8,42 +8,43 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::ui {
 
 /// The edits of a widget in this frame.
 struct Edit {
   bool changed = false;
   bool finished = false;  ///< the mouse button was released, or the text was confirmed
-  SettingValue value;
+  settings::SettingValue value;
 };
 
 /// A real or whole number that a slider changes.
 struct SliderInput {
   std::string key;
   SliderRange range;
-  std::string format;                           ///< printf format of the value as a double: numberFormat()
-  std::function<SettingValue(double)> nearest;  ///< the nearest allowed value
+  std::string format;                                     ///< printf format of the value as a double: numberFormat()
+  std::function<settings::SettingValue(double)> nearest;  ///< the nearest allowed value
   /// The value of a text. Throws UsageError when it is not a number.
-  std::function<SettingValue(const std::string&)> typed;
+  std::function<settings::SettingValue(const std::string&)> typed;
 };
 
 /// The slider of a number or an integer of the table. Its values are allowed together with the other `settings`. Keeps
 /// references to both arguments.
-[[nodiscard]] SliderInput sliderOf(const SettingInfo& info, const Settings& settings);
+[[nodiscard]] SliderInput sliderOf(const settings::SettingInfo& info, const settings::Settings& settings);
 
 /// Draws the slider. Ctrl+click turns it into a text field, which takes all allowed values in the notations of the
 /// command line ("1/150"). A number beyond the range becomes the nearest allowed one. It replaces ImGui's slider, which
 /// loses small values of a logarithmic scale and hides the number behind its handle.
-[[nodiscard]] Edit numberSlider(PanelContext& context, const SliderInput& input, const SettingValue& value);
+[[nodiscard]] Edit numberSlider(PanelContext& context, const SliderInput& input, const settings::SettingValue& value);
 
 /// The printf format of a number with its unit: "%.4g m/s".
 [[nodiscard]] std::string numberFormat(std::string_view digits, std::string_view unit);
 
 /// The value of a typed text for a setting, clamped to the range. Throws UsageError with the reason when it is not a
 /// number.
-[[nodiscard]] SettingValue typedValue(const SettingInfo& info, const Settings& settings, const std::string& text);
+[[nodiscard]] settings::SettingValue typedValue(const settings::SettingInfo& info, const settings::Settings& settings,
+                                                const std::string& text);
 
 /// The nearest whole number that an integer setting allows.
-[[nodiscard]] int nearestAllowed(const IntegerField& field, double value);
+[[nodiscard]] int nearestAllowed(const settings::IntegerField& field, double value);
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 constexpr ImGuiWindowFlags overlayFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -96,4 +96,4 @@ void endDialog() {
   popStyle();
 }
 
-}  // namespace drape
+}  // namespace drape::ui

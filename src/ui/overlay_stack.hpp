@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::ui {
 
 /// Boxes at the top of the picture, one below the other, so that none covers another. Create one per frame and pass it
 /// to everything that shows a box. Permanent boxes come first, so that they do not move when a short message appears.
@@ -44,4 +44,4 @@ class OverlayStack {
 void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const std::string& title);
 void endDialog();
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 struct HelpRow {
@@ -138,4 +138,4 @@ bool quitQuestion(PanelContext& context, const UiRect& view) {
   return !quit && !stay;
 }
 
-}  // namespace drape
+}  // namespace drape::ui

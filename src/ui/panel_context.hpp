@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 
 /// The last values of a measure, for a plot.
 class History {
@@ -55,7 +55,7 @@ struct PanelMemory {
   std::set<std::string> accepted;            ///< lines of the notice that the user answered
   std::string openSurface;                   ///< the body whose surface is visible
   std::string openPath;                      ///< the text of the open field
-  std::vector<SceneInfo> scenes;             ///< the built-in ones
+  std::vector<scene::SceneInfo> scenes;      ///< the built-in ones
   std::string hoveredRow;                    ///< the row whose explanation will appear
   double hoveredSince = 0.0;                 ///< [s]
   bool hoveredThisFrame = false;
@@ -65,9 +65,9 @@ struct PanelMemory {
 
 /// The data of a panel while it is drawn.
 struct PanelContext {
-  const Snapshot& snapshot;
-  const Settings& settings;       ///< the current values, with the user's latest changes
-  const Settings& sceneSettings;  ///< the values of the scene, which a right click restores
+  const session::Snapshot& snapshot;
+  const settings::Settings& settings;       ///< the current values, with the user's latest changes
+  const settings::Settings& sceneSettings;  ///< the values of the scene, which a right click restores
   const UiStats& stats;
   const UiFonts& fonts;
   float scale;  ///< of all lengths
@@ -77,4 +77,4 @@ struct PanelContext {
   UiOutput& output;
 };
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -4,7 +4,7 @@
 #include "ui/overlay_stack.hpp"
 #include "ui/panel_context.hpp"
 
-namespace drape {
+namespace drape::ui {
 
 /// The sections of the column (sections.cpp has their table): a heading each and, when open, the settings of its group.
 void drawSections(PanelContext& context);
@@ -60,4 +60,4 @@ void historyPlot(const PanelContext& context, const History& history);
 /// The choices of a solver such as auto in the last seconds, and their results.
 void choicePlots(const PanelContext& context);
 
-}  // namespace drape
+}  // namespace drape::ui

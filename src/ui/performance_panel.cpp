@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
-template <double (EnergyBalance::*part)() const>
+template <double (sim::EnergyBalance::*part)() const>
 std::optional<double> balanceOf(const MeasureSample& sample) {
   return sample.balance ? std::optional(((*sample.balance).*part)()) : std::nullopt;
 }
@@ -26,11 +26,11 @@ void energyPlot(const PanelContext& context) {
 
 void balancePlot(const PanelContext& context) {
   const auto& colours = palette().plot;
-  const std::array curves{PlotCurve{"Damping", colours[0], balanceOf<&EnergyBalance::damping>},
-                          PlotCurve{"Air", colours[2], balanceOf<&EnergyBalance::air>},
-                          PlotCurve{"Mouse", colours[1], balanceOf<&EnergyBalance::attachment>},
-                          PlotCurve{"Contact", colours[3], balanceOf<&EnergyBalance::contact>},
-                          PlotCurve{"Method", colours[4], balanceOf<&EnergyBalance::integrator>}};
+  const std::array curves{PlotCurve{"Damping", colours[0], balanceOf<&sim::EnergyBalance::damping>},
+                          PlotCurve{"Air", colours[2], balanceOf<&sim::EnergyBalance::air>},
+                          PlotCurve{"Mouse", colours[1], balanceOf<&sim::EnergyBalance::attachment>},
+                          PlotCurve{"Contact", colours[3], balanceOf<&sim::EnergyBalance::contact>},
+                          PlotCurve{"Method", colours[4], balanceOf<&sim::EnergyBalance::integrator>}};
   timePlot(context, "Energy added or removed so far", "J", context.memory.measures.samples(), curves);
 }
 
@@ -77,23 +77,23 @@ void historyPlot(const PanelContext& context, const History& history) {
     canvas.PathLineTo(place(i));
   }
   canvas.PathStroke(ImGui::GetColorU32(palette().accent), ImDrawFlags_None, 1.5F * context.scale);
-  const std::string legend = "step time, peak " + formatDuration(static_cast<double>(top) * 1e-3);
+  const std::string legend = "step time, peak " + text::formatDuration(static_cast<double>(top) * 1e-3);
   canvas.AddText({low.x + 6.0F * context.scale, low.y + 2.0F * context.scale}, ImGui::GetColorU32(palette().muted),
                  legend.c_str());
 }
 
 void performanceRows(PanelContext& context) {
-  const Snapshot& snapshot = context.snapshot;
-  valueRow(context, "Frame", formatDuration(context.stats.frameSeconds));
-  valueRow(context, "Step", formatDuration(snapshot.stepSeconds));
+  const session::Snapshot& snapshot = context.snapshot;
+  valueRow(context, "Frame", text::formatDuration(context.stats.frameSeconds));
+  valueRow(context, "Step", text::formatDuration(snapshot.stepSeconds));
   if (snapshot.stepReport.contact.bodySeconds > 0.0) {
-    valueRow(context, "Part of the bodies", formatDuration(snapshot.stepReport.contact.bodySeconds));
+    valueRow(context, "Part of the bodies", text::formatDuration(snapshot.stepReport.contact.bodySeconds));
   }
   if (snapshot.ghost) {
-    valueRow(context, "Step of the ghost", formatDuration(snapshot.ghost->stepSeconds));
+    valueRow(context, "Step of the ghost", text::formatDuration(snapshot.ghost->stepSeconds));
   }
   valueRow(context, "Pace", describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text);
-  valueRow(context, "Largest stretch", formatQuantity(snapshot.maxStretch * 100.0, "%"));
+  valueRow(context, "Largest stretch", text::formatQuantity(snapshot.maxStretch * 100.0, "%"));
   historyPlot(context, context.memory.stepTimes);
   if (snapshot.ghost) {
     ghostPlot(context);
@@ -107,4 +107,4 @@ void performanceRows(PanelContext& context) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::ui

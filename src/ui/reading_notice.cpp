@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 /// A change that a line offers.
@@ -15,7 +15,7 @@ struct Offer {
   std::string name;   ///< of the button: "reading.unit=m"
   std::string label;  ///< the text of the button
   std::string help;   ///< its effect
-  const SettingInfo* setting = nullptr;
+  const settings::SettingInfo* setting = nullptr;
   std::string value;
 };
 
@@ -27,21 +27,21 @@ struct Line {
   std::vector<Offer> offers;
 };
 
-Line readingLine(const MeshReading& reading) {
-  Line line{"reading.accept", inWords(reading), palette().text, {}};
-  for (const ReadingAlternative& other : reading.alternatives) {
+Line readingLine(const scene::MeshReading& reading) {
+  Line line{"reading.accept", scene::inWords(reading), palette().text, {}};
+  for (const scene::ReadingAlternative& other : reading.alternatives) {
     const bool unit = other.key == "unit";
-    line.offers.push_back(
-        {"reading." + other.key + "=" + other.value, unit ? other.value : other.value + " up",
-         unit ? "Reads the file in " + unitInWords(other.value) + "." : "Reads the file with " + other.value + " up.",
-         findSetting(other.key), other.value});
+    line.offers.push_back({"reading." + other.key + "=" + other.value, unit ? other.value : other.value + " up",
+                           unit ? "Reads the file in " + scene::unitInWords(other.value) + "."
+                                : "Reads the file with " + other.value + " up.",
+                           settings::findSetting(other.key), other.value});
   }
   return line;
 }
 
-Line adviceLine(const std::string& name, const Advice& advice) {
+Line adviceLine(const std::string& name, const scene::Advice& advice) {
   Line line{name + ".accept", advice.text, palette().warning, {}};
-  if (const SettingInfo* setting = findSetting(advice.key)) {
+  if (const settings::SettingInfo* setting = settings::findSetting(advice.key)) {
     line.offers.push_back({name + "." + advice.key, advice.button, "Sets " + advice.key + " to " + advice.value + ".",
                            setting, advice.value});
   }
@@ -54,7 +54,7 @@ std::string keyOf(const PanelContext& context, const Line& line) {
 }
 
 std::vector<Line> linesOf(const PanelContext& context) {
-  const Scene& scene = *context.snapshot.scene;
+  const scene::Scene& scene = *context.snapshot.scene;
   std::vector<Line> lines;
   if (scene.reading && scene.reading->needsReview()) {
     lines.push_back(readingLine(*scene.reading));
@@ -62,7 +62,7 @@ std::vector<Line> linesOf(const PanelContext& context) {
   if (scene.pinAdvice) {
     lines.push_back(adviceLine("pins", *scene.pinAdvice));
   }
-  if (context.snapshot.overstretched && findSetting(context.snapshot.overstretched->advice.key) != nullptr) {
+  if (context.snapshot.overstretched && settings::findSetting(context.snapshot.overstretched->advice.key) != nullptr) {
     lines.push_back(adviceLine("stretch", context.snapshot.overstretched->advice));
   }
   std::erase_if(lines, [&](const Line& line) { return context.memory.accepted.contains(keyOf(context, line)); });
@@ -70,10 +70,10 @@ std::vector<Line> linesOf(const PanelContext& context) {
 }
 
 /// The value of a setting from a text.
-SettingValue valueOf(const SettingInfo& setting, const std::string& text) {
-  Settings settings;
-  assignSettingText(settings, setting, text);
-  return settingValue(settings, setting);
+settings::SettingValue valueOf(const settings::SettingInfo& setting, const std::string& text) {
+  settings::Settings settings;
+  settings::assignSettingText(settings, setting, text);
+  return settings::settingValue(settings, setting);
 }
 
 bool button(PanelContext& context, const std::string& name, const std::string& label, const std::string& help) {
@@ -141,4 +141,4 @@ void readingNotice(PanelContext& context, OverlayStack& stack) {
   stack.end();
 }
 
-}  // namespace drape
+}  // namespace drape::ui

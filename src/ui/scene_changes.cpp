@@ -5,20 +5,20 @@
 #include <algorithm>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 /// Ignores settings without effect: some follow from others.
-bool settingsDiffer(const Settings& one, const Settings& other, bool alsoView) {
-  const std::vector<const SettingInfo*> differing = differingSettings(one, other);
-  return std::any_of(differing.begin(), differing.end(), [&](const SettingInfo* info) {
-    return (alsoView || info->effect != SettingEffect::View) && isRelevant(*info, one);
+bool settingsDiffer(const settings::Settings& one, const settings::Settings& other, bool alsoView) {
+  const std::vector<const settings::SettingInfo*> differing = settings::differingSettings(one, other);
+  return std::any_of(differing.begin(), differing.end(), [&](const settings::SettingInfo* info) {
+    return (alsoView || info->effect != settings::SettingEffect::View) && settings::isRelevant(*info, one);
   });
 }
 
-bool bodiesDiffer(const Snapshot& snapshot) {
+bool bodiesDiffer(const session::Snapshot& snapshot) {
   for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
-    const BodyStatus& status = snapshot.bodies[i];
+    const session::BodyStatus& status = snapshot.bodies[i];
     if (!status.on || !status.shift.isZero() || status.surface != (*snapshot.scene->bodies)[i].surface) {
       return true;
     }
@@ -26,18 +26,18 @@ bool bodiesDiffer(const Snapshot& snapshot) {
   return false;
 }
 
-bool pinsOrBodiesDiffer(const Snapshot& snapshot) {
+bool pinsOrBodiesDiffer(const session::Snapshot& snapshot) {
   return snapshot.model->pinned != snapshot.scene->model->pinned || bodiesDiffer(snapshot);
 }
 
 }  // namespace
 
-bool hasChanges(const Snapshot& snapshot, const Scene& opened) {
+bool hasChanges(const session::Snapshot& snapshot, const scene::Scene& opened) {
   return settingsDiffer(snapshot.settings, opened.settings, false) || pinsOrBodiesDiffer(snapshot);
 }
 
-bool differsFromScene(const Snapshot& snapshot, const Settings& inForce) {
+bool differsFromScene(const session::Snapshot& snapshot, const settings::Settings& inForce) {
   return settingsDiffer(inForce, snapshot.scene->description.settings, true) || pinsOrBodiesDiffer(snapshot);
 }
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -2,14 +2,14 @@
 
 #include "session/snapshot.hpp"
 
-namespace drape {
+namespace drape::ui {
 
 /// Whether quitting loses a change of the user: a setting outside the view, a pin, or a body's position, surface or
 /// presence.
 /// @param opened the scene as it was opened, with the settings of the command line
-[[nodiscard]] bool hasChanges(const Snapshot& snapshot, const Scene& opened);
+[[nodiscard]] bool hasChanges(const session::Snapshot& snapshot, const scene::Scene& opened);
 
 /// Whether "Reset all" would change a setting, a pin or a body.
-[[nodiscard]] bool differsFromScene(const Snapshot& snapshot, const Settings& inForce);
+[[nodiscard]] bool differsFromScene(const session::Snapshot& snapshot, const settings::Settings& inForce);
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -8,7 +8,7 @@
 #include <new>
 #include <utility>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 std::string reasonOf(const std::exception_ptr& failure) {
@@ -33,23 +33,23 @@ std::string SceneLoader::activity() const {
   return activity_ + (shown ? ": " + std::to_string(percent) + " %" : activity_.empty() ? "" : " \u2026");
 }
 
-void SceneLoader::open(const SceneParts& parts, std::function<void(Settings&)> adjust) {
+void SceneLoader::open(const scene::SceneParts& parts, std::function<void(settings::Settings&)> adjust) {
   submit({.activity = "Opening " + (parts.cloth.empty() ? parts.scene : parts.cloth),
           .build =
-              [parts, adjust = std::move(adjust)](const ImportWatch& watch) {
-                const SceneDescription description = openParts(parts);
-                Settings settings = description.settings;
+              [parts, adjust = std::move(adjust)](const io::ImportWatch& watch) {
+                const scene::SceneDescription description = scene::openParts(parts);
+                settings::Settings settings = description.settings;
                 adjust(settings);
-                return buildScene(description, settings, watch);
+                return scene::buildScene(description, settings, watch);
               },
           .kind = Kind::Opened});
 }
 
-void SceneLoader::rebuild(const SceneDescription& description, const Settings& settings, Kind kind) {
-  submit(
-      {.activity = "Building " + description.name,
-       .build = [description, settings](const ImportWatch& watch) { return buildScene(description, settings, watch); },
-       .kind = kind});
+void SceneLoader::rebuild(const scene::SceneDescription& description, const settings::Settings& settings, Kind kind) {
+  submit({.activity = "Building " + description.name,
+          .build = [description,
+                    settings](const io::ImportWatch& watch) { return scene::buildScene(description, settings, watch); },
+          .kind = kind});
 }
 
 bool SceneLoader::cancel() {
@@ -77,7 +77,7 @@ void SceneLoader::start(Job job) {
   percent_ = 0;
   stop_ = std::stop_source();
   constexpr double whole = 100.0;
-  const ImportWatch watch{
+  const io::ImportWatch watch{
       [this](double share, std::string_view) { percent_ = static_cast<int>(std::lround(whole * share)); },
       stop_.get_token()};
   running_ = std::async(std::launch::async, [job = std::move(job), watch]() -> Outcome {
@@ -106,22 +106,22 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
   return outcome;
 }
 
-void carryViewSettings(const Settings& current, const Settings& own, Settings& target) {
-  for (const SettingInfo* info : differingSettings(current, own)) {
-    if (info->group == SettingGroup::View) {
-      assignSetting(target, *info, settingValue(current, *info));
+void carryViewSettings(const settings::Settings& current, const settings::Settings& own, settings::Settings& target) {
+  for (const settings::SettingInfo* info : settings::differingSettings(current, own)) {
+    if (info->group == settings::SettingGroup::View) {
+      settings::assignSetting(target, *info, settings::settingValue(current, *info));
     }
   }
 }
 
-std::vector<SetSettingCommand> runningChanges(const Settings& from, const Settings& to) {
-  std::vector<SetSettingCommand> changes;
-  for (const SettingInfo* info : differingSettings(from, to)) {
-    if (info->effect != SettingEffect::Scene) {
-      changes.push_back({std::string(info->key), settingValue(to, *info)});
+std::vector<session::SetSettingCommand> runningChanges(const settings::Settings& from, const settings::Settings& to) {
+  std::vector<session::SetSettingCommand> changes;
+  for (const settings::SettingInfo* info : settings::differingSettings(from, to)) {
+    if (info->effect != settings::SettingEffect::Scene) {
+      changes.push_back({std::string(info->key), settings::settingValue(to, *info)});
     }
   }
   return changes;
 }
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 
 /// Opens and builds scenes in the background, one at a time. Of the waiting requests only the newest is kept, since it
 /// is the one that the user wants. Destruction cancels the running job and waits for its end, which takes a fraction of
@@ -29,7 +29,7 @@ class SceneLoader {
 
   /// The result of a job: a scene, or the reason of the failure.
   struct Outcome {
-    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const scene::Scene> scene;
     std::string error;
     Kind kind = Kind::Opened;
   };
@@ -40,9 +40,10 @@ class SceneLoader {
   ~SceneLoader();
 
   /// Opens another scene. `adjust` may change the scene's own settings before it is built.
-  void open(const SceneParts& parts, std::function<void(Settings&)> adjust);
+  void open(const scene::SceneParts& parts, std::function<void(settings::Settings&)> adjust);
   /// Builds a description again with these settings.
-  void rebuild(const SceneDescription& description, const Settings& settings, Kind kind = Kind::Rebuilt);
+  void rebuild(const scene::SceneDescription& description, const settings::Settings& settings,
+               Kind kind = Kind::Rebuilt);
 
   /// Cancels the running job and the waiting one. Their results never arrive. False when there was none.
   bool cancel();
@@ -56,7 +57,7 @@ class SceneLoader {
  private:
   struct Job {
     std::string activity;
-    std::function<std::shared_ptr<const Scene>(const ImportWatch& watch)> build;
+    std::function<std::shared_ptr<const scene::Scene>(const io::ImportWatch& watch)> build;
     Kind kind = Kind::Opened;
   };
 
@@ -73,9 +74,10 @@ class SceneLoader {
 
 /// Another scene keeps the user's changes of the view: `target`, the settings of the next scene, takes each view
 /// setting that differs between `current` and `own`, the present scene's original settings.
-void carryViewSettings(const Settings& current, const Settings& own, Settings& target);
+void carryViewSettings(const settings::Settings& current, const settings::Settings& own, settings::Settings& target);
 
 /// The changes from `from` to `to` that need no rebuild of the scene.
-[[nodiscard]] std::vector<SetSettingCommand> runningChanges(const Settings& from, const Settings& to);
+[[nodiscard]] std::vector<session::SetSettingCommand> runningChanges(const settings::Settings& from,
+                                                                     const settings::Settings& to);
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -4,7 +4,7 @@
 
 #include <imgui_stdlib.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 void openField(PanelContext& context) {
@@ -34,9 +34,9 @@ void sceneRows(PanelContext& context) {
 }
 
 void meshRows(PanelContext& context) {
-  const MeshSummary& summary = context.snapshot.scene->summary;
+  const io::MeshSummary& summary = context.snapshot.scene->summary;
   ImGui::Dummy({0.0F, 2.0F * context.scale});
-  for (const std::string& line : describe(summary)) {
+  for (const std::string& line : io::describe(summary)) {
     const std::size_t colon = line.find(':');
     const std::size_t value = colon == std::string::npos ? colon : line.find_first_not_of(' ', colon + 1);
     if (value == std::string::npos) {
@@ -45,10 +45,10 @@ void meshRows(PanelContext& context) {
       factRow(context, line.substr(0, colon), line.substr(value));
     }
   }
-  factRow(context, "pinned", formatCount(countPins(*context.snapshot.model)) + " vertices");
+  factRow(context, "pinned", text::formatCount(countPins(*context.snapshot.model)) + " vertices");
   for (const std::string& warning : summary.warnings) {
     mutedText(warning, palette().warning);
   }
 }
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -9,23 +9,23 @@
 #include <array>
 #include <optional>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 void materialRows(PanelContext& context) {
-  const ClothModel& model = *context.snapshot.model;
+  const sim::ClothModel& model = *context.snapshot.model;
   const double mass = model.totalMass();
   const double area = model.restArea();
   if (context.settings.material.massGivenAs == "density") {
-    valueRow(context, "Mass of the cloth", formatQuantity(mass, "kg"));
+    valueRow(context, "Mass of the cloth", text::formatQuantity(mass, "kg"));
   } else if (area > 0.0) {
-    valueRow(context, "Density", formatQuantity(mass / area, "kg/m\u00B2"));
+    valueRow(context, "Density", text::formatQuantity(mass / area, "kg/m\u00B2"));
   }
 }
 
 void airRows(PanelContext& context) {
   windDial(context);
-  const AirParameters& air = context.settings.step.air;
+  const sim::AirParameters& air = context.settings.step.air;
   if (air.wind.norm() > 0.0 && !air.acts()) {
     mutedText("Wind has no effect while drag and lift are zero.", palette().warning);
   }
@@ -58,27 +58,29 @@ void viewButtons(PanelContext& context) {
 }
 
 void ghostRows(PanelContext& context) {
-  const SolverInfo* solver = findSolver(context.settings.ghost.solver);
+  const sim::SolverInfo* solver = sim::findSolver(context.settings.ghost.solver);
   if (solver == nullptr) {
     mutedText("A second cloth, in green, moved by another solver. Choose a solver to compare.");
     return;
   }
-  if (const std::optional<GhostStatus>& ghost = context.snapshot.ghost) {
-    valueRow(context, "Mean distance", formatQuantity(ghost->meanDistance * 1e3, "mm"), palette().ghost);
-    valueRow(context, "Step", formatDuration(ghost->stepSeconds));
-    solverRows(context, *solver, ghostParameters(context.settings), ghost->stepReport);
+  if (const std::optional<session::GhostStatus>& ghost = context.snapshot.ghost) {
+    valueRow(context, "Mean distance", text::formatQuantity(ghost->meanDistance * 1e3, "mm"), palette().ghost);
+    valueRow(context, "Step", text::formatDuration(ghost->stepSeconds));
+    solverRows(context, *solver, session::ghostParameters(context.settings), ghost->stepReport);
   }
   solverHelp(context, *solver);
-  steadyText(context, "ghost.warning", ghostWarning(context.settings, *context.snapshot.model), palette().warning);
+  steadyText(context, "ghost.warning", session::ghostWarning(context.settings, *context.snapshot.model),
+             palette().warning);
 }
 
 void advancedRows(PanelContext& context) {
-  valueRow(context, "Steps per second", formatNumber(1.0 / context.settings.step.timeStep));
-  if (const SolverInfo* solver = findSolver(context.settings.solver.name)) {
+  valueRow(context, "Steps per second", text::formatNumber(1.0 / context.settings.step.timeStep));
+  if (const sim::SolverInfo* solver = sim::findSolver(context.settings.solver.name)) {
     solverRows(context, *solver, context.settings.step, context.snapshot.stepReport);
     solverHelp(context, *solver);
   }
-  steadyText(context, "solver.warning", solverWarning(context.settings, *context.snapshot.model), palette().warning);
+  steadyText(context, "solver.warning", session::solverWarning(context.settings, *context.snapshot.model),
+             palette().warning);
 }
 
 bool startsOpen(const PanelContext& /*context*/) {
@@ -97,21 +99,21 @@ bool showsGhost(const PanelContext& context) {
 struct Section {
   const char* title;
   bool (*isOpenAtFirst)(const PanelContext& context);
-  std::optional<SettingGroup> group;  ///< its settings; empty: none
+  std::optional<settings::SettingGroup> group;  ///< its settings; empty: none
   void (*rowsBelow)(PanelContext& context) = nullptr;
   void (*rowsAbove)(PanelContext& context) = nullptr;
 };
 
 constexpr std::array<Section, 9> sections{{
-    {"Material", startsOpen, SettingGroup::Material, materialRows},
-    {"Air", startsOpen, SettingGroup::Air, airRows},
-    {"Simulation", startsOpen, SettingGroup::Simulation},
-    {"Contact", contactMatters, SettingGroup::Contact, contactRows},
-    {"Scene", startsOpen, SettingGroup::Scene, meshRows, sceneRows},
-    {"View", startsClosed, SettingGroup::View, viewButtons},
-    {"Ghost", showsGhost, SettingGroup::Ghost, ghostRows},
+    {"Material", startsOpen, settings::SettingGroup::Material, materialRows},
+    {"Air", startsOpen, settings::SettingGroup::Air, airRows},
+    {"Simulation", startsOpen, settings::SettingGroup::Simulation},
+    {"Contact", contactMatters, settings::SettingGroup::Contact, contactRows},
+    {"Scene", startsOpen, settings::SettingGroup::Scene, meshRows, sceneRows},
+    {"View", startsClosed, settings::SettingGroup::View, viewButtons},
+    {"Ghost", showsGhost, settings::SettingGroup::Ghost, ghostRows},
     {"Performance", startsClosed, std::nullopt, performanceRows},
-    {"Advanced", startsClosed, SettingGroup::Advanced, advancedRows},
+    {"Advanced", startsClosed, settings::SettingGroup::Advanced, advancedRows},
 }};
 
 }  // namespace
@@ -134,4 +136,4 @@ void drawSections(PanelContext& context) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::ui

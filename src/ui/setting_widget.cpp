@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 Edit flagWidget(bool value) {
@@ -26,10 +26,10 @@ struct Choice {
   std::string_view help;
 };
 
-std::vector<Choice> choicesOf(const ChoiceField& field) {
+std::vector<Choice> choicesOf(const settings::ChoiceField& field) {
   std::vector<Choice> choices;
   for (const std::string& word : field.choices()) {
-    choices.push_back({word, choiceTitle(field, word), field.label == nullptr ? "" : field.label(word).help});
+    choices.push_back({word, settings::choiceTitle(field, word), field.label == nullptr ? "" : field.label(word).help});
   }
   return choices;
 }
@@ -43,7 +43,7 @@ void explainChoice(const PanelContext& context, const std::string& name, const C
   }
 }
 
-Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::vector<Choice>& choices,
+Edit segmentsWidget(PanelContext& context, const settings::SettingInfo& info, const std::vector<Choice>& choices,
                     const std::string& value) {
   Edit edit{.value = value};
   const float width = ImGui::CalcItemWidth();
@@ -70,7 +70,7 @@ Edit segmentsWidget(PanelContext& context, const SettingInfo& info, const std::v
   return edit;
 }
 
-Edit comboWidget(PanelContext& context, const SettingInfo& info, const std::vector<Choice>& choices,
+Edit comboWidget(PanelContext& context, const settings::SettingInfo& info, const std::vector<Choice>& choices,
                  const std::string& value) {
   Edit edit{.value = value};
   const auto chosen = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.word == value; });
@@ -93,7 +93,8 @@ Edit comboWidget(PanelContext& context, const SettingInfo& info, const std::vect
 }
 
 /// Up to three short words stand side by side; more of them form a drop-down list.
-Edit choiceWidget(PanelContext& context, const SettingInfo& info, const ChoiceField& field, const std::string& value) {
+Edit choiceWidget(PanelContext& context, const settings::SettingInfo& info, const settings::ChoiceField& field,
+                  const std::string& value) {
   const std::vector<Choice> choices = choicesOf(field);
   float widest = 0.0F;
   for (const Choice& choice : choices) {
@@ -104,21 +105,21 @@ Edit choiceWidget(PanelContext& context, const SettingInfo& info, const ChoiceFi
   return sideBySide ? segmentsWidget(context, info, choices, value) : comboWidget(context, info, choices, value);
 }
 
-Edit fieldWidget(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
-  if (std::holds_alternative<FlagField>(info.field)) {
+Edit fieldWidget(PanelContext& context, const settings::SettingInfo& info, const settings::SettingValue& value) {
+  if (std::holds_alternative<settings::FlagField>(info.field)) {
     return flagWidget(std::get<bool>(value));
   }
-  if (const auto* choice = std::get_if<ChoiceField>(&info.field)) {
+  if (const auto* choice = std::get_if<settings::ChoiceField>(&info.field)) {
     return choiceWidget(context, info, *choice, std::get<std::string>(value));
   }
   return numberSlider(context, sliderOf(info, context.settings), value);
 }
 
 /// The value as typed, with few digits for a real number.
-std::string shortValue(const SettingValue& value) {
+std::string shortValue(const settings::SettingValue& value) {
   const double* number = std::get_if<double>(&value);
   if (number == nullptr) {
-    return formatValue(value);
+    return settings::formatValue(value);
   }
   return fmt::format("{:.6g}", *number);
 }
@@ -127,29 +128,29 @@ std::string withUnit(const std::string& text, std::string_view unit) {
   return unit == "-" ? text : text + " " + prettyUnit(unit);
 }
 
-void explain(const PanelContext& context, const SettingInfo& info, const UiRect& row) {
+void explain(const PanelContext& context, const settings::SettingInfo& info, const UiRect& row) {
   beginExplanation(context, &row);
   ImGui::TextUnformatted(info.title.data(), info.title.data() + info.title.size());
   ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
   ImGui::TextWrapped("%.*s", static_cast<int>(info.help.size()), info.help.data());
   ImGui::Spacing();
-  ImGui::TextWrapped("Range: %s", describeRange(info).c_str());
+  ImGui::TextWrapped("Range: %s", settings::describeRange(info).c_str());
   ImGui::TextWrapped("In the scene: %s",
-                     withUnit(shortValue(settingValue(context.sceneSettings, info)), info.unit).c_str());
-  ImGui::TextWrapped("Default: %s", withUnit(shortValue(defaultValue(info)), info.unit).c_str());
+                     withUnit(shortValue(settings::settingValue(context.sceneSettings, info)), info.unit).c_str());
+  ImGui::TextWrapped("Default: %s", withUnit(shortValue(settings::defaultValue(info)), info.unit).c_str());
   ImGui::TextWrapped("Command line: --set %.*s=%s", static_cast<int>(info.key.size()), info.key.data(),
-                     shortValue(settingValue(context.settings, info)).c_str());
+                     shortValue(settings::settingValue(context.settings, info)).c_str());
   ImGui::Spacing();
-  const bool typed =
-      std::holds_alternative<NumberField>(info.field) || std::holds_alternative<IntegerField>(info.field);
+  const bool typed = std::holds_alternative<settings::NumberField>(info.field) ||
+                     std::holds_alternative<settings::IntegerField>(info.field);
   ImGui::TextWrapped("%s", typed ? "Ctrl+click types a value. A right click restores the scene's value."
                                  : "A right click restores the scene's value.");
   ImGui::PopStyleColor();
   endExplanation();
 }
 
-void applyEdit(PanelContext& context, const SettingInfo& info, const Edit& edit) {
-  if (info.effect != SettingEffect::Scene) {
+void applyEdit(PanelContext& context, const settings::SettingInfo& info, const Edit& edit) {
+  if (info.effect != settings::SettingEffect::Scene) {
     if (edit.changed) {
       changeSetting(context, info, edit.value);
     }
@@ -158,44 +159,45 @@ void applyEdit(PanelContext& context, const SettingInfo& info, const Edit& edit)
     if (edit.changed) {
       context.memory.pending.add(info, edit.value, ImGui::GetTime());
     }
-  } else if (edit.value != settingValue(context.snapshot.settings, info)) {
+  } else if (edit.value != settings::settingValue(context.snapshot.settings, info)) {
     changeSetting(context, info, edit.value);
   }
 }
 
 }  // namespace
 
-bool settingApplies(const SettingInfo& info, const Settings& settings, const Scene& scene) {
-  const bool isGrid = std::holds_alternative<GridSource>(scene.description.source);
-  if (info.scope == (isGrid ? SettingScope::MeshFile : SettingScope::Grid)) {
+bool settingApplies(const settings::SettingInfo& info, const settings::Settings& settings, const scene::Scene& scene) {
+  const bool isGrid = std::holds_alternative<scene::GridSource>(scene.description.source);
+  if (info.scope == (isGrid ? settings::SettingScope::MeshFile : settings::SettingScope::Grid)) {
     return false;
   }
-  if (!isRelevant(info, settings)) {
+  if (!settings::isRelevant(info, settings)) {
     return false;
   }
   if (!info.alsoKey.empty()) {
-    return formatValue(settingValue(settings, requireSetting(info.alsoKey))) == info.alsoValue;
+    return settings::formatValue(settings::settingValue(settings, settings::requireSetting(info.alsoKey))) ==
+           info.alsoValue;
   }
   return true;
 }
 
-void changeSetting(PanelContext& context, const SettingInfo& info, const SettingValue& value) {
+void changeSetting(PanelContext& context, const settings::SettingInfo& info, const settings::SettingValue& value) {
   try {
-    Settings changed = withSetting(context.settings, info, value);
-    if (info.effect == SettingEffect::Scene) {
+    settings::Settings changed = settings::withSetting(context.settings, info, value);
+    if (info.effect == settings::SettingEffect::Scene) {
       context.output.requests.emplace_back(RebuildSceneRequest{std::move(changed)});
     } else {
-      context.output.commands.emplace_back(SetSettingCommand{std::string(info.key), value});
+      context.output.commands.emplace_back(session::SetSettingCommand{std::string(info.key), value});
     }
     context.memory.pending.add(info, value, ImGui::GetTime());
-  } catch (const UsageError& error) {
+  } catch (const messages::UsageError& error) {
     context.output.hint = error.what();
   }
 }
 
-void settingWidget(PanelContext& context, const SettingInfo& info) {
-  const SettingValue value = settingValue(context.settings, info);
-  const SettingValue sceneValue = settingValue(context.sceneSettings, info);
+void settingWidget(PanelContext& context, const settings::SettingInfo& info) {
+  const settings::SettingValue value = settings::settingValue(context.settings, info);
+  const settings::SettingValue sceneValue = settings::settingValue(context.sceneSettings, info);
   const std::string key(info.key);
   ImGui::PushID(key.c_str());
   const UiRect row = beginRow(context, info.title, value != sceneValue);
@@ -213,12 +215,12 @@ void settingWidget(PanelContext& context, const SettingInfo& info) {
   ImGui::PopID();
 }
 
-void settingsOfGroup(PanelContext& context, SettingGroup group) {
-  for (const SettingInfo& info : settingsTable()) {
+void settingsOfGroup(PanelContext& context, settings::SettingGroup group) {
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
     if (info.group == group && settingApplies(info, context.settings, *context.snapshot.scene)) {
       settingWidget(context, info);
     }
   }
 }
 
-}  // namespace drape
+}  // namespace drape::ui

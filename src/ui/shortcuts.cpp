@@ -3,23 +3,27 @@
 #include <algorithm>
 #include <array>
 
-namespace drape {
+namespace drape::ui {
 
 std::span<const Shortcut> shortcuts() {
   static constexpr std::array table{
       Shortcut{Key::Space, "Space", "play and pause",
-               [](const Snapshot& snapshot) -> Command { return PauseCommand{!snapshot.paused}; }},
-      Shortcut{Key::Period, ".", "one step", [](const Snapshot&) -> Command { return SingleStepCommand{}; }, true},
-      Shortcut{Key::R, "R", "return to the start", [](const Snapshot&) -> Command { return ResetCommand{}; }},
+               [](const session::Snapshot& snapshot) -> session::Command {
+                 return session::PauseCommand{!snapshot.paused};
+               }},
+      Shortcut{Key::Period, ".", "one step",
+               [](const session::Snapshot&) -> session::Command { return session::SingleStepCommand{}; }, true},
+      Shortcut{Key::R, "R", "return to the start",
+               [](const session::Snapshot&) -> session::Command { return session::ResetCommand{}; }},
       Shortcut{Key::P, "P", "pin the pulled vertex, or release it",
-               [](const Snapshot&) -> Command { return TogglePinCommand{}; }},
+               [](const session::Snapshot&) -> session::Command { return session::TogglePinCommand{}; }},
       Shortcut{Key::F, "F", "frame the cloth", UiAction::FrameCloth},
       Shortcut{Key::One, "1   3   7", "front, right, top", UiAction::ViewFront},
       Shortcut{Key::Three, "", "", UiAction::ViewRight},
       Shortcut{Key::Seven, "", "", UiAction::ViewTop},
       Shortcut{Key::W, "W", "wireframe",
-               [](const Snapshot& snapshot) -> Command {
-                 return SetSettingCommand{"view.wireframe", !snapshot.settings.view.wireframe};
+               [](const session::Snapshot& snapshot) -> session::Command {
+                 return session::SetSettingCommand{"view.wireframe", !snapshot.settings.view.wireframe};
                }},
       Shortcut{Key::H, "H", "hide and show the panels", UiAction::TogglePanels},
       Shortcut{Key::F12, "F12", "save a picture", UiAction::Screenshot},
@@ -34,4 +38,4 @@ const Shortcut& shortcutOf(Key key) {
   return *std::find_if(table.begin(), table.end(), [&](const Shortcut& shortcut) { return shortcut.key == key; });
 }
 
-}  // namespace drape
+}  // namespace drape::ui

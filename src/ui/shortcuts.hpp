@@ -7,7 +7,7 @@
 #include <string_view>
 #include <variant>
 
-namespace drape {
+namespace drape::ui {
 
 /// The keys with an action.
 enum class Key { Space, Period, One, Three, Seven, F, H, P, R, W, Help, F12, Escape };
@@ -17,7 +17,7 @@ struct Shortcut {
   Key key;
   std::string_view keys;  ///< in the list of keys; empty: the entry of another key names it
   std::string_view help;  ///< what they do
-  std::variant<UiAction, Command (*)(const Snapshot& snapshot)> action;
+  std::variant<UiAction, session::Command (*)(const session::Snapshot& snapshot)> action;
   bool repeats = false;  ///< whether a held key repeats it
 };
 
@@ -27,4 +27,4 @@ struct Shortcut {
 /// The shortcut of a key.
 [[nodiscard]] const Shortcut& shortcutOf(Key key);
 
-}  // namespace drape
+}  // namespace drape::ui

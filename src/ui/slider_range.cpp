@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 constexpr double wideLinear = 40.0;  // a longer linear range is narrowed
 constexpr double linearAroundZero = 20.0;
 constexpr double smallestLogarithmic = 1e-4;  // the first decade of a slider that begins at zero
 
-SliderRange logarithmicRange(const NumberField& field, double defaultValue) {
+SliderRange logarithmicRange(const settings::NumberField& field, double defaultValue) {
   if (defaultValue > 0.0) {
     return {std::max(field.min, defaultValue * 1e-3), std::min(field.max, defaultValue * 1e3), true};
   }
   return {field.min, field.max, true};
 }
 
-SliderRange linearRange(const NumberField& field, double defaultValue) {
+SliderRange linearRange(const settings::NumberField& field, double defaultValue) {
   if (field.max < wideLinear) {
     return {field.min, field.max, false};
   }
@@ -32,7 +32,7 @@ double floorOf(const SliderRange& range) {
 
 }  // namespace
 
-SliderRange commonRange(const NumberField& field, double defaultValue) {
+SliderRange commonRange(const settings::NumberField& field, double defaultValue) {
   return field.logarithmic ? logarithmicRange(field, defaultValue) : linearRange(field, defaultValue);
 }
 
@@ -57,4 +57,4 @@ double sliderValue(const SliderRange& range, double fraction) {
   return std::min(range.max, floor * std::pow(range.max / floor, place));
 }
 
-}  // namespace drape
+}  // namespace drape::ui

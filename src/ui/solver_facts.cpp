@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
-bool solvesToATolerance(const SolverInfo& solver) {
+bool solvesToATolerance(const sim::SolverInfo& solver) {
   return std::find(solver.settings.begin(), solver.settings.end(), "tolerance") != solver.settings.end();
 }
 
@@ -21,14 +21,14 @@ std::string describeStepLimit(double limit) {
     return "none";
   }
   if (limit >= longStep) {
-    return formatQuantity(limit, "s");
+    return text::formatQuantity(limit, "s");
   }
   // Slightly less than the inverse, so that rounding does not turn 1/240 s into 1/241 s.
-  return "1/" + formatCount(std::llround(std::ceil(1.0 / limit * (1.0 - 1e-9)))) + " s";
+  return "1/" + text::formatCount(std::llround(std::ceil(1.0 / limit * (1.0 - 1e-9)))) + " s";
 }
 
-void solverRows(const PanelContext& context, const SolverInfo& solver, const StepParameters& parameters,
-                const StepReport& report) {
+void solverRows(const PanelContext& context, const sim::SolverInfo& solver, const sim::StepParameters& parameters,
+                const sim::StepReport& report) {
   if (solver.stepLimit != nullptr) {
     const double limit = solver.stepLimit(*context.snapshot.model, parameters);
     const bool beyond = parameters.timeStep / parameters.substeps > limit * (1.0 + 1e-9);
@@ -36,18 +36,18 @@ void solverRows(const PanelContext& context, const SolverInfo& solver, const Ste
   }
   // The row exists from the start, so that the first step does not move the rows below.
   if (report.iterations > 0 || solvesToATolerance(solver)) {
-    valueRow(context, "Iterations", formatCount(report.iterations));
+    valueRow(context, "Iterations", text::formatCount(report.iterations));
     if (solvesToATolerance(solver)) {
-      const std::string residual = formatNumber(report.residual);
+      const std::string residual = text::formatNumber(report.residual);
       valueRow(context, "Residual", report.converged ? residual : residual + ", did not converge",
                report.converged ? palette().text : palette().warning);
     }
   }
 }
 
-void solverHelp(const PanelContext& context, const SolverInfo& solver) {
+void solverHelp(const PanelContext& context, const sim::SolverInfo& solver) {
   mutedText(solver.help.substr(0, solver.help.find(". ") + 1));
   explainItem(context, "help." + std::string(solver.name), solver.help);
 }
 
-}  // namespace drape
+}  // namespace drape::ui

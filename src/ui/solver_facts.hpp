@@ -4,16 +4,16 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::ui {
 
 /// The longest stable step [s] in words: "1/240 s", never rounded up. "none" when there is no limit.
 [[nodiscard]] std::string describeStepLimit(double limit);
 
 /// Rows about a solver: its stability limit and its last solve.
-void solverRows(const PanelContext& context, const SolverInfo& solver, const StepParameters& parameters,
-                const StepReport& report);
+void solverRows(const PanelContext& context, const sim::SolverInfo& solver, const sim::StepParameters& parameters,
+                const sim::StepReport& report);
 
 /// The first sentence of a solver's help; the rest appears on hovering.
-void solverHelp(const PanelContext& context, const SolverInfo& solver);
+void solverHelp(const PanelContext& context, const sim::SolverInfo& solver);
 
-}  // namespace drape
+}  // namespace drape::ui

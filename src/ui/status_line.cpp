@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 constexpr const char* detailsName = "Solver details";
@@ -34,11 +34,11 @@ struct Message {
 constexpr std::string_view choosingSolver = "auto";
 
 /// Whether the remedy would change something.
-bool isOffered(Remedy remedy, const Settings& settings) {
+bool isOffered(Remedy remedy, const settings::Settings& settings) {
   const bool chooses = settings.solver.name == choosingSolver;
   switch (remedy) {
     case Remedy::Auto:
-      return !chooses && findSolver(choosingSolver) != nullptr;
+      return !chooses && sim::findSolver(choosingSolver) != nullptr;
     case Remedy::Soften:
       return chooses && !settings.step.automatic.soften;
     case Remedy::None:
@@ -48,18 +48,18 @@ bool isOffered(Remedy remedy, const Settings& settings) {
 }
 
 /// The allowed duration of a step: the user's budget, or else the time step [s].
-double timeForStep(const Settings& settings) {
-  const double share = settings.automatic.budget * 1e-3 / budgetedTime;
+double timeForStep(const settings::Settings& settings) {
+  const double share = settings.automatic.budget * 1e-3 / session::budgetedTime;
   return (share > 0.0 ? share : 1.0) * settings.step.timeStep;
 }
 
 /// A message about the speed of the simulation: why it is slow, or that the cloth is at rest.
-std::optional<Message> paceMessage(const Snapshot& snapshot) {
+std::optional<Message> paceMessage(const session::Snapshot& snapshot) {
   const auto& choice = snapshot.stepReport.choice;
   if (choice && choice->sleeping) {
     return Message{"The cloth is at rest", palette().muted};
   }
-  if (choice && choice->costRatio > toleratedCostRatio) {
+  if (choice && choice->costRatio > sim::adaptive::toleratedCostRatio) {
     return Message{snapshot.settings.step.automatic.soften ? "The springs are softened to keep real time"
                                                            : "The cloth is too stiff and too fine for real time",
                    palette().warning, Remedy::Soften};
@@ -69,7 +69,7 @@ std::optional<Message> paceMessage(const Snapshot& snapshot) {
 
 /// The most urgent message.
 Message messageOf(const PanelContext& context) {
-  const Snapshot& snapshot = context.snapshot;
+  const session::Snapshot& snapshot = context.snapshot;
   if (!snapshot.message.empty()) {
     return {snapshot.message, palette().warning,
             snapshot.overstretched && snapshot.overstretched->advice.key == "solver" ? Remedy::Auto : Remedy::None};
@@ -80,10 +80,10 @@ Message messageOf(const PanelContext& context) {
   if (std::optional<Message> pace = paceMessage(snapshot)) {
     return *pace;
   }
-  if (std::string warning = solverWarning(context.settings, *snapshot.model); !warning.empty()) {
+  if (std::string warning = session::solverWarning(context.settings, *snapshot.model); !warning.empty()) {
     return {std::move(warning), palette().warning, Remedy::Auto};
   }
-  if (std::string warning = ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
+  if (std::string warning = session::ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
     return {"Ghost: " + warning, palette().warning};
   }
   if (isTooSlow(snapshot)) {
@@ -94,11 +94,11 @@ Message messageOf(const PanelContext& context) {
 }
 
 /// The cloth and its speed. A long name is cut.
-std::vector<std::pair<std::string, ImVec4>> factsOf(const Snapshot& snapshot) {
-  const SceneDescription& scene = snapshot.scene->description;
+std::vector<std::pair<std::string, ImVec4>> factsOf(const session::Snapshot& snapshot) {
+  const scene::SceneDescription& scene = snapshot.scene->description;
   const float widestName = 0.4F * ImGui::GetIO().DisplaySize.x;
   return {{fitted(scene.title.empty() ? scene.name : scene.title, widestName), palette().text},
-          {formatCount(snapshot.model->vertexCount()) + " vertices", palette().text},
+          {text::formatCount(snapshot.model->vertexCount()) + " vertices", palette().text},
           {describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text}};
 }
 
@@ -107,9 +107,9 @@ void remedyButton(PanelContext& context, Remedy remedy) {
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
   if (ImGui::SmallButton(toAuto ? "Use auto" : "Soften")) {
     if (toAuto) {
-      changeSetting(context, requireSetting("solver"), std::string(choosingSolver));
+      changeSetting(context, settings::requireSetting("solver"), std::string(choosingSolver));
     } else {
-      changeSetting(context, requireSetting("auto.soften"), true);
+      changeSetting(context, settings::requireSetting("auto.soften"), true);
     }
   }
   ImGui::PopStyleColor();
@@ -122,22 +122,22 @@ void remedyButton(PanelContext& context, Remedy remedy) {
 
 /// The details behind a click on the line: the solver, its cost and its choices.
 void detailRows(PanelContext& context) {
-  const Snapshot& snapshot = context.snapshot;
-  const Settings& settings = snapshot.settings;
-  const SolverInfo* solver = findSolver(settings.solver.name);
+  const session::Snapshot& snapshot = context.snapshot;
+  const settings::Settings& settings = snapshot.settings;
+  const sim::SolverInfo* solver = sim::findSolver(settings.solver.name);
   ImGui::Dummy({26.0F * ImGui::GetFontSize(), 0.0F});
   valueRow(context, "Solver", solver == nullptr ? settings.solver.name : solver->title);
   valueRow(context, "Simulated time", fmt::format("{:.2f} s", snapshot.time));
   valueRow(context, "Time step", describeStepLimit(settings.step.timeStep));
-  valueRow(context, "Cost of a step", formatDuration(snapshot.stepSeconds));
+  valueRow(context, "Cost of a step", text::formatDuration(snapshot.stepSeconds));
   if (context.stats.frameSeconds > 0.0) {
     valueRow(context, "Frames per second", std::to_string(std::lround(1.0 / context.stats.frameSeconds)));
   }
   if (const auto& choice = snapshot.stepReport.choice) {
     ImGui::Spacing();
-    mutedText("Chosen by auto: " + inWords(*choice, snapshot.stepSeconds, timeForStep(settings)));
+    mutedText("Chosen by auto: " + messages::inWords(*choice, snapshot.stepSeconds, timeForStep(settings)));
   }
-  if (const std::string warning = solverWarning(context.settings, *snapshot.model); !warning.empty()) {
+  if (const std::string warning = session::solverWarning(context.settings, *snapshot.model); !warning.empty()) {
     ImGui::Spacing();
     mutedText(warning, palette().warning);
   }
@@ -265,4 +265,4 @@ void statusLine(PanelContext& context, const UiRect& place) {
   ImGui::End();
 }
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -3,15 +3,15 @@
 #include <fmt/core.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::ui {
 
-bool isTooSlow(const Snapshot& snapshot) {
+bool isTooSlow(const session::Snapshot& snapshot) {
   constexpr double nearEnough = 0.9;
   return !snapshot.paused && snapshot.realTimeFactor > 0.0 &&
          snapshot.realTimeFactor < nearEnough * snapshot.settings.playback.speed;
 }
 
-std::string describePace(const Snapshot& snapshot) {
+std::string describePace(const session::Snapshot& snapshot) {
   if (snapshot.paused) {
     return "paused";
   }
@@ -27,7 +27,7 @@ std::string describePace(const Snapshot& snapshot) {
   return factor + " \u00D7 real time" + (slow ? ": too slow" : "");
 }
 
-int countPins(const ClothModel& model) {
+int countPins(const sim::ClothModel& model) {
   return static_cast<int>(std::count(model.pinned.begin(), model.pinned.end(), true));
 }
 
@@ -42,4 +42,4 @@ std::string shortened(std::string_view text, std::size_t limit) {
   return std::string(text);
 }
 
-}  // namespace drape
+}  // namespace drape::ui

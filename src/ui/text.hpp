@@ -6,18 +6,18 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::ui {
 
 /// The speed of the simulation: "real time", "0.4 x real time: too slow", "paused".
-[[nodiscard]] std::string describePace(const Snapshot& snapshot);
+[[nodiscard]] std::string describePace(const session::Snapshot& snapshot);
 
 /// Whether the simulation is slower than the chosen speed.
-[[nodiscard]] bool isTooSlow(const Snapshot& snapshot);
+[[nodiscard]] bool isTooSlow(const session::Snapshot& snapshot);
 
 /// The number of pinned vertices.
-[[nodiscard]] int countPins(const ClothModel& model);
+[[nodiscard]] int countPins(const sim::ClothModel& model);
 
 /// The text, cut to at most that many characters with an ellipsis, never inside a UTF-8 character.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t limit);
 
-}  // namespace drape
+}  // namespace drape::ui

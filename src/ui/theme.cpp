@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 ImVec4 rgb(unsigned hex, float alpha = 1.0F) {
@@ -111,4 +111,4 @@ UiFonts buildFonts(ImFontAtlas& atlas, float scale, float density) {
   return fonts;
 }
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace drape {
+namespace drape::ui {
 
 /// The colours of the panels besides ImGui's own style entries.
 struct Palette {
@@ -41,4 +41,4 @@ struct UiFonts {
 /// The height of the text at scale 1, in window units.
 inline constexpr float baseFontSize = 16.0F;
 
-}  // namespace drape
+}  // namespace drape::ui

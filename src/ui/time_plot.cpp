@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 constexpr double shortestSpan = 0.5;  // minimum of the time axis [s]
@@ -116,7 +116,7 @@ void legendRow(const PanelContext& context, const PlotCurve& curve, std::span<co
                                       2.5F * context.scale);
   ImGui::Indent(length * 1.5F);
   const std::optional<double> value = samples.empty() ? std::nullopt : curve.value(samples.back());
-  valueRow(context, curve.name, value ? formatQuantity(*value, unit) : "\u2013");
+  valueRow(context, curve.name, value ? text::formatQuantity(*value, unit) : "\u2013");
   ImGui::Unindent(length * 1.5F);
 }
 
@@ -168,4 +168,4 @@ void timePlot(const PanelContext& context, std::string_view title, std::string_v
   }
 }
 
-}  // namespace drape
+}  // namespace drape::ui

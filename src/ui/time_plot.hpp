@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace drape {
+namespace drape::ui {
 
 /// One curve over simulated time, and its row in the legend.
 struct PlotCurve {
@@ -31,4 +31,4 @@ struct PlotScale {
 void timePlot(const PanelContext& context, std::string_view title, std::string_view unit,
               std::span<const MeasureSample> samples, std::span<const PlotCurve> curves);
 
-}  // namespace drape
+}  // namespace drape::ui

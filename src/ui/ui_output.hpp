@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace drape {
+namespace drape::ui {
 
 /// A rectangle in window coordinates; (0, 0) is the top left corner of the window.
 struct UiRect {
@@ -35,7 +35,7 @@ struct OpenSceneRequest {
 
 /// Open a scene that consists of several files.
 struct OpenPartsRequest {
-  SceneParts parts;
+  scene::SceneParts parts;
 };
 
 /// Files that were dropped on the window together.
@@ -45,7 +45,7 @@ struct DroppedRequest {
 
 /// Rebuild the running scene, because a setting that its mesh depends on changed.
 struct RebuildSceneRequest {
-  Settings settings;  ///< all of them, with the change
+  settings::Settings settings;  ///< all of them, with the change
 };
 
 /// Actions of the program, not of the simulation.
@@ -67,9 +67,9 @@ using UiRequest = std::variant<OpenSceneRequest, OpenPartsRequest, DroppedReques
 
 /// The requests of the user in one frame. Panels and input only add to it; they never change the running state.
 struct UiOutput {
-  std::vector<Command> commands;    ///< for the simulation, in order
-  std::vector<UiRequest> requests;  ///< for the program, in order
-  std::string hint;                 ///< one sentence for the status line, or empty
+  std::vector<session::Command> commands;  ///< for the simulation, in order
+  std::vector<UiRequest> requests;         ///< for the program, in order
+  std::string hint;                        ///< one sentence for the status line, or empty
 };
 
 /// Data of the panels besides the snapshot.
@@ -82,4 +82,4 @@ struct UiStats {
   std::string notice;          ///< the last message, or empty
 };
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 constexpr float columnWidth = 372.0F;  // at scale 1
@@ -41,7 +41,7 @@ struct UserInterface::Parts {
   int failures = 0;  ///< as of the last frame
 
   void makeFonts();
-  void remember(const Snapshot& snapshot, const UiStats& stats);
+  void remember(const session::Snapshot& snapshot, const UiStats& stats);
   void column(PanelContext& panel, const UiRect& place);
   void overlays(PanelContext& panel, const UiRect& view);
   void dialog(PanelContext& panel, const UiRect& view);
@@ -65,7 +65,7 @@ void UserInterface::Parts::makeFonts() {
   }
 }
 
-void UserInterface::Parts::remember(const Snapshot& snapshot, const UiStats& stats) {
+void UserInterface::Parts::remember(const session::Snapshot& snapshot, const UiStats& stats) {
   // A pending change of the mesh is not refused as long as the scene is built or the user still drags.
   const bool waiting = !stats.loading.empty() || ImGui::IsAnyItemActive();
   memory.pending.update(snapshot.settings, ImGui::GetTime(), waiting);
@@ -138,7 +138,7 @@ UserInterface::UserInterface(const UiDisplay& display, Backend backend) : parts_
   io.LogFilename = nullptr;
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.DeltaTime = 1.0F / 60.0F;
-  parts_->memory.scenes = sceneList();
+  parts_->memory.scenes = scene::sceneList();
   parts_->display = display;
   parts_->backend = backend;
   if (backend == Backend::OpenGl) {
@@ -172,7 +172,7 @@ void UserInterface::setDisplay(const UiDisplay& display) {
   io.DisplayFramebufferScale = {display.density, display.density};
 }
 
-void UserInterface::build(const Snapshot& snapshot, const UiStats& stats, UiOutput& output) {
+void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stats, UiOutput& output) {
   Parts& parts = *parts_;
   ImGui::SetCurrentContext(parts.context);
   if (parts.backend == Backend::OpenGl) {
@@ -182,7 +182,7 @@ void UserInterface::build(const Snapshot& snapshot, const UiStats& stats, UiOutp
   parts.remember(snapshot, stats);
   parts.widgets.clear();
   parts.buttons.clear();
-  const Settings settings = parts.memory.pending.overlay(snapshot.settings);
+  const settings::Settings settings = parts.memory.pending.overlay(snapshot.settings);
   PanelContext panel{.snapshot = snapshot,
                      .settings = settings,
                      .sceneSettings = snapshot.scene->description.settings,
@@ -306,10 +306,10 @@ const UiRects& UserInterface::buttons() const {
   return parts_->buttons;
 }
 
-Camera besidePanels(const Camera& camera, const UiRect& view, int width, int height) {
+render::Camera besidePanels(const render::Camera& camera, const UiRect& view, int width, int height) {
   const double right = view.x + (view.width - width) / 2.0;
   const double down = view.y + (view.height - height) / 2.0;
-  Camera moved = camera;
+  render::Camera moved = camera;
   moved.pan(-right / height, down / height);
   return moved;
 }
@@ -323,4 +323,4 @@ float uiScale(double fontScaleSetting, float contentScale, int monitorRows) {
   return std::clamp(std::max(contentScale, fromRows), 1.0F, 4.0F);
 }
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace drape {
+namespace drape::ui {
 
 /// The size and scale of the drawing area.
 struct UiDisplay {
@@ -37,7 +37,7 @@ class UserInterface {
   void setDisplay(const UiDisplay& display);
 
   /// Lays out one frame. The user's requests go to `output`.
-  void build(const Snapshot& snapshot, const UiStats& stats, UiOutput& output);
+  void build(const session::Snapshot& snapshot, const UiStats& stats, UiOutput& output);
 
   /// Draws the last frame into the bound framebuffer.
   void renderDrawData();
@@ -87,10 +87,10 @@ class UserInterface {
 
 /// A camera for a picture of the whole window with panels. The centre of the given camera's picture moves to the centre
 /// of `view`, the part without panels. For pictures in one piece, without a window.
-[[nodiscard]] Camera besidePanels(const Camera& camera, const UiRect& view, int width, int height);
+[[nodiscard]] render::Camera besidePanels(const render::Camera& camera, const UiRect& view, int width, int height);
 
 /// The scale of text and spacing: the user's setting, or the monitor's scale. Some systems report no scale for a
 /// monitor with very many rows; its rows then set the scale.
 [[nodiscard]] float uiScale(double fontScaleSetting, float contentScale, int monitorRows);
 
-}  // namespace drape
+}  // namespace drape::ui

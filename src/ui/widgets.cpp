@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 constexpr float labelShare = 0.4F;   // of a row's width
@@ -224,7 +224,7 @@ bool beginSection(PanelContext& context, const std::string& title, bool openAtFi
   const std::optional<bool>& all = context.memory.openSections;
   ImGui::SetNextItemOpen(all.value_or(openAtFirst), all ? ImGuiCond_Always : ImGuiCond_Once);
   const bool open = ImGui::CollapsingHeader(title.c_str());
-  context.buttons["section." + lowerCase(title)] = lastItemRect();
+  context.buttons["section." + text::lowerCase(title)] = lastItemRect();
   if (open) {
     ImGui::PushID(title.c_str());
     ImGui::Indent();
@@ -238,4 +238,4 @@ void endSection() {
   ImGui::PopID();
 }
 
-}  // namespace drape
+}  // namespace drape::ui

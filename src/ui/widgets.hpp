@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::ui {
 
 /// The rectangle of the last item.
 [[nodiscard]] UiRect lastItemRect();
@@ -58,4 +58,4 @@ bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::
 bool beginSection(PanelContext& context, const std::string& title, bool openAtFirst);
 void endSection();
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 struct Dial {
@@ -52,8 +52,8 @@ void drawDial(const PanelContext& context, const Dial& dial, bool hovered) {
 
 void setHorizontalWind(PanelContext& context, const Vec2& offset) {
   const Vec3 wind = windFromDial(offset);
-  changeSetting(context, requireSetting("wind.x"), wind.x());
-  changeSetting(context, requireSetting("wind.z"), wind.z());
+  changeSetting(context, settings::requireSetting("wind.x"), wind.x());
+  changeSetting(context, settings::requireSetting("wind.z"), wind.z());
 }
 
 void dragDial(PanelContext& context, const Dial& dial) {
@@ -83,10 +83,10 @@ void windDial(PanelContext& context) {
   ImGui::BeginGroup();
   const Vec3& wind = context.settings.step.air.wind;
   mutedText("Wind from above");
-  valueRow(context, "Speed", formatQuantity(wind.norm(), "m/s"));
-  valueRow(context, "Level", formatQuantity(std::hypot(wind.x(), wind.z()), "m/s"));
-  valueRow(context, "Upwards", formatQuantity(wind.y(), "m/s"));
+  valueRow(context, "Speed", text::formatQuantity(wind.norm(), "m/s"));
+  valueRow(context, "Level", text::formatQuantity(std::hypot(wind.x(), wind.z()), "m/s"));
+  valueRow(context, "Upwards", text::formatQuantity(wind.y(), "m/s"));
   ImGui::EndGroup();
 }
 
-}  // namespace drape
+}  // namespace drape::ui

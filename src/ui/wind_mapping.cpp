@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::ui {
 
 Vec2 dialOffset(const Vec3& wind) {
   const Vec2 level(wind.x(), wind.z());
@@ -25,4 +25,4 @@ Vec3 windFromDial(const Vec2& offset) {
   return {rounded(level.x()), 0.0, rounded(level.y())};
 }
 
-}  // namespace drape
+}  // namespace drape::ui

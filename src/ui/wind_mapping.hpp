@@ -2,7 +2,7 @@
 
 #include "sim/model/vector.hpp"
 
-namespace drape {
+namespace drape::ui {
 
 /// The speed at the rim of the wind dial [m/s].
 inline constexpr double dialSpeed = 20.0;
@@ -14,4 +14,4 @@ inline constexpr double dialSpeed = 20.0;
 /// The horizontal wind for a point on the dial, rounded to 0.01 m/s; y is 0.
 [[nodiscard]] Vec3 windFromDial(const Vec2& offset);
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <thread>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);  // far more than is needed, for machines under load
@@ -173,4 +173,4 @@ void askToClose(const std::string& display) {
   Neighbour(display).askToClose();
 }
 
-}  // namespace drape
+}  // namespace drape::app

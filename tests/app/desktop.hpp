@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 
 // What the rest of a desktop does with the viewer's window, by the protocols of X. Each throws std::runtime_error when
 // there is no such display, no window on it that takes files, or no answer.
@@ -15,4 +15,4 @@ namespace drape {
 /// Asks the window to close, as the button in its title bar does.
 void askToClose(const std::string& display);
 
-}  // namespace drape
+}  // namespace drape::app

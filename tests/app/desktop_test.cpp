@@ -7,7 +7,7 @@
 #include <fstream>
 #include <set>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 bool hasButton(const Json& state, const char* name) {
@@ -117,4 +117,4 @@ TEST(Desktop, ClosingTheWindowQuitsAtOnceWhereNothingIsLost) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::app

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -228,4 +228,4 @@ TEST(FirstMinute, AnErrorCanBeReadToItsEndAndClosed) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::app

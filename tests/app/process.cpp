@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 constexpr int cannotStart = 127;
@@ -96,4 +96,4 @@ int runToEnd(const ProcessOptions& options) {
   return process.waitFor(60.0).value_or(-1);
 }
 
-}  // namespace drape
+}  // namespace drape::app

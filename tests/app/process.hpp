@@ -8,7 +8,7 @@
 
 #include <sys/types.h>
 
-namespace drape {
+namespace drape::app {
 
 /// Options for starting a program.
 struct ProcessOptions {
@@ -44,4 +44,4 @@ class Process {
 /// Runs a program to its end and returns its exit status.
 [[nodiscard]] int runToEnd(const ProcessOptions& options);
 
-}  // namespace drape
+}  // namespace drape::app

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 TEST(Record, ASessionInTheWindowReplaysToTheSameBits) {
@@ -47,4 +47,4 @@ TEST(Record, AFileThatCannotBeWrittenIsToldAtOnce) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::app

@@ -14,7 +14,7 @@
 
 #include <unistd.h>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);  // ample, for machines under load
@@ -241,4 +241,4 @@ Place ViewerDriver::besideCloth() {
   return {now["free_point"]["x"], now["free_point"]["y"]};
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 
 using Json = nlohmann::json;
 
@@ -101,4 +101,4 @@ class ViewerDriver {
   std::unique_ptr<Process> viewer_;
 };
 
-}  // namespace drape
+}  // namespace drape::app

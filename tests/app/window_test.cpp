@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -548,4 +548,4 @@ TEST(CommandLine, HelpDescribesTheStatusFile) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::app

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 /// Parses a command line; empty when it calls none of the project's programs.
@@ -131,4 +131,4 @@ std::vector<DocumentedCommand> documentedCommands(const std::filesystem::path& r
   return all;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::app::testing

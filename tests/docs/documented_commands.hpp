@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::app::testing {
 
 /// A command line in the documentation.
 struct DocumentedCommand {
@@ -30,4 +30,4 @@ std::ostream& operator<<(std::ostream& stream, const DocumentedCommand& command)
 /// The commands of one page's text.
 [[nodiscard]] std::vector<DocumentedCommand> commandsIn(const std::string& page, const std::string& markdown);
 
-}  // namespace drape::testing
+}  // namespace drape::app::testing

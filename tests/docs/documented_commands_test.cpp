@@ -12,7 +12,7 @@
 #include <set>
 #include <sstream>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 namespace fs = std::filesystem;
@@ -199,4 +199,4 @@ TEST(DocumentedCommands, ofTheFrontPageAreAllFound) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

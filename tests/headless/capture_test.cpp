@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 std::string pattern(const std::filesystem::path& folder) {
@@ -17,13 +17,14 @@ TEST(Capture, writesAsManyPicturesAsAskedForOfThatSize) {
       headless("capture grid --frames 3 --every 10 --resolution 160,120 --output " + pattern(folder));
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   for (const char* name : {"f_000.png", "f_001.png", "f_002.png"}) {
-    const Image image = readPng(folder / name);
+    const render::Image image = render::readPng(folder / name);
     EXPECT_EQ(image.width, 160);
     EXPECT_EQ(image.height, 120);
     EXPECT_GT(std::set<std::uint8_t>(image.rgb.begin(), image.rgb.end()).size(), 16U) << "an empty picture";
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "f_003.png"));
-  const auto moved = compareImages(readPng(folder / "f_000.png"), readPng(folder / "f_002.png"));
+  const auto moved =
+      render::compareImages(render::readPng(folder / "f_000.png"), render::readPng(folder / "f_002.png"));
   EXPECT_GT(moved.pixels, 200);
 }
 
@@ -43,7 +44,7 @@ TEST(Capture, takesTheCameraFromTheCommandLine) {
       headless(start + "--camera-position 4,1,0 --camera-focal-point 0,1,0 --output " + (folder / "b.png").string())
           .status,
       0);
-  EXPECT_GT(compareImages(readPng(folder / "a.png"), readPng(folder / "b.png")).pixels, 500);
+  EXPECT_GT(render::compareImages(render::readPng(folder / "a.png"), render::readPng(folder / "b.png")).pixels, 500);
 }
 
 TEST(Capture, drawsTheGhost) {
@@ -54,8 +55,14 @@ TEST(Capture, drawsTheGhost) {
       headless(start + "--set ghost.solver=one_iteration --set ghost.substeps=10 --output " + pattern(folder / "b"))
           .status,
       0);
-  EXPECT_EQ(compareImages(readPng(folder / "a" / "f_000.png"), readPng(folder / "b" / "f_000.png"), 8).pixels, 0);
-  EXPECT_GT(compareImages(readPng(folder / "a" / "f_001.png"), readPng(folder / "b" / "f_001.png"), 8).pixels, 100);
+  EXPECT_EQ(
+      render::compareImages(render::readPng(folder / "a" / "f_000.png"), render::readPng(folder / "b" / "f_000.png"), 8)
+          .pixels,
+      0);
+  EXPECT_GT(
+      render::compareImages(render::readPng(folder / "a" / "f_001.png"), render::readPng(folder / "b" / "f_001.png"), 8)
+          .pixels,
+      100);
 }
 
 TEST(Capture, drawsThePanelsWhenAsked) {
@@ -63,7 +70,7 @@ TEST(Capture, drawsThePanelsWhenAsked) {
   const std::string start = "capture grid --frames 1 --resolution 960,600 ";
   ASSERT_EQ(headless(start + "--output " + (folder / "a.png").string()).status, 0);
   ASSERT_EQ(headless(start + "--ui --output " + (folder / "b.png").string()).status, 0);
-  const auto panels = compareImages(readPng(folder / "a.png"), readPng(folder / "b.png"));
+  const auto panels = render::compareImages(render::readPng(folder / "a.png"), render::readPng(folder / "b.png"));
   EXPECT_GT(panels.pixels, 960 * 600 / 10);
 }
 
@@ -73,7 +80,8 @@ TEST(Capture, drawsWhereTheDriverHasNoMultisampling) {
   const Outcome outcome = headlessOnSoftpipe(start + (folder / "a.png").string());
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   ASSERT_EQ(headless(start + (folder / "b.png").string()).status, 0);
-  const auto difference = compareImages(readPng(folder / "a.png"), readPng(folder / "b.png"), 32);
+  const auto difference =
+      render::compareImages(render::readPng(folder / "a.png"), render::readPng(folder / "b.png"), 32);
   EXPECT_LT(difference.pixels, 160 * 120 / 10) << "the same picture but for its edges";
 }
 
@@ -95,4 +103,4 @@ TEST(Capture, failsWithStatusOneWhereItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

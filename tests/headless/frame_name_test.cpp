@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 TEST(FramePattern, putsTheNumberWhereItIsAskedFor) {
@@ -17,9 +17,9 @@ TEST(FramePattern, putsTheNumberWhereItIsAskedFor) {
 TEST(FramePattern, refusesWhatWouldOverwriteOrCannotBeRead) {
   for (const char* pattern :
        {"f.png", "f{frame.png", "f{fram}.png", "f{frame:0}.png", "f{frame:x}.png", "f{frame:10}.png", "f{}.png"}) {
-    EXPECT_THROW(FramePattern(pattern, 2), UsageError) << pattern;
+    EXPECT_THROW(FramePattern(pattern, 2), messages::UsageError) << pattern;
   }
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::app

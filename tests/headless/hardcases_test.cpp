@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 const std::string quick = "hardcases --short --case heavy_gravity ";
@@ -53,4 +53,4 @@ TEST(HardCasesCommand, refusesWrongUse) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

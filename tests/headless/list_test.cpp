@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 nlohmann::json listOf(const std::string& what) {
@@ -15,7 +15,7 @@ nlohmann::json listOf(const std::string& what) {
 
 TEST(List, givesEverySettingWithKeyUnitRangeDefaultAndHelp) {
   const auto settings = listOf("settings");
-  ASSERT_EQ(settings.size(), settingsTable().size());
+  ASSERT_EQ(settings.size(), settings::settingsTable().size());
   for (const auto& setting : settings) {
     for (const char* part : {"key", "unit", "type", "range", "default", "help"}) {
       EXPECT_TRUE(setting.contains(part)) << setting;
@@ -42,4 +42,4 @@ TEST(List, refusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

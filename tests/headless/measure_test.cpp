@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 const std::string small = "measure grid --set grid.resolution=5 ";
@@ -118,4 +118,4 @@ TEST(Measure, failsBeforeTheRunWhenTheFileCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

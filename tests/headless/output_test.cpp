@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 /// Output and exit status of all commands.
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 const std::string blownUp = "grid --set solver=verlet --set stiffness=1e7 --set grid.resolution=9 ";
@@ -149,4 +149,4 @@ TEST(EmptyNames, areRefused) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace drape::testing {
+namespace drape::app::testing {
 
 std::string readFile(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -62,4 +62,4 @@ Outcome interruptedReport(int seconds, const std::string& arguments) {
   return runProgram("timeout --preserve-status -s INT " + std::to_string(seconds) + " " DRAPE_REPORT, arguments);
 }
 
-}  // namespace drape::testing
+}  // namespace drape::app::testing

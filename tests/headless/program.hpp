@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace drape::testing {
+namespace drape::app::testing {
 
 /// The result of a program.
 struct Outcome {
@@ -35,4 +35,4 @@ struct Outcome {
 
 [[nodiscard]] std::string readFile(const std::filesystem::path& file);
 
-}  // namespace drape::testing
+}  // namespace drape::app::testing

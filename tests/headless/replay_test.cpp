@@ -8,36 +8,37 @@
 #include <fstream>
 #include <memory>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 /// A session with every command that a log can hold.
-std::unique_ptr<Simulation> busySession() {
-  auto session = std::make_unique<Simulation>(buildScene(openScene("sphere"), openScene("sphere").settings));
-  Simulation& simulation = *session;
+std::unique_ptr<session::Simulation> busySession() {
+  auto session = std::make_unique<session::Simulation>(
+      scene::buildScene(scene::openScene("sphere"), scene::openScene("sphere").settings));
+  session::Simulation& simulation = *session;
   const auto steps = [&](int count) {
     for (int i = 0; i < count; ++i) {
       simulation.step();
     }
   };
   steps(3);
-  simulation.apply(SetSettingCommand{"wind.x", 2.5});
-  simulation.apply(SetSettingCommand{"drag", 1});
-  simulation.apply(AttachCommand{{40, Vec3(0.2, 0.3, 0.5), Vec3(0.1, 1.4, 0.1)}});
+  simulation.apply(session::SetSettingCommand{"wind.x", 2.5});
+  simulation.apply(session::SetSettingCommand{"drag", 1});
+  simulation.apply(session::AttachCommand{{40, Vec3(0.2, 0.3, 0.5), Vec3(0.1, 1.4, 0.1)}});
   steps(5);
-  simulation.apply(MoveAttachmentCommand{Vec3(0.2, 1.6, 1.0 / 3.0)});
+  simulation.apply(session::MoveAttachmentCommand{Vec3(0.2, 1.6, 1.0 / 3.0)});
   steps(5);
-  simulation.apply(TogglePinCommand{});
-  simulation.apply(DetachCommand{});
-  simulation.apply(MovePinsCommand{Vec3(0.0, 0.01, 0.0)});
-  simulation.apply(PauseCommand{true});
-  simulation.apply(SingleStepCommand{});
-  simulation.apply(PauseCommand{false});
-  simulation.apply(MoveBodyCommand{0, Vec3(0.05, 0.0, 0.0)});
-  simulation.apply(SetSurfaceCommand{0, {0.9, 0.7, 0.003}});
+  simulation.apply(session::TogglePinCommand{});
+  simulation.apply(session::DetachCommand{});
+  simulation.apply(session::MovePinsCommand{Vec3(0.0, 0.01, 0.0)});
+  simulation.apply(session::PauseCommand{true});
+  simulation.apply(session::SingleStepCommand{});
+  simulation.apply(session::PauseCommand{false});
+  simulation.apply(session::MoveBodyCommand{0, Vec3(0.05, 0.0, 0.0)});
+  simulation.apply(session::SetSurfaceCommand{0, {0.9, 0.7, 0.003}});
   steps(5);
-  simulation.apply(SwitchBodyCommand{0, false});
-  simulation.apply(SetCostBudgetCommand{321.0});
+  simulation.apply(session::SwitchBodyCommand{0, false});
+  simulation.apply(session::SetCostBudgetCommand{321.0});
   steps(2);
   return session;
 }
@@ -54,13 +55,13 @@ TEST(Replay, endsInTheSameBitsAsTheSession) {
   const std::string file = written(sessionLogOf(*session));
   const Outcome outcome = headless("run --replay " + file + " --threads 2");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_NE(outcome.output.find(toHex(stateHash(session->state()))), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find(sim::toHex(sim::stateHash(session->state()))), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.output.find("same state as the session"), std::string::npos) << outcome.output;
 }
 
 TEST(Replay, followsAResetToTheSameBits) {
   const auto session = busySession();
-  session->apply(ResetCommand{});
+  session->apply(session::ResetCommand{});
   for (int i = 0; i < 4; ++i) {
     session->step();
   }
@@ -68,11 +69,11 @@ TEST(Replay, followsAResetToTheSameBits) {
 }
 
 TEST(Replay, keepsTheSettingsThatTheSceneWasOpenedWith) {
-  Settings settings = openScene("grid").settings;
+  settings::Settings settings = scene::openScene("grid").settings;
   settings.step.material.stiffness = 123.0;
   settings.material.mass = 0.2;
   settings.material.massGivenAs = "mass";
-  Simulation session(buildScene(openScene("grid"), settings));
+  session::Simulation session(scene::buildScene(scene::openScene("grid"), settings));
   session.step();
   EXPECT_EQ(headless("run --replay " + written(sessionLogOf(session))).status, 0);
 }
@@ -80,7 +81,7 @@ TEST(Replay, keepsTheSettingsThatTheSceneWasOpenedWith) {
 TEST(Replay, failsWhereTheEndDiffers) {
   const auto session = busySession();
   SessionLog log = sessionLogOf(*session);
-  std::get<SetSettingCommand>(log.commands.front().command).value = 2.6;
+  std::get<session::SetSettingCommand>(log.commands.front().command).value = 2.6;
   const Outcome outcome = headless("run --replay " + written(log));
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.errors.find(log.stateHash), std::string::npos) << outcome.errors;
@@ -121,7 +122,7 @@ TEST(Replay, takesSceneAndSettingsFromTheLogAlone) {
 TEST(CommandJson, keepsEveryCommandAndAllBits) {
   const auto session = busySession();
   ASSERT_GE(session->log().size(), 13U);
-  for (const LoggedCommand& entry : session->log()) {
+  for (const session::LoggedCommand& entry : session->log()) {
     const auto json = toJson(entry);
     EXPECT_EQ(toJson(commandFrom(nlohmann::ordered_json::parse(json.dump()))), json);
   }
@@ -130,9 +131,9 @@ TEST(CommandJson, keepsEveryCommandAndAllBits) {
 TEST(CommandJson, namesAnEntryThatIsNoCommand) {
   for (const char* text : {"{}", "3", R"({"step": 1, "command": "attach"})", R"({"step": 1, "command": "fly"})",
                            R"({"step": 1, "command": "load_scene"})"}) {
-    EXPECT_THROW(static_cast<void>(commandFrom(nlohmann::ordered_json::parse(text))), InputError) << text;
+    EXPECT_THROW(static_cast<void>(commandFrom(nlohmann::ordered_json::parse(text))), messages::InputError) << text;
   }
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

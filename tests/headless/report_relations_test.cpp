@@ -12,7 +12,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 using Json = nlohmann::json;
@@ -237,4 +237,4 @@ TEST_F(QuickReport, opensInABrowser) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 nlohmann::json jsonIn(const std::filesystem::path& folder) {
@@ -133,4 +133,4 @@ TEST(Report, refusesWrongUse) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

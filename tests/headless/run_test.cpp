@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::app::testing {
 namespace {
 
 nlohmann::json statsOf(const std::string& arguments) {
@@ -284,4 +284,4 @@ TEST(Run, tellsWhatIsWrongWithTheSolverAndTheGhostsOnThisCloth) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::app::testing

@@ -5,7 +5,7 @@
 #include <array>
 #include <random>
 
-namespace drape::testing {
+namespace drape::intersection::testing {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
@@ -79,4 +79,4 @@ TEST(Cgal, agreesOnWhichTrianglesIntersectBeyondASharedCorner) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::intersection::testing

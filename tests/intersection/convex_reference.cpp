@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::intersection::testing {
 namespace {
 
 using Column = std::array<std::int64_t, 4>;
@@ -118,4 +118,4 @@ bool meetBeyondEdgeByCones(const WholeTriangle& a, const WholeTriangle& b) {
   return conesShare(edge, a[2] - u, edge, b[2] - u, -edge) || conesShare(-edge, a[2] - v, -edge, b[2] - v, edge);
 }
 
-}  // namespace drape::testing
+}  // namespace drape::intersection::testing

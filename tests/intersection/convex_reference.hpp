@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace drape::testing {
+namespace drape::intersection::testing {
 
 /// A triangle with small integer coordinates.
 using WholeTriangle = std::array<Eigen::Vector3i, 3>;
@@ -20,4 +20,4 @@ using WholeTriangle = std::array<Eigen::Vector3i, 3>;
 /// direction from one of its ends that leads into both and off the edge.
 [[nodiscard]] bool meetBeyondEdgeByCones(const WholeTriangle& a, const WholeTriangle& b);
 
-}  // namespace drape::testing
+}  // namespace drape::intersection::testing

@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace drape::testing {
+namespace drape::intersection::testing {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
@@ -218,4 +218,4 @@ TEST(Intersections, requireAValidSurface) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::intersection::testing

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-namespace drape::testing {
+namespace drape::intersection::testing {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
@@ -133,4 +133,4 @@ TEST(Orientation, neitherUnderflowsNorOverflows) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::intersection::testing

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::intersection::testing {
 namespace {
 
 using Vec3 = Eigen::Vector3d;
@@ -210,4 +210,4 @@ TEST(TrianglePair, isTheSameAfterExactScalingAndExchangeForPointsThatRound) {
 }
 
 }  // namespace
-}  // namespace drape::testing
+}  // namespace drape::intersection::testing

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 constexpr double edgeLength = 0.05;
@@ -108,4 +108,4 @@ TEST(Delaunay, leavesNoPointInsideTheCircleOfATriangle) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

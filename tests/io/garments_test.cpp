@@ -10,19 +10,19 @@
 #include <fstream>
 #include <sstream>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 ImportedMesh welded(const RawMesh& raw) {
   return weldMesh(raw, "garment", {});
 }
 
-Surface surfaceOf(const ImportedMesh& mesh) {
+intersection::Surface surfaceOf(const ImportedMesh& mesh) {
   return {mesh.cloth.positions, mesh.cloth.triangles};
 }
 
 /// The ratio of the longest and the shortest edge.
-double edgeRatio(const ClothMesh& mesh) {
+double edgeRatio(const sim::ClothMesh& mesh) {
   double shortest = HUGE_VAL;
   double longest = 0.0;
   for (const Triangle& triangle : mesh.triangles) {
@@ -126,7 +126,7 @@ void expectOneClosedSurface(const ImportedMesh& mesh) {
   EXPECT_EQ(mesh.summary.nonManifoldEdges, 0);
   EXPECT_EQ(mesh.summary.misorientedEdges, 0);
   EXPECT_EQ(mesh.summary.vertices - mesh.summary.springs + mesh.summary.triangles, 2) << "Euler's formula: no holes";
-  EXPECT_EQ(intersectingPairs(surfaceOf(mesh)).size(), 0U);
+  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(mesh)).size(), 0U);
 }
 
 TEST(Garments, lieAroundFiguresThatAreClosedSurfacesAndTouchThemNowhere) {
@@ -137,9 +137,9 @@ TEST(Garments, lieAroundFiguresThatAreClosedSurfacesAndTouchThemNowhere) {
   expectOneClosedSurface(skater);
   EXPECT_NEAR(skater.summary.size[1], 1.67, 0.02);
   const ImportedMesh tshirt = welded(makeTshirt());
-  EXPECT_EQ(intersectingPairs(surfaceOf(tshirt), surfaceOf(mannequin)).size(), 0U);
+  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(tshirt), surfaceOf(mannequin)).size(), 0U);
   const ImportedMesh cape = welded(makeCape());
-  EXPECT_EQ(intersectingPairs(surfaceOf(cape), surfaceOf(skater)).size(), 0U);
+  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(cape), surfaceOf(skater)).size(), 0U);
 }
 
 TEST(Garments, includeACapeWithOneBorder) {
@@ -149,7 +149,7 @@ TEST(Garments, includeACapeWithOneBorder) {
   EXPECT_EQ(cape.summary.boundaryLoops, 1);
   EXPECT_EQ(cape.summary.nonManifoldEdges, 0);
   EXPECT_LT(edgeRatio(cape.cloth), 6.0);
-  EXPECT_EQ(intersectingPairs(surfaceOf(cape)).size(), 0U);
+  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(cape)).size(), 0U);
 }
 
 TEST(Garments, lieOnATableThatIsOneClosedSurfaceAndLevel) {
@@ -160,4 +160,4 @@ TEST(Garments, lieOnATableThatIsOneClosedSurfaceAndLevel) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

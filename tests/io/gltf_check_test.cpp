@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST(GltfCheck, namesDamageOfDataInsideTheText) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using Json = nlohmann::json;
@@ -93,4 +93,4 @@ TEST(GltfContent, refusesNodesThatAreNoTree) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

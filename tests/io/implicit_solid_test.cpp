@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 double volumeOf(const RawMesh& mesh) {
@@ -53,4 +53,4 @@ TEST(ImplicitSolid, theSurfaceOfABallIsClosedRoundAndEven) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

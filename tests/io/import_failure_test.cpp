@@ -13,7 +13,7 @@
 #include <stop_token>
 #include <thread>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,7 +161,7 @@ TEST_F(ImportFailure, survivesObjFilesCutOffAnywhere) {
   for (std::size_t size = 1; size < whole.size(); size += 3) {
     try {
       (void)importMeshFromMemory("cut.obj", whole.substr(0, size), {});
-    } catch (const InputError& error) {
+    } catch (const messages::InputError& error) {
       EXPECT_TRUE(contains(error.what(), "cut.obj: ")) << error.what();
     }
   }
@@ -226,7 +226,7 @@ TEST_F(ImportFailure, hasAGoodMessageForEveryDamagedFile) {
       damaged[i * 37 % whole.size()] = bytes[2 * i];
       try {
         (void)importMeshFromMemory(name, damaged, {});
-      } catch (const InputError& error) {
+      } catch (const messages::InputError& error) {
         expectGoodMessage(name, error.what());
       }
     }
@@ -267,4 +267,4 @@ TEST_F(ImportFailure, saysWhereTheReaderShouldBe) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

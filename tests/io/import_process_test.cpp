@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <stop_token>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using End = ProcessOutcome::End;
@@ -82,4 +82,4 @@ TEST(ImportProcess, saysWhichProgramCannotBeStarted) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <cstring>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 ImportReply someReply() {
@@ -44,9 +44,9 @@ TEST(ImportProtocol, tellsProgressBeforeTheReply) {
 TEST(ImportProtocol, refusesEveryTruncation) {
   const std::string whole = encodeReply(someReply());
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    EXPECT_THROW((void)decodeReply(std::string_view(whole).substr(0, size)), InputError) << size << " bytes";
+    EXPECT_THROW((void)decodeReply(std::string_view(whole).substr(0, size)), messages::InputError) << size << " bytes";
   }
-  EXPECT_THROW((void)decodeReply(whole + "x"), InputError);
+  EXPECT_THROW((void)decodeReply(whole + "x"), messages::InputError);
 }
 
 TEST(ImportProtocol, refusesCountsThatDoNotFitTheAnswer) {
@@ -58,10 +58,10 @@ TEST(ImportProtocol, refusesCountsThatDoNotFitTheAnswer) {
       if (field == 4 && value == 4) {
         continue;  // a valid number of skipped faces
       }
-      EXPECT_THROW((void)decodeReply(changed), InputError) << "field " << field;
+      EXPECT_THROW((void)decodeReply(changed), messages::InputError) << "field " << field;
     }
   }
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

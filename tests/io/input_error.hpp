@@ -5,14 +5,14 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace drape {
+namespace drape::io {
 
 /// The message of the InputError that `action` throws; empty, with a test failure, when it throws none.
 template <typename Action>
 std::string inputErrorOf(Action&& action) {
   try {
     action();
-  } catch (const InputError& error) {
+  } catch (const messages::InputError& error) {
     return error.what();
   }
   ADD_FAILURE() << "no InputError";
@@ -23,4 +23,4 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-}  // namespace drape
+}  // namespace drape::io

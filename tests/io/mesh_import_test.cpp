@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 const std::string fourCorners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
@@ -231,4 +231,4 @@ TEST(MeshImport, offersFormatsWithoutDots) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

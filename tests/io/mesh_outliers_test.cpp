@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// A sheet of `side` x `side` vertices, 0.05 apart.
@@ -102,4 +102,4 @@ TEST(MeshOutliers, medianEdgeIgnoresEdgesWithoutLength) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

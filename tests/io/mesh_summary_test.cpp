@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 RawMesh square(double side) {
@@ -93,4 +93,4 @@ TEST(MeshSummary, isDescribedLineByLineWithItsWarnings) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// Two triangles of a unit square that meet along its diagonal, each with its own vertices, as at a texture seam.
@@ -260,4 +260,4 @@ TEST(MeshWeld, refusesAUnitThatIsNoLength) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 const std::string vertices = "# three corners\nv 0 0 0\nv 1.5 0 0\r\nv 0 +1e-3 0\n";
@@ -114,7 +114,7 @@ TEST(ObjCheck, tellsOfATruncationAtEveryByte) {
     } else if (cut.back() != '\n') {
       try {
         EXPECT_FALSE(check(cut).warnings.empty()) << cut;
-      } catch (const InputError& error) {
+      } catch (const messages::InputError& error) {
         EXPECT_TRUE(contains(error.what(), "ends in the middle of line 10")) << error.what();
       }
     } else {
@@ -156,4 +156,4 @@ TEST(ObjCheck, refusesAFaceOfVeryManyCorners) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 TEST(ObjWriter, writesSharedPositionsAndSplitTextureCoordinates) {
@@ -35,4 +35,4 @@ TEST(ObjWriter, writesNoNegativeZeroAndAllDigitsOfLargeNumbers) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

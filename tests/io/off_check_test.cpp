@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 const std::string square = "OFF\n# a square\n4 2 0\n0 0 0\n1 0 0\n\n0 1 0\n1 1 0\n3 0 1 2 255 0 0\n3 1 3 2\n";
@@ -59,4 +59,4 @@ TEST(OffCheck, warnsOfWhatTheHeaderDoesNotPromise) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 std::string header(const std::string& format, const std::string& vertices = "3", const std::string& faces = "1") {
@@ -56,12 +56,12 @@ TEST(PlyCheck, refusesEveryTruncation) {
   for (const bool bigEndian : {false, true}) {
     const std::string whole = binaryPly(bigEndian);
     for (std::size_t size = 0; size < whole.size(); ++size) {
-      EXPECT_THROW((void)check(whole.substr(0, size)), InputError) << size << " bytes";
+      EXPECT_THROW((void)check(whole.substr(0, size)), messages::InputError) << size << " bytes";
     }
   }
   const std::string whole = textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 2");
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    EXPECT_THROW((void)check(whole.substr(0, size)), InputError) << size << " bytes";
+    EXPECT_THROW((void)check(whole.substr(0, size)), messages::InputError) << size << " bytes";
   }
 }
 
@@ -143,4 +143,4 @@ TEST(PlyCheck, namesWhatItsHeaderLacks) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// A square of 2 x 2 cells, rows from y = 0, with the vertex `moved` at `place`.
@@ -73,4 +73,4 @@ TEST(ShortEdges, keepsATriangleThatStandsAlone) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

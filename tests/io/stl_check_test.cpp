@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 const std::string textStl =
@@ -103,4 +103,4 @@ TEST(StlCheck, saysThatThereAreNoFaces) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

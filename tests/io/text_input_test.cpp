@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 const std::string sample = "v 0 0 0\nv 1 0 0\n";
@@ -65,4 +65,4 @@ TEST(TextInput, takesWordsUpToAComment) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

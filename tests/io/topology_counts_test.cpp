@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// A strip of quads around a cylinder, `count` of them.
@@ -55,4 +55,4 @@ TEST(TopologyCounts, findsFacesThatRunTheSameWayAlongAnEdge) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::io

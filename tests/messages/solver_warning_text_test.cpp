@@ -7,20 +7,20 @@
 #include <optional>
 #include <string>
 
-namespace drape {
+namespace drape::messages {
 namespace {
 
-using Kind = SolverWarning::Kind;
-using testing::pinnedSheet;
+using Kind = sim::SolverWarning::Kind;
+using sim::testing::pinnedSheet;
 
 /// The warning of a solver on a sheet of n x n vertices; empty if there is none.
-std::string warningOf(const char* solver, int n, const StepParameters& parameters) {
-  const std::optional<SolverWarning> warning = findSolver(solver)->warning(*pinnedSheet(n), parameters);
+std::string warningOf(const char* solver, int n, const sim::StepParameters& parameters) {
+  const std::optional<sim::SolverWarning> warning = sim::findSolver(solver)->warning(*pinnedSheet(n), parameters);
   return warning ? inWords(*warning) : std::string();
 }
 
-StepParameters with(double stiffness, double timeStep = 1.0 / 150.0) {
-  StepParameters parameters;
+sim::StepParameters with(double stiffness, double timeStep = 1.0 / 150.0) {
+  sim::StepParameters parameters;
   parameters.material.stiffness = stiffness;
   parameters.timeStep = timeStep;
   return parameters;
@@ -91,7 +91,7 @@ TEST(SolverWarningText, saysThatIterationsAreTooFew) {
 }
 
 TEST(SolverWarningText, saysThatIterationsOvershoot) {
-  StepParameters parameters = with(1000.0);
+  sim::StepParameters parameters = with(1000.0);
   parameters.iteration.iterations = 3;
   parameters.iteration.spectralRadius = 0.95;
   EXPECT_EQ(warningOf("vbd", 5, parameters),
@@ -108,15 +108,15 @@ TEST(SolverWarningText, saysThatNewtonIsSlowAndXpbdInexact) {
       warningOf("newton", 33, {}),
       "Newton's method factorises a large matrix several times in each step: on so fine a mesh it is too slow for "
       "interactive use.");
-  StepParameters parameters = with(10.0, 1.0 / 60000.0);
-  parameters.precision = Precision::Float;
+  sim::StepParameters parameters = with(10.0, 1.0 / 60000.0);
+  parameters.precision = sim::Precision::Float;
   EXPECT_EQ(
       warningOf("xpbd", 9, parameters),
       "Substeps below 1/6000 s are too short for XPBD in float: velocities become inexact. Use double precision.");
 }
 
 TEST(SolverWarningText, saysWhatACostBudgetCosts) {
-  SolverWarning softened{
+  sim::SolverWarning softened{
       .kind = Kind::Softened, .stiffnessScale = 0.00192, .neededCost = 1234567.0, .softenedByChoice = true};
   EXPECT_EQ(
       inWords(softened),
@@ -131,4 +131,4 @@ TEST(SolverWarningText, saysWhatACostBudgetCosts) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::messages

@@ -2,16 +2,17 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::messages {
 namespace {
 
 TEST(StepChoiceText, isWrittenAsText) {
-  const StepChoice choice{.substeps = 12, .forceEvaluations = 12, .hOmega = 20.0, .error = 2.04e-4};
+  const sim::adaptive::StepChoice choice{.substeps = 12, .forceEvaluations = 12, .hOmega = 20.0, .error = 2.04e-4};
   EXPECT_EQ(inWords(choice, 0.0004, 0.016), "stiff cloth: 12 explicit substeps, 0.4 ms of 16 ms, error about 0.2 mm");
 }
 
 TEST(StepChoiceText, tellsTheStiffnessScaleAndTheLevels) {
-  const StepChoice choice{.substeps = 17, .hOmega = 622.0, .stiffnessScale = 0.00243, .coarseLevels = 4, .retries = 1};
+  const sim::adaptive::StepChoice choice{
+      .substeps = 17, .hOmega = 622.0, .stiffnessScale = 0.00243, .coarseLevels = 4, .retries = 1};
   EXPECT_EQ(inWords(choice),
             "very stiff cloth: 17 explicit substeps at 0.24 % of the stiffness with 4 coarse levels, 1 retry");
 }
@@ -34,4 +35,4 @@ TEST(StepChoiceText, tellsSlowMotionAndSleep) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::messages

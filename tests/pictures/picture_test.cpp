@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 constexpr int width = 480;          // [pixels]
@@ -48,7 +48,7 @@ void PrintTo(const PictureCase& picture, std::ostream* stream) {
 
 std::vector<PictureCase> pictureCases() {
   std::vector<PictureCase> cases;
-  for (const SceneInfo& scene : sceneList()) {
+  for (const scene::SceneInfo& scene : scene::sceneList()) {
     cases.push_back({scene.name, scene.name, {}, 0.0, timeOf(scene.name)});
   }
   cases.push_back({"grid_wireframe", "grid", {"view.wireframe=on"}, 0.0});
@@ -58,39 +58,39 @@ std::vector<PictureCase> pictureCases() {
   return cases;
 }
 
-Snapshot simulate(const PictureCase& picture) {
-  const SceneDescription description = openScene(picture.scene);
-  Settings settings = description.settings;
+session::Snapshot simulate(const PictureCase& picture) {
+  const scene::SceneDescription description = scene::openScene(picture.scene);
+  settings::Settings settings = description.settings;
   for (const std::string& expression : picture.settings) {
-    assignSettingExpression(settings, expression);
+    settings::assignSettingExpression(settings, expression);
   }
-  Simulation simulation(buildScene(description, settings));
+  session::Simulation simulation(scene::buildScene(description, settings));
   const auto steps = std::lround(picture.time / settings.step.timeStep);
   for (long step = 0; step < steps; ++step) {
     simulation.step();
   }
-  Snapshot snapshot;
+  session::Snapshot snapshot;
   simulation.capture(snapshot);
   return snapshot;
 }
 
-Image draw(const Snapshot& snapshot, double yaw) {
-  const OsmesaContext context;
-  Renderer renderer;
-  Camera camera(snapshot.scene->camera);
+render::Image draw(const session::Snapshot& snapshot, double yaw) {
+  const render::OsmesaContext context;
+  render::Renderer renderer;
+  render::Camera camera(snapshot.scene->camera);
   camera.orbit(yaw, 0.0);
   renderer.draw(snapshot, camera, width, height);
   return renderer.read();
 }
 
 /// Writes the picture and its difference; returns a message that names the files.
-std::string keepEvidence(const PictureCase& picture, const Image& golden, const Image& actual) {
+std::string keepEvidence(const PictureCase& picture, const render::Image& golden, const render::Image& actual) {
   const std::filesystem::path folder = DRAPE_ACTUAL_PICTURES;
   std::filesystem::create_directories(folder);
   const std::filesystem::path drawn = folder / (picture.name + ".png");
   const std::filesystem::path difference = folder / (picture.name + "_difference.png");
-  writePng(actual, drawn);
-  writePng(differencePicture(golden, actual, stepOfColour), difference);
+  render::writePng(actual, drawn);
+  render::writePng(render::differencePicture(golden, actual, stepOfColour), difference);
   return "drawn:      " + drawn.string() + "\ndifference: " + difference.string() +
          "\nIf the change is meant: scripts/update-pictures";
 }
@@ -99,15 +99,15 @@ class PictureTest : public testing::TestWithParam<PictureCase> {};
 
 TEST_P(PictureTest, LooksAsBefore) {
   const PictureCase& picture = GetParam();
-  const Image actual = draw(simulate(picture), picture.yaw);
+  const render::Image actual = draw(simulate(picture), picture.yaw);
   const std::filesystem::path file = std::filesystem::path(DRAPE_GOLDEN_PICTURES) / (picture.name + ".png");
   if (std::getenv("DRAPE_UPDATE_PICTURES") != nullptr) {
-    writePng(actual, file);
+    render::writePng(actual, file);
     GTEST_SKIP() << "written: " << file;
   }
   ASSERT_TRUE(std::filesystem::exists(file)) << "no picture to compare with; make it with scripts/update-pictures";
-  const Image golden = readPng(file);
-  const ImageDifference difference = compareImages(golden, actual, stepOfColour);
+  const render::Image golden = render::readPng(file);
+  const render::ImageDifference difference = render::compareImages(golden, actual, stepOfColour);
   const bool alike = difference.sameSize && difference.pixels <= pixelsForgiven;
   EXPECT_TRUE(alike) << difference.pixels << " pixels differ, by up to " << difference.largest << "\n"
                      << keepEvidence(picture, golden, actual);
@@ -117,4 +117,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PictureTest, testing::ValuesIn(pictureCases()),
                          [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::app

@@ -5,14 +5,14 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 constexpr int width = 640;
 constexpr int height = 480;
 
 Camera slantedCamera() {
-  CameraPose pose;
+  scene::CameraPose pose;
   pose.position = {1.3, 2.1, 2.7};
   pose.focalPoint = {0.2, 0.9, -0.1};
   pose.viewAngle = 40.0;
@@ -66,7 +66,7 @@ TEST(Camera, UpIsUpAndRightIsRight) {
 
 TEST(Camera, OrbitKeepsDistanceAndFocalPoint) {
   Camera camera = slantedCamera();
-  const CameraPose before = camera.pose();
+  const scene::CameraPose before = camera.pose();
   camera.orbit(0.7, -0.3);
   EXPECT_EQ(camera.pose().focalPoint, before.focalPoint);
   EXPECT_NEAR((camera.pose().position - before.focalPoint).norm(), (before.position - before.focalPoint).norm(), 1e-12);
@@ -78,7 +78,7 @@ TEST(Camera, PositiveYawGoesRightAndPositivePitchUp) {
   Camera camera;
   camera.orbit(0.2, 0.1);
   EXPECT_GT(camera.pose().position.x(), 0.0);
-  EXPECT_GT(camera.pose().position.y(), CameraPose{}.position.y());
+  EXPECT_GT(camera.pose().position.y(), scene::CameraPose{}.position.y());
 }
 
 TEST(Camera, OrbitNeverGoesOverThePoles) {
@@ -94,7 +94,7 @@ TEST(Camera, OrbitNeverGoesOverThePoles) {
 }
 
 TEST(Camera, LookingStraightDownIsDefined) {
-  CameraPose pose;
+  scene::CameraPose pose;
   pose.position = {0.0, 3.0, 0.0};
   pose.focalPoint = {0.0, 0.0, 0.0};
   const Camera camera(pose);
@@ -118,9 +118,9 @@ TEST(Camera, ZoomIsClamped) {
   camera.zoom(0.5);
   EXPECT_NEAR(distance(), 0.5 * before, 1e-12);
   camera.zoom(1e-9);
-  EXPECT_NEAR(distance(), minViewDistance, 1e-9);
+  EXPECT_NEAR(distance(), scene::minViewDistance, 1e-9);
   camera.zoom(1e12);
-  EXPECT_NEAR(distance(), maxViewDistance, 1e-6);
+  EXPECT_NEAR(distance(), scene::maxViewDistance, 1e-6);
 }
 
 TEST(Camera, RecentreKeepsDirectionAndDistance) {
@@ -192,4 +192,4 @@ TEST(Camera, PointsBehindTheCameraProjectOutside) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::render

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 /// Largest difference over the channels of the pixel that starts at `offset`.
@@ -51,4 +51,4 @@ Image differencePicture(const Image& a, const Image& b, int tolerance) {
   return picture;
 }
 
-}  // namespace drape
+}  // namespace drape::render

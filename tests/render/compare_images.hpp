@@ -2,7 +2,7 @@
 
 #include "render/image.hpp"
 
-namespace drape {
+namespace drape::render {
 
 /// The difference of two pictures.
 struct ImageDifference {
@@ -19,4 +19,4 @@ struct ImageDifference {
 /// when the sizes differ.
 [[nodiscard]] Image differencePicture(const Image& a, const Image& b, int tolerance = 0);
 
-}  // namespace drape
+}  // namespace drape::render

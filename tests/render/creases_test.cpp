@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 /// A strip of three squares, folded along its two inner edges by the given angle [rad].
@@ -50,4 +50,4 @@ TEST(Creases, NothingGivesNothing) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::render

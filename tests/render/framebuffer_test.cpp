@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <array>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 /// The colour of a cleared picture [0 to 255].
@@ -37,4 +37,4 @@ TEST(Framebuffer, hasFourSamplesWhereItIsNotAskedForOthers) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::render

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 Image gradient(int width, int height) {
@@ -48,7 +48,7 @@ TEST_F(ImageFile, ErrorsNameTheFile) {
   const auto messageOf = [](const auto& action) -> std::string {
     try {
       action();
-    } catch (const InputError& error) {
+    } catch (const messages::InputError& error) {
       return error.what();
     }
     return "";
@@ -95,4 +95,4 @@ TEST(DifferencePicture, MarksWhatDiffersInRed) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::render

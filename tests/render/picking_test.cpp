@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 const std::vector<Vec3> positions{{0.0, 0.0, 0.0},  {1.0, 0.0, 0.0},  {0.0, 1.0, 0.0},
@@ -59,4 +59,4 @@ TEST(Picking, HitsVerySmallTriangles) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::render

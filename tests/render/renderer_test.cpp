@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <set>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 constexpr int width = 320;
@@ -30,7 +30,7 @@ int distanceOf(const Pixel& a, const Pixel& b) {
 }
 
 /// The same scene with the cloth out of view.
-Snapshot withoutCloth(Snapshot snapshot) {
+session::Snapshot withoutCloth(session::Snapshot snapshot) {
   for (Vec3& position : snapshot.positions) {
     position.z() += 1000.0;
   }
@@ -41,7 +41,7 @@ Snapshot withoutCloth(Snapshot snapshot) {
 
 class RendererTest : public testing::Test {
  protected:
-  Image picture(const Snapshot& snapshot, const Camera& camera = cameraInFront()) {
+  Image picture(const session::Snapshot& snapshot, const Camera& camera = cameraInFront()) {
     renderer_.draw(snapshot, camera, width, height);
     return renderer_.read();
   }
@@ -64,7 +64,7 @@ TEST_F(RendererTest, PictureHasTheSizeAskedForAndIsNotBlack) {
 }
 
 TEST_F(RendererTest, ClothIsWhereTheCameraProjectsIt) {
-  Snapshot snapshot = wavySheet(0.06);
+  session::Snapshot snapshot = wavySheet(0.06);
   snapshot.settings.view.surface = "plain";
   snapshot.settings.view.shadows = false;
   const Image with = picture(snapshot);
@@ -86,7 +86,7 @@ TEST_F(RendererTest, ClothIsWhereTheCameraProjectsIt) {
 }
 
 TEST_F(RendererTest, TwoRenderersDrawTheSameBytes) {
-  const Snapshot snapshot = wavySheet(0.06);
+  const session::Snapshot snapshot = wavySheet(0.06);
   const Image first = picture(snapshot);
   Renderer other;
   other.draw(snapshot, cameraInFront(), width, height);
@@ -95,35 +95,35 @@ TEST_F(RendererTest, TwoRenderersDrawTheSameBytes) {
 }
 
 TEST_F(RendererTest, WhatWasDrawnBeforeLeavesNoTrace) {
-  const Snapshot snapshot = wavySheet(0.06);
+  const session::Snapshot snapshot = wavySheet(0.06);
   const Image fresh = picture(snapshot);
-  Snapshot other = wavySheet(0.12);
+  session::Snapshot other = wavySheet(0.12);
   other.settings.view.wireframe = true;
   other.settings.view.shadows = false;
-  other.attachment = AttachmentStatus{};
+  other.attachment = session::AttachmentStatus{};
   (void)picture(other);
   EXPECT_EQ(fresh.rgb, picture(snapshot).rgb);
 }
 
 TEST_F(RendererTest, ViewSettingsChangeThePicture) {
-  const Snapshot plainView = wavySheet(0.06);
+  const session::Snapshot plainView = wavySheet(0.06);
   const Image before = picture(plainView);
   const auto pixelsChangedBy = [&](auto change) {
-    Snapshot changed = plainView;
+    session::Snapshot changed = plainView;
     change(changed.settings.view);
     return compareImages(before, picture(changed), 8).pixels;
   };
-  EXPECT_GT(pixelsChangedBy([](Settings::View& view) { view.wireframe = true; }), 2000);
-  EXPECT_GT(pixelsChangedBy([](Settings::View& view) { view.surface = "plain"; }), 2000);
-  EXPECT_GT(pixelsChangedBy([](Settings::View& view) { view.ground = false; }), 2000);
-  EXPECT_GT(pixelsChangedBy([](Settings::View& view) { view.shadows = false; }), 500);
+  EXPECT_GT(pixelsChangedBy([](settings::Settings::View& view) { view.wireframe = true; }), 2000);
+  EXPECT_GT(pixelsChangedBy([](settings::Settings::View& view) { view.surface = "plain"; }), 2000);
+  EXPECT_GT(pixelsChangedBy([](settings::Settings::View& view) { view.ground = false; }), 2000);
+  EXPECT_GT(pixelsChangedBy([](settings::Settings::View& view) { view.shadows = false; }), 500);
 }
 
 TEST_F(RendererTest, FrontAndBackAreTinted) {
-  Snapshot snapshot = wavySheet(0.0);
+  session::Snapshot snapshot = wavySheet(0.0);
   snapshot.settings.view.surface = "plain";
   const Pixel front = pixelAt(picture(snapshot), width / 2, height / 2);
-  CameraPose pose = cameraInFront().pose();
+  scene::CameraPose pose = cameraInFront().pose();
   pose.position.z() = -pose.position.z();
   const Pixel back = pixelAt(picture(snapshot, Camera(pose)), width / 2, height / 2);
   EXPECT_GT(front[2], front[0] + 30) << "the front is blue";
@@ -131,7 +131,7 @@ TEST_F(RendererTest, FrontAndBackAreTinted) {
 }
 
 TEST_F(RendererTest, OutlinesAreBlendedFromFourSamples) {
-  Snapshot snapshot = wavySheet(0.0);
+  session::Snapshot snapshot = wavySheet(0.0);
   snapshot.settings.view.surface = "plain";
   snapshot.settings.view.shadows = false;
   snapshot.settings.view.ground = false;
@@ -154,7 +154,7 @@ TEST_F(RendererTest, OutlinesAreBlendedFromFourSamples) {
 }
 
 TEST_F(RendererTest, NewPositionsAreDrawnWhenTheVersionGrows) {
-  Snapshot snapshot = wavySheet(0.06);
+  session::Snapshot snapshot = wavySheet(0.06);
   const Image before = picture(snapshot);
   for (Vec3& position : snapshot.positions) {
     position.x() += 0.2;
@@ -164,19 +164,19 @@ TEST_F(RendererTest, NewPositionsAreDrawnWhenTheVersionGrows) {
 }
 
 TEST_F(RendererTest, AttachmentAndPinsAreShown) {
-  const Snapshot snapshot = wavySheet(0.06);
+  const session::Snapshot snapshot = wavySheet(0.06);
   const Camera camera = cameraInFront();
   const Image without = picture(snapshot);
-  Snapshot attached = snapshot;
-  attached.attachment = AttachmentStatus{{0, {1.0, 0.0, 0.0}, {0.3, 1.1, 0.4}}, {0.0, 0.9, 0.0}, false};
+  session::Snapshot attached = snapshot;
+  attached.attachment = session::AttachmentStatus{{0, {1.0, 0.0, 0.0}, {0.3, 1.1, 0.4}}, {0.0, 0.9, 0.0}, false};
   const Image with = picture(attached);
   const Vec2 target = camera.project(attached.attachment->target, width, height);
   const Pixel amber = pixelAt(with, static_cast<int>(target.x()), static_cast<int>(target.y()));
   EXPECT_GT(amber[0], amber[2] + 100);
   EXPECT_GT(compareImages(without, with, 8).pixels, 100);
 
-  Snapshot unpinned = snapshot;
-  auto model = std::make_shared<ClothModel>(*snapshot.model);
+  session::Snapshot unpinned = snapshot;
+  auto model = std::make_shared<sim::ClothModel>(*snapshot.model);
   model->pinned.assign(model->pinned.size(), false);
   unpinned.model = model;
   const Image noPins = picture(unpinned);
@@ -185,7 +185,7 @@ TEST_F(RendererTest, AttachmentAndPinsAreShown) {
 }
 
 /// The sheet with a ghost at this distance behind (+) or in front (-) of it.
-Snapshot withGhost(Snapshot snapshot, double behind) {
+session::Snapshot withGhost(session::Snapshot snapshot, double behind) {
   snapshot.ghost.emplace();
   snapshot.ghost->positions = snapshot.positions;
   for (Vec3& position : snapshot.ghost->positions) {
@@ -196,13 +196,13 @@ Snapshot withGhost(Snapshot snapshot, double behind) {
 }
 
 TEST_F(RendererTest, AGhostInFrontIsGreenAndTheClothShowsThrough) {
-  Snapshot snapshot = wavySheet(0.0);
+  session::Snapshot snapshot = wavySheet(0.0);
   snapshot.settings.view.surface = "plain";
   const Pixel cloth = pixelAt(picture(snapshot), width / 2, height / 2);
   const Pixel mixed = pixelAt(picture(withGhost(snapshot, -0.1)), width / 2, height / 2);
   EXPECT_GT(mixed[1], mixed[0] + 20);
   EXPECT_GT(mixed[1], mixed[2] + 10);
-  Snapshot alone = withGhost(snapshot, -0.1);
+  session::Snapshot alone = withGhost(snapshot, -0.1);
   for (Vec3& position : alone.positions) {
     position.z() += 1000.0;
   }
@@ -214,7 +214,7 @@ TEST_F(RendererTest, AGhostInFrontIsGreenAndTheClothShowsThrough) {
 
 TEST_F(RendererTest, AGhostInTheSamePlaceOrBehindIsHidden) {
   for (const bool wireframe : {false, true}) {
-    Snapshot snapshot = wavySheet(0.06);
+    session::Snapshot snapshot = wavySheet(0.06);
     snapshot.settings.view.wireframe = wireframe;
     const Image without = picture(snapshot);
     EXPECT_EQ(compareImages(without, picture(withGhost(snapshot, 0.0)), 8).pixels, 0);
@@ -224,13 +224,13 @@ TEST_F(RendererTest, AGhostInTheSamePlaceOrBehindIsHidden) {
 }
 
 TEST_F(RendererTest, AGhostIsDrawnBesideTheCloth) {
-  Snapshot snapshot = wavySheet(0.0);
+  session::Snapshot snapshot = wavySheet(0.0);
   snapshot.settings.view.surface = "plain";
-  CameraPose pose = cameraInFront().pose();
+  scene::CameraPose pose = cameraInFront().pose();
   pose.position.z() += 3.0;
   const Camera camera(pose);
   const Image without = picture(snapshot, camera);
-  Snapshot beside = withGhost(snapshot, 0.0);
+  session::Snapshot beside = withGhost(snapshot, 0.0);
   beside.settings.ghost.offset = 1.5;
   const Image with = picture(beside, camera);
   const Vec2 place = camera.project({1.5, 0.9, 0.0}, width, height);
@@ -241,28 +241,28 @@ TEST_F(RendererTest, AGhostIsDrawnBesideTheCloth) {
 }
 
 TEST_F(RendererTest, AGhostThatLeavesLeavesNoTrace) {
-  const Snapshot snapshot = wavySheet(0.06);
+  const session::Snapshot snapshot = wavySheet(0.06);
   const Image fresh = picture(snapshot);
-  Snapshot haunted = withGhost(snapshot, -0.1);
+  session::Snapshot haunted = withGhost(snapshot, -0.1);
   haunted.settings.ghost.offset = 1.5;
   haunted.settings.view.wireframe = true;
   (void)picture(haunted);
-  Snapshot after = snapshot;
+  session::Snapshot after = snapshot;
   after.version = haunted.version + 1;
   EXPECT_EQ(fresh.rgb, picture(after).rgb);
 }
 
 TEST_F(RendererTest, GroundIsNotInTheWayFromBelow) {
-  CameraPose pose = cameraInFront().pose();
+  scene::CameraPose pose = cameraInFront().pose();
   pose.position.y() = -0.8;
-  Snapshot snapshot = wavySheet(0.06);
+  session::Snapshot snapshot = wavySheet(0.06);
   const Image withGround = picture(snapshot, Camera(pose));
   snapshot.settings.view.ground = false;
   EXPECT_EQ(withGround.rgb, picture(snapshot, Camera(pose)).rgb);
 }
 
 TEST_F(RendererTest, SizeMayChangeBetweenPictures) {
-  const Snapshot snapshot = wavySheet(0.06);
+  const session::Snapshot snapshot = wavySheet(0.06);
   const Image before = picture(snapshot);
   renderer().draw(snapshot, cameraInFront(), 101, 77);
   EXPECT_EQ(renderer().read().rgb.size(), std::size_t{3} * 101 * 77);
@@ -270,11 +270,11 @@ TEST_F(RendererTest, SizeMayChangeBetweenPictures) {
 }
 
 TEST_F(RendererTest, ThingsThatStandThereAreDrawn) {
-  const Snapshot snapshot = wavySheet(0.06);
+  const session::Snapshot snapshot = wavySheet(0.06);
   const Image without = picture(snapshot);
-  auto scene = std::make_shared<Scene>(*snapshot.scene);
-  scene->stand = Decor{{{-0.9, 0.0, 0.2}, {-0.6, 0.0, 0.2}, {-0.75, 1.2, 0.2}}, {{0, 1, 2}}};
-  Snapshot withStand = snapshot;
+  auto scene = std::make_shared<scene::Scene>(*snapshot.scene);
+  scene->stand = scene::Decor{{{-0.9, 0.0, 0.2}, {-0.6, 0.0, 0.2}, {-0.75, 1.2, 0.2}}, {{0, 1, 2}}};
+  session::Snapshot withStand = snapshot;
   withStand.scene = scene;
   const Vec2 place = cameraInFront().project({-0.75, 0.5, 0.2}, width, height);
   const int x = static_cast<int>(place.x());
@@ -283,15 +283,15 @@ TEST_F(RendererTest, ThingsThatStandThereAreDrawn) {
 }
 
 TEST_F(RendererTest, ContactsAreDrawnWithTheirNormals) {
-  const Snapshot snapshot = wavySheet(0.0);
+  const session::Snapshot snapshot = wavySheet(0.0);
   const Image without = picture(snapshot);
-  Snapshot touching = snapshot;
+  session::Snapshot touching = snapshot;
   touching.settings.view.contacts = true;
   touching.contactPoints = {{Vec3(0.2, 0.9, 0.01), Vec3::UnitX()}, {Vec3(-0.2, 0.7, 0.01), Vec3::UnitY()}};
   ++touching.version;
   const Image with = picture(touching);
   const Camera camera = cameraInFront();
-  for (const ContactPoint& contact : touching.contactPoints) {
+  for (const sim::contact::ContactPoint& contact : touching.contactPoints) {
     const Vec2 foot = camera.project(contact.point, width, height);
     const auto pixelOf = [&](const Image& image, const Vec2& place) {
       return pixelAt(image, static_cast<int>(place.x()), static_cast<int>(place.y()));
@@ -303,7 +303,7 @@ TEST_F(RendererTest, ContactsAreDrawnWithTheirNormals) {
   }
   EXPECT_GT(compareImages(without, with, 8).pixels, 20);
   EXPECT_LT(compareImages(without, with, 8).pixels, 400);
-  Snapshot after = snapshot;
+  session::Snapshot after = snapshot;
   after.version = touching.version + 1;
   EXPECT_EQ(without.rgb, picture(after).rgb) << "they leave no trace";
 }
@@ -314,4 +314,4 @@ TEST_F(RendererTest, UnknownShadersAreReported) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::render

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 /// A rectangle of two triangles whose texture fills the given part of the unit square.
-RenderMesh rectangleMesh(double u, double v) {
-  RenderMesh mesh;
+io::RenderMesh rectangleMesh(double u, double v) {
+  io::RenderMesh mesh;
   mesh.particle = {0, 1, 2, 3};
   mesh.uvs = {{0.0, 0.0}, {u, 0.0}, {u, v}, {0.0, v}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -31,11 +31,11 @@ TEST(SurfaceCoordinates, SquareMetreGetsTenChecks) {
 }
 
 TEST(SurfaceCoordinates, MissingOrFlatTexturesGiveNone) {
-  RenderMesh without = rectangleMesh(1.0, 1.0);
+  io::RenderMesh without = rectangleMesh(1.0, 1.0);
   without.uvs.clear();
   EXPECT_TRUE(surfaceCoordinates(without, rectangle(1.0, 1.0)).metres.empty());
   EXPECT_TRUE(surfaceCoordinates(rectangleMesh(0.0, 1.0), rectangle(1.0, 1.0)).metres.empty());
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::render

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 /// A square patch of n by n vertices around the origin whose height is a function of x and y.
@@ -73,4 +73,4 @@ TEST(SurfaceShapes, VertexWithoutAreaPointsUp) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::render

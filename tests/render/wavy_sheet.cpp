@@ -4,7 +4,7 @@
 #include <memory>
 #include <numeric>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 constexpr int side = 25;  // vertices along an edge
@@ -35,15 +35,15 @@ std::vector<Vec3> gridPositions(double waveHeight) {
 
 }  // namespace
 
-Snapshot wavySheet(double waveHeight) {
-  auto model = std::make_shared<ClothModel>();
+session::Snapshot wavySheet(double waveHeight) {
+  auto model = std::make_shared<sim::ClothModel>();
   model->restPositions = gridPositions(0.0);
   model->triangles = gridTriangles();
   model->pinned.assign(model->restPositions.size(), false);
   model->pinned[side * (side - 1)] = true;
   model->pinned[side * side - 1] = true;
 
-  auto scene = std::make_shared<Scene>();
+  auto scene = std::make_shared<scene::Scene>();
   scene->model = model;
   scene->renderMesh.particle.resize(model->restPositions.size());
   std::iota(scene->renderMesh.particle.begin(), scene->renderMesh.particle.end(), 0);
@@ -54,7 +54,7 @@ Snapshot wavySheet(double waveHeight) {
   scene->start = {gridPositions(waveHeight), std::vector<Vec3>(model->restPositions.size(), Vec3::Zero()), 0.0};
   scene->camera = cameraInFront().pose();
 
-  Snapshot snapshot;
+  session::Snapshot snapshot;
   snapshot.scene = scene;
   snapshot.model = model;
   snapshot.positions = scene->start.positions;
@@ -63,11 +63,11 @@ Snapshot wavySheet(double waveHeight) {
 }
 
 Camera cameraInFront() {
-  CameraPose pose;
+  scene::CameraPose pose;
   pose.position = {0.35, 1.25, 2.3};
   pose.focalPoint = {0.0, 0.85, 0.0};
   pose.viewAngle = 38.0;
   return Camera(pose);
 }
 
-}  // namespace drape
+}  // namespace drape::render

@@ -6,14 +6,14 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::render {
 namespace {
 
 TEST(WindowWithoutDisplay, IsRefusedWithAReasonAndARemedy) {
   try {
     const WindowContext context("drape", 320, 240);
     FAIL() << "there should be no display here";
-  } catch (const InputError& error) {
+  } catch (const messages::InputError& error) {
     const std::string message = error.what();
     EXPECT_NE(message.find("cannot reach a display"), std::string::npos) << message;
     EXPECT_NE(message.find("drape-headless"), std::string::npos) << message;
@@ -37,4 +37,4 @@ TEST(WindowOnDisplay, CanBeOpenedAgain) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::render

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -69,4 +69,4 @@ TEST(Axis, hasTicksInsideItselfWhateverItHolds) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

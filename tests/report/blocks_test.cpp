@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 TEST(Blocks, tellColumnsOfWordsFromColumnsOfNumbers) {
@@ -18,4 +18,4 @@ TEST(Blocks, tellColumnsOfWordsFromColumnsOfNumbers) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

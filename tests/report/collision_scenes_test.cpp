@@ -5,23 +5,23 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr double duration = 0.3;  // [s]
 constexpr int countEvery = 6;     // steps between two counts
 const auto noInterruption = [] {};
 
-CollisionRun beginningOf(const std::string& name, const std::vector<std::string>& changes) {
-  const SceneDescription description = openScene(name);
-  Settings settings = description.settings;
+sections::CollisionRun beginningOf(const std::string& name, const std::vector<std::string>& changes) {
+  const scene::SceneDescription description = scene::openScene(name);
+  settings::Settings settings = description.settings;
   for (const std::string& change : changes) {
-    assignSettingExpression(settings, change);
+    settings::assignSettingExpression(settings, change);
   }
-  return runCollision(*buildScene(description, settings), duration, countEvery, noInterruption);
+  return sections::runCollision(*scene::buildScene(description, settings), duration, countEvery, noInterruption);
 }
 
-void expectNothingInsideBodies(const CollisionRun& run, const std::string& what) {
+void expectNothingInsideBodies(const sections::CollisionRun& run, const std::string& what) {
   EXPECT_TRUE(run.finite) << what;
   EXPECT_EQ(run.pairsWithBodies, 0) << what;
   EXPECT_EQ(run.infeasible, 0) << what;
@@ -29,8 +29,8 @@ void expectNothingInsideBodies(const CollisionRun& run, const std::string& what)
 }
 
 TEST(BuiltInScenes, letNoTriangleIntoABodyFromTheirBeginning) {
-  for (const SceneInfo& info : sceneList()) {
-    const CollisionRun run = beginningOf(info.name, {});
+  for (const scene::SceneInfo& info : scene::sceneList()) {
+    const sections::CollisionRun run = beginningOf(info.name, {});
     expectNothingInsideBodies(run, info.name);
     if (info.name == "sphere" || info.name == "tablecloth" || info.name == "mannequin") {
       EXPECT_GT(run.contacts, 50) << info.name << " meets its body";
@@ -42,7 +42,7 @@ TEST(BuiltInScenes, letNoTriangleIntoABodyFromTheirBeginning) {
 TEST(BuiltInScenes, letNoTriangleIntoABodyInWind) {
   for (const char* name : {"skirt", "flag", "curtain"}) {
     for (const char* wind : {"wind.x=-10", "wind.z=-10"}) {
-      const CollisionRun run = beginningOf(name, {"wind.x=0", "wind.z=0", wind});
+      const sections::CollisionRun run = beginningOf(name, {"wind.x=0", "wind.z=0", wind});
       expectNothingInsideBodies(run, std::string(name) + ", " + wind);
     }
   }
@@ -55,4 +55,4 @@ TEST(BuiltInScenes, letNoTriangleIntoABodyWithoutPins) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

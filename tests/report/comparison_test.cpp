@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 Report reportOf(double time, std::vector<double> samples, double error, const char* state = "calm") {
@@ -81,14 +81,14 @@ TEST(Comparison, refusesWhatWasMadeOtherwise) {
   EXPECT_NO_THROW(requireComparable(reportJson(report), report));
   Report other = report;
   other.options.quick = true;
-  EXPECT_THROW(requireComparable(reportJson(other), report), InputError);
+  EXPECT_THROW(requireComparable(reportJson(other), report), messages::InputError);
   other = report;
   other.machine["build_type"] = "Debug";
-  EXPECT_THROW(requireComparable(reportJson(other), report), InputError);
+  EXPECT_THROW(requireComparable(reportJson(other), report), messages::InputError);
   auto json = reportJson(report);
   json["format"] = 1;
-  EXPECT_THROW(requireComparable(json, report), InputError);
-  EXPECT_THROW(requireComparable(3, report), InputError);
+  EXPECT_THROW(requireComparable(json, report), messages::InputError);
+  EXPECT_THROW(requireComparable(3, report), messages::InputError);
 }
 
 TEST(PlainText, putsColumnsBeneathEachOther) {
@@ -96,4 +96,4 @@ TEST(PlainText, putsColumnsBeneathEachOther) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

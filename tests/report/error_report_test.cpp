@@ -9,16 +9,16 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 /// The exact free fall of a scene's cloth, as a reference.
-Reference exactFall(const Scene& scene, int checkpoints) {
+Reference exactFall(const scene::Scene& scene, int checkpoints) {
   Reference reference;
   reference.settings = scene.settings;
   reference.trusted = checkpoints;
   for (int k = 0; k <= checkpoints; ++k) {
-    ClothState state = scene.start;
+    sim::ClothState state = scene.start;
     state.time = k * checkpointInterval;
     const double gravity = scene.settings.step.gravity;
     for (std::size_t i = 0; i < state.positions.size(); ++i) {
@@ -139,8 +139,8 @@ TEST(Measurement, refusesAStepThatMissesTheCheckpoints) {
   const auto scene = testing::smallGrid({"time_step=0.01"});
   MeasurementPlan plan;
   plan.reference = scene->settings;
-  EXPECT_THROW((void)measure(*scene, scene->settings, plan), UsageError);
+  EXPECT_THROW((void)measure(*scene, scene->settings, plan), messages::UsageError);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

@@ -8,11 +8,11 @@
 #include <limits>
 #include <set>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
-CaseOptions shortly(const std::string& solver, const std::vector<std::string>& settings = {}) {
-  CaseOptions options;
+hardcases::CaseOptions shortly(const std::string& solver, const std::vector<std::string>& settings = {}) {
+  hardcases::CaseOptions options;
   options.solver = solver;
   options.shortForm = true;
   options.settings = settings;
@@ -22,7 +22,7 @@ CaseOptions shortly(const std::string& solver, const std::vector<std::string>& s
 TEST(HardCases, areAllThereOnceEach) {
   std::set<std::string_view> names;
   int number = 0;
-  for (const HardCase& one : hardCaseTable()) {
+  for (const hardcases::HardCase& one : hardcases::hardCaseTable()) {
     EXPECT_EQ(one.number, ++number);
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
     EXPECT_TRUE(one.statement.ends_with('.')) << one.name;
@@ -33,29 +33,32 @@ TEST(HardCases, areAllThereOnceEach) {
 }
 
 TEST(HardCases, areFoundByNumberAndByName) {
-  EXPECT_EQ(requireHardCase("3").name, "one_point");
-  EXPECT_EQ(requireHardCase("one_point").number, 3);
+  EXPECT_EQ(hardcases::requireHardCase("3").name, "one_point");
+  EXPECT_EQ(hardcases::requireHardCase("one_point").number, 3);
   for (const char* unknown : {"0", "23", "03", "", "onepoint"}) {
-    EXPECT_THROW(static_cast<void>(requireHardCase(unknown)), UsageError) << unknown;
+    EXPECT_THROW(static_cast<void>(hardcases::requireHardCase(unknown)), messages::UsageError) << unknown;
   }
 }
 
 TEST(HardCases, refuseSolversAndSettingsThatDoNotExist) {
-  EXPECT_THROW(static_cast<void>(runHardCase(requireHardCase("21"), shortly("magic"))), UsageError);
-  EXPECT_THROW(static_cast<void>(runHardCase(requireHardCase("21"), shortly("verlet", {"magic=1"}))), UsageError);
+  EXPECT_THROW(static_cast<void>(hardcases::runHardCase(hardcases::requireHardCase("21"), shortly("magic"))),
+               messages::UsageError);
+  EXPECT_THROW(
+      static_cast<void>(hardcases::runHardCase(hardcases::requireHardCase("21"), shortly("verlet", {"magic=1"}))),
+      messages::UsageError);
 }
 
 TEST(HardCases, figuresPassUpToTheirLimitAndNothingThatIsNoNumberDoes) {
-  EXPECT_TRUE((CaseFigure{"a", "m", 1.0, 1.0}).passes());
-  EXPECT_FALSE((CaseFigure{"a", "m", 1.1, 1.0}).passes());
-  EXPECT_FALSE((CaseFigure{"a", "m", std::numeric_limits<double>::quiet_NaN(), 1.0}).passes());
-  EXPECT_TRUE((CaseFigure{"a", "m", 1e9}).passes()) << "without a limit it is only shown";
-  EXPECT_EQ((CaseFigure{"strain", "%", 2.5, 1.0}).text(), "strain 2.5 % (at most 1)");
+  EXPECT_TRUE((hardcases::CaseFigure{"a", "m", 1.0, 1.0}).passes());
+  EXPECT_FALSE((hardcases::CaseFigure{"a", "m", 1.1, 1.0}).passes());
+  EXPECT_FALSE((hardcases::CaseFigure{"a", "m", std::numeric_limits<double>::quiet_NaN(), 1.0}).passes());
+  EXPECT_TRUE((hardcases::CaseFigure{"a", "m", 1e9}).passes()) << "without a limit it is only shown";
+  EXPECT_EQ((hardcases::CaseFigure{"strain", "%", 2.5, 1.0}).text(), "strain 2.5 % (at most 1)");
 }
 
 TEST(HardCases, keepTheWorstOfSeveralFigures) {
-  const CaseOptions options = shortly("verlet");
-  CaseTrial trial(options);
+  const hardcases::CaseOptions options = shortly("verlet");
+  hardcases::CaseTrial trial(options);
   trial.expect("strain", "%", 0.5, 1.0);
   trial.expect("strain", "%", 2.0, 1.0);
   trial.expect("strain", "%", 0.1, 1.0);
@@ -67,51 +70,52 @@ TEST(HardCases, keepTheWorstOfSeveralFigures) {
 }
 
 TEST(HardCases, giveExplicitMethodsTheSubstepsThatTheyNeed) {
-  const CaseOptions options = shortly("verlet");
-  const CaseTrial trial(options);
-  const Settings soft = trial.settings({"stiffness=10"});
-  const Settings stiff = trial.settings({"stiffness=1000"});
-  const auto model = modelOf(sheetCloth(soft, 17, Pinned::TwoCorners));
-  EXPECT_EQ(stableSubsteps(*model, soft), 4);  // its limit is 1/240 s, and a step is 1/150 s
-  EXPECT_NEAR(stableSubsteps(*model, stiff), 10 * 3.2, 1.0);
-  Settings implicit = stiff;
+  const hardcases::CaseOptions options = shortly("verlet");
+  const hardcases::CaseTrial trial(options);
+  const settings::Settings soft = trial.settings({"stiffness=10"});
+  const settings::Settings stiff = trial.settings({"stiffness=1000"});
+  const auto model = hardcases::modelOf(hardcases::sheetCloth(soft, 17, hardcases::Pinned::TwoCorners));
+  EXPECT_EQ(hardcases::stableSubsteps(*model, soft), 4);  // its limit is 1/240 s, and a step is 1/150 s
+  EXPECT_NEAR(hardcases::stableSubsteps(*model, stiff), 10 * 3.2, 1.0);
+  settings::Settings implicit = stiff;
   implicit.solver.name = "pcg";
-  EXPECT_EQ(stableSubsteps(*model, implicit), 1);
+  EXPECT_EQ(hardcases::stableSubsteps(*model, implicit), 1);
 }
 
 TEST(HardCases, tellWhatWentWrong) {
-  const CaseResult result = runHardCase(requireHardCase("long_steps"), shortly("one_iteration", {"derivative=axial"}));
-  EXPECT_EQ(result.outcome, CaseOutcome::Failed);
+  const hardcases::CaseResult result =
+      hardcases::runHardCase(hardcases::requireHardCase("long_steps"), shortly("one_iteration", {"derivative=axial"}));
+  EXPECT_EQ(result.outcome, hardcases::CaseOutcome::Failed);
   EXPECT_NE(result.words.find("energy gained"), std::string::npos) << result.words;
   EXPECT_GT(result.seconds, 0.0);
 }
 
 TEST(HardCases, areGivenUpWhenTheyTakeTooLong) {
-  CaseOptions options = shortly("pcg");
+  hardcases::CaseOptions options = shortly("pcg");
   options.maxSeconds = 0.0;
-  const CaseResult result = runHardCase(requireHardCase("long_steps"), options);
-  EXPECT_EQ(result.outcome, CaseOutcome::GivenUp);
+  const hardcases::CaseResult result = hardcases::runHardCase(hardcases::requireHardCase("long_steps"), options);
+  EXPECT_EQ(result.outcome, hardcases::CaseOutcome::GivenUp);
   EXPECT_NE(result.words, "");
 }
 
 TEST(HardCases, becomeRowsLinesAndATable) {
-  const HardCase& one = requireHardCase("crushed");
-  CaseResult failed;
-  failed.outcome = CaseOutcome::Failed;
+  const hardcases::HardCase& one = hardcases::requireHardCase("crushed");
+  hardcases::CaseResult failed;
+  failed.outcome = hardcases::CaseOutcome::Failed;
   failed.figures = {{"max distance", "m", 3.0, 1e5}, {"energy gained", "%", 35.0, 1.0}, {"strain", "", 0.2}};
   failed.words = "energy gained 35 % (at most 1)";
-  const ReportRow row = hardCaseRow(one, shortly("verlet"), failed);
+  const ReportRow row = hardcases::hardCaseRow(one, shortly("verlet"), failed);
   EXPECT_EQ(row["case"], 4);
   EXPECT_EQ(row["method"], "verlet");
   EXPECT_EQ(row["form"], "short");
   EXPECT_EQ(row["passed"], false);
   EXPECT_EQ(row["figures"][1]["limit"], 1.0);
   EXPECT_FALSE(row["figures"][2].contains("limit"));
-  EXPECT_EQ(figuresInWords(failed), "energy gained 35 % (at most 1), strain 0.2");
-  EXPECT_NE(hardCaseLine(one, failed).find("failed"), std::string::npos);
-  CaseResult passed;
-  passed.outcome = CaseOutcome::Passed;
-  const std::string table = hardCaseMarkdown({row, hardCaseRow(one, shortly("pcg"), passed)});
+  EXPECT_EQ(hardcases::figuresInWords(failed), "energy gained 35 % (at most 1), strain 0.2");
+  EXPECT_NE(hardcases::hardCaseLine(one, failed).find("failed"), std::string::npos);
+  hardcases::CaseResult passed;
+  passed.outcome = hardcases::CaseOutcome::Passed;
+  const std::string table = hardcases::hardCaseMarkdown({row, hardcases::hardCaseRow(one, shortly("pcg"), passed)});
   EXPECT_EQ(table, "| case | verlet | pcg |\n|---|---|---|\n| 4 crushed | energy gained 35 % | passed |\n");
 }
 
@@ -121,21 +125,23 @@ std::set<int> knownToFail(const std::string& solver) {
   return solver == "verlet" ? std::set<int>{4} : std::set<int>{};
 }
 
-class HardCaseOf : public ::testing::TestWithParam<HardCase> {
+class HardCaseOf : public ::testing::TestWithParam<hardcases::HardCase> {
  protected:
   /// The solver that must pass all cases; without it, the one that nearly does.
-  static std::string solver() { return findSolver("auto") != nullptr ? "auto" : "verlet"; }
+  static std::string solver() { return sim::findSolver("auto") != nullptr ? "auto" : "verlet"; }
 };
 
 TEST_P(HardCaseOf, isPassedInItsShortForm) {
-  const CaseResult result = runHardCase(GetParam(), shortly(solver()));
+  const hardcases::CaseResult result = hardcases::runHardCase(GetParam(), shortly(solver()));
   const bool fails = knownToFail(solver()).contains(GetParam().number);
-  EXPECT_EQ(result.outcome, fails ? CaseOutcome::Failed : CaseOutcome::Passed) << result.words << '\n'
-                                                                               << figuresInWords(result);
+  EXPECT_EQ(result.outcome, fails ? hardcases::CaseOutcome::Failed : hardcases::CaseOutcome::Passed)
+      << result.words << '\n'
+      << hardcases::figuresInWords(result);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, HardCaseOf, ::testing::ValuesIn(hardCaseTable().begin(), hardCaseTable().end()),
+INSTANTIATE_TEST_SUITE_P(Each, HardCaseOf,
+                         ::testing::ValuesIn(hardcases::hardCaseTable().begin(), hardcases::hardCaseTable().end()),
                          [](const auto& chosen) { return std::string(chosen.param.name); });
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

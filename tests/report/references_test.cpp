@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr int checkpoints = 3;
 
 /// A converged reference by a first-order method, which needs many halvings.
-Reference firstOrder(const Scene& scene, const ConvergenceTolerance& tolerance) {
+Reference firstOrder(const scene::Scene& scene, const ConvergenceTolerance& tolerance) {
   return convergedReference(scene, testing::with(scene, {"solver=one_iteration", "sweeps=3"}), checkpoints, tolerance);
 }
 
@@ -31,10 +31,11 @@ TEST(ConvergedReference, halvesUntilTheDifferenceIsBelowTheToleranceAndIsThatNea
   EXPECT_GT(reference.halvings[reference.halvings.size() - 2].difference, 2e-5);
   EXPECT_DOUBLE_EQ(last.timeStep, reference.settings.step.timeStep);
 
-  Settings finer = reference.settings;
+  settings::Settings finer = reference.settings;
   finer.step.timeStep /= 16.0;
   const Trajectory truth = runTrajectory(*scene, finer, checkpoints);
-  const double distance = meanDistance(truth.states.back().positions, reference.trajectory.states.back().positions);
+  const double distance =
+      sim::meanDistance(truth.states.back().positions, reference.trajectory.states.back().positions);
   EXPECT_GT(distance, 0.5 * last.difference);  // of first order: the remaining error is as large
   EXPECT_LT(distance, 1.1 * last.difference);
 }
@@ -44,7 +45,7 @@ TEST(ConvergedReference, takesWhatThereIsOnlyWhenItIsToldTo) {
   ConvergenceTolerance tolerance;
   tolerance.absolute = 1e-12;
   tolerance.maxHalvings = 1;
-  EXPECT_THROW(firstOrder(*scene, tolerance), InputError);
+  EXPECT_THROW(firstOrder(*scene, tolerance), messages::InputError);
   tolerance.takeAnyway = true;
   const Reference reference = firstOrder(*scene, tolerance);
   EXPECT_EQ(reference.trusted, 0);
@@ -72,7 +73,7 @@ TEST(ConvergedReference, saysWhereItEndsWhenItIsNotConverged) {
   EXPECT_LT(reference.trusted, checkpoints);
   EXPECT_NE(reference.doubt.find("does not converge after"), std::string::npos) << reference.doubt;
   EXPECT_NE(reference.doubt.find("would take too long"), std::string::npos) << reference.doubt;
-  EXPECT_THROW((void)firstOrder(*scene, exact), InputError);
+  EXPECT_THROW((void)firstOrder(*scene, exact), messages::InputError);
 }
 
 TEST(ConvergedReference, needsBeNoBetterThanTheErrorThatItJudges) {
@@ -85,7 +86,7 @@ TEST(ConvergedReference, needsBeNoBetterThanTheErrorThatItJudges) {
   const Reference reference = firstOrder(*scene, tolerance);
   EXPECT_EQ(reference.doubt, "");
   for (std::size_t k = 1; k <= checkpoints; ++k) {
-    const double error = meanDistance(judged.states[k].positions, reference.trajectory.states[k].positions);
+    const double error = sim::meanDistance(judged.states[k].positions, reference.trajectory.states[k].positions);
     EXPECT_LE(reference.differences[k], 0.02 * error);
     EXPECT_GT(reference.differences[k], 1e-12);
   }
@@ -96,7 +97,7 @@ TEST(ConvergedReference, doesNotBeginARunThatIsTooLong) {
   ConvergenceTolerance tolerance;
   tolerance.absolute = 1e-12;
   tolerance.maxCost = 1.0;
-  EXPECT_THROW((void)firstOrder(*scene, tolerance), InputError);
+  EXPECT_THROW((void)firstOrder(*scene, tolerance), messages::InputError);
 }
 
 TEST(ConvergedReference, ofVerletApproachesTheLimitWithTheSquareOfItsStep) {
@@ -111,10 +112,10 @@ TEST(ConvergedReference, ofVerletApproachesTheLimitWithTheSquareOfItsStep) {
   EXPECT_NEAR(reference.halvings[last - 2].difference / reference.halvings[last].difference, 16.0, 0.5);
 
   // A very different second-order method converges to the same motion.
-  const Settings midpoint =
+  const settings::Settings midpoint =
       testing::with(*scene, {"solver=newton", "integration=theta", "theta=0.5", "time_step=1/3000", "tolerance=1e-12"});
   const Trajectory truth = runTrajectory(*scene, midpoint, checkpoints);
-  EXPECT_LT(meanDistance(truth.states.back().positions, reference.trajectory.states.back().positions), 5e-6);
+  EXPECT_LT(sim::meanDistance(truth.states.back().positions, reference.trajectory.states.back().positions), 5e-6);
 }
 
 TEST(ConvergedReference, beginsBelowHalfOfTheStabilityLimit) {
@@ -124,19 +125,20 @@ TEST(ConvergedReference, beginsBelowHalfOfTheStabilityLimit) {
   const Reference reference = convergedReference(*scene, convergedSettings(scene->settings), checkpoints, loose);
   ASSERT_EQ(reference.halvings.size(), 1U);
   EXPECT_TRUE(reference.trajectory.finite);
-  const double limit = findSolver("verlet")->stepLimit(*scene->model, scene->settings.step);
+  const double limit = sim::findSolver("verlet")->stepLimit(*scene->model, scene->settings.step);
   EXPECT_LE(2.0 * reference.settings.step.timeStep, 0.5 * limit * (1.0 + 1e-9));
 }
 
 TEST(ConvergedReference, givesUpWhereHalvingBringsItNoNearer) {
   // A compressed stiff sheet buckles in ways that depend on rounding errors.
-  const auto scene = buildSetUp(comparedSetUps("crush").at(0), 9, {"stiffness=1e5", "precision=double"});
+  const auto scene =
+      sections::buildSetUp(sections::comparedSetUps("crush").at(0), 9, {"stiffness=1e5", "precision=double"});
   ConvergenceTolerance tight;
   tight.absolute = 1e-9;
   try {
     (void)convergedReference(*scene, convergedSettings(scene->settings), checkpoints, tight);
     FAIL() << "there should be no reference";
-  } catch (const InputError& error) {
+  } catch (const messages::InputError& error) {
     EXPECT_NE(std::string(error.what()).find("do not reduce this"), std::string::npos) << error.what();
   }
 }
@@ -151,7 +153,7 @@ TEST(SameStepReference, solvesEachStepToTheEnd) {
 
 TEST(SameStepReference, saysWhenAStepWasNotSolved) {
   const auto scene = testing::smallGrid({"stiffness=1000"});
-  Settings settings = sameStepSettings(scene->settings);
+  settings::Settings settings = sameStepSettings(scene->settings);
   settings.step.iteration.maxIterations = 1;
   const Reference reference = sameStepReference(*scene, settings, checkpoints);
   EXPECT_GT(reference.trajectory.unsolvedSteps, 0);
@@ -162,26 +164,27 @@ TEST(References, areDifferentMotionsAtALargeStep) {
   const auto scene = testing::smallGrid({"stiffness=10", "time_step=1/30"});
   const Reference same = sameStepReference(*scene, sameStepSettings(scene->settings), checkpoints);
   const Reference converged = convergedReference(*scene, convergedSettings(scene->settings), checkpoints, {});
-  EXPECT_GT(meanDistance(same.trajectory.states.back().positions, converged.trajectory.states.back().positions), 0.01);
+  EXPECT_GT(sim::meanDistance(same.trajectory.states.back().positions, converged.trajectory.states.back().positions),
+            0.01);
 }
 
 TEST(SameStepReference, keepsTheMethodsStep) {
   const auto scene = testing::smallGrid({"time_step=1/300", "substeps=2", "integration=theta", "theta=0.75"});
-  const Settings settings = sameStepSettings(scene->settings);
+  const settings::Settings settings = sameStepSettings(scene->settings);
   EXPECT_EQ(settings.solver.name, "newton");
   EXPECT_EQ(settings.step.iteration.tolerance, 1e-10);
   EXPECT_EQ(settings.step.timeStep, scene->settings.step.timeStep);
   EXPECT_EQ(settings.step.substeps, 2);
-  EXPECT_EQ(settings.step.integration, Integration::Theta);
+  EXPECT_EQ(settings.step.integration, sim::Integration::Theta);
 }
 
 TEST(SolverReference, isThatSolversRun) {
   const auto scene = testing::smallGrid();
   const Reference reference = solverReference(*scene, scene->settings, checkpoints);
   const Trajectory run = runTrajectory(*scene, scene->settings, checkpoints);
-  EXPECT_EQ(stateHash(reference.trajectory.states.back()), stateHash(run.states.back()));
+  EXPECT_EQ(sim::stateHash(reference.trajectory.states.back()), sim::stateHash(run.states.back()));
   EXPECT_EQ(reference.trusted, checkpoints);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 Report small() {
@@ -45,11 +45,11 @@ TEST(ReportDocument, isNotGoneOnWithUnderOtherConditions) {
   const auto json = reportJson(small());
   Report other = small();
   other.machine["commit"] = "def";
-  EXPECT_THROW((void)rowsToResume(json, other), InputError);
+  EXPECT_THROW((void)rowsToResume(json, other), messages::InputError);
   other = small();
   other.options.quick = false;
-  EXPECT_THROW((void)rowsToResume(json, other), InputError);
-  EXPECT_THROW((void)rowsToResume(nlohmann::ordered_json::array(), small()), InputError);
+  EXPECT_THROW((void)rowsToResume(json, other), messages::InputError);
+  EXPECT_THROW((void)rowsToResume(nlohmann::ordered_json::array(), small()), messages::InputError);
 }
 
 TEST(ReportDocument, isAWellFormedPageThatNeedsNoOtherFile) {
@@ -108,4 +108,4 @@ TEST(Sections, haveCellsWithKeysOfTheirOwnThatDoNotChange) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

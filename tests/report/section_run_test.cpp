@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <array>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 /// A section of three cells and two rounds; each cell counts its measurements.
@@ -123,8 +123,8 @@ TEST(MeasureSections, refusesASectionThatDoesNotExist) {
   ReportOptions options;
   options.only = {"nothing"};
   SectionRows rows;
-  EXPECT_THROW(measureSections(sections, options, rows, {}), UsageError);
+  EXPECT_THROW(measureSections(sections, options, rows, {}), messages::UsageError);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

@@ -11,7 +11,7 @@
 #include <array>
 #include <limits>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -48,17 +48,18 @@ const Kind* firstOf(const std::vector<Block>& blocks) {
 }
 
 TEST(ParetoFront, holdsWhatNothingElseBeats) {
-  const std::array entries{CostAndError{3.0, 1.0}, CostAndError{1.0, 5.0}, CostAndError{2.0, 5.0},
-                           CostAndError{1.0, 6.0}, CostAndError{4.0, 0.5}, CostAndError{5.0, 0.7},
-                           CostAndError{0.5, none}};
-  EXPECT_EQ(paretoFront(entries), (std::vector<std::size_t>{1, 0, 4}));
-  EXPECT_TRUE(paretoFront({}).empty());
+  const std::array entries{sections::CostAndError{3.0, 1.0}, sections::CostAndError{1.0, 5.0},
+                           sections::CostAndError{2.0, 5.0}, sections::CostAndError{1.0, 6.0},
+                           sections::CostAndError{4.0, 0.5}, sections::CostAndError{5.0, 0.7},
+                           sections::CostAndError{0.5, none}};
+  EXPECT_EQ(sections::paretoFront(entries), (std::vector<std::size_t>{1, 0, 4}));
+  EXPECT_TRUE(sections::paretoFront({}).empty());
 }
 
 TEST(MethodCurves, haveEverySolver) {
-  const auto curves = methodCurves();
-  for (const SolverInfo& solver : solverTable()) {
-    EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [&](const MethodCurve& c) {
+  const auto curves = sections::methodCurves();
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
+    EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [&](const sections::MethodCurve& c) {
       return c.method == solver.name;
     })) << solver.name;
   }
@@ -66,13 +67,13 @@ TEST(MethodCurves, haveEverySolver) {
 
 TEST(MethodCurves, haveSettingsThatCanBeSet) {
   const auto scene = testing::smallGrid();
-  for (const MethodCurve& curve : methodCurves()) {
+  for (const sections::MethodCurve& curve : sections::methodCurves()) {
     std::vector<std::string> values = curve.values;
     values.insert(values.end(), curve.quick.begin(), curve.quick.end());
     for (const std::string& value : values) {
       std::vector<std::string> all{"solver=" + curve.method, curve.varied + "=" + value};
       all.insert(all.end(), curve.fixed.begin(), curve.fixed.end());
-      EXPECT_NO_THROW((void)changedSettings(*scene, all)) << curve.label << " " << value;
+      EXPECT_NO_THROW((void)sections::changedSettings(*scene, all)) << curve.label << " " << value;
     }
   }
 }
@@ -81,15 +82,15 @@ TEST(WorkPrecision, calmFrozenAndExplodedAreToldApart) {
   ErrorSummary summary;
   summary.motionKept = 0.9;
   summary.meanError = 0.01;
-  EXPECT_EQ(stateOf(true, summary, 1.4), "calm");
-  EXPECT_EQ(stateOf(false, summary, 1.4), "exploded");
+  EXPECT_EQ(sections::stateOf(true, summary, 1.4), "calm");
+  EXPECT_EQ(sections::stateOf(false, summary, 1.4), "exploded");
   summary.meanError = 1.5;
-  EXPECT_EQ(stateOf(true, summary, 1.4), "exploded");
+  EXPECT_EQ(sections::stateOf(true, summary, 1.4), "exploded");
   summary.meanError = 0.5;
   summary.motionKept = 0.49;
-  EXPECT_EQ(stateOf(true, summary, 1.4), "frozen");
+  EXPECT_EQ(sections::stateOf(true, summary, 1.4), "frozen");
   summary.motionKept = none;
-  EXPECT_EQ(stateOf(true, summary, 1.4), "exploded");
+  EXPECT_EQ(sections::stateOf(true, summary, 1.4), "exploded");
 }
 
 TEST(WorkPrecision, findsVerletMoreExactWithMoreSubstepsAndExplodedBeyondItsLimit) {
@@ -132,7 +133,7 @@ TEST(WorkPrecision, drawsAndNamesItsFront) {
                     {"state", state},
                     {"trusted", true}});
   }
-  const auto blocks = showWorkPrecision({}, rows);
+  const auto blocks = sections::showWorkPrecision({}, rows);
   const auto* plot = firstOf<Plot>(blocks);
   ASSERT_NE(plot, nullptr);
   const Curve& drawn = plot->curves.at(plot->curves.size() - 2);
@@ -146,12 +147,12 @@ TEST(WorkPrecision, drawsAndNamesItsFront) {
 }
 
 TEST(Stability, hasFourStates) {
-  EXPECT_EQ(stabilityState({true, 0.0, 1.0}), "calm");
-  EXPECT_EQ(stabilityState({true, 0.1, 1.0}), "rattles");
-  EXPECT_EQ(stabilityState({true, 11.0, 1.0}), "explodes");
-  EXPECT_EQ(stabilityState({true, none, 1.0}), "explodes");
-  EXPECT_EQ(stabilityState({false, 0.0, 1.0}), "explodes");
-  EXPECT_EQ(stabilityState({true, 0.0, 0.4}), "frozen");
+  EXPECT_EQ(sections::stabilityState({true, 0.0, 1.0}), "calm");
+  EXPECT_EQ(sections::stabilityState({true, 0.1, 1.0}), "rattles");
+  EXPECT_EQ(sections::stabilityState({true, 11.0, 1.0}), "explodes");
+  EXPECT_EQ(sections::stabilityState({true, none, 1.0}), "explodes");
+  EXPECT_EQ(sections::stabilityState({false, 0.0, 1.0}), "explodes");
+  EXPECT_EQ(sections::stabilityState({true, 0.0, 0.4}), "frozen");
 }
 
 TEST(Stability, findsVerletCalmOrExplodedByItsLimit) {
@@ -239,4 +240,4 @@ TEST(Collision, saysInWordsWhatWentThroughAndWhatIsTooDear) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

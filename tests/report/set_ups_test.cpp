@@ -10,51 +10,51 @@
 #include <cmath>
 #include <set>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 TEST(SetUps, areTheReportsOwnOrOneByName) {
   std::set<std::string> names;
-  for (const auto& setUp : comparedSetUps("")) {
+  for (const auto& setUp : sections::comparedSetUps("")) {
     names.insert(setUp.name);
   }
   EXPECT_EQ(names, (std::set<std::string>{"hang", "flag", "crush", "twist"}));
-  EXPECT_EQ(comparedSetUps("twist").size(), 1U);
-  EXPECT_EQ(comparedSetUps("curtain").at(0).scene, "curtain");
-  EXPECT_THROW((void)comparedSetUps("skirt"), InputError);
-  EXPECT_THROW((void)comparedSetUps("nothing"), InputError);
+  EXPECT_EQ(sections::comparedSetUps("twist").size(), 1U);
+  EXPECT_EQ(sections::comparedSetUps("curtain").at(0).scene, "curtain");
+  EXPECT_THROW((void)sections::comparedSetUps("skirt"), messages::InputError);
+  EXPECT_THROW((void)sections::comparedSetUps("nothing"), messages::InputError);
 }
 
 TEST(SetUps, beginAtRestWithTheirPinsWhereTheyBelong) {
-  for (const auto& setUp : comparedSetUps("")) {
-    const auto scene = buildSetUp(setUp, 9, {"stiffness=50"});
+  for (const auto& setUp : sections::comparedSetUps("")) {
+    const auto scene = sections::buildSetUp(setUp, 9, {"stiffness=50"});
     EXPECT_EQ(scene->settings.step.material.stiffness, 50.0);
-    EXPECT_EQ(energyOf(*scene->model, scene->settings.step, scene->start).kinetic, 0.0) << setUp.name;
+    EXPECT_EQ(sim::energyOf(*scene->model, scene->settings.step, scene->start).kinetic, 0.0) << setUp.name;
     const auto pins = std::count(scene->model->pinned.begin(), scene->model->pinned.end(), true);
     EXPECT_EQ(pins, setUp.name == "hang" ? 2 : setUp.name == "flag" ? 9 : 18) << setUp.name;
   }
 }
 
 TEST(SetUps, compressTheCrushedSheetAndStretchTheTwistedOne) {
-  const auto crush = buildSetUp(comparedSetUps("crush").at(0), 9, {});
+  const auto crush = sections::buildSetUp(sections::comparedSetUps("crush").at(0), 9, {});
   const auto [left, right] = std::minmax_element(crush->start.positions.begin(), crush->start.positions.end(),
                                                  [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
   EXPECT_NEAR(right->x() - left->x(), 0.95, 1e-9);
-  const auto twist = buildSetUp(comparedSetUps("twist").at(0), 9, {});
+  const auto twist = sections::buildSetUp(sections::comparedSetUps("twist").at(0), 9, {});
   const Vec3 top = twist->start.positions[8] - twist->start.positions[0];
   const Vec3 bottom = twist->start.positions[80] - twist->start.positions[72];
   EXPECT_NEAR(top.dot(bottom), std::cos(std::atan(1.0)), 1e-9);
   EXPECT_NEAR(twist->start.positions[0].y() - twist->start.positions[72].y(), 1.0, 1e-9);
-  EXPECT_GT(maxStretch(*twist->model, twist->start), 0.03);
+  EXPECT_GT(sim::maxStretch(*twist->model, twist->start), 0.03);
 }
 
 TEST(Jitter, movesFreeVerticesALittleAndEachSeedOtherwise) {
-  const auto scene = buildSetUp(comparedSetUps("hang").at(0), 9, {});
-  const auto one = jittered(*scene, 1e-6, 1);
-  const auto again = jittered(*scene, 1e-6, 1);
-  const auto two = jittered(*scene, 1e-6, 2);
-  EXPECT_EQ(stateHash(one->start), stateHash(again->start));
-  EXPECT_NE(stateHash(one->start), stateHash(two->start));
+  const auto scene = sections::buildSetUp(sections::comparedSetUps("hang").at(0), 9, {});
+  const auto one = sections::jittered(*scene, 1e-6, 1);
+  const auto again = sections::jittered(*scene, 1e-6, 1);
+  const auto two = sections::jittered(*scene, 1e-6, 2);
+  EXPECT_EQ(sim::stateHash(one->start), sim::stateHash(again->start));
+  EXPECT_NE(sim::stateHash(one->start), sim::stateHash(two->start));
   for (std::size_t v = 0; v < 81; ++v) {
     const Vec3 move = one->start.positions[v] - scene->start.positions[v];
     EXPECT_LE(move.cwiseAbs().maxCoeff(), 1.0001e-6);
@@ -64,22 +64,23 @@ TEST(Jitter, movesFreeVerticesALittleAndEachSeedOtherwise) {
 
 TEST(Table2Starts, hangAtRestAndSwingAfterwards) {
   const auto startOf = [](const std::string& name) {
-    const auto& all = table2Starts();
-    return *std::find_if(all.begin(), all.end(), [&](const Table2Start& start) { return start.name == name; });
+    const auto& all = sections::table2Starts();
+    return *std::find_if(all.begin(), all.end(),
+                         [&](const sections::Table2Start& start) { return start.name == name; });
   };
   const std::vector<std::string> settings{"time_step=1/150", "mass=0.1", "stiffness=10", "precision=double"};
-  const auto hanging = buildStart(startOf("hanging, edge"), 9, settings, [] {});
-  EXPECT_EQ(energyOf(*hanging->model, hanging->settings.step, hanging->start).kinetic, 0.0);
+  const auto hanging = sections::buildStart(startOf("hanging, edge"), 9, settings, [] {});
+  EXPECT_EQ(sim::energyOf(*hanging->model, hanging->settings.step, hanging->start).kinetic, 0.0);
   // Rotated by 20 degrees about the pinned edge, so the lowest vertices are out of the upright plane by this distance.
   const auto lowest = *std::min_element(hanging->start.positions.begin(), hanging->start.positions.end(),
                                         [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
   const Vec3 pin = hanging->start.positions[0];
   EXPECT_NEAR(std::abs(lowest.z() - pin.z()) / (pin.y() - lowest.y()), std::tan(20.0 * std::atan(1.0) / 45.0), 0.02);
-  const auto swinging = buildStart(startOf("swinging, edge"), 9, settings, [] {});
-  EXPECT_GT(energyOf(*swinging->model, swinging->settings.step, swinging->start).kinetic, 1e-3);
-  const auto falling = buildStart(startOf("free fall"), 9, settings, [] {});
+  const auto swinging = sections::buildStart(startOf("swinging, edge"), 9, settings, [] {});
+  EXPECT_GT(sim::energyOf(*swinging->model, swinging->settings.step, swinging->start).kinetic, 1e-3);
+  const auto falling = sections::buildStart(startOf("free fall"), 9, settings, [] {});
   EXPECT_EQ(std::count(falling->model->pinned.begin(), falling->model->pinned.end(), true), 0);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

@@ -7,25 +7,25 @@
 #include <memory>
 #include <string>
 
-namespace drape::testing {
+namespace drape::report::testing {
 
 /// The built-in grid with 5 x 5 vertices and these settings ("key=value").
-inline std::shared_ptr<const Scene> smallGrid(std::initializer_list<std::string> settings = {}) {
-  SceneDescription description = openScene("grid");
+inline std::shared_ptr<const scene::Scene> smallGrid(std::initializer_list<std::string> settings = {}) {
+  scene::SceneDescription description = scene::openScene("grid");
   description.settings.grid.resolution = 5;
   for (const std::string& expression : settings) {
-    assignSettingExpression(description.settings, expression);
+    settings::assignSettingExpression(description.settings, expression);
   }
-  return buildScene(description, description.settings);
+  return scene::buildScene(description, description.settings);
 }
 
 /// The scene's settings with these changes.
-inline Settings with(const Scene& scene, std::initializer_list<std::string> settings) {
-  Settings changed = scene.settings;
+inline settings::Settings with(const scene::Scene& scene, std::initializer_list<std::string> settings) {
+  settings::Settings changed = scene.settings;
   for (const std::string& expression : settings) {
-    assignSettingExpression(changed, expression);
+    settings::assignSettingExpression(changed, expression);
   }
   return changed;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::report::testing

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -104,4 +104,4 @@ TEST(SvgMap, hasACellWithItsLetterForEachStateAndALegend) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 TEST(Quantiles, areOfTheNearestRank) {
@@ -56,4 +56,4 @@ TEST(TimeSteps, goesOnAfterTheClothBlewUpAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

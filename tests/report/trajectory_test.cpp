@@ -7,13 +7,13 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 std::string refusalOf(double timeStep) {
   try {
     (void)stepsPerCheckpoint(timeStep);
-  } catch (const UsageError& error) {
+  } catch (const messages::UsageError& error) {
     return error.what();
   }
   return "";
@@ -34,20 +34,20 @@ TEST(Trajectory, refusesAStepThatMissesTheCheckpointsAndNamesTheNearestThatFit) 
 TEST(Trajectory, coversTheNearestWholeNumberOfCheckpoints) {
   EXPECT_EQ(checkpointsIn(0.5), 15);
   EXPECT_EQ(checkpointsIn(7.0 / 15.0), 14);
-  EXPECT_THROW((void)checkpointsIn(0.01), UsageError);
+  EXPECT_THROW((void)checkpointsIn(0.01), messages::UsageError);
 }
 
 TEST(Trajectory, isTheSameRunToTheLastBitAsTheStepperTakes) {
   const auto scene = testing::smallGrid({"integration=bdf2", "wind.z=2", "drag=0.5"});
   const Trajectory trajectory = runTrajectory(*scene, scene->settings, 3);
-  Stepper stepper(scene->settings.solver.name);
-  ClothState state = scene->start;
+  sim::Stepper stepper(scene->settings.solver.name);
+  sim::ClothState state = scene->start;
   for (int i = 0; i < 15; ++i) {
     stepper.step(*scene->model, scene->settings.step, {}, state);
   }
   ASSERT_EQ(trajectory.checkpoints(), 3);
-  EXPECT_EQ(stateHash(trajectory.states[0]), stateHash(scene->start));
-  EXPECT_EQ(stateHash(trajectory.states[3]), stateHash(state));
+  EXPECT_EQ(sim::stateHash(trajectory.states[0]), sim::stateHash(scene->start));
+  EXPECT_EQ(sim::stateHash(trajectory.states[3]), sim::stateHash(state));
 }
 
 TEST(Trajectory, keepsTheEnergysAccountFromTheStart) {
@@ -56,8 +56,8 @@ TEST(Trajectory, keepsTheEnergysAccountFromTheStart) {
   ASSERT_EQ(trajectory.balances.size(), 5U);
   EXPECT_EQ(trajectory.balances[0].change(), 0.0);
   for (std::size_t k = 1; k < 5; ++k) {
-    const double change = energyOf(*scene->model, scene->settings.step, trajectory.states[k]).total() -
-                          energyOf(*scene->model, scene->settings.step, trajectory.states[0]).total();
+    const double change = sim::energyOf(*scene->model, scene->settings.step, trajectory.states[k]).total() -
+                          sim::energyOf(*scene->model, scene->settings.step, trajectory.states[0]).total();
     EXPECT_NEAR(trajectory.balances[k].change(), change, 1e-14);
   }
   EXPECT_LT(trajectory.balances[4].damping(), 0.0);
@@ -66,12 +66,12 @@ TEST(Trajectory, keepsTheEnergysAccountFromTheStart) {
 TEST(Trajectory, keepsTheLargestEnergyOfAnyStep) {
   const auto scene = testing::smallGrid();
   const Trajectory trajectory = runTrajectory(*scene, scene->settings, 3, {.energyPeak = true});
-  Stepper stepper(scene->settings.solver.name);
-  ClothState state = scene->start;
-  double largest = energyOf(*scene->model, scene->settings.step, state).total();
+  sim::Stepper stepper(scene->settings.solver.name);
+  sim::ClothState state = scene->start;
+  double largest = sim::energyOf(*scene->model, scene->settings.step, state).total();
   for (int i = 0; i < 15; ++i) {
     stepper.step(*scene->model, scene->settings.step, {}, state);
-    largest = std::max(largest, energyOf(*scene->model, scene->settings.step, state).total());
+    largest = std::max(largest, sim::energyOf(*scene->model, scene->settings.step, state).total());
   }
   EXPECT_EQ(trajectory.largestEnergy, largest);
 }
@@ -99,7 +99,7 @@ TEST(Trajectory, endsAtTheLastFiniteCheckpointWhenTheClothBlowsUp) {
   const Trajectory trajectory = runTrajectory(*scene, scene->settings, 60);
   EXPECT_FALSE(trajectory.finite);
   EXPECT_LT(trajectory.checkpoints(), 60);
-  EXPECT_TRUE(isFinite(trajectory.states.back()));
+  EXPECT_TRUE(sim::isFinite(trajectory.states.back()));
 }
 
 TEST(RestartedTrajectory, isTheFreeRunInTheFirstIntervalAndNotInTheSecond) {
@@ -108,8 +108,8 @@ TEST(RestartedTrajectory, isTheFreeRunInTheFirstIntervalAndNotInTheSecond) {
   const Trajectory running = runTrajectory(*scene, scene->settings, 4);
   const Trajectory restarted = runRestarted(*scene, scene->settings, reference);
   ASSERT_EQ(restarted.checkpoints(), 4);
-  EXPECT_EQ(stateHash(restarted.states[1]), stateHash(running.states[1]));
-  EXPECT_NE(stateHash(restarted.states[2]), stateHash(running.states[2]));
+  EXPECT_EQ(sim::stateHash(restarted.states[1]), sim::stateHash(running.states[1]));
+  EXPECT_NE(sim::stateHash(restarted.states[2]), sim::stateHash(running.states[2]));
 }
 
 TEST(RestartedTrajectory, ofTheReferencesOwnMethodIsTheReference) {
@@ -117,7 +117,7 @@ TEST(RestartedTrajectory, ofTheReferencesOwnMethodIsTheReference) {
   const Trajectory reference = runTrajectory(*scene, scene->settings, 4);
   const Trajectory restarted = runRestarted(*scene, scene->settings, reference);
   for (std::size_t k = 0; k < 5; ++k) {
-    EXPECT_EQ(stateHash(restarted.states[k]), stateHash(reference.states[k]));
+    EXPECT_EQ(sim::stateHash(restarted.states[k]), sim::stateHash(reference.states[k]));
   }
 }
 
@@ -125,10 +125,10 @@ TEST(RestartedTrajectory, keepsTheEnergysAccountOfEachIntervalAlone) {
   const auto scene = testing::smallGrid();
   const Trajectory reference = runTrajectory(*scene, testing::with(*scene, {"time_step=1/3000"}), 3);
   const Trajectory restarted = runRestarted(*scene, scene->settings, reference, {.energy = true});
-  const double change = energyOf(*scene->model, scene->settings.step, restarted.states[3]).total() -
-                        energyOf(*scene->model, scene->settings.step, reference.states[2]).total();
+  const double change = sim::energyOf(*scene->model, scene->settings.step, restarted.states[3]).total() -
+                        sim::energyOf(*scene->model, scene->settings.step, reference.states[2]).total();
   EXPECT_NEAR(restarted.balances[3].change(), change, 1e-14);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace drape {
+namespace drape::report {
 namespace {
 
 const Section& whatFollows() {
@@ -122,4 +122,4 @@ TEST(WhatFollows, saysWhereThereIsNoSetting) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::report

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::report::testing {
 
 /// The defect of an XML text: an element that is not closed, an attribute without quotes, a bare '&' or '<'. Empty when
 /// it is well formed. Supports elements, attributes, text, the XML declaration and DOCTYPE, as in the report.
@@ -90,4 +90,4 @@ class XmlCheck {
   std::string fault_;
 };
 
-}  // namespace drape::testing
+}  // namespace drape::report::testing

@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 TEST(BoundaryLoops, goAroundASheetAsItsOutline) {
@@ -41,8 +41,8 @@ TEST(BoundaryLoops, takeTheOpeningOfASockForAnOpening) {
 }
 
 TEST(BoundaryLoops, tellWhichPieceTheyBelongTo) {
-  ClothMesh mesh = testing::sheet(0, 1, 1.0, 1.0, 3);
-  const ClothMesh other = testing::sheet(0, 1, 1.0, 1.0, 2);
+  sim::ClothMesh mesh = testing::sheet(0, 1, 1.0, 1.0, 3);
+  const sim::ClothMesh other = testing::sheet(0, 1, 1.0, 1.0, 2);
   for (const Vec3& position : other.positions) {
     mesh.positions.emplace_back(position + Vec3(5.0, 0.0, 0.0));
   }
@@ -59,7 +59,7 @@ TEST(BoundaryLoops, tellWhichPieceTheyBelongTo) {
 
 TEST(BoundaryLoops, areToldApartWhereTwoOfThemTouch) {
   // Two triangles that share one vertex.
-  ClothMesh mesh;
+  sim::ClothMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 4, 3}};
   const ClothPieces found = findPieces(mesh);
@@ -76,4 +76,4 @@ TEST(BoundaryLoops, areNoneOnAClosedSurface) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -8,15 +8,15 @@
 #include <numbers>
 #include <sstream>
 
-namespace drape::testing {
+namespace drape::scene::testing {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double cell = 0.03;  // [m]
 
 /// The triangles with a kept centre, and their vertices.
-ClothMesh part(const RawMesh& whole, const std::function<bool(const Vec3&)>& keeps) {
-  ClothMesh mesh;
+sim::ClothMesh part(const io::RawMesh& whole, const std::function<bool(const Vec3&)>& keeps) {
+  sim::ClothMesh mesh;
   std::vector<int> number(whole.positions.size(), -1);
   for (const Triangle& triangle : whole.triangles) {
     Vec3 middle = Vec3::Zero();
@@ -41,8 +41,8 @@ ClothMesh part(const RawMesh& whole, const std::function<bool(const Vec3&)>& kee
 }
 
 /// Rings of points, each joined to the next.
-ClothMesh rings(int count, int around, const std::function<Vec3(double height, double angle)>& place) {
-  ClothMesh mesh;
+sim::ClothMesh rings(int count, int around, const std::function<Vec3(double height, double angle)>& place) {
+  sim::ClothMesh mesh;
   for (int ring = 0; ring < count; ++ring) {
     for (int i = 0; i < around; ++i) {
       mesh.positions.push_back(place(ring / (count - 1.0), 2.0 * pi * i / around));
@@ -66,22 +66,23 @@ Vec3 armDirection(double side, double degreesBelow) {
 
 }  // namespace
 
-ClothMesh shirt(const GarmentSizes& sizes) {
+sim::ClothMesh shirt(const GarmentSizes& sizes) {
   const double top = sizes.height;
   const double hem = sizes.flare * sizes.chest;
-  const TaperedBar trunk{Vec3(0, -0.2, 0), Vec3(0, top - 0.08, 0), hem, sizes.chest, sizes.depth};
+  const io::TaperedBar trunk{Vec3(0, -0.2, 0), Vec3(0, top - 0.08, 0), hem, sizes.chest, sizes.depth};
   const auto shoulder = [&](double side) { return Vec3(side * (sizes.chest - 0.07), top - 0.09, 0.0); };
   const auto solid = [&](const Vec3& p) {
-    double distance = distanceTo(trunk, p);
+    double distance = io::distanceTo(trunk, p);
     for (const double side : {-1.0, 1.0}) {
       const Vec3 along = armDirection(side, sizes.sleeveAngle);
-      const TaperedBar arm{shoulder(side), shoulder(side) + (sizes.sleeve + 0.3) * along, 0.085, 0.06};
-      distance = joined(distance, distanceTo(arm, p), 0.03);
+      const io::TaperedBar arm{shoulder(side), shoulder(side) + (sizes.sleeve + 0.3) * along, 0.085, 0.06};
+      distance = io::joined(distance, io::distanceTo(arm, p), 0.03);
     }
     return std::max(distance, p.y() - top);  // level at the shoulders
   };
   const double reach = sizes.chest + sizes.sleeve + 0.5;
-  const RawMesh whole = surfaceOf(solid, Vec3(-reach, -hem - 0.3, -0.5 - hem), Vec3(reach, top + 0.1, 0.5 + hem), cell);
+  const io::RawMesh whole =
+      io::surfaceOf(solid, Vec3(-reach, -hem - 0.3, -0.5 - hem), Vec3(reach, top + 0.1, 0.5 + hem), cell);
   return part(whole, [&](const Vec3& p) {
     const Vec3 arm = p - shoulder(p.x() < 0.0 ? -1.0 : 1.0);
     const bool pastCuff = arm.dot(armDirection(p.x() < 0.0 ? -1.0 : 1.0, sizes.sleeveAngle)) > sizes.sleeve + 0.07;
@@ -92,56 +93,59 @@ ClothMesh shirt(const GarmentSizes& sizes) {
   });
 }
 
-ClothMesh trousers(double legs) {
+sim::ClothMesh trousers(double legs) {
   const auto solid = [&](const Vec3& p) {
-    double distance = distanceTo(TaperedBar{Vec3(0, legs + 0.05, 0), Vec3(0, legs + 0.5, 0), 0.19, 0.17, 0.65}, p);
+    double distance =
+        io::distanceTo(io::TaperedBar{Vec3(0, legs + 0.05, 0), Vec3(0, legs + 0.5, 0), 0.19, 0.17, 0.65}, p);
     for (const double side : {-1.0, 1.0}) {
-      const TaperedBar leg{Vec3(side * 0.12, -0.3, 0), Vec3(side * 0.095, legs, 0), 0.07, 0.1};
-      distance = joined(distance, distanceTo(leg, p), 0.02);
+      const io::TaperedBar leg{Vec3(side * 0.12, -0.3, 0), Vec3(side * 0.095, legs, 0), 0.07, 0.1};
+      distance = io::joined(distance, io::distanceTo(leg, p), 0.02);
     }
     return distance;
   };
-  const RawMesh whole = surfaceOf(solid, Vec3(-0.5, -0.5, -0.4), Vec3(0.5, legs + 0.8, 0.4), 0.02);
+  const io::RawMesh whole = io::surfaceOf(solid, Vec3(-0.5, -0.5, -0.4), Vec3(0.5, legs + 0.8, 0.4), 0.02);
   return part(whole, [&](const Vec3& p) { return p.y() > 0.0 && p.y() < legs + 0.25; });
 }
 
-ClothMesh tube(double height, double hem, double top, double depth) {
+sim::ClothMesh tube(double height, double hem, double top, double depth) {
   return rings(16, 36, [&](double t, double angle) {
     const double radius = hem + t * (top - hem);
     return Vec3(radius * std::sin(angle), t * height, depth * radius * std::cos(angle));
   });
 }
 
-ClothMesh sock() {
+sim::ClothMesh sock() {
   const auto solid = [](const Vec3& p) {
-    const TaperedBar leg{Vec3(0, 0.05, 0), Vec3(0, 0.5, 0), 0.045, 0.055};
-    const TaperedBar foot{Vec3(0, 0.04, 0), Vec3(0, 0.035, 0.16), 0.045, 0.035};
-    return joined(distanceTo(leg, p), distanceTo(foot, p), 0.02);
+    const io::TaperedBar leg{Vec3(0, 0.05, 0), Vec3(0, 0.5, 0), 0.045, 0.055};
+    const io::TaperedBar foot{Vec3(0, 0.04, 0), Vec3(0, 0.035, 0.16), 0.045, 0.035};
+    return io::joined(io::distanceTo(leg, p), io::distanceTo(foot, p), 0.02);
   };
-  return part(surfaceOf(solid, Vec3(-0.15, -0.1, -0.15), Vec3(0.15, 0.6, 0.3), 0.015),
+  return part(io::surfaceOf(solid, Vec3(-0.15, -0.1, -0.15), Vec3(0.15, 0.6, 0.3), 0.015),
               [](const Vec3& p) { return p.y() < 0.3; });
 }
 
-ClothMesh figure(double armAngle) {
+sim::ClothMesh figure(double armAngle) {
   const auto solid = [&](const Vec3& p) {
-    double distance = distanceTo(TaperedBar{Vec3(0, 0.85, 0), Vec3(0, 1.32, 0), 0.16, 0.18, 0.6}, p);
-    distance = joined(distance, distanceTo(TaperedBar{Vec3(0, 1.35, 0), Vec3(0, 1.5, 0), 0.06, 0.055}, p), 0.03);
-    distance = joined(distance, distanceTo(Ellipsoid{Vec3(0, 1.58, 0.02), Vec3(0.08, 0.12, 0.1)}, p), 0.02);
+    double distance = io::distanceTo(io::TaperedBar{Vec3(0, 0.85, 0), Vec3(0, 1.32, 0), 0.16, 0.18, 0.6}, p);
+    distance =
+        io::joined(distance, io::distanceTo(io::TaperedBar{Vec3(0, 1.35, 0), Vec3(0, 1.5, 0), 0.06, 0.055}, p), 0.03);
+    distance = io::joined(distance, io::distanceTo(io::Ellipsoid{Vec3(0, 1.58, 0.02), Vec3(0.08, 0.12, 0.1)}, p), 0.02);
     for (const double side : {-1.0, 1.0}) {
       const Vec3 shoulder(side * 0.16, 1.38, 0.0);
-      const TaperedBar arm{shoulder, shoulder + 0.65 * armDirection(side, armAngle), 0.05, 0.035};
-      const TaperedBar leg{Vec3(side * 0.09, 0.05, 0), Vec3(side * 0.09, 0.85, 0), 0.045, 0.085};
-      const TaperedBar foot{Vec3(side * 0.09, 0.03, 0), Vec3(side * 0.11, 0.03, 0.16), 0.04, 0.035};
-      distance = joined(distance, distanceTo(arm, p), 0.03);
-      distance = joined(joined(distance, distanceTo(leg, p), 0.03), distanceTo(foot, p), 0.02);
+      const io::TaperedBar arm{shoulder, shoulder + 0.65 * armDirection(side, armAngle), 0.05, 0.035};
+      const io::TaperedBar leg{Vec3(side * 0.09, 0.05, 0), Vec3(side * 0.09, 0.85, 0), 0.045, 0.085};
+      const io::TaperedBar foot{Vec3(side * 0.09, 0.03, 0), Vec3(side * 0.11, 0.03, 0.16), 0.04, 0.035};
+      distance = io::joined(distance, io::distanceTo(arm, p), 0.03);
+      distance = io::joined(io::joined(distance, io::distanceTo(leg, p), 0.03), io::distanceTo(foot, p), 0.02);
     }
     return distance;
   };
-  return part(surfaceOf(solid, Vec3(-1.0, -0.1, -0.4), Vec3(1.0, 1.85, 0.4), cell), [](const Vec3&) { return true; });
+  return part(io::surfaceOf(solid, Vec3(-1.0, -0.1, -0.4), Vec3(1.0, 1.85, 0.4), cell),
+              [](const Vec3&) { return true; });
 }
 
-ClothMesh sheet(int across, int along, double width, double height, int resolution) {
-  ClothMesh mesh;
+sim::ClothMesh sheet(int across, int along, double width, double height, int resolution) {
+  sim::ClothMesh mesh;
   for (int row = 0; row < resolution; ++row) {
     for (int column = 0; column < resolution; ++column) {
       Vec3 place = Vec3::Zero();
@@ -160,21 +164,21 @@ ClothMesh sheet(int across, int along, double width, double height, int resoluti
   return mesh;
 }
 
-ClothMesh withZUp(ClothMesh mesh) {
+sim::ClothMesh withZUp(sim::ClothMesh mesh) {
   for (Vec3& position : mesh.positions) {
     position = Vec3(position.x(), -position.z(), position.y());
   }
   return mesh;
 }
 
-ClothMesh scaled(ClothMesh mesh, double factor) {
+sim::ClothMesh scaled(sim::ClothMesh mesh, double factor) {
   for (Vec3& position : mesh.positions) {
     position *= factor;
   }
   return mesh;
 }
 
-std::string objText(const ClothMesh& mesh) {
+std::string objText(const sim::ClothMesh& mesh) {
   std::ostringstream text;
   text.precision(9);
   for (const Vec3& position : mesh.positions) {
@@ -226,4 +230,4 @@ std::vector<TestShape> testShapes() {
   return shapes;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::scene::testing

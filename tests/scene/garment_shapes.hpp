@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::scene::testing {
 
 /// A garment or a body for tests, y up, in metres.
 struct TestShape {
   std::string name;
-  ClothMesh mesh;
+  sim::ClothMesh mesh;
 };
 
 /// Sizes of the parts of a garment [m]; 0 for missing parts.
@@ -26,33 +26,33 @@ struct GarmentSizes {
 };
 
 /// A shirt, a dress, or a tank top (no sleeves): a shell with openings for neck, arms and hem.
-[[nodiscard]] ClothMesh shirt(const GarmentSizes& sizes);
+[[nodiscard]] sim::ClothMesh shirt(const GarmentSizes& sizes);
 
 /// Trousers with legs of that length below the crotch [m].
-[[nodiscard]] ClothMesh trousers(double legs);
+[[nodiscard]] sim::ClothMesh trousers(double legs);
 
 /// A tube around the y axis, from y = 0 up; half widths at the hem and at the top [m]. A skirt or a strapless top.
-[[nodiscard]] ClothMesh tube(double height, double hem, double top, double depth);
+[[nodiscard]] sim::ClothMesh tube(double height, double hem, double top, double depth);
 
 /// A sock: one opening, and a foot towards +z.
-[[nodiscard]] ClothMesh sock();
+[[nodiscard]] sim::ClothMesh sock();
 
 /// A figure, 1.7 m tall, with its arms at that angle below the horizontal [degrees]. Closed.
-[[nodiscard]] ClothMesh figure(double armAngle);
+[[nodiscard]] sim::ClothMesh figure(double armAngle);
 
 /// A flat sheet with its edges along two axes (0: x, 1: y, 2: z).
-[[nodiscard]] ClothMesh sheet(int across, int along, double width, double height, int resolution);
+[[nodiscard]] sim::ClothMesh sheet(int across, int along, double width, double height, int resolution);
 
 /// Rotates a mesh from y up to z up.
-[[nodiscard]] ClothMesh withZUp(ClothMesh mesh);
+[[nodiscard]] sim::ClothMesh withZUp(sim::ClothMesh mesh);
 
 /// All positions times a factor.
-[[nodiscard]] ClothMesh scaled(ClothMesh mesh, double factor);
+[[nodiscard]] sim::ClothMesh scaled(sim::ClothMesh mesh, double factor);
 
 /// OBJ text of a mesh.
-[[nodiscard]] std::string objText(const ClothMesh& mesh);
+[[nodiscard]] std::string objText(const sim::ClothMesh& mesh);
 
 /// One of each shape, in usual sizes.
 [[nodiscard]] std::vector<TestShape> testShapes();
 
-}  // namespace drape::testing
+}  // namespace drape::scene::testing

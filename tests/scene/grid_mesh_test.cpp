@@ -5,12 +5,12 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 TEST(GridMesh, hasAsManyVerticesAsAskedForOnASquare) {
   const GridLayout layout = layoutOf({17, 1.0, 1.0});
-  const ImportedMesh mesh = makeGrid(layout, GridSource::Plane::Horizontal);
+  const io::ImportedMesh mesh = makeGrid(layout, GridSource::Plane::Horizontal);
   EXPECT_EQ(mesh.cloth.positions.size(), 289U);
   EXPECT_EQ(mesh.cloth.triangles.size(), 512U);
   EXPECT_EQ(mesh.summary.springs, 800);
@@ -25,14 +25,15 @@ TEST(GridMesh, keepsItsCellsSquareOnARectangle) {
 }
 
 TEST(GridMesh, refusesMoreVerticesThanAMachineHolds) {
-  EXPECT_THROW(static_cast<void>(layoutOf({1025, 100.0, 0.01})), InputError);
+  EXPECT_THROW(static_cast<void>(layoutOf({1025, 100.0, 0.01})), messages::InputError);
   EXPECT_NO_THROW(static_cast<void>(layoutOf({1025, 1.0, 1.0})));
 }
 
 TEST(GridMesh, countsTheSpringsThatTheClothHas) {
-  for (const Settings::Grid& grid : {Settings::Grid{5, 1.0, 2.0}, Settings::Grid{9, 3.0, 1.0}}) {
-    const ImportedMesh mesh = makeGrid(layoutOf(grid), GridSource::Plane::Vertical);
-    const auto model = buildClothModel(mesh.cloth, 1.0, MassLumping::Area, {});
+  for (const settings::Settings::Grid& grid :
+       {settings::Settings::Grid{5, 1.0, 2.0}, settings::Settings::Grid{9, 3.0, 1.0}}) {
+    const io::ImportedMesh mesh = makeGrid(layoutOf(grid), GridSource::Plane::Vertical);
+    const auto model = sim::buildClothModel(mesh.cloth, 1.0, sim::MassLumping::Area, {});
     EXPECT_EQ(static_cast<std::size_t>(mesh.summary.springs), model->springs.size());
     EXPECT_NEAR(model->restArea(), grid.width * grid.height, 1e-12);
   }
@@ -41,7 +42,7 @@ TEST(GridMesh, countsTheSpringsThatTheClothHas) {
 TEST(GridMesh, looksUpOrToTheFrontWithEveryTriangle) {
   for (const auto plane : {GridSource::Plane::Horizontal, GridSource::Plane::Vertical}) {
     const Vec3 front = plane == GridSource::Plane::Horizontal ? Vec3(Vec3::UnitY()) : Vec3(Vec3::UnitZ());
-    const ImportedMesh mesh = makeGrid(layoutOf({5, 1.0, 1.0}), plane);
+    const io::ImportedMesh mesh = makeGrid(layoutOf({5, 1.0, 1.0}), plane);
     for (const Triangle& t : mesh.cloth.triangles) {
       const auto& x = mesh.cloth.positions;
       const Vec3 a = x[t[0]];
@@ -53,7 +54,7 @@ TEST(GridMesh, looksUpOrToTheFrontWithEveryTriangle) {
 
 TEST(Pleats, pressTheSheetTogetherButKeepItsRowsLengths) {
   const GridLayout layout = layoutOf({97, 2.0, 1.0});
-  const ImportedMesh mesh = makeGrid(layout, GridSource::Plane::Vertical);
+  const io::ImportedMesh mesh = makeGrid(layout, GridSource::Plane::Vertical);
   std::vector<Vec3> positions = mesh.cloth.positions;
   applyPleats({6, 0.6}, layout.width, positions);
   EXPECT_NEAR(positions[layout.columns - 1].x() - positions[0].x(), 1.2, 1e-9);
@@ -82,11 +83,11 @@ TEST(GridPins, refusesNamesThatAreNone) {
   const GridLayout layout = layoutOf({5, 1.0, 1.0});
   PinSelection pins;
   pins.edges = {"front"};
-  EXPECT_THROW(static_cast<void>(gridPins(pins, layout)), InputError);
+  EXPECT_THROW(static_cast<void>(gridPins(pins, layout)), messages::InputError);
   pins.edges.clear();
   pins.corners = {"top"};
-  EXPECT_THROW(static_cast<void>(gridPins(pins, layout)), InputError);
+  EXPECT_THROW(static_cast<void>(gridPins(pins, layout)), messages::InputError);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 /// Tests with files that are opened as a user does.
@@ -27,11 +27,11 @@ class MeshReadingTest : public ::testing::Test {
     return (folder_ / name).string();
   }
 
-  std::shared_ptr<const Scene> open(const ClothMesh& mesh, const std::vector<std::string>& settings = {}) const {
+  std::shared_ptr<const Scene> open(const sim::ClothMesh& mesh, const std::vector<std::string>& settings = {}) const {
     const SceneDescription description = openScene(write("mesh.obj", testing::objText(mesh)));
-    Settings inForce = description.settings;
+    settings::Settings inForce = description.settings;
     for (const std::string& setting : settings) {
-      assignSettingExpression(inForce, setting);
+      settings::assignSettingExpression(inForce, setting);
     }
     return buildScene(description, inForce);
   }
@@ -51,7 +51,7 @@ int pinCount(const Scene& scene) {
 }
 
 TEST_F(MeshReadingTest, ShirtsInAnyUnitAndTurnOpenAlike) {
-  const ClothMesh shirt = testing::shirt({});
+  const sim::ClothMesh shirt = testing::shirt({});
   for (const auto& [unit, perMetre] : {std::pair("m", 1.0), std::pair("dm", 10.0), std::pair("cm", 100.0),
                                        std::pair("mm", 1000.0), std::pair("inch", 1.0 / 0.0254)}) {
     for (const bool zUp : {false, true}) {
@@ -70,7 +70,7 @@ TEST_F(MeshReadingTest, ShirtsInAnyUnitAndTurnOpenAlike) {
 }
 
 TEST_F(MeshReadingTest, AGuessGivesTheSamePositionsAsTheWord) {
-  const ClothMesh mesh = testing::scaled(testing::withZUp(testing::tube(0.6, 0.3, 0.14, 0.8)), 100.0);
+  const sim::ClothMesh mesh = testing::scaled(testing::withZUp(testing::tube(0.6, 0.3, 0.14, 0.8)), 100.0);
   const auto guessed = open(mesh);
   const auto said = open(mesh, {"unit=cm", "up=z"});
   EXPECT_EQ(guessed->model->restPositions, said->model->restPositions);
@@ -97,10 +97,10 @@ TEST_F(MeshReadingTest, AFactorIsTakenAsItIs) {
 }
 
 TEST(MeshReading, WhatTheFormatPrescribesIsNotGuessed) {
-  Settings::Mesh settings;
+  settings::Settings::Mesh settings;
   settings.unit = "auto";
   settings.up = "auto";
-  ImportedMesh mesh;
+  io::ImportedMesh mesh;
   mesh.cloth = testing::withZUp(testing::shirt({}));
   mesh.summary.size = {0.7, 0.2, 0.7};
   mesh.format = {1.0, 'y'};
@@ -121,7 +121,7 @@ TEST_F(MeshReadingTest, EveryAxisCanBeSaidToPointUp) {
   for (const auto& [up, apex] :
        {std::pair("x", Vec3(2, 0, 0)), std::pair("y", Vec3(0, 2, 0)), std::pair("z", Vec3(0, 0, 2)),
         std::pair("-y", Vec3(0, -2, 0)), std::pair("-z", Vec3(0, 0, -2))}) {
-    ClothMesh mesh;
+    sim::ClothMesh mesh;
     mesh.positions = {apex, Vec3(0.3, 0.1, 0.2), Vec3(-0.1, 0.3, -0.2)};
     mesh.triangles = {{0, 1, 2}};
     const auto scene = open(mesh, {"unit=m", std::string("up=") + up});
@@ -144,7 +144,7 @@ TEST_F(MeshReadingTest, FlatSheetsHangByTwoCornersAndMove) {
 }
 
 TEST_F(MeshReadingTest, PinsThatHoldAllOrNothingAreTold) {
-  const ClothMesh level = testing::sheet(0, 2, 1.0, 1.0, 33);
+  const sim::ClothMesh level = testing::sheet(0, 2, 1.0, 1.0, 33);
   const auto all = open(level, {"pins=top"});
   EXPECT_EQ(pinCount(*all), 1089);
   ASSERT_TRUE(all->pinAdvice.has_value());
@@ -189,4 +189,4 @@ TEST_F(MeshReadingTest, PinsOfASceneThatHoldNothingAreToldWithTheirLine) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 const std::vector<Vec3>& ladder() {
@@ -41,11 +41,11 @@ TEST(PinSelection, takesWhatIsInsideABox) {
 TEST(PinSelection, refusesAVertexThatIsNotThereAndEdgesOfAMesh) {
   PinSelection pins;
   pins.vertices = {5};
-  EXPECT_THROW(static_cast<void>(selectPins(pins, ladder(), nullptr)), InputError);
+  EXPECT_THROW(static_cast<void>(selectPins(pins, ladder(), nullptr)), messages::InputError);
   pins.vertices.clear();
   pins.edges = {"left"};
-  EXPECT_THROW(static_cast<void>(selectPins(pins, ladder(), nullptr)), InputError);
+  EXPECT_THROW(static_cast<void>(selectPins(pins, ladder(), nullptr)), messages::InputError);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 /// A folder that is removed after the test.
@@ -40,7 +40,7 @@ std::string refusal(const std::string& nameOrPath) {
   try {
     static_cast<void>(openScene(nameOrPath));
     return "";
-  } catch (const InputError& error) {
+  } catch (const messages::InputError& error) {
     return error.what();
   }
 }
@@ -58,7 +58,7 @@ TEST(Scenes, areBuiltInWithTitlesAndBuildWithPinsOrBodiesThatHoldTheCloth) {
     EXPECT_FALSE(info.title.empty());
     EXPECT_FALSE(info.help.empty());
     EXPECT_TRUE(pinCount(*scene) > 0 || !scene->bodies->empty()) << info.name;
-    EXPECT_TRUE(isFinite(scene->start)) << info.name;
+    EXPECT_TRUE(sim::isFinite(scene->start)) << info.name;
     EXPECT_EQ(scene->renderMesh.triangles.size(), scene->model->triangles.size()) << info.name;
   }
 }
@@ -86,14 +86,14 @@ TEST(Scenes, openAMeshFileHangingByItsTop) {
   EXPECT_EQ(scene->model->vertexCount(), 4);
   EXPECT_EQ(pinCount(*scene), 2);
   EXPECT_LT(scene->groundHeight, 0.0);
-  Settings free = description.settings;
+  settings::Settings free = description.settings;
   free.mesh.pins = "none";
   EXPECT_EQ(pinCount(*buildScene(description, free)), 0);
 }
 
-const Body* bodyNamed(const Scene& scene, const std::string& name) {
-  const auto found =
-      std::find_if(scene.bodies->begin(), scene.bodies->end(), [&](const Body& body) { return body.name == name; });
+const sim::contact::Body* bodyNamed(const Scene& scene, const std::string& name) {
+  const auto found = std::find_if(scene.bodies->begin(), scene.bodies->end(),
+                                  [&](const sim::contact::Body& body) { return body.name == name; });
   return found == scene.bodies->end() ? nullptr : &*found;
 }
 
@@ -105,13 +105,13 @@ std::shared_ptr<const Scene> built(const std::string& nameOrPath) {
 TEST(Scenes, areSolidWhereTheyDrawAStandOrTheGround) {
   for (const SceneInfo& info : sceneList()) {
     const auto scene = built(info.name);
-    const Body* ground = bodyNamed(*scene, "ground");
+    const sim::contact::Body* ground = bodyNamed(*scene, "ground");
     ASSERT_NE(ground, nullptr) << info.name;
     EXPECT_EQ(ground->motion.keyframes.at(0).position.y(), scene->groundHeight) << info.name;
-    const Body* stand = bodyNamed(*scene, "stand");
+    const sim::contact::Body* stand = bodyNamed(*scene, "stand");
     ASSERT_EQ(stand != nullptr, scene->stand.has_value()) << info.name;
     if (stand != nullptr) {
-      const auto& mesh = *std::get<std::shared_ptr<const MeshShape>>(stand->shape);
+      const auto& mesh = *std::get<std::shared_ptr<const sim::contact::MeshShape>>(stand->shape);
       EXPECT_EQ(mesh.positions, scene->stand->positions) << info.name;
       EXPECT_EQ(mesh.triangles, scene->stand->triangles) << info.name;
     }
@@ -137,23 +137,23 @@ TEST(Scenes, haveTheirGroundAtZeroOrBelowClothThatStartsLower) {
 TEST(Scenes, giveAnOpenedMeshAirDampingSelfCollisionAndASolidGroundBelowIt) {
   const Folder folder;
   const auto scene = built(folder.write("sheet.obj", quad));
-  const StepParameters& step = scene->description.settings.step;
+  const sim::StepParameters& step = scene->description.settings.step;
   EXPECT_GT(step.air.drag, 0.0);
   EXPECT_GT(step.air.lift, 0.0);
   EXPECT_GT(step.material.damping, 0.0);
-  EXPECT_EQ(step.contact.self, SelfCollision::Hash);
+  EXPECT_EQ(step.contact.self, sim::contact::SelfCollision::Hash);
   EXPECT_NE(bodyNamed(*scene, "ground"), nullptr);
   EXPECT_LT(scene->groundHeight, -0.2);
   // A scene file starts from the defaults of the table.
   const auto mine = built(folder.write("mine.toml", "[cloth]\nmesh = \"sheet.obj\"\n"));
-  EXPECT_EQ(mine->description.settings.step.air.drag, Settings().step.air.drag);
-  EXPECT_EQ(mine->description.settings.step.contact.self, SelfCollision::Off);
+  EXPECT_EQ(mine->description.settings.step.air.drag, settings::Settings().step.air.drag);
+  EXPECT_EQ(mine->description.settings.step.contact.self, sim::contact::SelfCollision::Off);
 }
 
 TEST(Scenes, takeAMeshFilesUnitFromTheSettings) {
   const Folder folder;
   const SceneDescription description = openScene(folder.write("sheet.obj", quad));
-  Settings centimetres = description.settings;
+  settings::Settings centimetres = description.settings;
   centimetres.mesh.unit = "cm";
   EXPECT_NEAR(buildScene(description, centimetres)->model->restArea(), 2e-4, 1e-12);
 }
@@ -161,7 +161,7 @@ TEST(Scenes, takeAMeshFilesUnitFromTheSettings) {
 TEST(Scenes, turnAMeshUprightWhoseZPointsUp) {
   const Folder folder;
   const SceneDescription description = openScene(folder.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 0 2\nf 1 2 3\n"));
-  Settings settings = description.settings;
+  settings::Settings settings = description.settings;
   settings.mesh.up = "z";
   const auto scene = buildScene(description, settings);
   EXPECT_EQ(scene->start.positions[2], Vec3(1.0, 2.0, 0.0));
@@ -236,7 +236,7 @@ TEST(Scenes, readADeformingBodyFromOneFileAFrame) {
   writeFrames(folder, 3);
   const SceneDescription description = openScene(folder.write("tilting.toml", tiltingScene));
   const auto scene = buildScene(description, description.settings);
-  const auto& mesh = *std::get<std::shared_ptr<const MeshShape>>(scene->bodies->at(0).shape);
+  const auto& mesh = *std::get<std::shared_ptr<const sim::contact::MeshShape>>(scene->bodies->at(0).shape);
   ASSERT_EQ(mesh.frames.size(), 3U);
   EXPECT_EQ(mesh.triangles.size(), 2U);
   EXPECT_TRUE(mesh.loop);
@@ -251,7 +251,7 @@ TEST(Scenes, readADeformingBodyFromOneFileAFrame) {
   }
   // Pins move with its nearest vertex: each pin gets one.
   ASSERT_EQ(scene->bodies->at(0).pins.size(), 5U);
-  for (const CarriedPin& pin : scene->bodies->at(0).pins) {
+  for (const sim::contact::CarriedPin& pin : scene->bodies->at(0).pins) {
     EXPECT_GE(pin.anchor, 0);
   }
 }
@@ -262,7 +262,7 @@ TEST(Scenes, sayWhichFrameOfABodyIsMissingOrDoesNotFit) {
     try {
       static_cast<void>(buildScene(description, description.settings));
       return "";
-    } catch (const InputError& error) {
+    } catch (const messages::InputError& error) {
       return error.what();
     }
   };
@@ -314,8 +314,8 @@ TEST(Scenes, leaveOutFarVerticesWhenAsked) {
     }
   }
   const SceneDescription description = openScene(folder.write("far.obj", mesh));
-  EXPECT_THROW(static_cast<void>(buildScene(description, description.settings)), InputError);
-  Settings settings = description.settings;
+  EXPECT_THROW(static_cast<void>(buildScene(description, description.settings)), messages::InputError);
+  settings::Settings settings = description.settings;
   settings.mesh.outliers = "leave_out";
   EXPECT_EQ(buildScene(description, settings)->summary.outliers, 1);
 }
@@ -324,14 +324,14 @@ TEST(Scenes, tellTheirProgressAndCanBeCancelled) {
   const SceneDescription description = openScene("skirt");
   double last = 0.0;
   std::stop_source stop;
-  const ImportWatch watch{[&](double share, std::string_view) {
-                            last = share;
-                            if (share > 0.5) {
-                              stop.request_stop();
-                            }
-                          },
-                          stop.get_token()};
-  EXPECT_THROW(static_cast<void>(buildScene(description, description.settings, watch)), Cancelled);
+  const io::ImportWatch watch{[&](double share, std::string_view) {
+                                last = share;
+                                if (share > 0.5) {
+                                  stop.request_stop();
+                                }
+                              },
+                              stop.get_token()};
+  EXPECT_THROW(static_cast<void>(buildScene(description, description.settings, watch)), io::Cancelled);
   EXPECT_GT(last, 0.5);
   EXPECT_LT(last, 1.0);
 }
@@ -344,7 +344,7 @@ TEST(Scenes, sayTheLineOfTheSceneFileWhosePinsOrMeshAreWrong) {
     try {
       static_cast<void>(buildScene(description, description.settings));
       return "";
-    } catch (const InputError& error) {
+    } catch (const messages::InputError& error) {
       return error.what();
     }
   };
@@ -366,8 +366,8 @@ TEST(Scenes, sayWhichBuiltInMeshesThereAre) {
   const Folder folder;
   const auto file = folder.write("mine.toml", "[cloth]\nmesh = \"builtin:hat.obj\"\n");
   const SceneDescription description = openScene(file);
-  EXPECT_THROW(static_cast<void>(buildScene(description, description.settings)), InputError);
+  EXPECT_THROW(static_cast<void>(buildScene(description, description.settings)), messages::InputError);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

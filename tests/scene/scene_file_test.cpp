@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 SceneDescription parse(std::string_view text) {
@@ -16,7 +16,7 @@ std::string refusal(std::string_view text) {
   try {
     static_cast<void>(parse(text));
     return "";
-  } catch (const InputError& error) {
+  } catch (const messages::InputError& error) {
     return error.what();
   }
 }
@@ -181,21 +181,21 @@ static_friction = 0.3
 )";
   const SceneDescription description = parseScene(text, "test", "test.toml", {});
   ASSERT_EQ(description.bodies.size(), 3U);
-  const Body& ball = description.bodies[0].body;
+  const sim::contact::Body& ball = description.bodies[0].body;
   EXPECT_EQ(ball.name, "ball");
-  EXPECT_EQ(std::get<SphereShape>(ball.shape).radius, 0.25);
+  EXPECT_EQ(std::get<sim::contact::SphereShape>(ball.shape).radius, 0.25);
   EXPECT_EQ(ball.motion.keyframes.at(0).position, Vec3(1, 2, 3));
   EXPECT_NEAR(ball.motion.spin.y(), M_PI, 1e-12);
   EXPECT_EQ(ball.surface.staticFriction, 0.7);
   EXPECT_EQ(ball.surface.kineticFriction, 0.6);
   EXPECT_EQ(ball.surface.thickness, 0.003);
-  const Body& rod = description.bodies[1].body;
-  EXPECT_EQ(std::get<CapsuleShape>(rod.shape).halfLength, 0.4);
+  const sim::contact::Body& rod = description.bodies[1].body;
+  EXPECT_EQ(std::get<sim::contact::CapsuleShape>(rod.shape).halfLength, 0.4);
   ASSERT_EQ(rod.motion.keyframes.size(), 2U);
   EXPECT_EQ(rod.motion.keyframes[1].position, Vec3(0, 1, 0));  // what a keyframe does not say stays
   EXPECT_NEAR(rod.motion.keyframes[1].rotation.y(), 0.5 * M_PI, 1e-12);
   EXPECT_TRUE(rod.motion.loop);
-  EXPECT_EQ(std::get<BoxShape>(description.bodies[2].body.shape).half, Vec3(0.5, 1.0, 1.5));
+  EXPECT_EQ(std::get<sim::contact::BoxShape>(description.bodies[2].body.shape).half, Vec3(0.5, 1.0, 1.5));
 
   const auto scene = buildScene(description, description.settings);
   ASSERT_EQ(scene->bodies->size(), 4U);
@@ -252,4 +252,4 @@ TEST(SceneFile, takesAsCarrierOfThePinsOnlyABodyThatThereIs) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

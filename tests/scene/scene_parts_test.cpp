@@ -11,7 +11,7 @@
 
 #include <unistd.h>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 /// Mesh and scene files in a separate folder. Lengths in centimetres.
@@ -35,23 +35,23 @@ class PartsOfAScene : public ::testing::Test {
 
 TEST_F(PartsOfAScene, AGarmentMeetsABodyThatIsReadInTheSameUnit) {
   const SceneDescription description = openParts({.cloth = file("shawl.obj"), .bodies = {file("torso.obj")}});
-  Settings settings = description.settings;
-  assignSettingText(settings, requireSetting("unit"), "cm");
+  settings::Settings settings = description.settings;
+  settings::assignSettingText(settings, settings::requireSetting("unit"), "cm");
   const auto scene = buildScene(description, settings);
   ASSERT_EQ(description.bodies.size(), 1U);
   EXPECT_EQ(scene->bodies->front().name, "torso");
-  const auto& mesh = std::get<std::shared_ptr<const MeshShape>>(scene->bodies->front().shape);
-  EXPECT_NEAR(boundsOf(mesh->positions).sizes().y(), 1.2, 1e-6) << "[m]";
-  EXPECT_NEAR(boundsOf(scene->start.positions).sizes().y(), 0.6, 1e-6) << "[m]";
+  const auto& mesh = std::get<std::shared_ptr<const sim::contact::MeshShape>>(scene->bodies->front().shape);
+  EXPECT_NEAR(sim::boundsOf(mesh->positions).sizes().y(), 1.2, 1e-6) << "[m]";
+  EXPECT_NEAR(sim::boundsOf(scene->start.positions).sizes().y(), 0.6, 1e-6) << "[m]";
   EXPECT_EQ(scene->groundHeight, 0.0) << "the body stands on it";
 }
 
 TEST_F(PartsOfAScene, ABodyIsTurnedUprightWithTheCloth) {
   const SceneDescription description = openParts({.cloth = file("shawl.obj"), .bodies = {file("torso.obj")}});
-  Settings settings = description.settings;
-  assignSettingText(settings, requireSetting("up"), "z");
+  settings::Settings settings = description.settings;
+  settings::assignSettingText(settings, settings::requireSetting("up"), "z");
   const auto scene = buildScene(description, settings);
-  const Pose pose = poseAt(scene->bodies->front().motion, 0.0);
+  const sim::contact::Pose pose = sim::contact::poseAt(scene->bodies->front().motion, 0.0);
   EXPECT_NEAR((pose.toWorld(Vec3(1.0, 2.0, 3.0)) - Vec3(1.0, 3.0, -2.0)).norm(), 0.0, 1e-12);
 }
 
@@ -71,10 +71,12 @@ TEST_F(PartsOfAScene, AMeshTakesThePlaceOfAScenesCloth) {
 }
 
 TEST_F(PartsOfAScene, OnlyMeshesAreBodiesAndCloth) {
-  EXPECT_THROW(static_cast<void>(openParts({.cloth = file("shawl.obj"), .bodies = {file("rail.toml")}})), InputError);
-  EXPECT_THROW(static_cast<void>(openParts({.scene = file("rail.toml"), .cloth = file("rail.toml")})), InputError);
-  EXPECT_THROW(static_cast<void>(openParts({.cloth = file("no-such.obj")})), InputError);
+  EXPECT_THROW(static_cast<void>(openParts({.cloth = file("shawl.obj"), .bodies = {file("rail.toml")}})),
+               messages::InputError);
+  EXPECT_THROW(static_cast<void>(openParts({.scene = file("rail.toml"), .cloth = file("rail.toml")})),
+               messages::InputError);
+  EXPECT_THROW(static_cast<void>(openParts({.cloth = file("no-such.obj")})), messages::InputError);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

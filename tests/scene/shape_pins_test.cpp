@@ -7,14 +7,14 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
-double heightOf(const ClothMesh& mesh, int vertex) {
+double heightOf(const sim::ClothMesh& mesh, int vertex) {
   return mesh.positions[vertex].y();
 }
 
-double topOf(const ClothMesh& mesh) {
+double topOf(const sim::ClothMesh& mesh) {
   double top = mesh.positions.front().y();
   for (const Vec3& position : mesh.positions) {
     top = std::max(top, position.y());
@@ -23,7 +23,7 @@ double topOf(const ClothMesh& mesh) {
 }
 
 TEST(ShapePins, holdAShirtByTheWholeNeckAndNothingElse) {
-  const ClothMesh mesh = testing::shirt({});
+  const sim::ClothMesh mesh = testing::shirt({});
   const std::vector<int> pins = pinsByShape(mesh);
   const ClothPieces found = findPieces(mesh);
   const auto neck =
@@ -39,7 +39,7 @@ TEST(ShapePins, holdLongSleevesThatAreStretchedOutByTheNeck) {
   testing::GarmentSizes sizes;
   sizes.sleeve = 0.55;
   sizes.sleeveAngle = 0.0;
-  const ClothMesh mesh = testing::shirt(sizes);
+  const sim::ClothMesh mesh = testing::shirt(sizes);
   for (const int pin : pinsByShape(mesh)) {
     EXPECT_LT(std::abs(mesh.positions[pin].x()), 0.2);
   }
@@ -51,7 +51,7 @@ TEST(ShapePins, holdATankTopWithADeepNeckByTheShoulders) {
   sizes.sleeveAngle = 0.0;
   sizes.neck = 0.11;
   sizes.neckDepth = 0.22;
-  const ClothMesh mesh = testing::shirt(sizes);
+  const sim::ClothMesh mesh = testing::shirt(sizes);
   const std::vector<int> pins = pinsByShape(mesh);
   bool left = false;
   bool right = false;
@@ -65,7 +65,7 @@ TEST(ShapePins, holdATankTopWithADeepNeckByTheShoulders) {
 }
 
 TEST(ShapePins, holdSkirtsAndTrousersByTheWaist) {
-  for (const ClothMesh& mesh : {testing::tube(0.6, 0.3, 0.15, 0.8), testing::trousers(0.75)}) {
+  for (const sim::ClothMesh& mesh : {testing::tube(0.6, 0.3, 0.15, 0.8), testing::trousers(0.75)}) {
     const std::vector<int> pins = pinsByShape(mesh);
     ASSERT_FALSE(pins.empty());
     for (const int pin : pins) {
@@ -92,8 +92,8 @@ TEST(ShapePins, neverHoldAllOfAClothOrNothing) {
 }
 
 TEST(ShapePins, holdEachPieceButNotTheSmallOnes) {
-  ClothMesh mesh = testing::sheet(0, 1, 1.0, 1.0, 9);
-  const auto add = [&](const ClothMesh& more, const Vec3& by) {
+  sim::ClothMesh mesh = testing::sheet(0, 1, 1.0, 1.0, 9);
+  const auto add = [&](const sim::ClothMesh& more, const Vec3& by) {
     const int first = static_cast<int>(mesh.positions.size());
     for (const Vec3& position : more.positions) {
       mesh.positions.emplace_back(position + by);
@@ -108,7 +108,7 @@ TEST(ShapePins, holdEachPieceButNotTheSmallOnes) {
 }
 
 TEST(ShapePins, holdACapByItsTopAsItsOpeningIsBelow) {
-  ClothMesh cap = testing::sock();
+  sim::ClothMesh cap = testing::sock();
   for (Vec3& position : cap.positions) {
     position = Vec3(position.x(), -position.y(), -position.z());
   }
@@ -118,4 +118,4 @@ TEST(ShapePins, holdACapByItsTopAsItsOpeningIsBelow) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
 TEST(UnitGuess, findsTheUnitOfUsualGarmentsAndBodies) {
@@ -58,4 +58,4 @@ TEST(UnitGuess, knowsHowLongUnitsAre) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -7,10 +7,10 @@
 
 #include <random>
 
-namespace drape {
+namespace drape::scene {
 namespace {
 
-int upOf(const ClothMesh& mesh) {
+int upOf(const sim::ClothMesh& mesh) {
   return guessUp(mesh, findPieces(mesh)).axis;
 }
 
@@ -18,14 +18,14 @@ constexpr int y = 1;
 constexpr int z = 2;
 
 /// The mesh rotated by a quarter turn about its up axis, so that it faces the side.
-ClothMesh lookingAside(ClothMesh mesh) {
+sim::ClothMesh lookingAside(sim::ClothMesh mesh) {
   for (Vec3& position : mesh.positions) {
     position = Vec3(position.z(), position.y(), -position.x());
   }
   return mesh;
 }
 
-ClothMesh mirrored(ClothMesh mesh) {
+sim::ClothMesh mirrored(sim::ClothMesh mesh) {
   for (Vec3& position : mesh.positions) {
     position.x() *= -1.0;
   }
@@ -33,7 +33,7 @@ ClothMesh mirrored(ClothMesh mesh) {
 }
 
 /// Every vertex moved by up to this distance [m], the same in every run.
-ClothMesh jittered(ClothMesh mesh, double much) {
+sim::ClothMesh jittered(sim::ClothMesh mesh, double much) {
   std::mt19937 random(7);
   const auto next = [&] { return much * (2.0 * static_cast<double>(random()) / 4294967295.0 - 1.0); };
   for (Vec3& position : mesh.positions) {
@@ -49,11 +49,12 @@ std::vector<testing::TestShape> allShapes() {
   std::vector<testing::TestShape> shapes = testing::testShapes();
   struct Own {
     const char* name;
-    RawMesh (*make)();
+    io::RawMesh (*make)();
   };
-  for (const Own& own : {Own{"own T-shirt", makeTshirt}, Own{"own skirt", makeSkirt}, Own{"own poncho", makePoncho},
-                         Own{"own cape", makeCape}, Own{"mannequin", makeMannequin}, Own{"skater", makeSkater}}) {
-    shapes.push_back({own.name, weldMesh(own.make(), own.name, {}).cloth});
+  for (const Own& own :
+       {Own{"own T-shirt", io::makeTshirt}, Own{"own skirt", io::makeSkirt}, Own{"own poncho", io::makePoncho},
+        Own{"own cape", io::makeCape}, Own{"mannequin", io::makeMannequin}, Own{"skater", io::makeSkater}}) {
+    shapes.push_back({own.name, io::weldMesh(own.make(), own.name, {}).cloth});
   }
   return shapes;
 }
@@ -67,7 +68,7 @@ TEST(UpGuess, findsWhatPointsUpOfGarmentsAndBodies) {
 
 TEST(UpGuess, doesNotCareForSizeMirroringAndJitter) {
   for (const testing::TestShape& shape : allShapes()) {
-    const ClothMesh changed = jittered(mirrored(shape.mesh), 0.004);
+    const sim::ClothMesh changed = jittered(mirrored(shape.mesh), 0.004);
     EXPECT_EQ(upOf(testing::scaled(changed, 100.0)), y) << shape.name;
     EXPECT_EQ(upOf(testing::scaled(testing::withZUp(changed), 0.0254)), z) << shape.name << ", z up";
   }
@@ -87,7 +88,7 @@ TEST(UpGuess, takesYForFlatSheets) {
 }
 
 TEST(UpGuess, tellsWhatItSaw) {
-  const ClothMesh skirt = testing::tube(0.6, 0.3, 0.15, 0.8);
+  const sim::ClothMesh skirt = testing::tube(0.6, 0.3, 0.15, 0.8);
   const UpGuess guess = guessUp(skirt, findPieces(skirt));
   EXPECT_NEAR(guess.evidence.openings[1], 1.0, 1e-9) << "waist and hem face up and down";
   EXPECT_LT(guess.evidence.asymmetry[0], 0.02) << "left and right are alike";
@@ -97,4 +98,4 @@ TEST(UpGuess, tellsWhatItSaw) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::scene

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Pulls by an attachment at cloths of different strength.
-namespace drape {
+namespace drape::session {
 namespace {
 
 struct Pull {
@@ -18,13 +18,13 @@ struct Pull {
   double seconds = 0.5;  ///< before the pull
 };
 
-std::shared_ptr<const Scene> sceneOf(const Pull& pull) {
-  const SceneDescription description = openScene(pull.scene);
-  Settings settings = description.settings;
+std::shared_ptr<const scene::Scene> sceneOf(const Pull& pull) {
+  const scene::SceneDescription description = scene::openScene(pull.scene);
+  settings::Settings settings = description.settings;
   for (const std::string& expression : pull.settings) {
-    assignSettingExpression(settings, expression);
+    settings::assignSettingExpression(settings, expression);
   }
-  return buildScene(description, settings);
+  return scene::buildScene(description, settings);
 }
 
 void run(Simulation& simulation, double seconds) {
@@ -69,13 +69,13 @@ Pulled pulled(const Pull& pull, const Vec3& way) {
   Simulation simulation(sceneOf(pull));
   run(simulation, pull.seconds);
   Pulled result;
-  result.before = maxStretch(simulation.model(), simulation.state());
+  result.before = sim::maxStretch(simulation.model(), simulation.state());
   const int triangle = lowestTriangle(simulation);
   const Vec3 target = centreOf(simulation, triangle) + way;
   simulation.apply(AttachCommand{{triangle, Vec3::Constant(1.0 / 3.0), target}});
   for (int i = 0; i < 10; ++i) {
     run(simulation, 0.05);
-    result.during = std::max(result.during, maxStretch(simulation.model(), simulation.state()));
+    result.during = std::max(result.during, sim::maxStretch(simulation.model(), simulation.state()));
   }
   result.left = (centreOf(simulation, triangle) - target).norm();
   return result;
@@ -112,4 +112,4 @@ TEST(Attachment, neverPullsHarderThanTheSettingAllows) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

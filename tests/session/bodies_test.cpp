@@ -9,12 +9,12 @@
 #include <limits>
 #include <string>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
-std::shared_ptr<const Scene> sceneOf(const std::string& text) {
-  const SceneDescription description = parseScene(text, "bodies", "bodies.toml", "/");
-  return buildScene(description, description.settings);
+std::shared_ptr<const scene::Scene> sceneOf(const std::string& text) {
+  const scene::SceneDescription description = scene::parseScene(text, "bodies", "bodies.toml", "/");
+  return scene::buildScene(description, description.settings);
 }
 
 constexpr const char* settings = R"(
@@ -37,7 +37,7 @@ radius = 0.1
 )";
 
 /// A free sheet on a table, and a ball beside it.
-std::shared_ptr<const Scene> sheetOnTable() {
+std::shared_ptr<const scene::Scene> sheetOnTable() {
   return sceneOf(std::string(R"(
 [cloth]
 grid = "horizontal"
@@ -54,7 +54,7 @@ kinetic_friction = 0.2
 }
 
 /// A sheet that hangs between its upper corners, and a ball behind it.
-std::shared_ptr<const Scene> hangingSheet() {
+std::shared_ptr<const scene::Scene> hangingSheet() {
   return sceneOf(std::string(R"(
 [cloth]
 grid = "vertical"
@@ -66,7 +66,7 @@ corners = ["top_left", "top_right"]
 }
 
 /// A sheet whose middle is inside the top of a ball.
-std::shared_ptr<const Scene> sheetInBall() {
+std::shared_ptr<const scene::Scene> sheetInBall() {
   return sceneOf(std::string("[cloth]\ngrid = \"horizontal\"\nposition = [0, 0.08, 0]\n") + ball + settings);
 }
 
@@ -122,14 +122,14 @@ TEST(Bodies, clothThatIsPulledOverATableSlidesAndKeepsItsShape) {
     ASSERT_GT(lowest(simulation), 0.5) << i;
   }
   EXPECT_GT(meanPosition(simulation).x(), 0.2) << "all of it follows";
-  EXPECT_LT(maxStretch(simulation.model(), simulation.state()), 0.1);
+  EXPECT_LT(sim::maxStretch(simulation.model(), simulation.state()), 0.1);
 }
 
 TEST(Bodies, theGroundStopsClothThatNothingHolds) {
-  SceneDescription description = openScene("grid");
+  scene::SceneDescription description = scene::openScene("grid");
   description.settings.mesh.pins = "none";
   description.settings.grid.resolution = 9;
-  Simulation simulation(buildScene(description, description.settings));
+  Simulation simulation(scene::buildScene(description, description.settings));
   for (const char* look : {"seen", "not seen"}) {
     simulation.apply(SetSettingCommand{"view.ground", std::string(look) == "seen"});
     simulation.apply(ResetCommand{});
@@ -145,9 +145,9 @@ TEST(Bodies, theGroundStopsClothThatNothingHolds) {
 
 TEST(Bodies, aStandAndAGroundThatAreNotTouchedChangeNoBit) {
   const auto afterSteps = [](bool bodies) {
-    SceneDescription description = openScene("skirt");
+    scene::SceneDescription description = scene::openScene("skirt");
     description.settings.step.contact.bodies = bodies;
-    Simulation simulation(buildScene(description, description.settings));
+    Simulation simulation(scene::buildScene(description, description.settings));
     advance(simulation, 40);
     EXPECT_EQ(simulation.lastStepReport().contact.bodyContacts, 0);
     return simulation.state().positions;
@@ -186,7 +186,7 @@ TEST(Bodies, aStartInsideABodyIsReportedUntilItIsUndone) {
   simulation.step();
   EXPECT_NE(simulation.message().find("starts inside a body"), std::string::npos) << simulation.message();
   EXPECT_NE(simulation.message().find("pushed out slowly"), std::string::npos) << simulation.message();
-  const ContactReport first = simulation.lastStepReport().contact;
+  const sim::contact::ContactReport first = simulation.lastStepReport().contact;
   EXPECT_GE(first.overlaps, 8) << "those around the middle vertex at least";
   EXPECT_NEAR(first.deepestOverlap, 0.02, 1e-3);
   simulation.apply(SetSettingCommand{"gravity", 9.0});
@@ -220,9 +220,10 @@ TEST(Bodies, haveAnotherSurfaceWhenItIsAskedFor) {
 
 TEST(Bodies, doNotTakeASurfaceThatThereIsNot) {
   Simulation simulation(sheetOnTable());
-  const SurfaceProperties before = simulation.bodies().surface(0);
-  for (const SurfaceProperties& wrong : {SurfaceProperties{-0.1, 0.0, 0.002}, SurfaceProperties{0.5, 0.6, 0.002},
-                                         SurfaceProperties{0.5, 0.4, 0.0}, SurfaceProperties{0.5, NAN, 0.002}}) {
+  const sim::contact::SurfaceProperties before = simulation.bodies().surface(0);
+  for (const sim::contact::SurfaceProperties& wrong :
+       {sim::contact::SurfaceProperties{-0.1, 0.0, 0.002}, sim::contact::SurfaceProperties{0.5, 0.6, 0.002},
+        sim::contact::SurfaceProperties{0.5, 0.4, 0.0}, sim::contact::SurfaceProperties{0.5, NAN, 0.002}}) {
     simulation.apply(SetSurfaceCommand{0, wrong});
     EXPECT_NE(simulation.message().find("a body's"), std::string::npos) << simulation.message();
     EXPECT_EQ(simulation.bodies().surface(0), before);
@@ -263,7 +264,7 @@ TEST(Bodies, aLogWithBodiesIsReplayedToTheSameBits) {
 
   Simulation again(scene);
   again.replay(original.log());
-  EXPECT_EQ(stateHash(again.state()), stateHash(original.state()));
+  EXPECT_EQ(sim::stateHash(again.state()), sim::stateHash(original.state()));
   EXPECT_EQ(again.stepsTaken(), original.stepsTaken());
   EXPECT_EQ(again.bodies().pose(1).position, original.bodies().pose(1).position);
   // ... and without one of these commands the motion differs.
@@ -271,7 +272,7 @@ TEST(Bodies, aLogWithBodiesIsReplayedToTheSameBits) {
   shorter.erase(shorter.end() - 2);
   Simulation other(scene);
   other.replay(shorter);
-  EXPECT_NE(stateHash(other.state()), stateHash(original.state()));
+  EXPECT_NE(sim::stateHash(other.state()), sim::stateHash(original.state()));
 }
 
 TEST(Bodies, contactsAreInASnapshotOnlyWhenTheyAreToBeDrawn) {
@@ -283,11 +284,11 @@ TEST(Bodies, contactsAreInASnapshotOnlyWhenTheyAreToBeDrawn) {
   simulation.apply(SetSettingCommand{"view.contacts", true});
   simulation.capture(snapshot);
   ASSERT_GE(snapshot.contactPoints.size(), 81U) << "every vertex lies on the table";
-  for (const ContactPoint& contact : snapshot.contactPoints) {
+  for (const sim::contact::ContactPoint& contact : snapshot.contactPoints) {
     EXPECT_NEAR(contact.normal.y(), 1.0, 1e-3);
     EXPECT_NEAR(contact.point.y(), 0.5, 0.006);
   }
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <string>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 /// A sheet pinned at two corners to a body that moves and rotates; the body itself is far from the sheet.
-std::shared_ptr<const Scene> carriedSheet(const std::string& solver) {
-  const SceneDescription description = parseScene(R"(
+std::shared_ptr<const scene::Scene> carriedSheet(const std::string& solver) {
+  const scene::SceneDescription description = scene::parseScene(R"(
 [cloth]
 grid = "vertical"
 position = [0, 1, 0]
@@ -31,19 +31,19 @@ time_step = 0.01
 substeps = 5
 stiffness = 50
 solver = ")" + solver + "\"\n",
-                                                  "carried", "carried.toml", "/");
-  return buildScene(description, description.settings);
+                                                                "carried", "carried.toml", "/");
+  return scene::buildScene(description, description.settings);
 }
 
 TEST(CarriedPins, goWithTheirBodyWhateverTheSolver) {
   for (const char* solver : {"one_iteration", "xpbd", "newton", "verlet"}) {
     const auto scene = carriedSheet(solver);
     Simulation simulation(scene);
-    const BodyMotion& motion = scene->bodies->front().motion;
-    const Pose start = poseAt(motion, 0.0);
+    const sim::contact::BodyMotion& motion = scene->bodies->front().motion;
+    const sim::contact::Pose start = sim::contact::poseAt(motion, 0.0);
     for (int i = 0; i < 60; ++i) {
       simulation.step();
-      const Pose now = poseAt(motion, simulation.state().time);
+      const sim::contact::Pose now = sim::contact::poseAt(motion, simulation.state().time);
       for (const std::size_t pin : {0U, 4U}) {
         const Vec3 expected = now.toWorld(start.toLocal(scene->start.positions[pin]));
         ASSERT_NEAR((simulation.state().positions[pin] - expected).norm(), 0.0, 1e-12) << solver << " step " << i;
@@ -97,20 +97,20 @@ TEST(CarriedPins, moveEvenlyOverTheSubsteps) {
 }
 
 TEST(CarriedPins, goWithTheNearestVertexOfADeformingMesh) {
-  MeshShape mesh;
+  sim::contact::MeshShape mesh;
   mesh.positions = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   mesh.triangles = {{0, 1, 2}};
   const std::vector<Vec3> later{Vec3(0, 0, 0), Vec3(1, 0, 0.25), Vec3(0, 1, 0)};
-  BodyStep step;
+  sim::contact::BodyStep step;
   step.start = {Eigen::Quaterniond::Identity(), Vec3(0, 2, 0)};
   step.end = {Eigen::Quaterniond(Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitY())), Vec3(0, 3, 0)};
   step.startVertices = mesh.positions;
   step.endVertices = later;
   const Vec3 place(1.1, 2.0, 0.0);
   // A quarter turn about y takes x to -z and z to x.
-  EXPECT_NEAR((carriedBy(step, {0, -1}, place) - Vec3(0, 3, -1.1)).norm(), 0.0, 1e-15);
-  EXPECT_NEAR((carriedBy(step, {0, 0}, place) - Vec3(0, 3, -1.1)).norm(), 0.0, 1e-15);
-  EXPECT_NEAR((carriedBy(step, {0, 1}, place) - Vec3(0.25, 3, -1.1)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((sim::contact::carriedBy(step, {0, -1}, place) - Vec3(0, 3, -1.1)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((sim::contact::carriedBy(step, {0, 0}, place) - Vec3(0, 3, -1.1)).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((sim::contact::carriedBy(step, {0, 1}, place) - Vec3(0.25, 3, -1.1)).norm(), 0.0, 1e-15);
 }
 
 TEST(CarriedPins, areWorkOfTheirBodyInTheEnergyBalance) {
@@ -122,7 +122,7 @@ TEST(CarriedPins, areWorkOfTheirBodyInTheEnergyBalance) {
   }
   Snapshot snapshot;
   simulation.capture(snapshot);
-  const EnergyBalance& balance = snapshot.balance.value();
+  const sim::EnergyBalance& balance = snapshot.balance.value();
   EXPECT_GT(balance.contact(), 0.01) << "the body lifts and swings the sheet";
   EXPECT_LT(std::abs(balance.integrator()), 0.02 * balance.contact());
 }
@@ -133,13 +133,13 @@ TEST(CarriedPins, goBackWithAReset) {
   for (int i = 0; i < 30; ++i) {
     simulation.step();
   }
-  const auto hash = stateHash(simulation.state());
+  const auto hash = sim::stateHash(simulation.state());
   simulation.apply(ResetCommand{});
-  EXPECT_EQ(stateHash(simulation.state()), stateHash(scene->start));
+  EXPECT_EQ(sim::stateHash(simulation.state()), sim::stateHash(scene->start));
   for (int i = 0; i < 30; ++i) {
     simulation.step();
   }
-  EXPECT_EQ(stateHash(simulation.state()), hash);
+  EXPECT_EQ(sim::stateHash(simulation.state()), hash);
 }
 
 TEST(CarriedPins, stayWhereTheyAreOnceTheBodyIsSwitchedOff) {
@@ -156,4 +156,4 @@ TEST(CarriedPins, stayWhereTheyAreOnceTheBodyIsSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 TEST(CommandQueue, givesCommandsBackInOrderAndOnce) {
@@ -48,4 +48,4 @@ TEST(CommandQueue, losesNothingFromSeveralThreadsAndKeepsEachThreadsOrder) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

@@ -5,14 +5,14 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 constexpr double nanosecond = 1e-9;
 
-StepReport withForceEvaluations(int count) {
-  StepReport report;
-  report.choice = StepChoice{.forceEvaluations = count};
+sim::StepReport withForceEvaluations(int count) {
+  sim::StepReport report;
+  report.choice = sim::adaptive::StepChoice{.forceEvaluations = count};
   return report;
 }
 
@@ -23,8 +23,8 @@ class Budgeting : public ::testing::Test {
     return 10.0 * static_cast<double>(scene_->model->springs.size()) * evaluation;
   }
 
-  std::shared_ptr<const Scene> scene_ = testing::smallGrid();
-  Settings settings_ = scene_->settings;
+  std::shared_ptr<const scene::Scene> scene_ = testing::smallGrid();
+  settings::Settings settings_ = scene_->settings;
   CostBudget budget_;
 };
 
@@ -38,7 +38,7 @@ TEST_F(Budgeting, allowsTheWorkThatTheTimePaysFor) {
 
 TEST_F(Budgeting, takesContactForSomethingElse) {
   settings_.automatic.budget = 2.0;
-  StepReport report = withForceEvaluations(10);
+  sim::StepReport report = withForceEvaluations(10);
   report.contact.bodySeconds = 0.001;
   report.contact.selfSeconds = 0.002;
   const auto budget =
@@ -54,7 +54,7 @@ TEST_F(Budgeting, leavesSmallDifferencesSingleHiccupsAndOtherSolversAlone) {
       budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), seconds).value();
   EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), 1.1 * seconds));
   EXPECT_FALSE(budget_.budgetAfter(settings_, *scene_->model, withForceEvaluations(10), 1000.0 * seconds));
-  EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, StepReport(), 100.0 * seconds));
+  EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, sim::StepReport(), 100.0 * seconds));
   settings_.automatic.budget = 0.0;
   EXPECT_FALSE(CostBudget().budgetAfter(settings_, *scene_->model, withForceEvaluations(10), 100.0 * seconds));
 }
@@ -94,7 +94,7 @@ TEST_F(Budgeting, isLoggedSoThatAReplayTakesTheSameSteps) {
   again.replay(simulation.log());
   EXPECT_EQ(again.log().size(), simulation.log().size()) << "a replay adds nothing of its own";
   EXPECT_EQ(again.stepsTaken(), 21);
-  EXPECT_EQ(stateHash(again.state()), stateHash(simulation.state()));
+  EXPECT_EQ(sim::stateHash(again.state()), sim::stateHash(simulation.state()));
 }
 
 TEST_F(Budgeting, asksNoClockWhenItIsOff) {
@@ -110,4 +110,4 @@ TEST_F(Budgeting, asksNoClockWhenItIsOff) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

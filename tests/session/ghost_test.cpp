@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 using testing::smallGrid;
@@ -16,7 +16,7 @@ void advance(Simulation& simulation, int steps) {
   }
 }
 
-void set(Simulation& simulation, const char* key, const SettingValue& value) {
+void set(Simulation& simulation, const char* key, const settings::SettingValue& value) {
   simulation.apply(SetSettingCommand{key, value});
   ASSERT_EQ(simulation.message(), "");
 }
@@ -39,12 +39,12 @@ void use(Simulation& simulation) {
 TEST(Ghost, leavesTheFirstClothAsItIsToTheLastBit) {
   Simulation alone(smallGrid());
   use(alone);
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     Simulation haunted(smallGrid());
     set(haunted, "ghost.solver", std::string(solver.name));
     set(haunted, "ghost.substeps", 8);
     use(haunted);
-    EXPECT_EQ(stateHash(haunted.state()), stateHash(alone.state())) << solver.name;
+    EXPECT_EQ(sim::stateHash(haunted.state()), sim::stateHash(alone.state())) << solver.name;
   }
 }
 
@@ -53,7 +53,7 @@ TEST(Ghost, ofTheSameSolverGoesTheSameWay) {
   set(simulation, "ghost.solver", simulation.settings().solver.name);
   use(simulation);
   ASSERT_NE(simulation.ghost(), nullptr);
-  EXPECT_EQ(stateHash(simulation.ghost()->state()), stateHash(simulation.state()))
+  EXPECT_EQ(sim::stateHash(simulation.ghost()->state()), sim::stateHash(simulation.state()))
       << "attachment, pins, mass and settings are the same for both";
 }
 
@@ -69,7 +69,7 @@ TEST(Ghost, beginsWhereTheFirstClothIsAndPartsFromIt) {
   advance(simulation, 30);
   simulation.capture(snapshot);
   EXPECT_GT(snapshot.ghost->meanDistance, 1e-3);
-  EXPECT_EQ(snapshot.ghost->meanDistance, meanDistance(snapshot.positions, snapshot.ghost->positions));
+  EXPECT_EQ(snapshot.ghost->meanDistance, sim::meanDistance(snapshot.positions, snapshot.ghost->positions));
   EXPECT_GT(snapshot.ghost->stepSeconds, 0.0);
 }
 
@@ -88,28 +88,28 @@ TEST(Ghost, goesBackToTheStartWithTheFirstCloth) {
   set(simulation, "ghost.substeps", 10);
   set(simulation, "ghost.solver", std::string("one_iteration"));
   advance(simulation, 30);
-  const auto moved = stateHash(simulation.ghost()->state());
+  const auto moved = sim::stateHash(simulation.ghost()->state());
   simulation.apply(ResetCommand{});
-  EXPECT_EQ(stateHash(simulation.ghost()->state()), stateHash(simulation.state()));
+  EXPECT_EQ(sim::stateHash(simulation.ghost()->state()), sim::stateHash(simulation.state()));
   advance(simulation, 30);
-  EXPECT_EQ(stateHash(simulation.ghost()->state()), moved);
+  EXPECT_EQ(sim::stateHash(simulation.ghost()->state()), moved);
 }
 
 TEST(Ghost, comesWithASceneThatAsksForIt) {
-  auto scene = std::make_shared<Scene>(*smallGrid());
+  auto scene = std::make_shared<scene::Scene>(*smallGrid());
   scene->settings.ghost.solver = "one_iteration";
   Simulation simulation(scene);
   ASSERT_NE(simulation.ghost(), nullptr);
-  EXPECT_EQ(stateHash(simulation.ghost()->state()), stateHash(scene->start));
+  EXPECT_EQ(sim::stateHash(simulation.ghost()->state()), sim::stateHash(scene->start));
   const auto other = smallGrid(12);
   simulation.apply(LoadSceneCommand{other});
   EXPECT_EQ(simulation.ghost(), nullptr) << "the other scene has none";
 }
 
 /// With axial force derivatives a large step blows up, and twenty small ones do not.
-std::shared_ptr<const Scene> explosive() {
-  auto scene = std::make_shared<Scene>(*smallGrid());
-  scene->settings.step.derivative = ForceDerivative::Axial;
+std::shared_ptr<const scene::Scene> explosive() {
+  auto scene = std::make_shared<scene::Scene>(*smallGrid());
+  scene->settings.step.derivative = sim::ForceDerivative::Axial;
   scene->settings.step.material.stiffness = 1e3;
   scene->settings.step.timeStep = 1.0 / 30.0;
   scene->settings.step.substeps = 20;
@@ -131,7 +131,7 @@ TEST(Ghost, thatBlowsUpIsTakenAwayAndTheFirstClothGoesOn) {
   EXPECT_EQ(simulation.stepIndex(), steps);
   simulation.step();
   EXPECT_EQ(simulation.stepIndex(), steps + 1);
-  EXPECT_TRUE(isFinite(simulation.state()));
+  EXPECT_TRUE(sim::isFinite(simulation.state()));
 }
 
 TEST(Ghost, isReplayed) {
@@ -148,9 +148,9 @@ TEST(Ghost, isReplayed) {
   Simulation again(scene);
   again.replay(original.log());
   ASSERT_NE(again.ghost(), nullptr);
-  EXPECT_EQ(stateHash(again.ghost()->state()), stateHash(original.ghost()->state()));
-  EXPECT_EQ(stateHash(again.state()), stateHash(original.state()));
+  EXPECT_EQ(sim::stateHash(again.ghost()->state()), sim::stateHash(original.ghost()->state()));
+  EXPECT_EQ(sim::stateHash(again.state()), sim::stateHash(original.state()));
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

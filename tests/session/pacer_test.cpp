@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 int stepsTaken(Pacer& pacer, double timeStep) {
@@ -59,4 +59,4 @@ TEST(RealTimeFactor, isTheShareOfTheClockThatWasSimulated) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

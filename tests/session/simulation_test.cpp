@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 using testing::smallGrid;
@@ -31,7 +31,7 @@ int pinCount(const Simulation& simulation) {
 TEST(Simulation, startsAtTheScenesStartWithTheScenesSettings) {
   const auto scene = smallGrid();
   const Simulation simulation(scene);
-  EXPECT_EQ(stateHash(simulation.state()), stateHash(scene->start));
+  EXPECT_EQ(sim::stateHash(simulation.state()), sim::stateHash(scene->start));
   EXPECT_EQ(simulation.settings().material.mass, 0.1);
   EXPECT_EQ(simulation.stepIndex(), 0);
   EXPECT_FALSE(simulation.paused());
@@ -64,9 +64,9 @@ TEST(Simulation, changesTheMassWithoutMovingTheCloth) {
   for (int i = 0; i < 20; ++i) {
     simulation.step();
   }
-  const auto hash = stateHash(simulation.state());
+  const auto hash = sim::stateHash(simulation.state());
   simulation.apply(SetSettingCommand{"mass", 0.7});
-  EXPECT_EQ(stateHash(simulation.state()), hash);
+  EXPECT_EQ(sim::stateHash(simulation.state()), hash);
   EXPECT_NEAR(simulation.model().totalMass(), 0.7, 1e-12);
   simulation.apply(SetSettingCommand{"density", 0.25});
   EXPECT_NEAR(simulation.model().totalMass(), 0.25, 1e-12) << "the sheet has one square metre";
@@ -131,7 +131,7 @@ TEST(Simulation, resetsToTheStartAndRunsTheSameAgain) {
     for (int i = 0; i < 40; ++i) {
       simulation.step();
     }
-    return stateHash(simulation.state());
+    return sim::stateHash(simulation.state());
   };
   const auto first = run();
   simulation.apply(ResetCommand{});
@@ -148,7 +148,7 @@ TEST(Simulation, takesOneStepAndStaysPaused) {
 }
 
 TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
-  auto scene = std::make_shared<Scene>(*smallGrid());
+  auto scene = std::make_shared<scene::Scene>(*smallGrid());
   scene->settings.step.material.stiffness = 1e7;  // far beyond the stability of explicit steps of this length
   scene->settings.solver.name = "verlet";
   Simulation simulation(scene);
@@ -158,11 +158,11 @@ TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
   EXPECT_TRUE(simulation.paused());
   EXPECT_TRUE(simulation.blewUp());
   EXPECT_NE(simulation.message().find("blew up"), std::string::npos) << simulation.message();
-  EXPECT_TRUE(isFinite(simulation.state()));
+  EXPECT_TRUE(sim::isFinite(simulation.state()));
 }
 
 TEST(Simulation, saysWhenSpringsAreStretchedBeyondAllMeasure) {
-  auto scene = std::make_shared<Scene>(*smallGrid());
+  auto scene = std::make_shared<scene::Scene>(*smallGrid());
   Snapshot snapshot;
   Simulation(scene).capture(snapshot);
   EXPECT_TRUE(snapshot.message.empty());
@@ -182,7 +182,7 @@ TEST(Simulation, keepsTheEnergyBalanceWhileItIsAskedFor) {
   EXPECT_FALSE(snapshot.balance.has_value()) << "it costs, so it is off unless asked for";
   simulation.apply(SetSettingCommand{"energy_balance", true});
   simulation.apply(attachAt(simulation, 70, Vec3(0.1, 0.15, 0.05)));
-  const double start = energyOf(simulation.model(), simulation.settings().step, simulation.state()).total();
+  const double start = sim::energyOf(simulation.model(), simulation.settings().step, simulation.state()).total();
   for (int i = 0; i < 30; ++i) {
     simulation.step();
   }
@@ -204,13 +204,13 @@ TEST(Simulation, goesTheSameWayWithAndWithoutTheEnergyBalance) {
     plain.step();
     measured.step();
   }
-  EXPECT_EQ(stateHash(plain.state()), stateHash(measured.state()));
+  EXPECT_EQ(sim::stateHash(plain.state()), sim::stateHash(measured.state()));
 }
 
 TEST(Simulation, movesPinsAndTheGhostsPinsAndNothingElse) {
   Simulation simulation(smallGrid());
   simulation.apply(SetSettingCommand{"ghost.solver", std::string("verlet")});
-  const ClothState before = simulation.state();
+  const sim::ClothState before = simulation.state();
   simulation.apply(MovePinsCommand{Vec3(0.0, 0.0, 0.5)});
   const auto& pinned = simulation.model().pinned;
   for (std::size_t v = 0; v < pinned.size(); ++v) {
@@ -229,14 +229,14 @@ TEST(Simulation, saysWhenThereAreNoPinsToMove) {
 }
 
 TEST(Simulation, unfoldsAStartInOnePointAndSaysSo) {
-  auto scene = std::make_shared<Scene>(*smallGrid(9, {"gravity=0", "damping=0.05", "pins=none"}));
-  scene->start = stateAtRest(std::vector<Vec3>(scene->start.positions.size(), Vec3(0.0, 1.0, 0.0)));
+  auto scene = std::make_shared<scene::Scene>(*smallGrid(9, {"gravity=0", "damping=0.05", "pins=none"}));
+  scene->start = sim::stateAtRest(std::vector<Vec3>(scene->start.positions.size(), Vec3(0.0, 1.0, 0.0)));
   Simulation simulation(scene);
   EXPECT_NE(simulation.message().find("can unfold"), std::string::npos);
   for (int step = 0; step < 150; ++step) {
     simulation.step();
   }
-  EXPECT_GE(dimensionsOf(simulation.state().positions, 0.05), 2) << "edges are of 0.125 m";
+  EXPECT_GE(sim::dimensionsOf(simulation.state().positions, 0.05), 2) << "edges are of 0.125 m";
 }
 
 TEST(Simulation, replaysItsLogToTheSameBits) {
@@ -261,7 +261,7 @@ TEST(Simulation, replaysItsLogToTheSameBits) {
 
   Simulation again(scene);
   again.replay(original.log());
-  EXPECT_EQ(stateHash(again.state()), stateHash(original.state()));
+  EXPECT_EQ(sim::stateHash(again.state()), sim::stateHash(original.state()));
   EXPECT_EQ(again.stepsTaken(), original.stepsTaken());
 }
 
@@ -273,7 +273,7 @@ TEST(Simulation, loadsAnotherSceneWithItsOwnSettings) {
   EXPECT_EQ(simulation.model().vertexCount(), 144);
   EXPECT_EQ(simulation.settings().step.material.stiffness, other->settings.step.material.stiffness);
   simulation.step();
-  EXPECT_TRUE(isFinite(simulation.state()));
+  EXPECT_TRUE(sim::isFinite(simulation.state()));
 }
 
 TEST(Simulation, letsOutOfAStepWhatIsThrownWithinIt) {
@@ -297,4 +297,4 @@ TEST(Simulation, numbersSnapshotsSoThatEveryChangeShows) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

@@ -6,7 +6,7 @@
 #include <functional>
 #include <thread>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 using testing::smallGrid;
@@ -80,13 +80,13 @@ TEST(SimulationThread, takesCommandsAndScenesFromOtherThreadsWhileAReaderLooks) 
 }
 
 TEST(SimulationThread, slowsTheClockDownInsteadOfFallingBehind) {
-  SceneDescription description = openScene("grid");
+  scene::SceneDescription description = scene::openScene("grid");
   description.settings.grid.resolution = 129;
   description.settings.step.timeStep = 1e-5;
-  SimulationThread simulation(buildScene(description, description.settings), false);
+  SimulationThread simulation(scene::buildScene(description, description.settings), false);
   EXPECT_TRUE(eventually(simulation, [](const Snapshot& s) { return s.realTimeFactor > 0.0; }));
   EXPECT_LT(simulation.latest().realTimeFactor, 0.5);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 /// A scene after some simulated time, and its snapshot.
@@ -18,7 +18,7 @@ struct Outcome {
   Snapshot snapshot;
 };
 
-Outcome simulated(const std::shared_ptr<const Scene>& scene, double seconds) {
+Outcome simulated(const std::shared_ptr<const scene::Scene>& scene, double seconds) {
   Outcome outcome{Simulation(scene), {}};
   while (outcome.simulation.state().time < seconds && !outcome.simulation.blewUp()) {
     outcome.simulation.step();
@@ -60,23 +60,23 @@ TEST(StretchCause, HeavyClothIsToldItsDensity) {
 }
 
 TEST(StretchCause, TheStretchThatTheWeightImpliesIsNearTheOneThatComesOut) {
-  SceneDescription description = openScene("grid");
-  description.source = GridSource{GridSource::Plane::Vertical};
+  scene::SceneDescription description = scene::openScene("grid");
+  description.source = scene::GridSource{scene::GridSource::Plane::Vertical};
   description.pins.corners.clear();
   description.pins.edges = {"top"};
   description.settings.grid.resolution = 9;
   for (const char* setting : {"solver=auto", "stiffness=2", "damping=0.1", "drag=1"}) {
-    assignSettingExpression(description.settings, setting);
+    settings::assignSettingExpression(description.settings, setting);
   }
-  const Outcome outcome = simulated(buildScene(description, description.settings), 6.0);
-  const double expected = strainByWeight(outcome.simulation.model(), outcome.simulation.settings().step);
+  const Outcome outcome = simulated(scene::buildScene(description, description.settings), 6.0);
+  const double expected = sim::strainByWeight(outcome.simulation.model(), outcome.simulation.settings().step);
   EXPECT_GT(outcome.snapshot.maxStretch, 0.5 * expected);
   EXPECT_LT(outcome.snapshot.maxStretch, 2.0 * expected);
 }
 
 TEST(StretchCause, ASolverBeyondItsStepIsToldSo) {
   const auto scene = testing::smallGrid(9, {"solver=xpbd", "iterations=1", "stiffness=1e5", "time_step=0.02"});
-  ClothState pulled = scene->start;
+  sim::ClothState pulled = scene->start;
   for (Vec3& position : pulled.positions) {
     position *= 4.0;
   }
@@ -88,7 +88,7 @@ TEST(StretchCause, ASolverBeyondItsStepIsToldSo) {
 
 TEST(StretchCause, OnlyAFailedSolverIsCalledOverstretched) {
   const auto scene = testing::smallGrid(9, {"solver=auto", "stiffness=500"});
-  ClothState pulled = scene->start;
+  sim::ClothState pulled = scene->start;
   for (Vec3& position : pulled.positions) {
     position *= 4.0;
   }
@@ -102,14 +102,14 @@ TEST(StretchCause, OnlyAFailedSolverIsCalledOverstretched) {
 
 TEST(StretchCause, SliversAreToldWithTheirPlace) {
   const auto grid = testing::smallGrid(9, {"solver=auto", "stiffness=500"});
-  auto scene = std::make_shared<Scene>(*grid);
-  ClothMesh mesh{grid->model->restPositions, grid->model->triangles};
+  auto scene = std::make_shared<scene::Scene>(*grid);
+  sim::ClothMesh mesh{grid->model->restPositions, grid->model->triangles};
   const Triangle first = mesh.triangles.front();
   const auto a = static_cast<std::size_t>(first[0]);
   const auto b = static_cast<std::size_t>(first[1]);
   mesh.positions[b] = mesh.positions[a] + (mesh.positions[b] - mesh.positions[a]) / 6000.0;
-  scene->model = buildClothModel(mesh, 0.1, MassLumping::Area, {0, 8});
-  ClothState state = stateAtRest(mesh.positions);
+  scene->model = sim::buildClothModel(mesh, 0.1, sim::MassLumping::Area, {0, 8});
+  sim::ClothState state = sim::stateAtRest(mesh.positions);
   state.positions[b] = mesh.positions[a] + 5.0 * (mesh.positions[b] - mesh.positions[a]);
   const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, state, false);
   EXPECT_EQ(found.cause, StretchCause::Slivers);
@@ -120,12 +120,12 @@ TEST(StretchCause, SliversAreToldWithTheirPlace) {
 
 TEST(StretchCause, ClothOfTheWrongUnitIsToldTheUnit) {
   const auto grid = testing::smallGrid(9, {"solver=auto", "grid.width=75", "grid.height=75", "stiffness=50"});
-  auto scene = std::make_shared<Scene>(*grid);
-  scene->description.source = MeshFileSource{"shirt.obj", false};
-  scene->reading = MeshReading{};
+  auto scene = std::make_shared<scene::Scene>(*grid);
+  scene->description.source = scene::MeshFileSource{"shirt.obj", false};
+  scene->reading = scene::MeshReading{};
   scene->summary.size = {75.0, 0.0, 75.0};
-  scene->model = withMass(*grid->model, 0.15 * 75.0 * 75.0, MassLumping::Area);
-  ClothState pulled = scene->start;
+  scene->model = sim::withMass(*grid->model, 0.15 * 75.0 * 75.0, sim::MassLumping::Area);
+  sim::ClothState pulled = scene->start;
   for (Vec3& position : pulled.positions) {
     position *= 4.0;
   }
@@ -136,4 +136,4 @@ TEST(StretchCause, ClothOfTheWrongUnitIsToldTheUnit) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

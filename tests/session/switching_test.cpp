@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 double largestMove(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
@@ -17,7 +17,7 @@ double largestMove(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
 
 /// A soft falling sheet, with steps that are stable with every method.
 Simulation calmSheet() {
-  auto scene = std::make_shared<Scene>(*testing::smallGrid());
+  auto scene = std::make_shared<scene::Scene>(*testing::smallGrid());
   scene->settings.step.material.stiffness = 10.0;
   scene->settings.step.material.damping = 0.002;
   scene->settings.step.timeStep = 1.0 / 150.0;
@@ -30,8 +30,8 @@ Simulation calmSheet() {
 }
 
 /// Changes a setting during a run and compares the next step with the one without the change.
-void expectNoJump(Simulation& simulation, const char* key, const SettingValue& value) {
-  Simulation unchanged(std::make_shared<Scene>(simulation.scene()));
+void expectNoJump(Simulation& simulation, const char* key, const settings::SettingValue& value) {
+  Simulation unchanged(std::make_shared<scene::Scene>(simulation.scene()));
   unchanged.replay(simulation.log());
   while (unchanged.stepsTaken() < simulation.stepsTaken()) {
     unchanged.step();
@@ -39,10 +39,10 @@ void expectNoJump(Simulation& simulation, const char* key, const SettingValue& v
   const std::vector<Vec3> before = simulation.state().positions;
   ASSERT_EQ(unchanged.state().positions, before);
   const double time = simulation.state().time;
-  const auto hash = stateHash(simulation.state());
+  const auto hash = sim::stateHash(simulation.state());
   simulation.apply(SetSettingCommand{key, value});
   ASSERT_EQ(simulation.message(), "");
-  EXPECT_EQ(stateHash(simulation.state()), hash) << "changing a setting moves nothing";
+  EXPECT_EQ(sim::stateHash(simulation.state()), hash) << "changing a setting moves nothing";
   unchanged.step();
   simulation.step();
   const double usual = largestMove(before, unchanged.state().positions);
@@ -54,7 +54,7 @@ void expectNoJump(Simulation& simulation, const char* key, const SettingValue& v
     simulation.step();
   }
   EXPECT_FALSE(simulation.blewUp()) << simulation.message();
-  EXPECT_TRUE(isFinite(simulation.state()));
+  EXPECT_TRUE(sim::isFinite(simulation.state()));
 }
 
 TEST(Pinning, holdsAVertexAtOnceWhateverTheIntegration) {
@@ -80,7 +80,7 @@ TEST_P(SwitchingTo, carriesTheStateOn) {
 }
 
 TEST_P(SwitchingTo, andAwayFromItCarriesTheStateOn) {
-  auto scene = std::make_shared<Scene>(calmSheet().scene());
+  auto scene = std::make_shared<scene::Scene>(calmSheet().scene());
   scene->settings.solver.name = GetParam();
   Simulation simulation(scene);
   for (int i = 0; i < 40; ++i) {
@@ -91,7 +91,7 @@ TEST_P(SwitchingTo, andAwayFromItCarriesTheStateOn) {
 
 TEST_P(SwitchingTo, anotherIntegrationOrOtherSubstepsCarriesTheStateOn) {
   for (const char* integration : {"theta", "bdf2"}) {
-    auto scene = std::make_shared<Scene>(calmSheet().scene());
+    auto scene = std::make_shared<scene::Scene>(calmSheet().scene());
     scene->settings.solver.name = GetParam();
     Simulation simulation(scene);
     for (int i = 0; i < 20; ++i) {
@@ -105,7 +105,7 @@ TEST_P(SwitchingTo, anotherIntegrationOrOtherSubstepsCarriesTheStateOn) {
 
 std::vector<std::string> solverNames() {
   std::vector<std::string> names;
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     names.emplace_back(solver.name);
   }
   return names;
@@ -115,4 +115,4 @@ INSTANTIATE_TEST_SUITE_P(Solvers, SwitchingTo, ::testing::ValuesIn(solverNames()
                          [](const auto& solver) { return solver.param; });
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

@@ -6,16 +6,17 @@
 #include <string>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::session::testing {
 
 /// The built-in grid at a small size, with these settings ("key=value") in place of its own.
-inline std::shared_ptr<const Scene> smallGrid(int resolution = 9, const std::vector<std::string>& settings = {}) {
-  SceneDescription description = openScene("grid");
+inline std::shared_ptr<const scene::Scene> smallGrid(int resolution = 9,
+                                                     const std::vector<std::string>& settings = {}) {
+  scene::SceneDescription description = scene::openScene("grid");
   description.settings.grid.resolution = resolution;
   for (const std::string& expression : settings) {
-    assignSettingExpression(description.settings, expression);
+    settings::assignSettingExpression(description.settings, expression);
   }
-  return buildScene(description, description.settings);
+  return scene::buildScene(description, description.settings);
 }
 
-}  // namespace drape::testing
+}  // namespace drape::session::testing

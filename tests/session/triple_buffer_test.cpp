@@ -4,7 +4,7 @@
 #include <array>
 #include <thread>
 
-namespace drape {
+namespace drape::session {
 namespace {
 
 TEST(TripleBuffer, givesTheNewestValueAndKeepsItUntilANewerOneComes) {
@@ -55,4 +55,4 @@ TEST(TripleBuffer, neverTearsAValueOrGoesBackBetweenTwoThreads) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::session

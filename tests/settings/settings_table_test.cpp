@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace drape {
+namespace drape::settings {
 namespace {
 
 /// The message with which a value is refused, or "" when it is accepted.
@@ -16,7 +16,7 @@ std::string refusal(const std::string& expression) {
     assignSettingExpression(settings, expression);
     requireConsistent(settings);
     return "";
-  } catch (const UsageError& error) {
+  } catch (const messages::UsageError& error) {
     return error.what();
   }
 }
@@ -59,8 +59,8 @@ TEST(SettingsTable, refusesNumbersOutOfRangeWithKeyRangeAndUnit) {
     if (const auto* number = std::get_if<NumberField>(&info.field)) {
       Settings settings;
       const SettingValue before = settingValue(settings, info);
-      EXPECT_THROW(assignSetting(settings, info, number->max * 2.0 + 1.0), UsageError) << info.key;
-      EXPECT_THROW(assignSetting(settings, info, number->min - 1.0), UsageError) << info.key;
+      EXPECT_THROW(assignSetting(settings, info, number->max * 2.0 + 1.0), messages::UsageError) << info.key;
+      EXPECT_THROW(assignSetting(settings, info, number->min - 1.0), messages::UsageError) << info.key;
       EXPECT_EQ(settingValue(settings, info), before) << info.key;
     }
   }
@@ -91,9 +91,9 @@ TEST(SettingsTable, refusesEvenSweepsWithTheReason) {
 TEST(SettingsTable, takesEvenSweepsOfDampedJacobi) {
   Settings settings;
   assignSettingExpression(settings, "sweeps=4");
-  EXPECT_THROW(requireConsistent(settings), UsageError);
+  EXPECT_THROW(requireConsistent(settings), messages::UsageError);
   assignSettingExpression(settings, "relaxation=0.81");
-  EXPECT_THROW(requireConsistent(settings), UsageError);
+  EXPECT_THROW(requireConsistent(settings), messages::UsageError);
   assignSettingExpression(settings, "relaxation=0.8");
   EXPECT_NO_THROW(requireConsistent(settings));
 }
@@ -116,7 +116,7 @@ TEST(SettingsTable, tellsWhichSettingsHaveAnEffect) {
 TEST(SettingsTable, showsWhatTheGhostsSolverReads) {
   Settings settings;
   EXPECT_FALSE(isRelevant(requireSetting("ghost.substeps"), settings));
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     settings.ghost.solver = solver.name;
     EXPECT_TRUE(isRelevant(requireSetting("ghost.substeps"), settings));
     for (const std::string_view key : solver.settings) {
@@ -127,7 +127,7 @@ TEST(SettingsTable, showsWhatTheGhostsSolverReads) {
 
 TEST(ChoiceTitle, isTheTitleOrTheWordWithGaps) {
   const auto& solvers = std::get<ChoiceField>(requireSetting("solver").field);
-  EXPECT_EQ(choiceTitle(solvers, "one_iteration"), findSolver("one_iteration")->title);
+  EXPECT_EQ(choiceTitle(solvers, "one_iteration"), sim::findSolver("one_iteration")->title);
   EXPECT_EQ(choiceTitle(std::get<ChoiceField>(requireSetting("ghost.solver").field), "off"), "Off");
   EXPECT_EQ(choiceTitle(std::get<ChoiceField>(requireSetting("integration").field), "bdf2"), "BDF2");
   EXPECT_EQ(choiceTitle(ChoiceField{nullptr, nullptr, nullptr}, "two_words"), "two words");
@@ -160,7 +160,7 @@ TEST(SettingsTable, readsAndWritesEveryWordOfEveryChoice) {
 }
 
 TEST(SolverTable, namesOnlySettingsThatExist) {
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     for (const std::string_view key : solver.settings) {
       EXPECT_NE(findSetting(key), nullptr) << solver.name << ": " << key;
     }
@@ -259,4 +259,4 @@ TEST(FormatValue, givesTheShortestTextThatReadsBackToTheSameBits) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::settings

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace drape::testing {
+namespace drape::sim::testing {
 
 /// The forces on all vertices: springs, damping, gravity, air and the attachment [N]. Pinned vertices have them too.
 /// @param force one a vertex; resized
@@ -23,4 +23,4 @@ inline void evaluateForces(const ClothModel& model, const CommonParameters& para
   }
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

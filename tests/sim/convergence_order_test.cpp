@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 constexpr double mass = 0.01;      // [kg]
@@ -117,4 +117,4 @@ TEST(OrderOfMidpointAndBdf2, fallsTowardsOneUnderCompressionWhereTheStabilisedDe
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -8,7 +8,7 @@
 
 #include <Eigen/Dense>
 
-namespace drape::testing {
+namespace drape::sim::testing {
 
 /// One row a vertex, columns x, y, z.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
@@ -121,4 +121,4 @@ inline std::shared_ptr<const ClothModel> pair(const std::vector<int>& pins) {
   return buildClothModel({{Vec3(0.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0)}, {{0, 1, 1}}}, 0.1, MassLumping::Uniform, pins);
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

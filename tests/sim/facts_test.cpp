@@ -10,7 +10,7 @@
 
 /// What is known about the one-iteration method and those around it, as figures. The scene is that of the paper: a flat
 /// sheet of 1 m and 0.1 kg, pinned at two corners, falling from rest, without damping and air.
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::pinnedSheet;
@@ -53,7 +53,7 @@ TEST(OddSweeps, areCalmAndEvenOnesRattle) {
 
 TEST(EvenSweeps, areCalmWithTheRelaxationThatTheRuleAsksFor) {
   StepParameters parameters = with(1e3, 1.0 / 150.0);
-  parameters.jacobi.relaxation = evenSweepsRelaxation;
+  parameters.jacobi.relaxation = simd::evenSweepsRelaxation;
   for (const int sweeps : {2, 4}) {
     parameters.jacobi.sweeps = sweeps;
     EXPECT_LT(largestEnergy("one_iteration", 17, parameters), 2.0) << sweeps;
@@ -205,4 +205,4 @@ TEST(FreeClothsMomentum, isLostByOneIterationTheMoreTheStifferTheClothIs) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-namespace drape::testing {
+namespace drape::sim::testing {
 namespace {
 
 using Eigen::MatrixXd;
@@ -199,4 +199,4 @@ void exactLinearStep(const ClothModel& model, const StepParameters& p, const Ste
   advanceBy(model, p.timeStep, dv, state);
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

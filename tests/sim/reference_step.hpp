@@ -4,7 +4,7 @@
 #include "sim/model/cloth_state.hpp"
 #include "sim/solvers/step_parameters.hpp"
 
-namespace drape::testing {
+namespace drape::sim::testing {
 
 /// The paper's step written down a second time, from the equations alone and with dense matrices: 3n x 3n mass,
 /// stiffness and damping in every variant of the force derivative, block-diagonal part, `sweeps` Jacobi sweeps damped
@@ -22,4 +22,4 @@ enum class AttachmentDerivative {
 void exactLinearStep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                      AttachmentDerivative attachment, ClothState& state);
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::sim::testing {
 
 /// A flat n x n sheet of 1 m x 1 m in the xz plane, one diagonal a quad.
 inline ClothMesh sheet(int n) {
@@ -86,4 +86,4 @@ inline double largestDifference(const ClothState& a, const ClothState& b) {
   return largest;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace drape {
+namespace drape::text {
 namespace {
 
 TEST(NumberText, NumbersKeepAboutThreeDigits) {
@@ -85,4 +85,4 @@ TEST(NumberText, FractionsAreNumbers) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::text

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 TEST(DroppedFiles, AreSortedByTheirEndings) {
@@ -50,7 +50,7 @@ TEST(DroppedFiles, SeveralMeshesRaiseTheQuestion) {
   EXPECT_TRUE(decision.ask);
   EXPECT_FALSE(decision.open);
   EXPECT_EQ(likelyCloth(files), 1U) << "what is called a body is none";
-  const SceneParts parts = partsWithCloth(files, 1);
+  const scene::SceneParts parts = partsWithCloth(files, 1);
   EXPECT_EQ(parts.cloth, "/a/coat.obj");
   EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/Female_Body.obj", "/a/shoe.ply"}));
   EXPECT_TRUE(parts.scene.empty());
@@ -59,7 +59,7 @@ TEST(DroppedFiles, SeveralMeshesRaiseTheQuestion) {
 TEST(DroppedFiles, ASceneAndAMeshRaiseTheQuestionAndKeepTheScenesCloth) {
   const DroppedFiles files = sortDropped({"/a/room.toml", "/a/table.obj"});
   EXPECT_TRUE(decide(files).ask);
-  const SceneParts parts = partsWithCloth(files, likelyCloth(files));
+  const scene::SceneParts parts = partsWithCloth(files, likelyCloth(files));
   EXPECT_EQ(parts.scene, "/a/room.toml");
   EXPECT_TRUE(parts.cloth.empty());
   EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/table.obj"}));
@@ -72,4 +72,4 @@ TEST(DroppedFiles, OfTheSameNameAreToldApartByTheirFolders) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

@@ -4,7 +4,7 @@
 
 #include <initializer_list>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 constexpr int letter = 65;
@@ -73,4 +73,4 @@ TEST(InputQueue, AnEmptyFrameTakesNothing) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 /// A grid that hangs in the middle of the picture.
@@ -13,14 +13,14 @@ class Interaction : public ::testing::Test {
   Interaction() : simulation_(scene()) {
     controller_.setView(view_);
     simulation_.capture(snapshot_);
-    controller_.lookFrom(Camera::Side::Top, snapshot_);
+    controller_.lookFrom(render::Camera::Side::Top, snapshot_);
     controller_.frameCloth(snapshot_);
     onCloth_ = inWindow(middleOf(0.31, 0.43));
   }
 
-  static std::shared_ptr<const Scene> scene() {
-    const SceneDescription description = openScene("grid");
-    return buildScene(description, description.settings);
+  static std::shared_ptr<const scene::Scene> scene() {
+    const scene::SceneDescription description = scene::openScene("grid");
+    return scene::buildScene(description, description.settings);
   }
 
   [[nodiscard]] Vec3 middleOf(double across, double along) const {
@@ -44,15 +44,15 @@ class Interaction : public ::testing::Test {
     return output;
   }
 
-  [[nodiscard]] bool cameraMoved(const CameraPose& before) const {
-    const CameraPose& now = controller_.camera().pose();
+  [[nodiscard]] bool cameraMoved(const scene::CameraPose& before) const {
+    const scene::CameraPose& now = controller_.camera().pose();
     return (now.position - before.position).norm() > 1e-9 || (now.focalPoint - before.focalPoint).norm() > 1e-9;
   }
 
   const UiRect view_{372.0, 0.0, 900.0, 690.0};
   const Vec2 beside_{380.0, 5.0};
-  Simulation simulation_;
-  Snapshot snapshot_;
+  session::Simulation simulation_;
+  session::Snapshot snapshot_;
   InteractionController controller_;
   Vec2 onCloth_ = Vec2::Zero();
 };
@@ -60,7 +60,7 @@ class Interaction : public ::testing::Test {
 TEST_F(Interaction, LeftOnTheClothAttachesToTheHitPoint) {
   const UiOutput output = send(PressEvent{.position = onCloth_});
   ASSERT_EQ(output.commands.size(), 1U);
-  const auto& attached = std::get<AttachCommand>(output.commands.front());
+  const auto& attached = std::get<session::AttachCommand>(output.commands.front());
   EXPECT_NEAR(attached.barycentric.sum(), 1.0, 1e-9);
   EXPECT_TRUE(attached.target.isApprox(middleOf(0.31, 0.43), 1e-6));
   EXPECT_TRUE(controller_.holdsCloth());
@@ -68,11 +68,11 @@ TEST_F(Interaction, LeftOnTheClothAttachesToTheHitPoint) {
 
 TEST_F(Interaction, DraggingMovesTheTargetAtTheDepthOfTheAttachedPoint) {
   const UiOutput pressed = send(PressEvent{.position = onCloth_});
-  const Vec3 taken = std::get<AttachCommand>(pressed.commands.front()).target;
-  const CameraPose before = controller_.camera().pose();
+  const Vec3 taken = std::get<session::AttachCommand>(pressed.commands.front()).target;
+  const scene::CameraPose before = controller_.camera().pose();
   const UiOutput moved = send(MoveEvent{onCloth_ + Vec2(60.0, -20.0)});
   ASSERT_EQ(moved.commands.size(), 1U);
-  const Vec3 target = std::get<MoveAttachmentCommand>(moved.commands.front()).target;
+  const Vec3 target = std::get<session::MoveAttachmentCommand>(moved.commands.front()).target;
   EXPECT_TRUE(inWindow(target).isApprox(onCloth_ + Vec2(60.0, -20.0), 1e-6));
   const Vec3 direction = (before.focalPoint - before.position).normalized();
   EXPECT_NEAR((target - taken).dot(direction), 0.0, 1e-9);
@@ -84,12 +84,12 @@ TEST_F(Interaction, LettingGoReleases) {
   EXPECT_TRUE(send(ReleaseEvent{MouseButton::Right}).commands.empty());
   const UiOutput output = send(ReleaseEvent{MouseButton::Left});
   ASSERT_EQ(output.commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<DetachCommand>(output.commands.front()));
+  EXPECT_TRUE(std::holds_alternative<session::DetachCommand>(output.commands.front()));
   EXPECT_TRUE(send(MoveEvent{beside_}).commands.empty());
 }
 
 TEST_F(Interaction, LeftBesideTheClothTurnsTheView) {
-  const CameraPose before = controller_.camera().pose();
+  const scene::CameraPose before = controller_.camera().pose();
   EXPECT_TRUE(send(PressEvent{.position = beside_}).commands.empty());
   EXPECT_TRUE(send(MoveEvent{beside_ + Vec2(80.0, 10.0)}).commands.empty());
   EXPECT_TRUE(cameraMoved(before));
@@ -98,7 +98,7 @@ TEST_F(Interaction, LeftBesideTheClothTurnsTheView) {
 }
 
 TEST_F(Interaction, ControlNeverTurnsTheView) {
-  const CameraPose before = controller_.camera().pose();
+  const scene::CameraPose before = controller_.camera().pose();
   send(PressEvent{.position = beside_, .control = true});
   send(MoveEvent{beside_ + Vec2(80.0, 10.0)});
   EXPECT_FALSE(cameraMoved(before));
@@ -109,11 +109,11 @@ TEST_F(Interaction, ControlNeverTurnsTheView) {
 TEST_F(Interaction, ShiftAndTheMiddleButtonMoveTheView) {
   for (const PressEvent& press : {PressEvent{.position = onCloth_, .shift = true},
                                   PressEvent{.button = MouseButton::Middle, .position = onCloth_}}) {
-    const CameraPose before = controller_.camera().pose();
+    const scene::CameraPose before = controller_.camera().pose();
     EXPECT_TRUE(send(press).commands.empty());
     send(MoveEvent{onCloth_ + Vec2(50.0, 0.0)});
     send(ReleaseEvent{press.button});
-    const CameraPose& now = controller_.camera().pose();
+    const scene::CameraPose& now = controller_.camera().pose();
     EXPECT_GT((now.focalPoint - before.focalPoint).norm(), 1e-3);
     EXPECT_TRUE((now.position - before.position).isApprox(now.focalPoint - before.focalPoint, 1e-6));
   }
@@ -121,7 +121,7 @@ TEST_F(Interaction, ShiftAndTheMiddleButtonMoveTheView) {
 
 TEST_F(Interaction, TheWheelComesNearer) {
   const auto distance = [&] {
-    const CameraPose& pose = controller_.camera().pose();
+    const scene::CameraPose& pose = controller_.camera().pose();
     return (pose.position - pose.focalPoint).norm();
   };
   const double before = distance();
@@ -147,12 +147,12 @@ TEST_F(Interaction, TwoSlowClicksAreNoDoubleClick) {
 
 TEST_F(Interaction, KeysAreCommands) {
   snapshot_.paused = true;
-  EXPECT_FALSE(std::get<PauseCommand>(send(KeyEvent{Key::Space}).commands.at(0)).paused);
-  EXPECT_TRUE(std::holds_alternative<SingleStepCommand>(send(KeyEvent{Key::Period}).commands.at(0)));
-  EXPECT_TRUE(std::holds_alternative<ResetCommand>(send(KeyEvent{Key::R}).commands.at(0)));
-  EXPECT_TRUE(std::holds_alternative<TogglePinCommand>(send(KeyEvent{Key::P}).commands.at(0)));
+  EXPECT_FALSE(std::get<session::PauseCommand>(send(KeyEvent{Key::Space}).commands.at(0)).paused);
+  EXPECT_TRUE(std::holds_alternative<session::SingleStepCommand>(send(KeyEvent{Key::Period}).commands.at(0)));
+  EXPECT_TRUE(std::holds_alternative<session::ResetCommand>(send(KeyEvent{Key::R}).commands.at(0)));
+  EXPECT_TRUE(std::holds_alternative<session::TogglePinCommand>(send(KeyEvent{Key::P}).commands.at(0)));
   const UiOutput wireframe = send(KeyEvent{Key::W});
-  EXPECT_EQ(std::get<SetSettingCommand>(wireframe.commands.at(0)).key, "view.wireframe");
+  EXPECT_EQ(std::get<session::SetSettingCommand>(wireframe.commands.at(0)).key, "view.wireframe");
   EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::H}).requests.at(0)), UiAction::TogglePanels);
   EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::F12}).requests.at(0)), UiAction::Screenshot);
   EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::Help}).requests.at(0)), UiAction::ToggleHelp);
@@ -167,7 +167,7 @@ TEST_F(Interaction, OnlySteppingRepeats) {
 TEST_F(Interaction, EscapeLetsGoFirstAndQuitsThen) {
   send(PressEvent{.position = onCloth_});
   const UiOutput first = send(KeyEvent{Key::Escape});
-  EXPECT_TRUE(std::holds_alternative<DetachCommand>(first.commands.at(0)));
+  EXPECT_TRUE(std::holds_alternative<session::DetachCommand>(first.commands.at(0)));
   EXPECT_TRUE(first.requests.empty());
   const UiOutput second = send(KeyEvent{Key::Escape});
   EXPECT_EQ(std::get<UiAction>(second.requests.at(0)), UiAction::Quit);
@@ -218,7 +218,7 @@ TEST_F(Interaction, TheCameraStaysNearTheCloth) {
 }
 
 TEST_F(Interaction, AnAuthorsCameraThatIsFarAwayDoesNotJump) {
-  Scene scene = *snapshot_.scene;
+  scene::Scene scene = *snapshot_.scene;
   scene.camera = {Vec3(0.0, -3.0, 90.0), Vec3(0.0, 1.0, 0.0), 35.0};
   controller_.setView({0.0, 0.0, 1600.0, 690.0});  // wide, so that the camera keeps the author's distance
   controller_.lookAtScene(scene);
@@ -228,7 +228,7 @@ TEST_F(Interaction, AnAuthorsCameraThatIsFarAwayDoesNotJump) {
 
 TEST_F(Interaction, ANarrowPictureShowsTheSceneFromFartherAway) {
   const auto distance = [&] {
-    const CameraPose& pose = controller_.camera().pose();
+    const scene::CameraPose& pose = controller_.camera().pose();
     return (pose.position - pose.focalPoint).norm();
   };
   controller_.lookAtScene(*snapshot_.scene);
@@ -242,16 +242,16 @@ TEST_F(Interaction, ANarrowPictureShowsTheSceneFromFartherAway) {
 class BodyInteraction : public Interaction {
  protected:
   BodyInteraction() {
-    SceneDescription description = openScene("grid");
-    Body ball;
+    scene::SceneDescription description = scene::openScene("grid");
+    sim::contact::Body ball;
     ball.name = "ball";
-    ball.shape = SphereShape{0.1};
+    ball.shape = sim::contact::SphereShape{0.1};
     ball.motion.keyframes = {{0.0, Vec3(0.8, 1.3, 0.0), Vec3::Zero()}};
-    description.bodies = {BodyDescription{ball, {}}};
-    description.ground = Body{};
-    simulation_.apply(LoadSceneCommand{buildScene(description, description.settings)});
+    description.bodies = {scene::BodyDescription{ball, {}}};
+    description.ground = sim::contact::Body{};
+    simulation_.apply(session::LoadSceneCommand{scene::buildScene(description, description.settings)});
     simulation_.capture(snapshot_);
-    controller_.lookFrom(Camera::Side::Top, snapshot_);
+    controller_.lookFrom(render::Camera::Side::Top, snapshot_);
     onBall_ = inWindow(Vec3(0.8, 1.3, 0.0));
   }
 
@@ -259,12 +259,12 @@ class BodyInteraction : public Interaction {
 };
 
 TEST_F(BodyInteraction, DraggingABodyMovesItAtTheDepthWhereItWasTaken) {
-  const CameraPose before = controller_.camera().pose();
+  const scene::CameraPose before = controller_.camera().pose();
   EXPECT_TRUE(send(PressEvent{.position = onBall_}).commands.empty()) << "it moves with the mouse";
   EXPECT_TRUE(controller_.holdsBody());
   const UiOutput moved = send(MoveEvent{onBall_ + Vec2(40.0, 25.0)});
   ASSERT_EQ(moved.commands.size(), 1U);
-  const auto& command = std::get<MoveBodyCommand>(moved.commands.front());
+  const auto& command = std::get<session::MoveBodyCommand>(moved.commands.front());
   EXPECT_EQ(command.body, 0);
   // The ray through the centre enters the ball there; that point is then under the mouse.
   const Vec3 middle(0.8, 1.3, 0.0);
@@ -278,7 +278,7 @@ TEST_F(BodyInteraction, DraggingABodyMovesItAtTheDepthWhereItWasTaken) {
 }
 
 TEST_F(BodyInteraction, ABodyThatWasMovedIsTakenWhereItIs) {
-  simulation_.apply(MoveBodyCommand{0, Vec3(0.0, 0.0, 0.3)});
+  simulation_.apply(session::MoveBodyCommand{0, Vec3(0.0, 0.0, 0.3)});
   for (int i = 0; i < 40; ++i) {
     simulation_.step();
   }
@@ -289,18 +289,18 @@ TEST_F(BodyInteraction, ABodyThatWasMovedIsTakenWhereItIs) {
   send(PressEvent{.position = there, .time = 9.0});
   ASSERT_TRUE(controller_.holdsBody());
   const UiOutput still = send(MoveEvent{there});
-  EXPECT_NEAR((std::get<MoveBodyCommand>(still.commands.at(0)).shift - Vec3(0.0, 0.0, 0.3)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((std::get<session::MoveBodyCommand>(still.commands.at(0)).shift - Vec3(0.0, 0.0, 0.3)).norm(), 0.0, 1e-9);
 }
 
 TEST_F(BodyInteraction, OnlyWhatIsThereAndHasAnEndIsTaken) {
   send(PressEvent{.position = beside_});
   EXPECT_FALSE(controller_.holdsBody()) << "the ground stays";
   send(ReleaseEvent{MouseButton::Left});
-  simulation_.apply(SwitchBodyCommand{0, false});
+  simulation_.apply(session::SwitchBodyCommand{0, false});
   simulation_.capture(snapshot_);
   send(PressEvent{.position = onBall_, .time = 5.0});
   EXPECT_FALSE(controller_.holdsBody());
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

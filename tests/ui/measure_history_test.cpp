@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
-Snapshot at(double time, double kinetic, const std::shared_ptr<const Scene>& scene) {
-  Snapshot snapshot;
+session::Snapshot at(double time, double kinetic, const std::shared_ptr<const scene::Scene>& scene) {
+  session::Snapshot snapshot;
   snapshot.scene = scene;
   snapshot.time = time;
   snapshot.energy.kinetic = kinetic;
@@ -14,7 +14,7 @@ Snapshot at(double time, double kinetic, const std::shared_ptr<const Scene>& sce
 }
 
 TEST(MeasureHistory, KeepsTheNewestAndThinsOutTheRest) {
-  const auto scene = std::make_shared<const Scene>();
+  const auto scene = std::make_shared<const scene::Scene>();
   MeasureHistory history;
   constexpr double step = 1e-3;
   for (int i = 0; i <= 5000; ++i) {
@@ -31,12 +31,12 @@ TEST(MeasureHistory, KeepsTheNewestAndThinsOutTheRest) {
 }
 
 TEST(MeasureHistory, KeepsWhatWasChosen) {
-  const auto scene = std::make_shared<const Scene>();
-  Snapshot snapshot = at(0.0, 1.0, scene);
+  const auto scene = std::make_shared<const scene::Scene>();
+  session::Snapshot snapshot = at(0.0, 1.0, scene);
   MeasureHistory history;
   history.add(snapshot);
   snapshot.time = 1.0;
-  snapshot.stepReport.choice = StepChoice{.substeps = 12};
+  snapshot.stepReport.choice = sim::adaptive::StepChoice{.substeps = 12};
   history.add(snapshot);
   EXPECT_FALSE(history.samples().front().choice);
   ASSERT_TRUE(history.samples().back().choice);
@@ -44,7 +44,7 @@ TEST(MeasureHistory, KeepsWhatWasChosen) {
 }
 
 TEST(MeasureHistory, ForgetsWhatIsLongAgo) {
-  const auto scene = std::make_shared<const Scene>();
+  const auto scene = std::make_shared<const scene::Scene>();
   MeasureHistory history;
   for (int i = 0; i <= 300; ++i) {
     history.add(at(0.1 * i, 1.0, scene));
@@ -54,7 +54,7 @@ TEST(MeasureHistory, ForgetsWhatIsLongAgo) {
 }
 
 TEST(MeasureHistory, TakesTheSameMomentOnce) {
-  const auto scene = std::make_shared<const Scene>();
+  const auto scene = std::make_shared<const scene::Scene>();
   MeasureHistory history;
   history.add(at(0.0, 1.0, scene));
   history.add(at(0.0, 2.0, scene));
@@ -63,22 +63,22 @@ TEST(MeasureHistory, TakesTheSameMomentOnce) {
 }
 
 TEST(MeasureHistory, BeginsAnewWithAResetAndWithAnotherScene) {
-  const auto scene = std::make_shared<const Scene>();
+  const auto scene = std::make_shared<const scene::Scene>();
   MeasureHistory history;
   history.add(at(0.0, 1.0, scene));
   history.add(at(2.0, 1.0, scene));
   history.add(at(0.0, 1.0, scene));
   EXPECT_EQ(history.samples().size(), 1U);
   history.add(at(2.0, 1.0, scene));
-  history.add(at(3.0, 1.0, std::make_shared<const Scene>()));
+  history.add(at(3.0, 1.0, std::make_shared<const scene::Scene>()));
   EXPECT_EQ(history.samples().size(), 1U);
 }
 
 TEST(MeasureHistory, KnowsTheGhostsDistanceOnlyWhereThereIsAGhost) {
-  const auto scene = std::make_shared<const Scene>();
+  const auto scene = std::make_shared<const scene::Scene>();
   MeasureHistory history;
   history.add(at(0.0, 1.0, scene));
-  Snapshot haunted = at(1.0, 1.0, scene);
+  session::Snapshot haunted = at(1.0, 1.0, scene);
   haunted.ghost.emplace().meanDistance = 0.25;
   history.add(haunted);
   EXPECT_FALSE(history.samples()[0].ghostDistance.has_value());
@@ -86,4 +86,4 @@ TEST(MeasureHistory, KnowsTheGhostsDistanceOnlyWhereThereIsAGhost) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

@@ -5,12 +5,12 @@
 #include <iterator>
 #include <utility>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
-std::shared_ptr<const Scene> builtScene(const char* name) {
-  const SceneDescription description = openScene(name);
-  return buildScene(description, description.settings);
+std::shared_ptr<const scene::Scene> builtScene(const char* name) {
+  const scene::SceneDescription description = scene::openScene(name);
+  return scene::buildScene(description, description.settings);
 }
 
 }  // namespace
@@ -23,9 +23,9 @@ void append(UiOutput& all, UiOutput more) {
   }
 }
 
-SettingValue lastValue(const UiOutput& output, const std::string& key) {
+settings::SettingValue lastValue(const UiOutput& output, const std::string& key) {
   for (auto command = output.commands.rbegin(); command != output.commands.rend(); ++command) {
-    const auto* set = std::get_if<SetSettingCommand>(&*command);
+    const auto* set = std::get_if<session::SetSettingCommand>(&*command);
     if (set != nullptr && set->key == key) {
       return set->value;
     }
@@ -38,7 +38,7 @@ SettingValue lastValue(const UiOutput& output, const std::string& key) {
 PanelFixture::PanelFixture(const char* scene)
     : simulation_(builtScene(scene)),
       panels_({.width = 1280, .height = 3000, .density = 1.0F, .scale = 1.0F}, UserInterface::Backend::None) {
-  simulation_.apply(PauseCommand{true});
+  simulation_.apply(session::PauseCommand{true});
   panels_.openSections(true);
   settle();
 }
@@ -57,7 +57,7 @@ void PanelFixture::settle() {
 }
 
 void PanelFixture::apply(const UiOutput& output) {
-  for (const Command& command : output.commands) {
+  for (const session::Command& command : output.commands) {
     simulation_.apply(command);
   }
 }
@@ -112,4 +112,4 @@ UiOutput PanelFixture::typeInto(const UiRect& rect, const std::string& text) {
   return all;
 }
 
-}  // namespace drape
+}  // namespace drape::ui

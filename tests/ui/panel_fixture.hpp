@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::ui {
 
 /// The panels of a small simulation, with simulated mouse and keyboard. Nothing is drawn.
 class PanelFixture : public ::testing::Test {
@@ -32,8 +32,8 @@ class PanelFixture : public ::testing::Test {
   [[nodiscard]] const UiRect& widget(const std::string& key) const { return panels_.widgets().at(key); }
   [[nodiscard]] const UiRect& button(const std::string& name) const { return panels_.buttons().at(name); }
 
-  Simulation simulation_;
-  Snapshot snapshot_;
+  session::Simulation simulation_;
+  session::Snapshot snapshot_;
   UiStats stats_;
   UserInterface panels_;
 };
@@ -42,6 +42,6 @@ class PanelFixture : public ::testing::Test {
 void append(UiOutput& all, UiOutput more);
 
 /// The value of the last command that sets `key`; fails the test when there is none.
-SettingValue lastValue(const UiOutput& output, const std::string& key);
+settings::SettingValue lastValue(const UiOutput& output, const std::string& key);
 
-}  // namespace drape
+}  // namespace drape::ui

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 /// A scene like one from a file in centimetres with z up, small enough for fast layout.
-std::shared_ptr<const Scene> withReading(const Scene& from) {
-  auto scene = std::make_shared<Scene>(from);
-  MeshReading reading;
+std::shared_ptr<const scene::Scene> withReading(const scene::Scene& from) {
+  auto scene = std::make_shared<scene::Scene>(from);
+  scene::MeshReading reading;
   reading.unit = "cm";
   reading.metresPerUnit = 0.01;
   reading.unitGuessed = true;
@@ -23,13 +23,13 @@ std::shared_ptr<const Scene> withReading(const Scene& from) {
 class ReadingNotice : public PanelFixture {
  protected:
   ReadingNotice() {
-    simulation_.apply(LoadSceneCommand{withReading(simulation_.scene())});
-    simulation_.apply(PauseCommand{true});
+    simulation_.apply(session::LoadSceneCommand{withReading(simulation_.scene())});
+    simulation_.apply(session::PauseCommand{true});
     settle();
   }
 
   /// The settings of the rebuild that a click requests.
-  Settings rebuiltBy(const std::string& name) {
+  settings::Settings rebuiltBy(const std::string& name) {
     const UiOutput output = click(button(name));
     if (output.requests.size() != 1 || !std::holds_alternative<RebuildSceneRequest>(output.requests.front())) {
       ADD_FAILURE() << name << " does not build the scene again";
@@ -44,7 +44,7 @@ TEST_F(ReadingNotice, OneClickChangesTheUnit) {
 }
 
 TEST_F(ReadingNotice, OneClickChangesTheAxis) {
-  const Settings settings = rebuiltBy("reading.up=y");
+  const settings::Settings settings = rebuiltBy("reading.up=y");
   EXPECT_EQ(settings.mesh.up, "y");
   EXPECT_EQ(settings.mesh.unit, simulation_.settings().mesh.unit) << "the unit stays as it is";
 }
@@ -57,7 +57,7 @@ TEST_F(ReadingNotice, StaysUntilItIsAccepted) {
   EXPECT_TRUE(click(button("reading.accept")).requests.empty());
   settle();
   EXPECT_FALSE(panels_.buttons().contains("reading.accept"));
-  simulation_.apply(ResetCommand{});
+  simulation_.apply(session::ResetCommand{});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("reading.accept")) << "a reset is no reason to ask again";
 }
@@ -78,20 +78,20 @@ TEST_F(ReadingNotice, FitsIntoANarrowWindow) {
 }
 
 TEST_F(ReadingNotice, HasOneClickForPinsThatHoldEverything) {
-  auto scene = std::make_shared<Scene>(simulation_.scene());
+  auto scene = std::make_shared<scene::Scene>(simulation_.scene());
   scene->reading.reset();
-  scene->pinAdvice = Advice{"All 81 vertices are pinned, so nothing can move.", "pins", "shape", "Pin by shape"};
-  simulation_.apply(LoadSceneCommand{scene});
+  scene->pinAdvice = scene::Advice{"All 81 vertices are pinned, so nothing can move.", "pins", "shape", "Pin by shape"};
+  simulation_.apply(session::LoadSceneCommand{scene});
   settle();
   EXPECT_EQ(rebuiltBy("pins.pins").mesh.pins, "shape");
 }
 
 TEST_F(ReadingNotice, IsNotThereForABuiltInScene) {
-  const SceneDescription grid = openScene("grid");
-  simulation_.apply(LoadSceneCommand{buildScene(grid, grid.settings)});
+  const scene::SceneDescription grid = scene::openScene("grid");
+  simulation_.apply(session::LoadSceneCommand{scene::buildScene(grid, grid.settings)});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("overlay.reading"));
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 /// A scene with bodies, opened and unchanged.
@@ -12,14 +12,14 @@ class SceneChanges : public ::testing::Test {
  protected:
   SceneChanges() : scene_(opened()), simulation_(scene_) {}
 
-  static std::shared_ptr<const Scene> opened() {
-    const SceneDescription description = openScene("sphere");
-    Settings settings = description.settings;
+  static std::shared_ptr<const scene::Scene> opened() {
+    const scene::SceneDescription description = scene::openScene("sphere");
+    settings::Settings settings = description.settings;
     settings.step.air.drag = 0.25;  // as with --set
-    return buildScene(description, settings);
+    return scene::buildScene(description, settings);
   }
 
-  bool changed(const Command& command) {
+  bool changed(const session::Command& command) {
     simulation_.apply(command);
     return changed();
   }
@@ -28,9 +28,9 @@ class SceneChanges : public ::testing::Test {
     return hasChanges(snapshot_, *scene_);
   }
 
-  std::shared_ptr<const Scene> scene_;
-  Simulation simulation_;
-  Snapshot snapshot_;
+  std::shared_ptr<const scene::Scene> scene_;
+  session::Simulation simulation_;
+  session::Snapshot snapshot_;
 };
 
 TEST_F(SceneChanges, NothingHasChangedAtFirst) {
@@ -41,26 +41,26 @@ TEST_F(SceneChanges, NothingHasChangedAtFirst) {
 }
 
 TEST_F(SceneChanges, ASettingIsAChangeUntilItIsSetBack) {
-  EXPECT_TRUE(changed(SetSettingCommand{"drag", 0.5}));
-  EXPECT_FALSE(changed(SetSettingCommand{"drag", 0.25}));
+  EXPECT_TRUE(changed(session::SetSettingCommand{"drag", 0.5}));
+  EXPECT_FALSE(changed(session::SetSettingCommand{"drag", 0.25}));
 }
 
 TEST_F(SceneChanges, TheViewIsNotLost) {
-  EXPECT_FALSE(changed(SetSettingCommand{"view.wireframe", true}));
+  EXPECT_FALSE(changed(session::SetSettingCommand{"view.wireframe", true}));
 }
 
 TEST_F(SceneChanges, APinIsAChange) {
-  simulation_.apply(AttachCommand{{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()}});
-  EXPECT_TRUE(changed(TogglePinCommand{}));
+  simulation_.apply(session::AttachCommand{{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()}});
+  EXPECT_TRUE(changed(session::TogglePinCommand{}));
 }
 
 TEST_F(SceneChanges, ABodyThatIsSwitchedOffOrMovedIsAChange) {
-  EXPECT_TRUE(changed(SwitchBodyCommand{0, false}));
-  EXPECT_FALSE(changed(SwitchBodyCommand{0, true}));
-  SurfaceProperties rough = scene_->bodies->front().surface;
+  EXPECT_TRUE(changed(session::SwitchBodyCommand{0, false}));
+  EXPECT_FALSE(changed(session::SwitchBodyCommand{0, true}));
+  sim::contact::SurfaceProperties rough = scene_->bodies->front().surface;
   rough.staticFriction += 1.0;
-  EXPECT_TRUE(changed(SetSurfaceCommand{0, rough}));
+  EXPECT_TRUE(changed(session::SetSurfaceCommand{0, rough}));
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

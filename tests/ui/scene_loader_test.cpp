@@ -9,7 +9,7 @@
 #include <set>
 #include <thread>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 SceneLoader::Outcome waitFor(SceneLoader& loader) {
@@ -26,7 +26,7 @@ SceneLoader::Outcome waitFor(SceneLoader& loader) {
 
 TEST(SceneLoader, OpensASceneUnderAdjustedSettings) {
   SceneLoader loader;
-  loader.open({.scene = "grid"}, [](Settings& settings) { settings.view.surface = "plain"; });
+  loader.open({.scene = "grid"}, [](settings::Settings& settings) { settings.view.surface = "plain"; });
   EXPECT_NE(loader.activity().find("grid"), std::string::npos);
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
@@ -37,7 +37,7 @@ TEST(SceneLoader, OpensASceneUnderAdjustedSettings) {
 
 TEST(SceneLoader, AFailureIsASentenceAndNoScene) {
   SceneLoader loader;
-  loader.open({.scene = "no such scene"}, [](Settings&) {});
+  loader.open({.scene = "no such scene"}, [](settings::Settings&) {});
   const auto outcome = waitFor(loader);
   EXPECT_EQ(outcome.scene, nullptr);
   EXPECT_NE(outcome.error.find("no such scene"), std::string::npos);
@@ -45,8 +45,8 @@ TEST(SceneLoader, AFailureIsASentenceAndNoScene) {
 
 TEST(SceneLoader, OfThoseThatWaitTheNewestWins) {
   SceneLoader loader;
-  const SceneDescription description = openScene("grid");
-  Settings settings = description.settings;
+  const scene::SceneDescription description = scene::openScene("grid");
+  settings::Settings settings = description.settings;
   for (const int resolution : {5, 6, 7, 8}) {
     settings.grid.resolution = resolution;
     loader.rebuild(description, settings);
@@ -59,7 +59,7 @@ TEST(SceneLoader, OfThoseThatWaitTheNewestWins) {
 
 TEST(SceneLoader, RestoresASceneUnderItsOwnSettings) {
   SceneLoader loader;
-  const SceneDescription description = openScene("grid");
+  const scene::SceneDescription description = scene::openScene("grid");
   loader.rebuild(description, description.settings, SceneLoader::Kind::Restored);
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
@@ -69,11 +69,11 @@ TEST(SceneLoader, RestoresASceneUnderItsOwnSettings) {
 
 TEST(SceneLoader, WhatIsCancelledNeverArrives) {
   SceneLoader loader;
-  loader.open({.scene = "grid"}, [](Settings&) {});
+  loader.open({.scene = "grid"}, [](settings::Settings&) {});
   EXPECT_TRUE(loader.cancel());
   EXPECT_TRUE(loader.activity().empty());
   EXPECT_FALSE(loader.cancel()) << "there is nothing left to cancel";
-  loader.open({.scene = "flag"}, [](Settings&) {});
+  loader.open({.scene = "flag"}, [](settings::Settings&) {});
   EXPECT_NE(loader.activity().find("flag"), std::string::npos);
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
@@ -94,7 +94,7 @@ TEST(SceneLoader, TellsHowFarItIs) {
   }
   mesh.close();
   SceneLoader loader;
-  loader.open({.scene = file.string()}, [](Settings&) {});
+  loader.open({.scene = file.string()}, [](settings::Settings&) {});
   std::set<std::string> told;
   std::optional<SceneLoader::Outcome> outcome;
   while (!outcome) {
@@ -109,26 +109,26 @@ TEST(SceneLoader, TellsHowFarItIs) {
 }
 
 TEST(CarryViewSettings, TakesOnlyWhatTheUserChangedAboutTheView) {
-  Settings own;
+  settings::Settings own;
   own.view.surface = "plain";
-  Settings current = own;
+  settings::Settings current = own;
   current.view.wireframe = true;
   current.step.air.drag = 3.0;
-  Settings target;
+  settings::Settings target;
   carryViewSettings(current, own, target);
   EXPECT_TRUE(target.view.wireframe);
-  EXPECT_EQ(target.view.surface, Settings().view.surface);
-  EXPECT_EQ(target.step.air.drag, Settings().step.air.drag);
+  EXPECT_EQ(target.view.surface, settings::Settings().view.surface);
+  EXPECT_EQ(target.step.air.drag, settings::Settings().step.air.drag);
 }
 
 TEST(RunningChanges, LeaveOutWhatTheSceneIsBuiltFrom) {
-  Settings to;
+  settings::Settings to;
   to.step.air.drag = 3.0;
   to.grid.width = 4.0;
-  const auto changes = runningChanges(Settings(), to);
+  const auto changes = runningChanges(settings::Settings(), to);
   ASSERT_EQ(changes.size(), 1U);
   EXPECT_EQ(changes.front().key, "drag");
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <set>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 class SettingWidget : public PanelFixture {
@@ -28,10 +28,10 @@ class SettingWidget : public PanelFixture {
 
 TEST_F(SettingWidget, DrawsExactlyTheSettingsThatApply) {
   for (const char* massGivenAs : {"density", "mass"}) {
-    simulation_.apply(SetSettingCommand{"mass_given_as", std::string(massGivenAs)});
+    simulation_.apply(session::SetSettingCommand{"mass_given_as", std::string(massGivenAs)});
     settle();
     std::set<std::string> expected;
-    for (const SettingInfo& info : settingsTable()) {
+    for (const settings::SettingInfo& info : settings::settingsTable()) {
       if (settingApplies(info, simulation_.settings(), simulation_.scene())) {
         expected.insert(std::string(info.key));
       }
@@ -43,22 +43,22 @@ TEST_F(SettingWidget, DrawsExactlyTheSettingsThatApply) {
 }
 
 TEST_F(SettingWidget, EverySettingOfTheTableAppliesSomewhere) {
-  Scene meshScene = simulation_.scene();
-  meshScene.description.source = MeshFileSource{"shirt.obj", false};
-  const auto applies = [&](const SettingInfo& info, const SolverInfo& solver, const char* integration) {
-    Settings settings;
+  scene::Scene meshScene = simulation_.scene();
+  meshScene.description.source = scene::MeshFileSource{"shirt.obj", false};
+  const auto applies = [&](const settings::SettingInfo& info, const sim::SolverInfo& solver, const char* integration) {
+    settings::Settings settings;
     settings.solver.name = solver.name;
-    assignSetting(settings, requireSetting("integration"), std::string(integration));
+    settings::assignSetting(settings, settings::requireSetting("integration"), std::string(integration));
     settings.ghost.solver = solver.name;
-    settings.step.contact.self = SelfCollision::Hash;
-    Settings byMass = settings;
+    settings.step.contact.self = sim::contact::SelfCollision::Hash;
+    settings::Settings byMass = settings;
     byMass.material.massGivenAs = "mass";
     return settingApplies(info, settings, simulation_.scene()) || settingApplies(info, settings, meshScene) ||
            settingApplies(info, byMass, meshScene);
   };
-  for (const SettingInfo& info : settingsTable()) {
-    const auto table = solverTable();
-    EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const SolverInfo& solver) {
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
+    const auto table = sim::solverTable();
+    EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const sim::SolverInfo& solver) {
       return applies(info, solver, "backward_euler") || applies(info, solver, "theta");
     })) << info.key;
   }
@@ -86,7 +86,7 @@ TEST_F(SettingWidget, WidgetsStayInsideTheColumn) {
 TEST_F(SettingWidget, NoTitleIsCutShort) {
   // A label has two fifths of its row, the widget has the rest, with a small gap.
   const double labelWidth = widget("drag").width * 2.0 / 3.0 - 4.0;
-  for (const SettingInfo& info : settingsTable()) {
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
     EXPECT_LT(ImGui::CalcTextSize(std::string(info.title).c_str()).x, labelWidth) << info.key;
   }
 }
@@ -107,10 +107,10 @@ TEST_F(SettingWidget, ASliderShowsWhatWasChosenUntilTheSimulationFollows) {
 }
 
 TEST_F(SettingWidget, RightClickRestoresTheScenesValue) {
-  const SettingInfo& info = requireSetting("solver");
-  const SettingValue own = settingValue(simulation_.scene().description.settings, info);
-  ASSERT_NE(own, defaultValue(info)) << "the scene of this test names its solver";
-  simulation_.apply(SetSettingCommand{"solver", std::string("verlet")});
+  const settings::SettingInfo& info = settings::requireSetting("solver");
+  const settings::SettingValue own = settings::settingValue(simulation_.scene().description.settings, info);
+  ASSERT_NE(own, settings::defaultValue(info)) << "the scene of this test names its solver";
+  simulation_.apply(session::SetSettingCommand{"solver", std::string("verlet")});
   settle();
   EXPECT_EQ(lastValue(click(widget("solver"), 0.3, 1), "solver"), own);
 }
@@ -178,7 +178,7 @@ TEST_F(SettingWidget, EverySolverIsInBothLists) {
   for (const std::string key : {"solver", "ghost.solver"}) {
     click(widget(key));
     settle();
-    for (const SolverInfo& solver : solverTable()) {
+    for (const sim::SolverInfo& solver : sim::solverTable()) {
       EXPECT_TRUE(panels_.buttons().contains(key + "=" + std::string(solver.name))) << key << solver.name;
     }
     panels_.closeOverlay();
@@ -187,11 +187,11 @@ TEST_F(SettingWidget, EverySolverIsInBothLists) {
 }
 
 TEST_F(SettingWidget, SolversAreShownOnlyTheirOwnSettings) {
-  for (const SolverInfo& solver : solverTable()) {
-    simulation_.apply(SetSettingCommand{"solver", std::string(solver.name)});
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
+    simulation_.apply(session::SetSettingCommand{"solver", std::string(solver.name)});
     settle();
     const std::set<std::string> drawn = drawnKeys();
-    for (const SolverInfo& other : solverTable()) {
+    for (const sim::SolverInfo& other : sim::solverTable()) {
       for (const std::string_view key : other.settings) {
         const bool own = std::find(solver.settings.begin(), solver.settings.end(), key) != solver.settings.end();
         EXPECT_EQ(drawn.contains(std::string(key)), own) << solver.name << ": " << key;
@@ -235,7 +235,7 @@ TEST_F(SettingWidget, ASecondMeshSettingKeepsTheFirstOneThatIsStillBeingBuilt) {
   stats_.loading = "Building grid";
   const UiOutput output = drag(widget("grid.height"), 0.2, 0.6);
   ASSERT_EQ(output.requests.size(), 1U);
-  const Settings& asked = std::get<RebuildSceneRequest>(output.requests.front()).settings;
+  const settings::Settings& asked = std::get<RebuildSceneRequest>(output.requests.front()).settings;
   EXPECT_NE(asked.grid.width, simulation_.settings().grid.width);
   EXPECT_NE(asked.grid.height, simulation_.settings().grid.height);
 }
@@ -248,7 +248,7 @@ TEST(NumberFormat, CarriesTheUnit) {
 }
 
 TEST(NearestAllowed, KeepsToRange) {
-  const IntegerField field{nullptr, 1, 99};
+  const settings::IntegerField field{nullptr, 1, 99};
   EXPECT_EQ(nearestAllowed(field, -5.0), 1);
   EXPECT_EQ(nearestAllowed(field, 4.2), 4);
   EXPECT_EQ(nearestAllowed(field, 98.6), 99);
@@ -256,12 +256,12 @@ TEST(NearestAllowed, KeepsToRange) {
 }
 
 TEST(TypedValue, RefusesWhatIsNoNumber) {
-  const SettingInfo& info = requireSetting("drag");
-  EXPECT_THROW(static_cast<void>(typedValue(info, Settings(), "nan")), UsageError);
-  EXPECT_THROW(static_cast<void>(typedValue(info, Settings(), "")), UsageError);
-  EXPECT_THROW(static_cast<void>(typedValue(info, Settings(), "3 apples")), UsageError);
-  EXPECT_EQ(std::get<double>(typedValue(info, Settings(), "-1")), 0.0);
+  const settings::SettingInfo& info = settings::requireSetting("drag");
+  EXPECT_THROW(static_cast<void>(typedValue(info, settings::Settings(), "nan")), messages::UsageError);
+  EXPECT_THROW(static_cast<void>(typedValue(info, settings::Settings(), "")), messages::UsageError);
+  EXPECT_THROW(static_cast<void>(typedValue(info, settings::Settings(), "3 apples")), messages::UsageError);
+  EXPECT_EQ(std::get<double>(typedValue(info, settings::Settings(), "-1")), 0.0);
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 TEST(SliderRange, EverySliderHoldsItsDefaultAndStaysInRange) {
-  for (const SettingInfo& info : settingsTable()) {
-    if (const auto* field = std::get_if<NumberField>(&info.field)) {
-      const double usual = std::get<double>(defaultValue(info));
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
+    if (const auto* field = std::get_if<settings::NumberField>(&info.field)) {
+      const double usual = std::get<double>(settings::defaultValue(info));
       const SliderRange range = commonRange(*field, usual);
       EXPECT_LT(range.min, range.max) << info.key;
       EXPECT_GE(range.min, field->min) << info.key;
@@ -45,4 +45,4 @@ TEST(SliderRange, ValuesBeyondTheSliderSitAtItsEnd) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 TEST(DescribeStepLimit, IsAFractionThatIsNeverTooLong) {
@@ -19,4 +19,4 @@ TEST(DescribeStepLimit, SaysWhenThereIsNone) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

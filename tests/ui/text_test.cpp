@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 TEST(Text, PaceIsInWords) {
-  Snapshot snapshot;
+  session::Snapshot snapshot;
   snapshot.realTimeFactor = 0.414;
   EXPECT_EQ(describePace(snapshot), "0.4 \u00D7 real time: too slow");
   snapshot.realTimeFactor = 0.0123;
@@ -28,4 +28,4 @@ TEST(Text, ShorteningNeverSplitsALetter) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 TEST(PlotScale, CoversTheRangeAndZeroInAFewRoundSteps) {
@@ -37,4 +37,4 @@ TEST(PlotScale, HasSomethingToShowForNothing) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

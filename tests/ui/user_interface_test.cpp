@@ -5,7 +5,7 @@
 
 #include <imgui.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 class UserInterfaceTest : public PanelFixture {};
@@ -13,27 +13,27 @@ class UserInterfaceTest : public PanelFixture {};
 TEST_F(UserInterfaceTest, PlayUnpauses) {
   const UiOutput output = click(button("button.play"));
   ASSERT_EQ(output.commands.size(), 1U);
-  EXPECT_FALSE(std::get<PauseCommand>(output.commands.front()).paused);
+  EXPECT_FALSE(std::get<session::PauseCommand>(output.commands.front()).paused);
 }
 
 TEST_F(UserInterfaceTest, StepAndResetAreCommands) {
   const UiOutput step = click(button("button.step"));
   ASSERT_EQ(step.commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<SingleStepCommand>(step.commands.front()));
+  EXPECT_TRUE(std::holds_alternative<session::SingleStepCommand>(step.commands.front()));
   const UiOutput reset = click(button("button.reset"));
   ASSERT_EQ(reset.commands.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<ResetCommand>(reset.commands.front()));
+  EXPECT_TRUE(std::holds_alternative<session::ResetCommand>(reset.commands.front()));
 }
 
 TEST_F(UserInterfaceTest, ASolverOutOfItsDepthHasOneClickToAuto) {
-  simulation_.apply(SetSettingCommand{"stiffness", 10.0});
-  simulation_.apply(SetSettingCommand{"time_step", 1e-3});
+  simulation_.apply(session::SetSettingCommand{"stiffness", 10.0});
+  simulation_.apply(session::SetSettingCommand{"time_step", 1e-3});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("button.auto")) << "nothing is wrong";
-  simulation_.apply(SetSettingCommand{"stiffness", 1e5});
+  simulation_.apply(session::SetSettingCommand{"stiffness", 1e5});
   settle();
-  ASSERT_EQ(panels_.buttons().contains("button.auto"), findSolver("auto") != nullptr);
-  if (findSolver("auto") != nullptr) {
+  ASSERT_EQ(panels_.buttons().contains("button.auto"), sim::findSolver("auto") != nullptr);
+  if (sim::findSolver("auto") != nullptr) {
     const UiOutput output = click(button("button.auto"));
     EXPECT_EQ(std::get<std::string>(lastValue(output, "solver")), "auto");
     apply(output);
@@ -43,11 +43,11 @@ TEST_F(UserInterfaceTest, ASolverOutOfItsDepthHasOneClickToAuto) {
 }
 
 TEST_F(UserInterfaceTest, AClockThatFallsBehindForStiffnessHasOneClickToKeepPace) {
-  simulation_.apply(SetSettingCommand{"solver", std::string("auto")});
+  simulation_.apply(session::SetSettingCommand{"solver", std::string("auto")});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("button.soften"));
-  simulation_.apply(SetSettingCommand{"auto.cost", 0.1});
-  simulation_.apply(SetSettingCommand{"stiffness", 1e5});
+  simulation_.apply(session::SetSettingCommand{"auto.cost", 0.1});
+  simulation_.apply(session::SetSettingCommand{"stiffness", 1e5});
   simulation_.step();
   settle();
   const UiOutput output = click(button("button.soften"));
@@ -69,13 +69,13 @@ TEST_F(ContactPanelTest, HasABoxForEachBodyThatSwitchesIt) {
   for (const auto& [name, index] : {std::pair("body.sphere", 0), std::pair("body.ground", 1)}) {
     const UiOutput output = click(button(name), 0.1);
     ASSERT_EQ(output.commands.size(), 1U) << name;
-    const auto& command = std::get<SwitchBodyCommand>(output.commands.front());
+    const auto& command = std::get<session::SwitchBodyCommand>(output.commands.front());
     EXPECT_EQ(command.body, index);
     EXPECT_FALSE(command.on);
     apply(output);
     settle();
     EXPECT_FALSE(simulation_.bodies().isOn(static_cast<std::size_t>(index)));
-    EXPECT_TRUE(std::get<SwitchBodyCommand>(click(button(name), 0.1).commands.at(0)).on) << "and on again";
+    EXPECT_TRUE(std::get<session::SwitchBodyCommand>(click(button(name), 0.1).commands.at(0)).on) << "and on again";
   }
 }
 
@@ -84,10 +84,10 @@ TEST_F(ContactPanelTest, ChangesTheSurfaceOfOneBody) {
   EXPECT_FALSE(panels_.widgets().contains("body.ground.thickness")) << "until it is asked for";
   click(button("surface.ground"));
   settle();
-  const SurfaceProperties before = simulation_.bodies().surface(1);
+  const sim::contact::SurfaceProperties before = simulation_.bodies().surface(1);
   UiOutput output = typeInto(widget("body.ground.thickness"), "1/100");
   ASSERT_EQ(output.commands.size(), 1U);
-  EXPECT_EQ(std::get<SetSurfaceCommand>(output.commands.front()).body, 1);
+  EXPECT_EQ(std::get<session::SetSurfaceCommand>(output.commands.front()).body, 1);
   apply(output);
   settle();
   EXPECT_EQ(simulation_.bodies().surface(1).thickness, 0.01);
@@ -132,7 +132,7 @@ TEST_F(UserInterfaceTest, ThePathFieldOpensAFile) {
 TEST_F(UserInterfaceTest, ABuiltInSceneIsChosenFromTheList) {
   click(button("scene.choice"));
   settle();
-  const std::string first = sceneList().front().name;
+  const std::string first = scene::sceneList().front().name;
   const UiOutput output = click(button("scene.choice=" + first));
   ASSERT_EQ(output.requests.size(), 1U);
   EXPECT_EQ(std::get<OpenSceneRequest>(output.requests.front()).nameOrPath, first);
@@ -208,10 +208,10 @@ TEST_F(UserInterfaceTest, TheFirstHintGoesWithTheFirstDrag) {
   ASSERT_TRUE(panels_.buttons().contains("hint.drag"));
   const UiRect hint = button("hint.drag");
   EXPECT_FALSE(panels_.covers({hint.x + 5.0, hint.y + 5.0})) << "the cloth behind it can be taken";
-  simulation_.apply(AttachCommand{{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()}});
+  simulation_.apply(session::AttachCommand{{0, Vec3(1.0, 0.0, 0.0), Vec3::Zero()}});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("hint.drag"));
-  simulation_.apply(DetachCommand{});
+  simulation_.apply(session::DetachCommand{});
   settle();
   EXPECT_FALSE(panels_.buttons().contains("hint.drag"));
 }
@@ -236,7 +236,7 @@ TEST_F(UserInterfaceTest, WhatLiesOverThePictureNeverOverlaps) {
 
 TEST_F(UserInterfaceTest, ResetAllIsThereOnceSomethingDiffers) {
   EXPECT_TRUE(click(button("button.reset_all")).requests.empty()) << "there is nothing to restore";
-  simulation_.apply(SetSettingCommand{"drag", 2.0});
+  simulation_.apply(session::SetSettingCommand{"drag", 2.0});
   settle();
   const UiOutput output = click(button("button.reset_all"));
   ASSERT_EQ(output.requests.size(), 1U);
@@ -321,7 +321,7 @@ TEST_F(UserInterfaceTest, AClickOnTheStatusLineTellsOfTheSolver) {
 }
 
 TEST_F(UserInterfaceTest, TheStatusLineGrowsForALongMessage) {
-  simulation_.apply(SetSettingCommand{"solver", std::string("auto")});  // which gives no warning
+  simulation_.apply(session::SetSettingCommand{"solver", std::string("auto")});  // which gives no warning
   settle();
   EXPECT_FALSE(panels_.buttons().contains("overlay.status"));
   stats_.notice =
@@ -371,4 +371,4 @@ TEST(UiScale, FollowsTheSettingThenTheMonitor) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

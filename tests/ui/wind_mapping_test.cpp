@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::ui {
 namespace {
 
 TEST(WindMapping, CalmIsTheCentre) {
@@ -30,4 +30,4 @@ TEST(WindMapping, RisingWindDoesNotMoveTheArrow) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::ui

@@ -16,7 +16,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 struct CaptureArguments {
@@ -33,7 +33,7 @@ struct CaptureArguments {
 /// Without --every the time between frames is close to this, in whole steps [s].
 constexpr double usualFrame = 1.0 / 30.0;
 
-CameraPose poseFor(const CaptureArguments& arguments, CameraPose pose) {
+scene::CameraPose poseFor(const CaptureArguments& arguments, scene::CameraPose pose) {
   const auto take = [](const std::vector<double>& numbers, Vec3& point) {
     if (!numbers.empty()) {
       point = Vec3(numbers[0], numbers[1], numbers[2]);
@@ -42,14 +42,14 @@ CameraPose poseFor(const CaptureArguments& arguments, CameraPose pose) {
   take(arguments.cameraPosition, pose.position);
   take(arguments.focalPoint, pose.focalPoint);
   if (!((pose.position - pose.focalPoint).norm() > 0.0)) {
-    throw UsageError("--camera-position and --camera-focal-point must be two different points");
+    throw messages::UsageError("--camera-position and --camera-focal-point must be two different points");
   }
   return pose;
 }
 
 void capture(const CaptureArguments& arguments) {
   const FramePattern pattern(arguments.output, arguments.frames);
-  Simulation simulation(arguments.scene.load());
+  session::Simulation simulation(arguments.scene.load());
   printSolverWarnings(simulation.settings(), simulation.model());
   // Before the simulation, so that an error shows at once.
   if (const auto folder = std::filesystem::path(pattern.name(0)).parent_path(); !folder.empty()) {
@@ -66,7 +66,7 @@ void capture(const CaptureArguments& arguments) {
       for (int i = 0; frame > 0 && i < every && !simulation.blewUp(); ++i) {
         simulation.step();
       }
-      writePng(pictures.draw(simulation), pattern.name(frame));
+      render::writePng(pictures.draw(simulation), pattern.name(frame));
       progress.show("capturing", frame + 1, arguments.frames);
     }
   }
@@ -117,4 +117,4 @@ void addCaptureCommand(CLI::App& app) {
   command->callback([arguments] { capture(*arguments); });
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace drape {
+namespace drape::app {
 
 /// Each function adds a subcommand to the program. The subcommand runs after parsing.
 void addRunCommand(CLI::App& app);
@@ -11,4 +11,4 @@ void addMeasureCommand(CLI::App& app);
 void addHardCasesCommand(CLI::App& app);
 void addListCommand(CLI::App& app);
 
-}  // namespace drape
+}  // namespace drape::app

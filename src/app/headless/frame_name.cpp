@@ -5,13 +5,14 @@
 #include <fmt/core.h>
 #include <cctype>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 constexpr int maxDigits = 9;
 
 [[noreturn]] void refuse(std::string_view pattern, const std::string& why) {
-  throw UsageError("--output '" + std::string(pattern) + "': " + why + "; for example out/frame_{frame:4}.png");
+  throw messages::UsageError("--output '" + std::string(pattern) + "': " + why +
+                             "; for example out/frame_{frame:4}.png");
 }
 
 /// The number of digits in "frame" or "frame:4"; -1 for any other word.
@@ -57,4 +58,4 @@ std::string FramePattern::name(int frame) const {
   return fmt::format("{}{:0{}}{}", before_, frame, digits_, after_);
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::app {
 
 /// A file name with a placeholder for the frame's number: "{frame}", or "{frame:4}" for at least four digits.
 class FramePattern {
@@ -20,4 +20,4 @@ class FramePattern {
   bool numbered_ = false;
 };
 
-}  // namespace drape
+}  // namespace drape::app

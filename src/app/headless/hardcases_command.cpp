@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 struct HardCasesArguments {
@@ -31,19 +31,19 @@ std::vector<std::string> solversOf(const HardCasesArguments& arguments) {
       solvers.push_back(name);
       continue;
     }
-    for (const SolverInfo& solver : solverTable()) {
+    for (const sim::SolverInfo& solver : sim::solverTable()) {
       solvers.emplace_back(solver.name);
     }
   }
-  return solvers.empty() ? std::vector<std::string>{Settings().solver.name} : solvers;
+  return solvers.empty() ? std::vector<std::string>{settings::Settings().solver.name} : solvers;
 }
 
-std::vector<const HardCase*> casesOf(const HardCasesArguments& arguments) {
-  std::vector<const HardCase*> cases;
+std::vector<const report::hardcases::HardCase*> casesOf(const HardCasesArguments& arguments) {
+  std::vector<const report::hardcases::HardCase*> cases;
   for (const std::string& name : arguments.cases) {
-    cases.push_back(&requireHardCase(name));
+    cases.push_back(&report::hardcases::requireHardCase(name));
   }
-  for (const HardCase& one : hardCaseTable()) {
+  for (const report::hardcases::HardCase& one : report::hardcases::hardCaseTable()) {
     if (arguments.cases.empty()) {
       cases.push_back(&one);
     }
@@ -52,9 +52,9 @@ std::vector<const HardCase*> casesOf(const HardCasesArguments& arguments) {
 }
 
 /// Runs the cases with one solver. Returns the number of failures.
-int runSolver(const HardCasesArguments& arguments, const std::vector<const HardCase*>& cases, const std::string& solver,
-              ReportRows& rows) {
-  CaseOptions options;
+int runSolver(const HardCasesArguments& arguments, const std::vector<const report::hardcases::HardCase*>& cases,
+              const std::string& solver, report::ReportRows& rows) {
+  report::hardcases::CaseOptions options;
   options.solver = solver;
   options.shortForm = arguments.shortForm;
   options.settings = arguments.settings;
@@ -63,12 +63,12 @@ int runSolver(const HardCasesArguments& arguments, const std::vector<const HardC
   if (!arguments.markdown) {
     std::cout << solver << '\n';
   }
-  for (const HardCase* one : cases) {
-    const CaseResult result = runHardCase(*one, options);
-    failed += result.outcome == CaseOutcome::Passed ? 0 : 1;
-    rows.push_back(hardCaseRow(*one, options, result));
+  for (const report::hardcases::HardCase* one : cases) {
+    const report::hardcases::CaseResult result = report::hardcases::runHardCase(*one, options);
+    failed += result.outcome == report::hardcases::CaseOutcome::Passed ? 0 : 1;
+    rows.push_back(report::hardcases::hardCaseRow(*one, options, result));
     if (!arguments.markdown) {
-      std::cout << hardCaseLine(*one, result) << std::flush;
+      std::cout << report::hardcases::hardCaseLine(*one, result) << std::flush;
     }
   }
   return failed;
@@ -80,7 +80,7 @@ void run(const HardCasesArguments& arguments) {
   if (!arguments.json.empty()) {
     file.emplace(arguments.json, "the results");
   }
-  ReportRows rows;
+  report::ReportRows rows;
   std::string failures;
   for (const std::string& solver : solversOf(arguments)) {
     const int failed = runSolver(arguments, cases, solver, rows);
@@ -89,13 +89,13 @@ void run(const HardCasesArguments& arguments) {
     }
   }
   if (arguments.markdown) {
-    std::cout << hardCaseMarkdown(rows);
+    std::cout << report::hardcases::hardCaseMarkdown(rows);
   }
   if (file) {
-    file->write(ReportRow{{"hard_cases", rows}});
+    file->write(report::ReportRow{{"hard_cases", rows}});
   }
   if (!failures.empty()) {
-    throw InputError("failed hard cases, of " + std::to_string(cases.size()) + ": " + failures);
+    throw messages::InputError("failed hard cases, of " + std::to_string(cases.size()) + ": " + failures);
   }
 }
 
@@ -127,4 +127,4 @@ void addHardCasesCommand(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace drape
+}  // namespace drape::app

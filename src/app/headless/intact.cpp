@@ -4,13 +4,13 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::app {
 
-void requireIntact(const Simulation& simulation) {
+void requireIntact(const session::Simulation& simulation) {
   if (simulation.blewUp()) {
-    throw InputError("the cloth blew up at " + std::to_string(simulation.state().time) +
-                     " s; the output ends there. Use a smaller time step or a lower stiffness.");
+    throw messages::InputError("the cloth blew up at " + std::to_string(simulation.state().time) +
+                               " s; the output ends there. Use a smaller time step or a lower stiffness.");
   }
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <chrono>
 
-namespace drape {
+namespace drape::app {
 
 void IntersectionWatch::Tally::add(std::int64_t step, std::size_t count) {
   last = count;
@@ -23,24 +23,24 @@ nlohmann::ordered_json IntersectionWatch::Tally::toJson() const {
           {"worst_step", max > 0 ? nlohmann::ordered_json(worstStep) : nlohmann::ordered_json(nullptr)}};
 }
 
-void IntersectionWatch::observe(const Simulation& simulation) {
+void IntersectionWatch::observe(const session::Simulation& simulation) {
   if (simulation.stepIndex() % every_ == 0) {
     count(simulation);
   }
 }
 
-void IntersectionWatch::finish(const Simulation& simulation) {
+void IntersectionWatch::finish(const session::Simulation& simulation) {
   if (simulation.stepIndex() != lastStep_) {
     count(simulation);
   }
 }
 
-void IntersectionWatch::count(const Simulation& simulation) {
+void IntersectionWatch::count(const session::Simulation& simulation) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Vec3>& positions = simulation.state().positions;
   const std::vector<Triangle>& triangles = simulation.model().triangles;
-  const std::size_t self = intersectingPairs({positions, triangles}).size();
-  const std::size_t bodies = pairsWithBodies(positions, triangles, simulation.bodies());
+  const std::size_t self = intersection::intersectingPairs({positions, triangles}).size();
+  const std::size_t bodies = report::pairsWithBodies(positions, triangles, simulation.bodies());
   seconds_.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   lastStep_ = simulation.stepIndex();
   all_.add(lastStep_, self + bodies);
@@ -73,4 +73,4 @@ std::string IntersectionWatch::summary() const {
                      seconds_.size() == 1 ? "check" : "checks");
 }
 
-}  // namespace drape
+}  // namespace drape::app

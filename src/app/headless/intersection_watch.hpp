@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 
 /// Counts the intersecting triangle pairs of a running cloth at intervals, with exact arithmetic
 /// (intersection/intersections.hpp): pairs within the cloth, and pairs with the active bodies as they are drawn.
@@ -17,10 +17,10 @@ class IntersectionWatch {
   explicit IntersectionWatch(std::int64_t every) : every_(every) {}
 
   /// Call it at the start and after each step. It counts at every multiple of `every`.
-  void observe(const Simulation& simulation);
+  void observe(const session::Simulation& simulation);
 
   /// Call it at the end. It counts there too, unless the last step has been counted.
-  void finish(const Simulation& simulation);
+  void finish(const session::Simulation& simulation);
 
   /// Adds `intersecting_pairs_...` and `intersection_check_us` to the results of a run (docs/guide/headless.md).
   void addTo(nlohmann::ordered_json& json) const;
@@ -39,7 +39,7 @@ class IntersectionWatch {
     [[nodiscard]] std::string text() const;
   };
 
-  void count(const Simulation& simulation);
+  void count(const session::Simulation& simulation);
 
   std::int64_t every_;
   std::int64_t lastStep_ = -1;
@@ -49,4 +49,4 @@ class IntersectionWatch {
   std::vector<double> seconds_;  ///< of each count
 };
 
-}  // namespace drape
+}  // namespace drape::app

@@ -13,25 +13,25 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json toJson(const SettingValue& value) {
+Json toJson(const settings::SettingValue& value) {
   return std::visit([](const auto& each) { return Json(each); }, value);
 }
 
-void addRange(const SettingField& field, Json& json) {
-  if (const auto* number = std::get_if<NumberField>(&field)) {
+void addRange(const settings::SettingField& field, Json& json) {
+  if (const auto* number = std::get_if<settings::NumberField>(&field)) {
     json["type"] = "number";
     json["min"] = number->min;
     json["max"] = number->max;
-  } else if (const auto* integer = std::get_if<IntegerField>(&field)) {
+  } else if (const auto* integer = std::get_if<settings::IntegerField>(&field)) {
     json["type"] = "integer";
     json["min"] = integer->min;
     json["max"] = integer->max;
-  } else if (const auto* choice = std::get_if<ChoiceField>(&field)) {
+  } else if (const auto* choice = std::get_if<settings::ChoiceField>(&field)) {
     json["type"] = "choice";
     json["choices"] = choice->choices();
   } else {
@@ -41,11 +41,11 @@ void addRange(const SettingField& field, Json& json) {
 
 Json settingsAsJson() {
   Json list = Json::array();
-  for (const SettingInfo& info : settingsTable()) {
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
     Json row{{"key", info.key}, {"title", info.title}, {"unit", info.unit}};
     addRange(info.field, row);
-    row["range"] = describeRange(info);
-    row["default"] = toJson(defaultValue(info));
+    row["range"] = settings::describeRange(info);
+    row["default"] = toJson(settings::defaultValue(info));
     row["help"] = info.help;
     list.push_back(row);
   }
@@ -54,7 +54,7 @@ Json settingsAsJson() {
 
 Json scenesAsJson() {
   Json list = Json::array();
-  for (const SceneInfo& info : sceneList()) {
+  for (const scene::SceneInfo& info : scene::sceneList()) {
     list.push_back({{"name", info.name}, {"title", info.title}, {"help", info.help}});
   }
   return list;
@@ -62,7 +62,7 @@ Json scenesAsJson() {
 
 Json hardCasesAsJson() {
   Json list = Json::array();
-  for (const HardCase& one : hardCaseTable()) {
+  for (const report::hardcases::HardCase& one : report::hardcases::hardCaseTable()) {
     list.push_back({{"number", one.number}, {"name", one.name}, {"title", one.statement}, {"help", one.rule}});
   }
   return list;
@@ -70,7 +70,7 @@ Json hardCasesAsJson() {
 
 Json solversAsJson() {
   Json list = Json::array();
-  for (const SolverInfo& info : solverTable()) {
+  for (const sim::SolverInfo& info : sim::solverTable()) {
     list.push_back({{"name", info.name},
                     {"title", info.title},
                     {"help", info.help},
@@ -82,21 +82,21 @@ Json solversAsJson() {
 }
 
 void printSettings() {
-  for (const SettingInfo& info : settingsTable()) {
-    std::cout << info.key << " = " << formatValue(defaultValue(info));
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
+    std::cout << info.key << " = " << settings::formatValue(settings::defaultValue(info));
     if (info.unit != "-") {
       std::cout << ' ' << info.unit;
     }
-    std::cout << "   (" << describeRange(info) << ")\n    " << info.help << '\n';
+    std::cout << "   (" << settings::describeRange(info) << ")\n    " << info.help << '\n';
   }
 }
 
 /// The Markdown table of docs/guide/settings.md.
 void printSettingsMarkdown() {
   std::cout << "| key | unit | range | default | meaning |\n|---|---|---|---|---|\n";
-  for (const SettingInfo& info : settingsTable()) {
-    std::cout << "| `" << info.key << "` | " << info.unit << " | " << describeRange(info) << " | `"
-              << formatValue(defaultValue(info)) << "` | " << info.help << " |\n";
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
+    std::cout << "| `" << info.key << "` | " << info.unit << " | " << settings::describeRange(info) << " | `"
+              << settings::formatValue(settings::defaultValue(info)) << "` | " << info.help << " |\n";
   }
 }
 
@@ -120,10 +120,10 @@ struct Listing {
   void (*markdown)();  ///< null: there is none
 };
 
-constexpr std::array listings{Listing{"scenes", scenesAsJson, nullptr},
-                              Listing{"settings", settingsAsJson, printSettingsMarkdown},
-                              Listing{"solvers", solversAsJson, nullptr},
-                              Listing{"hardcases", hardCasesAsJson, [] { std::cout << hardCaseListMarkdown(); }}};
+constexpr std::array listings{
+    Listing{"scenes", scenesAsJson, nullptr}, Listing{"settings", settingsAsJson, printSettingsMarkdown},
+    Listing{"solvers", solversAsJson, nullptr},
+    Listing{"hardcases", hardCasesAsJson, [] { std::cout << report::hardcases::hardCaseListMarkdown(); }}};
 
 void list(const ListArguments& arguments) {
   const Listing& listing =
@@ -132,7 +132,7 @@ void list(const ListArguments& arguments) {
     std::cout << jsonText(listing.json(), 2) << '\n';
   } else if (arguments.markdown) {
     if (listing.markdown == nullptr) {
-      throw UsageError("list " + arguments.what + " has no --markdown");
+      throw messages::UsageError("list " + arguments.what + " has no --markdown");
     }
     listing.markdown();
   } else if (listing.what == "settings") {
@@ -160,4 +160,4 @@ void addListCommand(CLI::App& app) {
   command->callback([arguments] { list(*arguments); });
 }
 
-}  // namespace drape
+}  // namespace drape::app

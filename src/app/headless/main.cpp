@@ -5,10 +5,10 @@ int main(int argc, char** argv) {
   CLI::App app("Cloth simulation without a window: runs with statistics, pictures, error measurements, and lists",
                "drape-headless");
   app.require_subcommand(1);
-  drape::addRunCommand(app);
-  drape::addCaptureCommand(app);
-  drape::addMeasureCommand(app);
-  drape::addHardCasesCommand(app);
-  drape::addListCommand(app);
-  return drape::runProgram(app, argc, argv, [] {});
+  drape::app::addRunCommand(app);
+  drape::app::addCaptureCommand(app);
+  drape::app::addMeasureCommand(app);
+  drape::app::addHardCasesCommand(app);
+  drape::app::addListCommand(app);
+  return drape::app::runProgram(app, argc, argv, [] {});
 }

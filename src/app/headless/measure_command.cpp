@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 struct MeasureArguments {
@@ -33,57 +33,59 @@ struct MeasureArguments {
 /// A minute is far longer than motions can be compared.
 constexpr double maxMeasuredSeconds = 60.0;
 
-ReferenceKind kindOf(const std::string& against) {
+report::ReferenceKind kindOf(const std::string& against) {
   if (against == "same_step") {
-    return ReferenceKind::SameStep;
+    return report::ReferenceKind::SameStep;
   }
   if (against == "converged") {
-    return ReferenceKind::Converged;
+    return report::ReferenceKind::Converged;
   }
-  if (findSolver(against) != nullptr) {
-    return ReferenceKind::Solver;
+  if (sim::findSolver(against) != nullptr) {
+    return report::ReferenceKind::Solver;
   }
   std::string solvers;
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     solvers += ", " + std::string(solver.name);
   }
-  throw UsageError("--against takes same_step, converged or a solver" + solvers + "; '" + against +
-                   "' is none of them");
+  throw messages::UsageError("--against takes same_step, converged or a solver" + solvers + "; '" + against +
+                             "' is none of them");
 }
 
 /// The settings of the reference: those of its kind, then --reference-set.
-Settings referenceSettings(const MeasureArguments& arguments, ReferenceKind kind, const Settings& method) {
-  Settings settings = kind == ReferenceKind::SameStep    ? sameStepSettings(method)
-                      : kind == ReferenceKind::Converged ? convergedSettings(method)
-                                                         : method;
-  if (kind == ReferenceKind::Solver) {
+settings::Settings referenceSettings(const MeasureArguments& arguments, report::ReferenceKind kind,
+                                     const settings::Settings& method) {
+  settings::Settings settings = kind == report::ReferenceKind::SameStep    ? report::sameStepSettings(method)
+                                : kind == report::ReferenceKind::Converged ? report::convergedSettings(method)
+                                                                           : method;
+  if (kind == report::ReferenceKind::Solver) {
     settings.solver.name = arguments.against;
   }
   for (const std::string& expression : arguments.referenceSettings) {
-    const SettingInfo& info = requireSetting(expression.substr(0, expression.find('=')));
-    if (info.effect != SettingEffect::Step) {
-      throw UsageError("--reference-set " + std::string(info.key) +
-                       " would change the cloth; the reference takes settings of the step only");
+    const settings::SettingInfo& info = settings::requireSetting(expression.substr(0, expression.find('=')));
+    if (info.effect != settings::SettingEffect::Step) {
+      throw messages::UsageError("--reference-set " + std::string(info.key) +
+                                 " would change the cloth; the reference takes settings of the step only");
     }
-    assignSettingExpression(settings, expression);
+    settings::assignSettingExpression(settings, expression);
     printFormerKey(expression);
   }
-  requireConsistent(settings);
+  settings::requireConsistent(settings);
   return settings;
 }
 
 /// Shows one progress bar per run, one after the other.
-Measurement measureWithProgress(const Scene& scene, const MeasurementPlan& plan) {
+report::Measurement measureWithProgress(const scene::Scene& scene, const report::MeasurementPlan& plan) {
   ProgressLine bars;
-  return measure(scene, scene.settings, plan, [&bars](std::string_view label, std::int64_t done, std::int64_t total) {
-    bars.show(label, static_cast<double>(done), static_cast<double>(total));
-  });
+  return report::measure(scene, scene.settings, plan,
+                         [&bars](std::string_view label, std::int64_t done, std::int64_t total) {
+                           bars.show(label, static_cast<double>(done), static_cast<double>(total));
+                         });
 }
 
-void warn(const Measurement& measurement) {
+void warn(const report::Measurement& measurement) {
   constexpr double implausible = 2.0;  // cloth does not stretch to three times its length
   if (!measurement.report.checkpoints.empty()) {
-    const CheckpointReport& last = measurement.report.checkpoints.back();
+    const report::CheckpointReport& last = measurement.report.checkpoints.back();
     if (measurement.own.finite && last.maxStretch > implausible && last.referenceStretch <= implausible) {
       std::cerr << "warning: at the end a spring has " << 1.0 + last.maxStretch
                 << " times its rest length: the step is too large for this method\n";
@@ -95,10 +97,10 @@ void warn(const Measurement& measurement) {
 }
 
 void run(const MeasureArguments& arguments) {
-  const ReferenceKind kind = kindOf(arguments.against);
+  const report::ReferenceKind kind = kindOf(arguments.against);
   const auto scene = arguments.scene.load();
-  MeasurementPlan plan;
-  plan.checkpoints = checkpointsIn(arguments.seconds);
+  report::MeasurementPlan plan;
+  plan.checkpoints = report::checkpointsIn(arguments.seconds);
   plan.against = kind;
   plan.reference = referenceSettings(arguments, kind, scene->settings);
   plan.restarted = arguments.restarted;
@@ -109,15 +111,15 @@ void run(const MeasureArguments& arguments) {
     file.emplace(arguments.json, "the measurement");
   }
   printSolverWarnings(scene->settings, *scene->model);
-  const Measurement measurement = measureWithProgress(*scene, plan);
+  const report::Measurement measurement = measureWithProgress(*scene, plan);
   warn(measurement);
-  std::cout << errorTable(measurement);
+  std::cout << report::errorTable(measurement);
   if (file) {
-    file->write(measurementJson(measurement));
+    file->write(report::measurementJson(measurement));
   }
   if (!measurement.own.finite) {
-    throw InputError("the cloth blew up after " + std::to_string(measurement.report.checkpoints.back().time) +
-                     " s; the report ends there. Use a smaller time step or a lower stiffness.");
+    throw messages::InputError("the cloth blew up after " + std::to_string(measurement.report.checkpoints.back().time) +
+                               " s; the report ends there. Use a smaller time step or a lower stiffness.");
   }
 }
 
@@ -157,4 +159,4 @@ void addMeasureCommand(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -6,26 +6,26 @@
 
 #include <memory>
 
-namespace drape {
+namespace drape::app {
 
 /// Draws simulations off screen, with or without the panels.
 class PictureMaker {
  public:
   /// @param width, height [pixels]  @param panels draw the user interface beside the cloth
   /// @param fontScale of the panels; 0 chooses by the picture's height
-  PictureMaker(int width, int height, bool panels, double fontScale, const CameraPose& pose);
+  PictureMaker(int width, int height, bool panels, double fontScale, const scene::CameraPose& pose);
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
   ~PictureMaker();
 
-  [[nodiscard]] Image draw(const Simulation& simulation);
+  [[nodiscard]] render::Image draw(const session::Simulation& simulation);
 
  private:
-  [[nodiscard]] Image drawPlain(const Camera& camera);
-  [[nodiscard]] Image drawWithPanels();
+  [[nodiscard]] render::Image drawPlain(const render::Camera& camera);
+  [[nodiscard]] render::Image drawWithPanels();
 
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace drape
+}  // namespace drape::app

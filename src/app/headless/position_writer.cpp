@@ -5,17 +5,17 @@
 #include <cerrno>
 #include <cstring>
 
-namespace drape {
+namespace drape::app {
 
 PositionWriter::PositionWriter(const std::string& file, double every, double timeStep)
     : name_(file), file_(std::fopen(file.c_str(), "w")), every_(every), tolerance_(0.5 * timeStep) {
   if (!file_) {
-    throw InputError("cannot write positions to " + file + ": " + std::strerror(errno));
+    throw messages::InputError("cannot write positions to " + file + ": " + std::strerror(errno));
   }
   std::fputs("time,vertex,x,y,z\n", file_.get());
 }
 
-void PositionWriter::sample(const ClothState& state) {
+void PositionWriter::sample(const sim::ClothState& state) {
   if (state.time + tolerance_ <= every_ * static_cast<double>(samples_)) {
     return;
   }
@@ -41,7 +41,7 @@ void PositionWriter::close() {
 }
 
 void PositionWriter::fail(int reason) const {
-  throw InputError("positions could not be written completely to " + name_ + ": " + std::strerror(reason));
+  throw messages::InputError("positions could not be written completely to " + name_ + ": " + std::strerror(reason));
 }
 
-}  // namespace drape
+}  // namespace drape::app

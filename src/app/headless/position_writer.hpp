@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace drape {
+namespace drape::app {
 
 /// Writes positions as CSV: "time,vertex,x,y,z", one line per vertex and sample, 9 significant digits, in metres and
 /// seconds. A sample is taken at the first step at or after its time (to half a step).
@@ -17,7 +17,7 @@ class PositionWriter {
   PositionWriter(const std::string& file, double every, double timeStep);
 
   /// Writes the state when a sample is due. Throws InputError when an earlier write failed.
-  void sample(const ClothState& state);
+  void sample(const sim::ClothState& state);
 
   /// Flushes and closes. Throws InputError when the file could not be written completely.
   void close();
@@ -35,4 +35,4 @@ class PositionWriter {
   std::int64_t samples_ = 0;
 };
 
-}  // namespace drape
+}  // namespace drape::app

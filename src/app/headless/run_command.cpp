@@ -18,7 +18,7 @@
 #include <memory>
 #include <optional>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 struct RunArguments {
@@ -39,7 +39,7 @@ constexpr double maxSteps = 1e9;
 std::int64_t stepsFor(double seconds, double timeStep) {
   const double steps = std::round(seconds / timeStep);
   if (steps > maxSteps) {
-    throw UsageError(
+    throw messages::UsageError(
         "--seconds divided by time_step gives more than a thousand million steps; use fewer seconds "
         "or a longer step");
   }
@@ -47,9 +47,9 @@ std::int64_t stepsFor(double seconds, double timeStep) {
 }
 
 /// Prints the contents of a mesh file and how it was repaired. Prints nothing for a grid.
-void printMesh(const Scene& scene) {
-  if (std::holds_alternative<MeshFileSource>(scene.description.source)) {
-    for (const std::string& line : describe(scene.summary)) {
+void printMesh(const scene::Scene& scene) {
+  if (std::holds_alternative<scene::MeshFileSource>(scene.description.source)) {
+    for (const std::string& line : io::describe(scene.summary)) {
       std::cout << line << '\n';
     }
   }
@@ -59,30 +59,31 @@ void printMesh(const Scene& scene) {
 void printStabilityLimit(const nlohmann::ordered_json& limit) {
   if (limit.is_number()) {
     const auto seconds = limit.get<double>();
-    std::cout << "stability limit: " << (seconds > 0.0 ? stepInWords(seconds) : "no step is stable") << '\n';
+    std::cout << "stability limit: " << (seconds > 0.0 ? messages::stepInWords(seconds) : "no step is stable") << '\n';
   }
 }
 
-void printSummary(const Simulation& simulation, const nlohmann::ordered_json& json) {
+void printSummary(const session::Simulation& simulation, const nlohmann::ordered_json& json) {
   printMesh(simulation.scene());
   std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
             << " springs, " << json["triangles"] << " triangles\n"
             << json["steps"] << " steps to " << simulation.state().time
             << fmt::format(" s, {:.3g} us a step (median), largest stretch {:.3g}, state {}\n",
-                           json["step_us"]["median"].get<double>(), maxStretch(simulation.model(), simulation.state()),
+                           json["step_us"]["median"].get<double>(),
+                           sim::maxStretch(simulation.model(), simulation.state()),
                            json["state_hash"].get<std::string>());
   printStabilityLimit(json["stability_limit"]);
 }
 
 /// Prints warnings. A cloth that blew up is an error, which is reported at the end.
-void warn(const Simulation& simulation) {
-  Snapshot end;
+void warn(const session::Simulation& simulation) {
+  session::Snapshot end;
   simulation.capture(end);
   if (!end.message.empty() && !simulation.blewUp()) {
     std::cerr << "warning: " << end.message << '\n';
   }
   if (end.overstretched && !end.overstretched->advice.key.empty()) {
-    const Advice& advice = end.overstretched->advice;
+    const scene::Advice& advice = end.overstretched->advice;
     std::cerr << "note: --set " << advice.key << '=' << advice.value << " would help\n";
   }
 }
@@ -90,7 +91,7 @@ void warn(const Simulation& simulation) {
 /// The figures, positions and checks of a run, one step after the other.
 class RunOutputs {
  public:
-  RunOutputs(const RunArguments& arguments, const Simulation& simulation, std::int64_t steps)
+  RunOutputs(const RunArguments& arguments, const session::Simulation& simulation, std::int64_t steps)
       : stats_(arguments.stats, steps), progress_(std::in_place), steps_(static_cast<double>(steps)) {
     if (!arguments.positions.empty()) {
       positions_.emplace(arguments.positions, arguments.every, simulation.settings().step.timeStep);
@@ -102,7 +103,7 @@ class RunOutputs {
     }
   }
 
-  void addStep(const Simulation& simulation) {
+  void addStep(const session::Simulation& simulation) {
     stats_.add(simulation);
     if (positions_) {
       positions_->sample(simulation.state());
@@ -114,7 +115,7 @@ class RunOutputs {
   }
 
   /// Writes the files and prints the summary.
-  void finish(const Simulation& simulation) {
+  void finish(const session::Simulation& simulation) {
     progress_.reset();
     warn(simulation);
     auto figures = stats_.toJson(simulation);
@@ -145,31 +146,32 @@ class RunOutputs {
 void replay(const RunArguments& arguments) {
   SessionLog log = readSessionLog(arguments.replay);
   log.settings.emplace_back("threads", std::to_string(arguments.threads));
-  Simulation simulation(openLoggedScene(log));
+  session::Simulation simulation(openLoggedScene(log));
   RunOutputs outputs(arguments, simulation, log.steps);
   simulation.replay(log.commands, log.steps, [&] { outputs.addStep(simulation); });
   outputs.finish(simulation);
-  const std::string hash = toHex(stateHash(simulation.state()));
+  const std::string hash = sim::toHex(sim::stateHash(simulation.state()));
   if (hash != log.stateHash) {
-    throw InputError(arguments.replay + ": the replay ends in state " + hash + ", the session ended in state " +
-                     log.stateHash + ". Either a mesh file or the version of Drape has changed since.");
+    throw messages::InputError(arguments.replay + ": the replay ends in state " + hash +
+                               ", the session ended in state " + log.stateHash +
+                               ". Either a mesh file or the version of Drape has changed since.");
   }
   std::cout << "the replay ends in the same state as the session\n";
 }
 
 void run(RunArguments arguments) {
   if (!arguments.positions.empty() && !(arguments.every > 0.0)) {
-    throw UsageError("--positions needs --every SECONDS: the simulated time between two samples");
+    throw messages::UsageError("--positions needs --every SECONDS: the simulated time between two samples");
   }
   if (!arguments.replay.empty()) {
     replay(arguments);
     return;
   }
   if (!arguments.seconds) {
-    throw UsageError("--seconds is required: the simulated time [s]. Only --replay does without it.");
+    throw messages::UsageError("--seconds is required: the simulated time [s]. Only --replay does without it.");
   }
   arguments.scene.settings.push_back("threads=" + std::to_string(arguments.threads));
-  Simulation simulation(arguments.scene.load());
+  session::Simulation simulation(arguments.scene.load());
   printSolverWarnings(simulation.settings(), simulation.model());
   const std::int64_t steps = stepsFor(*arguments.seconds, simulation.settings().step.timeStep);
   RunOutputs outputs(arguments, simulation, steps);
@@ -215,4 +217,4 @@ void addRunCommand(CLI::App& app) {
   command->callback([arguments] { run(*arguments); });
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 /// The quantile of sorted values at this share (nearest rank).
@@ -30,21 +30,21 @@ nlohmann::ordered_json quantiles(std::vector<float> seconds) {
 }
 
 /// The longest stable substep [s], or null when the solver has no such limit on this cloth.
-nlohmann::ordered_json stabilityLimit(const ClothModel& model, const Settings& settings) {
-  const SolverInfo* solver = findSolver(settings.solver.name);
+nlohmann::ordered_json stabilityLimit(const sim::ClothModel& model, const settings::Settings& settings) {
+  const sim::SolverInfo* solver = sim::findSolver(settings.solver.name);
   if (solver == nullptr || solver->stepLimit == nullptr) {
     return nullptr;
   }
-  return finiteOrNull(solver->stepLimit(model, settings.step));
+  return report::finiteOrNull(solver->stepLimit(model, settings.step));
 }
 
 /// How a mesh file was read, or null for a grid.
-nlohmann::ordered_json readingJson(const std::optional<MeshReading>& reading) {
+nlohmann::ordered_json readingJson(const std::optional<scene::MeshReading>& reading) {
   if (!reading) {
     return nullptr;
   }
   nlohmann::ordered_json others = nlohmann::ordered_json::array();
-  for (const ReadingAlternative& other : reading->alternatives) {
+  for (const scene::ReadingAlternative& other : reading->alternatives) {
     others.push_back(other.key + "=" + other.value);
   }
   return {{"unit", reading->unit},
@@ -54,7 +54,7 @@ nlohmann::ordered_json readingJson(const std::optional<MeshReading>& reading) {
           {"up_guessed", reading->upGuessed},
           {"size", reading->size},
           {"alternatives", std::move(others)},
-          {"in_words", inWords(*reading)}};
+          {"in_words", scene::inWords(*reading)}};
 }
 
 }  // namespace
@@ -66,8 +66,8 @@ RunStats::RunStats(const std::string& file, std::int64_t steps) {
   seconds_.reserve(std::min<std::int64_t>(steps, 1 << 20));
 }
 
-void RunStats::add(const Simulation& simulation) {
-  const ContactReport& contact = simulation.lastStepReport().contact;
+void RunStats::add(const session::Simulation& simulation) {
+  const sim::contact::ContactReport& contact = simulation.lastStepReport().contact;
   seconds_.push_back(static_cast<float>(simulation.lastStepSeconds()));
   bodySeconds_.push_back(static_cast<float>(contact.bodySeconds));
   selfSeconds_.push_back(static_cast<float>(contact.selfSeconds));
@@ -82,15 +82,15 @@ void RunStats::add(const Simulation& simulation) {
   maxInfeasible_ = std::max(maxInfeasible_, contact.infeasible);
 }
 
-nlohmann::ordered_json RunStats::contactJson(const ContactReport& last) const {
+nlohmann::ordered_json RunStats::contactJson(const sim::contact::ContactReport& last) const {
   return {{"bodies_us", quantiles(bodySeconds_)}, {"self_us", quantiles(selfSeconds_)},
           {"body_contacts", last.bodyContacts},   {"self_contacts", last.selfContacts},
           {"overlaps_max", maxOverlaps_},         {"overlaps_final", last.overlaps},
           {"deepest_overlap", deepestOverlap_},   {"infeasible_max", maxInfeasible_}};
 }
 
-nlohmann::ordered_json RunStats::choiceJson(const std::optional<StepChoice>& last) const {
-  nlohmann::ordered_json json = drape::toJson(last);
+nlohmann::ordered_json RunStats::choiceJson(const std::optional<sim::adaptive::StepChoice>& last) const {
+  nlohmann::ordered_json json = drape::app::toJson(last);
   if (last) {
     std::vector<float> evaluations = forceEvaluations_;
     std::sort(evaluations.begin(), evaluations.end());
@@ -103,9 +103,9 @@ nlohmann::ordered_json RunStats::choiceJson(const std::optional<StepChoice>& las
   return json;
 }
 
-nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
-  const ClothModel& model = simulation.model();
-  const Energy energy = energyOf(model, simulation.settings().step, simulation.state());
+nlohmann::ordered_json RunStats::toJson(const session::Simulation& simulation) const {
+  const sim::ClothModel& model = simulation.model();
+  const sim::Energy energy = sim::energyOf(model, simulation.settings().step, simulation.state());
   nlohmann::ordered_json json;
   json["scene"] = simulation.scene().description.name;
   json["reading"] = readingJson(simulation.scene().reading);
@@ -123,14 +123,14 @@ nlohmann::ordered_json RunStats::toJson(const Simulation& simulation) const {
   json["energy_kinetic"] = energy.kinetic;
   json["energy_elastic"] = energy.elastic;
   json["energy_potential"] = energy.potential;
-  json["max_stretch"] = maxStretch(model, simulation.state());
+  json["max_stretch"] = sim::maxStretch(model, simulation.state());
   json["stability_limit"] = stabilityLimit(model, simulation.settings());
-  if (const Ghost* ghost = simulation.ghost()) {
-    json["ghost_distance_mean"] = meanDistance(simulation.state().positions, ghost->state().positions);
+  if (const session::Ghost* ghost = simulation.ghost()) {
+    json["ghost_distance_mean"] = sim::meanDistance(simulation.state().positions, ghost->state().positions);
   }
-  json["finite"] = !simulation.blewUp() && isFinite(simulation.state());
-  json["state_hash"] = toHex(stateHash(simulation.state()));
-  json["settings"] = settingsJson(simulation.settings());
+  json["finite"] = !simulation.blewUp() && sim::isFinite(simulation.state());
+  json["state_hash"] = sim::toHex(sim::stateHash(simulation.state()));
+  json["settings"] = report::settingsJson(simulation.settings());
   return json;
 }
 
@@ -140,4 +140,4 @@ void RunStats::write(const nlohmann::ordered_json& figures) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::app

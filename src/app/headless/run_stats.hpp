@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 
 /// Collects the cost of a run and writes it with the final state of the cloth.
 class RunStats {
@@ -18,17 +18,17 @@ class RunStats {
   RunStats(const std::string& file, std::int64_t steps);
 
   /// Adds the duration and the report of the last step.
-  void add(const Simulation& simulation);
+  void add(const session::Simulation& simulation);
 
   /// docs/guide/headless.md explains each entry.
-  [[nodiscard]] nlohmann::ordered_json toJson(const Simulation& simulation) const;
+  [[nodiscard]] nlohmann::ordered_json toJson(const session::Simulation& simulation) const;
 
   /// Throws InputError when the file could not be written.
   void write(const nlohmann::ordered_json& figures);
 
  private:
-  [[nodiscard]] nlohmann::ordered_json contactJson(const ContactReport& last) const;
-  [[nodiscard]] nlohmann::ordered_json choiceJson(const std::optional<StepChoice>& last) const;
+  [[nodiscard]] nlohmann::ordered_json contactJson(const sim::contact::ContactReport& last) const;
+  [[nodiscard]] nlohmann::ordered_json choiceJson(const std::optional<sim::adaptive::StepChoice>& last) const;
 
   std::optional<OutputFile> file_;
   std::vector<float> seconds_;
@@ -43,4 +43,4 @@ class RunStats {
   double largestError_ = -1.0;  // [m]
 };
 
-}  // namespace drape
+}  // namespace drape::app

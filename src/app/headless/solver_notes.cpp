@@ -4,15 +4,15 @@
 
 #include <iostream>
 
-namespace drape {
+namespace drape::app {
 
-void printSolverWarnings(const Settings& settings, const ClothModel& model) {
-  if (const std::string words = solverWarning(settings, model); !words.empty()) {
+void printSolverWarnings(const settings::Settings& settings, const sim::ClothModel& model) {
+  if (const std::string words = session::solverWarning(settings, model); !words.empty()) {
     std::cerr << "warning: " << settings.solver.name << ": " << words << '\n';
   }
-  if (const std::string words = ghostWarning(settings, model); !words.empty()) {
+  if (const std::string words = session::ghostWarning(settings, model); !words.empty()) {
     std::cerr << "warning: the ghost's " << settings.ghost.solver << ": " << words << '\n';
   }
 }
 
-}  // namespace drape
+}  // namespace drape::app

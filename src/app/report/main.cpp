@@ -14,7 +14,7 @@
 #include <iostream>
 #include <string>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 /// Time limits: a report should end within 20 minutes, a quick one within 90 s. After `forRepeats` nothing is measured
@@ -27,7 +27,7 @@ constexpr Allowance allowanceOfFull{17.0 * 60.0, 19.5 * 60.0};
 constexpr Allowance allowanceOfQuick{60.0, HUGE_VAL};  // tests expect all of its sections
 
 struct ReportArguments {
-  ReportOptions options{.quick = false, .scene = {}, .threads = 1, .only = {}};
+  report::ReportOptions options{.quick = false, .scene = {}, .threads = 1, .only = {}};
   std::string output;
   std::string compare;
   bool resume = false;
@@ -36,7 +36,7 @@ struct ReportArguments {
 void addTo(CLI::App& app, ReportArguments& arguments) {
   constexpr int maxThreads = 64;
   std::string sections;
-  for (const Section& section : sectionTable()) {
+  for (const report::Section& section : report::sectionTable()) {
     if (section.plan != nullptr) {
       sections += sections.empty() ? "" : ", ";
       sections += section.name;
@@ -69,7 +69,7 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
 /// Saves the measurements every few seconds, since the program may be killed.
 class ReportSaver {
  public:
-  ReportSaver(const ReportFolder& folder, Report& report) : folder_(folder), report_(report) {}
+  ReportSaver(const ReportFolder& folder, report::Report& report) : folder_(folder), report_(report) {}
 
   void save() {
     constexpr std::chrono::seconds pause(5);
@@ -81,86 +81,86 @@ class ReportSaver {
 
  private:
   const ReportFolder& folder_;
-  Report& report_;
+  report::Report& report_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-Report prepare(const ReportArguments& arguments, const ReportFolder& folder) {
-  Report report;
-  report.machine = machineJson(buildInfo());
+report::Report prepare(const ReportArguments& arguments, const ReportFolder& folder) {
+  report::Report report;
+  report.machine = report::machineJson(report::buildInfo());
   report.options = arguments.options;
   if (arguments.resume) {
     const auto earlier = folder.earlier();
     if (!earlier.is_null()) {
-      report.rows = rowsToResume(earlier, report);
+      report.rows = report::rowsToResume(earlier, report);
     }
   }
   return report;
 }
 
 /// Prints paragraphs and tables to a terminal.
-void print(const std::vector<Block>& blocks) {
-  for (const Block& block : blocks) {
-    if (const auto* paragraph = std::get_if<Paragraph>(&block)) {
+void print(const std::vector<report::Block>& blocks) {
+  for (const report::Block& block : blocks) {
+    if (const auto* paragraph = std::get_if<report::Paragraph>(&block)) {
       std::cout << paragraph->text << '\n';
-    } else if (const auto* table = std::get_if<TextTable>(&block)) {
-      std::cout << plainText(*table);
+    } else if (const auto* table = std::get_if<report::TextTable>(&block)) {
+      std::cout << report::plainText(*table);
     }
   }
 }
 
 /// Compares the report with the earlier one; true when something changed.
-bool compare(const nlohmann::ordered_json& older, Report& report) {
+bool compare(const nlohmann::ordered_json& older, report::Report& report) {
   if (older.is_null()) {
     return false;
   }
-  report.comparison = compareReports(older, report);
-  print(showComparison(report.comparison));
+  report.comparison = report::compareReports(older, report);
+  print(report::showComparison(report.comparison));
   return !report.comparison["moved"].empty();
 }
 
 /// Whether something changed since the earlier report.
 bool run(const ReportArguments& arguments, StopSignal& stop) {
-  (void)comparedSetUps(arguments.options.scene);  // reports wrong names before the measurements
+  (void)report::sections::comparedSetUps(arguments.options.scene);  // reports wrong names before the measurements
   const ReportFolder folder(arguments.output);
-  Report report = prepare(arguments, folder);
+  report::Report report = prepare(arguments, folder);
   nlohmann::ordered_json older;
   if (!arguments.compare.empty()) {
     older = readReport(arguments.compare);  // read it now: the program may overwrite this file
-    requireComparable(older, report);
+    report::requireComparable(older, report);
   }
   ReportSaver saver(folder, report);
   {
     ProgressLine progress(ProgressLine::Style::TimeLeft);
-    RunHooks hooks;
+    report::RunHooks hooks;
     const Allowance allowance = report.options.quick ? allowanceOfQuick : allowanceOfFull;
     hooks.stopped = [&] { return stop.came() || progress.spent() > allowance.forAll; };
     hooks.progress = [&progress](std::string_view section, double done, double total) {
       progress.show(section, done, total);
     };
     hooks.outOfTime = [&] { return progress.spent() > allowance.forRepeats; };
-    hooks.measured = [&saver](const SectionRows&) { saver.save(); };
-    report.complete = measureSections(report.options, report.rows, hooks);
+    hooks.measured = [&saver](const report::SectionRows&) { saver.save(); };
+    report.complete = report::measureSections(report.options, report.rows, hooks);
   }
   const bool moved = compare(older, report);
   folder.writeAll(report);
   std::cout << "written to " << arguments.output << "/report.html, report.md and report.json\n";
   if (!report.complete) {
-    throw InputError("stopped before the end; --resume continues from here");
+    throw messages::InputError("stopped before the end; --resume continues from here");
   }
   return moved;
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::app
 
 int main(int argc, char** argv) {
-  drape::StopSignal stop;
-  drape::ReportArguments arguments;
+  drape::app::StopSignal stop;
+  drape::app::ReportArguments arguments;
   CLI::App app("Measures the cost and the errors of the methods, and writes a report", "drape-report");
-  drape::addTo(app, arguments);
+  drape::app::addTo(app, arguments);
   constexpr int somethingMoved = 3;
   bool moved = false;
-  const int status = drape::runProgram(app, argc, argv, [&] { moved = drape::run(arguments, stop); });
+  const int status = drape::app::runProgram(app, argc, argv, [&] { moved = drape::app::run(arguments, stop); });
   return status == 0 && moved ? somethingMoved : status;
 }

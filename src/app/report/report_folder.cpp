@@ -6,7 +6,7 @@
 #include <fstream>
 #include <utility>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 constexpr const char* jsonName = "report.json";
@@ -18,7 +18,7 @@ ReportFolder::ReportFolder(std::filesystem::path folder) : folder_(std::move(fol
   // An error must show before the measurements.
   const auto probe = folder_ / ".report-probe";
   if (!std::ofstream(probe)) {
-    throw InputError("cannot write to the folder " + folder_.string());
+    throw messages::InputError("cannot write to the folder " + folder_.string());
   }
   std::filesystem::remove(probe);
 }
@@ -26,11 +26,11 @@ ReportFolder::ReportFolder(std::filesystem::path folder) : folder_(std::move(fol
 nlohmann::ordered_json readReport(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError("cannot read " + file.string());
+    throw messages::InputError("cannot read " + file.string());
   }
   auto json = nlohmann::ordered_json::parse(stream, nullptr, false);
   if (json.is_discarded()) {
-    throw InputError(file.string() + " is not JSON");
+    throw messages::InputError(file.string() + " is not JSON");
   }
   return json;
 }
@@ -44,22 +44,22 @@ void ReportFolder::write(const std::filesystem::path& name, const std::string& t
   const auto file = folder_ / name;
   makeFolder(file.parent_path());
   if (!replaceFile(file, text)) {
-    throw InputError("the report could not be written to " + file.string());
+    throw messages::InputError("the report could not be written to " + file.string());
   }
 }
 
-void ReportFolder::writeJson(const Report& report) const {
-  write(jsonName, jsonText(reportJson(report), 1) + "\n");
+void ReportFolder::writeJson(const report::Report& report) const {
+  write(jsonName, jsonText(report::reportJson(report), 1) + "\n");
 }
 
-void ReportFolder::writeAll(const Report& report) const {
+void ReportFolder::writeAll(const report::Report& report) const {
   writeJson(report);
-  const MarkdownReport markdown = reportMarkdown(report);
-  for (const ReportPicture& picture : markdown.pictures) {
+  const report::MarkdownReport markdown = report::reportMarkdown(report);
+  for (const report::ReportPicture& picture : markdown.pictures) {
     write(picture.name, picture.svg);
   }
   write("report.md", markdown.text);
-  write("report.html", reportHtml(report));
+  write("report.html", report::reportHtml(report));
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace drape {
+namespace drape::app {
 
 /// Reads a report.json. Throws InputError when it cannot be read or is not JSON.
 [[nodiscard]] nlohmann::ordered_json readReport(const std::filesystem::path& file);
@@ -18,8 +18,8 @@ class ReportFolder {
   /// The existing report.json; null when there is none. Throws like readReport.
   [[nodiscard]] nlohmann::ordered_json earlier() const;
 
-  void writeJson(const Report& report) const;
-  void writeAll(const Report& report) const;
+  void writeJson(const report::Report& report) const;
+  void writeAll(const report::Report& report) const;
 
  private:
   /// Writes through a temporary file, so that the old file stays intact until the new one is complete.
@@ -28,4 +28,4 @@ class ReportFolder {
   std::filesystem::path folder_;
 };
 
-}  // namespace drape
+}  // namespace drape::app

@@ -3,7 +3,7 @@
 #include <pthread.h>
 #include <ctime>
 
-namespace drape {
+namespace drape::app {
 
 StopSignal::StopSignal() {
   sigemptyset(&signals_);
@@ -25,4 +25,4 @@ bool StopSignal::came() {
   return came_;
 }
 
-}  // namespace drape
+}  // namespace drape::app

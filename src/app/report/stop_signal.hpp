@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace drape {
+namespace drape::app {
 
 /// Defers Ctrl-C (SIGINT) and SIGTERM until the program checks for them. Create it before any thread. After the first
 /// signal the next one ends the program as usual.
@@ -22,4 +22,4 @@ class StopSignal {
   bool came_ = false;
 };
 
-}  // namespace drape
+}  // namespace drape::app

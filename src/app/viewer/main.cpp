@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 int sideOf(std::string_view text) {
@@ -15,7 +15,7 @@ int sideOf(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < smallest || value > largest) {
-    throw UsageError("--window-size needs width,height between 320 and 16384, for example 1280,720");
+    throw messages::UsageError("--window-size needs width,height between 320 and 16384, for example 1280,720");
   }
   return value;
 }
@@ -27,32 +27,32 @@ std::pair<int, int> parseWindowSize(const std::string& text) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::app
 
 int main(int argc, char** argv) {
   CLI::App app("Cloth that you can pull, in a window. F1 in the window lists keys and mouse actions.", "drape");
-  drape::SceneArguments scene;
+  drape::app::SceneArguments scene;
   scene.addTo(app);
-  drape::ViewerOptions options;
+  drape::app::ViewerOptions options;
   std::string windowSize;
   app.add_flag("--paused", options.paused, "Start paused");
   app.add_option("--window-size", windowSize, "Size of the window")
       ->type_name("WIDTH,HEIGHT")
-      ->check(drape::notEmpty());
+      ->check(drape::app::notEmpty());
   app.add_option("--status", options.statusFile, "Write the viewer's state to this file, for scripts (see below)")
       ->type_name("FILE")
-      ->check(drape::notEmpty());
+      ->check(drape::app::notEmpty());
   app.add_option("--record", options.recordFile,
                  "Write the session to this file at the end, for 'drape-headless run --replay'")
       ->type_name("FILE")
-      ->check(drape::notEmpty());
+      ->check(drape::app::notEmpty());
   app.set_version_flag("--version", std::string("drape ") + DRAPE_VERSION);
-  app.footer(drape::StatusFile::help);
-  return drape::runProgram(app, argc, argv, [&] {
+  app.footer(drape::app::StatusFile::help);
+  return drape::app::runProgram(app, argc, argv, [&] {
     if (!windowSize.empty()) {
-      options.windowSize = drape::parseWindowSize(windowSize);
+      options.windowSize = drape::app::parseWindowSize(windowSize);
     }
-    drape::Viewer viewer(scene.load(), options);
+    drape::app::Viewer viewer(scene.load(), options);
     viewer.run();
   });
 }

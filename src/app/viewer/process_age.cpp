@@ -8,7 +8,7 @@
 
 #include <unistd.h>
 
-namespace drape {
+namespace drape::app {
 
 double processAge() {
   // proc(5): the start time is field 22, in clock ticks since boot. Field 2, the name, may contain spaces but ends with
@@ -35,4 +35,4 @@ double processAge() {
   return std::max(0.0, seconds - start / static_cast<double>(sysconf(_SC_CLK_TCK)));
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-namespace drape {
+namespace drape::app {
 
 std::filesystem::path freeScreenshotName(const std::filesystem::path& folder, const std::string& scene) {
   constexpr int maxNumber = 9999;
@@ -15,7 +15,7 @@ std::filesystem::path freeScreenshotName(const std::filesystem::path& folder, co
       return file;
     }
   }
-  throw InputError("there are too many pictures of this scene in " + folder.string() + "; move some away");
+  throw messages::InputError("there are too many pictures of this scene in " + folder.string() + "; move some away");
 }
 
-}  // namespace drape
+}  // namespace drape::app

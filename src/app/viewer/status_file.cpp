@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -32,11 +32,11 @@ Json toJson(const Vec3& vector) {
   return Json::array({vector.x(), vector.y(), vector.z()});
 }
 
-Json toJson(const UiRect& rect) {
+Json toJson(const ui::UiRect& rect) {
   return {{"x", rect.x}, {"y", rect.y}, {"width", rect.width}, {"height", rect.height}, {"visible", rect.visible}};
 }
 
-Json toJson(const UiRects& rects) {
+Json toJson(const ui::UiRects& rects) {
   Json json = Json::object();
   for (const auto& [name, rect] : rects) {
     json[name] = toJson(rect);
@@ -44,15 +44,15 @@ Json toJson(const UiRects& rects) {
   return json;
 }
 
-Json toJson(const Settings& settings) {
+Json toJson(const settings::Settings& settings) {
   Json json = Json::object();
-  for (const SettingInfo& info : settingsTable()) {
-    std::visit([&](const auto& value) { json[std::string(info.key)] = value; }, settingValue(settings, info));
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
+    std::visit([&](const auto& value) { json[std::string(info.key)] = value; }, settings::settingValue(settings, info));
   }
   return json;
 }
 
-Json toJson(const std::optional<AttachmentStatus>& attachment) {
+Json toJson(const std::optional<session::AttachmentStatus>& attachment) {
   if (!attachment) {
     return nullptr;
   }
@@ -63,15 +63,15 @@ Json toJson(const std::optional<AttachmentStatus>& attachment) {
           {"pinned", attachment->pinned}};
 }
 
-Json toJson(const std::optional<GhostStatus>& ghost) {
+Json toJson(const std::optional<session::GhostStatus>& ghost) {
   if (!ghost) {
     return nullptr;
   }
   return {{"distance", ghost->meanDistance}, {"step_seconds", ghost->stepSeconds}};
 }
 
-Json contactsOf(const Snapshot& snapshot) {
-  const ContactReport& contact = snapshot.stepReport.contact;
+Json contactsOf(const session::Snapshot& snapshot) {
+  const sim::contact::ContactReport& contact = snapshot.stepReport.contact;
   return {{"bodies", contact.bodyContacts},
           {"itself", contact.selfContacts},
           {"overlaps", contact.overlaps},
@@ -79,13 +79,13 @@ Json contactsOf(const Snapshot& snapshot) {
 }
 
 /// The centre of a body as it is drawn [m].
-Vec3 middleOf(const Body& body, const BodyStatus& status) {
-  const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&body.shape);
+Vec3 middleOf(const sim::contact::Body& body, const session::BodyStatus& status) {
+  const auto* mesh = std::get_if<std::shared_ptr<const sim::contact::MeshShape>>(&body.shape);
   if (mesh == nullptr) {
     return status.pose.position;  // every other shape is symmetric
   }
   const std::vector<Vec3>& positions = status.vertices.empty() ? (*mesh)->positions : status.vertices;
-  return status.pose.toWorld(boundsOf(positions).center());
+  return status.pose.toWorld(sim::boundsOf(positions).center());
 }
 
 /// Finds places in the picture with and without cloth, with a limited number of triangle tests.
@@ -115,8 +115,8 @@ class PlaceFinder {
   [[nodiscard]] Json bodies() const {
     Json list = Json::array();
     for (std::size_t i = 0; i < status_.snapshot.bodies.size(); ++i) {
-      const BodyStatus& status = status_.snapshot.bodies[i];
-      const Body& body = (*status_.snapshot.scene->bodies)[i];
+      const session::BodyStatus& status = status_.snapshot.bodies[i];
+      const sim::contact::Body& body = (*status_.snapshot.scene->bodies)[i];
       const Vec2 place = projected(middleOf(body, status));
       list.push_back({{"name", body.name},
                       {"on", status.on},
@@ -160,18 +160,18 @@ class PlaceFinder {
     return inside && !status_.panels.covers(place);
   }
 
-  [[nodiscard]] std::optional<Hit> hitAt(const Vec2& place) {
+  [[nodiscard]] std::optional<render::Hit> hitAt(const Vec2& place) {
     if (picks_ == 0) {
-      return Hit{.triangle = -1};  // out of budget: the result is unknown
+      return render::Hit{.triangle = -1};  // out of budget: the result is unknown
     }
     --picks_;
-    const Ray ray = status_.camera.rayThrough(place.x() - view_.x, place.y() - view_.y, static_cast<int>(view_.width),
-                                              static_cast<int>(view_.height));
-    return pick(ray, status_.snapshot.positions, triangles_);
+    const render::Ray ray = status_.camera.rayThrough(place.x() - view_.x, place.y() - view_.y,
+                                                      static_cast<int>(view_.width), static_cast<int>(view_.height));
+    return render::pick(ray, status_.snapshot.positions, triangles_);
   }
 
   const ViewerStatus& status_;
-  UiRect view_;
+  ui::UiRect view_;
   const std::vector<Triangle>& triangles_;
   std::size_t picks_;
 };
@@ -183,10 +183,10 @@ std::string messageOf(const ViewerStatus& status) {
   return status.snapshot.message.empty() ? status.stats.notice : status.snapshot.message;
 }
 
-Json describeSimulation(const Snapshot& snapshot) {
+Json describeSimulation(const session::Snapshot& snapshot) {
   return {{"scene", snapshot.scene->description.name},
           {"vertices", snapshot.model->vertexCount()},
-          {"pins", countPins(*snapshot.model)},
+          {"pins", ui::countPins(*snapshot.model)},
           {"paused", snapshot.paused},
           {"step", snapshot.step},
           {"time", snapshot.time},
@@ -196,13 +196,13 @@ Json describeSimulation(const Snapshot& snapshot) {
           {"attachment", toJson(snapshot.attachment)},
           {"ghost", toJson(snapshot.ghost)},
           {"contacts", contactsOf(snapshot)},
-          {"choice", toJson(snapshot.stepReport.choice)},
-          {"warning", solverWarning(snapshot.settings, *snapshot.model)}};
+          {"choice", app::toJson(snapshot.stepReport.choice)},
+          {"warning", session::solverWarning(snapshot.settings, *snapshot.model)}};
 }
 
 Json describeAll(const ViewerStatus& status) {
   Json json = describeSimulation(status.snapshot);
-  const CameraPose& pose = status.camera.pose();
+  const scene::CameraPose& pose = status.camera.pose();
   json["camera"] = {
       {"position", toJson(pose.position)}, {"focal_point", toJson(pose.focalPoint)}, {"view_angle", pose.viewAngle}};
   json["window"] = {{"width", status.display.width},
@@ -236,8 +236,8 @@ void StatusFile::update(const ViewerStatus& status) {
   Json json{{"sequence", ++sequence_}, {"frame", status.frame}, {"first_frame_seconds", status.firstFrameSeconds}};
   json.update(describeAll(status));
   if (!replaceFile(file_, jsonText(json, 1) + '\n')) {
-    throw InputError("cannot write the status file " + file_.string() + "; check that its folder exists");
+    throw messages::InputError("cannot write the status file " + file_.string() + "; check that its folder exists");
   }
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -8,15 +8,15 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace drape {
+namespace drape::app {
 
 /// The contents of the status file for one frame.
 struct ViewerStatus {
-  const Snapshot& snapshot;
-  const Camera& camera;
-  const UserInterface& panels;
-  const UiDisplay& display;
-  const UiStats& stats;
+  const session::Snapshot& snapshot;
+  const render::Camera& camera;
+  const ui::UserInterface& panels;
+  const ui::UiDisplay& display;
+  const ui::UiStats& stats;
   std::int64_t frame = 0;
   double firstFrameSeconds = 0.0;  ///< from the start of the program to the first frame on screen [s]
 };
@@ -61,4 +61,4 @@ class StatusFile {
   std::chrono::steady_clock::time_point next_;
 };
 
-}  // namespace drape
+}  // namespace drape::app

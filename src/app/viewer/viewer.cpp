@@ -15,7 +15,7 @@
 #include <cmath>
 #include <thread>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
 constexpr int usualWidth = 1440;  // of the window at scale 1
@@ -53,7 +53,7 @@ void resizeWindow(GLFWwindow* window, const ViewerOptions& options) {
   const Monitor monitor = measureMonitor();
   float contentScale = 1.0F;
   glfwGetWindowContentScale(window, &contentScale, nullptr);
-  const float scale = uiScale(0.0, contentScale, monitor.rows);
+  const float scale = ui::uiScale(0.0, contentScale, monitor.rows);
   glfwSetWindowSize(window, std::min(static_cast<int>(usualWidth * scale), monitor.workWidth),
                     std::min(static_cast<int>(usualHeight * scale), monitor.workHeight));
 }
@@ -63,7 +63,7 @@ std::pair<int, int> openingSize(const ViewerOptions& options) {
 }
 
 /// Whether the camera should be placed anew: the mesh has another unit or up axis.
-bool differsInSize(const Scene& a, const Scene& b) {
+bool differsInSize(const scene::Scene& a, const scene::Scene& b) {
   constexpr double much = 1.5;
   const double tolerance = 0.02 * std::max(*std::max_element(a.summary.size.begin(), a.summary.size.end()),
                                            *std::max_element(b.summary.size.begin(), b.summary.size.end()));
@@ -80,9 +80,9 @@ bool differsInSize(const Scene& a, const Scene& b) {
 
 }  // namespace
 
-Viewer::Viewer(const std::shared_ptr<const Scene>& scene, const ViewerOptions& options)
+Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, const ViewerOptions& options)
     : window_("Drape", openingSize(options).first, openingSize(options).second),
-      panels_(measureDisplay(scene->settings.view.fontScale), UserInterface::Backend::OpenGl),
+      panels_(measureDisplay(scene->settings.view.fontScale), ui::UserInterface::Backend::OpenGl),
       events_(window_.window()),
       status_(options.statusFile),
       simulation_(scene, options.paused),
@@ -120,12 +120,12 @@ void Viewer::awaitEvents() const {
 }
 
 void Viewer::frame() {
-  const Snapshot& snapshot = simulation_.latest();
+  const session::Snapshot& snapshot = simulation_.latest();
   display_ = measureDisplay(snapshot.settings.view.fontScale);
   if (display_.width <= 0 || display_.height <= 0) {
     return;  // minimised
   }
-  UiOutput output;
+  ui::UiOutput output;
   panels_.setDisplay(display_);
   controller_.setView(panels_.view());
   followScene(snapshot);
@@ -139,8 +139,8 @@ void Viewer::frame() {
   execute(output, snapshot);
 }
 
-void Viewer::draw(const Snapshot& snapshot) {
-  const UiRect view = panels_.view();
+void Viewer::draw(const session::Snapshot& snapshot) {
+  const ui::UiRect view = panels_.view();
   const auto pixels = [&](double length) {
     return std::max(1, static_cast<int>(std::lround(length * display_.density)));
   };
@@ -154,7 +154,7 @@ void Viewer::draw(const Snapshot& snapshot) {
 }
 
 /// Copies the picture into the free area beside the panels.
-void Viewer::blit(const UiRect& view) {
+void Viewer::blit(const ui::UiRect& view) {
   int windowWidth = 0;
   int windowHeight = 0;
   glfwGetFramebufferSize(window_.window(), &windowWidth, &windowHeight);
@@ -182,8 +182,8 @@ void Viewer::updateStats(Clock::time_point now) {
   }
 }
 
-UiDisplay Viewer::measureDisplay(double fontScaleSetting) const {
-  UiDisplay display;
+ui::UiDisplay Viewer::measureDisplay(double fontScaleSetting) const {
+  ui::UiDisplay display;
   int framebufferWidth = 0;
   int framebufferHeight = 0;
   float contentScale = 1.0F;
@@ -192,11 +192,11 @@ UiDisplay Viewer::measureDisplay(double fontScaleSetting) const {
   glfwGetWindowContentScale(window_.window(), &contentScale, nullptr);
   display.density = static_cast<float>(std::max(1, framebufferWidth)) / static_cast<float>(std::max(1, display.width));
   // Where window units are larger than pixels, they already include the monitor's scale.
-  display.scale = uiScale(fontScaleSetting, contentScale / display.density, measureMonitor().rows);
+  display.scale = ui::uiScale(fontScaleSetting, contentScale / display.density, measureMonitor().rows);
   return display;
 }
 
-void Viewer::takeLoadedScene(const Snapshot& snapshot) {
+void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
   const auto outcome = loader_.poll();
   if (!outcome) {
     return;
@@ -205,14 +205,14 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
     showError(outcome->error);
     return;
   }
-  simulation_.post(LoadSceneCommand{outcome->scene});
-  using Kind = SceneLoader::Kind;
+  simulation_.post(session::LoadSceneCommand{outcome->scene});
+  using Kind = ui::SceneLoader::Kind;
   if (outcome->kind != Kind::Opened) {
     resizedScene_ = differsInSize(*outcome->scene, *snapshot.scene) ? outcome->scene : nullptr;
   }
   if (outcome->kind == Kind::Rebuilt) {
     // Keep the user's changes since the start of the build.
-    for (auto& change : runningChanges(outcome->scene->settings, snapshot.settings)) {
+    for (auto& change : ui::runningChanges(outcome->scene->settings, snapshot.settings)) {
       simulation_.post(std::move(change));
     }
   } else if (outcome->kind == Kind::Opened) {
@@ -222,7 +222,7 @@ void Viewer::takeLoadedScene(const Snapshot& snapshot) {
   }
 }
 
-void Viewer::followScene(const Snapshot& snapshot) {
+void Viewer::followScene(const session::Snapshot& snapshot) {
   if (snapshot.scene == shownScene_) {
     return;
   }
@@ -243,48 +243,48 @@ void Viewer::followScene(const Snapshot& snapshot) {
   }
 }
 
-bool Viewer::belongsToPanels(const InputEvent& event) {
-  if (const auto* move = std::get_if<MoveEvent>(&event)) {
+bool Viewer::belongsToPanels(const ui::InputEvent& event) {
+  if (const auto* move = std::get_if<ui::MoveEvent>(&event)) {
     mouse_ = move->position;
     return false;  // a drag that began in the picture continues over the panels
   }
-  if (const auto* press = std::get_if<PressEvent>(&event)) {
+  if (const auto* press = std::get_if<ui::PressEvent>(&event)) {
     return panels_.covers(press->position);
   }
-  if (std::holds_alternative<ScrollEvent>(event)) {
+  if (std::holds_alternative<ui::ScrollEvent>(event)) {
     return panels_.covers(mouse_);
   }
-  if (const auto* key = std::get_if<KeyEvent>(&event)) {
+  if (const auto* key = std::get_if<ui::KeyEvent>(&event)) {
     // A held key must not close what its first press opened.
-    const bool closes = key->key == Key::Escape && !key->repeated && !controller_.holdsCloth();
+    const bool closes = key->key == ui::Key::Escape && !key->repeated && !controller_.holdsCloth();
     return panels_.takesText() || (closes && panels_.closeOverlay());
   }
   return false;
 }
 
-void Viewer::handleInput(const Snapshot& snapshot, UiOutput& output) {
+void Viewer::handleInput(const session::Snapshot& snapshot, ui::UiOutput& output) {
   const WindowEvents::Batch batch = events_.take();
   if (!snapshot.paused || !batch.input.empty() || events_.waiting() || !stats_.loading.empty()) {
     lastChange_ = Clock::now();
   }
-  for (const InputEvent& event : batch.input) {
+  for (const ui::InputEvent& event : batch.input) {
     if (!belongsToPanels(event)) {
       controller_.handle(event, snapshot, output);
     }
   }
   if (!batch.droppedFiles.empty()) {
-    output.requests.emplace_back(DroppedRequest{batch.droppedFiles});
+    output.requests.emplace_back(ui::DroppedRequest{batch.droppedFiles});
   }
   if (batch.closes) {
-    output.requests.emplace_back(UiAction::CloseWindow);
+    output.requests.emplace_back(ui::UiAction::CloseWindow);
   }
 }
 
-void Viewer::execute(UiOutput& output, const Snapshot& snapshot) {
-  for (Command& command : output.commands) {
+void Viewer::execute(ui::UiOutput& output, const session::Snapshot& snapshot) {
+  for (session::Command& command : output.commands) {
     simulation_.post(std::move(command));
   }
-  for (const UiRequest& request : output.requests) {
+  for (const ui::UiRequest& request : output.requests) {
     std::visit([&](const auto& each) { on(each, snapshot); }, request);
   }
   if (!output.hint.empty()) {
@@ -292,16 +292,16 @@ void Viewer::execute(UiOutput& output, const Snapshot& snapshot) {
   }
 }
 
-void Viewer::on(const OpenSceneRequest& request, const Snapshot& snapshot) {
+void Viewer::on(const ui::OpenSceneRequest& request, const session::Snapshot& snapshot) {
   notOpened_.clear();  // of files that were dropped earlier and came to nothing
-  on(OpenPartsRequest{{.scene = request.nameOrPath}}, snapshot);
+  on(ui::OpenPartsRequest{{.scene = request.nameOrPath}}, snapshot);
 }
 
-void Viewer::on(const DroppedRequest& request, const Snapshot& snapshot) {
-  const DroppedFiles files = sortDropped(request.files);
-  const DropDecision decision = decide(files);
+void Viewer::on(const ui::DroppedRequest& request, const session::Snapshot& snapshot) {
+  const ui::DroppedFiles files = ui::sortDropped(request.files);
+  const ui::DropDecision decision = ui::decide(files);
   if (decision.open) {
-    on(OpenPartsRequest{*decision.open}, snapshot);
+    on(ui::OpenPartsRequest{*decision.open}, snapshot);
   }
   panels_.forgetQuestions();
   if (decision.ask) {
@@ -313,61 +313,61 @@ void Viewer::on(const DroppedRequest& request, const Snapshot& snapshot) {
   }
 }
 
-void Viewer::on(const OpenPartsRequest& request, const Snapshot& snapshot) {
+void Viewer::on(const ui::OpenPartsRequest& request, const session::Snapshot& snapshot) {
   stats_.error.clear();
   loader_.open(request.parts, [current = snapshot.settings, own = snapshot.scene->description.settings](
-                                  Settings& target) { carryViewSettings(current, own, target); });
+                                  settings::Settings& target) { ui::carryViewSettings(current, own, target); });
 }
 
-void Viewer::on(const RebuildSceneRequest& request, const Snapshot& snapshot) {
+void Viewer::on(const ui::RebuildSceneRequest& request, const session::Snapshot& snapshot) {
   stats_.error.clear();
   loader_.rebuild(snapshot.scene->description, request.settings);
 }
 
-void Viewer::on(UiAction action, const Snapshot& snapshot) {
+void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
   switch (action) {
-    case UiAction::TogglePanels:
+    case ui::UiAction::TogglePanels:
       panels_.showPanels(!panels_.panelsVisible());
       break;
-    case UiAction::ToggleHelp:
+    case ui::UiAction::ToggleHelp:
       panels_.showHelp(!panels_.helpVisible());
       break;
-    case UiAction::Screenshot:
+    case ui::UiAction::Screenshot:
       saveScreenshot(snapshot);
       break;
-    case UiAction::FrameCloth:
-    case UiAction::ViewFront:
-    case UiAction::ViewRight:
-    case UiAction::ViewTop:
+    case ui::UiAction::FrameCloth:
+    case ui::UiAction::ViewFront:
+    case ui::UiAction::ViewRight:
+    case ui::UiAction::ViewTop:
       controller_.moveCamera(action, snapshot);
       break;
-    case UiAction::ResetAll:
+    case ui::UiAction::ResetAll:
       resetAll(snapshot);
       break;
-    case UiAction::Quit:
+    case ui::UiAction::Quit:
       stopLoadingOrQuit(snapshot);
       break;
-    case UiAction::CloseWindow:
+    case ui::UiAction::CloseWindow:
       quitOrAsk(snapshot);
       break;
-    case UiAction::QuitAndLoseChanges:
+    case ui::UiAction::QuitAndLoseChanges:
       glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
       break;
   }
 }
 
 /// Loads the scene as it is when its mesh settings are the author's; otherwise builds it again.
-void Viewer::resetAll(const Snapshot& snapshot) {
+void Viewer::resetAll(const session::Snapshot& snapshot) {
   stats_.error.clear();
-  const Scene& scene = *snapshot.scene;
-  if (differingSettings(scene.settings, scene.description.settings).empty()) {
-    simulation_.post(LoadSceneCommand{snapshot.scene});
+  const scene::Scene& scene = *snapshot.scene;
+  if (settings::differingSettings(scene.settings, scene.description.settings).empty()) {
+    simulation_.post(session::LoadSceneCommand{snapshot.scene});
   } else {
-    loader_.rebuild(scene.description, scene.description.settings, SceneLoader::Kind::Restored);
+    loader_.rebuild(scene.description, scene.description.settings, ui::SceneLoader::Kind::Restored);
   }
 }
 
-void Viewer::stopLoadingOrQuit(const Snapshot& snapshot) {
+void Viewer::stopLoadingOrQuit(const session::Snapshot& snapshot) {
   if (loader_.cancel()) {
     showNotice("Stopped. The scene did not change");
   } else {
@@ -375,24 +375,24 @@ void Viewer::stopLoadingOrQuit(const Snapshot& snapshot) {
   }
 }
 
-void Viewer::quitOrAsk(const Snapshot& snapshot) {
-  if (openedScene_ && hasChanges(snapshot, *openedScene_)) {
+void Viewer::quitOrAsk(const session::Snapshot& snapshot) {
+  if (openedScene_ && ui::hasChanges(snapshot, *openedScene_)) {
     panels_.askToQuit();
   } else {
     glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
   }
 }
 
-void Viewer::saveScreenshot(const Snapshot& snapshot) {
+void Viewer::saveScreenshot(const session::Snapshot& snapshot) {
   try {
     const std::filesystem::path file =
         freeScreenshotName(std::filesystem::current_path(), snapshot.scene->description.name);
     // Pins are a tool for the user, not part of a picture.
-    Snapshot bare = snapshot;
+    session::Snapshot bare = snapshot;
     bare.settings.view.pins = false;
-    const Image shown = renderer_.read();
+    const render::Image shown = renderer_.read();
     renderer_.draw(bare, controller_.camera(), shown.width, shown.height);
-    writePng(renderer_.read(), file);
+    render::writePng(renderer_.read(), file);
     showNotice("Saved " + file.string());
   } catch (const std::exception& error) {
     showError(error.what());
@@ -409,4 +409,4 @@ void Viewer::showError(const std::string& error) {
   ++stats_.failures;
 }
 
-}  // namespace drape
+}  // namespace drape::app

@@ -17,7 +17,7 @@
 #include <string>
 #include <utility>
 
-namespace drape {
+namespace drape::app {
 
 /// The command-line options of the viewer.
 struct ViewerOptions {
@@ -30,7 +30,7 @@ struct ViewerOptions {
 /// The window: runs a scene on the simulation thread, draws it, and turns user input into commands.
 class Viewer {
  public:
-  Viewer(const std::shared_ptr<const Scene>& scene, const ViewerOptions& options);
+  Viewer(const std::shared_ptr<const scene::Scene>& scene, const ViewerOptions& options);
 
   /// Returns when the user quits. Then the session log is written; throws InputError when that fails.
   void run();
@@ -40,45 +40,45 @@ class Viewer {
 
   void awaitEvents() const;
   void frame();
-  void draw(const Snapshot& snapshot);
-  void blit(const UiRect& view);
+  void draw(const session::Snapshot& snapshot);
+  void blit(const ui::UiRect& view);
   void pace(Clock::time_point start);
-  void takeLoadedScene(const Snapshot& snapshot);
-  void followScene(const Snapshot& snapshot);
-  void handleInput(const Snapshot& snapshot, UiOutput& output);
-  [[nodiscard]] bool belongsToPanels(const InputEvent& event);
-  void execute(UiOutput& output, const Snapshot& snapshot);
-  void on(const OpenSceneRequest& request, const Snapshot& snapshot);
-  void on(const OpenPartsRequest& request, const Snapshot& snapshot);
-  void on(const DroppedRequest& request, const Snapshot& snapshot);
-  void on(const RebuildSceneRequest& request, const Snapshot& snapshot);
-  void on(UiAction action, const Snapshot& snapshot);
-  void resetAll(const Snapshot& snapshot);
-  void stopLoadingOrQuit(const Snapshot& snapshot);
-  void quitOrAsk(const Snapshot& snapshot);
-  void saveScreenshot(const Snapshot& snapshot);
+  void takeLoadedScene(const session::Snapshot& snapshot);
+  void followScene(const session::Snapshot& snapshot);
+  void handleInput(const session::Snapshot& snapshot, ui::UiOutput& output);
+  [[nodiscard]] bool belongsToPanels(const ui::InputEvent& event);
+  void execute(ui::UiOutput& output, const session::Snapshot& snapshot);
+  void on(const ui::OpenSceneRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::OpenPartsRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::DroppedRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::RebuildSceneRequest& request, const session::Snapshot& snapshot);
+  void on(ui::UiAction action, const session::Snapshot& snapshot);
+  void resetAll(const session::Snapshot& snapshot);
+  void stopLoadingOrQuit(const session::Snapshot& snapshot);
+  void quitOrAsk(const session::Snapshot& snapshot);
+  void saveScreenshot(const session::Snapshot& snapshot);
   void showNotice(const std::string& notice);
   void showError(const std::string& error);
-  [[nodiscard]] UiDisplay measureDisplay(double fontScaleSetting) const;
+  [[nodiscard]] ui::UiDisplay measureDisplay(double fontScaleSetting) const;
   void updateStats(Clock::time_point now);
 
-  WindowContext window_;
-  Renderer renderer_;
-  UserInterface panels_;
+  render::WindowContext window_;
+  render::Renderer renderer_;
+  ui::UserInterface panels_;
   WindowEvents events_;
-  InteractionController controller_;
-  SceneLoader loader_;
+  ui::InteractionController controller_;
+  ui::SceneLoader loader_;
   StatusFile status_;
   std::optional<OutputFile> record_;
-  SimulationThread simulation_;
+  session::SimulationThread simulation_;
 
-  std::shared_ptr<const Scene> shownScene_;    ///< the title bar has its name
-  std::shared_ptr<const Scene> openedScene_;   ///< the last opened scene, before any change of its settings
-  std::shared_ptr<const Scene> newScene_;      ///< not shown yet; the camera will take the view of the scene file
-  std::shared_ptr<const Scene> resizedScene_;  ///< not shown yet; the camera will keep its direction
-  std::string notOpened_;                      ///< dropped files that were not opened, and why
-  UiStats stats_;
-  UiDisplay display_;
+  std::shared_ptr<const scene::Scene> shownScene_;   ///< the title bar has its name
+  std::shared_ptr<const scene::Scene> openedScene_;  ///< the last opened scene, before any change of its settings
+  std::shared_ptr<const scene::Scene> newScene_;     ///< not shown yet; the camera will take the view of the scene file
+  std::shared_ptr<const scene::Scene> resizedScene_;  ///< not shown yet; the camera will keep its direction
+  std::string notOpened_;                             ///< dropped files that were not opened, and why
+  ui::UiStats stats_;
+  ui::UiDisplay display_;
   Vec2 mouse_ = Vec2::Zero();
   Clock::time_point lastFrame_ = Clock::now();
   Clock::time_point noticeEnds_ = Clock::now();
@@ -87,4 +87,4 @@ class Viewer {
   double firstFrameSeconds_ = 0.0;  ///< from the start of the program to the first frame on screen [s]
 };
 
-}  // namespace drape
+}  // namespace drape::app

@@ -11,36 +11,36 @@
 #include <string_view>
 #include <utility>
 
-namespace drape {
+namespace drape::app {
 namespace {
 
-std::optional<MouseButton> mouseButton(int button) {
+std::optional<ui::MouseButton> mouseButton(int button) {
   switch (button) {
     case GLFW_MOUSE_BUTTON_LEFT:
-      return MouseButton::Left;
+      return ui::MouseButton::Left;
     case GLFW_MOUSE_BUTTON_MIDDLE:
-      return MouseButton::Middle;
+      return ui::MouseButton::Middle;
     case GLFW_MOUSE_BUTTON_RIGHT:
-      return MouseButton::Right;
+      return ui::MouseButton::Right;
     default:
       return std::nullopt;
   }
 }
 
 /// Keys with the same position on all keyboards.
-std::optional<Key> fixedKey(int key) {
-  static constexpr std::array<std::pair<int, Key>, 11> keys{{
-      {GLFW_KEY_SPACE, Key::Space},
-      {GLFW_KEY_ESCAPE, Key::Escape},
-      {GLFW_KEY_F1, Key::Help},
-      {GLFW_KEY_F12, Key::F12},
-      {GLFW_KEY_KP_DECIMAL, Key::Period},
-      {GLFW_KEY_1, Key::One},
-      {GLFW_KEY_3, Key::Three},
-      {GLFW_KEY_7, Key::Seven},
-      {GLFW_KEY_KP_1, Key::One},
-      {GLFW_KEY_KP_3, Key::Three},
-      {GLFW_KEY_KP_7, Key::Seven},
+std::optional<ui::Key> fixedKey(int key) {
+  static constexpr std::array<std::pair<int, ui::Key>, 11> keys{{
+      {GLFW_KEY_SPACE, ui::Key::Space},
+      {GLFW_KEY_ESCAPE, ui::Key::Escape},
+      {GLFW_KEY_F1, ui::Key::Help},
+      {GLFW_KEY_F12, ui::Key::F12},
+      {GLFW_KEY_KP_DECIMAL, ui::Key::Period},
+      {GLFW_KEY_1, ui::Key::One},
+      {GLFW_KEY_3, ui::Key::Three},
+      {GLFW_KEY_7, ui::Key::Seven},
+      {GLFW_KEY_KP_1, ui::Key::One},
+      {GLFW_KEY_KP_3, ui::Key::Three},
+      {GLFW_KEY_KP_7, ui::Key::Seven},
   }};
   for (const auto& [code, meaning] : keys) {
     if (code == key) {
@@ -51,7 +51,7 @@ std::optional<Key> fixedKey(int key) {
 }
 
 /// Letters follow the user's keyboard layout.
-std::optional<Key> letterKey(int key, int scancode, bool shift) {
+std::optional<ui::Key> letterKey(int key, int scancode, bool shift) {
   const char* name = glfwGetKeyName(key, scancode);
   const std::string_view text = name == nullptr ? std::string_view() : name;
   if (text.size() != 1) {
@@ -59,21 +59,21 @@ std::optional<Key> letterKey(int key, int scancode, bool shift) {
   }
   switch (std::tolower(static_cast<unsigned char>(text.front()))) {
     case '.':
-      return Key::Period;
+      return ui::Key::Period;
     case 'f':
-      return Key::F;
+      return ui::Key::F;
     case 'h':
-      return Key::H;
+      return ui::Key::H;
     case 'p':
-      return Key::P;
+      return ui::Key::P;
     case 'r':
-      return Key::R;
+      return ui::Key::R;
     case 'w':
-      return Key::W;
+      return ui::Key::W;
     case '/':
-      return shift ? std::optional(Key::Help) : std::nullopt;
+      return shift ? std::optional(ui::Key::Help) : std::nullopt;
     case '?':
-      return Key::Help;
+      return ui::Key::Help;
     default:
       return std::nullopt;
   }
@@ -118,9 +118,9 @@ void WindowEvents::install() {
     of(window).onKey(key, scancode, action, modifiers);
   });
   glfwSetCharCallback(window_,
-                      [](GLFWwindow* window, unsigned int code) { of(window).queue_.push(RawCharacter{code}); });
+                      [](GLFWwindow* window, unsigned int code) { of(window).queue_.push(ui::RawCharacter{code}); });
   glfwSetWindowFocusCallback(
-      window_, [](GLFWwindow* window, int focused) { of(window).queue_.push(RawFocus{focused == GLFW_TRUE}); });
+      window_, [](GLFWwindow* window, int focused) { of(window).queue_.push(ui::RawFocus{focused == GLFW_TRUE}); });
   glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
     for (int i = 0; i < count; ++i) {
       of(window).batch_.droppedFiles.emplace_back(paths[i]);
@@ -133,12 +133,12 @@ void WindowEvents::installPointer() {
     of(window).onMouseButton(button, action, modifiers);
   });
   glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-    of(window).pointer_ = RawMove{x, y};
-    of(window).queue_.push(RawMove{x, y});
+    of(window).pointer_ = ui::RawMove{x, y};
+    of(window).queue_.push(ui::RawMove{x, y});
   });
   glfwSetCursorEnterCallback(window_, ImGui_ImplGlfw_CursorEnterCallback);
   glfwSetScrollCallback(window_, [](GLFWwindow* window, double x, double y) {
-    of(window).queue_.push(RawScroll{x, y});
+    of(window).queue_.push(ui::RawScroll{x, y});
   });
 }
 
@@ -154,14 +154,14 @@ void WindowEvents::installClose() {
 }
 
 void WindowEvents::onMouseButton(int button, int action, int modifiers) {
-  RawButton press{.button = button,
-                  .down = action == GLFW_PRESS,
-                  .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
-                  .control = (modifiers & GLFW_MOD_CONTROL) != 0,
-                  .time = glfwGetTime()};
+  ui::RawButton press{.button = button,
+                      .down = action == GLFW_PRESS,
+                      .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+                      .control = (modifiers & GLFW_MOD_CONTROL) != 0,
+                      .time = glfwGetTime()};
   // The position at the time of the click. The current position may be another one.
   if (!pointer_) {
-    pointer_ = RawMove{};
+    pointer_ = ui::RawMove{};
     glfwGetCursorPos(window_, &pointer_->x, &pointer_->y);
   }
   press.x = pointer_->x;
@@ -170,47 +170,47 @@ void WindowEvents::onMouseButton(int button, int action, int modifiers) {
 }
 
 void WindowEvents::onKey(int key, int scancode, int action, int modifiers) {
-  using Action = RawKey::Action;
-  queue_.push(RawKey{.key = key,
-                     .scancode = scancode,
-                     .modifiers = modifiers,
-                     .action = action == GLFW_PRESS     ? Action::Down
-                               : action == GLFW_RELEASE ? Action::Up
-                                                        : Action::Repeat,
-                     .edits = edits(key, modifiers)});
+  using Action = ui::RawKey::Action;
+  queue_.push(ui::RawKey{.key = key,
+                         .scancode = scancode,
+                         .modifiers = modifiers,
+                         .action = action == GLFW_PRESS     ? Action::Down
+                                   : action == GLFW_RELEASE ? Action::Up
+                                                            : Action::Repeat,
+                         .edits = edits(key, modifiers)});
 }
 
-void WindowEvents::feed(const RawMove& move) {
+void WindowEvents::feed(const ui::RawMove& move) {
   mouse_ = {move.x, move.y};
-  batch_.input.emplace_back(MoveEvent{mouse_});
+  batch_.input.emplace_back(ui::MoveEvent{mouse_});
 }
 
-void WindowEvents::feed(const RawButton& button) {
+void WindowEvents::feed(const ui::RawButton& button) {
   mouse_ = {button.x, button.y};
   if (button.button >= 0 && button.button < static_cast<int>(buttonsDown_.size())) {
     buttonsDown_[button.button] = button.down;
   }
   const auto which = mouseButton(button.button);
   if (which && button.down) {
-    batch_.input.emplace_back(PressEvent{
+    batch_.input.emplace_back(ui::PressEvent{
         .button = *which, .position = mouse_, .shift = button.shift, .control = button.control, .time = button.time});
   } else if (which) {
-    batch_.input.emplace_back(ReleaseEvent{*which});
+    batch_.input.emplace_back(ui::ReleaseEvent{*which});
   }
 }
 
-void WindowEvents::feed(const RawScroll& scroll) {
+void WindowEvents::feed(const ui::RawScroll& scroll) {
   ImGui_ImplGlfw_ScrollCallback(window_, scroll.right, scroll.up);
-  batch_.input.emplace_back(ScrollEvent{scroll.up});
+  batch_.input.emplace_back(ui::ScrollEvent{scroll.up});
 }
 
-void WindowEvents::feed(const RawKey& key) {
-  const bool repeated = key.action == RawKey::Action::Repeat;
+void WindowEvents::feed(const ui::RawKey& key) {
+  const bool repeated = key.action == ui::RawKey::Action::Repeat;
   if (!repeated) {
-    const int action = key.action == RawKey::Action::Down ? GLFW_PRESS : GLFW_RELEASE;
+    const int action = key.action == ui::RawKey::Action::Down ? GLFW_PRESS : GLFW_RELEASE;
     ImGui_ImplGlfw_KeyCallback(window_, key.key, key.scancode, action, key.modifiers);
   }
-  if (key.action == RawKey::Action::Up) {
+  if (key.action == ui::RawKey::Action::Up) {
     return;
   }
   auto meaning = fixedKey(key.key);
@@ -218,26 +218,26 @@ void WindowEvents::feed(const RawKey& key) {
     meaning = letterKey(key.key, key.scancode, (key.modifiers & GLFW_MOD_SHIFT) != 0);
   }
   if (meaning) {
-    batch_.input.emplace_back(KeyEvent{*meaning, repeated});
+    batch_.input.emplace_back(ui::KeyEvent{*meaning, repeated});
   }
 }
 
-void WindowEvents::feed(const RawCharacter& character) {
+void WindowEvents::feed(const ui::RawCharacter& character) {
   ImGui_ImplGlfw_CharCallback(window_, character.code);
 }
 
-void WindowEvents::feed(const RawFocus& focus) {
+void WindowEvents::feed(const ui::RawFocus& focus) {
   ImGui_ImplGlfw_WindowFocusCallback(window_, focus.focused ? GLFW_TRUE : GLFW_FALSE);
   if (!focus.focused) {
-    batch_.input.emplace_back(FocusLostEvent{});
+    batch_.input.emplace_back(ui::FocusLostEvent{});
   }
 }
 
 void WindowEvents::beginFrame() {
   bool clicked = false;
-  for (const RawEvent& event : queue_.takeFrame()) {
+  for (const ui::RawEvent& event : queue_.takeFrame()) {
     std::visit([this](const auto& each) { feed(each); }, event);
-    clicked = clicked || std::holds_alternative<RawButton>(event);
+    clicked = clicked || std::holds_alternative<ui::RawButton>(event);
   }
   ImGui_ImplGlfw_NewFrame();
   // The backend reads the current mouse state. Buttons and, while events wait, the position must be those of this
@@ -255,4 +255,4 @@ WindowEvents::Batch WindowEvents::take() {
   return std::exchange(batch_, Batch{});
 }
 
-}  // namespace drape
+}  // namespace drape::app

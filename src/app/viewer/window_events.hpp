@@ -10,7 +10,7 @@
 
 struct GLFWwindow;
 
-namespace drape {
+namespace drape::app {
 
 /// Collects the events of a window and passes them on frame by frame, in order, to ImGui and to take(). Fast events are
 /// spread over several frames, so that no short tap is lost.
@@ -18,7 +18,7 @@ class WindowEvents {
  public:
   /// Input events, dropped files, and a click on the button that closes the window.
   struct Batch {
-    std::vector<InputEvent> input;
+    std::vector<ui::InputEvent> input;
     std::vector<std::string> droppedFiles;
     bool closes = false;
   };
@@ -45,19 +45,19 @@ class WindowEvents {
   void installClose();
   void onMouseButton(int button, int action, int modifiers);
   void onKey(int key, int scancode, int action, int modifiers);
-  void feed(const RawMove& move);
-  void feed(const RawButton& button);
-  void feed(const RawScroll& scroll);
-  void feed(const RawKey& key);
-  void feed(const RawCharacter& character);
-  void feed(const RawFocus& focus);
+  void feed(const ui::RawMove& move);
+  void feed(const ui::RawButton& button);
+  void feed(const ui::RawScroll& scroll);
+  void feed(const ui::RawKey& key);
+  void feed(const ui::RawCharacter& character);
+  void feed(const ui::RawFocus& focus);
 
   GLFWwindow* window_;
-  InputQueue queue_;
-  std::optional<RawMove> pointer_;  // last reported mouse position
+  ui::InputQueue queue_;
+  std::optional<ui::RawMove> pointer_;  // last reported mouse position
   Batch batch_;
   Vec2 mouse_ = Vec2::Zero();          // after the events that were passed on [window units]
   std::array<bool, 5> buttonsDown_{};  // after the events that were passed on
 };
 
-}  // namespace drape
+}  // namespace drape::app

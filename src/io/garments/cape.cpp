@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 constexpr double halfAngle = 1.5;  // angle to either side, from the middle of the back [rad]
@@ -57,4 +57,4 @@ RawMesh makeCape() {
   return cape;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// A triangle and its circumscribed circle.
@@ -82,4 +82,4 @@ std::vector<Triangle> delaunay(const std::vector<Vec2>& points) {
   return triangles;
 }
 
-}  // namespace drape
+}  // namespace drape::io

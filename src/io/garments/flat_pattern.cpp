@@ -8,7 +8,7 @@
 #include <map>
 #include <tuple>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// Rounds, since the last digits of sines and cosines differ between machines, and the triangulation must not.
@@ -178,4 +178,4 @@ void addPiece(const FlatMesh& piece, const std::vector<Vec3>& position, const st
   }
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// A closed outline of a piece of cloth, counter-clockwise, as points about an edge length apart.
 class Outline {
@@ -59,4 +59,4 @@ struct FlatMesh {
 void addPiece(const FlatMesh& piece, const std::vector<Vec3>& position, const std::vector<Vec2>& chart,
               RawMesh& garment);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -1,7 +1,7 @@
 #include "io/garments/garments.hpp"
 #include "io/obj_writer.hpp"
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 constexpr std::string_view comment = "Made by drape-make-garments. Metres, y up. Change the program, not this file.";
@@ -13,7 +13,7 @@ GarmentFile clothFile(const std::string& name, const RawMesh& raw) {
 
 /// A solid for drawing, without texture coordinates.
 GarmentFile solidFile(const std::string& name, const RawMesh& raw) {
-  const ClothMesh mesh = weldMesh(raw, name, {}).cloth;
+  const sim::ClothMesh mesh = weldMesh(raw, name, {}).cloth;
   RenderMesh render;
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     render.particle.push_back(static_cast<int>(i));
@@ -33,4 +33,4 @@ std::vector<GarmentFile> garmentFiles() {
           solidFile("skater.obj", makeSkater())};
 }
 
-}  // namespace drape
+}  // namespace drape::io

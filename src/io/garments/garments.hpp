@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// The positions of the garments, in metres, y up, above a ground at y = 0. They are symmetric to x = 0, with the front
 /// towards +z.
@@ -80,4 +80,4 @@ struct GarmentFile {
 /// All of the above, welded and as OBJ text.
 [[nodiscard]] std::vector<GarmentFile> garmentFiles();
 
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// The nodes and cells of a grid; a cell has the index of its lowest node.
@@ -189,4 +189,4 @@ RawMesh surfaceOf(const SolidDistance& distance, const Vec3& min, const Vec3& ma
   return mesh;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// The approximate signed distance of a point from a solid's surface: negative inside, positive outside [m].
 using SolidDistance = std::function<double(const Vec3&)>;
@@ -36,4 +36,4 @@ struct Ellipsoid {
 /// surface crosses twice gives an edge with four faces.
 [[nodiscard]] RawMesh surfaceOf(const SolidDistance& distance, const Vec3& min, const Vec3& max, double cell);
 
-}  // namespace drape
+}  // namespace drape::io

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// Parts in metres, for x >= 0; the other side mirrors them. They leave about a centimetre to the sewn T-shirt. Its
@@ -55,4 +55,4 @@ RawMesh makeMannequin() {
   return surfaceOf(distanceToMannequin, {-0.756, -0.036, -0.216}, {0.756, 1.80, 0.216}, 0.018);
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using namespace garment;
@@ -61,4 +61,4 @@ RawMesh makePoncho() {
   return poncho;
 }
 
-}  // namespace drape
+}  // namespace drape::io

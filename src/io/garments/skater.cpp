@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 /// Parts in metres. The figure faces and glides towards +z on its right leg (x < 0), with the left leg stretched
@@ -52,4 +52,4 @@ RawMesh makeSkater() {
   return surfaceOf(distanceToSkater, {-0.420, -0.016, -0.546}, {0.480, 1.740, 0.540}, 0.025);
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using namespace garment;
@@ -85,4 +85,4 @@ RawMesh makeSkirt() {
   return skirt;
 }
 
-}  // namespace drape
+}  // namespace drape::io

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -113,4 +113,4 @@ void addBar(const std::vector<Vec3>& path, bool closed, double radius, int segme
   joinRings(first, static_cast<int>(sections.size()), segments, closed, solid);
 }
 
-}  // namespace drape
+}  // namespace drape::io

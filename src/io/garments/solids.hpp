@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::io {
 
 /// A point of the silhouette of a solid of revolution.
 struct SilhouettePoint {
@@ -22,4 +22,4 @@ void addTurned(const std::vector<SilhouettePoint>& silhouette, int segments, Raw
 /// Adds a round bar along points without sharp turns. An open bar gets rounded ends.
 void addBar(const std::vector<Vec3>& path, bool closed, double radius, int segments, RawMesh& solid);
 
-}  // namespace drape
+}  // namespace drape::io

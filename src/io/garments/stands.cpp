@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using namespace garment;
@@ -148,4 +148,4 @@ RawMesh makeHangerStand() {
   return stand;
 }
 
-}  // namespace drape
+}  // namespace drape::io

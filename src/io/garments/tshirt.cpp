@@ -7,7 +7,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace drape {
+namespace drape::io {
 namespace {
 
 using namespace garment;
@@ -142,4 +142,4 @@ RawMesh makeTshirt() {
   return tshirt;
 }
 
-}  // namespace drape
+}  // namespace drape::io

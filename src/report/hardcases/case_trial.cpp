@@ -10,30 +10,31 @@
 #include <cmath>
 #include <iterator>
 
-namespace drape {
+namespace drape::report::hardcases {
 
 std::string CaseFigure::text() const {
-  const std::string found = std::isfinite(value) ? figure(value) + (unit.empty() ? "" : " " + unit) : "no number";
-  return name + " " + found + (std::isinf(limit) ? "" : " (at most " + figure(limit) + ")");
+  const std::string found = std::isfinite(value) ? text::figure(value) + (unit.empty() ? "" : " " + unit) : "no number";
+  return name + " " + found + (std::isinf(limit) ? "" : " (at most " + text::figure(limit) + ")");
 }
 
 CaseTrial::CaseTrial(const CaseOptions& options) : options_(options) {
   static_cast<void>(settings({}));  // reports wrong names before the run
 }
 
-Settings CaseTrial::settings(const std::vector<std::string>& changes) const {
-  Settings settings;
+settings::Settings CaseTrial::settings(const std::vector<std::string>& changes) const {
+  settings::Settings settings;
   settings.solver.name = options_.solver;
   settings.material.massGivenAs = "mass";
   settings.material.lumping = "uniform";
   for (const auto* list : {&changes, &options_.settings}) {
     for (const std::string& expression : *list) {
-      assignSettingExpression(settings, expression);
+      settings::assignSettingExpression(settings, expression);
     }
   }
-  requireConsistent(settings);
-  if (findSolver(settings.solver.name) == nullptr) {
-    throw UsageError("there is no solver '" + settings.solver.name + "'; 'drape-headless list solvers' lists them");
+  settings::requireConsistent(settings);
+  if (sim::findSolver(settings.solver.name) == nullptr) {
+    throw messages::UsageError("there is no solver '" + settings.solver.name +
+                               "'; 'drape-headless list solvers' lists them");
   }
   return settings;
 }
@@ -67,15 +68,17 @@ void CaseTrial::tick() const {
   }
 }
 
-CaseCloth sheetCloth(const Settings& settings, int resolution, Pinned pinned, double side, bool upright) {
-  const GridLayout layout = layoutOf({resolution, side, side});
-  CaseCloth cloth{makeGrid(layout, upright ? GridSource::Plane::Vertical : GridSource::Plane::Horizontal).cloth,
-                  {},
-                  settings,
-                  {},
-                  {},
-                  {},
-                  {}};
+CaseCloth sheetCloth(const settings::Settings& settings, int resolution, Pinned pinned, double side, bool upright) {
+  const scene::GridLayout layout = scene::layoutOf({resolution, side, side});
+  CaseCloth cloth{
+      scene::makeGrid(layout, upright ? scene::GridSource::Plane::Vertical : scene::GridSource::Plane::Horizontal)
+          .cloth,
+      {},
+      settings,
+      {},
+      {},
+      {},
+      {}};
   if (pinned == Pinned::OneCorner || pinned == Pinned::TwoCorners) {
     cloth.pins.push_back(layout.index(0, 0));
   }
@@ -88,19 +91,19 @@ CaseCloth sheetCloth(const Settings& settings, int resolution, Pinned pinned, do
   return cloth;
 }
 
-std::shared_ptr<const ClothModel> modelOf(const CaseCloth& cloth) {
-  auto model = buildClothModel(cloth.mesh, totalMassOf(cloth.settings, restAreaOf(cloth.mesh)),
-                               lumpingOf(cloth.settings), cloth.pins);
+std::shared_ptr<const sim::ClothModel> modelOf(const CaseCloth& cloth) {
+  auto model = sim::buildClothModel(cloth.mesh, scene::totalMassOf(cloth.settings, sim::restAreaOf(cloth.mesh)),
+                                    scene::lumpingOf(cloth.settings), cloth.pins);
   if (!cloth.masses.empty()) {
-    model = withVertexMasses(*model, cloth.masses);
+    model = sim::withVertexMasses(*model, cloth.masses);
   }
-  return cloth.stiffness.empty() ? model : withSpringStiffness(*model, cloth.stiffness);
+  return cloth.stiffness.empty() ? model : sim::withSpringStiffness(*model, cloth.stiffness);
 }
 
-int stableSubsteps(const ClothModel& model, const Settings& settings) {
+int stableSubsteps(const sim::ClothModel& model, const settings::Settings& settings) {
   constexpr double share = 0.5;
   constexpr double finest = 1.0 / 30000.0;  // the paper's step, for a method that is never stable [s]
-  const SolverInfo* solver = findSolver(settings.solver.name);
+  const sim::SolverInfo* solver = sim::findSolver(settings.solver.name);
   if (solver == nullptr || solver->stepLimit == nullptr) {
     return settings.step.substeps;
   }
@@ -109,4 +112,4 @@ int stableSubsteps(const ClothModel& model, const Settings& settings) {
   return std::max(settings.step.substeps, static_cast<int>(std::ceil(settings.step.timeStep / longest)));
 }
 
-}  // namespace drape
+}  // namespace drape::report::hardcases

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report::hardcases {
 
 /// Thrown by a case that cannot continue, for example after the state is no longer finite.
 struct CaseEnded {
@@ -36,7 +36,7 @@ class CaseTrial {
   }
 
   /// The default settings with these changes ("key=value"), the solver under test and the user's changes.
-  [[nodiscard]] Settings settings(const std::vector<std::string>& changes) const;
+  [[nodiscard]] settings::Settings settings(const std::vector<std::string>& changes) const;
 
   /// Adds a value that must not exceed its limit. Of several with the same name the largest counts.
   void expect(const std::string& name, const std::string& unit, double value, double limit);
@@ -61,9 +61,9 @@ class CaseTrial {
 
 /// A cloth for a case, before it is built.
 struct CaseCloth {
-  ClothMesh mesh;
+  sim::ClothMesh mesh;
   std::vector<int> pins;
-  Settings settings;
+  settings::Settings settings;
   std::vector<Vec3> start;        ///< [m]; empty: the rest shape
   std::vector<Vec3> velocities;   ///< [m/s]; empty: at rest
   std::vector<double> stiffness;  ///< relative stiffness of the springs [-]; empty: equal
@@ -74,14 +74,14 @@ struct CaseCloth {
 enum class Pinned { Nowhere, TwoCorners, OneCorner, TopEdge };
 
 /// A square sheet of 0.1 kg with that number of vertices per side, centred on the origin: level, or upright.
-[[nodiscard]] CaseCloth sheetCloth(const Settings& settings, int resolution, Pinned pinned, double side = 1.0,
+[[nodiscard]] CaseCloth sheetCloth(const settings::Settings& settings, int resolution, Pinned pinned, double side = 1.0,
                                    bool upright = false);
 
 /// The model of a case's cloth.
-[[nodiscard]] std::shared_ptr<const ClothModel> modelOf(const CaseCloth& cloth);
+[[nodiscard]] std::shared_ptr<const sim::ClothModel> modelOf(const CaseCloth& cloth);
 
 /// The number of substeps with which an explicit method stays at half of its stability limit; 1 for others.
-[[nodiscard]] int stableSubsteps(const ClothModel& model, const Settings& settings);
+[[nodiscard]] int stableSubsteps(const sim::ClothModel& model, const settings::Settings& settings);
 
 /// Random numbers that are the same in every run.
 class CaseNumbers {
@@ -94,4 +94,4 @@ class CaseNumbers {
   std::mt19937_64 engine_;
 };
 
-}  // namespace drape
+}  // namespace drape::report::hardcases

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace drape {
+namespace drape::report::hardcases {
 namespace {
 
 // clang-format off
@@ -100,8 +100,8 @@ const HardCase& requireHardCase(std::string_view numberOrName) {
     return one.name == numberOrName || std::to_string(one.number) == numberOrName;
   });
   if (found == table.end()) {
-    throw UsageError("there is no hard case '" + std::string(numberOrName) + "'; give a number from 1 to " +
-                     std::to_string(table.size()) + " or a name from the table");
+    throw messages::UsageError("there is no hard case '" + std::string(numberOrName) + "'; give a number from 1 to " +
+                               std::to_string(table.size()) + " or a name from the table");
   }
   return *found;
 }
@@ -125,4 +125,4 @@ CaseResult runHardCase(const HardCase& hardCase, const CaseOptions& options) {
   return result;
 }
 
-}  // namespace drape
+}  // namespace drape::report::hardcases

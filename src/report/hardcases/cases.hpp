@@ -3,7 +3,7 @@
 #include "report/hardcases/hard_case.hpp"
 
 /// The functions of the cases, grouped by file. The table of cases.cpp lists them.
-namespace drape::hardcases {
+namespace drape::report::hardcases {
 
 // starts.cpp
 void randomStart(CaseTrial& trial);
@@ -41,4 +41,4 @@ void degenerateTriangles(CaseTrial& trial);
 void looseMesh(CaseTrial& trial);
 void nothingThere(CaseTrial& trial);
 
-}  // namespace drape::hardcases
+}  // namespace drape::report::hardcases

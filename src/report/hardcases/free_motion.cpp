@@ -7,7 +7,7 @@
 #include <numeric>
 
 /// Cases of free cloth.
-namespace drape::hardcases {
+namespace drape::report::hardcases {
 namespace {
 
 Vec3 middleOf(const std::vector<Vec3>& positions) {
@@ -16,7 +16,7 @@ Vec3 middleOf(const std::vector<Vec3>& positions) {
 }
 
 /// The barycentre of the cloth [m].
-Vec3 barycentreOf(const ClothModel& model, const ClothState& state) {
+Vec3 barycentreOf(const sim::ClothModel& model, const sim::ClothState& state) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     sum += model.vertexMass[v] * state.positions[v];
@@ -53,17 +53,17 @@ void spinning(CaseTrial& trial) {
   }
   WatchedCloth watched(trial, cloth);
   const auto spinNow = [&] {
-    return angularMomentum(watched.model(), watched.state(), barycentreOf(watched.model(), watched.state()));
+    return sim::angularMomentum(watched.model(), watched.state(), barycentreOf(watched.model(), watched.state()));
   };
-  const Vec3 linear = linearMomentum(watched.model(), watched.state());
+  const Vec3 linear = sim::linearMomentum(watched.model(), watched.state());
   const Vec3 angular = spinNow();
   const int parts = trial.pick(100, 20);
   for (int i = 0; i < parts; ++i) {
     watched.run(0.1);
-    const Vec3 linearNow = linearMomentum(watched.model(), watched.state());
+    const Vec3 linearNow = sim::linearMomentum(watched.model(), watched.state());
     trial.expect("linear momentum lost", "of itself", (linearNow - linear).norm() / linear.norm(), limit);
     trial.expect("angular momentum lost", "of itself", (spinNow() - angular).norm() / angular.norm(), limit);
   }
 }
 
-}  // namespace drape::hardcases
+}  // namespace drape::report::hardcases

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::report::hardcases {
 
 /// A value of a case, with its limit.
 struct CaseFigure {
@@ -68,4 +68,4 @@ struct HardCase {
 /// Runs a case. Throws UsageError for a solver or setting that does not exist.
 [[nodiscard]] CaseResult runHardCase(const HardCase& hardCase, const CaseOptions& options);
 
-}  // namespace drape
+}  // namespace drape::report::hardcases

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace drape {
+namespace drape::report::hardcases {
 namespace {
 
 /// The failure in short: "energy gained 35 %".
@@ -18,7 +18,7 @@ std::string faultOf(const ReportRow& row) {
   for (const auto& one : row["figures"]) {
     if (!one.value("passes", true)) {
       const std::string unit = one.value("unit", "");
-      const std::string value = one["value"].is_number() ? figure(one["value"].get<double>(), 2) : "no number";
+      const std::string value = one["value"].is_number() ? text::figure(one["value"].get<double>(), 2) : "no number";
       return one.value("name", "") + " " + value + (unit.empty() ? "" : " " + unit);
     }
   }
@@ -105,4 +105,4 @@ std::string hardCaseListMarkdown() {
   return text;
 }
 
-}  // namespace drape
+}  // namespace drape::report::hardcases

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::report::hardcases {
 
 /// A result as a row of `hard_cases`: `case` (its number), `name`, `method`, `form` ("full" or "short"), `outcome`,
 /// `passed`, `figures` (`name`, `unit`, `value`, `limit` if there is one, `passes`), `words`, `seconds`.
@@ -24,4 +24,4 @@ namespace drape {
 /// The table of the cases: number, name, description and criterion.
 [[nodiscard]] std::string hardCaseListMarkdown();
 
-}  // namespace drape
+}  // namespace drape::report::hardcases

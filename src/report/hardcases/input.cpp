@@ -7,13 +7,13 @@
 #include <cmath>
 
 /// Cases of invalid meshes and requests. Every defect must be reported, and the remaining cloth must move.
-namespace drape::hardcases {
+namespace drape::report::hardcases {
 namespace {
 
 /// A level sheet without texture coordinates, in which each triangle has its own vertices: every corner is duplicated.
-RawMesh sheetOfLooseTriangles(const CaseTrial& trial, int resolution) {
-  const ClothMesh sheet = sheetCloth(trial.settings({}), resolution, Pinned::Nowhere).mesh;
-  RawMesh raw;
+io::RawMesh sheetOfLooseTriangles(const CaseTrial& trial, int resolution) {
+  const sim::ClothMesh sheet = sheetCloth(trial.settings({}), resolution, Pinned::Nowhere).mesh;
+  io::RawMesh raw;
   for (const Triangle& triangle : sheet.triangles) {
     const auto first = static_cast<int>(raw.positions.size());
     for (const int v : triangle) {
@@ -24,15 +24,15 @@ RawMesh sheetOfLooseTriangles(const CaseTrial& trial, int resolution) {
   return raw;
 }
 
-void addTriangle(RawMesh& raw, const Vec3& a, const Vec3& b, const Vec3& c) {
+void addTriangle(io::RawMesh& raw, const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto first = static_cast<int>(raw.positions.size());
   raw.positions.insert(raw.positions.end(), {a, b, c});
   raw.triangles.push_back({first, first + 1, first + 2});
 }
 
 /// Imports the mesh, checks that its summary reports all defects, and lets it fall from its first vertex.
-void importAndRun(CaseTrial& trial, const RawMesh& raw, const std::vector<std::string>& toTell, double seconds) {
-  const ImportedMesh mesh = weldMesh(raw, "case.obj", {});
+void importAndRun(CaseTrial& trial, const io::RawMesh& raw, const std::vector<std::string>& toTell, double seconds) {
+  const io::ImportedMesh mesh = io::weldMesh(raw, "case.obj", {});
   std::string told;
   for (const std::string& warning : mesh.summary.warnings) {
     told += (told.empty() ? "" : " ") + warning;
@@ -48,7 +48,7 @@ void importAndRun(CaseTrial& trial, const RawMesh& raw, const std::vector<std::s
 }  // namespace
 
 void degenerateTriangles(CaseTrial& trial) {
-  RawMesh raw = sheetOfLooseTriangles(trial, trial.pick(17, 9));
+  io::RawMesh raw = sheetOfLooseTriangles(trial, trial.pick(17, 9));
   const Vec3 corner = raw.positions.back();
   addTriangle(raw, corner, corner + Vec3(1.0, 0.0, 0.0), corner + Vec3(0.5, 0.0, 1e-5));  // a sliver
   addTriangle(raw, corner, corner + Vec3(0.0, 0.0, 0.3), corner + Vec3(0.0, 0.0, 0.6));   // on a line
@@ -57,7 +57,7 @@ void degenerateTriangles(CaseTrial& trial) {
 }
 
 void looseMesh(CaseTrial& trial) {
-  RawMesh raw = sheetOfLooseTriangles(trial, trial.pick(17, 9));
+  io::RawMesh raw = sheetOfLooseTriangles(trial, trial.pick(17, 9));
   const Vec3 a = raw.positions[0];
   const Vec3 b = raw.positions[1];
   raw.positions.emplace_back(3.0, 0.0, 0.0);  // without a face
@@ -81,15 +81,15 @@ void nothingThere(CaseTrial& trial) {
   trial.expect("fall without stiffness off by", "%", 100.0 * std::abs(fallen / fall - 1.0), 5.0);
 
   WatchedCloth weightless(trial, sheetCloth(trial.settings({"stiffness=1000"}), resolution, Pinned::TwoCorners));
-  weightless.apply(SetSettingCommand{"mass", 0.0});
+  weightless.apply(session::SetSettingCommand{"mass", 0.0});
   untold += weightless.simulation().message().empty() ? 1 : 0;
   trial.say("Mass 0: " + weightless.simulation().message());
   weightless.run(seconds);
   try {
-    static_cast<void>(buildClothModel(cloth.mesh, 0.0, MassLumping::Uniform, {}));
+    static_cast<void>(sim::buildClothModel(cloth.mesh, 0.0, sim::MassLumping::Uniform, {}));
     ++untold;
-  } catch (const ClothModelError& error) {
-    trial.say(inWords(error));
+  } catch (const sim::ClothModelError& error) {
+    trial.say(messages::inWords(error));
   }
 
   CaseCloth doubled = sheetCloth(trial.settings({"stiffness=1000"}), resolution, Pinned::TwoCorners);
@@ -100,4 +100,4 @@ void nothingThere(CaseTrial& trial) {
   trial.expect("requests refused without a word", "", untold, 0.0);
 }
 
-}  // namespace drape::hardcases
+}  // namespace drape::report::hardcases

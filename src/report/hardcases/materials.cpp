@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Cases of extreme materials.
-namespace drape::hardcases {
+namespace drape::report::hardcases {
 namespace {
 
 /// The largest elongation during the run, at each 1/150 s.
@@ -21,26 +21,26 @@ double strainOnTheWay(WatchedCloth& watched, double seconds) {
   const auto steps = std::lround(seconds / watched.simulation().settings().step.timeStep);
   for (long i = 0; i < steps; ++i) {
     watched.step();
-    largest = std::max(largest, maxStretch(watched.model(), watched.state()));
+    largest = std::max(largest, sim::maxStretch(watched.model(), watched.state()));
   }
   return largest;
 }
 
 /// The same for Verlet at half of its limit, in double.
 double convergedStrain(const CaseTrial& trial, const CaseCloth& cloth, double seconds) {
-  Settings settings = cloth.settings;
+  settings::Settings settings = cloth.settings;
   settings.solver.name = "verlet";
-  settings.step.precision = Precision::Double;
+  settings.step.precision = sim::Precision::Double;
   const auto model = modelOf(cloth);
   settings.step.substeps = stableSubsteps(*model, settings);
-  Stepper stepper(settings.solver.name);
-  ClothState state = stateAtRest(cloth.mesh.positions);
+  sim::Stepper stepper(settings.solver.name);
+  sim::ClothState state = sim::stateAtRest(cloth.mesh.positions);
   double largest = 0.0;
   const auto steps = std::lround(seconds / settings.step.timeStep);
   for (long i = 0; i < steps; ++i) {
     trial.tick();
     stepper.step(*model, settings.step, {}, state);
-    largest = std::max(largest, maxStretch(*model, state));
+    largest = std::max(largest, sim::maxStretch(*model, state));
   }
   return largest;
 }
@@ -55,7 +55,7 @@ void unevenSprings(CaseTrial& trial) {
   std::generate(cloth.stiffness.begin(), cloth.stiffness.end(), [&] { return random.next() < 0.5 ? stiffer : 1.0; });
   WatchedCloth watched(trial, cloth);
   watched.run(trial.pick(1.0, 0.2));
-  trial.show("largest strain", "", maxStretch(watched.model(), watched.state()));
+  trial.show("largest strain", "", sim::maxStretch(watched.model(), watched.state()));
 }
 
 void unevenMasses(CaseTrial& trial) {
@@ -97,7 +97,7 @@ void scales(CaseTrial& trial) {
   for (const double size : {1.0, 1e-3, 1e3}) {
     // The same motion has lengths scaled by s and times scaled by sqrt(s), with the same mass: k / s.
     const double slower = std::sqrt(size);
-    Settings settings = trial.settings({"precision=double"});
+    settings::Settings settings = trial.settings({"precision=double"});
     settings.step.timeStep = slower / 600.0;
     settings.step.material.stiffness = 100.0 / size;
     WatchedCloth watched(trial, sheetCloth(settings, trial.pick(17, 9), Pinned::TwoCorners, size));
@@ -106,9 +106,9 @@ void scales(CaseTrial& trial) {
     std::for_each(positions.begin(), positions.end(), [&](Vec3& position) { position /= size; });
     first = first.empty() ? positions : first;
     const double diagonal = std::sqrt(2.0);
-    trial.expect("difference between scales", "% of the diagonal", 100.0 * meanDistance(first, positions) / diagonal,
-                 limit);
+    trial.expect("difference between scales", "% of the diagonal",
+                 100.0 * sim::meanDistance(first, positions) / diagonal, limit);
   }
 }
 
-}  // namespace drape::hardcases
+}  // namespace drape::report::hardcases

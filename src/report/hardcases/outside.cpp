@@ -6,11 +6,11 @@
 #include <cmath>
 
 /// Cases of external actions on the cloth.
-namespace drape::hardcases {
+namespace drape::report::hardcases {
 namespace {
 
 /// An attachment to a single vertex, by a triangle of which it is a corner.
-AttachCommand attachTo(const ClothModel& model, int vertex, const Vec3& target) {
+session::AttachCommand attachTo(const sim::ClothModel& model, int vertex, const Vec3& target) {
   const int triangle = model.vertexTriangles[vertex].front();
   const Triangle& corners = model.triangles[triangle];
   Vec3 weights = Vec3::Zero();
@@ -18,7 +18,7 @@ AttachCommand attachTo(const ClothModel& model, int vertex, const Vec3& target) 
   return {{triangle, weights, target}};
 }
 
-Vec3 meanVelocity(const ClothModel& model, const ClothState& state) {
+Vec3 meanVelocity(const sim::ClothModel& model, const sim::ClothState& state) {
   Vec3 momentum = Vec3::Zero();
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {
     momentum += model.vertexMass[v] * state.velocities[v];
@@ -33,14 +33,14 @@ void pinsTeleport(CaseTrial& trial) {
   WatchedCloth watched(
       trial, sheetCloth(trial.settings({"stiffness=5000", "damping=0.1"}), trial.pick(33, 17), Pinned::TwoCorners));
   watched.run(trial.pick(1.0, 0.2));
-  watched.apply(MovePinsCommand{Vec3(6.0, 8.0, 0.0)});
+  watched.apply(session::MovePinsCommand{Vec3(6.0, 8.0, 0.0)});
   watched.run(2.0);
-  trial.expect("stretch after 2 s", "%", 100.0 * maxStretch(watched.model(), watched.state()), stretchLimit);
+  trial.expect("stretch after 2 s", "%", 100.0 * sim::maxStretch(watched.model(), watched.state()), stretchLimit);
 }
 
 void storm(CaseTrial& trial) {
   constexpr double reversedLimit = 0.01;
-  Settings settings = trial.settings({"stiffness=1000", "drag=1", "lift=0.5"});
+  settings::Settings settings = trial.settings({"stiffness=1000", "drag=1", "lift=0.5"});
   settings.step.air.wind = Vec3(0.0, 0.0, 1e3);  // ten times the maximum of the setting
   const int resolution = trial.pick(33, 17);
   WatchedCloth free(trial, sheetCloth(settings, resolution, Pinned::Nowhere, 1.0, true), EnergyRule::WindFrame);
@@ -53,7 +53,7 @@ void storm(CaseTrial& trial) {
   }
   WatchedCloth pinned(trial, sheetCloth(settings, resolution, Pinned::TwoCorners, 1.0, true), EnergyRule::NotCounted);
   pinned.run(trial.pick(1.0, 0.2));
-  trial.show("stretch of pinned cloth", "", maxStretch(pinned.model(), pinned.state()));
+  trial.show("stretch of pinned cloth", "", sim::maxStretch(pinned.model(), pinned.state()));
 }
 
 void thrown(CaseTrial& trial) {
@@ -62,7 +62,7 @@ void thrown(CaseTrial& trial) {
       trial, sheetCloth(trial.settings({"stiffness=1000", "attachment.stiffness=1e4", "attachment.max_force=100"}),
                         resolution, Pinned::TwoCorners));
   watched.run(trial.pick(0.3, 0.1));
-  const Settings& settings = watched.simulation().settings();
+  const settings::Settings& settings = watched.simulation().settings();
   const int vertex = (resolution / 2) * resolution + resolution / 2;
   const auto point = [&] { return watched.state().positions[vertex]; };
   const Vec3 velocity(60.0, 80.0, 0.0);  // [m/s]
@@ -70,13 +70,13 @@ void thrown(CaseTrial& trial) {
   watched.apply(attachTo(watched.model(), vertex, target));
   for (double time = 0.0; time < 0.1; time += settings.step.timeStep) {
     target += settings.step.timeStep * velocity;
-    watched.apply(MoveAttachmentCommand{target});
+    watched.apply(session::MoveAttachmentCommand{target});
     const Vec3 before = point();
     watched.step([&] { return settings.attachment.maxForce * (point() - before).norm(); });
   }
-  watched.apply(DetachCommand{});
+  watched.apply(session::DetachCommand{});
   watched.run(trial.pick(2.0, 0.5));
-  trial.show("stretch at the end", "", maxStretch(watched.model(), watched.state()));
+  trial.show("stretch at the end", "", sim::maxStretch(watched.model(), watched.state()));
 }
 
-}  // namespace drape::hardcases
+}  // namespace drape::report::hardcases

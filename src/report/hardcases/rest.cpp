@@ -7,11 +7,11 @@
 #include <cmath>
 
 /// Cases of cloth that should come to rest and stay there.
-namespace drape::hardcases {
+namespace drape::report::hardcases {
 namespace {
 
 /// The angular velocity of a cloth about a point [1/s]: L = I omega.
-Vec3 turning(const ClothModel& model, const ClothState& state, const Vec3& about) {
+Vec3 turning(const sim::ClothModel& model, const sim::ClothState& state, const Vec3& about) {
   Mat3 inertia = Mat3::Zero();
   Vec3 momentum = Vec3::Zero();
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
@@ -23,7 +23,7 @@ Vec3 turning(const ClothModel& model, const ClothState& state, const Vec3& about
 }
 
 /// The mass-weighted root mean square speed [m/s].
-double rmsSpeed(const ClothModel& model, const ClothState& state) {
+double rmsSpeed(const sim::ClothModel& model, const sim::ClothState& state) {
   double sum = 0.0;
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {
     sum += model.vertexMass[v] * state.velocities[v].squaredNorm();
@@ -51,7 +51,7 @@ void expectRest(CaseTrial& trial, WatchedCloth& watched, double seconds) {
   for (std::size_t v = 0; v < low.size(); ++v) {
     jitter = std::max(jitter, (high[v] - low[v]).norm());
   }
-  trial.expect("jitter", "of an edge", jitter / meanEdge(watched.model()), jitterLimit);
+  trial.expect("jitter", "of an edge", jitter / sim::meanEdge(watched.model()), jitterLimit);
 }
 
 }  // namespace
@@ -77,4 +77,4 @@ void largeAtRest(CaseTrial& trial) {
   expectRest(trial, watched, trial.pick(1.0, 0.5));
 }
 
-}  // namespace drape::hardcases
+}  // namespace drape::report::hardcases

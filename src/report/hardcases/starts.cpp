@@ -7,13 +7,13 @@
 #include <numbers>
 
 /// Cases with an extreme start.
-namespace drape::hardcases {
+namespace drape::report::hardcases {
 namespace {
 
 /// An upright tube whose springs have nearly equal lengths. It is not flat.
-ClothMesh tube(int around, int rows) {
+sim::ClothMesh tube(int around, int rows) {
   constexpr double radius = 0.2;  // [m]
-  ClothMesh mesh;
+  sim::ClothMesh mesh;
   const double edge = 2.0 * std::numbers::pi * radius / around;
   for (int row = 0; row < rows; ++row) {
     for (int i = 0; i < around; ++i) {
@@ -41,9 +41,9 @@ void unfold(CaseTrial& trial, const CaseCloth& cloth, double seconds) {
 }
 
 /// Mean ratio of the springs' lengths to their rest lengths [-].
-double meanLengthRatio(const ClothModel& model, const ClothState& state) {
+double meanLengthRatio(const sim::ClothModel& model, const sim::ClothState& state) {
   double sum = 0.0;
-  for (const Spring& spring : model.springs) {
+  for (const sim::Spring& spring : model.springs) {
     sum += (state.positions[spring.b] - state.positions[spring.a]).norm() / spring.restLength;
   }
   return sum / static_cast<double>(model.springs.size());
@@ -66,7 +66,7 @@ void randomStart(CaseTrial& trial) {
   }
   WatchedCloth watched(trial, cloth);
   const auto springsAndMotion = [&] {
-    const Energy energy = energyOf(watched.model(), watched.simulation().settings().step, watched.state());
+    const sim::Energy energy = sim::energyOf(watched.model(), watched.simulation().settings().step, watched.state());
     return energy.kinetic + energy.elastic;
   };
   const double start = springsAndMotion();
@@ -77,7 +77,7 @@ void randomStart(CaseTrial& trial) {
 
 void flattened(CaseTrial& trial) {
   const int around = trial.pick(48, 16);
-  const Settings settings = trial.settings({"stiffness=1000", "damping=0.1", "gravity=0"});
+  const settings::Settings settings = trial.settings({"stiffness=1000", "damping=0.1", "gravity=0"});
   for (const bool line : {false, true}) {
     CaseCloth cloth{tube(around, around / 2), {}, settings, {}, {}, {}, {}};
     cloth.start = cloth.mesh.positions;
@@ -97,7 +97,7 @@ void onePoint(CaseTrial& trial) {
   const auto hashAfter = [&](double seconds) {
     WatchedCloth watched(trial, cloth);
     watched.run(seconds);
-    return stateHash(watched.state());
+    return sim::stateHash(watched.state());
   };
   trial.expect("runs that differ", "", hashAfter(0.1) == hashAfter(0.1) ? 0.0 : 1.0, 0.0);
   trial.say(WatchedCloth(trial, cloth).simulation().message());
@@ -124,4 +124,4 @@ void crushed(CaseTrial& trial) {
   trial.show("largest strain on the way", "", widest);
 }
 
-}  // namespace drape::hardcases
+}  // namespace drape::report::hardcases

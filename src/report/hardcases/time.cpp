@@ -7,14 +7,14 @@
 #include <cmath>
 
 /// Cases of frame times and time steps.
-namespace drape::hardcases {
+namespace drape::report::hardcases {
 namespace {
 
 /// Takes that number of steps as a viewer with these frame times does.
 template <typename FrameTime>
 std::uint64_t hashAfter(CaseTrial& trial, const CaseCloth& cloth, int steps, FrameTime&& frameTime) {
   WatchedCloth watched(trial, cloth);
-  Pacer pacer;
+  session::Pacer pacer;
   int taken = 0;
   while (taken < steps) {
     pacer.collect(frameTime(), 1.0);
@@ -23,7 +23,7 @@ std::uint64_t hashAfter(CaseTrial& trial, const CaseCloth& cloth, int steps, Fra
       ++taken;
     }
   }
-  return stateHash(watched.state());
+  return sim::stateHash(watched.state());
 }
 
 }  // namespace
@@ -43,9 +43,9 @@ void changedWhileRunning(CaseTrial& trial) {
   constexpr double jumpLimit = 1.0;  // edges
   WatchedCloth watched(
       trial, sheetCloth(trial.settings({"stiffness=1000", "damping=0.05"}), trial.pick(33, 17), Pinned::TwoCorners));
-  const auto jump = [&](const Command& command) {
+  const auto jump = [&](const session::Command& command) {
     watched.apply(command);
-    const ClothState before = watched.state();
+    const sim::ClothState before = watched.state();
     watched.step();
     const double h = watched.simulation().settings().step.timeStep;
     double largest = 0.0;
@@ -53,14 +53,14 @@ void changedWhileRunning(CaseTrial& trial) {
       const Vec3 expected = before.positions[v] + h * before.velocities[v];
       largest = std::max(largest, (watched.state().positions[v] - expected).norm());
     }
-    trial.expect("jump", "edges", largest / meanEdge(watched.model()), jumpLimit);
+    trial.expect("jump", "edges", largest / sim::meanEdge(watched.model()), jumpLimit);
     watched.run(0.1);
   };
   watched.run(trial.pick(2.0, 1.0));
-  jump(SetSettingCommand{"stiffness", 1e5});
-  jump(SetSettingCommand{"time_step", 1.0 / 60.0});
-  jump(SetSettingCommand{"stiffness", 1e3});
-  jump(SetSettingCommand{"time_step", 1.0 / 300.0});
+  jump(session::SetSettingCommand{"stiffness", 1e5});
+  jump(session::SetSettingCommand{"time_step", 1.0 / 60.0});
+  jump(session::SetSettingCommand{"stiffness", 1e3});
+  jump(session::SetSettingCommand{"time_step", 1.0 / 300.0});
 }
 
 void longSteps(CaseTrial& trial) {
@@ -71,4 +71,4 @@ void longSteps(CaseTrial& trial) {
   }
 }
 
-}  // namespace drape::hardcases
+}  // namespace drape::report::hardcases

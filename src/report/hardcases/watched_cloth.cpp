@@ -7,20 +7,20 @@
 #include <cmath>
 #include <numeric>
 
-namespace drape {
+namespace drape::report::hardcases {
 namespace {
 
 constexpr double farAway = 1e5;    // [m]
 constexpr double gainLimit = 1.0;  // [% of the scale]
 constexpr double percent = 100.0;
 
-std::shared_ptr<const Scene> sceneOf(const CaseCloth& cloth) {
-  auto scene = std::make_shared<Scene>();
+std::shared_ptr<const scene::Scene> sceneOf(const CaseCloth& cloth) {
+  auto scene = std::make_shared<scene::Scene>();
   scene->description.name = "hard case";
   scene->settings = cloth.settings;
   scene->model = modelOf(cloth);
   scene->settings.step.substeps = stableSubsteps(*scene->model, cloth.settings);
-  scene->start = stateAtRest(cloth.start.empty() ? cloth.mesh.positions : cloth.start);
+  scene->start = sim::stateAtRest(cloth.start.empty() ? cloth.mesh.positions : cloth.start);
   if (!cloth.velocities.empty()) {
     scene->start.velocities = cloth.velocities;
   }
@@ -49,9 +49,10 @@ void WatchedCloth::run(double seconds) {
   }
 }
 
-void WatchedCloth::apply(const Command& command) {
+void WatchedCloth::apply(const session::Command& command) {
   simulation_.apply(command);
-  if (std::holds_alternative<SetSettingCommand>(command) || std::holds_alternative<MovePinsCommand>(command)) {
+  if (std::holds_alternative<session::SetSettingCommand>(command) ||
+      std::holds_alternative<session::MovePinsCommand>(command)) {
     keepStable();
     countAnew();
   }
@@ -60,27 +61,27 @@ void WatchedCloth::apply(const Command& command) {
 void WatchedCloth::keepStable() {
   const int needed = stableSubsteps(model(), simulation_.settings());
   if (needed > simulation_.settings().step.substeps) {
-    simulation_.apply(SetSettingCommand{"substeps", needed});
+    simulation_.apply(session::SetSettingCommand{"substeps", needed});
   }
 }
 
 double WatchedCloth::energy() const {
   if (rule_ != EnergyRule::WindFrame) {
-    return energyOf(model(), simulation_.settings().step, state()).total();
+    return sim::energyOf(model(), simulation_.settings().step, state()).total();
   }
-  ClothState against = state();
+  sim::ClothState against = state();
   for (Vec3& velocity : against.velocities) {
     velocity -= simulation_.settings().step.air.wind;
   }
-  return energyOf(model(), simulation_.settings().step, against).total();
+  return sim::energyOf(model(), simulation_.settings().step, against).total();
 }
 
 void WatchedCloth::countAnew() {
-  const StepParameters& parameters = simulation_.settings().step;
-  const Energy now = energyOf(model(), parameters, state());
+  const sim::StepParameters& parameters = simulation_.settings().step;
+  const sim::Energy now = sim::energyOf(model(), parameters, state());
   startEnergy_ = energy();
   allowed_ = 0.0;
-  scale_ = model().totalMass() * parameters.gravity * diagonalOf(model()) + startEnergy_ - now.potential;
+  scale_ = model().totalMass() * parameters.gravity * sim::diagonalOf(model()) + startEnergy_ - now.potential;
 }
 
 void WatchedCloth::watch() {
@@ -101,9 +102,9 @@ void WatchedCloth::watch() {
   }
 }
 
-double largestStrain(const ClothModel& model, const ClothState& state) {
+double largestStrain(const sim::ClothModel& model, const sim::ClothState& state) {
   double largest = 0.0;
-  for (const Spring& spring : model.springs) {
+  for (const sim::Spring& spring : model.springs) {
     if (spring.restLength > 0.0) {
       const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();
       largest = std::max(largest, std::abs(length / spring.restLength - 1.0));
@@ -112,9 +113,9 @@ double largestStrain(const ClothModel& model, const ClothState& state) {
   return largest;
 }
 
-double largestSpeed(const ClothState& state) {
+double largestSpeed(const sim::ClothState& state) {
   return std::accumulate(state.velocities.begin(), state.velocities.end(), 0.0,
                          [](double max, const Vec3& v) { return std::max(max, v.norm()); });
 }
 
-}  // namespace drape
+}  // namespace drape::report::hardcases

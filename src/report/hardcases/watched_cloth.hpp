@@ -2,7 +2,7 @@
 
 #include "report/hardcases/case_trial.hpp"
 
-namespace drape {
+namespace drape::report::hardcases {
 
 /// Which energy must not grow without external work.
 enum class EnergyRule {
@@ -30,11 +30,11 @@ class WatchedCloth {
 
   /// Applies an external command. Energy from a changed setting or a moved pin is not an error of the solver, so the
   /// balance starts again.
-  void apply(const Command& command);
+  void apply(const session::Command& command);
 
-  [[nodiscard]] const Simulation& simulation() const { return simulation_; }
-  [[nodiscard]] const ClothModel& model() const { return simulation_.model(); }
-  [[nodiscard]] const ClothState& state() const { return simulation_.state(); }
+  [[nodiscard]] const session::Simulation& simulation() const { return simulation_; }
+  [[nodiscard]] const sim::ClothModel& model() const { return simulation_.model(); }
+  [[nodiscard]] const sim::ClothState& state() const { return simulation_.state(); }
 
  private:
   [[nodiscard]] double energy() const;
@@ -44,16 +44,16 @@ class WatchedCloth {
 
   CaseTrial& trial_;
   EnergyRule rule_;
-  Simulation simulation_;
+  session::Simulation simulation_;
   double startEnergy_ = 0.0;  // [J]
   double scale_ = 0.0;        // [J]
   double allowed_ = 0.0;      // [J]
 };
 
 /// Largest |L / l0 - 1| of a spring that has a rest length [-].
-[[nodiscard]] double largestStrain(const ClothModel& model, const ClothState& state);
+[[nodiscard]] double largestStrain(const sim::ClothModel& model, const sim::ClothState& state);
 
 /// Largest speed of a vertex [m/s].
-[[nodiscard]] double largestSpeed(const ClothState& state);
+[[nodiscard]] double largestSpeed(const sim::ClothState& state);
 
-}  // namespace drape
+}  // namespace drape::report::hardcases

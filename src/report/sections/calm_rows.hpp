@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// Whether a row of work_precision is a calm setting with known time and error.
 [[nodiscard]] inline bool isJudged(const ReportRow& row) {
@@ -19,4 +19,4 @@ namespace drape {
          " N/m, " + figure(row, "time") + " s";
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

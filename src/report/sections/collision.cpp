@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 constexpr double microseconds = 1e6;
@@ -42,18 +42,18 @@ const std::vector<ContactScene>& contactScenes(bool quick) {
 }
 
 /// The kinds of contact of a scene with its settings, without the ground and the stand, which most scenes have.
-std::string modeOf(const Scene& scene) {
-  const ContactParameters& contact = scene.settings.step.contact;
-  std::string mode = contact.self == SelfCollision::Hash ? "hash" : "";
+std::string modeOf(const scene::Scene& scene) {
+  const sim::contact::ContactParameters& contact = scene.settings.step.contact;
+  std::string mode = contact.self == sim::contact::SelfCollision::Hash ? "hash" : "";
   if (contact.bodies && !scene.description.bodies.empty()) {
     mode = mode.empty() ? "bodies" : "bodies+" + mode;
   }
   return mode.empty() ? "off" : mode;
 }
 
-ReportRow rowOf(const ContactScene& contactScene, const Scene& scene, const CollisionRun& run) {
+ReportRow rowOf(const ContactScene& contactScene, const scene::Scene& scene, const CollisionRun& run) {
   const double thousands = static_cast<double>(scene.model->triangles.size()) / 1000.0;
-  const bool grid = std::holds_alternative<GridSource>(scene.description.source);
+  const bool grid = std::holds_alternative<scene::GridSource>(scene.description.source);
   return {{"scene", contactScene.scene},
           {"resolution", grid ? ReportRow(scene.settings.grid.resolution) : ReportRow(nullptr)},
           {"vertices", scene.model->vertexCount()},
@@ -79,11 +79,11 @@ ReportRow rowOf(const ContactScene& contactScene, const Scene& scene, const Coll
 
 ReportRows measure(const ContactScene& contactScene, const std::vector<std::string>& settings,
                    const CellContext& context) {
-  SceneDescription description = openScene(contactScene.scene);
+  scene::SceneDescription description = scene::openScene(contactScene.scene);
   for (const std::string& expression : settings) {
-    assignSettingExpression(description.settings, expression);
+    settings::assignSettingExpression(description.settings, expression);
   }
-  const auto scene = buildScene(description, description.settings);
+  const auto scene = scene::buildScene(description, description.settings);
   return {rowOf(contactScene, *scene,
                 runCollision(*scene, contactScene.seconds, contactScene.countEvery, context.checkStop))};
 }
@@ -129,8 +129,8 @@ SectionPlan plan(const ReportOptions& options) {
 
 }  // namespace
 
-Section sections::collision() {
+Section collision() {
   return {"collision", "Collision", plan, showCollision};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 double meanOf(const std::vector<double>& values) {
@@ -24,7 +24,7 @@ struct StepCosts {
   std::vector<double> selfs;
   std::vector<double> contacts;
 
-  void add(double step, const ContactReport& contact) {
+  void add(double step, const sim::contact::ContactReport& contact) {
     steps.push_back(step);
     bodies.push_back(contact.bodySeconds);
     selfs.push_back(contact.selfSeconds);
@@ -43,10 +43,11 @@ struct StepCosts {
 /// Counts intersecting triangles at intervals.
 class IntersectionCounter {
  public:
-  IntersectionCounter(const ClothModel& model, const BodyWorld& world) : triangles_(model.triangles), world_(world) {}
+  IntersectionCounter(const sim::ClothModel& model, const sim::contact::BodyWorld& world)
+      : triangles_(model.triangles), world_(world) {}
 
   void look(const std::vector<Vec3>& positions, CollisionRun& run) {
-    const auto self = static_cast<int>(intersectingPairs({positions, triangles_}).size());
+    const auto self = static_cast<int>(intersection::intersectingPairs({positions, triangles_}).size());
     const auto bodies = static_cast<int>(pairsWithBodies(positions, triangles_, world_));
     run.pairsWithSelf = std::max(run.pairsWithSelf, self);
     run.pairsWithBodies = std::max(run.pairsWithBodies, bodies);
@@ -57,25 +58,26 @@ class IntersectionCounter {
 
  private:
   const std::vector<Triangle>& triangles_;
-  const BodyWorld& world_;
+  const sim::contact::BodyWorld& world_;
   int looks_ = 0;
   int found_ = 0;
 };
 
 }  // namespace
 
-CollisionRun runCollision(const Scene& scene, double seconds, int countEvery, const std::function<void()>& checkStop) {
+CollisionRun runCollision(const scene::Scene& scene, double seconds, int countEvery,
+                          const std::function<void()>& checkStop) {
   CollisionRun run;
-  const StepParameters& parameters = scene.settings.step;
-  Stepper stepper(scene.settings.solver.name);
-  ClothState state = scene.start;
-  BodyWorld world(scene.bodies, state.time);
-  StepInputs inputs;
+  const sim::StepParameters& parameters = scene.settings.step;
+  sim::Stepper stepper(scene.settings.solver.name);
+  sim::ClothState state = scene.start;
+  sim::contact::BodyWorld world(scene.bodies, state.time);
+  sim::StepInputs inputs;
   StepCosts costs;
   IntersectionCounter counter(*scene.model, world);
   while (state.time < seconds && run.finite) {
     checkStop();
-    ContactReport contact;
+    sim::contact::ContactReport contact;
     const double taken = secondsOf([&] {
       world.advance(state.time, parameters.timeStep);
       inputs.bodies = &world.steps();
@@ -85,7 +87,7 @@ CollisionRun runCollision(const Scene& scene, double seconds, int countEvery, co
     run.contacts = std::max(run.contacts, contact.bodyContacts + contact.selfContacts);
     run.overlapping = std::max(run.overlapping, contact.overlaps);
     run.infeasible = std::max(run.infeasible, contact.infeasible);
-    run.finite = isFinite(state);
+    run.finite = sim::isFinite(state);
     if (countEvery > 0 && run.finite && static_cast<int>(costs.steps.size()) % countEvery == 0) {
       counter.look(state.positions, run);
     }
@@ -94,4 +96,4 @@ CollisionRun runCollision(const Scene& scene, double seconds, int countEvery, co
   return run;
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

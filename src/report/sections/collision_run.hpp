@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// The cost of contact in a run, and the intersections that it left.
 struct CollisionRun {
@@ -25,7 +25,7 @@ struct CollisionRun {
 /// Runs a scene with its bodies for that time and counts intersecting triangles, with the exact intersection test, at
 /// every `countEvery`-th step. 0: never.
 /// @param checkStop is called before each step and may throw
-[[nodiscard]] CollisionRun runCollision(const Scene& scene, double seconds, int countEvery,
+[[nodiscard]] CollisionRun runCollision(const scene::Scene& scene, double seconds, int countEvery,
                                         const std::function<void()>& checkStop);
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 /// Target of body contact for 1,000 triangles in a step, on one core [us].
@@ -42,7 +42,7 @@ TextTable costs(const ReportRows& rows) {
   for (const ReportRow& row : rows) {
     table.rows.push_back({row.value("scene", ""), sizeText(row), figure(row, "triangles", 7), row.value("mode", ""),
                           row.value("method", ""), figure(row, "us_per_step"), figure(row, "contact_us_per_step"),
-                          figure(row, "contact_us_p99"), figure(ratioOf(row), 2),
+                          figure(row, "contact_us_p99"), text::figure(ratioOf(row), 2),
                           hasBodies(row) ? figure(row, "bodies_us_per_1000_triangles") : "-"});
   }
   return table;
@@ -92,7 +92,7 @@ std::string aboutBodies(const ReportRows& rows) {
                          : "The cloth intersected a body; the maximum number of pairs at once was: " + through + ". ";
   const char* const costKey = "bodies_us_per_1000_triangles";
   const std::string dear = listOf(worstFirst(rows, costKey, hasBodies), costKey, target);
-  text += "The target is at most " + figure(target) + " us for 1,000 triangles in a step; ";
+  text += "The target is at most " + text::figure(target) + " us for 1,000 triangles in a step; ";
   return text + (dear.empty() ? "all scenes meet it." : "these are above it: " + dear + ".");
 }
 
@@ -145,4 +145,4 @@ std::vector<Block> showCollision(const ReportOptions&, const ReportRows& rows) {
       costs(rows), Paragraph{aboutBodies(rows)}, leaks(rows), Paragraph{aboutHash(rows)}};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -2,9 +2,9 @@
 
 #include "report/section.hpp"
 
-namespace drape {
+namespace drape::report::sections {
 
 /// The tables and texts of the collision section, from its rows.
 [[nodiscard]] std::vector<Block> showCollision(const ReportOptions& options, const ReportRows& rows);
 
-}  // namespace drape
+}  // namespace drape::report::sections

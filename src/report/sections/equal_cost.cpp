@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 constexpr const char* own = "auto";
@@ -116,8 +116,8 @@ std::vector<Block> equalCostBlocks(const ReportRows& answers) {
   blocks.emplace_back(Paragraph{
       "'auto' and the best other method at equal cost. The costs are those of the settings of 'auto'; its best setting "
       "within each cost counts. The error of 'auto' is at most " +
-      figure(maxErrorRatio) + " times the other's at " + std::to_string(within) + " of " + std::to_string(points) +
-      " such costs, and at most equal to it at " + std::to_string(best) +
+      text::figure(maxErrorRatio) + " times the other's at " + std::to_string(within) + " of " +
+      std::to_string(points) + " such costs, and at most equal to it at " + std::to_string(best) +
       ". Errors below the noise floor count as the noise floor."});
   TextTable table{"Cloths where 'auto' has a larger error at equal cost",
                   {"cloth", "costs", "larger at", "worst", "its error [m]", "times that of"},
@@ -134,4 +134,4 @@ std::vector<Block> equalCostBlocks(const ReportRows& answers) {
   return blocks;
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -2,7 +2,7 @@
 
 #include "report/section.hpp"
 
-namespace drape {
+namespace drape::report::sections {
 
 /// Acceptable ratio of the error of `auto` to that of the best other method at equal cost [-].
 inline constexpr double maxErrorRatio = 1.5;
@@ -19,4 +19,4 @@ inline constexpr double maxErrorRatio = 1.5;
 /// The same in words and as a table of the cloths with a ratio above `maxErrorRatio`.
 [[nodiscard]] std::vector<Block> equalCostBlocks(const ReportRows& answers);
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 constexpr double microseconds = 1e6;
@@ -24,8 +24,8 @@ double maxSeconds(const ReportOptions& options) {
 }
 
 /// The number of substeps that makes a method stable.
-int stableSubsteps(const SolverInfo& solver, const Scene& scene) {
-  const StepParameters& parameters = scene.settings.step;
+int stableSubsteps(const sim::SolverInfo& solver, const scene::Scene& scene) {
+  const sim::StepParameters& parameters = scene.settings.step;
   if (solver.stepLimit == nullptr) {
     return 1;
   }
@@ -53,12 +53,12 @@ double expectedSeconds(const ReportRow& before, int vertices) {
   return ratio * numberIn(before, "seconds_at_least");
 }
 
-ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportOptions& options,
+ReportRows measureGrowth(const sim::SolverInfo& solver, int resolution, const ReportOptions& options,
                          const CellContext& context) {
   constexpr int minSteps = 3;
   const auto scene = gridScene("grid", resolution,
                                {"solver=" + std::string(solver.name), "threads=" + std::to_string(options.threads)});
-  const ClothModel& model = *scene->model;
+  const sim::ClothModel& model = *scene->model;
   ReportRow row{{"method", solver.name},
                 {"resolution", resolution},
                 {"vertices", model.vertexCount()},
@@ -71,7 +71,7 @@ ReportRows measureGrowth(const SolverInfo& solver, int resolution, const ReportO
     row["skipped"] = "would take too long";
     return {row};
   }
-  Settings settings = scene->settings;
+  settings::Settings settings = scene->settings;
   settings.step.substeps = stableSubsteps(solver, *scene);
   const TimingBudget budget{.seconds = options.quick ? 0.05 : 0.25, .minSteps = minSteps, .maxSteps = 1000};
   const StepTiming timing = timeSteps(*scene, settings, budget, context.checkStop);
@@ -93,7 +93,7 @@ SectionPlan plan(const ReportOptions& options) {
   plan.rounds = options.quick ? 1 : 2;
   const std::vector<int> sizes = options.quick ? std::vector{17, 33} : std::vector{17, 33, 65, 129, 257};
   for (const int resolution : sizes) {
-    for (const SolverInfo& solver : solverTable()) {
+    for (const sim::SolverInfo& solver : sim::solverTable()) {
       plan.cells.push_back({std::string(solver.name) + " " + gridText(resolution), options.quick ? 0.1 : 0.8,
                             [&solver, resolution, options](const CellContext& context) {
                               return measureGrowth(solver, resolution, options, context);
@@ -133,7 +133,7 @@ TextTable exponents(const std::vector<Plot>& plots) {
   for (std::size_t i = 0; i < plots.front().curves.size(); ++i) {
     std::vector<std::string> fields{plots.front().curves[i].label};
     for (const Plot& plot : plots) {
-      fields.push_back(figure(exponentOf(plot.curves[i]), 2));
+      fields.push_back(text::figure(exponentOf(plot.curves[i]), 2));
     }
     table.rows.push_back(fields);
   }
@@ -147,8 +147,8 @@ TextTable tableOf(const ReportRows& rows) {
   for (const ReportRow& row : rows) {
     table.rows.push_back({row.value("method", ""), gridText(row.value("resolution", 0)), figure(row, "substeps", 7),
                           row.value("skipped", figure(row, "step_us")),
-                          figure(numberIn(row, "us_per_simulated_second") / milliseconds), figure(row, "setup_ms"),
-                          figure(row, "memory_mb")});
+                          text::figure(numberIn(row, "us_per_simulated_second") / milliseconds),
+                          figure(row, "setup_ms"), figure(row, "memory_mb")});
   }
   return table;
 }
@@ -174,8 +174,8 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
 
 }  // namespace
 
-Section sections::growth() {
+Section growth() {
   return {"growth", "Growth with size", plan, show};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 /// The full form of all cases takes minutes per method. In a report only `auto`, which must pass all cases, gets it.
@@ -26,22 +26,22 @@ double maxSeconds(bool shortForm, const ReportOptions& options) {
   return options.quick ? 2.0 : 1.0;
 }
 
-ReportRows measureCase(const HardCase& one, const std::string& method, const ReportOptions& options,
+ReportRows measureCase(const hardcases::HardCase& one, const std::string& method, const ReportOptions& options,
                        const CellContext& context) {
-  CaseOptions asked;
+  hardcases::CaseOptions asked;
   asked.solver = method;
   asked.shortForm = isShort(method, options);
   // More iterations take too long in any case.
   asked.settings = {"threads=" + std::to_string(options.threads), "max_iterations=100"};
   asked.maxSeconds = maxSeconds(asked.shortForm, options);
   asked.checkStop = context.checkStop;
-  return {hardCaseRow(one, asked, runHardCase(one, asked))};
+  return {hardcases::hardCaseRow(one, asked, hardcases::runHardCase(one, asked))};
 }
 
 /// The methods of a quick report: the paper's and `auto`.
 std::vector<std::string> methodsFor(const ReportOptions& options) {
   std::vector<std::string> methods;
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     if (!options.quick || solver.name == "one_iteration" || solver.name == "auto") {
       methods.emplace_back(solver.name);
     }
@@ -51,7 +51,7 @@ std::vector<std::string> methodsFor(const ReportOptions& options) {
 
 SectionPlan plan(const ReportOptions& options) {
   SectionPlan plan;
-  for (const HardCase& one : hardCaseTable()) {
+  for (const hardcases::HardCase& one : hardcases::hardCaseTable()) {
     for (const std::string& method : methodsFor(options)) {
       plan.cells.push_back({method + " " + std::to_string(one.number) + " " + std::string(one.name),
                             isShort(method, options) ? 0.3 : 5.0, [&one, method, options](const CellContext& context) {
@@ -80,7 +80,7 @@ using RowOf = std::map<std::pair<int, std::string>, const ReportRow*>;
 
 std::vector<std::string> methodsIn(const ReportRows& rows) {
   std::vector<std::string> methods;
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     const auto isIts = [&](const ReportRow& row) { return row.value("method", "") == solver.name; };
     if (std::any_of(rows.begin(), rows.end(), isIts)) {
       methods.emplace_back(solver.name);
@@ -91,12 +91,12 @@ std::vector<std::string> methodsIn(const ReportRows& rows) {
 
 StateMap mapOf(const RowOf& rows, const std::vector<std::string>& methods) {
   StateMap map{"hard-cases", "Cases that each method passes", "case", {}, {}, states()};
-  for (const HardCase& one : hardCaseTable()) {
+  for (const hardcases::HardCase& one : hardcases::hardCaseTable()) {
     map.columns.push_back(std::to_string(one.number));
   }
   for (const std::string& method : methods) {
     StateMap::Row line{method, {}};
-    for (const HardCase& one : hardCaseTable()) {
+    for (const hardcases::HardCase& one : hardcases::hardCaseTable()) {
       const auto found = rows.find({one.number, method});
       line.cells.push_back(indexOf(found == rows.end() ? "" : found->second->value("outcome", "")));
     }
@@ -109,7 +109,7 @@ StateMap mapOf(const RowOf& rows, const std::vector<std::string>& methods) {
 TextTable faultsOf(const RowOf& rows, const std::vector<std::string>& methods) {
   TextTable table{"Failures", {"method", "case", "outcome", "figures"}, {}};
   for (const std::string& method : methods) {
-    for (const HardCase& one : hardCaseTable()) {
+    for (const hardcases::HardCase& one : hardcases::hardCaseTable()) {
       const auto found = rows.find({one.number, method});
       if (found != rows.end() && !found->second->value("passed", false)) {
         table.rows.push_back({method, std::to_string(one.number) + " " + std::string(one.name),
@@ -122,7 +122,7 @@ TextTable faultsOf(const RowOf& rows, const std::vector<std::string>& methods) {
 
 TextTable casesAsTable() {
   TextTable table{"The cases", {"case", "description", "criterion"}, {}};
-  for (const HardCase& one : hardCaseTable()) {
+  for (const hardcases::HardCase& one : hardcases::hardCaseTable()) {
     table.rows.push_back(
         {std::to_string(one.number) + " " + std::string(one.name), std::string(one.statement), std::string(one.rule)});
   }
@@ -154,8 +154,8 @@ std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
 
 }  // namespace
 
-Section sections::hardCases() {
+Section hardCases() {
   return {"hard_cases", "Hard cases", plan, show};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -74,13 +74,13 @@ std::vector<MethodCurve> listed() {
 
 }  // namespace
 
-bool hasVectorLoops(const SolverInfo& solver) {
+bool hasVectorLoops(const sim::SolverInfo& solver) {
   return std::find(solver.settings.begin(), solver.settings.end(), "precision") != solver.settings.end();
 }
 
 std::vector<MethodCurve> methodCurves() {
   std::vector<MethodCurve> curves = listed();
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     const auto isIts = [&](const MethodCurve& curve) { return curve.method == solver.name; };
     if (std::none_of(curves.begin(), curves.end(), isIts)) {
       const std::string name(solver.name);
@@ -90,4 +90,4 @@ std::vector<MethodCurve> methodCurves() {
   return curves;
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

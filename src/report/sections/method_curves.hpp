@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// A method with one setting varied: a curve of the work-precision diagrams.
 struct MethodCurve {
@@ -21,6 +21,6 @@ struct MethodCurve {
 [[nodiscard]] std::vector<MethodCurve> methodCurves();
 
 /// Whether it has vectorised loops, and thus both precisions.
-[[nodiscard]] bool hasVectorLoops(const SolverInfo& solver);
+[[nodiscard]] bool hasVectorLoops(const sim::SolverInfo& solver);
 
-}  // namespace drape
+}  // namespace drape::report::sections

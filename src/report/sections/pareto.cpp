@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::report::sections {
 
 std::vector<std::size_t> paretoFront(std::span<const CostAndError> entries) {
   std::vector<std::size_t> order;
@@ -27,4 +27,4 @@ std::vector<std::size_t> paretoFront(std::span<const CostAndError> entries) {
   return front;
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 
 struct CostAndError {
   double cost = 0.0;
@@ -14,4 +14,4 @@ struct CostAndError {
 /// The Pareto-optimal entries in cost and error, by ascending cost. Entries that are not finite are never optimal.
 [[nodiscard]] std::vector<std::size_t> paretoFront(std::span<const CostAndError> entries);
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 
 void addSample(const ReportRows& own, std::size_t place, const char* key, ReportRow& row) {
   ReportRow samples = place < own.size() ? own[place].value("samples", ReportRow::array()) : ReportRow::array();
@@ -15,4 +15,4 @@ void addSample(const ReportRows& own, std::size_t place, const char* key, Report
   row["samples"] = samples;
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

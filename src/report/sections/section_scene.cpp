@@ -5,20 +5,21 @@
 
 #include <variant>
 
-namespace drape {
+namespace drape::report::sections {
 
-SceneDescription requireGrid(const std::string& name) {
-  SceneDescription description = openScene(name);
-  if (!std::holds_alternative<GridSource>(description.source)) {
-    throw InputError("the report refines its cloth, so it needs a scene with a grid; " + name + " has a mesh file");
+scene::SceneDescription requireGrid(const std::string& name) {
+  scene::SceneDescription description = scene::openScene(name);
+  if (!std::holds_alternative<scene::GridSource>(description.source)) {
+    throw messages::InputError("the report refines its cloth, so it needs a scene with a grid; " + name +
+                               " has a mesh file");
   }
   return description;
 }
 
-std::shared_ptr<const Scene> gridScene(const std::string& name, int resolution,
-                                       const std::vector<std::string>& settings,
-                                       const std::optional<PinSelection>& pins) {
-  SceneDescription description = requireGrid(name);
+std::shared_ptr<const scene::Scene> gridScene(const std::string& name, int resolution,
+                                              const std::vector<std::string>& settings,
+                                              const std::optional<scene::PinSelection>& pins) {
+  scene::SceneDescription description = requireGrid(name);
   description.pins = pins.value_or(description.pins);
   description.settings.grid.resolution = resolution;
   // Without ground the cloth falls freely, so that only its own motion is compared.
@@ -27,18 +28,18 @@ std::shared_ptr<const Scene> gridScene(const std::string& name, int resolution,
     description.stand->body.reset();
   }
   for (const std::string& expression : settings) {
-    assignSettingExpression(description.settings, expression);
+    settings::assignSettingExpression(description.settings, expression);
   }
-  return buildScene(description, description.settings);
+  return scene::buildScene(description, description.settings);
 }
 
-Settings changedSettings(const Scene& scene, const std::vector<std::string>& settings) {
-  Settings changed = scene.settings;
+settings::Settings changedSettings(const scene::Scene& scene, const std::vector<std::string>& settings) {
+  settings::Settings changed = scene.settings;
   for (const std::string& expression : settings) {
-    assignSettingExpression(changed, expression);
+    settings::assignSettingExpression(changed, expression);
   }
-  requireConsistent(changed);
+  settings::requireConsistent(changed);
   return changed;
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

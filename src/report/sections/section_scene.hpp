@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// A built-in scene or scene file with a grid, with this number of vertices along its shorter side, these settings
 /// ("key=value") in place of its own, and optionally other pins. Throws InputError when its cloth is not a grid.
-[[nodiscard]] std::shared_ptr<const Scene> gridScene(const std::string& name, int resolution,
-                                                     const std::vector<std::string>& settings,
-                                                     const std::optional<PinSelection>& pins = std::nullopt);
+[[nodiscard]] std::shared_ptr<const scene::Scene> gridScene(
+    const std::string& name, int resolution, const std::vector<std::string>& settings,
+    const std::optional<scene::PinSelection>& pins = std::nullopt);
 
 /// Opens a scene. Throws InputError when there is none of that name or its cloth is not a grid.
-SceneDescription requireGrid(const std::string& name);
+scene::SceneDescription requireGrid(const std::string& name);
 
 /// The scene's settings with these changes.
-[[nodiscard]] Settings changedSettings(const Scene& scene, const std::vector<std::string>& settings);
+[[nodiscard]] settings::Settings changedSettings(const scene::Scene& scene, const std::vector<std::string>& settings);
 
-}  // namespace drape
+}  // namespace drape::report::sections

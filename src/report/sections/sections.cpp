@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace drape {
+namespace drape::report {
 
 std::span<const Section> sectionTable() {
   static const std::array table{sections::table1(),      sections::table2(),    sections::workPrecision(),
@@ -11,4 +11,4 @@ std::span<const Section> sectionTable() {
   return table;
 }
 
-}  // namespace drape
+}  // namespace drape::report

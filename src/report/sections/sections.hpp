@@ -3,7 +3,7 @@
 #include "report/section.hpp"
 
 /// All sections of the report. Each is described by a function in the file of its name, and listed in sections.cpp.
-namespace drape::sections {
+namespace drape::report::sections {
 
 Section table1();
 Section table2();
@@ -15,4 +15,4 @@ Section threads();
 Section hardCases();
 Section collision();
 
-}  // namespace drape::sections
+}  // namespace drape::report::sections

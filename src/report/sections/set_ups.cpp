@@ -9,7 +9,7 @@
 #include <random>
 #include <utility>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 /// An uneven deflection out of the plane, by 1/50 of the length in the middle. It determines the side to which the
@@ -59,10 +59,11 @@ Vec3 barycentreOf(const std::vector<Vec3>& positions) {
 
 }  // namespace
 
-std::shared_ptr<const Scene> buildSetUp(const SetUp& setUp, int resolution, const std::vector<std::string>& settings) {
+std::shared_ptr<const scene::Scene> buildSetUp(const SetUp& setUp, int resolution,
+                                               const std::vector<std::string>& settings) {
   std::vector<std::string> all = setUp.settings;
   all.insert(all.end(), settings.begin(), settings.end());
-  PinSelection pins;
+  scene::PinSelection pins;
   pins.corners = setUp.corners;
   pins.edges = setUp.edges;
   const bool ownPins = !pins.corners.empty() || !pins.edges.empty();
@@ -70,26 +71,26 @@ std::shared_ptr<const Scene> buildSetUp(const SetUp& setUp, int resolution, cons
   if (setUp.place == nullptr) {
     return scene;
   }
-  const Settings::Grid& grid = scene->settings.grid;
+  const settings::Settings::Grid& grid = scene->settings.grid;
   const double length = std::max(grid.width, grid.height);
   const Vec3 middle = barycentreOf(scene->model->restPositions);
-  ClothState start = scene->start;
+  sim::ClothState start = scene->start;
   std::transform(scene->model->restPositions.begin(), scene->model->restPositions.end(), start.positions.begin(),
                  [&](const Vec3& rest) -> Vec3 { return middle + setUp.place(rest - middle, length); });
   return startedFrom(*scene, std::move(start));
 }
 
-std::shared_ptr<const Scene> startedFrom(const Scene& scene, ClothState start) {
-  auto changed = std::make_shared<Scene>(scene);
+std::shared_ptr<const scene::Scene> startedFrom(const scene::Scene& scene, sim::ClothState start) {
+  auto changed = std::make_shared<scene::Scene>(scene);
   changed->start = std::move(start);
   return changed;
 }
 
-std::shared_ptr<const Scene> jittered(const Scene& scene, double amplitude, unsigned seed) {
+std::shared_ptr<const scene::Scene> jittered(const scene::Scene& scene, double amplitude, unsigned seed) {
   // The engine gives the same numbers everywhere; the library's distributions do not.
   std::mt19937 random(seed);
   const auto offset = [&] { return amplitude * (2.0 * (static_cast<double>(random()) / 4294967295.0) - 1.0); };
-  ClothState start = scene.start;
+  sim::ClothState start = scene.start;
   for (std::size_t v = 0; v < start.positions.size(); ++v) {
     const Vec3 move(offset(), offset(), offset());
     start.positions[v] += scene.model->pinned[v] ? Vec3::Zero() : move;
@@ -110,4 +111,4 @@ std::vector<SetUp> comparedSetUps(const std::string& name) {
   return {SetUp{name, "the scene " + name, name}};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// A cloth under defined conditions, at any resolution, for the comparison of methods.
 struct SetUp {
@@ -22,17 +22,17 @@ struct SetUp {
 /// Builds it with this number of vertices along the shorter side and these settings ("key=value") in place of its own.
 /// The cloth starts at rest. `place` maps the rest position of a vertex relative to the barycentre [m], and the length
 /// of the longer side [m], to its start position.
-[[nodiscard]] std::shared_ptr<const Scene> buildSetUp(const SetUp& setUp, int resolution,
-                                                      const std::vector<std::string>& settings);
+[[nodiscard]] std::shared_ptr<const scene::Scene> buildSetUp(const SetUp& setUp, int resolution,
+                                                             const std::vector<std::string>& settings);
 
 /// The scene with its cloth in another state.
-[[nodiscard]] std::shared_ptr<const Scene> startedFrom(const Scene& scene, ClothState start);
+[[nodiscard]] std::shared_ptr<const scene::Scene> startedFrom(const scene::Scene& scene, sim::ClothState start);
 
 /// The same with each coordinate of each free vertex moved by up to `amplitude` [m], depending on the seed.
-[[nodiscard]] std::shared_ptr<const Scene> jittered(const Scene& scene, double amplitude, unsigned seed);
+[[nodiscard]] std::shared_ptr<const scene::Scene> jittered(const scene::Scene& scene, double amplitude, unsigned seed);
 
 /// The set-ups for comparing methods: without a name all set-ups of the report; otherwise the one of that name, or a
 /// scene of that name with a grid. Throws InputError for anything else.
 [[nodiscard]] std::vector<SetUp> comparedSetUps(const std::string& name);
 
-}  // namespace drape
+}  // namespace drape::report::sections

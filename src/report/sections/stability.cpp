@@ -18,7 +18,7 @@
 #include <string_view>
 #include <utility>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 double maxSeconds(const ReportOptions& options) {
@@ -35,7 +35,7 @@ class Ground {
   Ground(ReportOptions options, int resolution, std::string stiffness)
       : options_(std::move(options)), resolution_(resolution), stiffness_(std::move(stiffness)) {}
 
-  const Scene& scene() {
+  const scene::Scene& scene() {
     if (scene_ == nullptr) {
       scene_ = gridScene("grid", resolution_, {"stiffness=" + stiffness_, "precision=double", "threads=1"});
     }
@@ -45,8 +45,8 @@ class Ground {
   /// Verlet at half of its stability limit, to measure the amount of motion.
   const Trajectory& motion(const Watch& watch) {
     if (motion_ == nullptr) {
-      Settings settings = changedSettings(scene(), {"solver=verlet"});
-      const double limit = 0.5 * verletStepLimit(*scene().model, settings.step);
+      settings::Settings settings = changedSettings(scene(), {"solver=verlet"});
+      const double limit = 0.5 * sim::verletStepLimit(*scene().model, settings.step);
       settings.step.timeStep = checkpointInterval;
       settings.step.substeps = static_cast<int>(std::ceil(checkpointInterval / limit));
       motion_ = std::make_unique<Trajectory>(runTrajectory(scene(), settings, checkpointsOf(options_), watch));
@@ -60,19 +60,19 @@ class Ground {
   ReportOptions options_;
   int resolution_;
   std::string stiffness_;
-  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const scene::Scene> scene_;
   std::unique_ptr<Trajectory> motion_;
 };
 
 /// The largest rise of the total energy above its start value after any step, in units of m g D.
-double energyGain(const Scene& scene, const StepParameters& parameters, const Trajectory& run) {
-  const ClothModel& model = *scene.model;
-  const double unit = model.totalMass() * parameters.gravity * diagonalOf(model);
-  return (run.largestEnergy - energyOf(model, parameters, run.states.front()).total()) / unit;
+double energyGain(const scene::Scene& scene, const sim::StepParameters& parameters, const Trajectory& run) {
+  const sim::ClothModel& model = *scene.model;
+  const double unit = model.totalMass() * parameters.gravity * sim::diagonalOf(model);
+  return (run.largestEnergy - sim::energyOf(model, parameters, run.states.front()).total()) / unit;
 }
 
-double motionKeptOf(const ClothModel& model, const Trajectory& own, const Trajectory& reference) {
-  MotionKept kept;
+double motionKeptOf(const sim::ClothModel& model, const Trajectory& own, const Trajectory& reference) {
+  sim::MotionKept kept;
   for (std::size_t k = 1; k < std::min(own.states.size(), reference.states.size()); ++k) {
     kept.add(model, {own.states[k - 1].positions, own.states[k].positions, reference.states[k - 1].positions,
                      reference.states[k].positions});
@@ -96,7 +96,7 @@ ReportRows measureCell(Ground& ground, const std::string& method, const std::str
   const Trajectory& reference = ground.motion(patient);
   // A solve with more iterations would exceed the time limit, which is checked only between steps. The default cost
   // budget of `auto` takes seconds.
-  const Settings settings = changedSettings(
+  const settings::Settings settings = changedSettings(
       ground.scene(), {"solver=" + method, "time_step=" + timeStep, "max_iterations=100", "auto.cost=50"});
   ReportRow row{{"method", method},
                 {"resolution", ground.resolution()},
@@ -142,7 +142,7 @@ SectionPlan plan(const ReportOptions& options) {
   for (const int resolution : sizes) {
     for (const std::string& stiffness : stiffnesses) {
       const auto ground = std::make_shared<Ground>(options, resolution, stiffness);
-      for (const SolverInfo& solver : solverTable()) {
+      for (const sim::SolverInfo& solver : sim::solverTable()) {
         for (const std::string& step : steps) {
           const std::string method(solver.name);
           plan.cells.push_back({keyOf({method, gridText(resolution), stiffness, "N/m", step, "s"}),
@@ -184,7 +184,7 @@ StateMap mapOf(const std::string& method, const ReportRows& rows) {
     map.columns.push_back(stepText(step));
   }
   for (const auto& [cloth, own] : cloths) {
-    StateMap::Row line{gridText(cloth.first) + ", " + figure(cloth.second, 6) + " N/m", {}};
+    StateMap::Row line{gridText(cloth.first) + ", " + text::figure(cloth.second, 6) + " N/m", {}};
     for (const double step : steps) {
       const auto found = own.find(step);
       line.cells.push_back(indexOf(found == own.end() ? "" : found->second));
@@ -225,8 +225,9 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
       "This cloth gets no external energy. Explodes: the state is not finite, or the energy after a step has risen by "
       "more "
       "than " +
-      figure(explodingGain) + " m g D above its start value, with D the diagonal of the cloth. Rattles: by more than " +
-      figure(rattlingGain) + " m g D. Frozen: it keeps less than " + figure(frozenMotion) +
+      text::figure(explodingGain) +
+      " m g D above its start value, with D the diagonal of the cloth. Rattles: by more than " +
+      text::figure(rattlingGain) + " m g D. Frozen: it keeps less than " + text::figure(frozenMotion) +
       " of the motion that Verlet has at half of its stability limit. Calm: none of these. Too slow: it was given "
       "up."});
   blocks.emplace_back(Paragraph{claimText(rows)});
@@ -243,8 +244,8 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
 
 }  // namespace
 
-Section sections::stability() {
+Section stability() {
   return {"stability", "Stability", plan, show};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

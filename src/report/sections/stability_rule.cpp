@@ -1,6 +1,6 @@
 #include "report/sections/stability_rule.hpp"
 
-namespace drape {
+namespace drape::report::sections {
 
 std::string stabilityState(const StabilityFigures& figures) {
   // In this form a NaN counts as an explosion.
@@ -13,4 +13,4 @@ std::string stabilityState(const StabilityFigures& figures) {
   return figures.motionKept < frozenMotion ? "frozen" : "calm";
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// The results of a run under gravity from rest, without damping and air. There is no external energy.
 struct StabilityFigures {
@@ -22,4 +22,4 @@ inline constexpr double frozenMotion = 0.5;
 /// frozenMotion. Otherwise "calm".
 [[nodiscard]] std::string stabilityState(const StabilityFigures& figures);
 
-}  // namespace drape
+}  // namespace drape::report::sections

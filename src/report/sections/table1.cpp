@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 /// The values of the paper's Table 1 [ms].
@@ -49,7 +49,7 @@ ReportRows measureUpdate(int resolution, const std::string& precision, const Rep
                 {"solver=one_iteration", "precision=" + precision, "threads=" + std::to_string(options.threads)});
   const TimingBudget budget{.seconds = options.quick ? 0.1 : 1.0, .minSteps = 3, .maxSteps = 5000};
   const StepTiming timing = timeSteps(*scene, scene->settings, budget, context.checkStop);
-  const ClothModel& model = *scene->model;
+  const sim::ClothModel& model = *scene->model;
   const double median = medianOf(timing.stepSeconds);
   const bool enough = timing.stepSeconds.size() >= minForPercentile;
   ReportRow row{{"resolution", resolution},
@@ -148,7 +148,7 @@ std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
   for (const auto& [precision, growth] : growthOf(rows, smallestFitted)) {
     if (growth.springs.size() > 1) {
       blocks.emplace_back(Paragraph{"In " + precision + " the time grows as the number of springs to the power " +
-                                    figure(fittedExponent(growth.springs, growth.times)) + " from " +
+                                    text::figure(fittedExponent(growth.springs, growth.times)) + " from " +
                                     gridText(smallestFitted) + " on (1 is proportional)."});
     }
   }
@@ -158,8 +158,8 @@ std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
 
 }  // namespace
 
-Section sections::table1() {
+Section table1() {
   return {"table1", "Frame update (the paper's Table 1)", plan, show};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

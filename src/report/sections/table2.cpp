@@ -11,7 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 constexpr int checkpoints = 25;
@@ -49,8 +49,8 @@ struct Case {
   }
 };
 
-ReportRow emptyRow(const Case& one, const Scene& scene, const std::string& method, bool restarted) {
-  const StepParameters& step = scene.settings.step;
+ReportRow emptyRow(const Case& one, const scene::Scene& scene, const std::string& method, bool restarted) {
+  const sim::StepParameters& step = scene.settings.step;
   return {{"start", one.start.name},
           {"losses", one.losses.name},
           {"damping", step.material.damping},
@@ -96,11 +96,12 @@ void writeMeasures(const ErrorReport& report, ReportRow& row) {
 
 /// The error of the paper's reference at its last checkpoint, against Verlet with the same step, which is of second
 /// order and nearly exact here [m].
-double referenceError(const Scene& scene, const Trajectory& reference, const Watch& watch) {
-  const Settings settings = changedSettings(scene, {"solver=verlet", std::string("time_step=") + paperReferenceStep});
+double referenceError(const scene::Scene& scene, const Trajectory& reference, const Watch& watch) {
+  const settings::Settings settings =
+      changedSettings(scene, {"solver=verlet", std::string("time_step=") + paperReferenceStep});
   const Trajectory exact = runTrajectory(scene, settings, reference.checkpoints(), watch);
   return exact.checkpoints() == reference.checkpoints()
-             ? meanDistance(exact.states.back().positions, reference.states.back().positions)
+             ? sim::meanDistance(exact.states.back().positions, reference.states.back().positions)
              : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -115,7 +116,7 @@ ReportRows measureCase(const Case& one, const CellContext& context) {
   const double referenceOff = referenceError(*scene, reference.trajectory, watch);
   ReportRows rows;
   for (const std::string method : {"one_iteration", "pcg"}) {
-    const Settings settings = changedSettings(*scene, {"solver=" + method});
+    const settings::Settings settings = changedSettings(*scene, {"solver=" + method});
     for (const bool restarted : {false, true}) {
       const Trajectory own = restarted ? runRestarted(*scene, settings, reference.trajectory, watch)
                                        : runTrajectory(*scene, settings, checkpoints, watch);
@@ -176,8 +177,8 @@ SectionPlan plan(const ReportOptions& options) {
 
 }  // namespace
 
-Section sections::table2() {
+Section table2() {
   return {"table2", "Displacement errors (the paper's Table 2, Figs. 7 and 8)", plan, showTable2};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 /// The scene's sheet is level; here it is upright, with its back edge up.
@@ -31,18 +31,18 @@ Watch watchOf(const std::function<void()>& checkStop) {
 
 /// The rest state, from an upright start with a jitter of up to a millimetre so that it may fold: ten seconds with
 /// thick air and damping.
-ClothState settled(const Scene& scene, const std::function<void()>& checkStop) {
+sim::ClothState settled(const scene::Scene& scene, const std::function<void()>& checkStop) {
   constexpr double millimetre = 1e-3;
   constexpr double seconds = 10.0;
-  const Settings settings = changedSettings(
+  const settings::Settings settings = changedSettings(
       scene, {"solver=pcg", "tolerance=1e-4", "time_step=1/60", "damping=0.05", "drag=5", "lift=0", "wind.x=0"});
   const Trajectory run =
       runTrajectory(*jittered(scene, millimetre, 1), settings, checkpointsIn(seconds), watchOf(checkStop));
-  return stateAtRest(run.states.back().positions);
+  return sim::stateAtRest(run.states.back().positions);
 }
 
 /// Rotates the cloth about the line of its pins, which runs along x.
-void tilt(const ClothModel& model, ClothState& state) {
+void tilt(const sim::ClothModel& model, sim::ClothState& state) {
   const auto pin =
       static_cast<std::size_t>(std::find(model.pinned.begin(), model.pinned.end(), true) - model.pinned.begin());
   const Vec3 axis = state.positions.at(pin);
@@ -82,21 +82,21 @@ const std::vector<Table2Start>& table2Starts() {
   return starts;
 }
 
-Settings paperReferenceSettings(const Scene& scene) {
+settings::Settings paperReferenceSettings(const scene::Scene& scene) {
   return changedSettings(scene, {"solver=explicit_euler", std::string("time_step=") + paperReferenceStep});
 }
 
-std::shared_ptr<const Scene> buildStart(const Table2Start& start, int resolution,
-                                        const std::vector<std::string>& settings,
-                                        const std::function<void()>& checkStop) {
+std::shared_ptr<const scene::Scene> buildStart(const Table2Start& start, int resolution,
+                                               const std::vector<std::string>& settings,
+                                               const std::function<void()>& checkStop) {
   auto scene = buildSetUp(start.setUp, resolution, settings);
   if (start.hanging) {
-    ClothState state = settled(*scene, checkStop);
+    sim::ClothState state = settled(*scene, checkStop);
     tilt(*scene->model, state);
     scene = startedFrom(*scene, std::move(state));
   }
   if (start.swing > 0.0) {
-    ClothState state =
+    sim::ClothState state =
         runTrajectory(*scene, paperReferenceSettings(*scene), checkpointsIn(start.swing), watchOf(checkStop))
             .states.back();
     state.time = 0.0;
@@ -105,4 +105,4 @@ std::shared_ptr<const Scene> buildStart(const Table2Start& start, int resolution
   return scene;
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

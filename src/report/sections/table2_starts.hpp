@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// A possible start of a run of the paper's Table 2; the paper does not give it.
 struct Table2Start {
@@ -28,12 +28,12 @@ inline constexpr const char* paperStep = "1/150";
 inline constexpr const char* paperReferenceStep = "1/30000";
 
 /// The settings of the reference for a scene.
-[[nodiscard]] Settings paperReferenceSettings(const Scene& scene);
+[[nodiscard]] settings::Settings paperReferenceSettings(const scene::Scene& scene);
 
 /// The scene with that start and these settings ("key=value").
 /// @param checkStop is called at each step and may throw
-[[nodiscard]] std::shared_ptr<const Scene> buildStart(const Table2Start& start, int resolution,
-                                                      const std::vector<std::string>& settings,
-                                                      const std::function<void()>& checkStop);
+[[nodiscard]] std::shared_ptr<const scene::Scene> buildStart(const Table2Start& start, int resolution,
+                                                             const std::vector<std::string>& settings,
+                                                             const std::function<void()>& checkStop);
 
-}  // namespace drape
+}  // namespace drape::report::sections

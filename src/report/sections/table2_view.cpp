@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 /// The contents of one plot: the runs of a method on one mesh.
@@ -70,7 +70,7 @@ TextTable tableOf(const std::string& title, const ReportRows& rows, bool isPlain
     table.rows.push_back({row.value("start", ""), figure(row, "polygons", 6), row.value("method", ""),
                           row.value("mode", ""), figure(row, "eps_max"), figure(row, "eps_mean"), figure(row, "S_min"),
                           figure(row, "S_mean"), figure(row, "checkpoints_within_paper"),
-                          figure(1e3 * numberIn(row, "reference_error_mean"))});
+                          text::figure(1e3 * numberIn(row, "reference_error_mean"))});
     if (!isPlainOnly) {
       for (const std::string& field :
            {row.value("losses", ""), figure(row, "mass"), figure(row, "stiffness", 6), figure(row, "checkpoints")}) {
@@ -103,7 +103,7 @@ std::string nearestText(const ReportRows& rows, const std::string& method, const
   return "Of the " + mode + " runs of " + method + ", '" + row->value("start", "") + "' with " + figure(*row, "mass") +
          " kg, " + figure(*row, "stiffness", 6) + " N/m, losses: " + row->value("losses", "") + ", " +
          figure(*row, "polygons", 6) + " polygons comes closest, with eps of at most " + figure(*row, "eps_max") +
-         ", " + figure(numberIn(*row, "eps_max") / paperLargestEps) + " times the paper's; " +
+         ", " + text::figure(numberIn(*row, "eps_max") / paperLargestEps) + " times the paper's; " +
          figure(*row, "checkpoints_within_paper") + " of its 25 checkpoints are within it. ";
 }
 
@@ -193,4 +193,4 @@ std::vector<Block> showTable2(const ReportOptions&, const ReportRows& rows) {
   return blocks;
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -9,7 +9,7 @@
 #include <set>
 #include <thread>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 constexpr double microseconds = 1e6;
@@ -29,7 +29,7 @@ ReportRows measureThreads(const std::string& method, int resolution, int threads
                           const CellContext& context) {
   const auto scene =
       gridScene("grid", resolution, {"solver=" + method, "precision=float", "threads=" + std::to_string(threads)});
-  Settings settings = scene->settings;
+  settings::Settings settings = scene->settings;
   const TimingBudget budget{.seconds = quick ? 0.03 : 0.2, .minSteps = 3, .maxSteps = 2000};
   const StepTiming timing = timeSteps(*scene, settings, budget, context.checkStop);
   ReportRow row{{"method", method},
@@ -106,7 +106,7 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
   for (const ReportRow& row : rows) {
     methods.insert(row.value("method", ""));
     table.rows.push_back({row.value("method", ""), gridText(row.value("resolution", 0)), figure(row, "threads"),
-                          figure(row, "step_us"), figure(aloneTime(rows, row) / numberIn(row, "step_us"))});
+                          figure(row, "step_us"), text::figure(aloneTime(rows, row) / numberIn(row, "step_us"))});
   }
   for (const std::string& method : methods) {
     blocks.emplace_back(plotOf(rows, method, true));
@@ -118,8 +118,8 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
 
 }  // namespace
 
-Section sections::threads() {
+Section threads() {
   return {"threads", "Threads and size", plan, show};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// Thrown from a run that exceeds its time limit.
 struct TooSlow {};
@@ -49,4 +49,4 @@ class TimeLimit {
   double begin_ = threadSeconds();
 };
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 /// Error limits as shares of the cloth's diagonal [-].
@@ -143,7 +143,7 @@ TextTable budgetTable(const ReportRows& rows) {
   std::map<Setup, std::string> names;
   for (const ReportRow& row : asked) {
     constexpr double percent = 100.0;
-    errors[setupOf(row)][row.value("method", "")] = figure(percent * numberIn(row, "error_of_diagonal"), 2);
+    errors[setupOf(row)][row.value("method", "")] = text::figure(percent * numberIn(row, "error_of_diagonal"), 2);
     names[setupOf(row)] = clothOf(row);
   }
   for (auto& [setup, own] : errors) {
@@ -178,7 +178,7 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
       "Computed from the previous section, from its calm settings. Errors are mean distances from the "
       "converged motion at that time, as a share of the cloth's diagonal. A frame is 1/60 s, so a millisecond per "
       "frame is " +
-      figure(budgetOfSecond) + " us per simulated second."});
+      text::figure(budgetOfSecond) + " us per simulated second."});
   blocks.emplace_back(cheapestTable(rows));
   blocks.emplace_back(Paragraph{winnersText(rows)});
   blocks.emplace_back(budgetTable(rows));
@@ -193,8 +193,8 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
 
 }  // namespace
 
-Section sections::whatFollows() {
+Section whatFollows() {
   return {"what_follows", "Conclusions", nullptr, show, derive};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

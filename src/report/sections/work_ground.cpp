@@ -7,7 +7,7 @@
 #include <limits>
 #include <thread>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 /// The maximum cost of a run in the search for the reference, in springs times steps: some seconds at most.
@@ -28,7 +28,7 @@ Watch watchOf(const std::function<void()>& checkStop) {
 
 }  // namespace
 
-const Scene& WorkGround::scene() {
+const scene::Scene& WorkGround::scene() {
   if (scene_ == nullptr) {
     scene_ = buildSetUp(setUp_, resolution_,
                         {"time_step=1/150", "substeps=1", "stiffness=" + stiffness_, "precision=double", "threads=1"});
@@ -36,7 +36,7 @@ const Scene& WorkGround::scene() {
   return *scene_;
 }
 
-const Scene& WorkGround::jitteredScene(int seed) {
+const scene::Scene& WorkGround::jitteredScene(int seed) {
   auto& scene = jittered_.at(static_cast<std::size_t>(seed) - 1);
   if (scene == nullptr) {
     scene = jittered(this->scene(), jitterLength, static_cast<unsigned>(seed));
@@ -69,18 +69,18 @@ void WorkGround::findReference(const std::function<void()>& checkStop) {
   tolerance.takeAnyway = true;  // each row states the quality of its reference
   tolerance.maxCost = maxCost(resolution_, quick_);
   // Nothing is timed here, and all threads give the same bits.
-  Settings settings = convergedSettings(scene().settings);
+  settings::Settings settings = convergedSettings(scene().settings);
   settings.step.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   try {
     reference_ = convergedReference(scene(), settings, judgedCheckpoints, tolerance, watchOf(checkStop).progress);
-  } catch (const InputError&) {
+  } catch (const messages::InputError&) {
     reference_.reset();
   }
 }
 
 void WorkGround::findFloor(const std::function<void()>& checkStop) {
   // The growth of jitter is a property of the motion, so the first step of the halving is accurate enough.
-  Settings settings = reference_->settings;
+  settings::Settings settings = reference_->settings;
   for (std::size_t i = 0; i < reference_->halvings.size(); ++i) {
     settings.step.timeStep *= 2.0;
   }
@@ -91,9 +91,9 @@ void WorkGround::findFloor(const std::function<void()>& checkStop) {
     const Trajectory moved = runTrajectory(jitteredScene(seed), settings, judgedCheckpoints, watch);
     floor_.resize(std::min(floor_.size(), moved.states.size()));
     for (std::size_t k = 0; k < floor_.size(); ++k) {
-      floor_[k] += meanDistance(still.states[k].positions, moved.states[k].positions) / seedCount;
+      floor_[k] += sim::meanDistance(still.states[k].positions, moved.states[k].positions) / seedCount;
     }
   }
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

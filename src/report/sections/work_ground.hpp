@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// Times at which errors are measured [s], and for the last of them: checkpoints, steps of 1/150 s.
 inline constexpr std::array judgedTimes{0.2, 0.5};
@@ -32,10 +32,10 @@ class WorkGround {
   [[nodiscard]] int resolution() const { return resolution_; }
   [[nodiscard]] const std::string& stiffness() const { return stiffness_; }
 
-  const Scene& scene();
+  const scene::Scene& scene();
 
   /// The cloth from a jittered start; the seed is from 1 to seedCount.
-  const Scene& jitteredScene(int seed);
+  const scene::Scene& jitteredScene(int seed);
 
   /// Null when small steps do not converge here.
   const Reference* reference(const std::function<void()>& checkStop);
@@ -52,11 +52,11 @@ class WorkGround {
   int resolution_;
   std::string stiffness_;
   bool quick_;
-  std::shared_ptr<const Scene> scene_;
-  std::array<std::shared_ptr<const Scene>, seedCount> jittered_;
+  std::shared_ptr<const scene::Scene> scene_;
+  std::array<std::shared_ptr<const scene::Scene>, seedCount> jittered_;
   std::optional<Reference> reference_;
   bool tried_ = false;
   std::vector<double> floor_;  // [k] at checkpoint k [m]
 };
 
-}  // namespace drape
+}  // namespace drape::report::sections

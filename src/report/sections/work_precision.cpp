@@ -15,7 +15,7 @@
 #include <optional>
 #include <utility>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 constexpr double microseconds = 1e6;
@@ -56,10 +56,10 @@ struct Entry {
 
 /// CPU time of the whole run up to each judged time, per simulated second [us], the mean of as many runs as the clock
 /// needs. The solver's set-up is not included.
-std::array<double, judgedTimes.size()> timedRun(const Scene& scene, const Settings& settings, double minSeconds,
-                                                const std::function<void()>& checkStop) {
-  Stepper stepper(settings.solver.name);
-  ClothState state = scene.start;
+std::array<double, judgedTimes.size()> timedRun(const scene::Scene& scene, const settings::Settings& settings,
+                                                double minSeconds, const std::function<void()>& checkStop) {
+  sim::Stepper stepper(settings.solver.name);
+  sim::ClothState state = scene.start;
   stepper.step(*scene.model, settings.step, {}, state);
   std::array<double, judgedTimes.size()> spent{};
   int runs = 0;
@@ -111,7 +111,7 @@ ReportRow emptyRow(WorkGround& ground, const Entry& entry, double time) {
 }
 
 /// The result of a run at a judged time; empty when it did not reach it.
-std::optional<ErrorSummary> summaryAt(const Scene& scene, const Trajectory& own, const Reference& reference,
+std::optional<ErrorSummary> summaryAt(const scene::Scene& scene, const Trajectory& own, const Reference& reference,
                                       const ErrorReport& report, double time) {
   const auto summaries = summarise(*scene.model, own, reference, report, std::array{time});
   return own.checkpoints() >= checkpointsIn(time) && !summaries.empty() ? std::optional(summaries.front())
@@ -124,9 +124,9 @@ struct JudgedRun {
   ErrorReport report;
 };
 
-JudgedRun judgedRun(WorkGround& ground, const Settings& settings, const Reference& reference, int seed,
+JudgedRun judgedRun(WorkGround& ground, const settings::Settings& settings, const Reference& reference, int seed,
                     const TimeLimit& timeLimit) {
-  const Scene& scene = seed == 0 ? ground.scene() : ground.jitteredScene(seed);
+  const scene::Scene& scene = seed == 0 ? ground.scene() : ground.jitteredScene(seed);
   JudgedRun run{runTrajectory(scene, settings, judgedCheckpoints, timeLimit.watch()), {}};
   run.report = compareWithReference(*scene.model, settings.step, run.own, reference);
   return run;
@@ -146,7 +146,7 @@ bool writeReference(const Reference& reference, double diagonal, ReportRow& row)
 }
 
 /// Writes the errors of the run from the original start.
-void writeErrors(const Scene& scene, const JudgedRun& run, const Reference& reference, ReportRow& row) {
+void writeErrors(const scene::Scene& scene, const JudgedRun& run, const Reference& reference, ReportRow& row) {
   if (!writeReference(reference, run.report.diagonal, row)) {
     return;
   }
@@ -164,8 +164,8 @@ void writeErrors(const Scene& scene, const JudgedRun& run, const Reference& refe
 
 /// Also runs from jittered starts, and writes the range of the errors. `error_mean` remains that of the original start,
 /// which another report reproduces to the last bit.
-void writeSpread(WorkGround& ground, const Settings& settings, const Reference& reference, const TimeLimit& timeLimit,
-                 ReportRows& rows) {
+void writeSpread(WorkGround& ground, const settings::Settings& settings, const Reference& reference,
+                 const TimeLimit& timeLimit, ReportRows& rows) {
   std::vector<std::vector<double>> errors(rows.size());
   for (int seed = 1; seed <= seedCount; ++seed) {
     const JudgedRun run = judgedRun(ground, settings, reference, seed, timeLimit);
@@ -192,7 +192,7 @@ bool isChaotic(const ReportRows& rows) {
 }
 
 /// Errors at the judged times, without costs.
-ReportRows judgedRows(WorkGround& ground, const Entry& entry, const Settings& settings, const Limits& limits,
+ReportRows judgedRows(WorkGround& ground, const Entry& entry, const settings::Settings& settings, const Limits& limits,
                       const std::function<void()>& checkStop) {
   ReportRows rows;
   for (const double time : judgedTimes) {
@@ -247,7 +247,7 @@ double expectedSeconds(WorkGround& ground, const Entry& entry, const ReportRows&
 
 ReportRows measureEntry(WorkGround& ground, const Entry& entry, bool quick, const CellContext& context) {
   const Limits limits = limitsOf(quick);
-  const Settings settings = changedSettings(ground.scene(), entry.assignments());
+  const settings::Settings settings = changedSettings(ground.scene(), entry.assignments());
   ReportRows rows = context.own;
   if (rows.empty() && expectedSeconds(ground, entry, context.section) > limits.maxSeconds) {
     for (const double time : judgedTimes) {
@@ -301,7 +301,7 @@ void addCells(const std::shared_ptr<WorkGround>& ground, bool quick, bool fastMe
   // the durations of cells vary widely; this is about their mean
   const double weight = quick ? 0.03 : 0.045;
   for (const MethodCurve& curve : methodCurves()) {
-    if (const SolverInfo* solver = findSolver(curve.method);
+    if (const sim::SolverInfo* solver = sim::findSolver(curve.method);
         fastMethods && (solver == nullptr || !hasVectorLoops(*solver))) {
       continue;
     }
@@ -328,8 +328,8 @@ SectionPlan plan(const ReportOptions& options) {
 
 }  // namespace
 
-Section sections::workPrecision() {
+Section workPrecision() {
   return {"work_precision", "Error against cost", plan, showWorkPrecision};
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <utility>
 
-namespace drape {
+namespace drape::report::sections {
 namespace {
 
 constexpr double millimetres = 1e3;
@@ -32,12 +32,13 @@ std::map<Setup, ReportRows> bySetup(const ReportRows& rows) {
 
 std::string titleOf(const Setup& setup) {
   const auto& [scene, resolution, stiffness, time] = setup;
-  return scene + ", " + gridText(resolution) + ", " + figure(stiffness) + " N/m, after " + figure(time) + " s";
+  return scene + ", " + gridText(resolution) + ", " + text::figure(stiffness) + " N/m, after " + text::figure(time) +
+         " s";
 }
 
 std::string fileOf(const Setup& setup) {
   const auto& [scene, resolution, stiffness, time] = setup;
-  std::string name = "work-" + scene + "-" + std::to_string(resolution) + "-" + figure(stiffness, 6) + "-" +
+  std::string name = "work-" + scene + "-" + std::to_string(resolution) + "-" + text::figure(stiffness, 6) + "-" +
                      std::to_string(std::lround(1000.0 * time)) + "ms";
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '.' || c == '+' || c == '/' || c == ' '; }, '_');
@@ -68,7 +69,7 @@ ReportRows frontOf(const ReportRows& rows) {
 PlotPoint pointOf(const ReportRow& row) {
   const std::string state = row.value("state", "");
   PlotPoint point{numberIn(row, "us_per_simulated_second"), millimetres * numberIn(row, "error_mean")};
-  point.note = nameOf(row) + ": " + figure(point.y) + " mm, " + figure(point.x) + " us, " + state;
+  point.note = nameOf(row) + ": " + text::figure(point.y) + " mm, " + text::figure(point.x) + " us, " + state;
   point.low = millimetres * numberIn(row, "error_low");
   point.high = millimetres * numberIn(row, "error_high");
   if (state == "exploded") {
@@ -121,8 +122,8 @@ TextTable tableOf(const std::string& title, const ReportRows& rows) {
                   {}};
   for (const ReportRow& row : rows) {
     table.rows.push_back({row.value("method", ""), row.value("setting", ""), figure(row, "us_per_simulated_second"),
-                          figure(millimetres * numberIn(row, "error_mean")),
-                          figure(millimetres * numberIn(row, "error_rms")), figure(row, "eps"), figure(row, "S"),
+                          text::figure(millimetres * numberIn(row, "error_mean")),
+                          text::figure(millimetres * numberIn(row, "error_rms")), figure(row, "eps"), figure(row, "S"),
                           figure(row, "motion_kept"), row.value("state", "")});
   }
   return table;
@@ -131,7 +132,7 @@ TextTable tableOf(const std::string& title, const ReportRows& rows) {
 /// The names of the solvers with vector instructions.
 std::string fastMethods() {
   std::string names;
-  for (const SolverInfo& solver : solverTable()) {
+  for (const sim::SolverInfo& solver : sim::solverTable()) {
     if (hasVectorLoops(solver)) {
       names += (names.empty() ? "" : ", ") + std::string(solver.name);
     }
@@ -150,13 +151,13 @@ std::string referenceText(const ReportRows& rows) {
   const ReportRow& row = told == rows.end() ? rows.front() : *told;
   if (!isJudged(rows)) {
     return "Small steps did not converge on this cloth: the last halving still moved it by " +
-           figure(millimetres * numberIn(row, "reference_difference")) + " mm, so there is no reference.";
+           text::figure(millimetres * numberIn(row, "reference_difference")) + " mm, so there is no reference.";
   }
   std::string text = "The last halving of the reference's step moved it by " +
-                     figure(millimetres * numberIn(row, "reference_difference")) + " mm here";
+                     text::figure(millimetres * numberIn(row, "reference_difference")) + " mm here";
   text += row.value("trusted", false) ? ". " : ", which is above the tolerance: smaller errors are meaningless. ";
-  text += "A jitter of the start by up to 0.001 mm moves it by " + figure(millimetres * numberIn(row, "noise_floor")) +
-          " mm.";
+  text += "A jitter of the start by up to 0.001 mm moves it by " +
+          text::figure(millimetres * numberIn(row, "noise_floor")) + " mm.";
   const auto slow = std::count_if(rows.begin(), rows.end(),
                                   [](const ReportRow& one) { return one.value("state", "") == "too slow"; });
   return slow == 0 ? text
@@ -215,4 +216,4 @@ std::vector<Block> showWorkPrecision(const ReportOptions& options, const ReportR
   return blocks;
 }
 
-}  // namespace drape
+}  // namespace drape::report::sections

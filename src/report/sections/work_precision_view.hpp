@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::report::sections {
 
 /// The state of a run: "exploded" when it was not finite, moved more than twice as much as the reference, or is farther
 /// from it than the length of the cloth; "frozen" when it moved less than half as much as the reference; otherwise
@@ -16,4 +16,4 @@ namespace drape {
 /// The diagrams with their Pareto fronts and tables.
 [[nodiscard]] std::vector<Block> showWorkPrecision(const ReportOptions& options, const ReportRows& rows);
 
-}  // namespace drape
+}  // namespace drape::report::sections

@@ -8,7 +8,7 @@
 #include <array>
 #include <span>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 /// A kick and the drift after it, as fractions of the substep.
@@ -46,7 +46,7 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
                                const StepInputs& inputs, const StepPlan& plan, const ClothState& state,
                                EnergyRequest request) {
   cloth_ = &cloths_.get(model);
-  step_ = sliceStepOf<T>(parameters, {});
+  step_ = simd::sliceStepOf<T>(parameters, {});
   step_.liftRise = static_cast<T>(kernels::liftRise(parameters.air.density));
   const double substep = parameters.timeStep / plan.substeps;
   damping_ = {.timedDamping = static_cast<T>(substep * parameters.material.damping), .stages = plan.dampingStages};
@@ -54,15 +54,15 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
     prepareSplitDamping(model, rates);
   }
   clampStiffness(model, rates, parameters, plan);
-  const auto lanes = static_cast<std::size_t>(cloth_->layout.slices()) * sliceLanes;
+  const auto lanes = static_cast<std::size_t>(cloth_->layout.slices()) * simd::sliceLanes;
   for (std::vector<T>* energy : {&firstEnergy_, &lastEnergy_, &startEnergy_, &endEnergy_}) {
     energy->resize(lanes);
   }
   firstCoarse_ = lastCoarse_ = startCoarse_ = endCoarse_ = 0.0;
-  const int threads = usefulThreads(cloth_->layout, parameters.threads);
+  const int threads = simd::usefulThreads(cloth_->layout, parameters.threads);
   cloth_->prepare(threads, 1);
   team_.run(threads, [&](int member) {
-    const StepShare share = shareOf(cloth_->layout, 1, member, threads);
+    const simd::StepShare share = simd::shareOf(cloth_->layout, 1, member, threads);
     cloth_->load(state, share);
     if (request.start) {
       team_.arriveAndWait();
@@ -89,9 +89,9 @@ void AdaptiveRun<T>::prepareSplitDamping(const ClothModel& model, const LocalRat
   gain_.resize(cloth_->layout.slices(), false);
   damping_.gain = &gain_;
   const auto& scales = dampingScales_.get(model, [&](const ClothModel&) {
-    std::vector<SliceNumbers<T>> slots;
+    std::vector<simd::SliceNumbers<T>> slots;
     const auto scaleOf = [&](double rate) { return std::min(1.0, rates.dampingPercentile99 / rate); };
-    return fillSlots(*cloth_, rates.damping, scaleOf, slots) < 1.0 ? slots : std::vector<SliceNumbers<T>>();
+    return fillSlots(*cloth_, rates.damping, scaleOf, slots) < 1.0 ? slots : std::vector<simd::SliceNumbers<T>>();
   });
   damping_.dampingScales = scales.empty() ? nullptr : scales.data();
 }
@@ -136,10 +136,10 @@ void AdaptiveRun<T>::clampStiffness(const ClothModel& model, const LocalRates& r
 /// the attachment acts between them.
 template <typename T>
 void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
-                          const StepShare& share) {
+                          const simd::StepShare& share) {
   const auto stages = stagesOf(plan.scheme);
   const double start = startOf(plan.scheme);
-  driftSlices(*cloth_, static_cast<T>(start * substep), share);
+  simd::driftSlices(*cloth_, static_cast<T>(start * substep), share);
   team_.arriveAndWait();
   for (int i = 0; i < plan.substeps; ++i) {
     if (share.first && share.last && i % stopCheckInterval == stopCheckInterval - 1) {
@@ -150,7 +150,7 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
       const bool lastKick = i + 1 == plan.substeps && s + 1 == stages.size();
       const bool between = s + 1 == stages.size() && !lastKick;
       const double drift = (stages[s].drift + (between ? start : 0.0)) * substep;
-      SliceStep<T> step = step_;
+      simd::SliceStep<T> step = step_;
       step.timeStep = static_cast<T>(stages[s].kick * substep);
       step.energy = firstKick ? firstEnergy_.data() : lastKick ? lastEnergy_.data() : nullptr;
       kick(step, plan, static_cast<T>(inputs.attachment ? 0.0 : drift), firstKick ? &firstCoarse_ : &lastCoarse_,
@@ -160,10 +160,10 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
       }
       if (inputs.attachment) {
         if (share.member == 0) {
-          applyAttachmentImpulse(model, stages[s].kick * substep, *inputs.attachment, *cloth_);
+          simd::applyAttachmentImpulse(model, stages[s].kick * substep, *inputs.attachment, *cloth_);
         }
         team_.arriveAndWait();
-        driftSlices(*cloth_, static_cast<T>(drift), share);
+        simd::driftSlices(*cloth_, static_cast<T>(drift), share);
         team_.arriveAndWait();
       }
     }
@@ -171,8 +171,8 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
 }
 
 template <typename T>
-void AdaptiveRun<T>::kick(const SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy,
-                          const StepShare& share) {
+void AdaptiveRun<T>::kick(const simd::SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy,
+                          const simd::StepShare& share) {
   if (activeLevels_ > 0 && plan.usesCoarseLevels) {
     if (share.member == 0) {
       motion_->accelerate(*cloth_, step.energy != nullptr);
@@ -184,27 +184,27 @@ void AdaptiveRun<T>::kick(const SliceStep<T>& step, const StepPlan& plan, T drif
   }
   const int phases = share.first && share.last ? 1 : 2;
   for (int phase = 0; phase < phases; ++phase) {
-    verletPhase(*cloth_, step, drift, share, phase);
+    simd::verletPhase(*cloth_, step, drift, share, phase);
     team_.arriveAndWait();
   }
 }
 
 /// The damping stages and the drift after a kick that left its velocities in `start`.
 template <typename T>
-void AdaptiveRun<T>::damp(double drift, const StepShare& share) {
+void AdaptiveRun<T>::damp(double drift, const simd::StepShare& share) {
   for (int stage = 1; stage <= damping_.stages; ++stage) {
-    dampingStage(*cloth_, damping_, stage, share);
+    simd::dampingStage(*cloth_, damping_, stage, share);
     team_.arriveAndWait();
   }
-  driftSlices(*cloth_, static_cast<T>(drift), share);
+  simd::driftSlices(*cloth_, static_cast<T>(drift), share);
   team_.arriveAndWait();
 }
 
 /// The energy of the present state, by a kick of zero duration, which changes nothing.
 template <typename T>
 void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy,
-                             const StepShare& share) {
-  SliceStep<T> still = step_;
+                             const simd::StepShare& share) {
+  simd::SliceStep<T> still = step_;
   still.timeStep = T(0);
   still.damping = still.drag = still.lift = T(0);
   still.updatesVelocity = true;
@@ -217,10 +217,10 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
 
 template <typename T>
 void AdaptiveRun<T>::store(ClothState& state) {
-  cloth_->store(state, shareOf(cloth_->layout, 1, 0, 1));
+  cloth_->store(state, simd::shareOf(cloth_->layout, 1, 0, 1));
 }
 
 template class AdaptiveRun<float>;
 template class AdaptiveRun<double>;
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 /// The energy in a step: kinetic, potential, of the clamped springs and of the coarse levels.
 ///
@@ -62,24 +62,25 @@ class AdaptiveRun {
   void clampStiffness(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                       const StepPlan& plan);
   void move(const ClothModel& model, const StepInputs& inputs, const StepPlan& plan, double substep,
-            const StepShare& share);
-  void kick(const SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy, const StepShare& share);
+            const simd::StepShare& share);
+  void kick(const simd::SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy,
+            const simd::StepShare& share);
   void prepareSplitDamping(const ClothModel& model, const LocalRates& rates);
-  void damp(double drift, const StepShare& share);
-  void measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy, const StepShare& share);
+  void damp(double drift, const simd::StepShare& share);
+  void measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy, const simd::StepShare& share);
 
-  ThreadTeam team_;
-  SlicedClothCache<T> cloths_;
-  SlicedCloth<T>* cloth_ = nullptr;
+  simd::ThreadTeam team_;
+  simd::SlicedClothCache<T> cloths_;
+  simd::SlicedCloth<T>* cloth_ = nullptr;
   ModelCache<std::unique_ptr<CoarseMotion<T>>> coarse_;
   CoarseMotion<T>* motion_ = nullptr;
   ModelCache<StiffnessClamp> clamps_;
-  std::vector<SliceNumbers<T>> stiffnessScales_;
+  std::vector<simd::SliceNumbers<T>> stiffnessScales_;
   int activeLevels_ = 0;
-  SliceStep<T> step_;
-  ModelCache<std::vector<SliceNumbers<T>>> dampingScales_;  // empty: all are 1
-  DampingRun<T> damping_;                                   // of a substep; no stages: damping is part of the kick
-  LaneVectors<T> gain_;                                     // velocity change of a kick, for the damping stages [m/s]
+  simd::SliceStep<T> step_;
+  ModelCache<std::vector<simd::SliceNumbers<T>>> dampingScales_;  // empty: all are 1
+  simd::DampingRun<T> damping_;  // of a substep; no stages: damping is part of the kick
+  simd::LaneVectors<T> gain_;    // velocity change of a kick, for the damping stages [m/s]
   std::vector<T> firstEnergy_;
   std::vector<T> lastEnergy_;
   std::vector<T> startEnergy_;
@@ -90,4 +91,4 @@ class AdaptiveRun {
   double endCoarse_ = 0.0;    // [J]
 };
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 /// The options of the solver `auto`.
 struct AutoOptions {
@@ -9,4 +9,4 @@ struct AutoOptions {
   double errorTolerance = 1e-4;  ///< allowed mean position error after 0.2 s of motion [m]
 };
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 /// For each vertex its neighbours along the boundary. A boundary edge belongs to one triangle.
@@ -229,4 +229,4 @@ std::vector<CoarseLevel> buildCoarseLevels(const ClothModel& model) {
   return levels;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

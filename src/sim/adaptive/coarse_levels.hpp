@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 /// A coarse level of a cloth: the vertices of the next finer level, gathered in aggregates.
 ///
@@ -25,4 +25,4 @@ struct CoarseLevel {
 /// (docs/theory/auto.md).
 [[nodiscard]] std::vector<CoarseLevel> buildCoarseLevels(const ClothModel& model);
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

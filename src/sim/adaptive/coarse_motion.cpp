@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::adaptive {
 template <typename T>
 CoarseMotion<T>::CoarseMotion(const std::vector<CoarseLevel>& levels, const ClothModel& model,
-                              const SlicedCloth<T>& fine) {
+                              const simd::SlicedCloth<T>& fine) {
   levels_.reserve(levels.size());
   const ClothModel* finer = &model;
-  const SliceLayout* layout = &fine.layout;
+  const simd::SliceLayout* layout = &fine.layout;
   for (const CoarseLevel& level : levels) {
     addLevel(level, *finer, *layout);
     finer = level.cloth.get();
@@ -23,11 +23,12 @@ CoarseMotion<T>::CoarseMotion(const std::vector<CoarseLevel>& levels, const Clot
 }
 
 template <typename T>
-void CoarseMotion<T>::addLevel(const CoarseLevel& source, const ClothModel& finer, const SliceLayout& finerLayout) {
-  Level& level = levels_.emplace_back(Level{.cloth = SlicedCloth<T>(*source.cloth)});
-  const SliceLayout& own = level.cloth.layout;
+void CoarseMotion<T>::addLevel(const CoarseLevel& source, const ClothModel& finer,
+                               const simd::SliceLayout& finerLayout) {
+  Level& level = levels_.emplace_back(Level{.cloth = simd::SlicedCloth<T>(*source.cloth)});
+  const simd::SliceLayout& own = level.cloth.layout;
   const auto aggregates = static_cast<std::size_t>(own.vertices);
-  level.aggregateAt.assign(static_cast<std::size_t>(finerLayout.slices()) * sliceLanes, 0);
+  level.aggregateAt.assign(static_cast<std::size_t>(finerLayout.slices()) * simd::sliceLanes, 0);
   std::vector<std::vector<int>> members(aggregates);
   for (std::size_t index = 0; index < finerLayout.order.size(); ++index) {
     const int vertex = finerLayout.order[index];
@@ -43,7 +44,7 @@ void CoarseMotion<T>::addLevel(const CoarseLevel& source, const ClothModel& fine
   for (std::size_t i = 0; i < aggregates; ++i) {
     level.rates.push_back(source.cloth->pinned[i] ? 0.0 : unitFrequencySquared(*source.cloth, i));
   }
-  level.energy.assign(static_cast<std::size_t>(own.slices()) * sliceLanes, T(0));
+  level.energy.assign(static_cast<std::size_t>(own.slices()) * simd::sliceLanes, T(0));
 }
 
 template <typename T>
@@ -65,22 +66,22 @@ int CoarseMotion<T>::setStiffness(double stiffness, double missing, double hOmeg
 }
 
 template <typename T>
-void CoarseMotion<T>::accelerate(const SlicedCloth<T>& fine, bool measure) {
-  const LaneVectors<T>* from = &fine.position;
+void CoarseMotion<T>::accelerate(const simd::SlicedCloth<T>& fine, bool measure) {
+  const simd::LaneVectors<T>* from = &fine.position;
   for (int l = 0; l < active_; ++l) {
     Level& level = levels_[l];
-    gatherMeans(*from, level.members, level.cloth.position);
+    simd::gatherMeans(*from, level.members, level.cloth.position);
     from = &level.cloth.position;
   }
   for (int l = active_ - 1; l >= 0; --l) {
     Level& level = levels_[l];
-    TensionStep<T> step{.stiffness = level.stiffness.data(), .energy = measure ? level.energy.data() : nullptr};
+    simd::TensionStep<T> step{.stiffness = level.stiffness.data(), .energy = measure ? level.energy.data() : nullptr};
     if (l + 1 < active_) {
       const Level& coarser = levels_[l + 1];
       step.aggregates = coarser.aggregateAt.data();
       step.aggregateAccelerations = &coarser.cloth.start;
     }
-    accelerateByTension(level.cloth, step);
+    simd::accelerateByTension(level.cloth, step);
   }
 }
 
@@ -97,4 +98,4 @@ double CoarseMotion<T>::energy() const {
 template class CoarseMotion<float>;
 template class CoarseMotion<double>;
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -10,7 +10,7 @@
 #include <bit>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 std::uint64_t bitsOf(double value) {
@@ -19,7 +19,7 @@ std::uint64_t bitsOf(double value) {
 
 std::uint64_t sumOf(const std::vector<Vec3>& vectors) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
-  return vectors.empty() ? 0 : sumOfBits(vectors.front().data(), 3 * vectors.size());
+  return vectors.empty() ? 0 : simd::sumOfBits(vectors.front().data(), 3 * vectors.size());
 }
 
 /// Sum of mass times height [kg m]. Four partial sums: a single sum would wait for each addition.
@@ -143,4 +143,4 @@ void EnergyGuard::store(const ClothModel& model, const CommonParameters& paramet
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

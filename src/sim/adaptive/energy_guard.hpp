@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 /// An upper bound of the work of wind on a cloth in a step [J]: the force bound times the distance that the wind
 /// covers.
@@ -59,4 +59,4 @@ class EnergyGuard {
   bool hasWind_ = false;           // wind may do work
 };
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

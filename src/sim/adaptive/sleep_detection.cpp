@@ -13,17 +13,17 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
-void addPose(const Pose& pose, Fingerprint& fingerprint) {
+void addPose(const contact::Pose& pose, Fingerprint& fingerprint) {
   fingerprint.add(pose.position);
   for (int c = 0; c < 4; ++c) {
     fingerprint.add(pose.rotation.coeffs()[c]);
   }
 }
 
-bool isStill(const BodyStep& body) {
+bool isStill(const contact::BodyStep& body) {
   return body.start.position == body.end.position && body.start.rotation.coeffs() == body.end.rotation.coeffs() &&
          std::equal(body.startVertices.begin(), body.startVertices.end(), body.endVertices.begin(),
                     body.endVertices.end());
@@ -124,7 +124,7 @@ bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& co
 bool SleepDetection::canSleep(const ModelData& data, const SleepConditions& conditions) {
   const auto& [parameters, contact, inputs, errorTolerance] = conditions;
   const bool damped = parameters.material.damping > 0.0 || parameters.air.drag > 0.0;
-  const bool canBeSupported = data.freePieces.empty() || meetsBodies(contact, inputs);
+  const bool canBeSupported = data.freePieces.empty() || contact::meetsBodies(contact, inputs);
   const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), isStill);
   return damped && canBeSupported && still && !inputs.attachment;
 }
@@ -146,8 +146,8 @@ bool SleepDetection::isSupported(const ClothModel& model, const ModelData& data,
       trial.velocities[v] = displacements.back() / conditions.parameters.timeStep;
     }
   }
-  ContactParameters withBodies = conditions.contact;
-  withBodies.self = SelfCollision::Off;
+  contact::ContactParameters withBodies = conditions.contact;
+  withBodies.self = contact::SelfCollision::Off;
   contact_.begin(withBodies, conditions.inputs, state);
   static_cast<void>(contact_.resolve(model, conditions.parameters, withBodies, conditions.inputs, trial));
   std::size_t supported = 0;
@@ -191,7 +191,7 @@ std::uint64_t SleepDetection::fingerprintOf(const ModelData& data, const SleepCo
   fingerprint.add(std::uint64_t{contact.bodies});
   fingerprint.add(static_cast<std::uint64_t>(contact.self));
   if (inputs.bodies != nullptr) {
-    for (const BodyStep& body : *inputs.bodies) {
+    for (const contact::BodyStep& body : *inputs.bodies) {
       addPose(body.start, fingerprint);
       fingerprint.add(body.surface.thickness);
       fingerprint.add(body.surface.staticFriction);
@@ -202,4 +202,4 @@ std::uint64_t SleepDetection::fingerprintOf(const ModelData& data, const SleepCo
   return fingerprint.value();
 }
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -13,13 +13,13 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 /// Everything, apart from the model and the state, that decides whether a cloth sleeps. It holds references and must
 /// not outlive what they refer to.
 struct SleepConditions {
   const CommonParameters& parameters;
-  const ContactParameters& contact;
+  const contact::ContactParameters& contact;
   const StepInputs& inputs;
   double errorTolerance = 0.0;  ///< AutoOptions::errorTolerance [m]
 };
@@ -52,7 +52,7 @@ class SleepDetection {
   [[nodiscard]] static std::uint64_t fingerprintOf(const ModelData& data, const SleepConditions& conditions);
 
   ModelCache<ModelData> models_;
-  ContactStage contact_;  // of the trial that tests for support
+  contact::ContactStage contact_;  // of the trial that tests for support
 };
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 void StepChoice::add(const StepChoice& next) {
   const StepChoice before = *this;
@@ -32,4 +32,4 @@ std::vector<std::pair<std::string_view, double>> figuresOf(const StepChoice& cho
           {"sleeping", choice.sleeping ? 1.0 : 0.0}};
 }
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 /// Steps may cost up to this many times the cost budget without a message: the stability estimate may be off by as
 /// much.
@@ -32,4 +32,4 @@ struct StepChoice {
 /// All members by name, for JSON ("order", "substeps", ..., "used_fallback" and "sleeping" as 0 or 1).
 [[nodiscard]] std::vector<std::pair<std::string_view, double>> figuresOf(const StepChoice& choice);
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

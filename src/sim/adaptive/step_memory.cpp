@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 struct AdaptiveMemory final : SolverMemory {
@@ -22,4 +22,4 @@ void storeStepMemory(StepMemory memory, ClothState& state) {
   state.memory = std::make_shared<const AdaptiveMemory>(std::move(memory));
 }
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

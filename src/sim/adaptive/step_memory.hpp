@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 /// The memory of the solver `auto`. It is part of the state, so that a copy of the state continues identically.
 struct StepMemory {
@@ -31,4 +31,4 @@ struct StepMemory {
 /// Puts a memory into a state. Copies of the state keep theirs.
 void storeStepMemory(StepMemory memory, ClothState& state);
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

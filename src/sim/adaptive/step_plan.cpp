@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 bool dependsOnPositionsAlone(const CommonParameters& parameters, const StepInputs& inputs) {
@@ -27,7 +27,7 @@ double maxDampingNumber(const ClothModel& model, const CommonParameters& paramet
 
 /// Damping stages in each substep.
 int dampingStagesFor(double damped, double substeps) {
-  return dampingStages(damped / substeps);
+  return simd::dampingStages(damped / substeps);
 }
 
 /// Cost of substeps that integrate damping in stages, in force evaluations.
@@ -259,4 +259,4 @@ double medianStiffnessScale(const LocalRates& rates, const CommonParameters& par
   return stiffnessScaleAt(rates.median, parameters, plan);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 /// The largest absolute value of any coordinate [m].
 [[nodiscard]] double maxCoordinate(const std::vector<Vec3>& positions);
@@ -103,4 +103,4 @@ struct StepPlan {
 [[nodiscard]] double medianStiffnessScale(const LocalRates& rates, const CommonParameters& parameters,
                                           const StepPlan& plan);
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

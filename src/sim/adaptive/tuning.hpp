@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape {
+namespace drape::sim::adaptive {
 
 /// The tuned constants of the solver `auto`. h is a substep [s], H the time step [s], omega the largest local angular
 /// frequency of the mesh [1/s] (sim/forces/stability.hpp). A force evaluation computes all springs once.
@@ -155,4 +155,4 @@ struct AutoTuning {
 
 inline constexpr AutoTuning tuning;
 
-}  // namespace drape
+}  // namespace drape::sim::adaptive

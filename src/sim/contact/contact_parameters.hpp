@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Self-collision methods.
 enum class SelfCollision {
@@ -18,4 +18,4 @@ struct ContactParameters {
   double kineticFriction = 0.3;             ///< of cloth on cloth [-]
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

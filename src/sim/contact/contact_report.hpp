@@ -2,7 +2,7 @@
 
 #include "sim/model/vector.hpp"
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Results and cost of contact in a step.
 struct ContactReport {
@@ -21,4 +21,4 @@ struct ContactPoint {
   Vec3 normal = Vec3::UnitY();  ///< towards the cloth
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <chrono>
 
-namespace drape {
+namespace drape::sim::contact {
 
 namespace {
 
@@ -101,4 +101,4 @@ ContactReport ContactStage::resolve(const ClothModel& model, const CommonParamet
   return report;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

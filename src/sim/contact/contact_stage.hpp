@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 class BodyContact;
 class SelfContact;
@@ -72,4 +72,4 @@ class ContactStage {
   std::unique_ptr<SelfContact> self_;  // created at first use
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -2,7 +2,7 @@
 
 #include "sim/model/vector.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// The air around the cloth (docs/theory/method.md).
 struct AirParameters {
@@ -15,4 +15,4 @@ struct AirParameters {
   [[nodiscard]] bool acts() const { return drag != 0.0 || lift != 0.0; }
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// A vector shortened to at most that length.
@@ -105,4 +105,4 @@ std::array<Vec3, 3> AttachmentConstraint::correct(const AttachmentSpring& spring
   return moves;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 struct ClothModel;
 struct ClothState;
@@ -135,4 +135,4 @@ class AttachmentConstraint {
   Vec3 multiplier_ = Vec3::Zero();  // lambda [N s^2], zero when a step begins
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// How far the springs around an attached point may stretch [-].
@@ -35,4 +35,4 @@ double maxAttachmentForce(const ClothModel& model, const CommonParameters& param
   return std::max(force, shareOfWeight * parameters.gravity * model.totalMass());
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 #include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// The maximum force of an attachment [N]: the force that stretches the springs around its point by about a fifth. It
 /// is at least a quarter of the weight of the cloth, so that an attachment moves cloth that its own weight stretches
@@ -12,4 +12,4 @@ namespace drape {
 [[nodiscard]] double maxAttachmentForce(const ClothModel& model, const CommonParameters& parameters,
                                         const AttachmentEnds& ends);
 
-}  // namespace drape
+}  // namespace drape::sim

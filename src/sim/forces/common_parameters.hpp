@@ -4,7 +4,7 @@
 #include "sim/forces/force_derivative.hpp"
 #include "sim/forces/material_parameters.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// The precision of a step's arithmetic. States are always stored in double.
 enum class Precision { Float, Double };
@@ -20,4 +20,4 @@ struct CommonParameters {
   int threads = 1;  ///< threads a step may use [-]; the result does not depend on it
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace drape {
+namespace drape::sim {
 
 Energy energyOf(const ClothModel& model, const CommonParameters& parameters, const ClothState& state) {
   Energy energy;
@@ -40,4 +40,4 @@ double meanEdge(const ClothModel& model) {
   return sum / static_cast<double>(model.springs.size());
 }
 
-}  // namespace drape
+}  // namespace drape::sim

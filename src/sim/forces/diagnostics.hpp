@@ -4,7 +4,7 @@
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// Mechanical energy of a cloth [J].
 struct Energy {
@@ -23,4 +23,4 @@ struct Energy {
 /// The mean rest length of the springs [m]; 0 without springs.
 [[nodiscard]] double meanEdge(const ClothModel& model);
 
-}  // namespace drape
+}  // namespace drape::sim

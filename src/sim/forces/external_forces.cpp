@@ -3,7 +3,7 @@
 #include "sim/forces/kernels.hpp"
 #include "sim/model/normals.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 Vec3 gravityAndAir(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                    std::size_t vertex) {
@@ -18,4 +18,4 @@ Vec3 gravityAndAir(const ClothModel& model, const CommonParameters& parameters, 
                                     pressureArea * parameters.air.lift, mass, parameters.timeStep);
 }
 
-}  // namespace drape
+}  // namespace drape::sim

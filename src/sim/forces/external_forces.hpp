@@ -6,10 +6,10 @@
 
 #include <cstddef>
 
-namespace drape {
+namespace drape::sim {
 
 /// Gravity and air on a vertex [N]. Every method evaluates the air at the start of a step.
 [[nodiscard]] Vec3 gravityAndAir(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                                  std::size_t vertex);
 
-}  // namespace drape
+}  // namespace drape::sim

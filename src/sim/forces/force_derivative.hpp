@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape {
+namespace drape::sim {
 
 /// The derivative of a spring's force in the matrix of implicit methods (docs/theory/method.md compares them).
 enum class ForceDerivative {
@@ -11,4 +11,4 @@ enum class ForceDerivative {
   TensionOnly  ///< exact when stretched, nothing when compressed, as Choi and Ko (2002)
 };
 
-}  // namespace drape
+}  // namespace drape::sim

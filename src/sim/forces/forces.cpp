@@ -2,7 +2,7 @@
 
 #include "sim/forces/kernels.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 Vec3 springForcesOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                     std::size_t vertex) {
@@ -17,4 +17,4 @@ Vec3 springForcesOn(const ClothModel& model, const CommonParameters& parameters,
   return force;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

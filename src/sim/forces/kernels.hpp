@@ -17,7 +17,7 @@
 /// | J_ij   | dF_i / dx_j, the positive block between i and j | N/m    |
 /// | C_d    | spring damping                                  | N s/m  |
 /// | K      | 1/2 rho C S, air density, coefficient, area     | kg/m   |
-namespace drape::kernels {
+namespace drape::sim::kernels {
 
 /// Springs shorter than this fraction of their rest length have no direction.
 inline constexpr double shortestLength = 1e-9;
@@ -117,4 +117,4 @@ inline constexpr double shortestLength = 1e-9;
   return size > limit ? Vec3(force * (limit / size)) : force;
 }
 
-}  // namespace drape::kernels
+}  // namespace drape::sim::kernels

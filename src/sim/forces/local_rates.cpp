@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The largest value that at most one in `oneIn` values exceeds; 0 if there are no values. Reorders the values.
@@ -46,4 +46,4 @@ LocalRates localRatesOf(const ClothModel& model) {
   return rates;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// The local rates of a cloth's vertices, for a stiffness of 1 N/m and a damping of 1 N s/m, and sums over the cloth.
 struct LocalRates {
@@ -21,4 +21,4 @@ struct LocalRates {
 
 [[nodiscard]] LocalRates localRatesOf(const ClothModel& model);
 
-}  // namespace drape
+}  // namespace drape::sim

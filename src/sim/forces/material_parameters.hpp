@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape {
+namespace drape::sim {
 
 /// The material of the cloth: springs along the edges of the mesh.
 struct MaterialParameters {
@@ -8,4 +8,4 @@ struct MaterialParameters {
   double damping = 0.0;      ///< C_d [N s/m] of every spring
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 
 double largestFrequency(const ClothModel& model, const CommonParameters& parameters) {
   return model.unitFrequency * std::sqrt(parameters.material.stiffness);
@@ -17,4 +17,4 @@ double verletStepLimit(const ClothModel& model, const CommonParameters& paramete
   return denominator > 0.0 ? 4.0 / denominator : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace drape
+}  // namespace drape::sim

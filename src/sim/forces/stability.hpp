@@ -3,7 +3,7 @@
 #include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// The largest local angular frequency omega of a cloth [1/s]: omega_i^2 = 2 lambda_max(sum_j k d d^T) / m_i at the
 /// vertex where that is largest, in the rest shape. An upper estimate of the mesh's highest frequency.
@@ -14,4 +14,4 @@ namespace drape {
 /// stiffness and damping.
 [[nodiscard]] double verletStepLimit(const ClothModel& model, const CommonParameters& parameters);
 
-}  // namespace drape
+}  // namespace drape::sim

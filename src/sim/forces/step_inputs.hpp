@@ -8,9 +8,11 @@
 #include <stop_token>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
+namespace contact {
 struct BodyStep;
+}
 
 /// Thrown out of a step when StepInputs::stop requests a stop. `auto` and `newton` throw it with the state as it was at
 /// the start of the substep; the step is lost.
@@ -19,7 +21,7 @@ struct StepStopped {};
 /// External actions on the cloth during one step.
 struct StepInputs {
   std::optional<Attachment> attachment;
-  const std::vector<BodyStep>* bodies = nullptr;  ///< over this step (sim/contact/bodies/body.hpp); null: none
+  const std::vector<contact::BodyStep>* bodies = nullptr;  ///< over this step (sim/contact/bodies/body.hpp); null: none
   /// Methods whose steps may take seconds check it now and then and throw StepStopped.
   std::stop_token stop = {};
   /// Called at the same points, to show progress or to check a deadline. An exception that it throws ends the step like
@@ -37,4 +39,4 @@ inline void checkStop(const StepInputs& inputs) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -5,7 +5,7 @@
 #include "sim/forces/forces.hpp"
 #include "sim/forces/kernels.hpp"
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The work of -C_d (v_a - v_b) on a and its opposite on b, for all springs.
@@ -59,8 +59,8 @@ double bodyPinWork(const ClothModel& model, const StepParameters& parameters, co
   StepParameters part = parameters;
   part.timeStep = parameters.timeStep / parameters.substeps;
   double work = 0.0;
-  for (const BodyStep& body : *inputs.bodies) {
-    for (const CarriedPin& pin : body.body->pins) {
+  for (const contact::BodyStep& body : *inputs.bodies) {
+    for (const contact::CarriedPin& pin : body.body->pins) {
       const auto v = static_cast<std::size_t>(pin.vertex);
       if (model.pinned[v]) {
         const Vec3 motion = after.positions[v] - before.positions[v];
@@ -98,4 +98,4 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

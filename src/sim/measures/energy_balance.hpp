@@ -5,7 +5,7 @@
 #include "sim/model/cloth_state.hpp"
 #include "sim/solvers/step_parameters.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// The energy balance of a cloth over the added steps: the work of damping, air, attachment and contact, and the
 /// remainder, which is the error of the integrator. The work of a force f over a step from x0 to x1 is computed by the
@@ -44,4 +44,4 @@ class EnergyBalance {
   double contact_ = 0.0;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
@@ -99,4 +99,4 @@ double strainByWeight(const ClothModel& model, const CommonParameters& parameter
   return strain;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,7 +3,7 @@
 #include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_model.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// The largest strain of the springs under the cloth's weight at rest [-], an estimate. The springs that cross a given
 /// distance from the pins, measured along the springs, carry the weight of everything beyond it. The largest strain
@@ -11,4 +11,4 @@ namespace drape {
 /// infinite for cloth without stiffness.
 [[nodiscard]] double strainByWeight(const ClothModel& model, const CommonParameters& parameters);
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 
 double meanDistance(std::span<const Vec3> a, std::span<const Vec3> b) {
   assert(a.size() == b.size());
@@ -73,4 +73,4 @@ double motionKept(const ClothModel& model, const CheckpointPair& pair) {
   return kept.value();
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// Measures of the difference between a motion of a cloth and a reference. docs/theory/measures.md explains them.
 
@@ -68,4 +68,4 @@ class MotionKept {
 /// The same for one pair of checkpoints [-].
 [[nodiscard]] double motionKept(const ClothModel& model, const CheckpointPair& pair);
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 double relative(double squaredResidual, double squaredScale) {
@@ -53,4 +53,4 @@ double nonlinearResidual(const ClothModel& model, const CommonParameters& parame
   return relative(residual, scale);
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -5,7 +5,7 @@
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// Relative residuals of the backward-Euler equations for a step from `before` to `after`, over free vertices. Both
 /// treat the step as one of `parameters.timeStep`, without regard to substeps. For a method that does not solve
@@ -18,4 +18,4 @@ namespace drape {
 [[nodiscard]] double nonlinearResidual(const ClothModel& model, const CommonParameters& parameters,
                                        const StepInputs& inputs, const ClothState& before, const ClothState& after);
 
-}  // namespace drape
+}  // namespace drape::sim

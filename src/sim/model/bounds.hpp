@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace drape {
+namespace drape::sim {
 
 /// The axis-aligned box around some points; empty (Eigen's isEmpty()) when there are none.
 [[nodiscard]] inline Eigen::AlignedBox3d boundsOf(std::span<const Vec3> points) {
@@ -15,4 +15,4 @@ namespace drape {
   return box;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

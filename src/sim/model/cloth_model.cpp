@@ -10,7 +10,7 @@
 #include <numeric>
 #include <utility>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using Fault = ClothModelError::Fault;
@@ -206,4 +206,4 @@ std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<
   return changed;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

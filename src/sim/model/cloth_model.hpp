@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// A spring between two vertices. One for each edge of the mesh.
 struct Spring {
@@ -87,4 +87,4 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
 /// The same cloth with other pins. `pinned` has one entry a vertex.
 [[nodiscard]] std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned);
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 // FNV-1a (Fowler, Noll, Vo), byte by byte. Session logs and the documentation contain its values, so they must not
@@ -68,4 +68,4 @@ std::string toHex(std::uint64_t hash) {
   return text;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
+namespace contact {
 struct SelfContactMemory;
+}
 
 /// The state before the last step, for multistep integrations.
 struct StepHistory {
@@ -29,12 +31,12 @@ struct SolverMemory {
 
 /// The variable data of a cloth. Plain data: a copy is a checkpoint.
 struct ClothState {
-  std::vector<Vec3> positions;                                ///< [m], one a vertex
-  std::vector<Vec3> velocities;                               ///< [m/s], one a vertex
-  double time = 0.0;                                          ///< simulated time since the start [s]
-  StepHistory history = {};                                   ///< used by multistep integrations only
-  std::shared_ptr<const SelfContactMemory> selfContact = {};  ///< used by self-collision only
-  std::shared_ptr<const SolverMemory> memory = {};            ///< used by `auto` only; null: there is none yet
+  std::vector<Vec3> positions;                                         ///< [m], one a vertex
+  std::vector<Vec3> velocities;                                        ///< [m/s], one a vertex
+  double time = 0.0;                                                   ///< simulated time since the start [s]
+  StepHistory history = {};                                            ///< used by multistep integrations only
+  std::shared_ptr<const contact::SelfContactMemory> selfContact = {};  ///< used by self-collision only
+  std::shared_ptr<const SolverMemory> memory = {};                     ///< used by `auto` only; null: there is none yet
 };
 
 /// A state at rest in the given positions at time 0.
@@ -53,4 +55,4 @@ void movePins(const std::vector<bool>& pinned, const Vec3& by, ClothState& state
 /// The hash as 16 hexadecimal digits.
 [[nodiscard]] std::string toHex(std::uint64_t hash);
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 constexpr int none = -1;
@@ -69,4 +69,4 @@ RaggedRows<int> colourVertices(const ClothModel& model) {
   return gatherByColour(colourOf);
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,7 +3,7 @@
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/workers.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// Colours the springs so that no two of one colour share a vertex. Row c has the springs of colour c, ascending.
 /// Greedy in the order of the springs; at most 2 D - 1 colours, where D is the largest number of springs at a vertex.
@@ -24,4 +24,4 @@ void forEachByColour(Workers& workers, int threads, const RaggedRows<int>& colou
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

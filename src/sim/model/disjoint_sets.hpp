@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// A disjoint-set forest (union-find). Each set is represented by its lowest member.
 class DisjointSets {
@@ -33,4 +33,4 @@ class DisjointSets {
   std::vector<int> parent_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

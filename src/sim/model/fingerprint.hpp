@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace drape {
+namespace drape::sim {
 
 /// Mixes two 64-bit values; every bit of the result depends on all bits of both. The hash of everything that is
 /// compared within one run. Results that are kept use the state hash (cloth_state.hpp).
@@ -34,4 +34,4 @@ class Fingerprint {
   std::uint64_t value_ = 1;  // not 0, so that leading zeros count
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 
 double unitFrequencySquared(const ClothModel& model, std::size_t vertex) {
   Mat3 stiffness = Mat3::Zero();
@@ -20,4 +20,4 @@ double unitFrequencySquared(const ClothModel& model, std::size_t vertex) {
   return 2.0 * largest / model.vertexMass[vertex];
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
-namespace drape {
+namespace drape::sim {
 
 /// omega_i^2 / k of one vertex in the rest shape: 2 lambda_max(sum_j d d^T) / m_i [1/kg]; pins are ignored.
 [[nodiscard]] double unitFrequencySquared(const ClothModel& model, std::size_t vertex);
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// A side, stored at the lower vertex of its edge.
@@ -97,4 +97,4 @@ ConnectedComponents componentsOf(std::span<const Triangle> triangles, std::size_
   return componentsOf(sets);
 }
 
-}  // namespace drape
+}  // namespace drape::sim

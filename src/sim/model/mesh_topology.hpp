@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// An edge between two vertices, the lower one first.
 struct MeshEdge {
@@ -77,4 +77,4 @@ inline void joinCorners(const Triangle& triangle, DisjointSets& sets) {
   sets.join(triangle[0], triangle[2]);
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-namespace drape {
+namespace drape::sim {
 
 /// A value that is computed once for each model: a colouring, a sparsity pattern, a factorisation. It is computed again
 /// when the model changes.
@@ -28,4 +28,4 @@ class ModelCache {
   std::unique_ptr<T> value_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -1,6 +1,6 @@
 #include "sim/model/normals.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 Vec3 vertexNormal(const ClothModel& model, std::span<const Vec3> positions, int vertex) {
   Vec3 sum = Vec3::Zero();
@@ -13,4 +13,4 @@ Vec3 vertexNormal(const ClothModel& model, std::span<const Vec3> positions, int 
   return size > 0.0 ? Vec3(sum / size) : Vec3(Vec3::Zero());
 }
 
-}  // namespace drape
+}  // namespace drape::sim

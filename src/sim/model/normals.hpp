@@ -4,10 +4,10 @@
 
 #include <span>
 
-namespace drape {
+namespace drape::sim {
 
 /// The unit normal of a vertex at the given positions: the mean of its triangles' normals, weighted by area. Zero if
 /// they cancel or have no area.
 [[nodiscard]] Vec3 vertexNormal(const ClothModel& model, std::span<const Vec3> positions, int vertex);
 
-}  // namespace drape
+}  // namespace drape::sim

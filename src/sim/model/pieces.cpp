@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-namespace drape {
+namespace drape::sim {
 
 std::vector<std::vector<std::size_t>> freePieces(const ClothModel& model) {
   DisjointSets sets(model.restPositions.size());
@@ -23,4 +23,4 @@ std::vector<std::vector<std::size_t>> freePieces(const ClothModel& model) {
   return pieces;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

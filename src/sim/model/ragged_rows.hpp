@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// Rows of different length, stored one after the other. Access checks no index.
 template <typename T>
@@ -65,4 +65,4 @@ class RaggedRows {
   });
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// In the order of ClothModelError::Fault.
@@ -24,4 +24,4 @@ ClothModelError::ClothModelError(Fault fault, const Numbers& numbers)
 UnknownSolver::UnknownSolver(std::string_view name)
     : SimError("UnknownSolver, name=" + std::string(name)), name_(name) {}
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace drape {
+namespace drape::sim {
 
 /// Data that cannot be simulated, as a code with numbers; what() lists them. src/messages makes the sentence.
 class SimError : public std::invalid_argument {
@@ -59,4 +59,4 @@ class UnknownSolver : public SimError {
   std::string name_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -11,7 +11,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Shorter loops cost less than waking another thread.
@@ -80,4 +80,4 @@ void Workers::forRange(int threads, int count, const std::function<void(int begi
   order.loopEnds();
 }
 
-}  // namespace drape
+}  // namespace drape::sim

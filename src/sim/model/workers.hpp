@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-namespace drape {
+namespace drape::sim {
 
 /// Threads for loops over vertices or springs. A loop body writes only the data of its own indices, so the result does
 /// not depend on the number of threads.
@@ -34,4 +34,4 @@ class Workers {
   std::unique_ptr<Arena> arena_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -2,7 +2,7 @@
 
 #include "sim/motion/rigid_motion.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 InnerMotion::InnerMotion(const ClothModel& model, const std::vector<std::vector<std::size_t>>& pieces,
                          const ClothState& state)
@@ -32,4 +32,4 @@ void InnerMotion::scale(double factor, ClothState& state) const {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

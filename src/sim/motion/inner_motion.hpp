@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// The part of a cloth's motion that can be slowed down without a change of momentum: the motion of a free piece
 /// relative to its rigid motion (translation and rotation), and all motion of a piece with pins.
@@ -25,4 +25,4 @@ class InnerMotion {
   double energy_ = 0.0;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

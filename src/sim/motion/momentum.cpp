@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 Vec3 linearMomentumOf(const ClothModel& model, const std::vector<std::size_t>& piece, const ClothState& state) {
@@ -115,4 +115,4 @@ void MomentumKeeper::correctPiece(const ClothModel& model, double timeStep, doub
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// The sum of m v over all vertices [kg m/s].
 [[nodiscard]] Vec3 linearMomentum(const ClothModel& model, const ClothState& state);
@@ -62,4 +62,4 @@ class MomentumKeeper {
   Vec3 attachedPoint_ = Vec3::Zero();  // the attached point before the step [m]
 };
 
-}  // namespace drape
+}  // namespace drape::sim

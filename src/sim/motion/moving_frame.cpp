@@ -1,6 +1,6 @@
 #include "sim/motion/moving_frame.hpp"
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Adds `move` to the positions and `velocity` to the velocities of free vertices.
@@ -60,4 +60,4 @@ void MovingFrame::leave(const ClothModel& model, double timeStep, ClothState& st
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

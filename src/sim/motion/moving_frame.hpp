@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// A frame of reference that moves with the mean velocity of the pins during a step. Solvers assume that pins are at
 /// rest: with moving pins, the damping of their springs would slow the cloth down. In the moving frame the pins are at
@@ -33,4 +33,4 @@ class MovingFrame {
   std::vector<Vec3> startPositions_;  // at `enter` [m]
 };
 
-}  // namespace drape
+}  // namespace drape::sim

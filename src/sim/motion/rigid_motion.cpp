@@ -2,7 +2,7 @@
 
 #include <Eigen/QR>
 
-namespace drape {
+namespace drape::sim {
 
 MassMoments momentsOf(const ClothModel& model, std::span<const std::size_t> vertices,
                       const std::vector<Vec3>& positions) {
@@ -27,4 +27,4 @@ Vec3 solveRigid(const Mat3& matrix, const Vec3& rightSide) {
   return decomposition.solve(rightSide);
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace drape {
+namespace drape::sim {
 
 /// Mass, barycentre and tensor of inertia of some vertices.
 struct MassMoments {
@@ -20,4 +20,4 @@ struct MassMoments {
 /// about an axis without inertia is then zero.
 [[nodiscard]] Vec3 solveRigid(const Mat3& matrix, const Vec3& rightSide);
 
-}  // namespace drape
+}  // namespace drape::sim

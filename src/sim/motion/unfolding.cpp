@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Thickness below which points count as flat, as a fraction of the rest shape's diagonal.
@@ -57,4 +57,4 @@ bool makeUnfoldable(const ClothModel& model, ClothState& state) {
   return true;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace drape {
+namespace drape::sim {
 
 /// The dimension of a set of points: 0 a point, 1 a line, 2 a plane, 3 space. Deviations below `thickness` [m] do not
 /// count.
@@ -17,4 +17,4 @@ namespace drape {
 /// vertices stay. True if the state was changed.
 bool makeUnfoldable(const ClothModel& model, ClothState& state);
 
-}  // namespace drape
+}  // namespace drape::sim

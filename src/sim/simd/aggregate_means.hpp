@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// Number of aggregates that are summed together.
 inline constexpr std::size_t aggregatesPerBatch = 4;
@@ -52,4 +52,4 @@ void AggregateMembers<T>::fill(const std::vector<std::vector<int>>& members, Wei
   positions.assign(4 * room, T(0));
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -12,7 +12,7 @@
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 /// Numbers of an interleaved vector: three coordinates, and one that is never read.
 inline constexpr std::size_t numbers = 4;
@@ -81,11 +81,11 @@ void gatherDouble(const LaneVectors<double>& from, AggregateMembers<double>& agg
   gather(from, aggregates, means);
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::simd {
 
 HWY_EXPORT(gatherFloat);
 HWY_EXPORT(gatherDouble);
@@ -98,5 +98,5 @@ void gatherMeans(const LaneVectors<double>& from, AggregateMembers<double>& aggr
   HWY_DYNAMIC_DISPATCH(gatherDouble)(from, aggregates, means);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd
 #endif

@@ -11,7 +11,7 @@
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 constexpr std::uint16_t allLanes = 0xFFFF;
 
@@ -120,7 +120,7 @@ HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>
   return add(force, air);
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

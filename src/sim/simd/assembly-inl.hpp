@@ -10,7 +10,7 @@
 #include "sim/simd/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 /// The row of the backward-Euler system for the vertex of each lane.
 template <class D>
@@ -61,7 +61,7 @@ HWY_INLINE Assembled<D> assembleRow(D d, const SlicedCloth<T>& cloth, const Slic
           diagonal};
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::simd {
 
 template <typename T>
 ConjugateGradients<T>::ConjugateGradients(const SliceLayout& layout)
@@ -46,4 +46,4 @@ StepShare blockShareOf(const SliceLayout& layout, int member, int members) {
 template struct ConjugateGradients<float>;
 template struct ConjugateGradients<double>;
 
-}  // namespace drape
+}  // namespace drape::sim::simd

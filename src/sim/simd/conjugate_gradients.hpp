@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// Number of slices in a block of a sum. Sums run lane by lane within a block and then over the blocks in order, so
 /// they do not depend on the number of threads or the register width.
@@ -55,4 +55,4 @@ void conjugatePhase(SlicedCloth<double>& cloth, ConjugateGradients<double>& syst
 /// The share of one of `members` threads, in whole blocks.
 [[nodiscard]] StepShare blockShareOf(const SliceLayout& layout, int member, int members);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

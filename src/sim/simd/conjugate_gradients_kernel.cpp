@@ -12,7 +12,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 /// The inverse of a diagonal block, zero where pinned. A preconditioner must be positive definite, but with an
 /// indefinite force derivative a block may not be. It is then replaced by its Frobenius norm times the identity.
@@ -165,11 +165,11 @@ void conjugateDouble(SlicedCloth<double>& cloth, ConjugateGradients<double>& sys
   ConjugateKernel<double>(cloth, system, step, share).run(phase, factor);
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::simd {
 
 HWY_EXPORT(conjugateFloat);
 HWY_EXPORT(conjugateDouble);
@@ -184,5 +184,5 @@ void conjugatePhase(SlicedCloth<double>& cloth, ConjugateGradients<double>& syst
   HWY_DYNAMIC_DISPATCH(conjugateDouble)(cloth, system, step, share, phase, factor);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd
 #endif

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::simd {
 
 ConstraintLanes::ConstraintLanes(const ClothModel& model) : order(stepOrder(model)), indexOf(order.size()) {
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -138,4 +138,4 @@ void velocitiesFromVertices(ConstraintLanes& constraints, float timeStep, LaneRa
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd

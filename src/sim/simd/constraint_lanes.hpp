@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// The springs of a cloth as distance constraints for vector instructions: colour by colour, in batches of 16 springs
 /// without a common vertex. Vertices are in permuted order (stepOrder), each with its inverse mass next to its
@@ -73,4 +73,4 @@ void projectSprings(ConstraintLanes& constraints, float inverseCompliance, bool 
 /// The dashpots of springs of one colour, each implicit for its two ends. @param strength h C_d [kg]
 void dampSprings(ConstraintLanes& constraints, float strength, LaneRange batches);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

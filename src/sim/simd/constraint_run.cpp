@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 /// Fewest batches of one colour for a thread: about 2 microseconds of work.
@@ -126,4 +126,4 @@ void ConstraintRun::xpbd(const ClothModel& model, const CommonParameters& parame
   state.time += count * parameters.timeStep;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -7,7 +7,7 @@
 #include "sim/simd/constraint_lanes.hpp"
 #include "sim/simd/thread_team.hpp"
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// Runs XPBD steps in float with vector instructions and the threads of the parameters. The state is converted once for
 /// all steps; with air, which is evaluated in double, once for each step.
@@ -22,4 +22,4 @@ class ConstraintRun {
   AttachmentConstraint attachment_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::simd

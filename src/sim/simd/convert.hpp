@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// Coordinates of vertices, one array for each coordinate.
 template <typename T>
@@ -22,4 +22,4 @@ void joinCoordinates(const Coordinates<double>& from, std::size_t count, double*
 /// The sum of the bit patterns of the numbers, modulo 2^64. It changes when any one number changes.
 [[nodiscard]] std::uint64_t sumOfBits(const double* values, std::size_t count);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -14,7 +14,7 @@
 #include <numeric>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -108,11 +108,11 @@ std::uint64_t sumBits(const double* values, std::size_t count) {
   return all;
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::simd {
 
 HWY_EXPORT(splitFloat);
 HWY_EXPORT(splitDouble);
@@ -140,5 +140,5 @@ std::uint64_t sumOfBits(const double* values, std::size_t count) {
   return HWY_DYNAMIC_DISPATCH(sumBits)(values, count);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd
 #endif

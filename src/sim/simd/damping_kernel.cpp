@@ -14,7 +14,7 @@
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 template <typename T>
 class DampingKernel {
@@ -99,11 +99,11 @@ void dampDouble(SlicedCloth<double>& cloth, const DampingRun<double>& run, int s
   DampingKernel<double>(cloth, run, stage).run(share);
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::simd {
 
 HWY_EXPORT(dampFloat);
 HWY_EXPORT(dampDouble);
@@ -122,5 +122,5 @@ int dampingStages(double timesRate) {
   return 2 * static_cast<int>(std::ceil(0.5 * std::max(2.0, minStages)));
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd
 #endif

@@ -2,7 +2,7 @@
 
 #include "sim/simd/sliced_cloth.hpp"
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// The number of stages for strong damping in a substep with h lambda = `timesRate`; even.
 ///
@@ -29,4 +29,4 @@ struct DampingRun {
 void dampingStage(SlicedCloth<float>& cloth, const DampingRun<float>& run, int stage, const StepShare& share);
 void dampingStage(SlicedCloth<double>& cloth, const DampingRun<double>& run, int stage, const StepShare& share);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// The block-Jacobi iteration of `one_iteration`.
 struct JacobiOptions {
@@ -13,4 +13,4 @@ struct JacobiOptions {
 /// oscillator is stable for g <= 4/3; two sweeps reach that at w = 0.847.
 inline constexpr double evenSweepsRelaxation = 0.8;
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -439,7 +439,7 @@ HWY_INLINE void addAttachment(D d, const SliceStep<T>& step, int slice, int lane
   }
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

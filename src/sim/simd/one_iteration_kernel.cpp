@@ -13,7 +13,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 // | here          | paper                                                                              |
 // |---------------|------------------------------------------------------------------------------------|
@@ -171,11 +171,11 @@ void oneIterationDouble(SlicedCloth<double>& cloth, const SliceStep<double>& ste
   runPhase(cloth, step, share, phase);
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::simd {
 
 HWY_EXPORT(oneIterationFloat);
 HWY_EXPORT(oneIterationDouble);
@@ -188,5 +188,5 @@ void oneIterationPhase(SlicedCloth<double>& cloth, const SliceStep<double>& step
   HWY_DYNAMIC_DISPATCH(oneIterationDouble)(cloth, step, share, phase);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd
 #endif

@@ -5,7 +5,7 @@
 #include <hwy/highway.h>
 #include <hwy/targets.h>
 
-namespace drape {
+namespace drape::sim::simd {
 
 std::string simdTarget() {
   // The lowest bit is the best target that was compiled and that the machine supports.
@@ -13,4 +13,4 @@ std::string simdTarget() {
   return hwy::TargetName(usable & -usable);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -2,9 +2,9 @@
 
 #include <string>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// The instruction set of the vectorised steps on this machine, as "AVX2".
 [[nodiscard]] std::string simdTarget();
 
-}  // namespace drape
+}  // namespace drape::sim::simd

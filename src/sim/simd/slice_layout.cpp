@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 /// Fewest lanes of a slot of consecutive neighbours. With fewer, gathers are cheaper.
@@ -306,4 +306,4 @@ SliceLayout buildSliceLayout(const ClothModel& model) {
   return layout;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd

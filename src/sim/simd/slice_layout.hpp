@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// Number of vertices in a slice, one for each lane, independent of the register width.
 inline constexpr int sliceLanes = 16;
@@ -62,4 +62,4 @@ struct SliceLayout {
 /// Throws ClothModelError for a vertex with more springs than a 16-bit number counts.
 [[nodiscard]] SliceLayout buildSliceLayout(const ClothModel& model);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -1,6 +1,6 @@
 #include "sim/simd/slice_step.hpp"
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 /// The vector of a vertex of the model.
@@ -84,4 +84,4 @@ template void setAttachment(const ClothModel& model, const Attachment& attachmen
 template void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<double>& cloth,
                             SliceStep<double>& step);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -6,7 +6,7 @@
 #include "sim/simd/jacobi_options.hpp"
 #include "sim/simd/sliced_cloth.hpp"
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// The parameters of a step in the precision T, without an attachment.
 template <typename T>
@@ -24,4 +24,4 @@ template <typename T>
 void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Attachment& attachment,
                             SlicedCloth<T>& cloth);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 /// The permuted indices of a thread's share.
@@ -210,4 +210,4 @@ template void driftSlices(SlicedCloth<double>& cloth, double time, const StepSha
 template struct SlicedCloth<float>;
 template struct SlicedCloth<double>;
 
-}  // namespace drape
+}  // namespace drape::sim::simd

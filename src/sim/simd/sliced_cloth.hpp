@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// Numbers for the lanes of a slice, aligned to a cache line so that no load straddles two.
 template <typename T>
@@ -193,4 +193,4 @@ void accelerateByTension(SlicedCloth<double>& level, const TensionStep<double>& 
 template <typename T>
 void driftSlices(SlicedCloth<T>& cloth, T time, const StepShare& share);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -2,7 +2,7 @@
 
 #include "sim/model/fingerprint.hpp"
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 /// The fingerprint of everything that the layout depends on.
@@ -45,4 +45,4 @@ SlicedCloth<T>& SlicedClothCache<T>::get(const ClothModel& model) {
 template class SlicedClothCache<float>;
 template class SlicedClothCache<double>;
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// The sliced cloth of the last model. The layout is reused for a model that differs only in masses and pins.
 template <typename T>
@@ -19,4 +19,4 @@ class SlicedClothCache {
   std::unique_ptr<SlicedCloth<T>> cloth_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::simd

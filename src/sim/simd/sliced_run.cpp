@@ -1,6 +1,6 @@
 #include "sim/simd/sliced_run.hpp"
 
-namespace drape {
+namespace drape::sim::simd {
 
 void SlicedRun::oneIteration(const ClothModel& model, const CommonParameters& parameters, const JacobiOptions& jacobi,
                              const StepInputs& inputs, int count, const std::vector<double>& weights,
@@ -113,4 +113,4 @@ void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const Com
   state.time += count * parameters.timeStep;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd

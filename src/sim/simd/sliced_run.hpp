@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// Runs steps on a sliced cloth, in the precision and with the threads of the parameters. The state is converted once
 /// for all steps.
@@ -40,4 +40,4 @@ class SlicedRun {
   SlicedClothCache<double> double_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::simd

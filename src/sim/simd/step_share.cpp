@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 /// Fewest slices for a thread: about 5 microseconds of work in the cheapest step.
@@ -32,4 +32,4 @@ int usefulThreads(const SliceLayout& layout, int threads) {
   return usefulThreads(layout.slices(), minSlicesPerThread, threads);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// The slices of one thread in a step.
 ///
@@ -54,4 +54,4 @@ struct StepShare {
 /// The same for the slices of a cloth.
 [[nodiscard]] int usefulThreads(const SliceLayout& layout, int threads);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

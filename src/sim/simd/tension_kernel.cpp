@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 template <typename T>
 HWY_INLINE void accelerateLanes(SlicedCloth<T>& level, const TensionStep<T>& step, int slice, int lane) {
@@ -66,11 +66,11 @@ void accelerateDouble(SlicedCloth<double>& level, const TensionStep<double>& ste
   accelerate(level, step);
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::simd {
 
 HWY_EXPORT(accelerateFloat);
 HWY_EXPORT(accelerateDouble);
@@ -83,5 +83,5 @@ void accelerateByTension(SlicedCloth<double>& level, const TensionStep<double>& 
   HWY_DYNAMIC_DISPATCH(accelerateDouble)(level, step);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd
 #endif

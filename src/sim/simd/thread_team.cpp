@@ -4,7 +4,7 @@
 #include <immintrin.h>
 #endif
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 /// Spins before a waiting thread yields the processor: about 50 microseconds.
@@ -109,4 +109,4 @@ void ThreadTeam::arriveAndWait() {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// Threads that run a step together and wait for each other between its phases. A step of a small cloth takes some
 /// microseconds, less than waking a thread. So they spin for a while before they sleep.
@@ -38,4 +38,4 @@ class ThreadTeam {
   alignas(64) std::atomic<unsigned> barrierGeneration_ = 0;  // incremented when all have arrived
 };
 
-}  // namespace drape
+}  // namespace drape::sim::simd

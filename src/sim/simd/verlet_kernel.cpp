@@ -12,7 +12,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 /// Stoermer-Verlet: drift by half a step, one evaluation of the forces there, kick, drift by the other half.
 template <typename T>
@@ -143,11 +143,11 @@ void verletDouble(SlicedCloth<double>& cloth, const SliceStep<double>& step, dou
   phase == 0 ? kernel.firstPhase() : kernel.laterPhase();
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::simd {
 
 HWY_EXPORT(verletFloat);
 HWY_EXPORT(verletDouble);
@@ -162,5 +162,5 @@ void verletPhase(SlicedCloth<double>& cloth, const SliceStep<double>& step, doub
   HWY_DYNAMIC_DISPATCH(verletDouble)(cloth, step, drift, share, phase);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd
 #endif

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 constexpr int window = 128;
@@ -96,4 +96,4 @@ std::vector<int> stepOrder(const ClothModel& model) {
   return order;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 
 /// The order in which a step processes the vertices: order[k] is the vertex of the model with the permuted index k. It
 /// is the order of the mesh if its bandwidth is small, as in a grid. Otherwise it is reverse Cuthill-McKee (1969), with
@@ -14,4 +14,4 @@ namespace drape {
 /// The largest difference between the permuted indices of a spring's ends in that order.
 [[nodiscard]] int bandwidth(const ClothModel& model, const std::vector<int>& order);
 
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -11,7 +11,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::simd::HWY_NAMESPACE {
 
 /// Springs of one colour, as many as there are lanes: eqs. 17 and 18 with numerator and denominator times h^2 k.
 template <class D>
@@ -88,11 +88,11 @@ void dampBatches(ConstraintLanes& constraints, float strength, LaneRange range) 
   }
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::simd {
 
 HWY_EXPORT(projectBatches);
 HWY_EXPORT(dampBatches);
@@ -105,5 +105,5 @@ void dampSprings(ConstraintLanes& constraints, float strength, LaneRange batches
   HWY_DYNAMIC_DISPATCH(dampBatches)(constraints, strength, batches);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::simd
 #endif

@@ -16,7 +16,7 @@
 #include <limits>
 #include <utility>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Makes the solver that takes a step when all retries failed.
@@ -25,17 +25,19 @@ using MakeSolver = std::unique_ptr<Solver> (*)();
 /// Error estimates are due at the steps 0, 1, 4, 16, 64 and then at every 128th (tuning.estimateInterval).
 bool estimateIsDue(int steps) {
   const auto count = static_cast<unsigned>(steps);
-  return steps % tuning.estimateInterval == 0 || (std::has_single_bit(count) && std::countr_zero(count) % 2 == 0);
+  return steps % adaptive::tuning.estimateInterval == 0 ||
+         (std::has_single_bit(count) && std::countr_zero(count) % 2 == 0);
 }
 
 /// Whether to estimate the error of a step. If stability needs more than the budget, the estimate cannot change the
 /// plan, so the first steps, which are slow anyway, do without. If the tolerance is far out of reach of the budget, the
 /// estimate can change little, so some of the first steps do without.
-bool estimatesError(const StepChoice& choice, double budgetedEvaluations, const StepMemory& memory) {
-  const bool unreachable = memory.steps > 0 && memory.steps < tuning.earlyEstimateEnd &&
-                           memory.forceEvaluations > tuning.unreachableFactor * budgetedEvaluations;
-  const bool useful = choice.costRatio <= toleratedCostRatio && !unreachable;
-  return estimateIsDue(memory.steps) && (useful || memory.steps >= tuning.estimateInterval);
+bool estimatesError(const adaptive::StepChoice& choice, double budgetedEvaluations,
+                    const adaptive::StepMemory& memory) {
+  const bool unreachable = memory.steps > 0 && memory.steps < adaptive::tuning.earlyEstimateEnd &&
+                           memory.forceEvaluations > adaptive::tuning.unreachableFactor * budgetedEvaluations;
+  const bool useful = choice.costRatio <= adaptive::toleratedCostRatio && !unreachable;
+  return estimateIsDue(memory.steps) && (useful || memory.steps >= adaptive::tuning.estimateInterval);
 }
 
 /// An adaptive explicit method. In each step:
@@ -53,17 +55,17 @@ class AdaptiveStep {
   explicit AdaptiveStep(MakeSolver makeFallback) : makeFallback_(makeFallback) {}
 
   StepReport step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                  const StepInputs& inputs, StepMemory& memory, ClothState& state) {
-    StepPlan plan = planStep(model, rates, parameters, parameters.automatic, inputs, memory);
+                  const StepInputs& inputs, adaptive::StepMemory& memory, ClothState& state) {
+    adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
     for (int i = 0; i < memory.retryLevel; ++i) {
-      plan = saferPlan(plan);
+      plan = adaptive::saferPlan(plan);
     }
-    const double budget = evaluationsInBudget(model, parameters, parameters.automatic);
-    StepChoice choice{.order = plan.scheme == ExplicitScheme::Pefrl ? 4 : 2,
-                      .substeps = plan.substeps,
-                      .hOmega = parameters.timeStep * largestFrequency(model, parameters),
-                      .costRatio = plan.cost() / budget,
-                      .stiffnessScale = medianStiffnessScale(rates, parameters, plan)};
+    const double budget = adaptive::evaluationsInBudget(model, parameters, parameters.automatic);
+    adaptive::StepChoice choice{.order = plan.scheme == adaptive::ExplicitScheme::Pefrl ? 4 : 2,
+                                .substeps = plan.substeps,
+                                .hOmega = parameters.timeStep * largestFrequency(model, parameters),
+                                .costRatio = plan.cost() / budget,
+                                .stiffnessScale = adaptive::medianStiffnessScale(rates, parameters, plan)};
     choice.forceEvaluations = 0;
     const bool estimating = estimatesError(choice, budget, memory);
     if (estimating) {
@@ -75,8 +77,8 @@ class AdaptiveStep {
     }
     updateRetryLevel(choice, memory);
     memory.steps += 1;
-    if (memory.steps == 2 * tuning.estimateInterval) {
-      memory.steps = tuning.estimateInterval;
+    if (memory.steps == 2 * adaptive::tuning.estimateInterval) {
+      memory.steps = adaptive::tuning.estimateInterval;
     }
     choice.error = memory.error;
     choice.energyDrift = memory.energyDrift;
@@ -86,16 +88,17 @@ class AdaptiveStep {
 
  private:
   void takeStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                const StepInputs& inputs, StepPlan plan, StepMemory& memory, ClothState& state, StepChoice& choice) {
+                const StepInputs& inputs, adaptive::StepPlan plan, adaptive::StepMemory& memory, ClothState& state,
+                adaptive::StepChoice& choice) {
     guard_.prepare(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()));
-    for (int retry = 0; retry <= tuning.maxRetries; ++retry) {
+    for (int retry = 0; retry <= adaptive::tuning.maxRetries; ++retry) {
       checkStop(inputs);
       const bool startIsKnown = guard_.isStartEnergyKnown(plan, memory);
       const bool measuring = retry > 0 || inputs.attachment || guard_.isMeasurementDue(plan, memory);
-      StepEnergy energy =
+      adaptive::StepEnergy energy =
           run_.run(model, rates, parameters, inputs, plan, state, {measuring && !startIsKnown, measuring});
       energy.start = startIsKnown ? memory.energy : energy.start;
-      const double work = maxWindWork(rates, parameters) + attachmentWork(model, inputs, state);
+      const double work = adaptive::maxWindWork(rates, parameters) + attachmentWork(model, inputs, state);
       choice.forceEvaluations += plan.cost();
       choice.coarseLevels = run_.levels();
       if (!guard_.hasGrown(energy, work, retry > 0, memory)) {
@@ -104,21 +107,21 @@ class AdaptiveStep {
         return;
       }
       ++choice.retries;
-      plan = saferPlan(plan);
+      plan = adaptive::saferPlan(plan);
       choice.order = 2;
       choice.substeps = plan.substeps;
-      choice.stiffnessScale = medianStiffnessScale(rates, parameters, plan);
+      choice.stiffnessScale = adaptive::medianStiffnessScale(rates, parameters, plan);
     }
     takeFallbackStep(model, rates, parameters, inputs, state, choice);
     memory.schemeEnergyDrift = 0.0;
   }
 
   /// After a retry the next steps start with a safer plan. The retry level falls again after some calm steps.
-  static void updateRetryLevel(const StepChoice& choice, StepMemory& memory) {
+  static void updateRetryLevel(const adaptive::StepChoice& choice, adaptive::StepMemory& memory) {
     if (choice.retries > 0) {
-      memory.retryLevel = std::min(memory.retryLevel + choice.retries, tuning.maxRetryLevel);
+      memory.retryLevel = std::min(memory.retryLevel + choice.retries, adaptive::tuning.maxRetryLevel);
       memory.calmSteps = 0;
-    } else if (memory.retryLevel > 0 && ++memory.calmSteps == tuning.calmSteps) {
+    } else if (memory.retryLevel > 0 && ++memory.calmSteps == adaptive::tuning.calmSteps) {
       --memory.retryLevel;
       memory.calmSteps = 0;
     }
@@ -139,13 +142,13 @@ class AdaptiveStep {
   /// springs stretched; the elastic energy that this adds is removed from the motion. The energy counts the full
   /// stiffness.
   void takeFallbackStep(const ClothModel& model, const LocalRates& rates, StepParameters parameters,
-                        const StepInputs& inputs, ClothState& state, StepChoice& choice) {
-    constexpr int substeps = tuning.fallbackSubsteps;
+                        const StepInputs& inputs, ClothState& state, adaptive::StepChoice& choice) {
+    constexpr int substeps = adaptive::tuning.fallbackSubsteps;
     if (!fallback_) {
       fallback_ = makeFallback_();
     }
     const double time = state.time;
-    const double allowed = energyOf(model, parameters, state).total() + maxWindWork(rates, parameters) +
+    const double allowed = energyOf(model, parameters, state).total() + adaptive::maxWindWork(rates, parameters) +
                            (inputs.attachment ? inputs.attachment->maxForce * parameters.timeStep : 0.0);
     parameters.precision = Precision::Double;
     parameters.timeStep /= substeps;
@@ -161,13 +164,14 @@ class AdaptiveStep {
       momentum_.correct(model, parameters.timeStep, parameters.timeStep, state);
     }
     state.time = time;
-    removeInnerMotion(model, pieces_.get(model, freePieces), energyOf(model, parameters, state).total() - allowed,
-                      state);
+    adaptive::removeInnerMotion(model, pieces_.get(model, freePieces),
+                                energyOf(model, parameters, state).total() - allowed, state);
   }
 
   /// The same step with twice the substeps, into `finer_`.
   void takeFinerStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                     const StepInputs& inputs, StepPlan plan, const ClothState& state, StepChoice& choice) {
+                     const StepInputs& inputs, adaptive::StepPlan plan, const ClothState& state,
+                     adaptive::StepChoice& choice) {
     plan.substeps *= 2;
     run_.run(model, rates, parameters, inputs, plan, state, {});
     choice.forceEvaluations += plan.cost();
@@ -178,29 +182,29 @@ class AdaptiveStep {
   /// Estimates the error after `errorTime`, as if the errors of all steps added up, and the force evaluations that the
   /// tolerance needs. The difference is averaged over neighbours first. That removes short fast vibrations, whose phase
   /// is wrong at any affordable step, and rounding; neither displaces the cloth as a whole.
-  void estimateError(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan,
-                     const ClothState& state, StepMemory& memory) {
+  void estimateError(const ClothModel& model, const StepParameters& parameters, const adaptive::StepPlan& plan,
+                     const ClothState& state, adaptive::StepMemory& memory) {
     std::vector<Vec3>& difference = finer_.positions;
     for (std::size_t i = 0; i < difference.size(); ++i) {
       difference[i] -= state.positions[i];
     }
-    for (int ring = 0; ring < tuning.errorSmoothingRings; ++ring) {
+    for (int ring = 0; ring < adaptive::tuning.errorSmoothingRings; ++ring) {
       averageOverRings(model, difference);
     }
     double sum = 0.0;
     for (const Vec3& each : difference) {
       sum += each.norm();
     }
-    const double order = plan.scheme == ExplicitScheme::Pefrl ? 4.0 : 2.0;
+    const double order = plan.scheme == adaptive::ExplicitScheme::Pefrl ? 4.0 : 2.0;
     const double extrapolation = 1.0 / (1.0 - std::exp2(-order));  // from the difference to the error (Richardson)
     const double error =
-        extrapolation * errorTime / parameters.timeStep * sum / static_cast<double>(state.positions.size());
+        extrapolation * adaptive::errorTime / parameters.timeStep * sum / static_cast<double>(state.positions.size());
     if (!std::isfinite(error)) {
       return;
     }
     const double evaluations = plan.cost() * std::pow(error / parameters.automatic.errorTolerance, 1.0 / order);
     memory.error = error;
-    memory.forceEvaluations = std::max({1.0, tuning.maxDecrease * plan.cost(), evaluations});
+    memory.forceEvaluations = std::max({1.0, adaptive::tuning.maxDecrease * plan.cost(), evaluations});
   }
 
   /// Replaces each value by the mean of itself and its neighbours.
@@ -217,8 +221,8 @@ class AdaptiveStep {
     values.swap(averaged_);
   }
 
-  AdaptiveRun<T> run_;
-  EnergyGuard guard_;
+  adaptive::AdaptiveRun<T> run_;
+  adaptive::EnergyGuard guard_;
   MakeSolver makeFallback_;
   std::unique_ptr<Solver> fallback_;
   MomentumKeeper momentum_;
@@ -234,19 +238,19 @@ class AutoSolver final : public Solver {
 
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
-    StepMemory memory = stepMemoryOf(state);
+    adaptive::StepMemory memory = adaptive::stepMemoryOf(state);
     const StepReport report = step(model, parameters, inputs, memory, state);
-    storeStepMemory(std::move(memory), state);
+    adaptive::storeStepMemory(std::move(memory), state);
     return report;
   }
 
  private:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                  StepMemory& memory, ClothState& state) {
+                  adaptive::StepMemory& memory, ClothState& state) {
     if (sleep_.isAsleep(model, {parameters, parameters.contact, inputs, parameters.automatic.errorTolerance}, memory,
                         state)) {
       state.time += parameters.timeStep;
-      return {.choice = StepChoice{.substeps = 0, .forceEvaluations = 0, .sleeping = true}};
+      return {.choice = adaptive::StepChoice{.substeps = 0, .forceEvaluations = 0, .sleeping = true}};
     }
     const LocalRates& rates = rates_.get(model, localRatesOf);
     return needsDouble(model, rates, parameters, memory, state)
@@ -255,16 +259,16 @@ class AutoSolver final : public Solver {
   }
 
   static bool needsDouble(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                          const StepMemory& memory, const ClothState& state) {
-    if (parameters.precision == Precision::Double || dampingNeedsDouble(rates, parameters)) {
+                          const adaptive::StepMemory& memory, const ClothState& state) {
+    if (parameters.precision == Precision::Double || adaptive::dampingNeedsDouble(rates, parameters)) {
       return true;
     }
-    const double largest = maxCoordinate(state.positions);
-    return roundingAddsEnergy(model, rates, parameters, parameters.automatic, largest) ||
-           roundingExceedsTolerance(model, rates, parameters, parameters.automatic, memory, largest);
+    const double largest = adaptive::maxCoordinate(state.positions);
+    return adaptive::roundingAddsEnergy(model, rates, parameters, parameters.automatic, largest) ||
+           adaptive::roundingExceedsTolerance(model, rates, parameters, parameters.automatic, memory, largest);
   }
 
-  SleepDetection sleep_;
+  adaptive::SleepDetection sleep_;
   ModelCache<LocalRates> rates_;
   AdaptiveStep<float> single_;
   AdaptiveStep<double> double_;
@@ -273,17 +277,17 @@ class AutoSolver final : public Solver {
 /// Warns if the cost budget is too small for this cloth, and says whether speed or stiffness suffers.
 std::optional<SolverWarning> autoWarning(const ClothModel& model, const StepParameters& parameters) {
   const double frequency = largestFrequency(model, parameters);
-  const double evaluations = evaluationsInBudget(model, parameters, parameters.automatic);
+  const double evaluations = adaptive::evaluationsInBudget(model, parameters, parameters.automatic);
   const double hOmega = std::max(frequency * parameters.timeStep, 1e-30);
-  if (toleratedCostRatio * evaluations * 2.0 >= hOmega) {
+  if (adaptive::toleratedCostRatio * evaluations * 2.0 >= hOmega) {
     return std::nullopt;
   }
-  if (!maySoften(model, parameters, parameters.automatic)) {
+  if (!adaptive::maySoften(model, parameters, parameters.automatic)) {
     return SolverWarning{.kind = SolverWarning::Kind::SlowMotion, .costRatio = 0.5 * hOmega / evaluations};
   }
   const double cost =
-      parameters.automatic.soften ? evaluations : maxEvaluations(model, parameters, parameters.automatic);
-  const double clamped = std::floor(cost / costWithLevels) * tuning.clampHOmega / hOmega;
+      parameters.automatic.soften ? evaluations : adaptive::maxEvaluations(model, parameters, parameters.automatic);
+  const double clamped = std::floor(cost / adaptive::costWithLevels) * adaptive::tuning.clampHOmega / hOmega;
   return SolverWarning{.kind = SolverWarning::Kind::Softened,
                        .stiffnessScale = clamped * clamped,
                        .neededCost = std::ceil(0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6),
@@ -309,4 +313,4 @@ SolverInfo solvers::adaptive() {
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<AutoSolver>(solvers::xpbd().make); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

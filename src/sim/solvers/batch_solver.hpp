@@ -2,7 +2,7 @@
 
 #include "sim/solvers/solver.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// A solver that takes steps in batches, because it converts the state to its own data layout. One step is a batch of
 /// one.
@@ -17,4 +17,4 @@ class BatchSolver : public Solver {
                    ClothState& state) override = 0;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

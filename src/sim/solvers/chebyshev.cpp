@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The weights omega_1, omega_2, ... of the iterations.
@@ -53,13 +53,13 @@ class ChebyshevSolver final : public BatchSolver {
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
     const std::vector<double> ofSweeps = weightsOfSweeps(parameters);
-    const JacobiOptions sweeping{.sweeps = static_cast<int>(ofSweeps.size()), .relaxation = 1.0};
+    const simd::JacobiOptions sweeping{.sweeps = static_cast<int>(ofSweeps.size()), .relaxation = 1.0};
     run_.oneIteration(model, parameters, sweeping, inputs, count, ofSweeps, state);
     return {.iterations = count * parameters.iteration.iterations};
   }
 
  private:
-  SlicedRun run_;
+  simd::SlicedRun run_;
 };
 
 /// The remaining error of a mode with Jacobi eigenvalue mu, signed: the solver's recursion for one number.
@@ -117,4 +117,4 @@ SolverInfo solvers::chebyshev() {
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<ChebyshevSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace drape {
+namespace drape::sim {
 
 std::optional<SolverWarning> stepLimitWarning(const StepParameters& parameters, double limit) {
   if (parameters.timeStep / parameters.substeps <= limit) {
@@ -37,4 +37,4 @@ std::optional<SolverWarning> slackWarning(const ClothModel& model, const StepPar
                        .iterations = parameters.iteration.iterations};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

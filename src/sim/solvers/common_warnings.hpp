@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace drape {
+namespace drape::sim {
 
 /// The warning for substeps longer than `limit` [s]; none if they are not.
 [[nodiscard]] std::optional<SolverWarning> stepLimitWarning(const StepParameters& parameters, double limit);
@@ -22,4 +22,4 @@ namespace drape {
 [[nodiscard]] std::optional<SolverWarning> slackWarning(const ClothModel& model, const StepParameters& parameters,
                                                         double perIteration);
 
-}  // namespace drape
+}  // namespace drape::sim

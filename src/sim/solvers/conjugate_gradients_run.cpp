@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The work of one thread in some steps. All threads run the same phases, wait for each other between them, and make
@@ -12,20 +12,20 @@ namespace {
 template <typename T>
 class ConjugateMember {
  public:
-  ConjugateMember(SlicedCloth<T>& cloth, ConjugateGradients<T>& system, const SliceStep<T>& step,
-                  const StepShare& share, ThreadTeam& team)
+  ConjugateMember(simd::SlicedCloth<T>& cloth, simd::ConjugateGradients<T>& system, const simd::SliceStep<T>& step,
+                  const simd::StepShare& share, simd::ThreadTeam& team)
       : cloth_(cloth), system_(system), step_(step), share_(share), team_(team) {}
 
   /// The iteration starts from zero. The dv of the last step would be a better guess, but the residual of a stopped
   /// iteration would then accumulate from step to step, and the cloth blows up.
   StepReport step(const StepParameters& parameters) {
-    phase(ConjugatePhase::Start);
+    phase(simd::ConjugatePhase::Start);
     StepReport report;
     const double first = std::sqrt(system_.squaredResidual());
     if (first > 0.0) {
       report = solve(parameters, first);
     }
-    phase(ConjugatePhase::Advance);
+    phase(simd::ConjugatePhase::Advance);
     return report;
   }
 
@@ -35,35 +35,35 @@ class ConjugateMember {
     report.residual = 1.0;
     double descent = system_.descent();
     while (report.iterations < parameters.iteration.maxIterations) {
-      phase(ConjugatePhase::Multiply);
+      phase(simd::ConjugatePhase::Multiply);
       const double curvature = system_.curvature();
       if (!(curvature > 0.0)) {
         break;  // the matrix is indefinite: there is no minimum along this direction
       }
-      phase(ConjugatePhase::Descend, descent / curvature);
+      phase(simd::ConjugatePhase::Descend, descent / curvature);
       ++report.iterations;
       report.residual = std::sqrt(system_.squaredResidual()) / first;
       if (report.residual <= parameters.iteration.tolerance) {
         break;
       }
       const double next = system_.descent();
-      phase(ConjugatePhase::Turn, next / descent);
+      phase(simd::ConjugatePhase::Turn, next / descent);
       descent = next;
     }
     report.converged = report.residual <= parameters.iteration.tolerance;
     return report;
   }
 
-  void phase(ConjugatePhase phase, double factor = 0.0) {
-    conjugatePhase(cloth_, system_, step_, share_, phase, static_cast<T>(factor));
+  void phase(simd::ConjugatePhase phase, double factor = 0.0) {
+    simd::conjugatePhase(cloth_, system_, step_, share_, phase, static_cast<T>(factor));
     team_.arriveAndWait();
   }
 
-  SlicedCloth<T>& cloth_;
-  ConjugateGradients<T>& system_;
-  const SliceStep<T>& step_;
-  const StepShare& share_;
-  ThreadTeam& team_;
+  simd::SlicedCloth<T>& cloth_;
+  simd::ConjugateGradients<T>& system_;
+  const simd::SliceStep<T>& step_;
+  const simd::StepShare& share_;
+  simd::ThreadTeam& team_;
 };
 
 }  // namespace
@@ -77,22 +77,22 @@ StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParam
 template <typename T>
 StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParameters& parameters,
                                         const StepInputs& inputs, int count, Memory<T>& memory, ClothState& state) {
-  SlicedCloth<T>& cloth = memory.cloths.get(model);
-  ConjugateGradients<T>& system =
-      memory.systems.get(model, [&](const ClothModel&) { return ConjugateGradients<T>(cloth.layout); });
-  SliceStep<T> step = sliceStepOf<T>(parameters, {});
-  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  simd::SlicedCloth<T>& cloth = memory.cloths.get(model);
+  simd::ConjugateGradients<T>& system =
+      memory.systems.get(model, [&](const ClothModel&) { return simd::ConjugateGradients<T>(cloth.layout); });
+  simd::SliceStep<T> step = simd::sliceStepOf<T>(parameters, {});
+  const int threads = simd::usefulThreads(cloth.layout, parameters.threads);
   cloth.prepare(threads, 0);
   StepReport report;
   team_.run(threads, [&](int member) {
-    const StepShare share = blockShareOf(cloth.layout, member, threads);
+    const simd::StepShare share = simd::blockShareOf(cloth.layout, member, threads);
     ConjugateMember<T> part(cloth, system, step, share, team_);
     cloth.load(state, share);
     team_.arriveAndWait();
     for (int i = 0; i < count; ++i) {
       if (inputs.attachment) {
         if (member == 0) {
-          setAttachment(model, *inputs.attachment, cloth, step);
+          simd::setAttachment(model, *inputs.attachment, cloth, step);
         }
         team_.arriveAndWait();
       }
@@ -107,4 +107,4 @@ StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParam
   return report;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace drape {
+namespace drape::sim {
 
 /// Runs backward-Euler steps with conjugate gradients on a sliced cloth, in the precision and with the threads of the
 /// parameters. The state is converted once for all steps.
@@ -20,17 +20,17 @@ class ConjugateGradientsRun {
  private:
   template <typename T>
   struct Memory {
-    SlicedClothCache<T> cloths;
-    ModelCache<ConjugateGradients<T>> systems;
+    simd::SlicedClothCache<T> cloths;
+    ModelCache<simd::ConjugateGradients<T>> systems;
   };
 
   template <typename T>
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    Memory<T>& memory, ClothState& state);
 
-  ThreadTeam team_;
+  simd::ThreadTeam team_;
   Memory<float> single_;
   Memory<double> double_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

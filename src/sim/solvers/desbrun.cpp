@@ -2,7 +2,7 @@
 #include "sim/solvers/filtered_step.hpp"
 #include "sim/solvers/registry.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// Desbrun, Schroeder and Barr (1999): a constant matrix filters the internal forces, but not the external ones. The
 /// rotation that the filter adds is removed from the positions (filtered_step.hpp has the equations).
@@ -32,4 +32,4 @@ SolverInfo solvers::desbrun() {
       }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

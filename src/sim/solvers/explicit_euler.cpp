@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Explicit Euler: x' = x + h v, v' = v + h a(x, v), both from the start of the step.
@@ -28,7 +28,7 @@ class ExplicitEulerSolver final : public BatchSolver {
   }
 
  private:
-  SlicedRun run_;
+  simd::SlicedRun run_;
 };
 
 /// The stiffness of an uncompressed spring in any direction is at most k / C_d times its damping. This holds for the
@@ -75,4 +75,4 @@ SolverInfo solvers::explicitEuler() {
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<ExplicitEulerSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

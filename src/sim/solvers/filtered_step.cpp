@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim {
 
 StepReport FilteredStepSolver::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                     ClothState& state) {
@@ -95,4 +95,4 @@ void FilteredStepSolver::move(const ClothModel& model, const StepParameters& par
   state.time += h;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

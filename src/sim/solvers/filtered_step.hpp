@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// What the correction of the rotation by filtered forces changes.
 enum class RotationCorrection { Positions, Velocities };
@@ -58,4 +58,4 @@ class FilteredStepSolver final : public Solver {
   bool attached_ = false;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

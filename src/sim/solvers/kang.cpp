@@ -4,7 +4,7 @@
 #include "sim/solvers/common_warnings.hpp"
 #include "sim/solvers/registry.hpp"
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The direct update of Kang, Choi, Cho and Lee (2001): backward Euler with the scalar derivative k I and one explicit
@@ -126,4 +126,4 @@ SolverInfo solvers::kang() {
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<KangSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

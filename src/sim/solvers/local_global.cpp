@@ -6,7 +6,7 @@
 #include "sim/systems/diagonal_change.hpp"
 #include "sim/systems/scalar_system.hpp"
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Fast mass springs (Liu, Bargteil, O'Brien and Kavan, 2013): backward Euler as the minimum of
@@ -148,4 +148,4 @@ SolverInfo solvers::localGlobal() {
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<LocalGlobalSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -2,7 +2,7 @@
 #include "sim/solvers/filtered_step.hpp"
 #include "sim/solvers/registry.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// Meyer, Debunne, Desbrun and Barr (2001): the constant filter of `desbrun`, with the rotation that it adds removed
 /// from the velocities (filtered_step.hpp has the equations).
@@ -33,4 +33,4 @@ SolverInfo solvers::meyer() {
       }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

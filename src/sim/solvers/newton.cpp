@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <memory>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Fraction of the decrease predicted by the slope that a step must reach (Armijo's condition).
@@ -151,4 +151,4 @@ SolverInfo solvers::newton() {
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<NewtonSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

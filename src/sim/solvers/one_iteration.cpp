@@ -3,7 +3,7 @@
 #include "sim/solvers/one_iteration_limits.hpp"
 #include "sim/solvers/registry.hpp"
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The one-iteration implicit mass-spring step: backward Euler, solved by `sweeps` block-Jacobi sweeps from
@@ -25,7 +25,7 @@ class OneIterationSolver final : public BatchSolver {
   }
 
  private:
-  SlicedRun run_;
+  simd::SlicedRun run_;
 };
 
 }  // namespace
@@ -47,4 +47,4 @@ SolverInfo solvers::oneIteration() {
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<OneIterationSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace drape::solvers {
+namespace drape::sim::solvers {
 namespace {
 
 constexpr double maxGainNumber = 1e4;           // of energyGainNumber
@@ -62,4 +62,4 @@ std::optional<SolverWarning> oneIterationWarning(const ClothModel& model, const 
   return slack;
 }
 
-}  // namespace drape::solvers
+}  // namespace drape::sim::solvers

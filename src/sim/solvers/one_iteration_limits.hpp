@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace drape::solvers {
+namespace drape::sim::solvers {
 
 /// A dimensionless number for the energy gain of the one-iteration step on flat cloth:
 ///
@@ -39,4 +39,4 @@ namespace drape::solvers {
 [[nodiscard]] std::optional<SolverWarning> oneIterationWarning(const ClothModel& model,
                                                                const StepParameters& parameters);
 
-}  // namespace drape::solvers
+}  // namespace drape::sim::solvers

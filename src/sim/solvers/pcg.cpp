@@ -2,7 +2,7 @@
 #include "sim/solvers/conjugate_gradients_run.hpp"
 #include "sim/solvers/registry.hpp"
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The modified conjugate gradient method of Baraff and Witkin (1998, sec. 5.3) on the system of the one-iteration
@@ -37,4 +37,4 @@ SolverInfo solvers::pcg() {
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<PcgSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 std::span<const SolverInfo> solverTable() {
   static const std::vector<SolverInfo> table = [] {
@@ -22,4 +22,4 @@ const SolverInfo* findSolver(std::string_view name) {
   return found == table.end() ? nullptr : &*found;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -6,7 +6,7 @@
 
 /// All solvers. Each has a function that describes it, defined in the file of its name, and an entry in the list. A new
 /// solver needs no other registration.
-namespace drape::solvers {
+namespace drape::sim::solvers {
 
 SolverInfo oneIteration();
 SolverInfo chebyshev();
@@ -26,4 +26,4 @@ SolverInfo adaptive();
 inline constexpr std::array all{oneIteration, adaptive, chebyshev, pcg,     newton, verlet,     explicitEuler,
                                 xpbd,         vbd,      kang,      desbrun, meyer,  localGlobal};
 
-}  // namespace drape::solvers
+}  // namespace drape::sim::solvers

@@ -1,6 +1,6 @@
 #include "sim/solvers/solver.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 StepReport Solver::steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                          ClothState& state) {
@@ -11,4 +11,4 @@ StepReport Solver::steps(const ClothModel& model, const StepParameters& paramete
   return total;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

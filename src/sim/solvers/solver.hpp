@@ -14,15 +14,15 @@
 #include <string_view>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// Statistics of a step.
 struct StepReport {
-  int iterations = 0;                     ///< over all substeps [-]; 0 for methods without iterations
-  double residual = 0.0;                  ///< relative residual of the last solve [-]; 0 if it is not computed
-  bool converged = true;                  ///< false if a solve ended above its tolerance
-  ContactReport contact = {};             ///< contacts of the step
-  std::optional<StepChoice> choice = {};  ///< of the solver `auto`
+  int iterations = 0;                   ///< over all substeps [-]; 0 for methods without iterations
+  double residual = 0.0;                ///< relative residual of the last solve [-]; 0 if it is not computed
+  bool converged = true;                ///< false if a solve ended above its tolerance
+  contact::ContactReport contact = {};  ///< contacts of the step
+  std::optional<adaptive::StepChoice> choice = {};  ///< of the solver `auto`
 
   /// Adds the report of the next step.
   void add(const StepReport& next) {
@@ -80,4 +80,4 @@ struct SolverInfo {
 /// The solver of that name, or nullptr.
 [[nodiscard]] const SolverInfo* findSolver(std::string_view name);
 
-}  // namespace drape
+}  // namespace drape::sim

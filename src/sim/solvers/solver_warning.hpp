@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape {
+namespace drape::sim {
 
 /// Why a solver does not suit a cloth: a code, with the numbers that its comment names. src/messages makes the text.
 struct SolverWarning {
@@ -33,4 +33,4 @@ struct SolverWarning {
   bool softenedByChoice = false;  ///< true if auto.soften is on, false if the cloth is too stiff for any step
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,7 +7,7 @@
 #include "sim/simd/jacobi_options.hpp"
 #include "sim/systems/iteration_options.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 /// The time integration, for all solvers of a backward-Euler step.
 enum class Integration {
@@ -24,10 +24,10 @@ struct StepParameters : CommonParameters {
   double theta = 0.5;                                    ///< of Integration::Theta, 1/2 to 1 [-]
   bool keepMomentum = false;                             ///< restore the momentum of free cloth after each substep
 
-  JacobiOptions jacobi;
+  simd::JacobiOptions jacobi;
   IterationOptions iteration;
-  AutoOptions automatic;
-  ContactParameters contact;
+  adaptive::AutoOptions automatic;
+  contact::ContactParameters contact;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Vertex block descent (Chen, Liu, Yang and Yuksel 2024): the backward-Euler step as the minimum of
@@ -186,4 +186,4 @@ SolverInfo solvers::vbd() {
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<VbdSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 #include "sim/solvers/common_warnings.hpp"
 #include "sim/solvers/registry.hpp"
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Stoermer-Verlet in its position form (drift, kick, drift), one evaluation of the forces a step:
@@ -25,7 +25,7 @@ class VerletSolver final : public BatchSolver {
   }
 
  private:
-  SlicedRun run_;
+  simd::SlicedRun run_;
 };
 
 std::optional<SolverWarning> verletWarning(const ClothModel& model, const StepParameters& parameters) {
@@ -50,4 +50,4 @@ SolverInfo solvers::verlet() {
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<VerletSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

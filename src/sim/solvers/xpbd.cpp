@@ -8,7 +8,7 @@
 #include "sim/solvers/registry.hpp"
 #include "sim/systems/position_step.hpp"
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Extended position-based dynamics (Macklin, Mueller, Chentanez 2016). Springs are distance constraints C = L - l0 of
@@ -117,7 +117,7 @@ class XpbdSolver final : public BatchSolver {
     state.velocities[b] -= inverseMass_[b] * impulse;
   }
 
-  ConstraintRun run_;
+  simd::ConstraintRun run_;
   Workers workers_;
   ModelCache<RaggedRows<int>> colours_;
   std::vector<double> inverseMass_;  // w_i [1/kg], one a vertex; 0 where pinned
@@ -157,4 +157,4 @@ SolverInfo solvers::xpbd() {
           .make = []() -> std::unique_ptr<Solver> { return std::make_unique<XpbdSolver>(); }};
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The fraction of a BDF2 step that its backward-Euler solve covers.
@@ -27,7 +27,7 @@ constexpr double maxContactSubsteps = 128.0;
 constexpr double maxContactSubstepTime = 1.0 / 300.0;  // [s]
 
 /// Adds the report of a later contact substep of the same step. Overlaps are those at the start of the step.
-void addLater(const ContactReport& next, ContactReport& total) {
+void addLater(const contact::ContactReport& next, contact::ContactReport& total) {
   total.bodyContacts = std::max(total.bodyContacts, next.bodyContacts);
   total.selfContacts = std::max(total.selfContacts, next.selfContacts);
   total.infeasible += next.infeasible;
@@ -60,8 +60,8 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                const ClothState& state) {
   constexpr double rounding = 1e-9;  // [-]
-  const bool nearItself = info_->choosesSubsteps && ContactStage::isNearItself(parameters.contact, state);
-  const bool bodies = meetsBodies(parameters.contact, inputs);
+  const bool nearItself = info_->choosesSubsteps && contact::ContactStage::isNearItself(parameters.contact, state);
+  const bool bodies = contact::meetsBodies(parameters.contact, inputs);
   if (!nearItself && !bodies) {
     return 1;
   }
@@ -145,11 +145,11 @@ void Stepper::planPins(const ClothModel& model, const StepInputs& inputs, const 
   if (inputs.bodies == nullptr) {
     return;
   }
-  for (const BodyStep& body : *inputs.bodies) {
-    for (const CarriedPin& pin : body.body->pins) {
+  for (const contact::BodyStep& body : *inputs.bodies) {
+    for (const contact::CarriedPin& pin : body.body->pins) {
       const auto v = static_cast<std::size_t>(pin.vertex);
       if (model.pinned[v]) {
-        pinMotions_.push_back({v, state.positions[v], carriedBy(body, pin, state.positions[v])});
+        pinMotions_.push_back({v, state.positions[v], contact::carriedBy(body, pin, state.positions[v])});
       }
     }
   }
@@ -255,4 +255,4 @@ StepReport Stepper::bdf2Step(const ClothModel& model, StepParameters parameters,
   return report;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

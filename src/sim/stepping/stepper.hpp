@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// Advances a cloth by one time step. It does everything around a solver: substeps (unless the solver chooses them),
 /// the integration, momentum, moving pins and contact.
@@ -39,7 +39,7 @@ class Stepper {
                   ClothState& state);
 
   /// Contact in the last step, or in its last contact substep.
-  [[nodiscard]] const ContactStage& contact() const { return contact_; }
+  [[nodiscard]] const contact::ContactStage& contact() const { return contact_; }
   /// Number of contact substeps of the last step.
   [[nodiscard]] int contactSubsteps() const { return contactSubsteps_; }
   /// Whether to measure the energy change by contact in the contact substeps, which costs two sums over the springs in
@@ -86,8 +86,8 @@ class Stepper {
   std::unique_ptr<Solver> solver_;
   ClothState before_;
   MomentumKeeper momentum_;
-  ContactStage contact_;
-  BodySubsteps bodySubsteps_;
+  contact::ContactStage contact_;
+  contact::BodySubsteps bodySubsteps_;
   bool keepsContactWork_ = false;
   int contactSubsteps_ = 1;
   ModelCache<double> rate_;          // 99th percentile of omega^2 / k [1/kg]
@@ -95,4 +95,4 @@ class Stepper {
   std::vector<PinMotion> pinMotions_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

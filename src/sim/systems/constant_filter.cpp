@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Number of columns solved at once, and of rows multiplied at once, so that both stay in the cache.
@@ -74,4 +74,4 @@ void ConstantFilter::multiply(int threads, Workers& workers) {
   });
 }
 
-}  // namespace drape
+}  // namespace drape::sim

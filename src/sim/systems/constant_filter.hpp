@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// The constant filter of Desbrun, Schroeder and Barr (1999). Backward Euler with the scalar part k of the spring
 /// derivative has the same matrix at every step. Its precomputed inverse filters the forces. The paper has equal
@@ -44,4 +44,4 @@ class ConstantFilter {
   ScalarSystem::Columns changes_;   // of the velocities [m/s]
 };
 
-}  // namespace drape
+}  // namespace drape::sim

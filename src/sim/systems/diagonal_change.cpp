@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-namespace drape {
+namespace drape::sim {
 
 void DiagonalChange::clear() {
   active_ = false;
@@ -58,4 +58,4 @@ void DiagonalChange::applyTo(ScalarSystem::Columns& answer) const {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

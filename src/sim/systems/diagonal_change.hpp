@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// Additions to three diagonal entries of a ScalarSystem, for the stiffness of an attachment. They differ from step to
 /// step, but the factor does not change. The solution u of the system becomes that of the changed system by the formula
@@ -40,4 +40,4 @@ class DiagonalChange {
   Eigen::MatrixXd columns_;            // Z [1/kg]
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,7 +3,7 @@
 #include "sim/forces/external_forces.hpp"
 #include "sim/forces/kernels.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 void ImplicitSystem::assemble(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                               const ClothState& state, Workers& workers) {
@@ -87,4 +87,4 @@ void advance(const ClothModel& model, double timeStep, const std::vector<Vec3>& 
   state.time += timeStep;
 }
 
-}  // namespace drape
+}  // namespace drape::sim

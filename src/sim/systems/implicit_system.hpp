@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// The linear system of one backward-Euler step, W dv = h f~ with W = M - h^2 J and f~ = f + h J v (eqs. 5-9), with the
 /// damping of eqs. 12-14. It consists of 3x3 blocks. The matrix is not assembled: the blocks J_ij are stored per
@@ -60,4 +60,4 @@ class ImplicitSystem {
 /// Ends a backward-Euler step with the velocity change dv: v += dv, x += h v. Pinned vertices stay, with zero velocity.
 void advance(const ClothModel& model, double timeStep, const std::vector<Vec3>& dv, ClothState& state);
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -176,4 +176,4 @@ void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& he
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

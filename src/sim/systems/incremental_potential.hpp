@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// The incremental potential of a nonlinear backward-Euler step, a function of the velocities v at its end:
 ///
@@ -72,4 +72,4 @@ class IncrementalPotential {
   Vec3 attachmentOffset_ = Vec3::Zero();       // the same at x0 + h v [m]
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape {
+namespace drape::sim {
 
 /// The options of iterative solves. Each solver reads those that it lists (SolverInfo::settings).
 struct IterationOptions {
@@ -10,4 +10,4 @@ struct IterationOptions {
   int maxIterations = 1000;     ///< at which a solve gives up [-]
 };
 
-}  // namespace drape
+}  // namespace drape::sim

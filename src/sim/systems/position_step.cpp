@@ -2,7 +2,7 @@
 
 #include "sim/forces/external_forces.hpp"
 
-namespace drape {
+namespace drape::sim {
 
 void predictPositions(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                       Workers& workers, std::vector<Vec3>& predicted) {
@@ -24,4 +24,4 @@ void velocitiesFromPositions(const ClothModel& model, double timeStep, const std
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// Predicts positions without springs, damping and attachment: y = x + h v + h^2 a, with gravity and air at the start
 /// of the step. Methods that solve for positions start there. Pinned vertices stay.
@@ -19,4 +19,4 @@ void predictPositions(const ClothModel& model, const CommonParameters& parameter
 void velocitiesFromPositions(const ClothModel& model, double timeStep, const std::vector<Vec3>& start,
                              ClothState& state);
 
-}  // namespace drape
+}  // namespace drape::sim

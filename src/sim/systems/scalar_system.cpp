@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The lower half of M + sum_s w_s L_s for the free vertices.
@@ -65,4 +65,4 @@ Eigen::MatrixXd ScalarSystem::solve(const Eigen::MatrixXd& rightSides) const {
   return pattern_->factor->solve(rightSides);
 }
 
-}  // namespace drape
+}  // namespace drape::sim

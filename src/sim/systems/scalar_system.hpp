@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// The weight of a spring in a constant matrix, w = h^2 k + h C_d [kg].
 struct ScalarWeight {
@@ -61,4 +61,4 @@ class ScalarSystem {
   const Pattern* pattern_ = nullptr;  // of the last `prepare`
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -6,7 +6,7 @@
 // of higher index, ascending. So column c begins with 3 - c values of the diagonal block. The rows of its p-th
 // neighbour begin 3 p values later.
 
-namespace drape {
+namespace drape::sim {
 
 SparseSystem::SparseSystem(const ClothModel& model) {
   Eigen::Index free = 0;
@@ -115,4 +115,4 @@ void SparseSystem::scatter(const Eigen::VectorXd& numbers, std::vector<Vec3>& ve
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim

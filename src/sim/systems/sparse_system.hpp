@@ -6,7 +6,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 
 /// A symmetric 3n x 3n matrix with a 3x3 block for each of the n free vertices and for each spring between two of them.
 /// Pinned vertices have neither rows nor columns. The sparsity pattern is computed once for a model; `fill` overwrites
@@ -44,4 +44,4 @@ class SparseSystem {
   Matrix lower_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 using testing::irregularSheet;
@@ -99,10 +99,10 @@ TEST(CoarseLevels, areNoneForSeparateTriangles) {
 
 /// The accelerations of a cloth by its levels, one a vertex.
 std::vector<Vec3> accelerationsOf(const ClothModel& model, const std::vector<Vec3>& positions) {
-  SlicedCloth<double> cloth(model);
+  simd::SlicedCloth<double> cloth(model);
   cloth.prepare(1, 1);
   ClothState state = stateAtRest(positions);
-  cloth.load(state, shareOf(cloth.layout, 1, 0, 1));
+  cloth.load(state, simd::shareOf(cloth.layout, 1, 0, 1));
   CoarseMotion<double> motion(buildCoarseLevels(model), model, cloth);
   EXPECT_GT(motion.setStiffness(1000.0, 900.0, 1.4, 1e-3), 1);
   motion.accelerate(cloth, false);
@@ -149,4 +149,4 @@ TEST(CoarseMotion, doesNothingToClothThatIsCompressedOrAtRest) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 /// A sheet at rest after an accepted step, so that the energy at the start of the next step is known.
@@ -165,4 +165,4 @@ TEST_F(DecidingOnAStep, leavesTheMotionAloneWhileTheDriftIsAllowed) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::adaptive

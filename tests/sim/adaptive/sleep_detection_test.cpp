@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 /// A sheet of that size [m] that hangs from its upper edge.
@@ -53,16 +53,16 @@ class Sleeping : public ::testing::Test {
 
   /// Makes a horizontal plane at that height [m] the only body.
   void placeGround(double height) {
-    ground.shape = PlaneShape{};
-    bodies.assign(1, BodyStep{});
+    ground.shape = contact::PlaneShape{};
+    bodies.assign(1, contact::BodyStep{});
     bodies.front().body = &ground;
     bodies.front().start.position.y() = bodies.front().end.position.y() = height;
     inputs.bodies = &bodies;
   }
 
   std::shared_ptr<const ClothModel> model = hangingSheet(1.0);
-  Body ground;
-  std::vector<BodyStep> bodies;
+  contact::Body ground;
+  std::vector<contact::BodyStep> bodies;
   StepParameters parameters = dampedParameters();
   StepInputs inputs;
   ClothState state = stateAtRest(model->restPositions);
@@ -118,7 +118,7 @@ TEST_F(Sleeping, endsWhenAnythingChanges) {
 
 TEST_F(Sleeping, endsWhenABodyMovesOrIsTakenAway) {
   placeGround(-1.004);  // so that the sheet's lower edge stands on it
-  const BodyStep place = bodies.front();
+  const contact::BodyStep place = bodies.front();
   settle();
   const ClothState atRest = state;
   bodies[0].end.position.y() += 1e-6;
@@ -227,4 +227,4 @@ TEST_F(Sleeping, doesNotFreezeSlowMotion) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::adaptive

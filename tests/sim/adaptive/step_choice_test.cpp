@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 TEST(StepChoice, hasItsMembersByName) {
@@ -44,4 +44,4 @@ TEST(StepChoice, ofSeveralStepsAddsTheirSubstepsAndKeepsTheWorstStiffness) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 /// The memory of another solver.
@@ -52,4 +52,4 @@ TEST(StepMemory, makesACopyContinueToTheSameBits) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::adaptive {
 namespace {
 
 /// A sheet with a budget of so many force evaluations a step. Its springs may be softened.
@@ -203,4 +203,4 @@ TEST_F(StepPlanning, doesNotLetAFewFastVerticesDetermineTheSubsteps) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::adaptive

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 struct Method {
@@ -44,10 +44,10 @@ void printHashes(const std::string& cloth, const ClothModel& model) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim
 
 int main() {
-  drape::printHashes("grid", *drape::testing::pinnedCloth(drape::testing::sheet(15)));
-  drape::printHashes("irregular",
-                     *drape::testing::pinnedCloth(drape::testing::renumbered(drape::testing::unevenSheet(13, 3), 4)));
+  drape::sim::printHashes("grid", *drape::sim::testing::pinnedCloth(drape::sim::testing::sheet(15)));
+  drape::sim::printHashes("irregular",
+                     *drape::sim::testing::pinnedCloth(drape::sim::testing::renumbered(drape::sim::testing::unevenSheet(13, 3), 4)));
 }

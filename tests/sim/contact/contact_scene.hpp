@@ -14,7 +14,9 @@
 #include <utility>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::sim::testing {
+
+using namespace contact;
 
 /// The number of intersecting pairs of a cloth's and a body's drawn triangles, in exact arithmetic.
 inline int intersectingPairs(const ClothModel& model, const std::vector<Vec3>& cloth, const BodySurface& surface,
@@ -23,7 +25,8 @@ inline int intersectingPairs(const ClothModel& model, const std::vector<Vec3>& c
   for (const Vec3& position : surface.positions) {
     body.push_back(pose.toWorld(position));
   }
-  return static_cast<int>(drape::intersectingPairs({cloth, model.triangles}, {body, surface.triangles}).size());
+  return static_cast<int>(
+      drape::intersection::intersectingPairs({cloth, model.triangles}, {body, surface.triangles}).size());
 }
 
 /// A cloth with bodies and a solver.
@@ -96,4 +99,4 @@ inline std::shared_ptr<const ClothModel> freeSheet(int n, double size, const Vec
   return buildClothModel(mesh, 0.15 * size * size, MassLumping::Area, {});
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 TEST(ContactStage, costsNothingAndChangesNothingWhileItIsOff) {
@@ -49,4 +49,4 @@ TEST(ContactStage, returnsForAClothThatDiverges) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 const Vec3 centre = Vec3::Constant(1.0 / 3.0);
@@ -51,4 +51,4 @@ TEST(AttachmentLimit, isAQuarterOfTheWeightAtLeast) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

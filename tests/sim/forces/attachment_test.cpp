@@ -6,10 +6,10 @@
 #include <array>
 #include <memory>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
-using namespace drape::testing;
+using namespace drape::sim::testing;
 
 /// Saturated from 0.16 m on.
 constexpr AttachmentSpring spring{.stiffness = 50.0, .maxForce = 8.0};
@@ -173,4 +173,4 @@ TEST_F(AttachedSheet, isAnXpbdConstraintWhoseMultiplierIsTheForce) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 TEST(Energy, isZeroAtRest) {
@@ -48,4 +48,4 @@ TEST(MaxStretch, isZeroWhereEverythingIsCompressed) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

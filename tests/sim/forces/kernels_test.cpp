@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 constexpr double stiffness = 120.0;
@@ -214,4 +214,4 @@ TEST(AirForce, isThePlainFormulaInAGentleWind) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 constexpr double radius = 0.5;       // of the triangle at rest [m]
@@ -216,4 +216,4 @@ TEST(EnergyBalance, ofVerletLeavesTheIntegratorAnErrorOfSecondOrder) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// The sheet of the other tests, pinned along its first row.
@@ -58,4 +58,4 @@ TEST(StrainByWeight, IsNothingWithoutPinsAndInfiniteWithoutStiffness) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Positions of the method and of the reference at two checkpoints; both start at the same positions.
@@ -135,4 +135,4 @@ TEST(MotionKept, isInfiniteWhereOnlyTheMethodMovesAndOneWhereNothingDoes) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

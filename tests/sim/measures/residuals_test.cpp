@@ -8,7 +8,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 StepParameters everything() {
@@ -148,4 +148,4 @@ TEST(NonlinearResidual, isOneForCoasting) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

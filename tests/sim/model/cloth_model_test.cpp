@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 TEST(ClothModel, hasThePapersCountsFor17And33VerticesASide) {
@@ -154,4 +154,4 @@ TEST(ClothModel, givesEvenAVertexOfASliverSomeMass) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

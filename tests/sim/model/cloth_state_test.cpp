@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 TEST(StateHash, changesWithTheLastBitOfAnyPositionOrVelocity) {
@@ -38,4 +38,4 @@ TEST(IsFinite, noticesOneBadNumberAnywhere) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

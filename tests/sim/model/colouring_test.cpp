@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// A fan around vertex 0, a lonely triangle with an edge of its own and a triangle with one foot in the fan.
@@ -108,4 +108,4 @@ TEST(Colouring, hasNoColoursWhereThereAreNoSprings) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// Two triangles on the edge from 1 to 2, and one of its own.
@@ -73,4 +73,4 @@ TEST(RaggedRows, keepTheOrderWithinARow) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
-using namespace drape::testing;
+using namespace drape::sim::testing;
 
 /// Shaken, flying and spinning.
 ClothState thrown(const ClothModel& model, double shaking) {
@@ -53,4 +53,4 @@ TEST(InnerMotion, isAllMotionWhereSomethingIsPinned) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
-using namespace drape::testing;
+using namespace drape::sim::testing;
 
 Vec3 barycentre(const ClothModel& model, const ClothState& state) {
   return rowsOf(state.positions).transpose() * massMatrix(model).diagonal() / model.totalMass();
@@ -252,4 +252,4 @@ TEST(KeepMomentum, doesNotLetAStrongAttachmentThrowALightClothAbout) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

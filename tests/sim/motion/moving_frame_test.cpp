@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::ContactScene;
@@ -15,7 +15,7 @@ using testing::ContactScene;
 /// A sheet whose first row goes along with a body far away, evenly from the start, and moves with it.
 std::unique_ptr<ContactScene> carriedSheet(const std::string& solver, const Vec3& velocity) {
   constexpr int n = 6;
-  Body carrier = testing::bodyAt(SphereShape{0.01}, Vec3(0.0, 9.0, 0.0));
+  contact::Body carrier = testing::bodyAt(contact::SphereShape{0.01}, Vec3(0.0, 9.0, 0.0));
   carrier.motion.keyframes.clear();
   for (int k = -3; k <= 10; ++k) {
     carrier.motion.keyframes.push_back({0.1 * k, Vec3(0.0, 9.0, 0.0) + 0.1 * k * velocity, Vec3::Zero()});
@@ -26,7 +26,7 @@ std::unique_ptr<ContactScene> carriedSheet(const std::string& solver, const Vec3
     carrier.pins.push_back({v, -1});
   }
   auto scene = std::make_unique<ContactScene>(buildClothModel(testing::sheet(n), 0.1, MassLumping::Area, pins),
-                                              std::vector<Body>{carrier}, solver);
+                                              std::vector<contact::Body>{carrier}, solver);
   scene->parameters.timeStep = 1.0 / 300.0;
   scene->parameters.substeps = 4;
   scene->parameters.gravity = 0.0;
@@ -108,4 +108,4 @@ TEST(MovingFrame, leavesPinsThatNobodyCarriesWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 constexpr double thin = 1e-9;
@@ -40,4 +40,4 @@ TEST(Unfolding, givesVerticesThatFallTogetherDirectionsAndMovesNoPin) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 using testing::everything;
@@ -106,4 +106,4 @@ TEST(ConjugateGradients, inFloatComeAsNearToTheSolutionAsInDoubleUpToRounding) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::simd

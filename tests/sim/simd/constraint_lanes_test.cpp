@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 using testing::everyKindOfMesh;
@@ -180,4 +180,4 @@ TEST(XpbdInFloat, warnsOfStepsTooShortForFloatWhereItReallyIsOff) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::simd

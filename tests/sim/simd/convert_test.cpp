@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 /// Sums that overflow many times; the sanitizers must have nothing to say.
@@ -22,4 +22,4 @@ TEST(SumOfBits, isTheSumOfAllNumbersBitsWhateverTheirCount) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 using testing::everyKindOfMesh;
@@ -189,4 +189,4 @@ TEST(DampingStages, areEvenAndAsFewAsAreStable) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::simd

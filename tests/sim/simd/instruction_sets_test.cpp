@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 using testing::largestDifference;
@@ -146,4 +146,4 @@ TEST(InstructionSets, areAllThereAgainWhenATestIsOver) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -13,7 +13,9 @@
 #include <utility>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::sim::testing {
+
+using namespace simd;
 
 /// The same mesh with its vertices in a random order.
 inline ClothMesh renumbered(const ClothMesh& mesh, unsigned seed) {
@@ -126,4 +128,4 @@ inline StepParameters windyStep() {
   return parameters;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

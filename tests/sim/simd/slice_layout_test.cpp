@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 using testing::everyKindOfMesh;
@@ -178,4 +178,4 @@ TEST(SlicedCloth, takesAtMost200BytesAVertexInFloat) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::simd

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace drape {
+namespace drape::sim::simd {
 namespace {
 
 using testing::everyKindOfMesh;
@@ -252,4 +252,4 @@ TEST(SlicedClothCache, makesALayoutAnewWhenTrianglesRestShapeOrSizeChange) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::simd

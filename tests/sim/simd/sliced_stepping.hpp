@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <vector>
 
-namespace drape::testing {
+namespace drape::sim::testing {
+
+using namespace simd;
 
 /// Everything that a step can have, at once.
 inline StepParameters everything() {
@@ -120,4 +122,4 @@ void oneIterationByTeam(const ClothModel& model, const StepParameters& parameter
   });
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

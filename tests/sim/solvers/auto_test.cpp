@@ -12,7 +12,7 @@
 #include <functional>
 #include <stop_token>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::pinnedSheet;
@@ -517,4 +517,4 @@ TEST(Auto, warnsWhenTheCostBudgetIsTooSmallForTheStiffness) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::largestDifference;
@@ -136,4 +136,4 @@ TEST(Chebyshev, saysThatClothIsSlackWhereIterationsAreTooFew) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <stdexcept>
 
-namespace drape::testing {
+namespace drape::sim::testing {
 namespace {
 
 using Eigen::MatrixXd;
@@ -102,4 +102,4 @@ void denseBackwardEulerStep(const ClothModel& model, const StepParameters& p, co
   state.time += h;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

@@ -4,7 +4,7 @@
 #include "sim/model/cloth_state.hpp"
 #include "sim/solvers/step_parameters.hpp"
 
-namespace drape::testing {
+namespace drape::sim::testing {
 
 /// A backward-Euler step whose nonlinear equations M (x - y) = h^2 f(x) - h C_d L (x - x_n) are solved to rounding by
 /// Newton's method with dense matrices and exact derivatives; y = x_n + h v_n + h^2 g. Springs, damping, gravity, pins
@@ -12,4 +12,4 @@ namespace drape::testing {
 void denseBackwardEulerStep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                             ClothState& state);
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

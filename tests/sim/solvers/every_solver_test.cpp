@@ -14,7 +14,7 @@
 
 /// Requirements on every solver in the table. A new one is tested as a first-order method that conserves the momentum
 /// of free cloth; deviations of a method are in `methods`.
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::hangingChain;
@@ -488,4 +488,4 @@ INSTANTIATE_TEST_SUITE_P(All, EverySolver, ::testing::ValuesIn(methods()),
                          [](const auto& chosen) { return chosen.param.name; });
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

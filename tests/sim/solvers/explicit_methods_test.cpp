@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::hangingChain;
@@ -300,4 +300,4 @@ TEST(ExplicitEuler, hasNoStableStepWithoutDampingAndSaysHowFastEnergyDoubles) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -5,7 +5,7 @@
 #include <string>
 
 /// Properties of every solver of a backward-Euler step.
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::irregularSheet;
@@ -149,4 +149,4 @@ INSTANTIATE_TEST_SUITE_P(All, ConvergingSolver, ::testing::Values("pcg", "newton
                          [](const auto& chosen) { return std::string(chosen.param); });
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

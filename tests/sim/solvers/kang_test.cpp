@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
-using namespace drape::testing;
+using namespace drape::sim::testing;
 
 StepParameters everything() {
   StepParameters p;
@@ -62,4 +62,4 @@ TEST(Kang, equalsOneIterationWithTheScalarDerivative) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
-using namespace drape::testing;
+using namespace drape::sim::testing;
 
 StepParameters everything() {
   StepParameters p;
@@ -161,4 +161,4 @@ TEST(LocalGlobal, forgetsAReleasedAttachmentAndFollowsOneAtAnotherTriangle) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,7 +7,7 @@
 #include <functional>
 #include <stop_token>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::largestDifference;
@@ -198,4 +198,4 @@ TEST(Newton, settlesAnAttachedPointWhereMouseSpringAndWeightBalance) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::pinnedSheet;
@@ -129,4 +129,4 @@ TEST(OneIterationWarning, saysWhichDerivativesBlowUp) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::largestDifference;
@@ -217,4 +217,4 @@ TEST(OneIteration, survivesVerticesThatFallTogether) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

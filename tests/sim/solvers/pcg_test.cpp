@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::largestDifference;
@@ -132,4 +132,4 @@ TEST(Pcg, comesNearerToTheExactSolveTheSmallerTheTolerance) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

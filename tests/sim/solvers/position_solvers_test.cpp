@@ -10,7 +10,7 @@
 #include <optional>
 
 /// XPBD and vertex block descent.
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::denseBackwardEulerStep;
@@ -257,4 +257,4 @@ INSTANTIATE_TEST_SUITE_P(Every, PositionSolver, ::testing::Values("xpbd", "vbd")
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

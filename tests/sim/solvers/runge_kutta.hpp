@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace drape::testing {
+namespace drape::sim::testing {
 
 /// Accelerations of springs and gravity, written down once more.
 inline std::vector<Vec3> accelerations(const ClothModel& model, double stiffness, const std::vector<Vec3>& positions) {
@@ -50,4 +50,4 @@ inline std::vector<Vec3> rungeKutta(const ClothModel& model, double stiffness, d
   return x;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-namespace drape::testing {
+namespace drape::sim::testing {
 
 /// Masses that hang below each other at distances of `restLength`, each on a spring from the one above; the first is
 /// pinned. Built without triangles: the smallest models whose motion is known in closed form.
@@ -32,4 +32,4 @@ inline std::shared_ptr<const ClothModel> hangingChain(int springs, double mass, 
   return model;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
-using namespace drape::testing;
+using namespace drape::sim::testing;
 
 StepParameters everything() {
   StepParameters p;
@@ -204,4 +204,4 @@ TEST(ConstantFilter, followsANewWeightNewPinsAndAnotherModel) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 /// A shaken 4 x 4 sheet whose springs are partly stretched and partly compressed.
@@ -84,4 +84,4 @@ TEST(Potential, saysWhatRoundingLeavesOverOfItsGradient) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <string>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
-using namespace drape::testing;
+using namespace drape::sim::testing;
 
 /// Properties of all methods whose matrix has the spring constant as the whole derivative.
 class ScalarMatrixSolver : public ::testing::TestWithParam<const char*> {
@@ -244,4 +244,4 @@ TEST(Kang, losesLinearMomentumOfAFreeCloth) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

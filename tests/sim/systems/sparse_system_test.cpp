@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using Eigen::MatrixXd;
@@ -114,4 +114,4 @@ TEST(SparseSystem, isEmptyWhereEverythingIsPinned) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

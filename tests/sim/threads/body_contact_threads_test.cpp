@@ -3,20 +3,20 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::bodyAt;
 using testing::ContactScene;
 
 /// A ball that swells and shrinks.
-std::shared_ptr<const MeshShape> swellingBall() {
-  const BodySurface ball = surfaceOf(SphereShape{0.3});
-  MeshShape mesh{ball.positions, ball.triangles, {ball.positions, ball.positions}, 0.02, true};
+std::shared_ptr<const contact::MeshShape> swellingBall() {
+  const contact::BodySurface ball = contact::surfaceOf(contact::SphereShape{0.3});
+  contact::MeshShape mesh{ball.positions, ball.triangles, {ball.positions, ball.positions}, 0.02, true};
   for (Vec3& position : mesh.frames[1]) {
     position *= 1.03;
   }
-  return std::make_shared<const MeshShape>(std::move(mesh));
+  return std::make_shared<const contact::MeshShape>(std::move(mesh));
 }
 
 /// Enough triangles for several threads to get some.
@@ -28,9 +28,9 @@ TEST(BodyContactThreads, giveTheSameBitsOnMeshesAndOnWhatIsRound) {
       position += Vec3(-0.5, 0.305, -0.5);
     }
     const auto model = buildClothModel(sheet, 0.15, MassLumping::Area, {});
-    ContactScene scene(
-        model, {bodyAt(swellingBall(), Vec3::Zero()), bodyAt(BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3(0.4, 0.0, 0.3)),
-                bodyAt(SphereShape{0.1}, Vec3(-0.4, 0.2, 0.3))});
+    ContactScene scene(model, {bodyAt(swellingBall(), Vec3::Zero()),
+                               bodyAt(contact::BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3(0.4, 0.0, 0.3)),
+                               bodyAt(contact::SphereShape{0.1}, Vec3(-0.4, 0.2, 0.3))});
     scene.parameters.threads = threads;
     scene.parameters.timeStep = 1.0 / 150.0;
     int contacts = 0;
@@ -42,4 +42,4 @@ TEST(BodyContactThreads, giveTheSameBitsOnMeshesAndOnWhatIsRound) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

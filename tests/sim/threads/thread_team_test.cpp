@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-namespace drape {
+namespace drape::sim {
 namespace {
 
 using testing::oneIterationByTeam;
@@ -44,7 +44,7 @@ bool waitUntilOthersSleep() {
 }
 
 TEST(ThreadTeam, letsEveryMemberWorkOnceInEachOfManyRounds) {
-  ThreadTeam team;
+  simd::ThreadTeam team;
   std::vector<int> rounds(4, 0);  // not atomic: each belongs to its member, and a round ends before the next begins
   for (int round = 0; round < 1000; ++round) {
     team.run(4, [&](int member) { ++rounds[member]; });
@@ -53,7 +53,7 @@ TEST(ThreadTeam, letsEveryMemberWorkOnceInEachOfManyRounds) {
 }
 
 TEST(ThreadTeam, runsItsFirstMemberOnTheCallingThread) {
-  ThreadTeam team;
+  simd::ThreadTeam team;
   std::thread::id first;
   std::thread::id second;
   team.run(2, [&](int member) { (member == 0 ? first : second) = std::this_thread::get_id(); });
@@ -63,7 +63,7 @@ TEST(ThreadTeam, runsItsFirstMemberOnTheCallingThread) {
 
 TEST(ThreadTeam, letsNoThreadPassTheBarrierBeforeAllHaveArrived) {
   for (const int count : {1, 2, 3, 7}) {
-    ThreadTeam team;
+    simd::ThreadTeam team;
     std::vector<int> written(count, -1);
     std::atomic<int> mistakes = 0;
     team.run(count, [&](int member) {
@@ -81,7 +81,7 @@ TEST(ThreadTeam, letsNoThreadPassTheBarrierBeforeAllHaveArrived) {
 }
 
 TEST(ThreadTeam, growsAndShrinksBetweenRounds) {
-  ThreadTeam team;
+  simd::ThreadTeam team;
   for (int again = 0; again < 5; ++again) {
     for (const int count : {1, 4, 2, 2, 1, 6, 3}) {
       std::atomic<int> present = 0;
@@ -100,7 +100,7 @@ TEST(ThreadTeam, growsAndShrinksBetweenRounds) {
 TEST(ThreadTeam, wakesMembersThatFellAsleepForWorkAndForTheEnd) {
   std::atomic<int> sum = 0;
   {
-    ThreadTeam team;
+    simd::ThreadTeam team;
     team.run(3, [&](int) { ++sum; });
     ASSERT_TRUE(waitUntilOthersSleep());
     team.run(3, [&](int) { ++sum; });
@@ -110,7 +110,7 @@ TEST(ThreadTeam, wakesMembersThatFellAsleepForWorkAndForTheEnd) {
 }
 
 TEST(SlicedStepInThreads, hasTheSameBitsWithMoreThreadsThanCores) {
-  const auto model = pinnedCloth(testing::renumbered(testing::unevenSheet(17, 3), 4));
+  const auto model = testing::pinnedCloth(testing::renumbered(testing::unevenSheet(17, 3), 4));
   for (const int sweeps : {1, 3}) {
     const auto hashWith = [&](int threads) {
       StepParameters parameters;
@@ -119,7 +119,7 @@ TEST(SlicedStepInThreads, hasTheSameBitsWithMoreThreadsThanCores) {
       parameters.air.drag = 0.5;
       parameters.air.wind = Vec3(1.0, 0.0, 2.0);
       ClothState state = shaken(*model, 0.002, 3);
-      oneIterationByTeam<float>(*model, parameters, 4, state);
+      testing::oneIterationByTeam<float>(*model, parameters, 4, state);
       return stateHash(state);
     };
     const auto alone = hashWith(1);
@@ -158,4 +158,4 @@ INSTANTIATE_TEST_SUITE_P(Each, SolverInThreads,
                          [](const auto& chosen) { return std::string(chosen.param); });
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim

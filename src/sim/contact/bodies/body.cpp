@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr int sectors = 64;  // around the axis of a sphere or a capsule
@@ -90,4 +90,4 @@ Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& position
   return body.end.toWorld(local);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

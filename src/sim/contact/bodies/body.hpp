@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The half-space y <= 0, drawn as a square.
 struct PlaneShape {
@@ -90,4 +90,4 @@ struct BodySurface {
 /// The position at the end of the step of a pin that the body carries. `position` is that at the start [m].
 [[nodiscard]] Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& position);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

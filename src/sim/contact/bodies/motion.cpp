@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 Eigen::Quaterniond turnBy(const Vec3& axisTimesAngle) {
@@ -107,4 +107,4 @@ Pose poseAt(const BodyMotion& motion, double time) {
   return {(turnBy(motion.spin * time) * turnBy(key.rotation)).normalized(), key.position};
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

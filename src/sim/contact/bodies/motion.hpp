@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The pose of a body at a given time.
 struct Keyframe {
@@ -32,4 +32,4 @@ struct BodyMotion {
 
 [[nodiscard]] Pose poseAt(const BodyMotion& motion, double time);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

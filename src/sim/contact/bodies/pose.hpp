@@ -2,7 +2,7 @@
 
 #include "sim/model/vector.hpp"
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A rigid transformation: a point p of the local frame is at rotation * p + position.
 struct Pose {
@@ -13,4 +13,4 @@ struct Pose {
   [[nodiscard]] Vec3 toLocal(const Vec3& world) const { return rotation.conjugate() * (world - position); }
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -1,6 +1,6 @@
 #include "sim/contact/bodies/substeps.hpp"
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 /// Returns exactly the given poses at fractions 0 and 1, so that steps connect without rounding errors. A body that
@@ -45,4 +45,4 @@ const std::vector<BodyStep>& BodySubsteps::between(const std::vector<BodyStep>& 
   return parts_;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

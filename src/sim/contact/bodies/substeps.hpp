@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The motion of bodies in a contact substep: positions are interpolated linearly, rotations by slerp.
 class BodySubsteps {
@@ -18,4 +18,4 @@ class BodySubsteps {
   std::vector<std::vector<Vec3>> endVertices_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 const MeshShape* meshOf(const Body& body) {
@@ -117,4 +117,4 @@ void BodyWorld::collect() {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

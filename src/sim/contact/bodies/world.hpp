@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The bodies of a running scene and their motion in each step. A body follows its prescribed motion; the user can
 /// shift it by dragging. The shift approaches its target at a bounded speed, so that the body pushes cloth and does not
@@ -72,4 +72,4 @@ class BodyWorld {
 /// The positions of a deforming mesh at that time [s], interpolated linearly between its frames.
 void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& positions);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr std::size_t clusterSize = 8;  // triangles
@@ -47,4 +47,4 @@ std::pair<std::size_t, std::size_t> ClothClusters::clustersWithin(int begin, int
           static_cast<std::size_t>(std::lower_bound(first, last, end) - first)};
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Clusters of a few triangles of a cloth that are close together at rest. The broad phase culls whole clusters.
 class ClothClusters {
@@ -41,4 +41,4 @@ class ClothClusters {
   std::vector<int> ownEnd_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 /// Slacks that are tried first: a cluster without leaves within such a distance has this slack [m].
@@ -142,4 +142,4 @@ bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, doub
   return false;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

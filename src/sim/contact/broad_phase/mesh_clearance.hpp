@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The motion of a cloth over a step, in a body's frame.
 struct ClothMotion {
@@ -52,4 +52,4 @@ class MeshClearance {
 /// substeps depends on it, so the result depends on the motion only, not on cached data.
 [[nodiscard]] bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -11,7 +11,7 @@
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::contact::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -192,11 +192,11 @@ void findInRegion(const LeafLanes& points, const std::size_t* begin, const EdgeL
   }
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::contact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::contact {
 
 HWY_EXPORT(meeting);
 HWY_EXPORT(distances);
@@ -254,5 +254,5 @@ void inRegion(const LeafLanes& points, const std::vector<std::size_t>& begin, co
   (points, begin.data(), edges, edgeBegin.data(), leaves.data(), leaves.size(), region, found.data());
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact
 #endif

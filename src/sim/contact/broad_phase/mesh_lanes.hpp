@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Number of doubles in the widest vector in use. Arrays have that much padding at their end.
 inline constexpr std::size_t maxDoubles = 8;
@@ -105,4 +105,4 @@ void inRegion(const LeafLanes& points, const std::vector<std::size_t>& begin, co
 Extent extentsAlong(const LeafLanes& lanes, const std::vector<std::size_t>& begin,
                     const std::vector<std::int32_t>& leaves, const Vec3& direction, std::vector<Extent>& extents);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

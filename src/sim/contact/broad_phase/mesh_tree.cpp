@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-namespace drape {
+namespace drape::sim::contact {
 
 MeshTree::MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t maxTriangles)
     : order_(triangles.size()) {
@@ -88,4 +88,4 @@ void MeshTree::refit(std::span<const Vec3> before, std::span<const Vec3> after, 
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

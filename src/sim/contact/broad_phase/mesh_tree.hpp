@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A bounding volume hierarchy of axis-aligned boxes over the triangles of a mesh. Each leaf holds a few neighbouring
 /// triangles.
@@ -102,4 +102,4 @@ class MeshTree {
   std::vector<int> order_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr double sharpAngle = 0.02;  // sine of the convex angle below which an edge counts as flat [-]
@@ -205,4 +205,4 @@ int SearchableMesh::supportVertex(const Vec3& direction, std::size_t leaf, bool 
   return leafVertices_[index];
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A corner or a side of a triangle of a mesh.
 struct MeshFeature {
@@ -40,14 +40,14 @@ class SearchableMesh {
   /// @return their union
   Extent extentsAlong(const Vec3& direction, const std::vector<std::int32_t>& leaves, bool atEnd,
                       std::vector<Extent>& extents) const {
-    return drape::extentsAlong(lanes(atEnd), vertexBegin_, leaves, direction, extents);
+    return drape::sim::contact::extentsAlong(lanes(atEnd), vertexBegin_, leaves, direction, extents);
   }
 
   /// The support point of some leaves of the tree along a unit vector.
   [[nodiscard]] SupportPoint supportPoint(const Vec3& direction, const std::vector<std::int32_t>& leaves,
                                           bool atEnd) const {
     const LeafLanes& at = lanes(atEnd);
-    const SupportIndex far = drape::supportAlong(at, vertexBegin_, leaves, direction);
+    const SupportIndex far = drape::sim::contact::supportAlong(at, vertexBegin_, leaves, direction);
     return {far.height, Vec3(at.x[far.at], at.y[far.at], at.z[far.at])};
   }
 
@@ -117,4 +117,4 @@ class SearchableMesh {
   std::vector<double> moves_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr std::array<std::array<int, 2>, 3> sides{{{0, 1}, {1, 2}, {2, 0}}};
@@ -220,4 +220,4 @@ TriangleGap gapOfTriangles(const Corners& first, const Corners& second) {
   return gap;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

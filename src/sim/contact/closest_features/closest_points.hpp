@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The barycentric coordinates of the point of a triangle that is closest to `point`; at least one is zero if it lies
 /// on the border. Triangles without area are treated as segments.
@@ -41,4 +41,4 @@ struct TriangleGap {
 };
 [[nodiscard]] TriangleGap gapOfTriangles(const Corners& first, const Corners& second);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -2,7 +2,7 @@
 
 #include "sim/model/mesh_topology.hpp"
 
-namespace drape {
+namespace drape::sim::contact {
 
 std::vector<OwnedFeatures> ownedFeatures(const std::vector<Triangle>& triangles, std::size_t vertexCount) {
   std::vector<OwnedFeatures> owned(triangles.size());
@@ -21,4 +21,4 @@ std::vector<OwnedFeatures> ownedFeatures(const std::vector<Triangle>& triangles,
   return owned;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

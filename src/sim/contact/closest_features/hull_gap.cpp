@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr int maxGjkIterations = 16;
@@ -114,4 +114,4 @@ HullGap HullGapSearch::search(const Vec3& along, const Wanted& wanted) {
   return best_;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

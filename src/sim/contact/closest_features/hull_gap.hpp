@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A direction along which points of the cloth are separated from the vertices of some leaves of a mesh.
 struct HullGap {
@@ -49,4 +49,4 @@ class HullGapSearch {
   Vec3 offset_ = Vec3::Zero();  // between the closest points so far, from the mesh to the cloth [m]
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A mesh in a pass of contact, in the body's frame.
 struct MeshInStep {
@@ -42,4 +42,4 @@ struct NearestMeshPoint {
           pointAt(mesh.endCorners(near.triangle), near.weights)};
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

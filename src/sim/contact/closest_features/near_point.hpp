@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A point on the surface of a body that is close to a point of the cloth, in the body's frame.
 struct NearPoint {
@@ -15,4 +15,4 @@ struct NearPoint {
   double depth = 0.0;  ///< maximum depth of the connected part of the cloth that is inside the body [m]
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

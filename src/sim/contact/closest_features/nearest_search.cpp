@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 /// Factor that exceeds the relative rounding error of squared distances [-].
@@ -122,4 +122,4 @@ NearestMeshPoint NearestSearch::anywhere(const Vec3& point, double radius) {
   return result(point);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

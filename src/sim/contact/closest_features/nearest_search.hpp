@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Cached result of a search for the closest point to a vertex: a lower bound of the distance, and the triangles that
 /// can contain the closest point while the vertex stays near.
@@ -57,4 +57,4 @@ class NearestSearch {
   double minSquaredDistance_ = 0.0;  // [m^2]
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -1,6 +1,6 @@
 #include "sim/contact/closest_features/triangle_geometry.hpp"
 
-namespace drape {
+namespace drape::sim::contact {
 
 Vec3 onCorner(std::size_t k) {
   Vec3 weights = Vec3::Zero();
@@ -21,4 +21,4 @@ Vec3 faceNormal(const Corners& corners) {
   return length > 0.0 ? Vec3(normal / length) : Vec3(Vec3::UnitY());
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The corners of a triangle in space [m].
 using Corners = std::array<Vec3, 3>;
@@ -62,4 +62,4 @@ inline constexpr double insideMargin = 1e-3;
   return {(box.min().array() - by).matrix(), (box.max().array() + by).matrix()};
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

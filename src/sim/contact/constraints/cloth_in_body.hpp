@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace drape {
+namespace drape::sim::contact {
 
 class Overlap;
 
@@ -23,4 +23,4 @@ struct ClothInBody {
   const Overlap* overlap = nullptr;     ///< the part of the cloth inside the body; null if there is none
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

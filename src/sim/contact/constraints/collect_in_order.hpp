@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Divides the range 0 to count - 1 among threads and calls visit(begin, end, found) for each part, each with its own
 /// `Found`. Returns these in the order of the parts, so that the result does not depend on the threads.
@@ -29,4 +29,4 @@ template <typename Found, typename Visit>
   return all;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 
 double ContactOffsets::recoveryStepAt(double depth) const {
   constexpr double referenceDepth = 0.125;  // depth at which the step doubles [m]
@@ -54,4 +54,4 @@ void ConstraintBuilder::addPlane(int vertex, const Vec3& normal, double height, 
       {vertex, index_, world, height + std::min(offsets_.minimumSeparation, gap) + world.dot(step_.end.position)});
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

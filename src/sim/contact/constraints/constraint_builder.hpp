@@ -5,7 +5,7 @@
 #include "sim/contact/constraints/cloth_in_body.hpp"
 #include "sim/contact/constraints/contact_constraint.hpp"
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Distances that contact keeps between the cloth and a body.
 struct ContactOffsets {
@@ -52,4 +52,4 @@ class ConstraintBuilder {
   ContactOffsets offsets_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

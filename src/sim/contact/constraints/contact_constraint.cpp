@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 
 Vec3 pointOf(const ContactConstraint& contact, const std::vector<Vec3>& values) {
   Vec3 sum = Vec3::Zero();
@@ -19,4 +19,4 @@ void Candidates::append(const Candidates& more) {
   deepestOverlap = std::max(deepestOverlap, more.deepestOverlap);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

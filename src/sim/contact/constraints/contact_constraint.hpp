@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A contact between a point of the cloth and a body, in the world frame at the end of the step.
 struct ContactConstraint {
@@ -43,4 +43,4 @@ struct Candidates {
   void append(const Candidates& more);
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

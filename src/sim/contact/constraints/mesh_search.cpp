@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 // Ratios to the contact offset [-]:
@@ -353,4 +353,4 @@ Vec3 MeshSearch::bodyDisplacementAt(const MeshInStep& mesh, int vertex) const {
   return point.endPoint - point.startPoint;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

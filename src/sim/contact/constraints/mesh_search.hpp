@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Finds contacts and separating planes of a cloth with a box or a mesh in one step.
 ///
@@ -109,4 +109,4 @@ class MeshSearch {
   std::vector<bool> besidePenetrating_;     // per vertex: a triangle of it is penetrating
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 
 namespace {
 
@@ -154,4 +154,4 @@ void PrimitiveSearch::searchCapsule(const ClothInBody& cloth, std::size_t t, Can
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -3,7 +3,7 @@
 #include "sim/contact/constraints/constraint_builder.hpp"
 #include "sim/contact/recovery/solid.hpp"
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Finds contacts and separating planes of a cloth with a plane, a sphere or a capsule in one step.
 class PrimitiveSearch {
@@ -34,4 +34,4 @@ class PrimitiveSearch {
   bool plane_ = false;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Finds the leaves near a triangle; false if there are none.
 bool SharpFeatureSearch::findNearbyLeaves(int t, const std::vector<int>& leaves, const BoxList& boxes) {
@@ -116,4 +116,4 @@ void SharpFeatureSearch::addEdgeContact(int bodyTriangle, std::size_t side) {
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

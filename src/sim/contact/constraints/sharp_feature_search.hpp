@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Finds contacts of one triangle of the cloth with vertices and sharp edges of a mesh: vertices of the mesh with its
 /// face, edges of the mesh with its edges. On surfaces that are smooth at the scale of the cloth there are none; then
@@ -55,4 +55,4 @@ class SharpFeatureSearch {
   std::vector<InRegion> found_;       // features of these leaves
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr double maxSpeedAtOverlap = 1.0;  // maximum speed, relative to the body, of cloth at an overlap [m/s]
@@ -145,4 +145,4 @@ void BodyContact::limitVelocitiesAtOverlap(const Cloth& cloth, ClothState& state
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

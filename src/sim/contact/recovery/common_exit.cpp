@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr std::size_t maxProbes = 64;            // maximum number of vertices by which directions are compared
@@ -102,4 +102,4 @@ bool CommonExit::findFollowers(const Direction& direction, std::vector<Exit>& fo
   return true;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Finds one direction in which a part of a cloth can leave a body as a whole.
 ///
@@ -51,4 +51,4 @@ class CommonExit {
   std::vector<Direction> directions_;  // by distance
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
@@ -77,4 +77,4 @@ int windingOf(const std::vector<Crossing>& crossings) {
   return winding;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A point where a ray passes through a mesh.
 struct Crossing {
@@ -23,4 +23,4 @@ void crossingsAlong(const MeshInStep& mesh, const Vec3& from, const Vec3& direct
 /// The number of outward crossings minus that of inward ones: for a closed mesh the winding number at the ray's origin.
 [[nodiscard]] int windingOf(const std::vector<Crossing>& crossings);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

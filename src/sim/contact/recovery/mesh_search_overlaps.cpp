@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 
 std::vector<bool> MeshSearch::pierces(std::size_t triangles) const {
   std::vector<bool> pierces(triangles, false);
@@ -150,4 +150,4 @@ void MeshSearch::addPlanesAtOverlap(const ConstraintBuilder& builder, const Mesh
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

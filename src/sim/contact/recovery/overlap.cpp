@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr double tearRatio = 3.0;        // maximum distance between the exits of a side's ends, over its length [-]
@@ -278,4 +278,4 @@ void Overlap::addFollowers() {
   std::sort(members_.begin(), members_.end());
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

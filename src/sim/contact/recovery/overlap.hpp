@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The part of a cloth that is inside a body at the start of a step, and the exit of each of its vertices.
 ///
@@ -61,4 +61,4 @@ class Overlap {
 [[nodiscard]] std::vector<char> verticesInside(Solid& solid, std::span<const Vec3> start,
                                                std::span<const Triangle> triangles, const std::vector<bool>& pierces);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

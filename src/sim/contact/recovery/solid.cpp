@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace drape {
+namespace drape::sim::contact {
 
 bool MeshSolid::contains(const Vec3& point) {
   if (!mesh_.mesh.tree.bounds().contains(point)) {
@@ -135,4 +135,4 @@ std::optional<Passage> CapsuleSolid::passageAlong(const Vec3& point, const Vec3&
   return Passage{enter, {-out, direction, exit, exit}};
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

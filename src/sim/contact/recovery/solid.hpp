@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The passage of a ray through a body from a point outside.
 struct Passage {
@@ -80,4 +80,4 @@ class CapsuleSolid final : public Solid {
   double radius_;             // [m]
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using Direction = std::array<float, 3>;
@@ -350,4 +350,4 @@ int PatchCheck::failures(const CollisionFreePatches& patches, const PositionLane
   return failed;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A part of the cloth that cannot collide with itself (after Volino and Magnenat-Thalmann 1994, Provot 1997): all its
 /// triangles face one direction, the axis, and the projection of the border along the axis does not intersect itself.
@@ -120,4 +120,4 @@ class PatchCheck {
   BorderCheck border_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Number of floats in the widest vector in use. Arrays have that much padding at their end.
 inline constexpr int maxLanes = 16;
@@ -78,4 +78,4 @@ LaneBox boxOf(const PositionLanes& positions, int begin, int end);
 void positionsInside(const PositionLanes& positions, int begin, int end, const LaneBox& box, std::int32_t* inside,
                      int& count);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

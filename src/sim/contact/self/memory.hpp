@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Data that self-collision keeps between steps. It is part of the state of a cloth, since later results depend on it:
 /// a copied state continues with the same steps. It does not change once it belongs to a state.
@@ -23,4 +23,4 @@ struct SelfContactMemory {
   int patchesGrown = 0;         ///< number of patches then
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

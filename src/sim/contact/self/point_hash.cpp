@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 /// The number of bits for so many different values.
@@ -124,4 +124,4 @@ double PointHash::missedFraction(double distance, double reach) {
   return sum / (steps * steps);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Points that may collide: the position, the patch and the vertex of each, in ascending order of patches.
 struct SurfacePoints {
@@ -95,4 +95,4 @@ class PointHash {
   std::vector<std::int32_t> next_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstddef>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr int maxColours = 64;
@@ -144,4 +144,4 @@ int SelfResponse::resolve(const ClothModel& model, const Inputs& inputs, const C
   return report(inputs, state, points);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

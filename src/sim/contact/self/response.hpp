@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Coloured pairs: no two pairs of a colour share a vertex.
 struct ColouredPairs {
@@ -116,4 +116,4 @@ class SelfResponse {
   ContactLanes contacts_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -13,11 +13,14 @@
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::contact::HWY_NAMESPACE {
 
-using F = LanesOf<float>;
+namespace hn = hwy::HWY_NAMESPACE;
+namespace lanes = simd::HWY_NAMESPACE;
+
+using F = lanes::LanesOf<float>;
 using I = hn::Rebind<std::int32_t, F>;
-using Vectors = Lanes3<F>;
+using Vectors = lanes::Lanes3<F>;
 
 HWY_INLINE Vectors between(const PositionLanes& positions, hn::Vec<I> a, hn::Vec<I> b) {
   const F d;
@@ -52,13 +55,13 @@ class Collector {
     const Vectors offset = between(positions_, a, b);
     const Vectors was = between(startPositions_, a, b);
     const float searchDistance = closeMargin * thickness_;
-    const auto near = hn::Or(hn::Lt(dot<F>(offset, offset), hn::Set(d, searchDistance * searchDistance)),
-                             hn::Lt(dot<F>(offset, was), hn::Zero(d)));
+    const auto near = hn::Or(hn::Lt(lanes::dot<F>(offset, offset), hn::Set(d, searchDistance * searchDistance)),
+                             hn::Lt(lanes::dot<F>(offset, was), hn::Zero(d)));
     const auto meant = hn::And(near, hn::FirstN(d, static_cast<std::size_t>(count)));
     if (hn::AllFalse(d, meant)) {
       return;
     }
-    const auto squared = dot<F>(was, was);
+    const auto squared = lanes::dot<F>(was, was);
     const auto inverseMass =
         hn::Add(hn::GatherIndex(d, inverseMasses_.data(), a), hn::GatherIndex(d, inverseMasses_.data(), b));
     const auto usable = hn::And(hn::Gt(squared, hn::Set(d, minSquaredDistance)), hn::Gt(inverseMass, hn::Zero(d)));
@@ -149,38 +152,38 @@ HWY_INLINE Vectors loadVectors(const std::vector<float>& x, const std::vector<fl
 /// Updates the impulses of one vector of contacts. Returns their displacements along their normals.
 HWY_INLINE hn::Vec<F> visit(const Friction& friction, ContactLanes& contacts, std::size_t at, float* displacements) {
   const F d;
-  const Lanes4<F> a = fetch4(d, displacements, contacts.a.data() + at);
-  const Lanes4<F> b = fetch4(d, displacements, contacts.b.data() + at);
+  const lanes::Lanes4<F> a = lanes::fetch4(d, displacements, contacts.a.data() + at);
+  const lanes::Lanes4<F> b = lanes::fetch4(d, displacements, contacts.b.data() + at);
   const Vectors n = loadVectors(contacts.normalX, contacts.normalY, contacts.normalZ, at);
   const Vectors solved = loadVectors(contacts.offsetX, contacts.offsetY, contacts.offsetZ, at);
-  const Vectors offset = add<F>(solved, Vectors{hn::Sub(b.x, a.x), hn::Sub(b.y, a.y), hn::Sub(b.z, a.z)});
+  const Vectors offset = lanes::add<F>(solved, Vectors{hn::Sub(b.x, a.x), hn::Sub(b.y, a.y), hn::Sub(b.z, a.z)});
   const auto zero = hn::Zero(d);
   const auto mass = hn::LoadU(d, contacts.mass.data() + at);
   const auto minDistance = hn::LoadU(d, contacts.minDistance.data() + at);
-  const auto along = dot<F>(offset, n);
-  const Vectors across = multiplyAdd<F>(n, hn::Neg(along), offset);
-  const auto left = hn::NegMulAdd(minDistance, minDistance, dot<F>(across, across));  // l^2 - T^2
+  const auto along = lanes::dot<F>(offset, n);
+  const Vectors across = lanes::multiplyAdd<F>(n, hn::Neg(along), offset);
+  const auto left = hn::NegMulAdd(minDistance, minDistance, lanes::dot<F>(across, across));  // l^2 - T^2
   // No constraint if they are side by side, |l| >= T.
   const auto minNormal = hn::IfThenElse(hn::Lt(left, zero), hn::Sqrt(hn::Max(zero, hn::Neg(left))), along);
   const auto previousNormal = hn::LoadU(d, contacts.normalImpulse.data() + at);
   const auto normalImpulse = hn::Max(zero, hn::MulAdd(mass, hn::Sub(minNormal, along), previousNormal));
   const Vectors previousFriction = loadVectors(contacts.frictionX, contacts.frictionY, contacts.frictionZ, at);
-  Vectors frictionImpulse = multiplyAdd<F>(across, hn::Neg(mass), previousFriction);
-  const auto size = hn::Sqrt(dot<F>(frictionImpulse, frictionImpulse));
+  Vectors frictionImpulse = lanes::multiplyAdd<F>(across, hn::Neg(mass), previousFriction);
+  const auto size = hn::Sqrt(lanes::dot<F>(frictionImpulse, frictionImpulse));
   const auto slides = hn::Gt(size, hn::Mul(normalImpulse, hn::Set(d, friction.staticCoefficient)));
   const auto limit =
       hn::Div(hn::Mul(normalImpulse, hn::Set(d, friction.kineticCoefficient)), hn::Max(size, hn::Set(d, 1e-30F)));
-  frictionImpulse = scaled<F>(frictionImpulse, hn::IfThenElse(slides, limit, hn::Set(d, 1.0F)));
-  const Vectors impulse =
-      multiplyAdd<F>(n, hn::Sub(normalImpulse, previousNormal), subtract<F>(frictionImpulse, previousFriction));
-  store4(d,
-         Lanes4<F>{hn::NegMulAdd(a.w, impulse.x, a.x), hn::NegMulAdd(a.w, impulse.y, a.y),
-                   hn::NegMulAdd(a.w, impulse.z, a.z), a.w},
-         displacements, contacts.a.data() + at);
-  store4(
-      d,
-      Lanes4<F>{hn::MulAdd(b.w, impulse.x, b.x), hn::MulAdd(b.w, impulse.y, b.y), hn::MulAdd(b.w, impulse.z, b.z), b.w},
-      displacements, contacts.b.data() + at);
+  frictionImpulse = lanes::scaled<F>(frictionImpulse, hn::IfThenElse(slides, limit, hn::Set(d, 1.0F)));
+  const Vectors impulse = lanes::multiplyAdd<F>(n, hn::Sub(normalImpulse, previousNormal),
+                                                lanes::subtract<F>(frictionImpulse, previousFriction));
+  lanes::store4(d,
+                lanes::Lanes4<F>{hn::NegMulAdd(a.w, impulse.x, a.x), hn::NegMulAdd(a.w, impulse.y, a.y),
+                                 hn::NegMulAdd(a.w, impulse.z, a.z), a.w},
+                displacements, contacts.a.data() + at);
+  lanes::store4(d,
+                lanes::Lanes4<F>{hn::MulAdd(b.w, impulse.x, b.x), hn::MulAdd(b.w, impulse.y, b.y),
+                                 hn::MulAdd(b.w, impulse.z, b.z), b.w},
+                displacements, contacts.b.data() + at);
   hn::StoreU(normalImpulse, d, contacts.normalImpulse.data() + at);
   hn::StoreU(frictionImpulse.x, d, contacts.frictionX.data() + at);
   hn::StoreU(frictionImpulse.y, d, contacts.frictionY.data() + at);
@@ -205,16 +208,16 @@ void pushOut(float thickness, float share, const ContactLanes& contacts, const s
     const auto at = static_cast<std::size_t>(i);
     const std::int32_t* const a = contacts.a.data() + at;
     const std::int32_t* const b = contacts.b.data() + at;
-    const Lanes4<F> movedA = fetch4(d, displacements.data(), a);
-    const Lanes4<F> movedB = fetch4(d, displacements.data(), b);
-    const Lanes4<F> pushedA = fetch4(d, pushOuts.data(), a);
-    const Lanes4<F> pushedB = fetch4(d, pushOuts.data(), b);
+    const lanes::Lanes4<F> movedA = lanes::fetch4(d, displacements.data(), a);
+    const lanes::Lanes4<F> movedB = lanes::fetch4(d, displacements.data(), b);
+    const lanes::Lanes4<F> pushedA = lanes::fetch4(d, pushOuts.data(), a);
+    const lanes::Lanes4<F> pushedB = lanes::fetch4(d, pushOuts.data(), b);
     Vectors offset = loadVectors(contacts.offsetX, contacts.offsetY, contacts.offsetZ, at);
-    offset =
-        add<F>(offset, Vectors{hn::Sub(movedB.x, movedA.x), hn::Sub(movedB.y, movedA.y), hn::Sub(movedB.z, movedA.z)});
-    offset = add<F>(
+    offset = lanes::add<F>(
+        offset, Vectors{hn::Sub(movedB.x, movedA.x), hn::Sub(movedB.y, movedA.y), hn::Sub(movedB.z, movedA.z)});
+    offset = lanes::add<F>(
         offset, Vectors{hn::Sub(pushedB.x, pushedA.x), hn::Sub(pushedB.y, pushedA.y), hn::Sub(pushedB.z, pushedA.z)});
-    const auto distance = hn::Sqrt(dot<F>(offset, offset));
+    const auto distance = hn::Sqrt(lanes::dot<F>(offset, offset));
     const auto wanted =
         hn::And(hn::And(hn::Lt(hn::LoadU(d, contacts.minDistance.data() + at), whole), hn::Lt(distance, whole)),
                 hn::Gt(distance, hn::Set(d, 1e-7F)));
@@ -223,22 +226,22 @@ void pushOut(float thickness, float share, const ContactLanes& contacts, const s
     const auto strength = hn::IfThenElseZero(wanted, size);
     const auto forA = hn::Mul(strength, pushedA.w);
     const auto forB = hn::Mul(strength, pushedB.w);
-    store4(d,
-           Lanes4<F>{hn::NegMulAdd(forA, offset.x, pushedA.x), hn::NegMulAdd(forA, offset.y, pushedA.y),
-                     hn::NegMulAdd(forA, offset.z, pushedA.z), pushedA.w},
-           pushOuts.data(), a);
-    store4(d,
-           Lanes4<F>{hn::MulAdd(forB, offset.x, pushedB.x), hn::MulAdd(forB, offset.y, pushedB.y),
-                     hn::MulAdd(forB, offset.z, pushedB.z), pushedB.w},
-           pushOuts.data(), b);
+    lanes::store4(d,
+                  lanes::Lanes4<F>{hn::NegMulAdd(forA, offset.x, pushedA.x), hn::NegMulAdd(forA, offset.y, pushedA.y),
+                                   hn::NegMulAdd(forA, offset.z, pushedA.z), pushedA.w},
+                  pushOuts.data(), a);
+    lanes::store4(d,
+                  lanes::Lanes4<F>{hn::MulAdd(forB, offset.x, pushedB.x), hn::MulAdd(forB, offset.y, pushedB.y),
+                                   hn::MulAdd(forB, offset.z, pushedB.z), pushedB.w},
+                  pushOuts.data(), b);
   }
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::contact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::contact {
 
 HWY_EXPORT(collect);
 HWY_EXPORT(sweep);
@@ -258,5 +261,5 @@ void pushOutContacts(float thickness, float share, const ContactLanes& contacts,
   HWY_DYNAMIC_DISPATCH(pushOut)(thickness, share, contacts, displacements, pushOuts);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact
 #endif

@@ -13,7 +13,7 @@
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
-namespace drape::HWY_NAMESPACE {
+namespace drape::sim::contact::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -271,11 +271,11 @@ void pairs(const SortedPoints& sorted, float squaredReach, bool skipSameOtherBuc
   }
 }
 
-}  // namespace drape::HWY_NAMESPACE
+}  // namespace drape::sim::contact::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace drape {
+namespace drape::sim::contact {
 
 HWY_EXPORT(displacements);
 HWY_EXPORT(boxAround);
@@ -321,5 +321,5 @@ void pairsWithinBuckets(const SortedPoints& sorted, float squaredReach, bool ski
   HWY_DYNAMIC_DISPATCH(pairs)(sorted, squaredReach, skipSameOtherBucket, found);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact
 #endif

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 /// Default thickness, in mean rest lengths of the springs.
@@ -41,7 +41,7 @@ double diagonalOf(const LaneBox& box) {
 
 void copyPositions(const std::vector<Vec3>& from, PositionLanes& to) {
   to.resize(from.size());
-  splitCoordinates(from.data()->data(), from.size(), {to.x.data(), to.y.data(), to.z.data()});
+  simd::splitCoordinates(from.data()->data(), from.size(), {to.x.data(), to.y.data(), to.z.data()});
 }
 
 double squaredDistance(const PositionLanes& positions, const VertexPair& pair) {
@@ -259,4 +259,4 @@ int SelfContact::resolve(const ClothModel& model, const ContactParameters& conta
                            state, points);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

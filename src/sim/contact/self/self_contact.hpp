@@ -14,7 +14,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The thickness of self-collision [m]: `selfThickness`, or three quarters of the mean rest length of the springs if
 /// that is 0. The point of a right-angled triangle with two legs of length e that is farthest from its corners has the
@@ -70,4 +70,4 @@ class SelfContact {
   std::array<std::shared_ptr<SelfContactMemory>, 4> memories_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -2,7 +2,7 @@
 
 #include "sim/model/mesh_topology.hpp"
 
-namespace drape {
+namespace drape::sim::contact {
 
 std::vector<std::array<int, 3>> trianglesAcross(const std::vector<Triangle>& triangles, std::size_t vertexCount) {
   std::vector<std::array<int, 3>> across(triangles.size(), {-1, -1, -1});
@@ -19,4 +19,4 @@ std::vector<std::array<int, 3>> trianglesAcross(const std::vector<Triangle>& tri
   return across;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

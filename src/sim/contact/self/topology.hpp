@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The three neighbours of each triangle: entry c shares the edge from corner c to corner c + 1. -1 if that edge is a
 /// border, belongs to more than two triangles, or has the same direction in both, so that the two are oriented
@@ -13,4 +13,4 @@ namespace drape {
 [[nodiscard]] std::vector<std::array<int, 3>> trianglesAcross(const std::vector<Triangle>& triangles,
                                                               std::size_t vertexCount);
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 
 void PlaneSearch::prepare() {
   const Triangle& corners = cloth_.triangles[t_];
@@ -243,4 +243,4 @@ void PlaneSearch::separateOne(std::size_t first) {
   addPlanes(plane);
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

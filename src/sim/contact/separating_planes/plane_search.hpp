@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// A triangle of the cloth and one of a mesh that intersect at the start of the pass.
 struct Piercing {
@@ -88,4 +88,4 @@ class PlaneSearch {
   std::vector<Piercing> piercings_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

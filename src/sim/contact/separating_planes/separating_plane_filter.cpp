@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr int maxProjections = 8;
@@ -141,4 +141,4 @@ int SeparatingPlaneFilter::apply(std::span<const SeparatingPlane> planes, std::s
   return infeasible;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Moves every vertex to the permitted side of all its planes and within its displacement bound, which limits the
 /// region that was searched.
@@ -43,4 +43,4 @@ class SeparatingPlaneFilter {
   std::vector<std::size_t> begin_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

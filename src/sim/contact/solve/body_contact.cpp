@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr int maxPasses = 4;
@@ -383,4 +383,4 @@ void BodyContact::resolve(const ClothModel& model, const CommonParameters& param
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

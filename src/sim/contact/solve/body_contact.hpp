@@ -17,7 +17,7 @@
 #include <memory>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// Contact of a cloth with bodies (docs/theory/contact.md).
 ///
@@ -147,4 +147,4 @@ class BodyContact {
   std::vector<SlowedVertex> slowed_;
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <variant>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 // Ratios to the contact offset [-]:
@@ -168,4 +168,4 @@ void BodyContact::addNearBody(const Cloth& cloth, const BodyStep& step, Searchab
   near.offsets = {offset, edgeOffsetRatio * offset, minimumSeparationRatio * offset, recoveryStep, recoveryStep};
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 // Ratios to the contact offset [-]:
@@ -48,4 +48,4 @@ double BodyContact::gapTo(const NearBody& near, const Vec3& position, double max
   return NearestSearch(mesh).anywhere(position, maxGap).gap;
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

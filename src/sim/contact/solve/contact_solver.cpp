@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr double converged = 1e-9;  // relative change of an impulse below which it counts as converged [-]
@@ -101,4 +101,4 @@ void ContactSolver::solve(std::span<const ContactConstraint> contacts, std::span
   }
 }
 
-}  // namespace drape
+}  // namespace drape::sim::contact

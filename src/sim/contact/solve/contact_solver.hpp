@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 
 /// The right-hand side of a contact. q is the weighted sum of the vertices' values (positions or velocities).
 struct ContactGoal {
@@ -51,4 +51,4 @@ class ContactSolver {
   std::vector<std::size_t> coupled_;  // contacts that need several iterations: they share vertices, or have several
 };
 
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
@@ -161,4 +161,4 @@ TEST(BodyMotion, spinsEvenly) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

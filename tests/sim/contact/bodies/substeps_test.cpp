@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 BodyStep turningStep() {
@@ -69,4 +69,4 @@ TEST(BodySubsteps, interpolateVerticesOfADeformingMesh) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 std::shared_ptr<const std::vector<Body>> twoBodies() {
@@ -101,4 +101,4 @@ TEST(BodySurface, ofEachShapeIsClosedFacesOutwardsAndLiesWithinTheTrueOne) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

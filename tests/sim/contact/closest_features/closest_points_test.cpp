@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <cmath>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::RandomVectors;
@@ -147,4 +147,4 @@ TEST(ClosestPoints, nearestOfTriangleAndSegmentAgreesWithSampling) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

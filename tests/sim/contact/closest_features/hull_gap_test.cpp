@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::RandomVectors;
@@ -128,4 +128,4 @@ TEST(HullGap, searchEndsWithPointsThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

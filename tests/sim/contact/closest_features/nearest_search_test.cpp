@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 /// Ground with hills. Many points have several closest triangles, at edges and corners.
@@ -105,4 +105,4 @@ TEST(NearestSearch, cachesALowerBoundWhereNothingIsNear) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

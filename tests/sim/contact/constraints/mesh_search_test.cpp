@@ -10,7 +10,7 @@
 #include <cmath>
 #include <functional>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::RandomVectors;
@@ -268,4 +268,4 @@ TEST(ClothClusters, containEveryTriangleAndEveryVertexOnceForAnyDivision) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

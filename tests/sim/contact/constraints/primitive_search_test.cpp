@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 double gapTo(const BodyShape& shape, const Vec3& position) {
@@ -24,4 +24,4 @@ TEST(PrimitiveSearch, computesSignedDistancesToPrimitives) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

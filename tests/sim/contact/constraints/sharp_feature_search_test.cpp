@@ -8,7 +8,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::RandomVectors;
@@ -139,4 +139,4 @@ TEST(SharpFeatureSearch, findsTheSameContactsAsATestOfEveryPair) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

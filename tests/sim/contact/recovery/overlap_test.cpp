@@ -11,7 +11,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::bodyAt;
@@ -62,7 +62,8 @@ std::size_t exactPairs(const ContactScene& scene, const Body& body) {
   for (Vec3& position : surface.positions) {
     position = pose.toWorld(position);
   }
-  return intersectingPairs({scene.state.positions, scene.model().triangles}, {surface.positions, surface.triangles})
+  return intersection::intersectingPairs({scene.state.positions, scene.model().triangles},
+                                         {surface.positions, surface.triangles})
       .size();
 }
 
@@ -347,4 +348,4 @@ TEST(Solids, returnExitsOnTheirSurface) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::lanesOf;
@@ -288,4 +288,4 @@ TEST(BorderCheck, DetectsSimplePolygons) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using Phase = std::array<float, 3>;
@@ -187,4 +187,4 @@ TEST(HashGrid, GivesEachCellABucketIfThereAreEnough) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -5,7 +5,9 @@
 
 #include <vector>
 
-namespace drape::testing {
+namespace drape::sim::testing {
+
+using namespace contact;
 
 /// Positions in the form that self-collision uses.
 inline PositionLanes lanesOf(const std::vector<Vec3>& positions) {
@@ -19,4 +21,4 @@ inline PositionLanes lanesOf(const std::vector<Vec3>& positions) {
   return lanes;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::sim::testing

@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::lanesOf;
@@ -214,4 +214,4 @@ TEST(SelfResponse, SeparatesAStack) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

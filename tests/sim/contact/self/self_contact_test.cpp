@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::sheet;
@@ -310,4 +310,4 @@ TEST(SelfThickness, IsThreeQuartersOfTheMeanEdgeUnlessItIsGiven) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

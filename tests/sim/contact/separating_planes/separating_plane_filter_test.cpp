@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using Fallback = SeparatingPlaneFilter::Fallback;
@@ -63,4 +63,4 @@ TEST(SeparatingPlaneFilter, countsAnInfeasibleVertex) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 /// Divides a triangle into slivers by a vertex close to a side.
@@ -78,4 +78,4 @@ TEST(AutoOnBodies, needsNoMoreContactSubstepsBecauseOfASliver) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::bodyAt;
@@ -260,4 +260,4 @@ TEST(BodyContact, givesTheSameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 /// A free sheet at that height above the centre of a ball of 0.3 m, in steps of 1/60 s.
@@ -72,4 +72,4 @@ TEST(ContactSubsteps, areTakenOnlyNearABody) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact

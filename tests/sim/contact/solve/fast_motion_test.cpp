@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-namespace drape {
+namespace drape::sim::contact {
 namespace {
 
 using testing::bodyAt;
@@ -249,4 +249,4 @@ TEST(FastMotion, noSwingingRodPassesAsADeformingMesh) {
 }
 
 }  // namespace
-}  // namespace drape
+}  // namespace drape::sim::contact
