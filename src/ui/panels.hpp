@@ -23,9 +23,9 @@ void performanceRows(PanelContext& context);
 /// The title of the scene and the buttons play, step and reset; always visible above the sections.
 void headPanel(PanelContext& context);
 
-/// The line at the bottom of the window: the cloth, its speed and the most urgent message. It grows upwards over the
-/// picture when a message needs more room. A click opens details of the solver.
-void statusLine(PanelContext& context, const UiRect& place);
+/// The line at the bottom of the window: the cloth, its speed and the most urgent message. It grows upwards when a
+/// message needs more room. A click opens details of the solver. @return the height by which it grew [points]
+double statusLine(PanelContext& context, const UiRect& place);
 
 /// The full text of an error. False once the user closed it.
 [[nodiscard]] bool errorNotice(PanelContext& context, OverlayStack& stack);

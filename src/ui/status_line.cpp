@@ -236,7 +236,7 @@ void drawLine(PanelContext& context, const Message& message, const Layout& layou
 
 }  // namespace
 
-void statusLine(PanelContext& context, const UiRect& place) {
+double statusLine(PanelContext& context, const UiRect& place) {
   Message message = messageOf(context);
   if (!isOffered(message.remedy, context.settings)) {
     message.remedy = Remedy::None;
@@ -263,6 +263,7 @@ void statusLine(PanelContext& context, const UiRect& place) {
   ImGui::PopStyleVar(2);
   drawDetails(context, {place.x, top, place.width, place.height});
   ImGui::End();
+  return static_cast<double>(layout.extraHeight);
 }
 
 }  // namespace drape::ui

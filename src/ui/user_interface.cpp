@@ -195,8 +195,9 @@ void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stat
                      .output = output};
   if (parts.panels) {
     const double below = static_cast<double>(parts.display.height) - parts.bottom();
-    parts.column(panel, {0.0, 0.0, parts.width(), below});
-    statusLine(panel, {0.0, below, static_cast<double>(parts.display.width), parts.bottom()});
+    const double extra = statusLine(panel, {0.0, below, static_cast<double>(parts.display.width), parts.bottom()});
+    // A long message takes lines above the status line; they must not cover the panel's last rows.
+    parts.column(panel, {0.0, 0.0, parts.width(), below - extra});
   }
   parts.overlays(panel, view());
   ImGui::Render();
