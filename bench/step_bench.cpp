@@ -1,8 +1,9 @@
 // The cost of a step of each method on a sheet of 33 x 33 vertices and 3136 springs, also relative to an iteration of
-// XPBD on the same springs.
+// XPBD on the same springs; and of a fabric relative to springs.
 #include "bench/plain_xpbd.hpp"
 #include "bench/slice_runner.hpp"
 #include "bench/suite.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/simd/constraint_lanes.hpp"
 #include "sim/solvers/solver.hpp"
 
@@ -18,6 +19,22 @@ constexpr int batch = 50;
 template <typename T>
 Batch sliced(Method method, const sim::StepParameters& parameters) {
   auto runner = std::make_shared<SliceRunner<T>>(grid(sheet), method, parameters);
+  return {batch, [runner] { return batchSeconds(*runner, batch); }};
+}
+
+/// The sheet as a fabric. @param bending of all directions [N m]
+ModelPtr fabricGrid(double bending) {
+  const ModelPtr springs = grid(sheet);
+  sim::fabric::Material material;
+  material.stretchWarp = material.stretchWeft = 10.0;
+  material.shear = 3.0;
+  material.bendWarp = material.bendWeft = material.bendBias = bending;
+  return sim::fabric::withFabric(*springs, material,
+                                 sim::fabric::warpAlong(Vec3::UnitX(), springs->restPositions, springs->triangles));
+}
+
+Batch fabricPass(double bending, const sim::StepParameters& parameters) {
+  auto runner = std::make_shared<SliceRunner<float>>(fabricGrid(bending), Method::Verlet, parameters);
   return {batch, [runner] { return batchSeconds(*runner, batch); }};
 }
 
@@ -59,6 +76,8 @@ void addKernels(Suite& suite) {
   add("full step, 3 sweeps, float", [] { return sliced<float>(Method::OneIteration, threeSweeps()); });
   add("Verlet, full", [] { return sliced<float>(Method::Verlet, explicitly(fullStep())); });
   add("Verlet, without air and damping", [] { return sliced<float>(Method::Verlet, explicitly(stillAir())); });
+  add("Verlet, membrane, without air and damping", [] { return fabricPass(0.0, explicitly(stillAir())); });
+  add("Verlet, membrane and bending, without air and damping", [] { return fabricPass(1e-6, explicitly(stillAir())); });
 }
 
 void addConstraints(Suite& suite) {
@@ -136,6 +155,10 @@ void addStepGroup(Suite& suite) {
   ratio("Verlet / full step", "Verlet, full", "full step, float", Bound{Side::AtMost, 0.45});
   ratio("Verlet / full step, both without air and damping", "Verlet, without air and damping",
         "without air and damping, float", Bound{Side::AtMost, 0.45});
+  ratio("membrane / springs", "Verlet, membrane, without air and damping", "Verlet, without air and damping",
+        Bound{Side::AtMost, 1.3});
+  ratio("membrane and bending / springs", "Verlet, membrane and bending, without air and damping",
+        "Verlet, without air and damping", Bound{Side::AtMost, 2.2});
   ratio("double / float", "full step, double", "full step, float", std::nullopt);
 }
 

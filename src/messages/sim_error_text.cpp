@@ -43,6 +43,11 @@ std::string inWords(const sim::ClothModelError& error) {
       return wrongCount(numbers, "stiffnesses", "springs");
     case Fault::PinCount:
       return wrongCount(numbers, "pins", "vertices");
+    case Fault::Material:
+      return "the fabric is not stable: every stretch and shear modulus must be positive, no bending modulus negative, "
+             "the bias bending at least a quarter of warp plus weft, and poisson between -1 and 1";
+    case Fault::WarpCount:
+      return wrongCount(numbers, "warp directions", "triangles");
     case Fault::TooManySprings:
       return fmt::format("a vertex of the cloth has more than {} springs", numbers.count);
   }
@@ -55,6 +60,9 @@ std::string messageOf(const std::exception& error) {
   }
   if (const auto* unknown = dynamic_cast<const sim::UnknownSolver*>(&error)) {
     return "there is no solver '" + unknown->name() + "'";
+  }
+  if (const auto* solver = dynamic_cast<const sim::NoFabricSolver*>(&error)) {
+    return "the solver '" + solver->name() + "' knows springs only: choose another solver, or material.model = springs";
   }
   return error.what();
 }

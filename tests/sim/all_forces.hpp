@@ -15,7 +15,7 @@ inline void evaluateForces(const ClothModel& model, const CommonParameters& para
                            const ClothState& state, Workers& workers, std::vector<Vec3>& force) {
   force.resize(state.positions.size());
   workers.forEach(parameters.threads, force.size(), [&](std::size_t i) {
-    force[i] = springForcesOn(model, parameters, state, i) + gravityAndAir(model, parameters, state, i);
+    force[i] = internalForceOn(model, parameters, state, i) + gravityAndAir(model, parameters, state, i);
   });
   if (inputs.attachment) {
     const AttachmentForce pull = attachmentForce(model, *inputs.attachment, state);

@@ -173,6 +173,9 @@ SleepDetection::ModelData SleepDetection::dataOf(const ClothModel& model) {
     fingerprint.add(spring.restLength);
     fingerprint.add(spring.relativeStiffness);
   }
+  for (const double stiffness : model.fabricStiffness) {
+    fingerprint.add(stiffness);
+  }
   data.fingerprint = fingerprint.value();
   return data;
 }

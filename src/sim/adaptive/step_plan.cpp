@@ -163,6 +163,9 @@ double maxEvaluations(const ClothModel& model, const CommonParameters& parameter
 }
 
 bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
+  if (model.fabric) {
+    return false;  // its moduli are those of a real material
+  }
   return options.soften || stableStepsOf(model, parameters, maxDampingNumber(model, parameters)).evaluations >
                                maxEvaluations(model, parameters, options);
 }
@@ -199,6 +202,9 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const Common
     return unclamped(substeps);
   }
   if (!maySoften(model, parameters, options)) {
+    if (model.fabric) {
+      return unclamped(static_cast<int>(need.comfortable));
+    }
     // The step exceeds the budget anyway. So keep a distance from the stability limit, where the energy oscillates less
     // and fewer steps are retried.
     const StepPlan clamped = minimallyClampedPlan(model, rates, parameters, substeps);

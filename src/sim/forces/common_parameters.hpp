@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sim/forces/air_parameters.hpp"
-#include "sim/forces/force_derivative.hpp"
 #include "sim/forces/material_parameters.hpp"
+#include "sim/model/force_derivative.hpp"
 
 namespace drape::sim {
 

@@ -1,5 +1,7 @@
 #include "sim/forces/diagnostics.hpp"
 
+#include "sim/fabric/fabric.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -11,6 +13,10 @@ Energy energyOf(const ClothModel& model, const CommonParameters& parameters, con
     energy.kinetic += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
     energy.potential +=
         model.vertexMass[v] * parameters.gravity * (state.positions[v].y() - model.restPositions[v].y());
+  }
+  if (model.fabric) {
+    energy.elastic = fabric::elasticEnergy(model, state.positions);
+    return energy;
   }
   for (const Spring& spring : model.springs) {
     const double length = (state.positions[spring.b] - state.positions[spring.a]).norm();

@@ -1,11 +1,15 @@
 #include "sim/forces/forces.hpp"
 
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/kernels.hpp"
 
 namespace drape::sim {
 
-Vec3 springForcesOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
-                    std::size_t vertex) {
+Vec3 internalForceOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
+                     std::size_t vertex) {
+  if (model.fabric) {
+    return fabric::elasticForceOn(model, state.positions, vertex);
+  }
   Vec3 force = Vec3::Zero();
   for (const SpringEnd& springEnd : model.springEnds[vertex]) {
     const int neighbour = springEnd.neighbour;

@@ -6,8 +6,9 @@
 
 namespace drape::sim {
 
-/// The elastic forces k (L - l0) d and the damping forces of all springs on one vertex [N].
-[[nodiscard]] Vec3 springForcesOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
-                                  std::size_t vertex);
+/// The internal force on one vertex [N]: the elastic forces k (L - l0) d and the damping forces of its springs, or the
+/// elastic force of its fabric.
+[[nodiscard]] Vec3 internalForceOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
+                                   std::size_t vertex);
 
 }  // namespace drape::sim

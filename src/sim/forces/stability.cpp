@@ -6,7 +6,7 @@
 namespace drape::sim {
 
 double largestFrequency(const ClothModel& model, const CommonParameters& parameters) {
-  return model.unitFrequency * std::sqrt(parameters.material.stiffness);
+  return model.fabric ? model.unitFrequency : model.unitFrequency * std::sqrt(parameters.material.stiffness);
 }
 
 double verletStepLimit(const ClothModel& model, const CommonParameters& parameters) {

@@ -47,7 +47,7 @@ double airWork(const ClothModel& model, const StepParameters& parameters, const 
 /// The reaction force on a pinned vertex [N].
 Vec3 reactionForce(const ClothModel& model, const StepParameters& parameters, const ClothState& state,
                    std::size_t vertex) {
-  return -springForcesOn(model, parameters, state, vertex) - gravityAndAir(model, parameters, state, vertex);
+  return -internalForceOn(model, parameters, state, vertex) - gravityAndAir(model, parameters, state, vertex);
 }
 
 /// The work of bodies on the pins that they move.

@@ -23,7 +23,7 @@ std::vector<Vec3> forcesAtEnd(const ClothModel& model, const CommonParameters& p
                               const ClothState& start, const ClothState& end) {
   std::vector<Vec3> force(end.positions.size());
   for (std::size_t i = 0; i < force.size(); ++i) {
-    force[i] = springForcesOn(model, parameters, end, i) + gravityAndAir(model, parameters, start, i);
+    force[i] = internalForceOn(model, parameters, end, i) + gravityAndAir(model, parameters, start, i);
   }
   if (inputs.attachment) {
     const AttachmentForce pull = attachmentForce(model, *inputs.attachment, end);

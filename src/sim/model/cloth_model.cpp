@@ -198,6 +198,24 @@ std::shared_ptr<const ClothModel> withSpringStiffness(const ClothModel& model, c
   return changed;
 }
 
+std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, std::shared_ptr<const fabric::Fabric> fabric,
+                                             std::vector<double> stiffness) {
+  requireSize(stiffness.size(), model.restPositions.size(), Fault::StiffnessCount);
+  auto changed = std::make_shared<ClothModel>(model);
+  changed->fabric = std::move(fabric);
+  changed->fabricStiffness = std::move(stiffness);
+  findRates(*changed);
+  return changed;
+}
+
+std::shared_ptr<const ClothModel> withSprings(const ClothModel& model) {
+  auto changed = std::make_shared<ClothModel>(model);
+  changed->fabric.reset();
+  changed->fabricStiffness.clear();
+  findRates(*changed);
+  return changed;
+}
+
 std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned) {
   requireSize(pinned.size(), model.restPositions.size(), Fault::PinCount);
   auto changed = std::make_shared<ClothModel>(model);

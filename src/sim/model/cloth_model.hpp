@@ -8,6 +8,10 @@
 
 namespace drape::sim {
 
+namespace fabric {
+struct Fabric;
+}
+
 /// A spring between two vertices. One for each edge of the mesh.
 struct Spring {
   int a = 0;                       ///< vertex index, a < b
@@ -46,9 +50,13 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
   std::vector<double> vertexArea;    ///< a third of the adjacent triangles' rest area [m^2]
   std::vector<double> vertexMass;    ///< [kg]
   std::vector<bool> pinned;          ///< true for fixed vertices
-  double unitFrequency = 0.0;  ///< largest local angular frequency for springs of 1 N/m [1/s], see local_frequency.hpp
+  double unitFrequency = 0.0;  ///< largest local angular frequency [1/s], for springs of 1 N/m; see local_frequency.hpp
   double unitDampingRate = 0.0;  ///< largest 2 n_i / m_i, for a damping of 1 N s/m [1/s]
   double stiffestSpring = 1.0;   ///< largest relativeStiffness [-]; 1 without springs
+  /// Membrane and bending (sim/fabric/fabric.hpp), which replace the springs' forces. Null: springs.
+  std::shared_ptr<const fabric::Fabric> fabric;
+  std::vector<double>
+      fabricStiffness;  ///< largest stiffness of the fabric at each vertex at rest [N/m]; empty: springs
 
   [[nodiscard]] int vertexCount() const { return static_cast<int>(restPositions.size()); }
   /// True if all springs are equally stiff.
@@ -83,6 +91,15 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
 /// settings [-]. Throws ClothModelError if one is negative or not finite.
 [[nodiscard]] std::shared_ptr<const ClothModel> withSpringStiffness(const ClothModel& model,
                                                                     const std::vector<double>& relative);
+
+/// The same cloth with a fabric instead of springs. @param stiffness largest stiffness at each vertex at rest [N/m]
+/// Use fabric::withFabric, which computes both.
+[[nodiscard]] std::shared_ptr<const ClothModel> withFabric(const ClothModel& model,
+                                                           std::shared_ptr<const fabric::Fabric> fabric,
+                                                           std::vector<double> stiffness);
+
+/// The same cloth with springs instead of a fabric.
+[[nodiscard]] std::shared_ptr<const ClothModel> withSprings(const ClothModel& model);
 
 /// The same cloth with other pins. `pinned` has one entry a vertex.
 [[nodiscard]] std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned);

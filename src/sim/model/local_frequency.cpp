@@ -8,6 +8,9 @@
 namespace drape::sim {
 
 double unitFrequencySquared(const ClothModel& model, std::size_t vertex) {
+  if (!model.fabricStiffness.empty()) {
+    return 2.0 * model.fabricStiffness[vertex] / model.vertexMass[vertex];
+  }
   Mat3 stiffness = Mat3::Zero();
   for (const SpringEnd& springEnd : model.springEnds[vertex]) {
     const Vec3 offset = model.restPositions[springEnd.neighbour] - model.restPositions[vertex];

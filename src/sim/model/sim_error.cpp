@@ -6,9 +6,9 @@ namespace drape::sim {
 namespace {
 
 /// In the order of ClothModelError::Fault.
-constexpr std::array<std::string_view, 11> faultNames{"NoTriangle",     "VertexNotFinite", "NoSuchVertex",  "NoSuchPin",
-                                                      "Mass",           "VertexMass",      "Stiffness",     "MassCount",
-                                                      "StiffnessCount", "PinCount",        "TooManySprings"};
+constexpr std::array<std::string_view, 13> faultNames{
+    "NoTriangle", "VertexNotFinite", "NoSuchVertex", "NoSuchPin", "Mass",      "VertexMass",    "Stiffness",
+    "MassCount",  "StiffnessCount",  "PinCount",     "Material",  "WarpCount", "TooManySprings"};
 
 std::string listed(ClothModelError::Fault fault, const ClothModelError::Numbers& numbers) {
   return "ClothModelError::" + std::string(faultNames[static_cast<std::size_t>(fault)]) +
@@ -23,5 +23,8 @@ ClothModelError::ClothModelError(Fault fault, const Numbers& numbers)
 
 UnknownSolver::UnknownSolver(std::string_view name)
     : SimError("UnknownSolver, name=" + std::string(name)), name_(name) {}
+
+NoFabricSolver::NoFabricSolver(std::string_view name)
+    : SimError("NoFabricSolver, name=" + std::string(name)), name_(name) {}
 
 }  // namespace drape::sim

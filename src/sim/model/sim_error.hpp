@@ -27,6 +27,8 @@ class ClothModelError : public SimError {
     MassCount,        ///< there are `found` masses for `count` vertices
     StiffnessCount,   ///< there are `found` stiffnesses for `count` springs
     PinCount,         ///< there are `found` pins for `count` vertices
+    Material,         ///< the fabric's moduli are negative, not finite, or not positive definite
+    WarpCount,        ///< there are `found` directions of warp for `count` triangles
     TooManySprings,   ///< a vertex has more than `count` springs
   };
 
@@ -52,6 +54,17 @@ class ClothModelError : public SimError {
 class UnknownSolver : public SimError {
  public:
   explicit UnknownSolver(std::string_view name);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+};
+
+/// The solver of that name cannot move a cloth with a fabric.
+class NoFabricSolver : public SimError {
+ public:
+  explicit NoFabricSolver(std::string_view name);
 
   [[nodiscard]] const std::string& name() const { return name_; }
 

@@ -264,9 +264,12 @@ class Neighbours {
 
  public:
   HWY_INLINE Neighbours(const SliceLayout& layout, const SliceLayout::Slot& slot, int lane)
+      : Neighbours(slot, layout.neighbourTables, lane) {}
+
+  HWY_INLINE Neighbours(const SliceLayout::Slot& slot, const std::vector<SliceLayout::NeighbourTable>& tables, int lane)
       : consecutive_(slot.table < 0),
         first_(slot.first + lane),
-        table_(slot.table < 0 ? nullptr : layout.neighbourTables[slot.table].data() + lane) {}
+        table_(slot.table < 0 ? nullptr : tables[slot.table].data() + lane) {}
 
   HWY_INLINE Lanes3<D> load(const LaneVectors<T>& vectors) const {
     const D d;

@@ -199,40 +199,58 @@ class SliceBuilder {
     return slotOf_[lane][found - springs.begin()];
   }
 
+  struct LaneTriangle {
+    int lane = 0;
+    int triangle = 0;
+  };
+  using BySlots = std::map<std::pair<int, int>, std::vector<LaneTriangle>>;
+
+  void addUse(std::size_t corner, const LaneTriangle& use) {
+    const Triangle& triangle = model_.triangles[use.triangle];
+    const auto at = std::find(triangle.begin(), triangle.end(), static_cast<int>(vertexAt(use.lane)));
+    layout_.cornerUses.push_back({.corner = corner,
+                                  .lane = static_cast<std::size_t>(use.lane),
+                                  .triangle = static_cast<std::size_t>(use.triangle),
+                                  .cornerOfTriangle = static_cast<std::size_t>(at - triangle.begin())});
+  }
+
   void addCorners() {
-    std::map<std::pair<int, int>, std::vector<int>> bySlots;
+    BySlots bySlots;
     for (int lane = 0; lane < sliceLanes && first_ + lane < layout_.vertices; ++lane) {
       const std::size_t vertex = vertexAt(lane);
       for (const int triangle : model_.vertexTriangles[vertex]) {
         const auto [a, b] = cornerOf(vertex, triangle);
-        bySlots[{slotTo(lane, a), slotTo(lane, b)}].push_back(lane);
+        bySlots[{slotTo(lane, a), slotTo(lane, b)}].push_back({lane, triangle});
       }
     }
     std::vector<int> tables;
     std::array<std::size_t, sliceLanes> used{};
-    for (const auto& [slots, lanes] : bySlots) {
-      addCorner(slots, lanes, tables, used);
+    for (const auto& [slots, uses] : bySlots) {
+      addCorner(slots, uses, tables, used);
     }
   }
 
-  void addCorner(const std::pair<int, int>& slots, const std::vector<int>& lanes, std::vector<int>& tables,
+  void addCorner(const std::pair<int, int>& slots, const std::vector<LaneTriangle>& uses, std::vector<int>& tables,
                  std::array<std::size_t, sliceLanes>& used) {
-    if (static_cast<int>(lanes.size()) >= minCommonCorners) {
+    if (static_cast<int>(uses.size()) >= minCommonCorners) {
       SliceLayout::Corner corner{.slotA = static_cast<std::uint16_t>(slots.first),
                                  .slotB = static_cast<std::uint16_t>(slots.second)};
-      for (const int lane : lanes) {
-        corner.lanes = static_cast<std::uint16_t>(corner.lanes | (1U << static_cast<unsigned>(lane)));
+      for (const LaneTriangle& use : uses) {
+        corner.lanes = static_cast<std::uint16_t>(corner.lanes | (1U << static_cast<unsigned>(use.lane)));
+        addUse(layout_.corners.size(), use);
       }
       layout_.corners.push_back(corner);
       return;
     }
-    for (const int lane : lanes) {
+    for (const LaneTriangle& use : uses) {
+      const int lane = use.lane;
       const std::size_t row = used[lane]++;
       if (row == tables.size()) {
         tables.push_back(static_cast<int>(layout_.corners.size()));
         layout_.corners.push_back({.table = static_cast<int>(layout_.cornerTables.size())});
         layout_.cornerTables.emplace_back();
       }
+      addUse(static_cast<std::size_t>(tables[row]), use);
       auto& corner = layout_.corners[tables[row]];
       auto& table = layout_.cornerTables[corner.table];
       corner.lanes = static_cast<std::uint16_t>(corner.lanes | (1U << static_cast<unsigned>(lane)));
@@ -269,7 +287,17 @@ void trim(SliceLayout& layout) {
 std::size_t SliceLayout::bytes() const {
   return bytesOf(order) + bytesOf(indexOf) + bytesOf(slotBegin) + bytesOf(slots) + bytesOf(springs) +
          bytesOf(neighbourTables) + bytesOf(cornerBegin) + bytesOf(corners) + bytesOf(cornerTables) +
-         bytesOf(lastNeighbourSlice);
+         bytesOf(cornerUses) + bytesOf(lastNeighbourSlice);
+}
+
+void finishBandwidth(SliceLayout& layout) {
+  // Slices finish in order, so the values must not decrease.
+  for (std::size_t s = 1; s < layout.lastNeighbourSlice.size(); ++s) {
+    layout.lastNeighbourSlice[s] = std::max(layout.lastNeighbourSlice[s], layout.lastNeighbourSlice[s - 1]);
+  }
+  for (int s = 0; s < layout.slices(); ++s) {
+    layout.sliceBandwidth = std::max(layout.sliceBandwidth, layout.lastNeighbourSlice[s] - s);
+  }
 }
 
 SliceLayout buildSliceLayout(const ClothModel& model) {
@@ -291,13 +319,7 @@ SliceLayout buildSliceLayout(const ClothModel& model) {
     const int slots = layout.slotBegin[slice + 1] - layout.slotBegin[slice];
     layout.maxSlots = std::max(layout.maxSlots, slots);
   }
-  // Slices finish in order, so the values must not decrease.
-  for (std::size_t s = 1; s < layout.lastNeighbourSlice.size(); ++s) {
-    layout.lastNeighbourSlice[s] = std::max(layout.lastNeighbourSlice[s], layout.lastNeighbourSlice[s - 1]);
-  }
-  for (int s = 0; s < slices; ++s) {
-    layout.sliceBandwidth = std::max(layout.sliceBandwidth, layout.lastNeighbourSlice[s] - s);
-  }
+  finishBandwidth(layout);
   constexpr int maxSprings = std::numeric_limits<std::uint16_t>::max();
   if (layout.maxSlots > maxSprings) {
     throw ClothModelError(ClothModelError::Fault::TooManySprings, {.count = maxSprings});

@@ -48,6 +48,14 @@ struct SliceLayout {
   std::vector<int> cornerBegin;                 ///< slices + 1 entries
   std::vector<Corner> corners;
   std::vector<CornerTable> cornerTables;
+  /// A triangle of the model at one lane of a corner.
+  struct CornerUse {
+    std::size_t corner = 0;  ///< index into `corners`
+    std::size_t lane = 0;
+    std::size_t triangle = 0;          ///< of the model
+    std::size_t cornerOfTriangle = 0;  ///< the triangle's corner at the vertex, 0 to 2
+  };
+  std::vector<CornerUse> cornerUses;    ///< SlicedCloth clears it after use
   std::vector<int> lastNeighbourSlice;  ///< of each slice, not decreasing and never before the slice itself
   int maxSlots = 0;                     ///< largest number of slots of a slice
   int sliceBandwidth = 0;               ///< largest lastNeighbourSlice[s] - s
@@ -61,5 +69,8 @@ struct SliceLayout {
 
 /// Throws ClothModelError for a vertex with more springs than a 16-bit number counts.
 [[nodiscard]] SliceLayout buildSliceLayout(const ClothModel& model);
+
+/// Computes what follows from `lastNeighbourSlice`, and makes it non-decreasing.
+void finishBandwidth(SliceLayout& layout);
 
 }  // namespace drape::sim::simd

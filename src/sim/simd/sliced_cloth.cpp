@@ -82,7 +82,12 @@ SlicedCloth<T>::SlicedCloth(const ClothModel& model) : layout(buildSliceLayout(m
           [&](int spring) { return spring < 0 ? T(1) : static_cast<T>(model.springs[spring].relativeStiffness); });
     }
   }
-  layout.springs = std::vector<std::array<std::int32_t, sliceLanes>>();  // an empty list would keep the memory
+  if (model.fabric) {
+    fabric = buildSlicedFabric<T>(model, layout);
+  }
+  // Empty lists would keep the memory.
+  layout.springs = std::vector<std::array<std::int32_t, sliceLanes>>();
+  layout.cornerUses = std::vector<SliceLayout::CornerUse>();
   for (LaneArray<T>* array : {&mass, &area, &free}) {
     array->resize(slices);
   }
@@ -176,6 +181,7 @@ std::size_t SlicedCloth<T>::bytes() const {
   for (const LaneVectors<T>* vectors : {&position, &velocity, &start, &change[0], &change[1]}) {
     sum += vectors->bytes();
   }
+  sum += fabric ? fabric->bytes() : 0;
   for (const auto& own : terms) {
     sum += own.capacity() * sizeof(SpringTerms<T>);
   }

@@ -3,17 +3,15 @@
 #include "sim/forces/common_parameters.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/simd/slice_layout.hpp"
+#include "sim/simd/sliced_fabric.hpp"
 #include "sim/simd/step_share.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace drape::sim::simd {
-
-/// Numbers for the lanes of a slice, aligned to a cache line so that no load straddles two.
-template <typename T>
-struct alignas(64) SliceNumbers : std::array<T, sliceLanes> {};
 
 /// One number for each vertex of a cloth, by permuted index. There is room at both ends, so that a slot of consecutive
 /// neighbours can be loaded whole.
@@ -141,13 +139,14 @@ struct SlicedCloth {
   std::vector<SliceNumbers<T>> restLength;  ///< one a slot [m]; negative where a lane has no spring
   /// One a slot [-]; empty if all springs are equally stiff.
   std::vector<SliceNumbers<T>> relativeStiffness;
-  LaneArray<T> mass;                     ///< [kg]; 1 in lanes beyond the last vertex
-  LaneArray<T> area;                     ///< [m^2]
-  LaneArray<T> free;                     ///< 1; 0 where pinned or beyond the last vertex
-  std::vector<int> pinned;               ///< permuted indices of pinned vertices
-  LaneVectors<T> position, velocity;     ///< [m], [m/s]
-  LaneVectors<T> start;                  ///< p_i, the start of the sweeps [m/s]
-  std::array<LaneVectors<T>, 2> change;  ///< dv_i of alternate sweeps [m/s]; only with several sweeps
+  std::optional<SlicedFabric<T>> fabric;  ///< replaces the springs' forces; nothing: springs
+  LaneArray<T> mass;                      ///< [kg]; 1 in lanes beyond the last vertex
+  LaneArray<T> area;                      ///< [m^2]
+  LaneArray<T> free;                      ///< 1; 0 where pinned or beyond the last vertex
+  std::vector<int> pinned;                ///< permuted indices of pinned vertices
+  LaneVectors<T> position, velocity;      ///< [m], [m/s]
+  LaneVectors<T> start;                   ///< p_i, the start of the sweeps [m/s]
+  std::array<LaneVectors<T>, 2> change;   ///< dv_i of alternate sweeps [m/s]; only with several sweeps
 
   /// Data of each thread: evaluated springs that are still needed, inverse matrices, and the progress of each sweep.
   std::vector<std::vector<SpringTerms<T>>> terms;

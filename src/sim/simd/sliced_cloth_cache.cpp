@@ -32,11 +32,12 @@ SlicedCloth<T>& SlicedClothCache<T>::get(const ClothModel& model) {
     return *cloth_;
   }
   const std::uint64_t topology = topologyOf(model);
-  if (cloth_ && topology == topology_) {
+  if (cloth_ && topology == topology_ && fabric_ == model.fabric) {
     cloth_->setMassesAndPins(model);
   } else {
     cloth_ = std::make_unique<SlicedCloth<T>>(model);
     topology_ = topology;
+    fabric_ = model.fabric;
   }
   model_ = model.weak_from_this();
   return *cloth_;

@@ -14,7 +14,8 @@ class SlicedClothCache {
   [[nodiscard]] SlicedCloth<T>& get(const ClothModel& model);
 
  private:
-  std::weak_ptr<const ClothModel> model_;  // distinguishes the model from a later one at the same address
+  std::weak_ptr<const ClothModel> model_;         // distinguishes the model from a later one at the same address
+  std::shared_ptr<const fabric::Fabric> fabric_;  // of that model; null for springs
   std::uint64_t topology_ = 0;
   std::unique_ptr<SlicedCloth<T>> cloth_;
 };

@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 // Highway's own includes have to come first.
 #include "sim/simd/air-inl.hpp"
+#include "sim/simd/fabric-inl.hpp"
 #include "sim/simd/lanes-inl.hpp"
 #include "sim/simd/sliced_cloth.hpp"
 
@@ -15,7 +16,8 @@ HWY_BEFORE_NAMESPACE();
 namespace drape::sim::simd::HWY_NAMESPACE {
 
 /// Stoermer-Verlet: drift by half a step, one evaluation of the forces there, kick, drift by the other half.
-template <typename T>
+/// `hasFabric`: the elastic forces are those of a fabric, not of springs.
+template <typename T, bool hasFabric>
 class VerletKernel {
   using D = LanesOf<T>;
   using V3 = Lanes3<D>;
@@ -66,6 +68,30 @@ class VerletKernel {
     const auto weight = hn::Mul(mass, hn::Set(d, step_.gravity));
     V3 force = {hn::Zero(d), hn::Neg(weight), hn::Zero(d)};
     auto energy = hn::Mul(weight, x.y);
+    if constexpr (hasFabric) {
+      addFabric(d, cloth_, terms_, slice, lane, x, step_.energy != nullptr, force, energy);
+    } else {
+      addSprings(slice, lane, x, v, force, energy);
+    }
+    if (air_) {
+      force = addAir(d, cloth_, step_, terms_, slice, lane, force);
+    }
+    auto unused = mass;
+    addAttachment(d, step_, slice, lane, force, unused);
+    const auto time = hn::Mul(hn::Set(d, step_.timeStep), hn::LoadU(d, cloth_.free.data() + i));
+    V3 after = multiplyAdd(force, hn::Div(time, mass), v);
+    if (step_.aggregates != nullptr) {
+      after = multiplyAdd(aggregateAcceleration(d, *step_.aggregateAccelerations, step_.aggregates + i), time, after);
+    }
+    if (HWY_UNLIKELY(step_.energy != nullptr)) {
+      hn::StoreU(hn::MulAdd(hn::Mul(hn::Set(d, T(0.5)), mass), dot(v, after), energy), d, step_.energy + i);
+    }
+    store3(d, after, cloth_.start, i);
+  }
+
+  /// Adds the forces of the springs of some lanes, and half of the springs' energy.
+  HWY_INLINE void addSprings(int slice, int lane, const V3& x, const V3& v, V3& force, hn::Vec<D>& energy) {
+    const D d;
     auto* terms = terms_;
     const auto* const uneven = cloth_.relativeStiffness.empty() ? nullptr : cloth_.relativeStiffness.data();
     const int end = layout_.slotBegin[slice + 1];
@@ -95,20 +121,6 @@ class VerletKernel {
         storeOffset(d, *terms, lane, offset);
       }
     }
-    if (air_) {
-      force = addAir(d, cloth_, step_, terms_, slice, lane, force);
-    }
-    auto unused = mass;
-    addAttachment(d, step_, slice, lane, force, unused);
-    const auto time = hn::Mul(hn::Set(d, step_.timeStep), hn::LoadU(d, cloth_.free.data() + i));
-    V3 after = multiplyAdd(force, hn::Div(time, mass), v);
-    if (step_.aggregates != nullptr) {
-      after = multiplyAdd(aggregateAcceleration(d, *step_.aggregateAccelerations, step_.aggregates + i), time, after);
-    }
-    if (HWY_UNLIKELY(step_.energy != nullptr)) {
-      hn::StoreU(hn::MulAdd(hn::Mul(hn::Set(d, T(0.5)), mass), dot(v, after), energy), d, step_.energy + i);
-    }
-    store3(d, after, cloth_.start, i);
   }
 
   HWY_INLINE void settle(int slice) {
@@ -131,16 +143,22 @@ class VerletKernel {
   bool air_;
 };
 
+template <typename T, bool hasFabric>
+void runPhase(SlicedCloth<T>& cloth, const SliceStep<T>& step, T drift, const StepShare& share, int phase) {
+  VerletKernel<T, hasFabric> kernel(cloth, step, drift, share);
+  phase == 0 ? kernel.firstPhase() : kernel.laterPhase();
+}
+
 void verletFloat(SlicedCloth<float>& cloth, const SliceStep<float>& step, float drift, const StepShare& share,
                  int phase) {
-  VerletKernel<float> kernel(cloth, step, drift, share);
-  phase == 0 ? kernel.firstPhase() : kernel.laterPhase();
+  cloth.fabric ? runPhase<float, true>(cloth, step, drift, share, phase)
+               : runPhase<float, false>(cloth, step, drift, share, phase);
 }
 
 void verletDouble(SlicedCloth<double>& cloth, const SliceStep<double>& step, double drift, const StepShare& share,
                   int phase) {
-  VerletKernel<double> kernel(cloth, step, drift, share);
-  phase == 0 ? kernel.firstPhase() : kernel.laterPhase();
+  cloth.fabric ? runPhase<double, true>(cloth, step, drift, share, phase)
+               : runPhase<double, false>(cloth, step, drift, share, phase);
 }
 
 }  // namespace drape::sim::simd::HWY_NAMESPACE

@@ -19,9 +19,6 @@
 namespace drape::sim {
 namespace {
 
-/// Makes the solver that takes a step when all retries failed.
-using MakeSolver = std::unique_ptr<Solver> (*)();
-
 /// Error estimates are due at the steps 0, 1, 4, 16, 64 and then at every 128th (tuning.estimateInterval).
 bool estimateIsDue(int steps) {
   const auto count = static_cast<unsigned>(steps);
@@ -52,8 +49,6 @@ bool estimatesError(const adaptive::StepChoice& choice, double budgetedEvaluatio
 template <typename T>
 class AdaptiveStep {
  public:
-  explicit AdaptiveStep(MakeSolver makeFallback) : makeFallback_(makeFallback) {}
-
   StepReport step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                   const StepInputs& inputs, adaptive::StepMemory& memory, ClothState& state) {
     adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
@@ -144,8 +139,9 @@ class AdaptiveStep {
   void takeFallbackStep(const ClothModel& model, const LocalRates& rates, StepParameters parameters,
                         const StepInputs& inputs, ClothState& state, adaptive::StepChoice& choice) {
     constexpr int substeps = adaptive::tuning.fallbackSubsteps;
-    if (!fallback_) {
-      fallback_ = makeFallback_();
+    std::unique_ptr<Solver>& fallback = model.fabric ? fabricFallback_ : springFallback_;
+    if (!fallback) {
+      fallback = model.fabric ? solvers::newton().make() : solvers::xpbd().make();
     }
     const double time = state.time;
     const double allowed = energyOf(model, parameters, state).total() + adaptive::maxWindWork(rates, parameters) +
@@ -160,7 +156,7 @@ class AdaptiveStep {
     choice.usedFallback = true;
     for (int i = 0; i < substeps; ++i) {
       momentum_.prepare(model, parameters, inputs, state);
-      fallback_->step(model, parameters, inputs, state);
+      fallback->step(model, parameters, inputs, state);
       momentum_.correct(model, parameters.timeStep, parameters.timeStep, state);
     }
     state.time = time;
@@ -223,8 +219,8 @@ class AdaptiveStep {
 
   adaptive::AdaptiveRun<T> run_;
   adaptive::EnergyGuard guard_;
-  MakeSolver makeFallback_;
-  std::unique_ptr<Solver> fallback_;
+  std::unique_ptr<Solver> springFallback_;
+  std::unique_ptr<Solver> fabricFallback_;
   MomentumKeeper momentum_;
   ModelCache<std::vector<std::vector<std::size_t>>> pieces_;
   ClothState finer_;
@@ -234,8 +230,6 @@ class AdaptiveStep {
 
 class AutoSolver final : public Solver {
  public:
-  explicit AutoSolver(MakeSolver makeFallback) : single_(makeFallback), double_(makeFallback) {}
-
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
     adaptive::StepMemory memory = adaptive::stepMemoryOf(state);
@@ -306,11 +300,12 @@ SolverInfo solvers::adaptive() {
               "with softer springs, and coarse levels carry the tension. A message tells which.",
           .source = "Drape (docs/theory/auto.md), on Stoermer-Verlet and Omelyan, Mryglod and Folk, 2002",
           .backwardEuler = false,
+          .takesFabric = true,
           .choosesSubsteps = true,
           .settings = {"precision", "auto.cost", "auto.soften", "auto.budget", "auto.tolerance"},
           .warning = autoWarning,
           .stepLimit = nullptr,
-          .make = []() -> std::unique_ptr<Solver> { return std::make_unique<AutoSolver>(solvers::xpbd().make); }};
+          .make = []() -> std::unique_ptr<Solver> { return std::make_unique<AutoSolver>(); }};
 }
 
 }  // namespace drape::sim

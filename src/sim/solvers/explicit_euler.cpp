@@ -69,6 +69,7 @@ SolverInfo solvers::explicitEuler() {
               "as a reference with tiny steps (1/30000 s in the paper).",
           .source = "Euler (1768), Institutiones calculi integralis",
           .backwardEuler = false,
+          .takesFabric = true,
           .settings = {},
           .warning = explicitEulerWarning,
           .stepLimit = stepLimit,

@@ -40,7 +40,7 @@ Vec3 FilteredStepSolver::internalImpulse(const ClothModel& model, const StepPara
                   (state.velocities[neighbour] - state.velocities[vertex]);
   }
   const double h = parameters.timeStep;
-  return h * (springForcesOn(model, parameters, state, vertex) + h * parameters.material.stiffness * difference);
+  return h * (internalForceOn(model, parameters, state, vertex) + h * parameters.material.stiffness * difference);
 }
 
 void FilteredStepSolver::addAttachment(const ClothModel& model, double timeStep, const Attachment& attachment,

@@ -146,6 +146,7 @@ SolverInfo solvers::newton() {
           "the mesh. Other derivatives than the exact one give the same result after more iterations.",
       .source = "Gast and co-authors (2015), Optimization integrator for large time steps",
       .backwardEuler = true,
+      .takesFabric = true,
       .settings = {"tolerance", "max_iterations", "derivative"},
       .warning = newtonWarning,
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<NewtonSolver>(); }};

@@ -64,6 +64,7 @@ struct SolverInfo {
   std::string_view help;                   ///< the method in one sentence, then its cost and limits
   std::string_view source;                 ///< publication
   bool backwardEuler = false;              ///< solves a backward-Euler step, which other integrations can use
+  bool takesFabric = false;                ///< can move a cloth with a fabric (ClothModel::fabric)
   bool choosesSubsteps = false;            ///< chooses its substeps and ignores the setting `substeps`
   std::vector<std::string_view> settings;  ///< keys of the settings that it reads and that not all solvers read
   /// A warning about this cloth and these parameters, if there is one. May be null.

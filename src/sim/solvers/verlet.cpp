@@ -44,6 +44,7 @@ SolverInfo solvers::verlet() {
           "Stiff or fine cloth has a low limit.",
       .source = "Stoermer, 1907; Verlet, 1967, Computer experiments on classical fluids",
       .backwardEuler = false,
+      .takesFabric = true,
       .settings = {"precision"},
       .warning = verletWarning,
       .stepLimit = verletStepLimit,

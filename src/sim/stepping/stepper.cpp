@@ -49,8 +49,16 @@ Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
   solver_ = info_->make();
 }
 
-StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+StepReport Stepper::step(const ClothModel& model, const StepParameters& given, const StepInputs& inputs,
                          ClothState& state) {
+  StepParameters parameters = given;
+  if (model.fabric) {
+    if (!info_->takesFabric) {
+      throw NoFabricSolver(info_->name);
+    }
+    // The rates of a fabric are those of the model; springs of 1 N/m without damping multiply them by one.
+    parameters.material = {.stiffness = 1.0, .damping = 0.0};
+  }
   earlierContactWork_ = 0.0;
   contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state);
   return contactSubsteps_ == 1 ? stepWithContact(model, parameters, inputs, state)

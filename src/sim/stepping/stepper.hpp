@@ -34,7 +34,8 @@ class Stepper {
 
   [[nodiscard]] const SolverInfo& info() const { return *info_; }
 
-  /// Advances `state` by `parameters.timeStep`.
+  /// Advances `state` by `parameters.timeStep`. A cloth with a fabric ignores the material of the parameters, which is
+  /// that of springs. Throws NoFabricSolver if the solver knows springs only.
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state);
 

@@ -20,7 +20,7 @@ void IncrementalPotential::prepare(const ClothModel& model, const CommonParamete
   workers_ = &workers;
   startVelocities_ = state.velocities;
   const std::size_t vertices = state.positions.size();
-  const std::size_t springs = model.springs.size();
+  const std::size_t springs = model.fabric ? 0 : model.springs.size();
   external_.resize(vertices);
   gradient_.resize(vertices);
   size_.resize(vertices);
@@ -33,6 +33,9 @@ void IncrementalPotential::prepare(const ClothModel& model, const CommonParamete
   workers.forEach(parameters.threads, vertices,
                   [&](std::size_t i) { external_[i] = gravityAndAir(model, parameters, state, i); });
   workers.forEach(parameters.threads, springs, [&](std::size_t s) { prepareSpring(s, state); });
+  if (model.fabric) {
+    fabric_.prepare(model, state.positions, parameters.threads, workers);
+  }
   attachment_ = inputs.attachment;
   if (attachment_) {
     attachedCorners_ = attachedCorners(model, *attachment_);
@@ -51,9 +54,20 @@ void IncrementalPotential::prepareSpring(std::size_t spring, const ClothState& s
 }
 
 IncrementalPotential::Value IncrementalPotential::evaluate(const std::vector<Vec3>& velocities) {
+  if (model_->fabric) {
+    evaluateFabric(velocities);
+  }
   workers_->forEach(parameters_->threads, offsets_.size(), [&](std::size_t s) { evaluateSpring(s, velocities); });
   workers_->forEach(parameters_->threads, gradient_.size(), [&](std::size_t i) { gatherVertex(i, velocities); });
   return sum(velocities, addAttachment(velocities));
+}
+
+void IncrementalPotential::evaluateFabric(const std::vector<Vec3>& velocities) {
+  displacement_.resize(velocities.size());
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    displacement_[i] = parameters_->timeStep * velocities[i];
+  }
+  fabric_.evaluate(displacement_);
 }
 
 void IncrementalPotential::evaluateSpring(std::size_t spring, const std::vector<Vec3>& velocities) {
@@ -89,7 +103,11 @@ void IncrementalPotential::gatherVertex(std::size_t vertex, const std::vector<Ve
   }
   Vec3 force = external_[vertex];
   double forceSize = force.norm();
-  for (const SpringEnd& end : model_->springEnds[vertex]) {
+  if (model_->fabric) {
+    force += fabric_.forceOn(vertex);
+    forceSize += fabric_.forceSizeOn(vertex);
+  }
+  for (const SpringEnd& end : model_->fabric ? std::span<const SpringEnd>() : model_->springEnds[vertex]) {
     const int s = end.spring;
     const bool first = static_cast<int>(vertex) == model_->springs[s].a;
     force += first ? springForces_[s] : Vec3(-springForces_[s]);
@@ -133,7 +151,7 @@ IncrementalPotential::Value IncrementalPotential::sum(const std::vector<Vec3>& v
       rounding += size_[i] * size_[i];
     }
   }
-  double elastic = 0.0;
+  double elastic = model_->fabric ? fabric_.energy() : 0.0;
   for (const double energy : springEnergy_) {
     elastic += energy;
   }
@@ -143,24 +161,38 @@ IncrementalPotential::Value IncrementalPotential::sum(const std::vector<Vec3>& v
           .rounding = epsilon * std::sqrt(rounding)};
 }
 
-void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& hessian) {
+void IncrementalPotential::findSpringBlocks(ForceDerivative variant) {
   const ClothModel& model = *model_;
   const double h = parameters_->timeStep;
   const Mat3 damped = h * parameters_->material.damping * Mat3::Identity();
-  springBlocks_.resize(offsets_.size());
-  diagonal_.resize(gradient_.size());
+  pairBlocks_.resize(offsets_.size());
   workers_->forEach(parameters_->threads, offsets_.size(), [&](std::size_t s) {
     const Spring& spring = model.springs[s];
     const double stiffness = parameters_->material.stiffness * spring.relativeStiffness;
-    springBlocks_[s] = -h * h * kernels::springDerivative(offsets_[s], spring.restLength, stiffness, variant) - damped;
+    pairBlocks_[s] = -h * h * kernels::springDerivative(offsets_[s], spring.restLength, stiffness, variant) - damped;
   });
   workers_->forEach(parameters_->threads, diagonal_.size(), [&](std::size_t i) {
     diagonal_[i] = model.vertexMass[i] * Mat3::Identity();
     for (const SpringEnd& end : model.springEnds[i]) {
-      diagonal_[i] -= springBlocks_[end.spring];
+      diagonal_[i] -= pairBlocks_[end.spring];
     }
   });
-  hessian.fill(model, parameters_->threads, *workers_, diagonal_, springBlocks_);
+}
+
+void IncrementalPotential::findFabricBlocks(ForceDerivative variant) {
+  pairBlocks_.assign(model_->fabric->pairs.size(), Mat3::Zero());
+  for (std::size_t i = 0; i < diagonal_.size(); ++i) {
+    diagonal_[i] = model_->vertexMass[i] * Mat3::Identity();
+  }
+  fabric_.addDerivative(variant, parameters_->timeStep * parameters_->timeStep, diagonal_, pairBlocks_);
+}
+
+void IncrementalPotential::fillHessian(ForceDerivative variant, SparseSystem& hessian) {
+  const ClothModel& model = *model_;
+  const double h = parameters_->timeStep;
+  diagonal_.resize(gradient_.size());
+  model.fabric ? findFabricBlocks(variant) : findSpringBlocks(variant);
+  hessian.fill(model, parameters_->threads, *workers_, diagonal_, pairBlocks_);
   if (!attachment_) {
     return;
   }

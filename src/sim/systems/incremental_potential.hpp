@@ -5,6 +5,7 @@
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/workers.hpp"
+#include "sim/systems/fabric_energy.hpp"
 #include "sim/systems/sparse_system.hpp"
 
 #include <optional>
@@ -16,8 +17,8 @@ namespace drape::sim {
 ///
 ///     Phi(v) = 1/2 (v - v0)^T M (v - v0) - h v.g + E(x0 + h v) + h C_d / 2 sum_ij |v_i - v_j|^2
 ///
-/// E is the energy of springs and attachment; g are gravity and air, evaluated at the start of the step. The step is
-/// the minimum. The gradient is the residual of the step's equations, M (v - v0) - h f(x0 + h v, v).
+/// E is the energy of springs or fabric, and attachment; g are gravity and air, evaluated at the start of the step. The
+/// step is the minimum. The gradient is the residual of the step's equations, M (v - v0) - h f(x0 + h v, v).
 ///
 /// Spring lengths are computed from their change since x0, not from positions. Positions near 1 m give a length to
 /// about 1e-16 m only, and with stiff springs that error would exceed the tolerance of the solve.
@@ -47,6 +48,9 @@ class IncrementalPotential {
  private:
   void prepareSpring(std::size_t spring, const ClothState& state);
   void evaluateSpring(std::size_t spring, const std::vector<Vec3>& velocities);
+  void evaluateFabric(const std::vector<Vec3>& velocities);
+  void findSpringBlocks(ForceDerivative variant);
+  void findFabricBlocks(ForceDerivative variant);
   void gatherVertex(std::size_t vertex, const std::vector<Vec3>& velocities);
   double addAttachment(const std::vector<Vec3>& velocities);
   [[nodiscard]] Value sum(const std::vector<Vec3>& velocities, double attachmentEnergy) const;
@@ -65,7 +69,9 @@ class IncrementalPotential {
   std::vector<Vec3> gradient_;
   std::vector<double> size_;  // the same for a vertex's gradient [N s]
   std::vector<Mat3> diagonal_;
-  std::vector<Mat3> springBlocks_;
+  std::vector<Mat3> pairBlocks_;    // of springs or pairs [kg]
+  FabricEnergy fabric_;             // if the model has a fabric; the data of springs are then empty
+  std::vector<Vec3> displacement_;  // since x0, of a fabric [m]
   std::optional<Attachment> attachment_;
   AttachedCorners attachedCorners_;            // of `attachment_`
   Vec3 attachmentStartOffset_ = Vec3::Zero();  // from the attached point to the target, at x0 [m]

@@ -1,5 +1,7 @@
 #include "sim/systems/sparse_system.hpp"
 
+#include "sim/fabric/fabric.hpp"
+
 #include <algorithm>
 
 // The three columns of a free vertex hold the lower triangle of its diagonal block, then the blocks of its neighbours
@@ -7,6 +9,14 @@
 // neighbour begin 3 p values later.
 
 namespace drape::sim {
+namespace {
+
+/// The pairs of vertices that act on each other, seen from each vertex.
+const RaggedRows<SpringEnd>& pairEndsOf(const ClothModel& model) {
+  return model.fabric ? model.fabric->pairEnds : model.springEnds;
+}
+
+}  // namespace
 
 SparseSystem::SparseSystem(const ClothModel& model) {
   Eigen::Index free = 0;
@@ -30,7 +40,7 @@ void SparseSystem::reserve(const ClothModel& model) {
       continue;
     }
     int below = 0;
-    for (const SpringEnd& end : model.springEnds[v]) {
+    for (const SpringEnd& end : pairEndsOf(model)[v]) {
       below += isBelow(v, end) ? 3 : 0;
     }
     for (int c = 0; c < 3; ++c) {
@@ -48,7 +58,7 @@ void SparseSystem::writePattern(const ClothModel& model) {
       for (int r = c; r < 3; ++r) {
         *inner++ = 3 * row_[v] + r;
       }
-      for (const SpringEnd& end : model.springEnds[v]) {
+      for (const SpringEnd& end : pairEndsOf(model)[v]) {
         for (int r = 0; isBelow(v, end) && r < 3; ++r) {
           *inner++ = 3 * row_[end.neighbour] + r;
         }
@@ -58,24 +68,24 @@ void SparseSystem::writePattern(const ClothModel& model) {
 }
 
 void SparseSystem::fill(const ClothModel& model, int threads, Workers& workers, const std::vector<Mat3>& diagonal,
-                        const std::vector<Mat3>& springBlocks) {
+                        const std::vector<Mat3>& pairBlocks) {
   workers.forEach(threads, row_.size(), [&](std::size_t v) {
     if (row_[v] >= 0) {
-      fillVertex(model, v, diagonal, springBlocks);
+      fillVertex(model, v, diagonal, pairBlocks);
     }
   });
 }
 
 void SparseSystem::fillVertex(const ClothModel& model, std::size_t vertex, const std::vector<Mat3>& diagonal,
-                              const std::vector<Mat3>& springBlocks) {
+                              const std::vector<Mat3>& pairBlocks) {
   for (int c = 0; c < 3; ++c) {
     double* value = lower_.valuePtr() + lower_.outerIndexPtr()[3 * row_[vertex] + c];
     for (int r = c; r < 3; ++r) {
       *value++ = diagonal[vertex](r, c);
     }
-    for (const SpringEnd& end : model.springEnds[vertex]) {
+    for (const SpringEnd& end : pairEndsOf(model)[vertex]) {
       for (int r = 0; isBelow(vertex, end) && r < 3; ++r) {
-        *value++ = springBlocks[end.spring](r, c);
+        *value++ = pairBlocks[end.spring](r, c);
       }
     }
   }
@@ -88,7 +98,7 @@ void SparseSystem::add(const ClothModel& model, std::size_t vertex, std::size_t 
     return;
   }
   int before = 0;  // values between the diagonal block and the wanted one
-  for (const SpringEnd& end : model.springEnds[first]) {
+  for (const SpringEnd& end : pairEndsOf(model)[first]) {
     before += isBelow(first, end) && end.neighbour < static_cast<int>(second) ? 3 : 0;
   }
   for (int c = 0; c < 3; ++c) {

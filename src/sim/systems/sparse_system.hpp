@@ -8,9 +8,9 @@
 
 namespace drape::sim {
 
-/// A symmetric 3n x 3n matrix with a 3x3 block for each of the n free vertices and for each spring between two of them.
-/// Pinned vertices have neither rows nor columns. The sparsity pattern is computed once for a model; `fill` overwrites
-/// the values.
+/// A symmetric 3n x 3n matrix with a 3x3 block for each of the n free vertices and for each pair of them that acts on
+/// each other: each spring, or each pair of a fabric (fabric::Fabric::pairs). Pinned vertices have neither rows nor
+/// columns. The sparsity pattern is computed once for a model; `fill` overwrites the values.
 class SparseSystem {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -20,11 +20,12 @@ class SparseSystem {
   /// The lower triangle, column-major.
   [[nodiscard]] const Matrix& lower() const { return lower_; }
 
-  /// Sets all blocks: `diagonal` one a vertex, `springBlocks` one a spring, both symmetric.
+  /// Sets all blocks: `diagonal` one a vertex, symmetric, and `pairBlocks` one a spring or pair, with the rows of its
+  /// second vertex and the columns of its first.
   void fill(const ClothModel& model, int threads, Workers& workers, const std::vector<Mat3>& diagonal,
-            const std::vector<Mat3>& springBlocks);
+            const std::vector<Mat3>& pairBlocks);
 
-  /// Adds to the block of two vertices that are equal or share a spring, and to its mirror image. `block` is symmetric.
+  /// Adds to the block of two vertices that are equal or a pair, and to its mirror image. `block` is symmetric.
   /// Does nothing if either is pinned.
   void add(const ClothModel& model, std::size_t vertex, std::size_t other, const Mat3& block);
 
@@ -34,10 +35,10 @@ class SparseSystem {
 
  private:
   void fillVertex(const ClothModel& model, std::size_t vertex, const std::vector<Mat3>& diagonal,
-                  const std::vector<Mat3>& springBlocks);
+                  const std::vector<Mat3>& pairBlocks);
   void reserve(const ClothModel& model);
   void writePattern(const ClothModel& model);
-  /// True if that spring of `vertex` has a block below the diagonal in the vertex's columns.
+  /// True if that pair of `vertex` has a block below the diagonal in the vertex's columns.
   [[nodiscard]] bool isBelow(std::size_t vertex, const SpringEnd& end) const;
 
   std::vector<int> row_;  // first row of each vertex / 3; -1: pinned

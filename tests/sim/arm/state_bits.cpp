@@ -48,6 +48,6 @@ void printHashes(const std::string& cloth, const ClothModel& model) {
 
 int main() {
   drape::sim::printHashes("grid", *drape::sim::testing::pinnedCloth(drape::sim::testing::sheet(15)));
-  drape::sim::printHashes("irregular",
-                     *drape::sim::testing::pinnedCloth(drape::sim::testing::renumbered(drape::sim::testing::unevenSheet(13, 3), 4)));
+  drape::sim::printHashes("irregular", *drape::sim::testing::pinnedCloth(drape::sim::testing::renumbered(
+                                           drape::sim::testing::unevenSheet(13, 3), 4)));
 }

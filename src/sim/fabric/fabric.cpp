@@ -1,0 +1,144 @@
+#include "sim/fabric/fabric.hpp"
+
+#include "sim/model/sim_error.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <utility>
+
+namespace drape::sim::fabric {
+namespace {
+
+/// The largest stiffness at each vertex at rest [N/m]: the largest eigenvalue of its diagonal block of the membrane,
+/// plus the diagonal of the bending matrix.
+std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& model) {
+  std::vector<Mat3> blocks(model.restPositions.size(), Mat3::Zero());
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    const Mat9 stiffness =
+        fabric.membrane[t].derivative(cornersOf(model.triangles[t], model.restPositions), ForceDerivative::Exact);
+    for (Eigen::Index corner = 0; corner < 3; ++corner) {
+      blocks[model.triangles[t][corner]] += stiffness.block<3, 3>(3 * corner, 3 * corner);
+    }
+  }
+  std::vector<double> largest;
+  largest.reserve(blocks.size());
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  for (std::size_t v = 0; v < blocks.size(); ++v) {
+    const double bending = fabric.bends() ? fabric.bending.coeff(static_cast<int>(v), static_cast<int>(v)) : 0.0;
+    largest.push_back(solver.computeDirect(blocks[v], Eigen::EigenvaluesOnly).eigenvalues().maxCoeff() + bending);
+  }
+  return largest;
+}
+
+/// Finds the pairs of vertices of edges and of the bending matrix.
+void findPairs(const ClothModel& model, Fabric& fabric) {
+  std::vector<VertexPair>& pairs = fabric.pairs;
+  for (const Spring& edge : model.springs) {
+    pairs.push_back({edge.a, edge.b, 0.0});
+  }
+  for (int row = 0; row < fabric.bending.outerSize(); ++row) {
+    for (VertexMatrix::InnerIterator entry(fabric.bending, row); entry; ++entry) {
+      if (row < static_cast<int>(entry.col())) {
+        pairs.push_back({row, static_cast<int>(entry.col()), entry.value()});
+      }
+    }
+  }
+  const auto ends = [](const VertexPair& pair) { return std::pair(pair.a, pair.b); };
+  std::ranges::stable_sort(pairs, {}, ends);
+  // An edge that bends too stands before its entry of the matrix.
+  for (std::size_t i = 0; i + 1 < pairs.size(); ++i) {
+    if (ends(pairs[i]) == ends(pairs[i + 1])) {
+      pairs[i].bending = pairs[i + 1].bending;
+    }
+  }
+  const auto equal = [&](const VertexPair& one, const VertexPair& other) { return ends(one) == ends(other); };
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), equal), pairs.end());
+  std::vector<Spring> asSprings;
+  asSprings.reserve(pairs.size());
+  for (const VertexPair& pair : pairs) {
+    asSprings.push_back({.a = pair.a, .b = pair.b});
+  }
+  fabric.pairEnds = springEndsOf(asSprings, model.restPositions.size());
+}
+
+int pairBetween(const Fabric& fabric, int vertex, int neighbour) {
+  const std::span<const SpringEnd> ends = fabric.pairEnds[vertex];
+  const auto found = std::ranges::lower_bound(ends, neighbour, {}, &SpringEnd::neighbour);
+  return found != ends.end() && found->neighbour == neighbour ? found->spring : -1;
+}
+
+}  // namespace
+
+std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Material& material,
+                                             std::span<const Vec3> warp) {
+  using Fault = ClothModelError::Fault;
+  if (!isStable(material)) {
+    throw ClothModelError(Fault::Material, {});
+  }
+  if (warp.size() != model.triangles.size()) {
+    throw ClothModelError(Fault::WarpCount, {.found = static_cast<std::int64_t>(warp.size()),
+                                             .count = static_cast<std::int64_t>(model.triangles.size())});
+  }
+  auto fabric = std::make_shared<Fabric>();
+  fabric->material = material;
+  fabric->shape =
+      restShapeOf(model.restPositions, model.triangles, edgesOf(model.triangles, model.restPositions.size()), warp);
+  for (const RestTriangle& triangle : fabric->shape.triangles) {
+    const double scale = std::min(1.0, qualityOf(triangle) / sliverQuality);
+    fabric->membrane.emplace_back(triangle, material, scale);
+    fabric->slivers += scale < 1.0 ? 1 : 0;
+  }
+  if (resistsBending(material)) {
+    fabric->bending = bendingMatrix(fabric->shape, material, model.restPositions.size());
+  }
+  findPairs(model, *fabric);
+  for (const auto& [a, b, c] : model.triangles) {
+    fabric->pairsOfSides.push_back(
+        {pairBetween(*fabric, a, b), pairBetween(*fabric, b, c), pairBetween(*fabric, c, a)});
+  }
+  std::vector<double> stiffness = stiffnessAtVertices(*fabric, model);
+  return sim::withFabric(model, std::move(fabric), std::move(stiffness));
+}
+
+Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions) {
+  Corners corners;
+  corners << positions[triangle[0]], positions[triangle[1]], positions[triangle[2]];
+  return corners;
+}
+
+double elasticEnergy(const ClothModel& model, std::span<const Vec3> positions) {
+  const Fabric& fabric = *model.fabric;
+  double energy = 0.0;
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    energy += fabric.membrane[t].energy(cornersOf(model.triangles[t], positions));
+  }
+  // The rows of the bending matrix sum to zero, so that differences of positions serve. They are more accurate.
+  for (const VertexPair& pair : fabric.pairs) {
+    energy -= 0.5 * pair.bending * (positions[pair.b] - positions[pair.a]).squaredNorm();
+  }
+  return energy;
+}
+
+Vec3 elasticForceOn(const ClothModel& model, std::span<const Vec3> positions, std::size_t vertex) {
+  const Fabric& fabric = *model.fabric;
+  Vec3 force = Vec3::Zero();
+  for (const int t : model.vertexTriangles[vertex]) {
+    const Triangle& triangle = model.triangles[t];
+    const Vec3 tensions = fabric.membrane[t].tensions(cornersOf(triangle, positions));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      const Vec3 pull = tensions[static_cast<Eigen::Index>(k)] * (positions[triangle[next]] - positions[triangle[k]]);
+      force += triangle[k] == static_cast<int>(vertex) ? pull : Vec3(Vec3::Zero());
+      force -= triangle[next] == static_cast<int>(vertex) ? pull : Vec3(Vec3::Zero());
+    }
+  }
+  if (fabric.bends()) {
+    for (VertexMatrix::InnerIterator entry(fabric.bending, static_cast<int>(vertex)); entry; ++entry) {
+      force -= entry.value() * (positions[entry.col()] - positions[vertex]);
+    }
+  }
+  return force;
+}
+
+}  // namespace drape::sim::fabric

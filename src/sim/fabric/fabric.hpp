@@ -1,0 +1,54 @@
+#pragma once
+
+#include "sim/fabric/bending.hpp"
+#include "sim/fabric/material.hpp"
+#include "sim/fabric/membrane.hpp"
+#include "sim/fabric/rest_shape.hpp"
+#include "sim/model/cloth_model.hpp"
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace drape::sim::fabric {
+
+/// Two vertices whose forces depend on each other: the ends of an edge, or two corners that bending connects.
+struct VertexPair {
+  int a = 0;             ///< vertex index, a < b
+  int b = 0;             ///< vertex index
+  double bending = 0.0;  ///< their entry of the bending matrix [N/m]
+};
+
+/// What a cloth's fabric consists of: the material, and what follows from it and from the rest shape. Constant.
+struct Fabric {
+  Material material;
+  RestShape shape;
+  std::vector<MembraneTriangle> membrane;  ///< one a triangle
+  VertexMatrix bending;                    ///< without rows if the fabric does not resist bending
+  std::vector<VertexPair> pairs;           ///< sorted by (a, b)
+  RaggedRows<SpringEnd> pairEnds;          ///< of each vertex, by ascending neighbour; `spring` is an index into pairs
+  std::vector<std::array<int, 3>> pairsOfSides;  ///< of each triangle: the pairs of its sides
+
+  int slivers = 0;  ///< triangles whose stiffness is clamped, see sliverQuality
+
+  [[nodiscard]] bool bends() const { return bending.rows() > 0; }
+};
+
+/// The same cloth with a fabric instead of springs. The rest shape is flat for bending: the fabric tends to unroll, as
+/// woven cloth does, whatever the shape of the mesh.
+/// @param warp a unit vector in the plane of each triangle at rest, see warpAlong
+/// Throws ClothModelError if the material is not stable (isStable) or if there is not one direction a triangle.
+[[nodiscard]] std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Material& material,
+                                                           std::span<const Vec3> warp);
+
+/// The corners of a triangle.
+[[nodiscard]] Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions);
+
+/// The elastic energy [J] of a cloth whose material is a fabric.
+[[nodiscard]] double elasticEnergy(const ClothModel& model, std::span<const Vec3> positions);
+
+/// The elastic force on a vertex [N] of a cloth whose material is a fabric.
+[[nodiscard]] Vec3 elasticForceOn(const ClothModel& model, std::span<const Vec3> positions, std::size_t vertex);
+
+}  // namespace drape::sim::fabric

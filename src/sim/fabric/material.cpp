@@ -1,0 +1,35 @@
+#include "sim/fabric/material.hpp"
+
+#include <cmath>
+
+namespace drape::sim::fabric {
+
+Mat3 stretchMatrix(const Material& material) {
+  const double across = material.poisson * std::sqrt(material.stretchWarp * material.stretchWeft);
+  Mat3 matrix;
+  matrix << material.stretchWarp, across, 0.0,  //
+      across, material.stretchWeft, 0.0,        //
+      0.0, 0.0, material.shear;
+  return matrix;
+}
+
+Mat3 bendMatrix(const Material& material) {
+  return Vec3(material.bendWarp, material.bendWeft, material.bendBias - 0.25 * (material.bendWarp + material.bendWeft))
+      .asDiagonal();
+}
+
+bool resistsBending(const Material& material) {
+  return material.bendWarp > 0.0 || material.bendWeft > 0.0 || material.bendBias > 0.0;
+}
+
+bool isStable(const Material& material) {
+  const bool stretches = material.stretchWarp > 0.0 && material.stretchWeft > 0.0 && material.shear > 0.0 &&
+                         std::abs(material.poisson) < 1.0;
+  const bool stiffens =
+      material.stiffeningWarp >= 0.0 && material.stiffeningWeft >= 0.0 && material.stiffeningStrain >= 0.0;
+  const bool finite = stretchMatrix(material).allFinite() && bendMatrix(material).allFinite() &&
+                      std::isfinite(material.stiffeningWarp) && std::isfinite(material.stiffeningWeft);
+  return stretches && stiffens && finite && (bendMatrix(material).diagonal().array() >= 0.0).all();
+}
+
+}  // namespace drape::sim::fabric

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/fabric/material.hpp"
+
+#include <span>
+#include <string_view>
+
+namespace drape::sim::fabric {
+
+/// A fabric with a name.
+struct MaterialPreset {
+  std::string_view name;   ///< in scene files and on the command line
+  std::string_view title;  ///< on the panel
+  double density = 0.0;    ///< mass per area [kg/m^2]
+  Material material;
+  double thickness = 0.0;   ///< [m]
+  std::string_view source;  ///< where the numbers come from; "estimate" marks those that nobody measured on one cloth
+};
+
+/// All presets. A new preset is one row.
+[[nodiscard]] std::span<const MaterialPreset> presetTable();
+
+/// The preset with that name, or nullptr.
+[[nodiscard]] const MaterialPreset* findPreset(std::string_view name);
+
+}  // namespace drape::sim::fabric

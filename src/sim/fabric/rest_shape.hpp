@@ -1,0 +1,53 @@
+#pragma once
+
+#include "sim/model/mesh_topology.hpp"
+#include "sim/model/vector.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace drape::sim::fabric {
+
+/// A triangle of the rest shape in its own plane, with coordinates along warp and weft. Side k goes from corner k to
+/// the next one.
+struct RestTriangle {
+  std::array<Vec2, 3> sides = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};  ///< [m]
+  std::array<int, 3> edges = {};  ///< of the sides, indices into MeshEdges::edges
+  double area = 0.0;              ///< [m^2]; 0 for a degenerate triangle, which has no stiffness
+};
+
+/// The shape of a triangle [-]: 4 sqrt(3) A over the sum of its squared sides, 1 for an equilateral triangle, 0 for a
+/// degenerate one. The highest frequency of a triangle goes up with its inverse.
+[[nodiscard]] double qualityOf(const RestTriangle& triangle);
+
+/// A triangle of lower quality (qualityOf) is a sliver. Its moduli are scaled by its quality over this value. Otherwise
+/// a few slivers would determine the time step of the whole cloth.
+inline constexpr double sliverQuality = 0.1;
+
+/// Two triangles that share an edge. The fabric bends about it.
+struct Hinge {
+  std::array<int, 4> vertices = {};   ///< the ends of the edge, then the corner opposite to it in either triangle
+  std::array<int, 2> triangles = {};  ///< in the order of the opposite corners
+  std::array<int, 2> sides = {};      ///< of these triangles
+  Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< of the vertices: sum of w_i x_i is the bend vector [1/m]
+};
+
+/// The geometry of a fabric's rest shape.
+struct RestShape {
+  std::vector<RestTriangle> triangles;
+  std::vector<Hinge> hinges;  ///< one for each edge of two triangles that are not degenerate
+};
+
+/// The direction of warp in each triangle: `direction` projected onto its plane. A triangle that is perpendicular to
+/// `direction` takes the coordinate axis that is closest to the triangle's plane, x before y before z.
+/// @return one unit vector a triangle; zero for a degenerate triangle
+[[nodiscard]] std::vector<Vec3> warpAlong(const Vec3& direction, std::span<const Vec3> positions,
+                                          std::span<const Triangle> triangles);
+
+/// Measures the rest shape.
+/// @param positions at rest [m]  @param edges of these triangles  @param warp a direction in the plane of each triangle
+[[nodiscard]] RestShape restShapeOf(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                                    const MeshEdges& edges, std::span<const Vec3> warp);
+
+}  // namespace drape::sim::fabric

@@ -1,0 +1,198 @@
+#include "sim/simd/sliced_fabric.hpp"
+
+#include "sim/fabric/fabric.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace drape::sim::simd {
+namespace {
+
+/// Fewest lanes of a slot of consecutive neighbours. With fewer, gathers are cheaper.
+constexpr std::size_t minConsecutiveEntries = 6;
+
+/// Keeps one of equal values. @return the index of each given value
+template <typename Value>
+std::vector<int> shareEqual(std::vector<Value>& values) {
+  std::map<Value, int> known;
+  std::vector<Value> shared;
+  std::vector<int> indices;
+  indices.reserve(values.size());
+  for (const Value& value : values) {
+    const auto [found, isNew] = known.try_emplace(value, static_cast<int>(shared.size()));
+    if (isNew) {
+      shared.push_back(value);
+    }
+    indices.push_back(found->second);
+  }
+  values = std::move(shared);
+  return indices;
+}
+
+/// The sides of a triangle as its corner sees them: a goes to the next corner, b to the one before, c connects these.
+struct SidesAtCorner {
+  Eigen::Index a, c, b;
+};
+
+SidesAtCorner sidesAt(std::size_t corner) {
+  const auto k = static_cast<Eigen::Index>(corner);
+  return {k, (k + 1) % 3, (k + 2) % 3};
+}
+
+template <typename T>
+void setMembrane(const fabric::MembraneTriangle& membrane, const fabric::RestTriangle& rest, std::size_t corner,
+                 std::size_t lane, typename SlicedFabric<T>::Corner& at) {
+  const Mat3 stiffness = membrane.stiffnessOfSides();
+  const auto [a, c, b] = sidesAt(corner);
+  at.aa[lane] += static_cast<T>(stiffness(a, a));
+  at.ac[lane] += static_cast<T>(stiffness(a, c));
+  at.ab[lane] += static_cast<T>(stiffness(a, b));
+  at.bc[lane] += static_cast<T>(stiffness(b, c));
+  at.bb[lane] += static_cast<T>(stiffness(b, b));
+  // Side b comes back to the corner.
+  at.restDot[lane] = static_cast<T>(-rest.sides[corner].dot(rest.sides[(corner + 2) % 3]));
+}
+
+template <typename T>
+void setStiffening(const fabric::MembraneTriangle& membrane, std::size_t corner, std::size_t lane,
+                   std::array<typename SlicedFabric<T>::Stiffening, 2>& at) {
+  const auto [a, c, b] = sidesAt(corner);
+  for (std::size_t direction = 0; direction < 2; ++direction) {
+    const auto [weights, start] = membrane.stiffeningOfSides(direction);
+    at[direction].a[lane] = static_cast<T>(weights[a]);
+    at[direction].c[lane] = static_cast<T>(weights[c]);
+    at[direction].b[lane] = static_cast<T>(weights[b]);
+    at[direction].start[lane] = static_cast<T>(start);
+  }
+}
+
+/// An entry of the bending matrix in the row of a lane's vertex.
+struct LaneEntry {
+  std::size_t lane;
+  int neighbour;  // permuted index
+  double entry;   // [N/m]
+};
+
+/// Builds the bending slots of one slice after the other.
+template <typename T>
+class BendingBuilder {
+ public:
+  BendingBuilder(const fabric::VertexMatrix& matrix, SliceLayout& layout) : matrix_(matrix), layout_(layout) {
+    bending_.slotBegin.push_back(0);
+    for (int slice = 0; slice < layout.slices(); ++slice) {
+      addSlice(slice);
+      bending_.slotBegin.push_back(static_cast<int>(bending_.slots.size()));
+    }
+  }
+
+  [[nodiscard]] typename SlicedFabric<T>::Bending take() {
+    bending_.entriesOf = shareEqual(bending_.entries);
+    return std::move(bending_);
+  }
+
+ private:
+  void addSlice(int slice) {
+    const int first = slice * sliceLanes;
+    std::map<int, std::vector<LaneEntry>> byOffset;
+    for (int lane = 0; lane < sliceLanes && first + lane < layout_.vertices; ++lane) {
+      const int vertex = layout_.order[first + lane];
+      for (fabric::VertexMatrix::InnerIterator entry(matrix_, vertex); entry; ++entry) {
+        if (static_cast<int>(entry.col()) != vertex) {
+          const int neighbour = layout_.indexOf[entry.col()];
+          byOffset[neighbour - first - lane].push_back({static_cast<std::size_t>(lane), neighbour, entry.value()});
+          layout_.lastNeighbourSlice[slice] = std::max(layout_.lastNeighbourSlice[slice], neighbour / sliceLanes);
+        }
+      }
+    }
+    std::array<std::vector<LaneEntry>, sliceLanes> gathered;
+    for (const auto& [offset, entries] : byOffset) {
+      if (entries.size() >= minConsecutiveEntries) {
+        addSlot({.first = first + offset}, entries);
+        continue;
+      }
+      for (const LaneEntry& entry : entries) {
+        gathered[entry.lane].push_back(entry);
+      }
+    }
+    addGathered(first, gathered);
+  }
+
+  void addSlot(const SliceLayout::Slot& slot, const std::vector<LaneEntry>& entries) {
+    bending_.slots.push_back(slot);
+    SliceNumbers<T>& numbers = bending_.entries.emplace_back();
+    numbers.fill(T(0));
+    for (const LaneEntry& entry : entries) {
+      numbers[entry.lane] = static_cast<T>(-entry.entry);
+    }
+  }
+
+  void addGathered(int first, const std::array<std::vector<LaneEntry>, sliceLanes>& gathered) {
+    std::size_t rows = 0;
+    for (const std::vector<LaneEntry>& entries : gathered) {
+      rows = std::max(rows, entries.size());
+    }
+    for (std::size_t row = 0; row < rows; ++row) {
+      std::vector<LaneEntry> entries;
+      SliceLayout::NeighbourTable& table = bending_.tables.emplace_back();
+      for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
+        const bool present = row < gathered[lane].size();
+        table[lane] = present ? gathered[lane][row].neighbour : first + static_cast<int>(lane);
+        if (present) {
+          entries.push_back(gathered[lane][row]);
+        }
+      }
+      addSlot({.table = static_cast<int>(bending_.tables.size()) - 1}, entries);
+    }
+  }
+
+  const fabric::VertexMatrix& matrix_;
+  SliceLayout& layout_;
+  typename SlicedFabric<T>::Bending bending_;
+};
+
+}  // namespace
+
+template <typename T>
+std::size_t SlicedFabric<T>::bytes() const {
+  std::size_t sum = cornerOf.capacity() * sizeof(int) + corners.capacity() * sizeof(Corner) +
+                    stiffening.capacity() * sizeof(std::array<Stiffening, 2>);
+  if (bending) {
+    sum += (bending->slotBegin.capacity() + bending->entriesOf.capacity()) * sizeof(int) +
+           bending->slots.capacity() * sizeof(SliceLayout::Slot) +
+           bending->tables.capacity() * sizeof(SliceLayout::NeighbourTable) +
+           bending->entries.capacity() * sizeof(SliceNumbers<T>);
+  }
+  return sum;
+}
+
+template <typename T>
+SlicedFabric<T> buildSlicedFabric(const ClothModel& model, SliceLayout& layout) {
+  const fabric::Fabric& fabric = *model.fabric;
+  SlicedFabric<T> sliced;
+  sliced.corners.assign(layout.corners.size(), {});
+  if (fabric.material.stiffens()) {
+    sliced.stiffening.assign(layout.corners.size(), {});
+  }
+  for (const SliceLayout::CornerUse& use : layout.cornerUses) {
+    const fabric::MembraneTriangle& membrane = fabric.membrane[use.triangle];
+    setMembrane<T>(membrane, fabric.shape.triangles[use.triangle], use.cornerOfTriangle, use.lane,
+                   sliced.corners[use.corner]);
+    if (!sliced.stiffening.empty()) {
+      setStiffening<T>(membrane, use.cornerOfTriangle, use.lane, sliced.stiffening[use.corner]);
+    }
+  }
+  sliced.cornerOf = shareEqual(sliced.corners);
+  if (fabric.bends()) {
+    sliced.bending = BendingBuilder<T>(fabric.bending, layout).take();
+    finishBandwidth(layout);
+  }
+  return sliced;
+}
+
+template struct SlicedFabric<float>;
+template struct SlicedFabric<double>;
+template SlicedFabric<float> buildSlicedFabric(const ClothModel& model, SliceLayout& layout);
+template SlicedFabric<double> buildSlicedFabric(const ClothModel& model, SliceLayout& layout);
+
+}  // namespace drape::sim::simd

@@ -1,0 +1,77 @@
+#include "fabric_cloths.hpp"
+#include "sim/forces/forces.hpp"
+#include "sim/forces/stability.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace drape::sim::fabric {
+namespace {
+
+using namespace testing;
+
+/// The highest angular frequency at rest [1/s], by power iteration on the linearised forces.
+double highestFrequency(const ClothModel& model) {
+  constexpr double small = 1e-6;  // [m]
+  RandomVectors random(3);
+  std::vector<Vec3> mode(model.restPositions.size());
+  for (Vec3& vector : mode) {
+    vector = random.next(1.0);
+  }
+  ClothState state = stateAtRest(model.restPositions);
+  std::vector<Vec3> atRest;  // the bending of a rest shape that is not flat [N]
+  for (std::size_t v = 0; v < mode.size(); ++v) {
+    atRest.push_back(internalForceOn(model, {}, state, v));
+  }
+  double squared = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    double norm = 0.0;
+    for (const Vec3& vector : mode) {
+      norm += vector.squaredNorm();
+    }
+    for (std::size_t v = 0; v < mode.size(); ++v) {
+      state.positions[v] = model.restPositions[v] + small / std::sqrt(norm) * mode[v];
+    }
+    double potential = 0.0;
+    double kinetic = 0.0;
+    for (std::size_t v = 0; v < mode.size(); ++v) {
+      const Vec3 displacement = state.positions[v] - model.restPositions[v];
+      const Vec3 force = atRest[v] - internalForceOn(model, {}, state, v);
+      potential += displacement.dot(force);
+      kinetic += model.vertexMass[v] * displacement.squaredNorm();
+      mode[v] = force / model.vertexMass[v];
+    }
+    squared = potential / kinetic;
+  }
+  return std::sqrt(squared);
+}
+
+/// A sheet of one diagonal a quad, of alternating diagonals, or with displaced vertices.
+std::vector<std::shared_ptr<const ClothModel>> threeKindsOfSheet() {
+  ClothMesh alternating = sheet(9);
+  for (std::size_t t = 0; t < alternating.triangles.size(); t += 4) {
+    const Triangle first = alternating.triangles[t];
+    const Triangle second = alternating.triangles[t + 1];
+    alternating.triangles[t] = {first[0], first[1], second[2]};
+    alternating.triangles[t + 1] = {second[2], first[1], first[2]};
+  }
+  return {buildClothModel(sheet(9), 0.1, MassLumping::Area, {}),
+          buildClothModel(alternating, 0.1, MassLumping::Area, {}), irregularSheet(9, {})};
+}
+
+TEST(FabricFrequency, isEstimatedFromAboveByTheLargestStiffnessOfAVertex) {
+  for (const Material& material : {membraneOnly(), woven()}) {
+    int kind = 0;
+    for (const auto& springs : threeKindsOfSheet()) {
+      const auto model = asFabric(*springs, material);
+      const double ratio = largestFrequency(*model, {}) / highestFrequency(*model);
+      EXPECT_GT(ratio, 1.0) << "kind " << kind;
+      EXPECT_LT(ratio, 1.3) << "kind " << kind;
+      ++kind;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace drape::sim::fabric

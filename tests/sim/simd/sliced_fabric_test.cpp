@@ -1,0 +1,147 @@
+#include "sim/simd/sliced_fabric.hpp"
+
+#include "fabric_cloths.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/forces/external_forces.hpp"
+#include "sim/forces/forces.hpp"
+#include "sim/forces/stability.hpp"
+#include "sim/simd/sliced_run.hpp"
+#include "simd/simd_meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace drape::sim::simd {
+namespace {
+
+using namespace testing;
+
+/// A step of Stoermer-Verlet with the forces of the reference implementation.
+void referenceStep(const ClothModel& model, const CommonParameters& parameters, ClothState& state) {
+  const double h = parameters.timeStep;
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    state.positions[v] += 0.5 * h * state.velocities[v];
+  }
+  std::vector<Vec3> forces;
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    forces.push_back(internalForceOn(model, parameters, state, v) + gravityAndAir(model, parameters, state, v));
+  }
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    if (!model.pinned[v]) {
+      state.velocities[v] += h / model.vertexMass[v] * forces[v];
+      state.positions[v] += 0.5 * h * state.velocities[v];
+    }
+  }
+}
+
+double largestSpeed(const ClothState& state) {
+  double largest = 0.0;
+  for (const Vec3& velocity : state.velocities) {
+    largest = std::max(largest, velocity.norm());
+  }
+  return largest;
+}
+
+class SlicedFabricOnEveryMesh : public ::testing::TestWithParam<NamedMesh> {};
+
+TEST_P(SlicedFabricOnEveryMesh, movesTheClothAsTheFormulasDo) {
+  for (const auto& [name, material] : everyKindOfFabric()) {
+    const auto model = asFabric(*pinnedCloth(GetParam().mesh), material);
+    StepParameters parameters = windyStep();
+    parameters.timeStep = 1e-4;
+    for (const bool windy : {true, false}) {
+      parameters.air.drag = parameters.air.lift = windy ? 0.6 : 0.0;
+      const ClothState start = shaken(*model, 0.002, 5);
+      ClothState expected = start;
+      for (int i = 0; i < 3; ++i) {
+        referenceStep(*model, parameters, expected);
+      }
+      SlicedRun run;
+      ClothState state = start;
+      parameters.precision = Precision::Double;
+      run.verlet(*model, parameters, {}, 3, state);
+      EXPECT_LT(largestDifference(state, expected), 1e-10 * largestSpeed(expected)) << name << windy;
+      state = start;
+      parameters.precision = Precision::Float;
+      run.verlet(*model, parameters, {}, 3, state);
+      EXPECT_LT(largestDifference(state, expected), 1e-3 * largestSpeed(expected)) << name << windy;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SlicedFabricOnEveryMesh, ::testing::ValuesIn(everyKindOfMesh()),
+                         [](const auto& instance) { return instance.param.name; });
+
+TEST(SlicedFabric, findsTheEnergyOfTheReferenceImplementation) {
+  for (const auto& [name, material] : everyKindOfFabric()) {
+    const auto model = asFabric(*pinnedCloth(renumbered(unevenSheet(17, 4), 6)), material);
+    const ClothState state = shaken(*model, 0.002, 5);
+    SlicedCloth<double> cloth(*model);
+    cloth.prepare(1, 1);
+    const StepShare share = shareOf(cloth.layout, 1, 0, 1);
+    cloth.load(state, share);
+    SliceStep<double> still = sliceStepOf<double>(StepParameters{}, {});
+    still.timeStep = 0.0;
+    still.gravity = 0.0;
+    std::vector<double> energies(static_cast<std::size_t>(cloth.layout.slices()) * sliceLanes, 0.0);
+    still.energy = energies.data();
+    verletPhase(cloth, still, 0.0, share, 0);
+    double energy = 0.0;
+    for (std::size_t k = 0; k < state.positions.size(); ++k) {
+      energy += energies[k];
+    }
+    const Energy expected = energyOf(*model, StepParameters{}, state);
+    EXPECT_NEAR(energy, expected.elastic + expected.kinetic, 1e-10 * energy) << name;
+  }
+}
+
+TEST(SlicedFabric, conservesEnergyBelowTheStabilityLimit) {
+  const auto model = asFabric(*pinnedCloth(sheet(13)), woven());
+  StepParameters parameters;
+  parameters.timeStep = 0.5 / largestFrequency(*model, parameters);
+  ClothState state = shaken(*model, 0.002, 5);
+  const double start = energyOf(*model, parameters, state).total();
+  SlicedRun run;
+  double worst = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    run.verlet(*model, parameters, {}, 10, state);
+    worst = std::max(worst, std::abs(energyOf(*model, parameters, state).total() - start));
+  }
+  EXPECT_LT(worst, 0.02 * std::abs(start));
+}
+
+TEST(SlicedFabric, isBuiltAnewForAnotherMaterialAndForSprings) {
+  const auto springs = pinnedCloth(sheet(9));
+  const ClothState start = shaken(*springs, 0.002, 5);
+  StepParameters parameters;
+  parameters.timeStep = 1e-4;
+  const auto moved = [&](SlicedRun& run, const ClothModel& model) {
+    ClothState state = start;
+    run.verlet(model, parameters, {}, 3, state);
+    return stateHash(state);
+  };
+  SlicedRun shared;
+  for (const auto& model : {springs, asFabric(*springs, woven()), asFabric(*springs, membraneOnly()), springs}) {
+    SlicedRun own;
+    EXPECT_EQ(moved(shared, *model), moved(own, *model));
+  }
+}
+
+TEST(SlicedFabric, hasTheSameBitsWithAnyNumberOfThreads) {
+  const auto model = asFabric(*pinnedCloth(renumbered(unevenSheet(60, 3), 4)), stiffeningFabric());
+  StepParameters parameters = windyStep();
+  parameters.timeStep = 1e-5;
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2}) {
+    parameters.threads = threads;
+    ClothState state = shaken(*model, 0.0005, 3);
+    SlicedRun run;
+    run.verlet(*model, parameters, {}, 5, state);
+    hashes.push_back(stateHash(state));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+}  // namespace
+}  // namespace drape::sim::simd

@@ -1,0 +1,134 @@
+#include "fabric_cloths.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/forces/forces.hpp"
+#include "sim/forces/stability.hpp"
+#include "sim/model/sim_error.hpp"
+#include "sim/solvers/solver.hpp"
+#include "sim/stepping/stepper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace drape::sim {
+namespace {
+
+using namespace testing;
+
+ClothState movedBy(const char* solver, const ClothModel& model, const StepParameters& parameters, int steps,
+                   ClothState state) {
+  Stepper stepper(solver);
+  for (int i = 0; i < steps; ++i) {
+    stepper.step(model, parameters, {}, state);
+  }
+  return state;
+}
+
+double meanDistance(const ClothState& a, const ClothState& b) {
+  double sum = 0.0;
+  for (std::size_t v = 0; v < a.positions.size(); ++v) {
+    sum += (a.positions[v] - b.positions[v]).norm();
+  }
+  return sum / static_cast<double>(a.positions.size());
+}
+
+TEST(SolversWithFabric, newtonSolvesTheBackwardEulerStep) {
+  for (const auto& [name, material] : everyKindOfFabric()) {
+    const auto model = asFabric(*irregularSheet(9), material);
+    StepParameters parameters;
+    parameters.timeStep = 1.0 / 60.0;
+    parameters.iteration.tolerance = 1e-10;
+    parameters.iteration.maxIterations = 200;
+    const ClothState start = shaken(*model, 0.002, 5);
+    ClothState end = start;
+    Stepper stepper("newton");
+    const StepReport report = stepper.step(*model, parameters, {}, end);
+    EXPECT_TRUE(report.converged) << name << report.residual;
+    double worst = 0.0;
+    double size = 0.0;
+    for (std::size_t v = 0; v < end.positions.size(); ++v) {
+      if (!model->pinned[v]) {
+        const Vec3 force =
+            internalForceOn(*model, parameters, end, v) - Vec3(0.0, model->vertexMass[v] * parameters.gravity, 0.0);
+        const Vec3 change = model->vertexMass[v] * (end.velocities[v] - start.velocities[v]);
+        worst = std::max(worst, (change - parameters.timeStep * force).norm());
+        size = std::max(size, change.norm());
+      }
+    }
+    EXPECT_LT(worst, 1e-7 * size) << name;
+  }
+}
+
+TEST(SolversWithFabric, agreeOnTheMotionWithSmallSteps) {
+  const auto model = asFabric(*pinnedSheet(7), woven());
+  StepParameters parameters;
+  parameters.timeStep = 1.0 / 20000.0;
+  parameters.precision = Precision::Double;
+  const ClothState start = stateAtRest(model->restPositions);
+  const ClothState reference = movedBy("verlet", *model, parameters, 4000, start);
+  EXPECT_LT(meanDistance(movedBy("newton", *model, parameters, 4000, start), reference), 1e-3);
+  parameters.timeStep = 1.0 / 200.0;
+  parameters.automatic.errorTolerance = 1e-5;
+  parameters.automatic.costBudget = 1000.0;
+  EXPECT_LT(meanDistance(movedBy("auto", *model, parameters, 40, start), reference), 1e-4);
+}
+
+TEST(SolversWithFabric, autoGainsNoEnergyFromAViolentStart) {
+  const auto model = asFabric(*pinnedSheet(9), woven());
+  StepParameters parameters;
+  parameters.timeStep = 1.0 / 60.0;
+  ClothState state = shaken(*model, 0.05, 7);
+  const double start = energyOf(*model, parameters, state).total();
+  Stepper stepper("auto");
+  double largest = start;
+  for (int i = 0; i < 60; ++i) {
+    stepper.step(*model, parameters, {}, state);
+    ASSERT_TRUE(isFinite(state));
+    largest = std::max(largest, energyOf(*model, parameters, state).total());
+  }
+  EXPECT_LT(largest - start, 0.02 * std::abs(start));
+}
+
+TEST(SolversWithFabric, ignoreTheMaterialOfSprings) {
+  const auto model = asFabric(*pinnedSheet(7), woven());
+  for (const char* solver : {"auto", "verlet", "newton"}) {
+    StepParameters parameters;
+    parameters.timeStep = 1.0 / 2000.0;
+    const ClothState start = shaken(*model, 0.002, 5);
+    const ClothState soft = movedBy(solver, *model, parameters, 5, start);
+    parameters.material = {.stiffness = 5000.0, .damping = 0.1};
+    EXPECT_EQ(stateHash(movedBy(solver, *model, parameters, 5, start)), stateHash(soft)) << solver;
+  }
+}
+
+TEST(SolversWithFabric, refuseItWhereTheyKnowSpringsOnly) {
+  const auto model = asFabric(*pinnedSheet(5), woven());
+  for (const SolverInfo& info : solverTable()) {
+    ClothState state = stateAtRest(model->restPositions);
+    Stepper stepper(info.name);
+    StepParameters parameters;
+    parameters.timeStep = 1e-4;
+    if (info.takesFabric) {
+      EXPECT_NO_THROW(stepper.step(*model, parameters, {}, state)) << info.name;
+    } else {
+      EXPECT_THROW(stepper.step(*model, parameters, {}, state), NoFabricSolver) << info.name;
+      EXPECT_EQ(state.time, 0.0);
+    }
+  }
+}
+
+TEST(SolversWithFabric, areStableUpToTheEstimatedLimit) {
+  for (const auto& [name, material] : everyKindOfFabric()) {
+    const auto model = asFabric(*irregularSheet(11), material);
+    StepParameters parameters;
+    parameters.gravity = 0.0;
+    parameters.timeStep = verletStepLimit(*model, parameters);
+    ClothState state = shaken(*model, 1e-7, 5);
+    const double start = energyOf(*model, parameters, state).total();
+    state = movedBy("verlet", *model, parameters, 2000, state);
+    EXPECT_LT(energyOf(*model, parameters, state).total(), 10.0 * start) << name;
+  }
+}
+
+}  // namespace
+}  // namespace drape::sim
