@@ -122,11 +122,11 @@ SessionLog readSessionLog(const std::string& file) {
 std::shared_ptr<const scene::Scene> openLoggedScene(const SessionLog& log) {
   const scene::SceneDescription description = scene::openParts(log.parts);
   settings::Settings settings = description.settings;
-  // First the settings that decide others: mass and density decide mass_given_as.
-  for (const bool decides : {true, false}) {
+  // First the settings that decide others: mass and density decide mass_given_as, a preset decides the fabric.
+  for (int depth = settings::maxDepth; depth >= 0; --depth) {
     for (const auto& [key, value] : log.settings) {
       const settings::SettingInfo& info = settings::requireSetting(key);
-      if (decides != info.alsoKey.empty()) {
+      if (settings::depthOf(info) == depth) {
         settings::assignSettingText(settings, info, value);
       }
     }

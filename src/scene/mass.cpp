@@ -7,6 +7,9 @@ sim::MassLumping lumpingOf(const settings::Settings& settings) {
 }
 
 double totalMassOf(const settings::Settings& settings, double restArea) {
+  if (settings::weighsAsFabric(settings)) {
+    return settings.fabric.density * restArea;
+  }
   return settings.material.massGivenAs == "mass" ? settings.material.mass : settings.material.density * restArea;
 }
 

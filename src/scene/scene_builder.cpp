@@ -1,5 +1,6 @@
 #include "messages/sim_error_text.hpp"
 #include "scene/builtin_meshes.hpp"
+#include "scene/cloth_material.hpp"
 #include "scene/framing.hpp"
 #include "scene/grid_mesh.hpp"
 #include "scene/ground.hpp"
@@ -251,8 +252,9 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   placeCloth(description, source.mesh.cloth.positions);
   const std::vector<int> pins = choosePins(description, settings, source);
   scene->model = messages::withInputErrors([&] {
-    return sim::buildClothModel(source.mesh.cloth, totalMassOf(settings, sim::restAreaOf(source.mesh.cloth)),
-                                lumpingOf(settings), pins);
+    const auto springs = sim::buildClothModel(
+        source.mesh.cloth, totalMassOf(settings, sim::restAreaOf(source.mesh.cloth)), lumpingOf(settings), pins);
+    return withElasticity(*springs, settings);
   });
   watch.tell(0.95, "Building");
   scene->renderMesh = std::move(source.mesh.render);

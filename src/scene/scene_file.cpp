@@ -128,21 +128,32 @@ void requireCarrier(const TomlReader& scene, const SceneDescription& description
 
 void readSettings(const TomlReader& reader, SceneDescription& scene) {
   settings::Settings& settings = scene.settings;
-  reader.forEachValue([&](const std::string& key, const toml::node& node) {
-    if (const std::string note = settings::formerKeyNote(key); !note.empty()) {
-      scene.notes.push_back(reader.placeOf(node) + ": " + note);
-    }
+  const auto assign = [&](const std::string& key, const toml::node& node, int depth) {
     try {
+      const settings::SettingInfo& info = settings::requireSetting(key);
+      if (settings::depthOf(info) != depth) {
+        return;
+      }
       // A text may also be a fraction: time_step = "1/150".
       if (const auto* text = node.as_string()) {
-        settings::assignSettingText(settings, settings::requireSetting(key), text->get());
+        settings::assignSettingText(settings, info, text->get());
       } else {
-        settings::assignSetting(settings, settings::requireSetting(key), valueOf(node));
+        settings::assignSetting(settings, info, valueOf(node));
       }
     } catch (const messages::UsageError& error) {
       reader.fail(node, error.what());
     }
-  });
+  };
+  // A table has no order. So a preset comes first, and single values change it.
+  for (int depth = settings::maxDepth; depth >= 0; --depth) {
+    reader.forEachValue([&](const std::string& key, const toml::node& node) {
+      const std::string note = settings::formerKeyNote(key);
+      if (depth == 0 && !note.empty()) {
+        scene.notes.push_back(reader.placeOf(node) + ": " + note);
+      }
+      assign(key, node, depth);
+    });
+  }
   try {
     settings::requireConsistent(settings);
   } catch (const messages::UsageError& error) {

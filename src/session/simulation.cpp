@@ -1,7 +1,9 @@
 #include "session/simulation.hpp"
 
 #include "messages/sim_error_text.hpp"
+#include "scene/cloth_material.hpp"
 #include "scene/mass.hpp"
+#include "session/solver_warning.hpp"
 #include "settings/surface_fields.hpp"
 #include "sim/forces/attachment_limit.hpp"
 #include "sim/motion/unfolding.hpp"
@@ -188,9 +190,13 @@ void Simulation::on(const SetSettingCommand& command) {
   if (info.effect == settings::SettingEffect::Scene) {
     throw messages::InputError(command.key + " takes effect when the scene is built again");
   }
-  settings_ = settings::withSetting(settings_, info, command.value);
+  const settings::Settings changed = settings::withSetting(settings_, info, command.value);
+  requireSolversForMaterial(changed);
+  settings_ = changed;
   if (info.effect == settings::SettingEffect::Mass) {
     model_ = sim::withMass(*model_, scene::totalMassOf(settings_, model_->restArea()), scene::lumpingOf(settings_));
+  } else if (info.effect == settings::SettingEffect::Fabric) {
+    model_ = scene::withMaterial(*model_, settings_);
   }
   useSolvers();
   useBalance();
@@ -299,6 +305,7 @@ void Simulation::on(const LoadSceneCommand& command) {
   if (!command.scene) {
     throw messages::InputError("there is no scene to load");
   }
+  requireSolversForMaterial(command.scene->settings);
   scene_ = command.scene;
   model_ = scene_->model;
   settings_ = scene_->settings;

@@ -1,8 +1,13 @@
 #include "session/solver_warning.hpp"
 
+#include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
 #include "session/ghost.hpp"
 #include "sim/solvers/solver.hpp"
+
+#include <fmt/core.h>
+
+#include <utility>
 
 namespace drape::session {
 namespace {
@@ -16,6 +21,17 @@ std::string warningOf(const std::string& name, const sim::ClothModel& model, con
   return warning ? messages::inWords(*warning) : std::string();
 }
 
+/// "auto, verlet".
+std::string solversForFabric() {
+  std::string names;
+  for (const sim::SolverInfo& info : sim::solverTable()) {
+    if (info.takesFabric) {
+      names += (names.empty() ? "" : ", ") + std::string(info.name);
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string solverWarning(const settings::Settings& settings, const sim::ClothModel& model) {
@@ -24,6 +40,21 @@ std::string solverWarning(const settings::Settings& settings, const sim::ClothMo
 
 std::string ghostWarning(const settings::Settings& settings, const sim::ClothModel& model) {
   return warningOf(settings.ghost.solver, model, ghostParameters(settings));
+}
+
+void requireSolversForMaterial(const settings::Settings& settings) {
+  if (!settings::usesFabric(settings)) {
+    return;
+  }
+  for (const auto& [key, name] :
+       {std::pair("solver", settings.solver.name), std::pair("ghost.solver", settings.ghost.solver)}) {
+    const sim::SolverInfo* solver = sim::findSolver(name);
+    if (solver != nullptr && !solver->takesFabric) {
+      throw messages::InputError(
+          fmt::format("{} = {} knows springs only. With material.model = fabric choose one of: {}.", key, name,
+                      solversForFabric()));
+    }
+  }
 }
 
 }  // namespace drape::session

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/fabric/material.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/solvers/step_parameters.hpp"
 
@@ -12,7 +13,7 @@ namespace drape::settings {
 struct Settings {
   /// The library calculates in double by default. The programs use float where a solver supports it: it is at least as
   /// fast, and its error is too small to see (docs/guide/performance.md).
-  Settings() { step.precision = sim::Precision::Float; }
+  Settings();
 
   sim::StepParameters step;
 
@@ -26,11 +27,20 @@ struct Settings {
   } automatic;
 
   struct Material {
+    std::string model = "springs";        ///< "springs" or "fabric"
     std::string massGivenAs = "density";  ///< which of the next two counts: "density" or "mass"
     double density = 0.15;                ///< [kg/m^2]
     double mass = 0.1;                    ///< [kg]
     std::string lumping = "area";         ///< "area" or "uniform"
   } material;
+
+  /// Counts while material.model is "fabric". Starts as one of the presets (sim/fabric/presets.hpp).
+  struct Fabric {
+    sim::fabric::Material moduli;
+    double density = 0.0;    ///< [kg/m^2]
+    bool ownDensity = true;  ///< whether `density` counts instead of that of Material
+    double warpAngle = 0.0;  ///< by which warp is turned from the vertical, in the plane of each triangle [degrees]
+  } fabric;
 
   sim::AttachmentSpring attachment{.stiffness = 500.0, .maxForce = 10.0};
 
@@ -74,12 +84,23 @@ struct Settings {
   } view;
 };
 
+/// Whether the cloth is a fabric, not springs.
+[[nodiscard]] inline bool usesFabric(const Settings& settings) {
+  return settings.material.model == "fabric";
+}
+
+/// Whether the fabric's own density sets the mass of the cloth.
+[[nodiscard]] inline bool weighsAsFabric(const Settings& settings) {
+  return usesFabric(settings) && settings.fabric.ownDensity;
+}
+
 /// What must be rebuilt when a setting changes.
 enum class SettingEffect {
-  Step,   ///< nothing: the next step uses it
-  Mass,   ///< the masses of the model
-  Scene,  ///< the scene: the mesh is built or imported again
-  View,   ///< the picture only
+  Step,    ///< nothing: the next step uses it
+  Mass,    ///< the masses of the model
+  Fabric,  ///< the fabric of the model, and its masses
+  Scene,   ///< the scene: the mesh is built or imported again
+  View,    ///< the picture only
 };
 
 /// The cloths that a setting applies to. It is hidden for others.

@@ -1,4 +1,5 @@
 #include "settings/settings_table.hpp"
+#include "sim/fabric/presets.hpp"
 #include "sim/solvers/solver.hpp"
 #include "text/number_text.hpp"
 
@@ -147,6 +148,42 @@ ChoiceField textOf(decltype(ChoiceField::choices) choices, decltype(ChoiceField:
           otherTexts};
 }
 
+constexpr std::array materialModels{
+    TextWord{"springs", {"Springs", "The paper's: every edge of the mesh is a spring."}},
+    TextWord{"fabric", {"Fabric", "Stretch, shear and bending along warp and weft, the same on every mesh."}}};
+
+std::vector<std::string> fabricNames() {
+  std::vector<std::string> names;
+  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+    names.emplace_back(preset.name);
+  }
+  return names;
+}
+
+ChoiceLabel fabricLabel(std::string_view word) {
+  const sim::fabric::MaterialPreset* preset = sim::fabric::findPreset(word);
+  return preset == nullptr ? ChoiceLabel{} : ChoiceLabel{preset->title, preset->source};
+}
+
+constexpr std::string_view noPreset = "custom";
+
+/// The preset whose values the fabric has. The name is not stored, so it is right after any change.
+std::string presetOf(const Settings& settings) {
+  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+    if (preset.material == settings.fabric.moduli && preset.density == settings.fabric.density) {
+      return std::string(preset.name);
+    }
+  }
+  return std::string(noPreset);
+}
+
+void setPreset(Settings& settings, const std::string& name) {
+  if (const sim::fabric::MaterialPreset* preset = sim::fabric::findPreset(name)) {
+    settings.fabric.moduli = preset->material;
+    settings.fabric.density = preset->density;
+  }
+}
+
 /// Whether the solver of the cloth or of its ghost takes backward Euler steps.
 bool solvesBackwardEuler(const Settings& settings) {
   const auto solves = [](const std::string& name) {
@@ -170,8 +207,16 @@ bool showsGhost(const Settings& settings) {
   return settings.ghost.solver != "off";
 }
 
+bool usesSprings(const Settings& settings) {
+  return !usesFabric(settings);
+}
+
+bool weighsAsGiven(const Settings& settings) {
+  return !weighsAsFabric(settings);
+}
+
 // Each row: key, title, unit, group, effect, field {accessor, range ...}, help [, key and value that it also sets [,
-// scope [, when it has an effect [, its former key]]]].
+// scope [, when it has an effect [, its former key [, whether it is a preset]]]]].
 // clang-format off
 const std::array table{
     SettingInfo{"solver", "Solver", "-", Advanced, SettingEffect::Step,
@@ -229,7 +274,7 @@ const std::array table{
     SettingInfo{"auto.soften", "Soften springs", "-", Advanced, SettingEffect::Step,
         FlagField{[](auto& s) -> auto& { return s.step.automatic.soften; }},
         "When the cost budget is too small for stiff and fine cloth: off slows the simulation down, on softens the "
-        "springs."},
+        "springs. Counts while material.model is springs."},
     SettingInfo{"auto.budget", "Time budget", "ms", Advanced, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.automatic.budget; }, 0.0, 1000.0, false},
         "Computing time of auto for each 1/60 s of motion. 0: auto.cost counts instead. Drape measures the cost "
@@ -269,23 +314,93 @@ const std::array table{
         "position does not change.",
         {}, {}, SettingScope::Everywhere, showsGhost},
 
+    SettingInfo{"material.model", "Model", "-", Material, SettingEffect::Fabric,
+        textOf<[](auto& s) -> auto& { return s.material.model; }>(wordsIn<materialModels>, labelIn<materialModels>),
+        "What the cloth is made of. springs: a spring on every edge of the mesh, as in the paper. fabric: a sheet with "
+        "warp and weft, whose stretch, shear and bending do not depend on the mesh."},
+    SettingInfo{"material.preset", "Fabric", "-", Material, SettingEffect::Fabric,
+        ChoiceField{presetOf, setPreset, fabricNames, fabricLabel,
+                    [](std::string_view text) { return text == noPreset; }, noPreset},
+        "A fabric by name. It sets all fabric values except the angle of warp. custom: the values are those of no "
+        "preset. Counts while material.model is fabric.",
+        {}, {}, SettingScope::Everywhere, usesFabric, {}, true},
+    SettingInfo{"fabric.stretch_warp", "Stretch warp", "N/m", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.stretchWarp; }, 0.1, 1e6, true},
+        "Stretch modulus of the fabric along warp: force per width and strain.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.stretch_weft", "Stretch weft", "N/m", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.stretchWeft; }, 0.1, 1e6, true},
+        "Stretch modulus of the fabric along weft: force per width and strain.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.shear", "Shear", "N/m", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.shear; }, 0.1, 1e6, true},
+        "Shear modulus of the fabric between warp and weft: shear force per width and angle in radians.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.poisson", "Poisson", "-", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.poisson; }, -0.95, 0.95, false},
+        "Contraction of the fabric across a stretch. For equal stretch moduli it is Poisson's ratio.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.stiffening_strain", "Stiffen above", "-", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.stiffeningStrain; }, 0.0, 10.0, false},
+        "Strain (Green's) along warp or weft above which the fabric stiffens.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.stiffening_warp", "Stiffen warp", "N/m", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.stiffeningWarp; }, 0.0, 1e6, true},
+        "What the stretch modulus along warp gains above fabric.stiffening_strain.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.stiffening_weft", "Stiffen weft", "N/m", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.stiffeningWeft; }, 0.0, 1e6, true},
+        "What the stretch modulus along weft gains above fabric.stiffening_strain.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.bend_warp", "Bend warp", "N m", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.bendWarp; }, 0.0, 1.0, true},
+        "Bending stiffness of the fabric along warp: moment per width and curvature. 1e-05 is about that of a shirt, "
+        "1e-04 that of denim.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.bend_weft", "Bend weft", "N m", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.bendWeft; }, 0.0, 1.0, true},
+        "Bending stiffness of the fabric along weft: moment per width and curvature.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.bend_bias", "Bend bias", "N m", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.bendBias; }, 0.0, 1.0, true},
+        "Bending stiffness of the fabric along the bias, at 45 degrees to warp. Must be at least a quarter of the sum of "
+        "fabric.bend_warp and fabric.bend_weft.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.warp_angle", "Warp angle", "degrees", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.warpAngle; }, -90.0, 90.0, false},
+        "Angle by which warp is turned about the normal of the cloth. At 0 warp is vertical, or along x where the cloth "
+        "is level at rest. 45 is cut on the bias.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.own_density", "Own density", "-", Material, SettingEffect::Mass,
+        FlagField{[](auto& s) -> auto& { return s.fabric.ownDensity; }},
+        "Whether fabric.density sets the weight of the cloth while material.model is fabric. Setting density or mass "
+        "switches it off.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.density", "Fabric density", "kg/m^2", Material, SettingEffect::Mass,
+        NumberField{[](auto& s) -> auto& { return s.fabric.density; }, 1e-3, 100.0, true},
+        "Mass per square metre of the fabric.",
+        {}, {}, SettingScope::Everywhere, weighsAsFabric},
     SettingInfo{"stiffness", "Stiffness", "N/m", Material, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.material.stiffness; }, 0.0, 1e7, true},
-        "Stiffness of every spring against stretching and compression."},
+        "Stiffness of every spring against stretching and compression. Counts while material.model is springs.",
+        {}, {}, SettingScope::Everywhere, usesSprings},
     SettingInfo{"damping", "Damping", "N s/m", Material, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.material.damping; }, 0.0, 100.0, true},
-        "Damping of every spring: force per metre per second of relative velocity between its ends."},
+        "Damping of every spring: force per metre per second of relative velocity between its ends. Counts while "
+        "material.model is springs.",
+        {}, {}, SettingScope::Everywhere, usesSprings},
     SettingInfo{"mass_given_as", "Mass given as", "-", Material, SettingEffect::Mass,
         textOf<[](auto& s) -> auto& { return s.material.massGivenAs; }>(
             [] { return std::vector<std::string>{"density", "mass"}; }),
-        "Whether density or mass sets the weight of the cloth. Setting either of them selects it."},
+        "Whether density or mass sets the weight of the cloth. Setting either of them selects it.",
+        "fabric.own_density", "off", SettingScope::Everywhere, weighsAsGiven},
     SettingInfo{"density", "Density", "kg/m^2", Material, SettingEffect::Mass,
         NumberField{[](auto& s) -> auto& { return s.material.density; }, 1e-3, 100.0, true},
         "Mass per square metre of cloth. Silk is about 0.06, cotton 0.15, denim 0.4.",
-        "mass_given_as", "density"},
+        "mass_given_as", "density", SettingScope::Everywhere, weighsAsGiven},
     SettingInfo{"mass", "Mass", "kg", Material, SettingEffect::Mass,
         NumberField{[](auto& s) -> auto& { return s.material.mass; }, 1e-6, 1000.0, true},
-        "Mass of the whole cloth.", "mass_given_as", "mass"},
+        "Mass of the whole cloth.", "mass_given_as", "mass", SettingScope::Everywhere, weighsAsGiven},
     SettingInfo{"mass_lumping", "Mass lumping", "-", Advanced, SettingEffect::Mass,
         textOf<[](auto& s) -> auto& { return s.material.lumping; }>(
             [] { return std::vector<std::string>{"area", "uniform"}; }),
@@ -414,6 +529,11 @@ const std::array table{
 // clang-format on
 
 }  // namespace
+
+Settings::Settings() {
+  step.precision = sim::Precision::Float;
+  setPreset(*this, "cotton");
+}
 
 std::span<const SettingInfo> settingsTable() {
   return table;

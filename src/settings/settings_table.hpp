@@ -75,7 +75,14 @@ struct SettingInfo {
   SettingScope scope = SettingScope::Everywhere;
   bool (*relevant)(const Settings&) = nullptr;  ///< whether it has an effect under these settings; null: always
   std::string_view formerKey = {};              ///< an earlier key, which is still accepted; empty: none
+  bool isPreset = false;                        ///< whether its value is a name for the values of others
 };
+
+/// How many settings in a row follow from this one: mass sets mass_given_as, which sets fabric.own_density. A list
+/// without order, such as a scene file, assigns settings of larger depth first, so that explicit values win.
+[[nodiscard]] int depthOf(const SettingInfo& info);
+
+inline constexpr int maxDepth = 2;  ///< of any setting
 
 /// All settings, in the order of the panels.
 [[nodiscard]] std::span<const SettingInfo> settingsTable();

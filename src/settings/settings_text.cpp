@@ -135,6 +135,17 @@ std::string_view nearestKey(std::string_view key) {
   return editDistance(key, nearest->key) <= allowed ? nearest->key : std::string_view();
 }
 
+/// The ranges of the single values exclude all other unstable fabrics.
+void requireStable(const sim::fabric::Material& fabric) {
+  const double minBias = 0.25 * (fabric.bendWarp + fabric.bendWeft);
+  if (fabric.bendBias < minBias) {
+    throw messages::UsageError(
+        "fabric.bend_bias must be at least a quarter of the sum of fabric.bend_warp and fabric.bend_weft, " +
+        text::exactNumber(minBias) + " N m; " + text::exactNumber(fabric.bendBias) +
+        " is not. Otherwise the fabric would curl by itself. Raise fabric.bend_bias first");
+  }
+}
+
 }  // namespace
 
 const SettingInfo& requireSetting(std::string_view key) {
@@ -145,6 +156,13 @@ const SettingInfo& requireSetting(std::string_view key) {
   throw messages::UsageError("there is no setting " + quoted(key) + "; " +
                              (meant.empty() ? "" : "did you mean " + quoted(meant) + "? ") +
                              "'drape-headless list settings' lists all settings");
+}
+
+int depthOf(const SettingInfo& info) {
+  if (!info.alsoKey.empty()) {
+    return 1 + depthOf(requireSetting(info.alsoKey));
+  }
+  return info.isPreset ? 1 : 0;
 }
 
 std::string formerKeyNote(std::string_view key) {
@@ -206,7 +224,7 @@ void assignSetting(Settings& settings, const SettingInfo& info, const SettingVal
                         [&](const ChoiceField& field) { assignChoice(settings, info, field, value); }},
              info.field);
   if (!info.alsoKey.empty()) {
-    assignSetting(settings, requireSetting(info.alsoKey), std::string(info.alsoValue));
+    assignSettingText(settings, requireSetting(info.alsoKey), info.alsoValue);
   }
 }
 
@@ -232,6 +250,7 @@ void requireConsistent(const Settings& settings) {
         " is not. An even number of block-Jacobi sweeps amplifies the stiffest modes up to twofold, and stiff "
         "cloth vibrates. Use an odd number, or lower relaxation first (damped Jacobi)");
   }
+  requireStable(settings.fabric.moduli);
 }
 
 Settings withSetting(Settings settings, const SettingInfo& info, const SettingValue& value) {

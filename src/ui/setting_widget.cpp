@@ -175,8 +175,9 @@ bool settingApplies(const settings::SettingInfo& info, const settings::Settings&
     return false;
   }
   if (!info.alsoKey.empty()) {
-    return settings::formatValue(settings::settingValue(settings, settings::requireSetting(info.alsoKey))) ==
-           info.alsoValue;
+    const settings::SettingInfo& other = settings::requireSetting(info.alsoKey);
+    return !settings::isRelevant(other, settings) ||
+           settings::formatValue(settings::settingValue(settings, other)) == info.alsoValue;
   }
   return true;
 }

@@ -78,6 +78,28 @@ TEST(Replay, keepsTheSettingsThatTheSceneWasOpenedWith) {
   EXPECT_EQ(headless("run --replay " + written(sessionLogOf(session))).status, 0);
 }
 
+TEST(Replay, keepsTheFabricAndItsChanges) {
+  const scene::SceneDescription grid = scene::openScene("grid");
+  settings::Settings settings = grid.settings;
+  settings::assignSettingExpression(settings, "solver=auto");
+  settings::assignSettingExpression(settings, "material.model=fabric");
+  settings::assignSettingExpression(settings, "material.preset=denim");
+  settings::assignSettingExpression(settings, "fabric.own_density=on");
+  settings::assignSettingExpression(settings, "fabric.warp_angle=30");
+  session::Simulation session(scene::buildScene(grid, settings));
+  session.step();
+  session.apply(session::SetSettingCommand{"fabric.shear", 60.0});
+  session.step();
+  session.apply(session::SetSettingCommand{"material.preset", std::string("silk")});
+  session.step();
+  const SessionLog log = sessionLogOf(session);
+  const auto scene = openLoggedScene(log);
+  EXPECT_EQ(scene->settings.fabric.moduli, settings.fabric.moduli);
+  EXPECT_EQ(scene->model->totalMass(), session.scene().model->totalMass());
+  const Outcome outcome = headless("run --replay " + written(log));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+}
+
 TEST(Replay, failsWhereTheEndDiffers) {
   const auto session = busySession();
   SessionLog log = sessionLogOf(*session);

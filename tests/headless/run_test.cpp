@@ -138,6 +138,35 @@ TEST(Run, fallsFreelyAsBackwardEulerDoes) {
   EXPECT_NEAR(heights[0] - heights[9], 0.5 * 9.81 * 0.01 * 0.01 * 50 * 51, 1e-8);
 }
 
+TEST(Run, takesAFabricByName) {
+  const auto stats =
+      statsOf("grid --set solver=auto --set material.model=fabric --set material.preset=denim --seconds 0");
+  EXPECT_EQ(stats["settings"]["material.model"], "fabric");
+  EXPECT_EQ(stats["settings"]["material.preset"], "denim");
+  EXPECT_EQ(stats["settings"]["fabric.stretch_weft"], 1014.0);
+  const auto changed = statsOf(
+      "grid --set solver=auto --set material.model=fabric --set material.preset=denim --set fabric.shear=80 --seconds "
+      "0");
+  EXPECT_EQ(changed["settings"]["material.preset"], "custom");
+  EXPECT_EQ(statsOf("grid --seconds 0")["settings"]["material.model"], "springs");
+}
+
+TEST(Run, refusesASolverThatKnowsSpringsOnly) {
+  const Outcome outcome = headless("run grid --seconds 0 --set material.model=fabric");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.errors.find("solver = one_iteration knows springs only"), std::string::npos) << outcome.errors;
+}
+
+TEST(Run, refusesAFabricThatIsNoneWithTheNameOfTheSetting) {
+  for (const char* wrong : {"fabric.shear=-1", "fabric.stretch_warp=nan", "fabric.bend_bias=0", "material.model=jelly",
+                            "material.preset=cardboard"}) {
+    const Outcome outcome = headless("run grid --seconds 0 --set " + std::string(wrong));
+    const std::string key = std::string(wrong).substr(0, std::string(wrong).find('='));
+    EXPECT_EQ(outcome.status, 2) << wrong;
+    EXPECT_NE(outcome.errors.find(key + " must be"), std::string::npos) << outcome.errors;
+  }
+}
+
 TEST(Run, refusesWrongUsageWithStatusTwo) {
   for (const char* arguments :
        {"", "run grid", "run grid --seconds abc", "run grid --seconds -1", "run grid --seconds nan",

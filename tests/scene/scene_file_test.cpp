@@ -1,6 +1,7 @@
 #include "scene/scene_file.hpp"
 
 #include "messages/error.hpp"
+#include "settings/settings_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -78,6 +79,40 @@ TEST(SceneFile, takesFormerKeysOfSettingsAndNotesThePresentOnes) {
   EXPECT_EQ(scene.settings.attachment.maxForce, 2.0);
   ASSERT_EQ(scene.notes.size(), 1U);
   EXPECT_EQ(scene.notes.front(), "test.toml:4: the setting 'hand.max_force' is now called 'attachment.max_force'");
+}
+
+constexpr std::string_view gridWithSettings = "[cloth]\ngrid = \"vertical\"\n[settings]\n";
+
+TEST(SceneFile, takesAFabricByNameAndThenItsSingleValues) {
+  const std::string start(gridWithSettings);
+  const settings::Settings denim = parse(start + "material.model = \"fabric\"\nmaterial.preset = \"denim\"").settings;
+  EXPECT_TRUE(settings::weighsAsFabric(denim));
+  EXPECT_EQ(denim.fabric.density, 0.324);
+  EXPECT_EQ(denim.fabric.moduli.stretchWeft, 1014.0);
+  // The order in the file does not matter.
+  for (const char* text : {"fabric.shear = 80\nmaterial.preset = \"denim\"\ndensity = 0.4",
+                           "density = 0.4\nmaterial.preset = \"denim\"\nfabric.shear = 80"}) {
+    const settings::Settings changed = parse(start + "material.model = \"fabric\"\n" + text).settings;
+    EXPECT_EQ(changed.fabric.moduli.shear, 80.0) << text;
+    EXPECT_EQ(changed.fabric.moduli.stretchWeft, 1014.0) << text;
+    EXPECT_FALSE(settings::weighsAsFabric(changed)) << text;
+    EXPECT_EQ(changed.material.density, 0.4) << text;
+    EXPECT_EQ(settings::settingValue(changed, settings::requireSetting("material.preset")),
+              settings::SettingValue(std::string("custom")))
+        << text;
+  }
+}
+
+TEST(SceneFile, refusesAFabricThatIsNoneWithFileLineAndSetting) {
+  const std::string start(gridWithSettings);
+  for (const auto& [text, expected] :
+       {std::pair("fabric.shear = -1", "test.toml:4: fabric.shear must be"),
+        std::pair("fabric.shear = nan", "test.toml:4: fabric.shear must be"),
+        std::pair("material.preset = \"cardboard\"", "test.toml:4: material.preset must be silk"),
+        std::pair("material.model = 3", "test.toml:4: material.model must be springs or fabric"),
+        std::pair("fabric.bend_bias = 0", "fabric.bend_bias must be at least a quarter")}) {
+    EXPECT_NE(refusal(start + text).find(expected), std::string::npos) << refusal(start + text);
+  }
 }
 
 TEST(SceneFile, findsMeshesBesideTheFileOrBuiltIn) {

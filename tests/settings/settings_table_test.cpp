@@ -1,9 +1,11 @@
 #include "settings/settings_table.hpp"
 
 #include "messages/error.hpp"
+#include "sim/fabric/presets.hpp"
 #include "sim/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <set>
 
 namespace drape::settings {
@@ -30,6 +32,7 @@ TEST(SettingsTable, hasEveryKeyOnceWithTitleUnitAndHelp) {
     EXPECT_GT(info.help.size(), 10U) << info.key;
     EXPECT_EQ(info.alsoKey.empty(), info.alsoValue.empty()) << info.key;
     EXPECT_TRUE(info.alsoKey.empty() || findSetting(info.alsoKey) != nullptr) << info.key;
+    EXPECT_LE(depthOf(info), maxDepth) << info.key;
   }
   for (const char* key : {"time_step", "stiffness", "damping", "mass", "density", "gravity", "drag", "lift", "wind.x",
                           "wind.y", "wind.z", "sweeps", "solver", "unit", "grid.resolution"}) {
@@ -237,6 +240,121 @@ TEST(SettingsTable, letsMassAndDensityDecideWhichOfThemCounts) {
   EXPECT_DOUBLE_EQ(settings.material.mass, 0.3);
   assignSettingExpression(settings, "density=0.2");
   EXPECT_EQ(settings.material.massGivenAs, "density");
+}
+
+TEST(FabricSettings, areSpringsUnlessAFabricIsChosen) {
+  Settings settings;
+  EXPECT_FALSE(usesFabric(settings));
+  EXPECT_FALSE(weighsAsFabric(settings));
+  EXPECT_EQ(settingValue(settings, requireSetting("mass_given_as")), SettingValue(std::string("density")));
+  EXPECT_TRUE(isRelevant(requireSetting("stiffness"), settings));
+  EXPECT_FALSE(isRelevant(requireSetting("fabric.shear"), settings));
+  EXPECT_FALSE(isRelevant(requireSetting("material.preset"), settings));
+  assignSettingExpression(settings, "material.model=fabric");
+  EXPECT_TRUE(usesFabric(settings));
+  EXPECT_FALSE(isRelevant(requireSetting("stiffness"), settings));
+  EXPECT_FALSE(isRelevant(requireSetting("damping"), settings));
+  EXPECT_TRUE(isRelevant(requireSetting("fabric.shear"), settings));
+  EXPECT_TRUE(isRelevant(requireSetting("material.preset"), settings));
+  EXPECT_NE(refusal("material.model=jelly").find("material.model must be springs or fabric"), std::string::npos);
+}
+
+TEST(FabricSettings, takeTheValuesOfEveryPreset) {
+  const SettingInfo& info = requireSetting("material.preset");
+  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+    Settings settings;
+    assignSetting(settings, info, std::string(preset.name));
+    EXPECT_EQ(settings.fabric.moduli, preset.material) << preset.name;
+    EXPECT_EQ(settings.fabric.density, preset.density) << preset.name;
+    EXPECT_NO_THROW(requireConsistent(settings)) << preset.name;
+    // A session log assigns each value again, within its range.
+    for (const SettingInfo& each : settingsTable()) {
+      assignSettingText(settings, each, formatValue(settingValue(settings, each)));
+    }
+    EXPECT_EQ(settingValue(settings, info), SettingValue(std::string(preset.name)));
+  }
+  EXPECT_NE(refusal("material.preset=cardboard").find("leather or rubber, or custom; 'cardboard' is not"),
+            std::string::npos);
+}
+
+TEST(FabricSettings, areCustomOnceAValueDiffersFromThePreset) {
+  Settings settings;
+  const SettingInfo& info = requireSetting("material.preset");
+  assignSettingExpression(settings, "material.preset=denim");
+  assignSettingExpression(settings, "fabric.warp_angle=45");
+  EXPECT_EQ(settingValue(settings, info), SettingValue(std::string("denim"))) << "the cut is not the fabric";
+  assignSettingExpression(settings, "fabric.shear=54");
+  EXPECT_EQ(settingValue(settings, info), SettingValue(std::string("custom")));
+  assignSettingExpression(settings, "material.preset=custom");
+  EXPECT_EQ(settings.fabric.moduli.shear, 54.0) << "custom changes nothing";
+  assignSettingExpression(settings, "fabric.shear=53");
+  EXPECT_EQ(settingValue(settings, info), SettingValue(std::string("denim")));
+  assignSettingExpression(settings, "fabric.density=0.4");
+  EXPECT_EQ(settingValue(settings, info), SettingValue(std::string("custom")));
+}
+
+TEST(FabricSettings, letTheFabricWeighUnlessDensityOrMassIsGiven) {
+  for (const char* given : {"density=0.5", "mass=0.5", "mass_given_as=density"}) {
+    Settings settings;
+    assignSettingExpression(settings, "material.model=fabric");
+    EXPECT_TRUE(weighsAsFabric(settings));
+    EXPECT_FALSE(isRelevant(requireSetting("density"), settings));
+    assignSettingExpression(settings, given);
+    EXPECT_FALSE(weighsAsFabric(settings)) << given;
+    EXPECT_TRUE(isRelevant(requireSetting("density"), settings)) << given;
+    assignSettingExpression(settings, "material.preset=denim");
+    EXPECT_FALSE(weighsAsFabric(settings)) << given;
+    assignSettingExpression(settings, "fabric.own_density=on");
+    EXPECT_TRUE(weighsAsFabric(settings)) << given;
+  }
+}
+
+TEST(FabricSettings, refuseWhatIsNoFabricWithTheNameOfTheSetting) {
+  for (const char* key : {"fabric.stretch_warp", "fabric.stretch_weft", "fabric.shear", "fabric.stiffening_strain",
+                          "fabric.stiffening_warp", "fabric.stiffening_weft", "fabric.bend_warp", "fabric.bend_weft",
+                          "fabric.bend_bias", "fabric.density"}) {
+    for (const char* value : {"-1", "-1e-9", "nan", "inf", "stiff"}) {
+      const std::string message = refusal(std::string(key) + "=" + value);
+      EXPECT_NE(message.find(std::string(key) + " must be"), std::string::npos) << key << "=" << value << message;
+    }
+    Settings settings;
+    EXPECT_THROW(assignSetting(settings, requireSetting(key), std::numeric_limits<double>::quiet_NaN()),
+                 messages::UsageError);
+  }
+  for (const char* key : {"fabric.stretch_warp", "fabric.stretch_weft", "fabric.shear", "fabric.density"}) {
+    EXPECT_NE(refusal(std::string(key) + "=0"), "") << key;
+  }
+  EXPECT_NE(refusal("fabric.poisson=1").find("fabric.poisson must be -0.95 to 0.95"), std::string::npos);
+  EXPECT_NE(refusal("fabric.warp_angle=91").find("fabric.warp_angle"), std::string::npos);
+}
+
+TEST(FabricSettings, refuseABiasThatBendsTooEasily) {
+  const std::string message = refusal("fabric.bend_bias=1e-06");
+  EXPECT_NE(message.find("fabric.bend_bias must be at least a quarter"), std::string::npos) << message;
+  EXPECT_NE(message.find("1e-06 is not"), std::string::npos) << message;
+  EXPECT_NE(refusal("fabric.bend_warp=0.001").find("fabric.bend_bias"), std::string::npos);
+  EXPECT_EQ(refusal("fabric.bend_bias=4.5e-06"), "") << "a quarter of 10 and 8";
+}
+
+TEST(FabricSettings, areStableWithinTheirRanges) {
+  Settings settings;
+  for (const SettingInfo& info : settingsTable()) {
+    const auto* number = std::get_if<NumberField>(&info.field);
+    if (number == nullptr || !info.key.starts_with("fabric.")) {
+      continue;
+    }
+    for (const double limit : {number->min, number->max}) {
+      Settings changed = settings;
+      assignSetting(changed, info, limit);
+      bool accepted = true;
+      try {
+        requireConsistent(changed);
+      } catch (const messages::UsageError&) {
+        accepted = false;
+      }
+      EXPECT_EQ(accepted, sim::fabric::isStable(changed.fabric.moduli)) << info.key << " " << limit;
+    }
+  }
 }
 
 TEST(SettingsTable, takesFlagsInTheWordsPeopleUse) {

@@ -53,8 +53,10 @@ TEST_F(SettingWidget, EverySettingOfTheTableAppliesSomewhere) {
     settings.step.contact.self = sim::contact::SelfCollision::Hash;
     settings::Settings byMass = settings;
     byMass.material.massGivenAs = "mass";
-    return settingApplies(info, settings, simulation_.scene()) || settingApplies(info, settings, meshScene) ||
-           settingApplies(info, byMass, meshScene);
+    settings::Settings fabric = settings;
+    fabric.material.model = "fabric";
+    return settingApplies(info, fabric, meshScene) || settingApplies(info, settings, simulation_.scene()) ||
+           settingApplies(info, settings, meshScene) || settingApplies(info, byMass, meshScene);
   };
   for (const settings::SettingInfo& info : settings::settingsTable()) {
     const auto table = sim::solverTable();
@@ -62,6 +64,42 @@ TEST_F(SettingWidget, EverySettingOfTheTableAppliesSomewhere) {
       return applies(info, solver, "backward_euler") || applies(info, solver, "theta");
     })) << info.key;
   }
+}
+
+TEST_F(SettingWidget, ShowsTheSettingsOfSpringsOrThoseOfTheFabric) {
+  simulation_.apply(session::SetSettingCommand{"solver", std::string("auto")});
+  EXPECT_TRUE(drawnKeys().contains("stiffness"));
+  EXPECT_TRUE(drawnKeys().contains("material.model"));
+  EXPECT_FALSE(drawnKeys().contains("material.preset"));
+  EXPECT_FALSE(drawnKeys().contains("fabric.shear"));
+  apply(click(button("material.model=fabric")));
+  settle();
+  EXPECT_FALSE(drawnKeys().contains("stiffness"));
+  EXPECT_TRUE(drawnKeys().contains("material.preset"));
+  EXPECT_TRUE(drawnKeys().contains("fabric.shear"));
+  EXPECT_TRUE(drawnKeys().contains("mass")) << "the scene gives the mass";
+  EXPECT_FALSE(drawnKeys().contains("fabric.density"));
+  apply(click(widget("fabric.own_density"), 0.05));
+  settle();
+  EXPECT_TRUE(simulation_.settings().fabric.ownDensity);
+  EXPECT_TRUE(drawnKeys().contains("fabric.density"));
+  EXPECT_FALSE(drawnKeys().contains("mass"));
+  EXPECT_FALSE(drawnKeys().contains("mass_given_as"));
+}
+
+TEST_F(SettingWidget, ChoosingAFabricSetsItsValuesAndChangingOneMakesItCustom) {
+  simulation_.apply(session::SetSettingCommand{"solver", std::string("auto")});
+  simulation_.apply(session::SetSettingCommand{"material.model", std::string("fabric")});
+  settle();
+  click(widget("material.preset"));
+  settle();
+  apply(click(button("material.preset=denim")));
+  settle();
+  EXPECT_EQ(simulation_.settings().fabric.moduli.stretchWeft, 1014.0);
+  apply(typeInto(widget("fabric.shear"), "60"));
+  EXPECT_EQ(simulation_.settings().fabric.moduli.shear, 60.0);
+  EXPECT_EQ(settings::settingValue(simulation_.settings(), settings::requireSetting("material.preset")),
+            settings::SettingValue(std::string("custom")));
 }
 
 TEST_F(SettingWidget, NoTwoWidgetsShareAPlace) {

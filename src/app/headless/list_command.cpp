@@ -76,6 +76,7 @@ Json solversAsJson() {
                     {"help", info.help},
                     {"source", info.source},
                     {"backward_euler", info.backwardEuler},
+                    {"takes_fabric", info.takesFabric},
                     {"settings", info.settings}});
   }
   return list;
@@ -104,6 +105,9 @@ void printNamed(const Json& list) {
   for (const auto& row : list) {
     std::cout << row["name"].get<std::string>() << "   " << row["title"].get<std::string>() << "\n    "
               << row["help"].get<std::string>() << '\n';
+    if (row.contains("takes_fabric")) {
+      std::cout << "    Material: " << (row["takes_fabric"].get<bool>() ? "springs or fabric.\n" : "springs only.\n");
+    }
   }
 }
 

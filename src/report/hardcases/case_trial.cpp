@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "report/number_text.hpp"
+#include "scene/cloth_material.hpp"
 #include "scene/grid_mesh.hpp"
 #include "scene/mass.hpp"
 #include "settings/settings_table.hpp"
@@ -25,6 +26,7 @@ settings::Settings CaseTrial::settings(const std::vector<std::string>& changes) 
   settings::Settings settings;
   settings.solver.name = options_.solver;
   settings.material.massGivenAs = "mass";
+  settings.fabric.ownDensity = false;
   settings.material.lumping = "uniform";
   for (const auto* list : {&changes, &options_.settings}) {
     for (const std::string& expression : *list) {
@@ -97,7 +99,10 @@ std::shared_ptr<const sim::ClothModel> modelOf(const CaseCloth& cloth) {
   if (!cloth.masses.empty()) {
     model = sim::withVertexMasses(*model, cloth.masses);
   }
-  return cloth.stiffness.empty() ? model : sim::withSpringStiffness(*model, cloth.stiffness);
+  if (!cloth.stiffness.empty()) {
+    model = sim::withSpringStiffness(*model, cloth.stiffness);
+  }
+  return scene::withElasticity(*model, cloth.settings);
 }
 
 int stableSubsteps(const sim::ClothModel& model, const settings::Settings& settings) {
