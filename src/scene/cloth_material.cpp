@@ -37,7 +37,7 @@ std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& mod
 }
 
 std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model, const settings::Settings& settings) {
-  const auto changed = withElasticity(model, settings);
+  std::shared_ptr<const sim::ClothModel> changed = withElasticity(model, settings);
   if (changed.get() == &model) {
     return changed;
   }

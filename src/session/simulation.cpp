@@ -159,8 +159,9 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.attachment.reset();
   if (inputs_.attachment) {
     const sim::AttachedCorners corners = sim::attachedCorners(*model_, *inputs_.attachment);
-    snapshot.attachment = AttachmentStatus{*inputs_.attachment, corners.interpolatedFrom(state_.positions),
-                                           model_->pinned[corners.nearestVertex()]};
+    snapshot.attachment =
+        AttachmentStatus{static_cast<const sim::AttachmentEnds&>(*inputs_.attachment),
+                         corners.interpolatedFrom(state_.positions), model_->pinned[corners.nearestVertex()]};
   }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -19,8 +20,10 @@ struct SettingAccess {
   T& (*ref)(Settings&);
 
   /// @param accessor `[](auto& settings) -> auto& { return settings.member; }`
-  template <typename Accessor>
-  constexpr SettingAccess(Accessor accessor) : get(accessor), ref(accessor) {}
+  template <typename Accessor, typename = std::enable_if_t<std::is_invocable_r_v<T&, Accessor, Settings&>>>
+  constexpr SettingAccess(Accessor /*accessor*/)
+      : get([](const Settings& settings) -> const T& { return Accessor()(settings); }),
+        ref([](Settings& settings) -> T& { return Accessor()(settings); }) {}
 };
 
 /// A real number within a closed range.

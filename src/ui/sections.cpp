@@ -97,8 +97,8 @@ bool showsGhost(const PanelContext& context) {
 
 /// A section of the column: a group of settings, with rows above and below them.
 struct Section {
-  const char* title;
-  bool (*isOpenAtFirst)(const PanelContext& context);
+  const char* title = nullptr;
+  bool (*isOpenAtFirst)(const PanelContext& context) = nullptr;
   std::optional<settings::SettingGroup> group;  ///< its settings; empty: none
   void (*rowsBelow)(PanelContext& context) = nullptr;
   void (*rowsAbove)(PanelContext& context) = nullptr;

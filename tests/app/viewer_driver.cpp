@@ -216,7 +216,8 @@ Place ViewerDriver::find(const std::string& name, double across) {
     }
     const double y = rect["y"].get<double>() + rect["height"].get<double>() / 2.0;
     const double top = now["buttons"]["button.play"]["y"].get<double>() + 60.0;
-    const double bottom = now["view"]["height"].get<double>() - 20.0;
+    // A long message may take two lines above the status line.
+    const double bottom = now["view"]["height"].get<double>() - 70.0;
     // Only the sections scroll; widgets above them, over the picture or in the status line do not.
     const bool overPicture = rect["x"].get<double>() >= now["view"]["x"].get<double>();
     const bool inHead = name == "scene.choice" || name == "button.play" || name == "button.step" ||

@@ -285,8 +285,15 @@ TEST(NumberFormat, CarriesTheUnit) {
   EXPECT_EQ(numberFormat("%.4g", "kg/m^2"), "%.4g kg/m\u00B2");
 }
 
+struct SubstepsOf {
+  template <typename AnySettings>
+  auto& operator()(AnySettings& settings) const {
+    return settings.step.substeps;
+  }
+};
+
 TEST(NearestAllowed, KeepsToRange) {
-  const settings::IntegerField field{nullptr, 1, 99};
+  const settings::IntegerField field{SubstepsOf(), 1, 99};
   EXPECT_EQ(nearestAllowed(field, -5.0), 1);
   EXPECT_EQ(nearestAllowed(field, 4.2), 4);
   EXPECT_EQ(nearestAllowed(field, 98.6), 99);
