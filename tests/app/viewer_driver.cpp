@@ -206,7 +206,7 @@ void ViewerDriver::type(const std::string& text) {
   key("Return");
 }
 
-Place ViewerDriver::find(const std::string& name, double across) {
+Place ViewerDriver::find(const std::string& name, double across, double margin) {
   const auto end = std::chrono::steady_clock::now() + patience;
   while (std::chrono::steady_clock::now() < end) {
     const Json now = frames();
@@ -216,8 +216,7 @@ Place ViewerDriver::find(const std::string& name, double across) {
     }
     const double y = rect["y"].get<double>() + rect["height"].get<double>() / 2.0;
     const double top = now["buttons"]["button.play"]["y"].get<double>() + 60.0;
-    // A long message may take two lines above the status line.
-    const double bottom = now["view"]["height"].get<double>() - 70.0;
+    const double bottom = now["view"]["height"].get<double>() - margin;
     // Only the sections scroll; widgets above them, over the picture or in the status line do not.
     const bool overPicture = rect["x"].get<double>() >= now["view"]["x"].get<double>();
     const bool inHead = name == "scene.choice" || name == "button.play" || name == "button.step" ||

@@ -82,8 +82,9 @@ class ViewerDriver {
   /// Types text and Enter into the field with the keyboard focus.
   void type(const std::string& text);
 
-  /// The position of a widget or a button, scrolled into view if needed.
-  Place find(const std::string& name, double across = 0.5);
+  /// The position of a widget or a button, scrolled into view if needed. @param margin distance from the lower end of
+  /// the panel, where a long message may lie [pixels]
+  Place find(const std::string& name, double across = 0.5, double margin = 70.0);
   /// A position on the cloth, and one beside it.
   Place onCloth();
   Place besideCloth();

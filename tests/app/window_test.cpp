@@ -384,7 +384,7 @@ TEST(Window, ASceneIsBuiltAgainWhenItsMeshChanges) {
 /// Opens the list of a choice and clicks one of its words.
 void pickFromList(ViewerDriver& viewer, const std::string& key, const std::string& word) {
   const std::string entry = key + "=" + word;
-  viewer.click(viewer.find(key));
+  viewer.click(viewer.find(key, 0.5, 20.0));
   viewer.waitUntil("the list", [&](const Json& s) { return s["buttons"].contains(entry); });
   const Json rect = viewer.frames()["buttons"][entry];  // a list gets its position in its second frame
   viewer.click({rect["x"].get<double>() + 10.0, rect["y"].get<double>() + rect["height"].get<double>() / 2.0});
