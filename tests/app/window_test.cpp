@@ -434,7 +434,7 @@ TEST(Window, AnotherSolverIsPickedFromTheListWhileTheClothMoves) {
   ViewerDriver viewer({"grid", "--set", "stiffness=10", "--set", "substeps=10"});
   const Json before = viewer.waitUntil("time to pass", [](const Json& s) { return s["step"] > 5; });
   ASSERT_EQ(before["settings"]["solver"], "one_iteration");
-  viewer.click(viewer.find("section.advanced"));
+  viewer.click(viewer.find("section.advanced", 0.5, 20.0));
   pickFromList(viewer, "solver", "verlet");
   const Json after =
       viewer.waitUntil("the other solver", [](const Json& s) { return s["settings"]["solver"] == "verlet"; });
@@ -448,7 +448,7 @@ TEST(Window, AutoTellsWhatItChose) {
   const Json chosen = viewer.waitUntil("a choice", [](const Json& s) { return !s["choice"].is_null(); })["choice"];
   EXPECT_GE(chosen["substeps"], 1.0);
   EXPECT_FALSE(chosen["words"].get<std::string>().empty());
-  viewer.click(viewer.find("section.advanced"));
+  viewer.click(viewer.find("section.advanced", 0.5, 20.0));
   pickFromList(viewer, "solver", "verlet");
   viewer.waitUntil("a solver without choices", [](const Json& s) { return s["choice"].is_null(); });
 }
