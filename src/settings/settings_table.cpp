@@ -150,7 +150,7 @@ ChoiceField textOf(decltype(ChoiceField::choices) choices, decltype(ChoiceField:
 
 constexpr std::array materialModels{
     TextWord{"springs", {"Springs", "The paper's: every edge of the mesh is a spring."}},
-    TextWord{"fabric", {"Fabric", "Stretch, shear and bending along warp and weft, the same on every mesh."}}};
+    TextWord{"fabric", {"Fabric", "A sheet that resists stretch, shear and bending along warp and weft."}}};
 
 std::vector<std::string> fabricNames() {
   std::vector<std::string> names;
@@ -317,7 +317,7 @@ const std::array table{
     SettingInfo{"material.model", "Model", "-", Material, SettingEffect::Fabric,
         textOf<[](auto& s) -> auto& { return s.material.model; }>(wordsIn<materialModels>, labelIn<materialModels>),
         "What the cloth is made of. springs: a spring on every edge of the mesh, as in the paper. fabric: a sheet with "
-        "warp and weft, whose stretch, shear and bending do not depend on the mesh."},
+        "warp and weft, whose stretch and shear do not depend on the mesh."},
     SettingInfo{"material.preset", "Fabric", "-", Material, SettingEffect::Fabric,
         ChoiceField{presetOf, setPreset, fabricNames, fabricLabel,
                     [](std::string_view text) { return text == noPreset; }, noPreset},

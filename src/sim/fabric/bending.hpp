@@ -28,8 +28,8 @@ using VertexMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// between the triangles. So the energy does not change in rigid motion and grows less than with theta^2 for sharp
 /// folds. The bend vectors are those of Bergou et al. (2006, A quadratic bending model for inextensible surfaces). The
 /// curvature of a triangle is the discrete shape operator of Grinspun et al. (2006, Computing discrete shape operators
-/// on general meshes). It makes the stiffness the same on every mesh, while the energy of single hinges depends on the
-/// mesh.
+/// on general meshes). Its stiffness agrees with closed forms on
+/// grids, and is too large on irregular meshes and for twist on alternating ones (docs/theory/fabric.md).
 ///
 /// The bend vectors at slivers (sliverQuality) are scaled down, so that they do not determine the time step.
 /// Edges on the boundary are free of moments. Edges of three or more triangles bend freely.
