@@ -1,5 +1,7 @@
 #include "sim/fabric/bending.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,71 +10,223 @@
 namespace drape::sim::fabric {
 namespace {
 
-/// The hinges of a triangle's sides; null on the boundary.
-using HingesOfTriangle = std::array<const Hinge*, 3>;
+using Row3 = Eigen::RowVector3d;
 
-std::vector<HingesOfTriangle> hingesOfTriangles(const RestShape& shape) {
-  std::vector<HingesOfTriangle> hinges(shape.triangles.size(), HingesOfTriangle{});
-  for (const Hinge& hinge : shape.hinges) {
-    for (std::size_t s = 0; s < 2; ++s) {
-      hinges[hinge.triangles[s]][hinge.sides[s]] = &hinge;
+/// The moment of a fit along a direction without stiffness is at least this fraction of the largest one. Otherwise the
+/// fit would not be unique where hinges are missing.
+constexpr double minMomentRatio = 1e-2;
+
+/// Patches whose hinges determine the curvature badly are regularised below this eigenvalue of their correlation
+/// matrix [-].
+constexpr double minCorrelation = 0.03;
+
+/// N(n) of bendingMatrix.
+Vec3 normalSquares(const Vec2& normal) {
+  return {normal.x() * normal.x(), normal.y() * normal.y(), 2.0 * normal.x() * normal.y()};
+}
+
+/// The second derivatives of a field with the curvature (k_11, k_22, 2 k_12): along t twice, along t and n, and along n
+/// twice, one a row.
+Mat3 secondDerivatives(const Vec2& t, const Vec2& n) {
+  Mat3 rows;
+  rows << t.x() * t.x(), t.y() * t.y(), t.x() * t.y(),                      //
+      t.x() * n.x(), t.y() * n.y(), 0.5 * (t.x() * n.y() + t.y() * n.x()),  //
+      n.x() * n.x(), n.y() * n.y(), n.x() * n.y();
+  return rows;
+}
+
+/// The same along the edge of a hinge and across it from its first triangle to its second, for a curvature in the axes
+/// of one of them.
+Mat3 secondDerivatives(const Hinge& hinge, std::size_t of) {
+  const SideFrame& frame = hinge.frames[of];
+  return secondDerivatives(frame.along, of == 0 ? frame.outward : Vec2(-frame.outward));
+}
+
+/// Twice what the slope of a plane triangle differs from the slope at the middle of its side per second derivative
+/// along the side [m].
+double alongSide(const SideFrame& frame) {
+  return (frame.offset * frame.offset - 0.25 * frame.length * frame.length) / frame.height;
+}
+
+/// The factor on the bend vector of a hinge, or on a side of the boundary. The stiffness that a sliver causes goes up
+/// with the inverse of its height to the third power, and the square of the factor compensates that.
+double scaleOf(double quality) {
+  return std::pow(std::min(1.0, quality / sliverQuality), 1.5);
+}
+
+/// Finds the curvatures of the triangles as linear functions of the bend vectors of the hinges.
+class CurvatureBuilder {
+ public:
+  CurvatureBuilder(const RestShape& shape, const Mat3& moments)
+      : shape_(shape), hingesOf_(shape.triangles.size(), {-1, -1, -1}), fits_(shape.triangles.size(), Mat3::Zero()) {
+    const double min = minMomentRatio * moments.diagonal().maxCoeff();
+    compliance_ = moments.diagonal().cwiseMax(min).cwiseInverse().asDiagonal();
+    for (std::size_t h = 0; h < shape.hinges.size(); ++h) {
+      const Hinge& hinge = shape.hinges[h];
+      scales_.push_back(scaleOf(std::min(qualityOf(triangleOf(hinge, 0)), qualityOf(triangleOf(hinge, 1)))));
+      for (std::size_t s = 0; s < 2; ++s) {
+        hingesOf_[hinge.triangles[s]][hinge.sides[s]] = static_cast<int>(h);
+      }
+    }
+    for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
+      if (shape.triangles[t].area > 0.0) {
+        fit(t);
+      }
     }
   }
-  return hinges;
-}
 
-/// The matrix Q of a triangle's energy 1/2 sum_ef Q_ef u_e.u_f [N m].
-Mat3 energyOfBendVectors(const RestTriangle& triangle, const Mat3& moments) {
-  Mat3 curvatures;  // column e: l_e / (2 A) N(n_e) [1/m]
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    const Vec2& side = triangle.sides[static_cast<std::size_t>(k)];
-    const double length = side.norm();
-    const Vec2 normal = Vec2(side.y(), -side.x()) / length;
-    curvatures.col(k) = length / (2.0 * triangle.area) *
-                        Vec3(normal.x() * normal.x(), normal.y() * normal.y(), 2.0 * normal.x() * normal.y());
+  /// The matrix [1/m] with three rows a triangle and one column a hinge.
+  VertexMatrix build() {
+    for (std::size_t h = 0; h < shape_.hinges.size(); ++h) {
+      addHinge(static_cast<int>(h));
+    }
+    for (std::size_t t = 0; t < shape_.triangles.size(); ++t) {
+      for (int side = 0; side < 3 && shape_.triangles[t].area > 0.0; ++side) {
+        if (hingesOf_[t][side] < 0) {
+          addBoundary(t, side);
+        }
+      }
+    }
+    VertexMatrix matrix(static_cast<Eigen::Index>(3 * shape_.triangles.size()),
+                        static_cast<Eigen::Index>(shape_.hinges.size()));
+    matrix.setFromTriplets(entries_.begin(), entries_.end());
+    return matrix;
   }
-  return triangle.area * curvatures.transpose() * moments * curvatures;
+
+ private:
+  [[nodiscard]] const RestTriangle& triangleOf(const Hinge& hinge, std::size_t of) const {
+    return shape_.triangles[hinge.triangles[of]];
+  }
+
+  /// Minus the bend vector of a hinge per curvature, in the axes of one of its triangles [m].
+  [[nodiscard]] static Row3 bendPerCurvature(const Hinge& hinge, std::size_t of) {
+    const auto& [first, second] = hinge.frames;
+    const Row3 perDerivative(0.5 * (alongSide(first) + alongSide(second)), second.offset - first.offset,
+                             0.5 * (first.height + second.height));
+    return perDerivative * secondDerivatives(hinge, of);
+  }
+
+  /// Finds the curvature of the quadratic field through the corners of a triangle and of its neighbours. Where hinges
+  /// are missing or do not determine it, the field is the one of least energy: its moments across free edges vanish.
+  void fit(std::size_t t) {
+    Mat3 bends = Mat3::Zero();  // one row a hinge [m]
+    for (Eigen::Index side = 0; side < 3; ++side) {
+      if (const int h = hingesOf_[t][static_cast<std::size_t>(side)]; h >= 0) {
+        const Hinge& hinge = shape_.hinges[h];
+        bends.row(side) = bendPerCurvature(hinge, hinge.triangles[0] == static_cast<int>(t) ? 0 : 1);
+      }
+    }
+    const Mat3 gram = bends * compliance_ * bends.transpose();
+    const Vec3 scale = gram.diagonal().unaryExpr([](double d) { return d > 0.0 ? 1.0 / std::sqrt(d) : 0.0; });
+    const Eigen::SelfAdjointEigenSolver<Mat3> correlation(Mat3(scale.asDiagonal() * gram * scale.asDiagonal()));
+    const Vec3 inverse = correlation.eigenvalues().cwiseMax(minCorrelation).cwiseInverse();
+    const Mat3& modes = correlation.eigenvectors();
+    fits_[t] = compliance_ * bends.transpose() * scale.asDiagonal() * modes * inverse.asDiagonal() * modes.transpose() *
+               scale.asDiagonal();
+  }
+
+  void add(std::size_t triangle, const Vec3& direction, double factor, int hinge) {
+    for (int i = 0; i < 3; ++i) {
+      entries_.emplace_back(3 * static_cast<int>(triangle) + i, hinge, -scales_[hinge] * factor * direction[i]);
+    }
+  }
+
+  /// Adds a slope at a side that is caused by the fitted curvature of a triangle. @param perCurvature [m]
+  void addFitted(std::size_t to, const Vec3& direction, std::size_t from, const Row3& perCurvature) {
+    for (std::size_t side = 0; side < 3; ++side) {
+      if (const int h = hingesOf_[from][side]; h >= 0) {
+        add(to, direction, perCurvature.dot(fits_[from].col(static_cast<Eigen::Index>(side))), h);
+      }
+    }
+  }
+
+  /// Adds the slope at the edge of a hinge to the curvature of its triangles.
+  void addHinge(int h) {
+    const Hinge& hinge = shape_.hinges[h];
+    const auto& [first, second] = hinge.frames;
+    const double heights = first.height + second.height;
+    const std::array<double, 2> weights = {second.height / heights, first.height / heights};  // of their slopes
+    const double areas = triangleOf(hinge, 0).area + triangleOf(hinge, 1).area;
+    // The interpolated slope is that where the line between the opposite corners crosses the edge.
+    const double crossing = weights[0] * first.offset + weights[1] * second.offset;
+    const double curved = 0.5 * (weights[1] * alongSide(second) - weights[0] * alongSide(first));
+    for (std::size_t s = 0; s < 2; ++s) {
+      const auto to = static_cast<std::size_t>(hinge.triangles[s]);
+      const Vec3 direction =
+          hinge.frames[s].length / shape_.triangles[to].area * normalSquares(hinge.frames[s].outward);
+      add(to, direction, weights[1 - s], h);
+      for (std::size_t f = 0; f < 2; ++f) {
+        const Mat3 derivatives = secondDerivatives(hinge, f);
+        const Row3 correction = crossing * derivatives.row(1) + curved * derivatives.row(0);
+        const double share = triangleOf(hinge, f).area / areas * (s == 0 ? -1.0 : 1.0);
+        addFitted(to, scales_[h] * share * direction, static_cast<std::size_t>(hinge.triangles[f]), correction);
+      }
+    }
+  }
+
+  /// Adds the slope at a side without a hinge, which is that of the fitted field.
+  void addBoundary(std::size_t t, int side) {
+    const RestTriangle& triangle = shape_.triangles[t];
+    const SideFrame frame = sideFrameOf(triangle, side, false);
+    const Mat3 derivatives = secondDerivatives(frame.along, Vec2(-frame.outward));
+    const Row3 slope = 0.5 * alongSide(frame) * derivatives.row(0) + frame.offset * derivatives.row(1) +
+                       0.5 * frame.height * derivatives.row(2);
+    const Vec3 direction = frame.length / triangle.area * normalSquares(frame.outward);
+    addFitted(t, scaleOf(qualityOf(triangle)) * direction, t, slope);
+  }
+
+  const RestShape& shape_;
+  std::vector<std::array<int, 3>> hingesOf_;  // of each triangle's sides; -1 if there is none
+  std::vector<double> scales_;                // of each hinge [-]
+  Mat3 compliance_;                           // the inverse of the moments [1/(N m)]
+  // Of each triangle: column k is the curvature per minus the bend vector of the hinge of side k [1/m].
+  std::vector<Mat3> fits_;
+  std::vector<Eigen::Triplet<double>> entries_;
+};
+
+/// The bend vectors of the hinges as a function of the vertices [1/m].
+VertexMatrix bendVectors(const RestShape& shape, std::size_t vertexCount) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t h = 0; h < shape.hinges.size(); ++h) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      entries.emplace_back(static_cast<int>(h), shape.hinges[h].vertices[i],
+                           shape.hinges[h].weights[static_cast<Eigen::Index>(i)]);
+    }
+  }
+  VertexMatrix matrix(static_cast<Eigen::Index>(shape.hinges.size()), static_cast<Eigen::Index>(vertexCount));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 
-/// The factor on the bend vector of a hinge. The stiffness that a sliver causes goes up with the inverse of its height
-/// to the third power, and the square of the factor compensates that.
-double scaleOf(const Hinge& hinge, const RestShape& shape) {
-  const double quality =
-      std::min(qualityOf(shape.triangles[hinge.triangles[0]]), qualityOf(shape.triangles[hinge.triangles[1]]));
-  return std::pow(std::min(1.0, quality / sliverQuality), 1.5);
+/// A D for each triangle, on the diagonal.
+VertexMatrix momentsOf(const RestShape& shape, const Mat3& moments) {
+  const auto size = static_cast<Eigen::Index>(3 * shape.triangles.size());
+  VertexMatrix matrix(size, size);
+  matrix.reserve(Eigen::VectorXi::Constant(size, 1));
+  for (Eigen::Index i = 0; i < size; ++i) {
+    matrix.insert(i, i) = shape.triangles[static_cast<std::size_t>(i / 3)].area * moments(i % 3, i % 3);
+  }
+  return matrix;
+}
+
+/// Makes a matrix exactly symmetric and removes the entries that are only rounding.
+VertexMatrix withoutRounding(const VertexMatrix& matrix) {
+  const Eigen::VectorXd diagonal = matrix.diagonal();
+  VertexMatrix symmetric = 0.5 * (matrix + VertexMatrix(matrix.transpose()));
+  symmetric.prune([&](Eigen::Index row, Eigen::Index column, double value) {
+    constexpr double rounding = 1e-12;
+    return value * value > rounding * rounding * diagonal[row] * diagonal[column];
+  });
+  return symmetric;
 }
 
 }  // namespace
 
 VertexMatrix bendingMatrix(const RestShape& shape, const Material& material, std::size_t vertexCount) {
   const Mat3 moments = bendMatrix(material);
-  const std::vector<HingesOfTriangle> hingesOf = hingesOfTriangles(shape);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
-    if (!(shape.triangles[t].area > 0.0)) {
-      continue;
-    }
-    const Mat3 energy = energyOfBendVectors(shape.triangles[t], moments);
-    for (Eigen::Index e = 0; e < 3; ++e) {
-      for (Eigen::Index f = 0; f < 3; ++f) {
-        const Hinge* first = hingesOf[t][static_cast<std::size_t>(e)];
-        const Hinge* second = hingesOf[t][static_cast<std::size_t>(f)];
-        const double scale =
-            first != nullptr && second != nullptr ? scaleOf(*first, shape) * scaleOf(*second, shape) : 0.0;
-        for (Eigen::Index i = 0; first != nullptr && second != nullptr && i < 4; ++i) {
-          for (Eigen::Index j = 0; j < 4; ++j) {
-            entries.emplace_back(first->vertices[static_cast<std::size_t>(i)],
-                                 second->vertices[static_cast<std::size_t>(j)],
-                                 scale * energy(e, f) * first->weights[i] * second->weights[j]);
-          }
-        }
-      }
-    }
-  }
-  const auto size = static_cast<Eigen::Index>(vertexCount);
-  VertexMatrix matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+  const VertexMatrix curvatures =
+      (CurvatureBuilder(shape, moments).build() * bendVectors(shape, vertexCount)).pruned(0.0);
+  return withoutRounding(VertexMatrix(curvatures.transpose()) * momentsOf(shape, moments) * curvatures);
 }
 
 }  // namespace drape::sim::fabric

@@ -14,22 +14,26 @@ using VertexMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// The bending stiffness of a fabric that is flat at rest, as a matrix L over the vertices [N/m]: the energy is
 /// 1/2 sum_ij L_ij x_i.x_j and the force on vertex i is -sum_j L_ij x_j. L is positive semidefinite and constant.
 ///
-/// | symbol  | meaning                                                                                        | unit |
-/// |---------|------------------------------------------------------------------------------------------------|------|
-/// | u_e     | bend vector of hinge e: the derivatives of x along the outward normals of its edge in its two  | -    |
-/// |         | triangles, added; u_e = sum_i w_i x_i with the cotangent weights of the rest shape             |      |
-/// | l_e     | length of the edge at rest                                                                     | m    |
-/// | n_e     | unit normal of the edge in the plane of a triangle, along warp and weft                        | -    |
-/// | kappa   | curvature (k_11, k_22, 2 k_12) of a triangle, three vectors: sum_e l_e / (2 A) N(n_e) u_e      | 1/m  |
+/// | symbol   | meaning                                                                                      | unit |
+/// |----------|----------------------------------------------------------------------------------------------|------|
+/// | kappa    | curvature (k_11, k_22, 2 k_12) of a triangle along warp and weft, three vectors              | 1/m  |
+/// | s_e      | slope at the middle of side e: the derivative of x along the outward normal n_e              | -    |
+/// | s_Te     | the same of the plane triangle                                                               | -    |
+/// | u_e      | bend vector of a hinge, the sum of s_Te of its two triangles, see Hinge::weights             | -    |
+/// | l_e, A   | length of the side, area of the triangle                                                     | m    |
 ///
-/// with N(n) = (n_1^2, n_2^2, 2 n_1 n_2). The energy of a triangle is A/2 kappa^T D kappa.
+/// The energy of a triangle is A/2 kappa^T D kappa. Its curvature follows from Gauss's theorem with the slopes at its
+/// sides: kappa = sum_e l_e / A N(n_e) (s_e - s_Te) with N(n) = (n_1^2, n_2^2, 2 n_1 n_2). Two triangles share the
+/// slope at their common edge, so that a constant moment is in equilibrium. The slope is exact for every quadratic
+/// field, so that a constant curvature has its exact energy. Both together make the stiffness the same on every mesh
+/// once it is fine enough. The slope is interpolated between the slopes of the two triangles, and corrected for the
+/// curvature of the quadratic fields through each triangle and its neighbours' corners (the patches of Phaal and
+/// Calladine, 1992, A simple class of finite elements for plate and shell problems, and of Flores and Onate, 2005,
+/// Improvements in the membrane behaviour of the three node rotation-free BST shell triangle).
 ///
 /// For an isometric hinge u_e is normal to the surface and has the length 2 sin(theta / 2), with theta the angle
-/// between the triangles. So the energy does not change in rigid motion and grows less than with theta^2 for sharp
-/// folds. The bend vectors are those of Bergou et al. (2006, A quadratic bending model for inextensible surfaces). The
-/// curvature of a triangle is the discrete shape operator of Grinspun et al. (2006, Computing discrete shape operators
-/// on general meshes). Its stiffness agrees with closed forms on
-/// grids, and is too large on irregular meshes and for twist on alternating ones (docs/theory/fabric.md).
+/// between the triangles (Bergou et al. 2006, A quadratic bending model for inextensible surfaces). So the energy does
+/// not change in rigid motion and grows less than with theta^2 for sharp folds.
 ///
 /// The bend vectors at slivers (sliverQuality) are scaled down, so that they do not determine the time step.
 /// Edges on the boundary are free of moments. Edges of three or more triangles bend freely.

@@ -44,22 +44,12 @@ RestTriangle restTriangleOf(std::span<const Vec3> positions, const Triangle& tri
   return rest;
 }
 
-/// Cotangent of the angle at a corner.
-double cotangent(const RestTriangle& triangle, int corner) {
-  const Vec2& next = triangle.sides[corner];
-  const Vec2 previous = -triangle.sides[(corner + 2) % 3];
-  return next.dot(previous) / (2.0 * triangle.area);
-}
-
 /// Adds the weights of one triangle: its derivative of x along the outward normal of the hinge's edge in its plane.
-void addWeights(const RestTriangle& triangle, int side, bool ascending, Eigen::Index opposite,
-                Eigen::Vector4d& weights) {
-  const double length = triangle.sides[side].norm();
-  const double atStart = cotangent(triangle, (side + 1) % 3) / length;
-  const double atEnd = cotangent(triangle, side) / length;
-  weights[0] += ascending ? atStart : atEnd;
-  weights[1] += ascending ? atEnd : atStart;
-  weights[opposite] = -length / (2.0 * triangle.area);
+void addWeights(const SideFrame& frame, Eigen::Index opposite, Eigen::Vector4d& weights) {
+  const double atSecond = 0.5 + frame.offset / frame.length;  // of the foot of the height, between the edge's ends
+  weights[0] += (1.0 - atSecond) / frame.height;
+  weights[1] += atSecond / frame.height;
+  weights[opposite] = -1.0 / frame.height;
 }
 
 }  // namespace
@@ -70,6 +60,18 @@ double qualityOf(const RestTriangle& triangle) {
     squares += side.squaredNorm();
   }
   return squares > 0.0 ? 4.0 * std::numbers::sqrt3 * triangle.area / squares : 0.0;
+}
+
+SideFrame sideFrameOf(const RestTriangle& triangle, int side, bool reversed) {
+  const Vec2& own = triangle.sides[side];
+  SideFrame frame;
+  frame.length = own.norm();
+  frame.height = 2.0 * triangle.area / frame.length;
+  // The corners are counter-clockwise in the coordinates along warp and weft.
+  frame.outward = Vec2(own.y(), -own.x()) / frame.length;
+  frame.along = (reversed ? -1.0 : 1.0) * own / frame.length;
+  frame.offset = (0.5 * own + triangle.sides[(side + 1) % 3]).dot(frame.along);
+  return frame;
 }
 
 std::vector<Vec3> warpAlong(const Vec3& direction, std::span<const Vec3> positions,
@@ -103,9 +105,6 @@ RestShape restShapeOf(std::span<const Vec3> positions, std::span<const Triangle>
   }
   for (std::size_t e = 0; e < edges.edges.size(); ++e) {
     const std::span<const TriangleSide> sides = edges.sides[e];
-    for (const TriangleSide& side : sides) {
-      shape.triangles[side.triangle].edges[side.corner] = static_cast<int>(e);
-    }
     const bool bends = sides.size() == 2 && shape.triangles[sides[0].triangle].area > 0.0 &&
                        shape.triangles[sides[1].triangle].area > 0.0;
     if (!bends) {
@@ -118,7 +117,8 @@ RestShape restShapeOf(std::span<const Vec3> positions, std::span<const Triangle>
       hinge.triangles[s] = triangle;
       hinge.sides[s] = corner;
       hinge.vertices[2 + s] = triangles[triangle][(corner + 2) % 3];
-      addWeights(shape.triangles[triangle], corner, ascending, static_cast<Eigen::Index>(2 + s), hinge.weights);
+      hinge.frames[s] = sideFrameOf(shape.triangles[triangle], corner, !ascending);
+      addWeights(hinge.frames[s], static_cast<Eigen::Index>(2 + s), hinge.weights);
     }
     shape.hinges.push_back(hinge);
   }

@@ -13,8 +13,7 @@ namespace drape::sim::fabric {
 /// the next one.
 struct RestTriangle {
   std::array<Vec2, 3> sides = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};  ///< [m]
-  std::array<int, 3> edges = {};  ///< of the sides, indices into MeshEdges::edges
-  double area = 0.0;              ///< [m^2]; 0 for a degenerate triangle, which has no stiffness
+  double area = 0.0;  ///< [m^2]; 0 for a degenerate triangle, which has no stiffness
 };
 
 /// The shape of a triangle [-]: 4 sqrt(3) A over the sum of its squared sides, 1 for an equilateral triangle, 0 for a
@@ -25,11 +24,25 @@ struct RestTriangle {
 /// a few slivers would determine the time step of the whole cloth.
 inline constexpr double sliverQuality = 0.1;
 
+/// A triangle as seen from one of its sides. The side's direction is given by the caller.
+struct SideFrame {
+  Vec2 along = Vec2::Zero();    ///< the side's direction, along warp and weft [-]
+  Vec2 outward = Vec2::Zero();  ///< its normal out of the triangle, along warp and weft [-]
+  double length = 0.0;          ///< of the side [m]
+  double height = 0.0;          ///< of the opposite corner over the side [m]
+  double offset = 0.0;          ///< of the opposite corner from the middle of the side, along it [m]
+};
+
+/// @param side of the triangle, which must not be degenerate  @param reversed whether the direction is against the
+/// side's own, which goes from its corner to the next one
+[[nodiscard]] SideFrame sideFrameOf(const RestTriangle& triangle, int side, bool reversed);
+
 /// Two triangles that share an edge. The fabric bends about it.
 struct Hinge {
   std::array<int, 4> vertices = {};   ///< the ends of the edge, then the corner opposite to it in either triangle
   std::array<int, 2> triangles = {};  ///< in the order of the opposite corners
   std::array<int, 2> sides = {};      ///< of these triangles
+  std::array<SideFrame, 2> frames;    ///< of these sides, along the edge from its first end to its second
   Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< of the vertices: sum of w_i x_i is the bend vector [1/m]
 };
 

@@ -37,7 +37,7 @@ TEST(SolversWithFabric, newtonSolvesTheBackwardEulerStep) {
     const auto model = asFabric(*irregularSheet(9), material);
     StepParameters parameters;
     parameters.timeStep = 1.0 / 60.0;
-    parameters.iteration.tolerance = 1e-10;
+    parameters.iteration.tolerance = 1e-12;
     parameters.iteration.maxIterations = 200;
     const ClothState start = shaken(*model, 0.002, 5);
     ClothState end = start;
