@@ -12,23 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace drape::sim::simd::HWY_NAMESPACE {
 
-/// Stores the offsets of a slice's slots, and q of the sides in alpha, where `addMembrane` finds them.
-template <class D, typename T>
-HWY_INLINE void storeSides(D d, const SlicedCloth<T>& cloth, SpringTerms<T>* terms, int slice, int lane,
-                           const Lanes3<D>& x) {
-  const SliceLayout& layout = cloth.layout;
-  const auto half = hn::Set(d, T(0.5));
-  const int end = layout.slotBegin[slice + 1];
-  for (int slot = layout.slotBegin[slice]; slot < end; ++slot, ++terms) {
-    const auto at = static_cast<std::size_t>(slot);
-    const Neighbours<D> neighbours(layout, layout.slots[at], lane);
-    const Lanes3<D> offset = subtract(neighbours.load(cloth.position), x);
-    const auto rest = hn::LoadU(d, cloth.restLength[at].data() + lane);
-    storeOffset(d, *terms, lane, offset);
-    hn::StoreU(hn::Mul(half, hn::NegMulAdd(rest, rest, dot(offset, offset))), d, terms->alpha.data() + lane);
-  }
-}
-
 /// One side of a corner.
 template <class D>
 struct CornerSide {
@@ -36,9 +19,30 @@ struct CornerSide {
   hn::Vec<D> q;      // [m^2]
 };
 
+/// The side from the vertex to the neighbour of a slot. @param at the slot, counted over all slices
 template <class D, typename T>
-HWY_INLINE CornerSide<D> sideOf(D d, const SpringTerms<T>* terms, const SliceLayout& layout,
-                                const SliceLayout::Corner& corner, bool second, int lane) {
+HWY_INLINE CornerSide<D> sideOfSlot(D d, const SlicedCloth<T>& cloth, std::size_t at, int lane, const Lanes3<D>& x) {
+  const Neighbours<D> neighbours(cloth.layout, cloth.layout.slots[at], lane);
+  const Lanes3<D> offset = subtract(neighbours.load(cloth.position), x);
+  const auto rest = hn::LoadU(d, cloth.restLength[at].data() + lane);
+  return {offset, hn::Mul(hn::Set(d, T(0.5)), hn::NegMulAdd(rest, rest, dot(offset, offset)))};
+}
+
+/// Stores the offsets of a slice's slots, and q of the sides in alpha, where `storedSide` finds them.
+template <class D, typename T>
+HWY_INLINE void storeSides(D d, const SlicedCloth<T>& cloth, SpringTerms<T>* terms, int slice, int lane,
+                           const Lanes3<D>& x) {
+  const int end = cloth.layout.slotBegin[slice + 1];
+  for (int slot = cloth.layout.slotBegin[slice]; slot < end; ++slot, ++terms) {
+    const CornerSide<D> side = sideOfSlot(d, cloth, static_cast<std::size_t>(slot), lane, x);
+    storeOffset(d, *terms, lane, side.offset);
+    hn::StoreU(side.q, d, terms->alpha.data() + lane);
+  }
+}
+
+template <class D, typename T>
+HWY_INLINE CornerSide<D> storedSide(D d, const SpringTerms<T>* terms, const SliceLayout& layout,
+                                    const SliceLayout::Corner& corner, bool second, int lane) {
   if (HWY_LIKELY(corner.table < 0)) {
     const SpringTerms<T>& own = terms[second ? corner.slotB : corner.slotA];
     return {offsetOf(d, own, lane), hn::LoadU(d, own.alpha.data() + lane)};
@@ -62,37 +66,87 @@ HWY_INLINE hn::Vec<D> addStiffening(D d, const Stiffening& stiffening, int lane,
   return hn::Mul(s, s);
 }
 
-/// Adds the membrane's forces on some lanes of a slice whose sides are stored, and their part of its energy. The energy
-/// is sum_e t_e q_e / 2 over the sides of a triangle; each side is seen from two of its corners.
+/// The tensions of the two sides of a corner, which are one triangle's part.
+template <class D>
+struct CornerTensions {
+  hn::Vec<D> a, b;  // [N/m]
+};
+
+/// Computes the tensions at one corner, and adds its part of the energy. The energy of a triangle is sum_e t_e q_e / 2
+/// over its sides; each side is seen from two of its corners. @param at the corner, counted over all slices
 template <class D, typename T>
-HWY_INLINE void addMembrane(D d, const SlicedCloth<T>& cloth, const SpringTerms<T>* terms, int slice, int lane,
-                            bool wantsEnergy, Lanes3<D>& force, hn::Vec<D>& energy) {
+HWY_INLINE CornerTensions<D> tensionsOf(D d, const SlicedFabric<T>& fabric, std::size_t at, int lane,
+                                        const CornerSide<D>& a, const CornerSide<D>& b, bool wantsEnergy,
+                                        hn::Vec<D>& energy) {
+  const typename SlicedFabric<T>::Corner& own = fabric.corners[fabric.cornerOf[at]];
+  const auto qc = hn::Add(hn::Add(a.q, b.q), hn::Sub(hn::LoadU(d, own.restDot.data() + lane), dot(a.offset, b.offset)));
+  const auto ab = hn::LoadU(d, own.ab.data() + lane);
+  auto ta = hn::MulAdd(hn::LoadU(d, own.aa.data() + lane), a.q,
+                       hn::MulAdd(hn::LoadU(d, own.ac.data() + lane), qc, hn::Mul(ab, b.q)));
+  auto tb = hn::MulAdd(hn::LoadU(d, own.bb.data() + lane), b.q,
+                       hn::MulAdd(hn::LoadU(d, own.bc.data() + lane), qc, hn::Mul(ab, a.q)));
+  if (HWY_UNLIKELY(wantsEnergy)) {
+    energy = hn::MulAdd(hn::Set(d, T(0.25)), hn::MulAdd(ta, a.q, hn::Mul(tb, b.q)), energy);
+  }
+  if (HWY_UNLIKELY(!fabric.stiffening.empty())) {
+    auto squares = addStiffening(d, fabric.stiffening[at][0], lane, a.q, b.q, qc, ta, tb);
+    squares = hn::Add(squares, addStiffening(d, fabric.stiffening[at][1], lane, a.q, b.q, qc, ta, tb));
+    energy = hn::MulAdd(hn::Set(d, T(1.0 / 6.0)), squares, energy);
+  }
+  return {ta, tb};
+}
+
+/// Adds the membrane's forces on some lanes of a slice in which not all lanes have the same corners.
+template <class D, typename T>
+HWY_INLINE void addMembrane(D d, const SlicedCloth<T>& cloth, SpringTerms<T>* terms, int slice, int lane,
+                            const Lanes3<D>& x, bool wantsEnergy, Lanes3<D>& force, hn::Vec<D>& energy) {
   const SliceLayout& layout = cloth.layout;
-  const SlicedFabric<T>& fabric = *cloth.fabric;
+  storeSides(d, cloth, terms, slice, lane, x);
   const int end = layout.cornerBegin[slice + 1];
   for (int c = layout.cornerBegin[slice]; c < end; ++c) {
     const auto at = static_cast<std::size_t>(c);
-    const typename SlicedFabric<T>::Corner& own = fabric.corners[fabric.cornerOf[at]];
-    const CornerSide<D> a = sideOf(d, terms, layout, layout.corners[at], false, lane);
-    const CornerSide<D> b = sideOf(d, terms, layout, layout.corners[at], true, lane);
-    const auto qc =
-        hn::Add(hn::Add(a.q, b.q), hn::Sub(hn::LoadU(d, own.restDot.data() + lane), dot(a.offset, b.offset)));
-    const auto ab = hn::LoadU(d, own.ab.data() + lane);
-    auto ta = hn::MulAdd(hn::LoadU(d, own.aa.data() + lane), a.q,
-                         hn::MulAdd(hn::LoadU(d, own.ac.data() + lane), qc, hn::Mul(ab, b.q)));
-    auto tb = hn::MulAdd(hn::LoadU(d, own.bb.data() + lane), b.q,
-                         hn::MulAdd(hn::LoadU(d, own.bc.data() + lane), qc, hn::Mul(ab, a.q)));
-    if (HWY_UNLIKELY(wantsEnergy)) {
-      energy = hn::MulAdd(hn::Set(d, T(0.25)), hn::MulAdd(ta, a.q, hn::Mul(tb, b.q)), energy);
-    }
-    if (HWY_UNLIKELY(!fabric.stiffening.empty())) {
-      auto squares = addStiffening(d, fabric.stiffening[at][0], lane, a.q, b.q, qc, ta, tb);
-      squares = hn::Add(squares, addStiffening(d, fabric.stiffening[at][1], lane, a.q, b.q, qc, ta, tb));
-      energy = hn::MulAdd(hn::Set(d, T(1.0 / 6.0)), squares, energy);
-    }
-    force = multiplyAdd(a.offset, ta, force);
-    force = multiplyAdd(b.offset, tb, force);
+    const CornerSide<D> a = storedSide(d, terms, layout, layout.corners[at], false, lane);
+    const CornerSide<D> b = storedSide(d, terms, layout, layout.corners[at], true, lane);
+    const CornerTensions<D> tensions = tensionsOf(d, *cloth.fabric, at, lane, a, b, wantsEnergy, energy);
+    force = multiplyAdd(a.offset, tensions.a, force);
+    force = multiplyAdd(b.offset, tensions.b, force);
   }
+}
+
+/// The same where all lanes have the same corners. Then most corners follow each other around the vertex, so that each
+/// side is computed once and stays in registers.
+template <class D, typename T>
+HWY_INLINE void addFan(D d, const SlicedCloth<T>& cloth, SpringTerms<T>* terms, int slice, int lane, const Lanes3<D>& x,
+                       bool keepsOffsets, bool wantsEnergy, Lanes3<D>& force, hn::Vec<D>& energy) {
+  const SliceLayout& layout = cloth.layout;
+  const auto firstSlot = static_cast<std::size_t>(layout.slotBegin[slice]);
+  const auto sideAt = [&](std::uint16_t slot) HWY_ATTR {
+    const CornerSide<D> side = sideOfSlot(d, cloth, firstSlot + slot, lane, x);
+    if (keepsOffsets) {
+      storeOffset(d, terms[slot], lane, side.offset);
+    }
+    return side;
+  };
+  const int end = layout.cornerBegin[slice + 1];
+  int before = -1;  // the slot of `b`
+  CornerSide<D> b{{hn::Zero(d), hn::Zero(d), hn::Zero(d)}, hn::Zero(d)};
+  auto tension = hn::Zero(d);  // of `b`, from its first triangle
+  for (int c = layout.cornerBegin[slice]; c < end; ++c) {
+    const SliceLayout::Corner& corner = layout.corners[static_cast<std::size_t>(c)];
+    CornerSide<D> a = b;
+    if (HWY_UNLIKELY(corner.slotA != before)) {
+      force = multiplyAdd(b.offset, tension, force);
+      tension = hn::Zero(d);
+      a = sideAt(corner.slotA);
+    }
+    b = sideAt(corner.slotB);
+    before = corner.slotB;
+    const CornerTensions<D> tensions =
+        tensionsOf(d, *cloth.fabric, static_cast<std::size_t>(c), lane, a, b, wantsEnergy, energy);
+    force = multiplyAdd(a.offset, hn::Add(tension, tensions.a), force);
+    tension = tensions.b;
+  }
+  force = multiplyAdd(b.offset, tension, force);
 }
 
 /// Adds the bending forces on some lanes of a slice, and their part of its energy. The rows of the matrix sum to zero,
@@ -114,13 +168,17 @@ HWY_INLINE void addBending(D d, const SlicedCloth<T>& cloth, int slice, int lane
   }
 }
 
-/// Adds the forces of the fabric on some lanes of a slice, and their part of its energy. Leaves the offsets of the
-/// slots in `terms`.
+/// Adds the forces of the fabric on some lanes of a slice, and their part of its energy.
+/// @param keepsOffsets whether to leave the offsets of the slots in `terms`
 template <class D, typename T>
 HWY_INLINE void addFabric(D d, const SlicedCloth<T>& cloth, SpringTerms<T>* terms, int slice, int lane,
-                          const Lanes3<D>& x, bool wantsEnergy, Lanes3<D>& force, hn::Vec<D>& energy) {
-  storeSides(d, cloth, terms, slice, lane, x);
-  addMembrane(d, cloth, terms, slice, lane, wantsEnergy, force, energy);
+                          const Lanes3<D>& x, bool keepsOffsets, bool wantsEnergy, Lanes3<D>& force,
+                          hn::Vec<D>& energy) {
+  if (HWY_LIKELY(cloth.fabric->hasCommonCorners[slice] != 0)) {
+    addFan(d, cloth, terms, slice, lane, x, keepsOffsets, wantsEnergy, force, energy);
+  } else {
+    addMembrane(d, cloth, terms, slice, lane, x, wantsEnergy, force, energy);
+  }
   if (cloth.fabric->bending) {
     addBending(d, cloth, slice, lane, x, wantsEnergy, force, energy);
   }

@@ -225,8 +225,17 @@ class SliceBuilder {
     }
     std::vector<int> tables;
     std::array<std::size_t, sliceLanes> used{};
-    for (const auto& [slots, uses] : bySlots) {
-      addCorner(slots, uses, tables, used);
+    int end = -1;  // the second slot of the last corner
+    while (!bySlots.empty()) {
+      auto next = bySlots.begin();
+      if (model_.fabric) {
+        // The kernel of the fabric keeps a side that two corners share, so corners follow each other around a vertex.
+        const auto following = bySlots.lower_bound({end, 0});
+        next = following != bySlots.end() && following->first.first == end ? following : next;
+      }
+      addCorner(next->first, next->second, tables, used);
+      end = next->first.second;
+      bySlots.erase(next);
     }
   }
 

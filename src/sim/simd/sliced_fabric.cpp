@@ -155,8 +155,8 @@ class BendingBuilder {
 
 template <typename T>
 std::size_t SlicedFabric<T>::bytes() const {
-  std::size_t sum = cornerOf.capacity() * sizeof(int) + corners.capacity() * sizeof(Corner) +
-                    stiffening.capacity() * sizeof(std::array<Stiffening, 2>);
+  std::size_t sum = hasCommonCorners.capacity() + cornerOf.capacity() * sizeof(int) +
+                    corners.capacity() * sizeof(Corner) + stiffening.capacity() * sizeof(std::array<Stiffening, 2>);
   if (bending) {
     sum += (bending->slotBegin.capacity() + bending->entriesOf.capacity()) * sizeof(int) +
            bending->slots.capacity() * sizeof(SliceLayout::Slot) +
@@ -181,6 +181,12 @@ SlicedFabric<T> buildSlicedFabric(const ClothModel& model, SliceLayout& layout) 
     if (!sliced.stiffening.empty()) {
       setStiffening<T>(membrane, use.cornerOfTriangle, use.lane, sliced.stiffening[use.corner]);
     }
+  }
+  for (int slice = 0; slice < layout.slices(); ++slice) {
+    const auto* const begin = layout.corners.data() + layout.cornerBegin[slice];
+    const auto* const end = layout.corners.data() + layout.cornerBegin[slice + 1];
+    sliced.hasCommonCorners.push_back(
+        std::all_of(begin, end, [](const SliceLayout::Corner& corner) { return corner.table < 0; }) ? 1 : 0);
   }
   sliced.cornerOf = shareEqual(sliced.corners);
   if (fabric.bends()) {

@@ -3,6 +3,7 @@
 #include "sim/simd/slice_layout.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -21,7 +22,8 @@ struct alignas(64) SliceNumbers : std::array<T, sliceLanes> {};
 ///     q_a = (|a|^2 - A^2) / 2,  q_b alike,  q_c = q_a + q_b + A.B - a.b  (the side from j to k)
 ///     t_a = K_aa q_a + K_ac q_c + K_ab q_b,  t_b = K_ab q_a + K_bc q_c + K_bb q_b,  force += t_a a + t_b b
 ///
-/// A and B are a and b at rest. Each triangle is evaluated three times, and no thread writes another one's data.
+/// A and B are a and b at rest. Each triangle is
+/// evaluated three times, and no thread writes another one's data.
 template <typename T>
 struct SlicedFabric {
   /// The membrane at one corner.
@@ -50,6 +52,7 @@ struct SlicedFabric {
     std::vector<SliceNumbers<T>> entries;
   };
 
+  std::vector<std::uint8_t> hasCommonCorners;         ///< of each slice: whether all of its lanes have the same corners
   std::vector<int> cornerOf;                          ///< of each SliceLayout::Corner: index into `corners`
   std::vector<Corner> corners;                        ///< shared by the regular parts of a mesh
   std::vector<std::array<Stiffening, 2>> stiffening;  ///< along warp and weft; empty if the fabric does not stiffen

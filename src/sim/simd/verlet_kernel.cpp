@@ -69,7 +69,7 @@ class VerletKernel {
     V3 force = {hn::Zero(d), hn::Neg(weight), hn::Zero(d)};
     auto energy = hn::Mul(weight, x.y);
     if constexpr (hasFabric) {
-      addFabric(d, cloth_, terms_, slice, lane, x, step_.energy != nullptr, force, energy);
+      addFabric(d, cloth_, terms_, slice, lane, x, air_, step_.energy != nullptr, force, energy);
     } else {
       addSprings(slice, lane, x, v, force, energy);
     }

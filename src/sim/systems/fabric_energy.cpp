@@ -93,12 +93,16 @@ double FabricEnergy::energy() const {
 }
 
 void FabricEnergy::addDerivative(ForceDerivative variant, double factor, std::span<Mat3> diagonal,
-                                 std::span<Mat3> pairs) const {
+                                 std::span<Mat3> pairs) {
   const fabric::Fabric& fabric = *model_->fabric;
+  derivatives_.resize(sides_.size());
+  workers_->forEach(threads_, sides_.size(), [&](std::size_t t) {
+    derivatives_[t] =
+        factor * fabric.membrane[t].derivative(fabric::cornersOf(model_->triangles[t], displaced_), variant);
+  });
   for (std::size_t t = 0; t < sides_.size(); ++t) {
     const Triangle& triangle = model_->triangles[t];
-    const fabric::Mat9 derivative =
-        factor * fabric.membrane[t].derivative(fabric::cornersOf(triangle, displaced_), variant);
+    const fabric::Mat9& derivative = derivatives_[t];
     for (Eigen::Index k = 0; k < 3; ++k) {
       const Eigen::Index next = (k + 1) % 3;
       const bool ascending = triangle[k] < triangle[next];

@@ -29,7 +29,7 @@ class FabricEnergy {
 
   /// Adds the second derivative times `factor` to the blocks of the vertices and of the fabric's pairs. A pair's block
   /// has the rows of its second vertex and the columns of its first [N/m times factor].
-  void addDerivative(ForceDerivative variant, double factor, std::span<Mat3> diagonal, std::span<Mat3> pairs) const;
+  void addDerivative(ForceDerivative variant, double factor, std::span<Mat3> diagonal, std::span<Mat3> pairs);
 
  private:
   void evaluateTriangle(std::size_t triangle, std::span<const Vec3> displacement);
@@ -48,6 +48,7 @@ class FabricEnergy {
   std::vector<double> sizes_;                // [N]
   std::vector<double> bendingEnergies_;      // of each vertex [J]
   std::vector<Vec3> displaced_;              // positions [m]
+  std::vector<fabric::Mat9> derivatives_;    // of each triangle, of the last addDerivative [N/m]
 };
 
 }  // namespace drape::sim
