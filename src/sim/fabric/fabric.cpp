@@ -1,10 +1,12 @@
 #include "sim/fabric/fabric.hpp"
 
+#include "sim/model/fingerprint.hpp"
 #include "sim/model/sim_error.hpp"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace drape::sim::fabric {
@@ -60,6 +62,21 @@ void findPairs(const ClothModel& model, Fabric& fabric) {
     asSprings.push_back({.a = pair.a, .b = pair.b});
   }
   fabric.pairEnds = springEndsOf(asSprings, model.restPositions.size());
+std::uint64_t fingerprintOf(const Material& material, const RestShape& shape) {
+  static_assert(sizeof(Material) % sizeof(double) == 0);
+  Fingerprint fingerprint;
+  for (const double modulus : std::bit_cast<std::array<double, sizeof(Material) / sizeof(double)>>(material)) {
+    fingerprint.add(modulus);
+  }
+  for (const RestTriangle& triangle : shape.triangles) {
+    for (const Vec2& side : triangle.sides) {
+      fingerprint.add(side.x());
+      fingerprint.add(side.y());
+    }
+  }
+  return fingerprint.value();
+}
+
 }
 
 int pairBetween(const Fabric& fabric, int vertex, int neighbour) {
@@ -76,6 +93,7 @@ std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Mate
   if (!isStable(material)) {
     throw ClothModelError(Fault::Material, {});
   }
+  fabric->fingerprint = fingerprintOf(material, fabric->shape);
   if (warp.size() != model.triangles.size()) {
     throw ClothModelError(Fault::WarpCount, {.found = static_cast<std::int64_t>(warp.size()),
                                              .count = static_cast<std::int64_t>(model.triangles.size())});
