@@ -173,6 +173,16 @@ std::string formerKeyNote(std::string_view key) {
   return "the setting " + quoted(key) + " is now called " + quoted(info->key);
 }
 
+std::string noEffectNote(const Settings& settings, std::string_view key) {
+  const SettingInfo* info = findSetting(key);
+  Settings other = settings;
+  other.material.model = usesFabric(settings) ? "springs" : "fabric";
+  if (info == nullptr || isRelevant(*info, settings) || !isRelevant(*info, other)) {
+    return {};
+  }
+  return "the setting " + quoted(info->key) + " has no effect while material.model is " + settings.material.model;
+}
+
 SettingValue settingValue(const Settings& settings, const SettingInfo& info) {
   return std::visit(Overloaded{[&](const ChoiceField& field) -> SettingValue { return field.get(settings); },
                                [&](const auto& field) -> SettingValue { return field.access.get(settings); }},
