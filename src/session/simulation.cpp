@@ -47,8 +47,8 @@ void Simulation::step() {
   if (blewUp_) {
     state_ = lastFinite_;
     paused_ = true;
-    message_ = "The cloth blew up at " + std::to_string(state_.time) +
-               " s and stopped. Use a smaller time step or a lower stiffness, then reset.";
+    message_ = "The cloth blew up at " + std::to_string(state_.time) + " s and stopped. Use a smaller time step or " +
+               (model_->fabric ? "a softer fabric" : "a lower stiffness") + ", then reset.";
     return;
   }
   if (balance_) {
