@@ -97,6 +97,12 @@ std::shared_ptr<const scene::Scene> SceneArguments::load() const {
     printFormerKey(expression);
   }
   settings::requireConsistent(inForce);
+  for (const std::string& expression : settings) {
+    const std::string note = settings::noEffectNote(inForce, expression.substr(0, expression.find('=')));
+    if (!note.empty()) {
+      std::cerr << "note: " << note << '\n';
+    }
+  }
   auto built = buildWithProgress(description, inForce);
   for (const std::string& warning : built->summary.warnings) {
     std::cerr << "warning: " << warning << '\n';

@@ -1,5 +1,7 @@
 #include "messages/sim_error_text.hpp"
 
+#include "sim/solvers/solver.hpp"
+
 #include <fmt/core.h>
 
 namespace drape::messages {
@@ -54,6 +56,17 @@ std::string inWords(const sim::ClothModelError& error) {
   return error.what();
 }
 
+std::string knowsSpringsOnly(std::string_view setting, std::string_view solver) {
+  std::string names;
+  for (const sim::SolverInfo& info : sim::solverTable()) {
+    if (info.takesFabric) {
+      names += (names.empty() ? "" : ", ") + std::string(info.name);
+    }
+  }
+  return fmt::format("{} = {} knows springs only. With material.model = fabric choose one of: {}.", setting, solver,
+                     names);
+}
+
 std::string messageOf(const std::exception& error) {
   if (const auto* fault = dynamic_cast<const sim::ClothModelError*>(&error)) {
     return inWords(*fault);
@@ -62,7 +75,7 @@ std::string messageOf(const std::exception& error) {
     return "there is no solver '" + unknown->name() + "'";
   }
   if (const auto* solver = dynamic_cast<const sim::NoFabricSolver*>(&error)) {
-    return "the solver '" + solver->name() + "' knows springs only: choose another solver, or material.model = springs";
+    return knowsSpringsOnly("solver", solver->name());
   }
   return error.what();
 }

@@ -5,11 +5,16 @@
 
 #include <exception>
 #include <string>
+#include <string_view>
 
 namespace drape::messages {
 
 /// The fault as a sentence for the user.
 [[nodiscard]] std::string inWords(const sim::ClothModelError& error);
+
+/// The refusal of a solver that cannot move a fabric, with the names of those that can.
+/// @param setting the key of the setting that names it
+[[nodiscard]] std::string knowsSpringsOnly(std::string_view setting, std::string_view solver);
 
 /// The message of an exception for the user: the sentence of a SimError, what() of any other.
 [[nodiscard]] std::string messageOf(const std::exception& error);

@@ -23,7 +23,7 @@ class Ghost {
   void reset(const sim::ClothState& start);
 
   /// Moves the pinned vertices by `by` [m].
-  void movePins(const sim::ClothModel& model, const Vec3& by) { drape::sim::movePins(model.pinned, by, state_); }
+  void movePins(const sim::ClothModel& model, const Vec3& by) { sim::movePins(model.pinned, by, state_); }
 
   /// Advances by one time step, with the substeps of `settings.ghost`. False when the state is no longer finite.
   [[nodiscard]] bool step(const sim::ClothModel& model, const settings::Settings& settings,

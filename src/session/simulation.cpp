@@ -47,8 +47,8 @@ void Simulation::step() {
   if (blewUp_) {
     state_ = lastFinite_;
     paused_ = true;
-    message_ = "The cloth blew up at " + std::to_string(state_.time) +
-               " s and stopped. Use a smaller time step or a lower stiffness, then reset.";
+    message_ = "The cloth blew up at " + std::to_string(state_.time) + " s and stopped. Use a smaller time step or " +
+               (model_->fabric ? "a softer fabric" : "a lower stiffness") + ", then reset.";
     return;
   }
   if (balance_) {
@@ -139,7 +139,7 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.paused = paused_;
   snapshot.energy = sim::energyOf(*model_, settings_.step, state_);
   snapshot.balance = balance_;
-  snapshot.maxStretch = drape::sim::maxStretch(*model_, state_);
+  snapshot.maxStretch = sim::maxStretch(*model_, state_);
   snapshot.stepSeconds = stepSeconds_;
   snapshot.stepReport = stepReport_;
   snapshot.message = message();
@@ -191,14 +191,14 @@ void Simulation::on(const SetSettingCommand& command) {
   if (info.effect == settings::SettingEffect::Scene) {
     throw messages::InputError(command.key + " takes effect when the scene is built again");
   }
-  const settings::Settings changed = settings::withSetting(settings_, info, command.value);
+  settings::Settings changed = settings::withSetting(settings_, info, command.value);
   requireSolversForMaterial(changed);
-  settings_ = changed;
   if (info.effect == settings::SettingEffect::Mass) {
-    model_ = sim::withMass(*model_, scene::totalMassOf(settings_, model_->restArea()), scene::lumpingOf(settings_));
+    model_ = sim::withMass(*model_, scene::totalMassOf(changed, model_->restArea()), scene::lumpingOf(changed));
   } else if (info.effect == settings::SettingEffect::Fabric) {
-    model_ = scene::withMaterial(*model_, settings_);
+    model_ = scene::withMaterial(*model_, changed);
   }
+  settings_ = std::move(changed);
   useSolvers();
   useBalance();
   message_.clear();

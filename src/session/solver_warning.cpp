@@ -1,11 +1,10 @@
 #include "session/solver_warning.hpp"
 
 #include "messages/error.hpp"
+#include "messages/sim_error_text.hpp"
 #include "messages/solver_warning_text.hpp"
 #include "session/ghost.hpp"
 #include "sim/solvers/solver.hpp"
-
-#include <fmt/core.h>
 
 #include <utility>
 
@@ -19,17 +18,6 @@ std::string warningOf(const std::string& name, const sim::ClothModel& model, con
   }
   const std::optional<sim::SolverWarning> warning = solver->warning(model, parameters);
   return warning ? messages::inWords(*warning) : std::string();
-}
-
-/// "auto, verlet".
-std::string solversForFabric() {
-  std::string names;
-  for (const sim::SolverInfo& info : sim::solverTable()) {
-    if (info.takesFabric) {
-      names += (names.empty() ? "" : ", ") + std::string(info.name);
-    }
-  }
-  return names;
 }
 
 }  // namespace
@@ -50,9 +38,7 @@ void requireSolversForMaterial(const settings::Settings& settings) {
        {std::pair("solver", settings.solver.name), std::pair("ghost.solver", settings.ghost.solver)}) {
     const sim::SolverInfo* solver = sim::findSolver(name);
     if (solver != nullptr && !solver->takesFabric) {
-      throw messages::InputError(
-          fmt::format("{} = {} knows springs only. With material.model = fabric choose one of: {}.", key, name,
-                      solversForFabric()));
+      throw messages::InputError(messages::knowsSpringsOnly(key, name));
     }
   }
 }

@@ -50,7 +50,7 @@ double medianLength(const sim::ClothModel& model) {
   return *middle;
 }
 
-/// A diagnosis when all overstretched springs are far shorter than the others.
+/// A diagnosis when all overstretched edges are far shorter than the others.
 std::optional<StretchDiagnosis> findSlivers(const scene::Scene& scene, const sim::ClothModel& model,
                                             const sim::ClothState& state) {
   const std::vector<std::size_t> springs = overstretched(model, state);
@@ -112,6 +112,11 @@ StretchDiagnosis explainByWeight(double strain, const scene::Scene& scene, const
              " kg/m\u00B2. Fabrics weigh 0.05 to 1 kg/m\u00B2. " + weight + ". Lower the density.",
          "density", text::roundedFigure(usualFabric), "Density " + text::roundedFigure(usualFabric) + " kg/m\u00B2"}};
   }
+  if (model.fabric) {
+    return {StretchCause::Soft,
+            {"Too soft: " + weight + ". Choose a stiffer fabric, or raise fabric.stretch_warp and fabric.stretch_weft.",
+             "", "", ""}};
+  }
   const std::string stiffness = text::roundedFigure(helpfulStiffness(model, settings.step));
   const std::string soft =
       settings.step.material.stiffness > 0.0
@@ -132,7 +137,7 @@ StretchDiagnosis explainBySolver(const settings::Settings& settings, const sim::
   }
   StretchDiagnosis found{StretchCause::Solver, chooses ? scene::Advice{} : toAuto};
   found.advice.text =
-      "Overstretched: springs are longer than three times their rest length. Neither the weight nor the "
+      "Overstretched: edges are longer than three times their rest length. Neither the weight nor the "
       "mouse causes this. The solver " +
       settings.solver.name + " failed here; " +
       (chooses ? "use a shorter time step" : "use auto or a shorter time step") + ", then reset.";
@@ -151,8 +156,9 @@ StretchDiagnosis diagnoseStretch(const scene::Scene& scene, const settings::Sett
   }
   if (pulled) {
     return {StretchCause::Attachment,
-            {"The mouse pulls too hard for this cloth. Release it, lower the mouse force, or raise the stiffness.", "",
-             "", ""}};
+            {std::string("The mouse pulls too hard for this cloth. Release it, lower the mouse force, or ") +
+                 (model.fabric ? "choose a stiffer fabric." : "raise the stiffness."),
+             "", "", ""}};
   }
   return explainBySolver(settings, model);
 }

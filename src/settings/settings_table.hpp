@@ -99,6 +99,10 @@ inline constexpr int maxDepth = 2;  ///< of any setting
 /// A note that names the present key, when `key` is a former one. Empty otherwise.
 [[nodiscard]] std::string formerKeyNote(std::string_view key);
 
+/// A note when the setting has no effect because of material.model, as a fabric on a cloth of springs. Empty otherwise.
+/// For settings that a user gives one by one. A scene file may well prepare the values of both models.
+[[nodiscard]] std::string noEffectNote(const Settings& settings, std::string_view key);
+
 /// The current value.
 [[nodiscard]] SettingValue settingValue(const Settings& settings, const SettingInfo& info);
 

@@ -142,7 +142,7 @@ void requireStable(const sim::fabric::Material& fabric) {
     throw messages::UsageError(
         "fabric.bend_bias must be at least a quarter of the sum of fabric.bend_warp and fabric.bend_weft, " +
         text::exactNumber(minBias) + " N m; " + text::exactNumber(fabric.bendBias) +
-        " is not. Otherwise the fabric would curl by itself. Raise fabric.bend_bias first");
+        " is not. Otherwise the fabric would twist by itself. Raise fabric.bend_bias first");
   }
 }
 
@@ -171,6 +171,16 @@ std::string formerKeyNote(std::string_view key) {
     return {};
   }
   return "the setting " + quoted(key) + " is now called " + quoted(info->key);
+}
+
+std::string noEffectNote(const Settings& settings, std::string_view key) {
+  const SettingInfo* info = findSetting(key);
+  Settings other = settings;
+  other.material.model = usesFabric(settings) ? "springs" : "fabric";
+  if (info == nullptr || isRelevant(*info, settings) || !isRelevant(*info, other)) {
+    return {};
+  }
+  return "the setting " + quoted(info->key) + " has no effect while material.model is " + settings.material.model;
 }
 
 SettingValue settingValue(const Settings& settings, const SettingInfo& info) {

@@ -24,7 +24,8 @@ void performanceRows(PanelContext& context);
 void headPanel(PanelContext& context);
 
 /// The line at the bottom of the window: the cloth, its speed and the most urgent message. It grows upwards when a
-/// message needs more room. A click opens details of the solver. @return the height by which it grew [points]
+/// message needs more room. A click opens details of the solver. @return the height by which it grew,
+/// in window coordinates
 double statusLine(PanelContext& context, const UiRect& place);
 
 /// The full text of an error. False once the user closed it.

@@ -151,6 +151,16 @@ TEST(Run, takesAFabricByName) {
   EXPECT_EQ(statsOf("grid --seconds 0")["settings"]["material.model"], "springs");
 }
 
+TEST(Run, notesAFabricThatHasNoEffectOnSprings) {
+  const std::string note = "note: the setting 'material.preset' has no effect while material.model is springs";
+  const Outcome springs = headless("run grid --set material.preset=denim --seconds 0");
+  EXPECT_EQ(springs.status, 0) << springs.errors;
+  EXPECT_NE(springs.errors.find(note), std::string::npos) << springs.errors;
+  const Outcome fabric =
+      headless("run grid --set material.preset=denim --set material.model=fabric --set solver=auto --seconds 0");
+  EXPECT_EQ(fabric.errors.find("has no effect"), std::string::npos) << fabric.errors;
+}
+
 TEST(Run, refusesASolverThatKnowsSpringsOnly) {
   const Outcome outcome = headless("run grid --seconds 0 --set material.model=fabric");
   EXPECT_EQ(outcome.status, 1);

@@ -1,5 +1,6 @@
 #include "messages/sim_error_text.hpp"
 
+#include "fabric_cloths.hpp"
 #include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
@@ -64,6 +65,17 @@ TEST(SimErrorText, saysWhyStiffnessesCannotBe) {
             "spring 5 would have -2.000000 times the cloth's stiffness; it must be finite and not negative");
   EXPECT_EQ(inWords(sim::ClothModelError(sim::ClothModelError::Fault::TooManySprings, {.count = 65535})),
             "a vertex of the cloth has more than 65535 springs");
+}
+
+TEST(SimErrorText, namesTheSolversThatTakeAFabric) {
+  const std::string refusal = knowsSpringsOnly("ghost.solver", "kang");
+  EXPECT_TRUE(
+      refusal.starts_with("ghost.solver = kang knows springs only. With material.model = fabric choose one of: auto"))
+      << refusal;
+  const auto model = sim::testing::asFabric(*sim::testing::pinnedSheet(3), sim::testing::woven());
+  sim::ClothState state = sim::stateAtRest(model->restPositions);
+  EXPECT_EQ(messageFrom([&] { return sim::Stepper("kang").step(*model, {}, {}, state); }),
+            knowsSpringsOnly("solver", "kang"));
 }
 
 TEST(SimErrorText, namesAnUnknownSolverAndKeepsOtherMessages) {

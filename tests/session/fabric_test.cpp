@@ -105,6 +105,16 @@ TEST(Fabric, turnsWarpByTheAngleOfTheSettings) {
   EXPECT_NEAR(alongWarp(*smallGrid(9, {"material.model=fabric", "fabric.warp_angle=90"})->model), 0.0, 1e-12);
 }
 
+TEST(Fabric, isToldToBeSofterWhenItBlowsUp) {
+  Simulation simulation(smallGrid(9, {"solver=verlet", "time_step=0.02", "material.model=fabric",
+                                      "fabric.stretch_warp=1e6", "fabric.stretch_weft=1e6"}));
+  for (int i = 0; i < 500 && !simulation.blewUp(); ++i) {
+    simulation.step();
+  }
+  EXPECT_NE(simulation.message().find("a smaller time step or a softer fabric"), std::string::npos)
+      << simulation.message();
+}
+
 TEST(Fabric, isRefusedWithASolverThatKnowsSpringsOnly) {
   Simulation simulation(smallGrid(9, {"solver=kang"}));
   set(simulation, "material.model", std::string("fabric"));

@@ -100,6 +100,29 @@ TEST(StretchCause, OnlyAFailedSolverIsCalledOverstretched) {
   EXPECT_EQ(attachment.advice.text.find("Overstretched"), std::string::npos);
 }
 
+TEST(StretchCause, AFabricIsNotToldOfSprings) {
+  for (const char* modulus : {"1", "1000"}) {
+    const std::string is = std::string("=") + modulus;
+    const auto scene = testing::smallGrid(9, {"solver=auto", "material.model=fabric", "fabric.stretch_warp" + is,
+                                              "fabric.stretch_weft" + is, "stiffness=0.5", "damping=1"});
+    sim::ClothState pulled = scene->start;
+    for (Vec3& position : pulled.positions) {
+      position *= 4.0;
+    }
+    const bool soft = is == "=1";
+    for (const bool byMouse : {false, true}) {
+      const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, byMouse);
+      EXPECT_EQ(found.cause, soft ? StretchCause::Soft : byMouse ? StretchCause::Attachment : StretchCause::Solver);
+      EXPECT_EQ(found.advice.text.find("spring"), std::string::npos) << found.advice.text;
+      EXPECT_EQ(found.advice.text.find("stiffness"), std::string::npos) << found.advice.text;
+      EXPECT_NE(found.advice.key, "stiffness");
+      if (soft || byMouse) {
+        EXPECT_NE(found.advice.text.find("stiffer fabric"), std::string::npos) << found.advice.text;
+      }
+    }
+  }
+}
+
 TEST(StretchCause, SliversAreToldWithTheirPlace) {
   const auto grid = testing::smallGrid(9, {"solver=auto", "stiffness=500"});
   auto scene = std::make_shared<scene::Scene>(*grid);

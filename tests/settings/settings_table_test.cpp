@@ -309,6 +309,23 @@ TEST(FabricSettings, letTheFabricWeighUnlessDensityOrMassIsGiven) {
   }
 }
 
+TEST(FabricSettings, areNotedWhereTheClothConsistsOfSprings) {
+  Settings settings;
+  EXPECT_EQ(noEffectNote(settings, "material.preset"),
+            "the setting 'material.preset' has no effect while material.model is springs");
+  for (const char* key : {"fabric.shear", "fabric.density", "fabric.warp_angle"}) {
+    EXPECT_NE(noEffectNote(settings, key), "") << key;
+  }
+  for (const char* key : {"stiffness", "damping", "density", "material.model", "sweeps", "wind.x", "no_setting"}) {
+    EXPECT_EQ(noEffectNote(settings, key), "") << key;
+  }
+  assignSettingExpression(settings, "material.model=fabric");
+  EXPECT_EQ(noEffectNote(settings, "material.preset"), "");
+  EXPECT_EQ(noEffectNote(settings, "fabric.shear"), "");
+  EXPECT_EQ(noEffectNote(settings, "stiffness"),
+            "the setting 'stiffness' has no effect while material.model is fabric");
+}
+
 TEST(FabricSettings, refuseWhatIsNoFabricWithTheNameOfTheSetting) {
   for (const char* key : {"fabric.stretch_warp", "fabric.stretch_weft", "fabric.shear", "fabric.stiffening_strain",
                           "fabric.stiffening_warp", "fabric.stiffening_weft", "fabric.bend_warp", "fabric.bend_weft",

@@ -90,7 +90,7 @@ nlohmann::ordered_json RunStats::contactJson(const sim::contact::ContactReport& 
 }
 
 nlohmann::ordered_json RunStats::choiceJson(const std::optional<sim::adaptive::StepChoice>& last) const {
-  nlohmann::ordered_json json = drape::app::toJson(last);
+  nlohmann::ordered_json json = app::toJson(last);
   if (last) {
     std::vector<float> evaluations = forceEvaluations_;
     std::sort(evaluations.begin(), evaluations.end());

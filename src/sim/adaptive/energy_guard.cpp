@@ -1,6 +1,7 @@
 #include "sim/adaptive/energy_guard.hpp"
 
 #include "sim/adaptive/tuning.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/model/pieces.hpp"
 #include "sim/motion/inner_motion.hpp"
 #include "sim/simd/convert.hpp"
@@ -35,7 +36,8 @@ double massTimesHeight(const ClothModel& model, const ClothState& state) {
 /// The fingerprint of everything that the energy depends on, except the plan.
 std::uint64_t fingerprintOf(const ClothModel& model, const CommonParameters& parameters, const ClothState& state) {
   return sumOf(state.positions) + 7 * sumOf(state.velocities) + bitsOf(parameters.material.stiffness) +
-         3 * bitsOf(parameters.gravity) + 5 * bitsOf(parameters.timeStep) + 7 * bitsOf(model.unitFrequency);
+         3 * bitsOf(parameters.gravity) + 5 * bitsOf(parameters.timeStep) + 7 * bitsOf(model.unitFrequency) +
+         (model.fabric ? 11 * model.fabric->fingerprint : 0);
 }
 
 /// The plan's part of the fingerprint.

@@ -3,6 +3,7 @@
 #include "sim/adaptive/tuning.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/contact/contact_stage.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/forces/kernels.hpp"
 #include "sim/model/fingerprint.hpp"
@@ -173,9 +174,7 @@ SleepDetection::ModelData SleepDetection::dataOf(const ClothModel& model) {
     fingerprint.add(spring.restLength);
     fingerprint.add(spring.relativeStiffness);
   }
-  for (const double stiffness : model.fabricStiffness) {
-    fingerprint.add(stiffness);
-  }
+  fingerprint.add(model.fabric ? model.fabric->fingerprint : std::uint64_t{0});
   data.fingerprint = fingerprint.value();
   return data;
 }

@@ -42,7 +42,7 @@ class SleepDetection {
   struct ModelData {
     std::vector<std::vector<std::size_t>> freePieces;  // pieces without pins
     double meanEdge = 0.0;                             // [m]
-    std::uint64_t fingerprint = 0;                     // of masses, pins and springs
+    std::uint64_t fingerprint = 0;                     // of masses, pins, springs and the fabric
   };
 
   [[nodiscard]] static ModelData dataOf(const ClothModel& model);

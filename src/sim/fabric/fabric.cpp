@@ -1,10 +1,12 @@
 #include "sim/fabric/fabric.hpp"
 
+#include "sim/model/fingerprint.hpp"
 #include "sim/model/sim_error.hpp"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace drape::sim::fabric {
@@ -33,39 +35,46 @@ std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& 
 
 /// Finds the pairs of vertices of edges and of the bending matrix.
 void findPairs(const ClothModel& model, Fabric& fabric) {
-  std::vector<VertexPair>& pairs = fabric.pairs;
+  std::vector<Spring> edges;
   for (const Spring& edge : model.springs) {
-    pairs.push_back({edge.a, edge.b, 0.0});
+    edges.push_back({.a = edge.a, .b = edge.b});
   }
   for (int row = 0; row < fabric.bending.outerSize(); ++row) {
     for (VertexMatrix::InnerIterator entry(fabric.bending, row); entry; ++entry) {
       if (row < static_cast<int>(entry.col())) {
-        pairs.push_back({row, static_cast<int>(entry.col()), entry.value()});
+        edges.push_back({.a = row, .b = static_cast<int>(entry.col())});
       }
     }
   }
-  const auto ends = [](const VertexPair& pair) { return std::pair(pair.a, pair.b); };
-  std::ranges::stable_sort(pairs, {}, ends);
-  // An edge that bends too stands before its entry of the matrix.
-  for (std::size_t i = 0; i + 1 < pairs.size(); ++i) {
-    if (ends(pairs[i]) == ends(pairs[i + 1])) {
-      pairs[i].bending = pairs[i + 1].bending;
-    }
+  const auto ends = [](const Spring& edge) { return std::pair(edge.a, edge.b); };
+  std::ranges::sort(edges, {}, ends);
+  const auto repeated = std::ranges::unique(edges, {}, ends);
+  edges.erase(repeated.begin(), repeated.end());
+  for (const Spring& edge : edges) {
+    fabric.pairs.push_back({edge.a, edge.b, fabric.bends() ? fabric.bending.coeff(edge.a, edge.b) : 0.0});
   }
-  const auto equal = [&](const VertexPair& one, const VertexPair& other) { return ends(one) == ends(other); };
-  pairs.erase(std::unique(pairs.begin(), pairs.end(), equal), pairs.end());
-  std::vector<Spring> asSprings;
-  asSprings.reserve(pairs.size());
-  for (const VertexPair& pair : pairs) {
-    asSprings.push_back({.a = pair.a, .b = pair.b});
-  }
-  fabric.pairEnds = springEndsOf(asSprings, model.restPositions.size());
+  fabric.pairEnds = springEndsOf(edges, model.restPositions.size());
 }
 
 int pairBetween(const Fabric& fabric, int vertex, int neighbour) {
   const std::span<const SpringEnd> ends = fabric.pairEnds[vertex];
   const auto found = std::ranges::lower_bound(ends, neighbour, {}, &SpringEnd::neighbour);
   return found != ends.end() && found->neighbour == neighbour ? found->spring : -1;
+}
+
+std::uint64_t fingerprintOf(const Material& material, const RestShape& shape) {
+  static_assert(sizeof(Material) % sizeof(double) == 0);
+  Fingerprint fingerprint;
+  for (const double modulus : std::bit_cast<std::array<double, sizeof(Material) / sizeof(double)>>(material)) {
+    fingerprint.add(modulus);
+  }
+  for (const RestTriangle& triangle : shape.triangles) {
+    for (const Vec2& side : triangle.sides) {
+      fingerprint.add(side.x());
+      fingerprint.add(side.y());
+    }
+  }
+  return fingerprint.value();
 }
 
 }  // namespace
@@ -84,6 +93,7 @@ std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Mate
   fabric->material = material;
   fabric->shape =
       restShapeOf(model.restPositions, model.triangles, edgesOf(model.triangles, model.restPositions.size()), warp);
+  fabric->fingerprint = fingerprintOf(material, fabric->shape);
   for (const RestTriangle& triangle : fabric->shape.triangles) {
     const double scale = std::min(1.0, qualityOf(triangle) / sliverQuality);
     fabric->membrane.emplace_back(triangle, material, scale);

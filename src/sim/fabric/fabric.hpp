@@ -7,6 +7,7 @@
 #include "sim/model/cloth_model.hpp"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,6 +32,10 @@ struct Fabric {
   std::vector<std::array<int, 3>> pairsOfSides;  ///< of each triangle: the pairs of its sides
 
   int slivers = 0;  ///< triangles whose stiffness is clamped, see sliverQuality
+
+  /// A hash of the material and of the rest shape. It differs for fabrics that differ in a modulus or in the direction
+  /// of warp, even if their stiffness at rest is the same.
+  std::uint64_t fingerprint = 0;
 
   [[nodiscard]] bool bends() const { return bending.rows() > 0; }
 };

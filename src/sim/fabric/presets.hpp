@@ -13,7 +13,9 @@ struct MaterialPreset {
   std::string_view title;  ///< on the panel
   double density = 0.0;    ///< mass per area [kg/m^2]
   Material material;
-  double thickness = 0.0;   ///< [m]
+  /// Of the fabric itself [m]. Nothing is computed from it: the moduli contain it, and contact keeps the distance
+  /// cloth_thickness, which must be larger.
+  double thickness = 0.0;
   std::string_view source;  ///< where the numbers come from; "estimate" marks those that nobody measured on one cloth
 };
 

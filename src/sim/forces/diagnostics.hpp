@@ -9,7 +9,7 @@ namespace drape::sim {
 /// Mechanical energy of a cloth [J].
 struct Energy {
   double kinetic = 0.0;    ///< sum of m |v|^2 / 2
-  double elastic = 0.0;    ///< sum of k (L - l0)^2 / 2
+  double elastic = 0.0;    ///< of springs, the sum of k (L - l0)^2 / 2; or of the membrane and bending of a fabric
   double potential = 0.0;  ///< of gravity, zero at the rest positions
 
   [[nodiscard]] double total() const { return kinetic + elastic + potential; }
@@ -17,10 +17,10 @@ struct Energy {
 
 [[nodiscard]] Energy energyOf(const ClothModel& model, const CommonParameters& parameters, const ClothState& state);
 
-/// The largest strain of a spring, (L - l0) / l0 [-]; 0 if no spring is stretched.
+/// The largest strain of an edge, (L - l0) / l0 [-]; 0 if no edge is stretched.
 [[nodiscard]] double maxStretch(const ClothModel& model, const ClothState& state);
 
-/// The mean rest length of the springs [m]; 0 without springs.
+/// The mean rest length of the edges [m]; 0 without edges.
 [[nodiscard]] double meanEdge(const ClothModel& model);
 
 }  // namespace drape::sim

@@ -3,6 +3,8 @@
 #include "sim/fabric/fabric.hpp"
 #include "sim/forces/kernels.hpp"
 
+#include <algorithm>
+
 namespace drape::sim {
 
 Vec3 internalForceOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
@@ -19,6 +21,11 @@ Vec3 internalForceOn(const ClothModel& model, const CommonParameters& parameters
     force += kernels::dampingForce(state.velocities[vertex], state.velocities[neighbour], parameters.material.damping);
   }
   return force;
+}
+
+double stretchStiffness(const ClothModel& model, const CommonParameters& parameters) {
+  return model.fabric ? std::min(model.fabric->material.stretchWarp, model.fabric->material.stretchWeft)
+                      : parameters.material.stiffness;
 }
 
 }  // namespace drape::sim

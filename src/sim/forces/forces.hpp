@@ -11,4 +11,8 @@ namespace drape::sim {
 [[nodiscard]] Vec3 internalForceOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
                                    std::size_t vertex);
 
+/// The stiffness of a cloth against stretch, for estimates [N/m]: that of the springs, or the smaller stretch modulus
+/// of a fabric without its stiffening. A mesh of springs of stiffness k has moduli of about k.
+[[nodiscard]] double stretchStiffness(const ClothModel& model, const CommonParameters& parameters);
+
 }  // namespace drape::sim

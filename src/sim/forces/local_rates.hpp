@@ -6,7 +6,10 @@
 
 namespace drape::sim {
 
-/// The local rates of a cloth's vertices, for a stiffness of 1 N/m and a damping of 1 N s/m, and sums over the cloth.
+/// The local rates of a cloth's vertices, for springs of 1 N/m with a damping of 1 N s/m, and sums over the cloth.
+///
+/// A fabric has its own moduli. Its frequencies are omega_i^2 themselves, so that k = 1 N/m gives them (actingMaterial
+/// in stability.hpp). It has no damping, so its damping rates do not count. pinnedLength is that of its edges.
 struct LocalRates {
   std::vector<double> frequencySquared;  ///< omega_i^2 / k [1/kg], one a vertex; 0 where pinned
   std::vector<double> damping;           ///< lambda_i / C_d [1/kg], one a vertex; 0 where pinned

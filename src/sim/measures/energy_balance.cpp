@@ -4,6 +4,7 @@
 #include "sim/forces/external_forces.hpp"
 #include "sim/forces/forces.hpp"
 #include "sim/forces/kernels.hpp"
+#include "sim/forces/stability.hpp"
 
 namespace drape::sim {
 namespace {
@@ -90,7 +91,7 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
     contact_ += end - energyOf(model, parameters, *unresolved).total();
   }
   const ClothState& solved = unresolved != nullptr ? *unresolved : after;  // without the correction by contact
-  damping_ += dampingWork(model, parameters.material.damping, before, solved);
+  damping_ += dampingWork(model, actingMaterial(model, parameters).damping, before, solved);
   air_ += airWork(model, parameters, before, solved);
   contact_ += bodyPinWork(model, parameters, inputs, before, solved);
   if (inputs.attachment) {

@@ -1,5 +1,7 @@
 #include "sim/measures/hanging_load.hpp"
 
+#include "sim/forces/forces.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -92,8 +94,8 @@ double strainByWeight(const ClothModel& model, const CommonParameters& parameter
   double strain = 0.0;
   for (std::size_t cut = 0; cut < cuts; ++cut) {
     if (sums.stiffness[cut] > 0.0) {
-      strain =
-          std::max(strain, sums.mass[cut] * parameters.gravity / (sums.stiffness[cut] * parameters.material.stiffness));
+      strain = std::max(
+          strain, sums.mass[cut] * parameters.gravity / (sums.stiffness[cut] * stretchStiffness(model, parameters)));
     }
   }
   return strain;

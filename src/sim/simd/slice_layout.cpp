@@ -206,6 +206,9 @@ class SliceBuilder {
   using BySlots = std::map<std::pair<int, int>, std::vector<LaneTriangle>>;
 
   void addUse(std::size_t corner, const LaneTriangle& use) {
+    if (!model_.fabric) {
+      return;
+    }
     const Triangle& triangle = model_.triangles[use.triangle];
     const auto at = std::find(triangle.begin(), triangle.end(), static_cast<int>(vertexAt(use.lane)));
     layout_.cornerUses.push_back({.corner = corner,

@@ -55,7 +55,7 @@ struct SliceLayout {
     std::size_t triangle = 0;          ///< of the model
     std::size_t cornerOfTriangle = 0;  ///< the triangle's corner at the vertex, 0 to 2
   };
-  std::vector<CornerUse> cornerUses;    ///< SlicedCloth clears it after use
+  std::vector<CornerUse> cornerUses;    ///< empty without a fabric; SlicedCloth clears it after use
   std::vector<int> lastNeighbourSlice;  ///< of each slice, not decreasing and never before the slice itself
   int maxSlots = 0;                     ///< largest number of slots of a slice
   int sliceBandwidth = 0;               ///< largest lastNeighbourSlice[s] - s

@@ -36,10 +36,13 @@ class ExplicitEulerSolver final : public BatchSolver {
 /// overdamped mode.
 double stepLimit(const ClothModel& model, const CommonParameters& parameters) {
   constexpr double unlimited = std::numeric_limits<double>::infinity();
-  const double swinging = largestFrequency(model, parameters) > 0.0
-                              ? parameters.material.damping / (parameters.material.stiffness * model.stiffestSpring)
-                              : unlimited;
-  const double rate = model.unitDampingRate * parameters.material.damping;
+  const auto [stiffness, damping] = actingMaterial(model, parameters);
+  const bool swings = largestFrequency(model, parameters) > 0.0;
+  if (swings && damping == 0.0) {
+    return 0.0;
+  }
+  const double swinging = swings ? damping / (stiffness * model.stiffestSpring) : unlimited;
+  const double rate = model.unitDampingRate * damping;
   const double damped = rate > 0.0 ? 2.0 / rate : unlimited;
   return std::min(swinging, damped);
 }

@@ -3,6 +3,7 @@
 #include "sim/contact/bodies/body.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/forces/local_rates.hpp"
+#include "sim/forces/stability.hpp"
 #include "sim/model/sim_error.hpp"
 #include "sim/motion/moving_frame.hpp"
 
@@ -49,16 +50,22 @@ Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
   solver_ = info_->make();
 }
 
-StepReport Stepper::step(const ClothModel& model, const StepParameters& given, const StepInputs& inputs,
+StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                          ClothState& state) {
-  StepParameters parameters = given;
-  if (model.fabric) {
-    if (!info_->takesFabric) {
-      throw NoFabricSolver(info_->name);
-    }
-    // The rates of a fabric are those of the model; springs of 1 N/m without damping multiply them by one.
-    parameters.material = {.stiffness = 1.0, .damping = 0.0};
+  if (!model.fabric) {
+    return advance(model, parameters, inputs, state);
   }
+  if (!info_->takesFabric) {
+    throw NoFabricSolver(info_->name);
+  }
+  // So that no solver needs to ask which material acts.
+  StepParameters acting = parameters;
+  acting.material = actingMaterial(model, parameters);
+  return advance(model, acting, inputs, state);
+}
+
+StepReport Stepper::advance(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                            ClothState& state) {
   earlierContactWork_ = 0.0;
   contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state);
   return contactSubsteps_ == 1 ? stepWithContact(model, parameters, inputs, state)

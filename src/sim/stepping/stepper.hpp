@@ -63,6 +63,9 @@ class Stepper {
   [[nodiscard]] int contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters);
   StepReport stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                    int contactSubsteps, ClothState& state);
+  /// The step with the material that acts on the cloth (actingMaterial).
+  StepReport advance(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                     ClothState& state);
   /// A step, or a contact substep, with contact at its end.
   StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                              ClothState& state);

@@ -1,5 +1,6 @@
 #include "sim/systems/fabric_energy.hpp"
 
+#include <cmath>
 #include <numeric>
 
 namespace drape::sim {
@@ -55,7 +56,7 @@ void FabricEnergy::gatherVertex(std::size_t vertex, std::span<const Vec3> displa
   const int own = static_cast<int>(vertex);
   Vec3 force = Vec3::Zero();
   double size = 0.0;
-  double speeds = displacement[vertex].norm();
+  double moved = displacement[vertex].norm();
   for (const int t : model_->vertexTriangles[vertex]) {
     const Triangle& triangle = model_->triangles[t];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -65,11 +66,11 @@ void FabricEnergy::gatherVertex(std::size_t vertex, std::span<const Vec3> displa
         const Vec3 pull = tensions_[t][side] * sides_[t].col(side);
         force += leaves ? pull : Vec3(-pull);
         size += pull.norm();
-        speeds += leaves ? displacement[triangle[(k + 1) % 3]].norm() : 0.0;
+        moved += leaves ? displacement[triangle[(k + 1) % 3]].norm() : 0.0;
       }
     }
   }
-  size += model_->fabricStiffness[vertex] * speeds;
+  size += model_->fabricStiffness[vertex] * moved;
   displaced_[vertex] = start_[vertex] + displacement[vertex];
   if (model_->fabric->bends()) {
     // The rows of the matrix sum to zero, so that differences of positions serve. They are more accurate.

@@ -1,5 +1,6 @@
 #include "sim/adaptive/energy_guard.hpp"
 
+#include "fabric_cloths.hpp"
 #include "sim/adaptive/tuning.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "test_meshes.hpp"
@@ -74,6 +75,27 @@ TEST_F(MeasuringTheEnergy, isDueWhenTheStateChangedSinceTheLastStep) {
   state.positions.back().y() += 0.01;
   prepare();
   EXPECT_TRUE(guard.isMeasurementDue(plan, memory));
+}
+
+TEST_F(MeasuringTheEnergy, isDueWhenTheFabricChangedSinceTheLastStep) {
+  const auto springs = model;
+  const auto fabricOf = [&](const fabric::Material& material, const Vec3& warp) {
+    return fabric::withFabric(*springs, material, fabric::warpAlong(warp, springs->restPositions, springs->triangles));
+  };
+  fabric::Material stiffening = testing::woven();
+  stiffening.stiffeningWarp = 100.0;
+  const StepPlan plan{.substeps = 6};
+  for (const auto& changed : {fabricOf(stiffening, Vec3::UnitX()), fabricOf(testing::woven(), Vec3::UnitZ())}) {
+    model = fabricOf(testing::woven(), Vec3::UnitX());
+    measurements(6);
+    memory.steps = 1;
+    prepare();
+    ASSERT_FALSE(guard.isMeasurementDue(plan, memory));
+    ASSERT_NEAR(changed->unitFrequency, model->unitFrequency, 1e-9 * model->unitFrequency);
+    model = changed;
+    prepare();
+    EXPECT_TRUE(guard.isMeasurementDue(plan, memory));
+  }
 }
 
 /// A step of a shaken sheet whose energies are given. The reference energy is a fraction of that of a fall.

@@ -1,5 +1,7 @@
 #include "sim/adaptive/sleep_detection.hpp"
 
+#include "fabric_cloths.hpp"
+#include "sim/adaptive/tuning.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/forces/stability.hpp"
 #include "sim/measures/measures.hpp"
@@ -113,6 +115,33 @@ TEST_F(Sleeping, endsWhenAnythingChanges) {
     change();
     EXPECT_EQ(sleepingSteps(1), 0) << what;
     model = before;
+  }
+}
+
+/// The sheet, with warp along that direction.
+std::shared_ptr<const ClothModel> asFabricWithWarp(const ClothModel& model, const fabric::Material& material,
+                                                   const Vec3& warp) {
+  return fabric::withFabric(model, material, fabric::warpAlong(warp, model.restPositions, model.triangles));
+}
+
+TEST_F(Sleeping, endsWhenTheFabricChanges) {
+  const fabric::Material material = testing::woven();
+  fabric::Material stiffening = material;
+  stiffening.stiffeningWarp = 100.0;
+  const auto before = asFabricWithWarp(*model, material, Vec3::UnitX());
+  const auto stiffer = asFabricWithWarp(*model, stiffening, Vec3::UnitX());
+  const auto turned = asFabricWithWarp(*model, material, Vec3::UnitY());
+  ASSERT_EQ(before->fabricStiffness, stiffer->fabricStiffness) << "the stiffness at rest does not tell them apart";
+  const SleepConditions conditions{parameters, parameters.contact, inputs, 1e-3};
+  for (const auto& changed : {stiffer, turned}) {
+    SleepDetection detection;
+    StepMemory memory;
+    state = stateAtRest(model->restPositions);
+    EXPECT_FALSE(detection.isAsleep(*before, conditions, memory, state)) << "the reference";
+    state.time = 2.0 * tuning.sleepTime;
+    EXPECT_TRUE(detection.isAsleep(*before, conditions, memory, state));
+    EXPECT_TRUE(detection.isAsleep(*before, conditions, memory, state));
+    EXPECT_FALSE(detection.isAsleep(*changed, conditions, memory, state));
   }
 }
 

@@ -299,6 +299,25 @@ TEST(Fabric, countsSliversAndKeepsThemFromBeingStiff) {
   EXPECT_LT(model->unitFrequency, 6.0 * before);
 }
 
+TEST(Fabric, hasAnotherFingerprintForAnotherModulusOrDirectionOfWarp) {
+  const auto springs = pinnedSheet(5);
+  const auto fingerprintOf = [&](const Material& material, const Vec3& warp) {
+    return withFabric(*springs, material, warpAlong(warp, springs->restPositions, springs->triangles))
+        ->fabric->fingerprint;
+  };
+  const std::uint64_t own = fingerprintOf(woven(), Vec3::UnitX());
+  EXPECT_EQ(fingerprintOf(woven(), Vec3::UnitX()), own);
+  EXPECT_NE(fingerprintOf(woven(), Vec3::UnitZ()), own);
+  for (double Material::*const modulus :
+       {&Material::stretchWarp, &Material::stretchWeft, &Material::shear, &Material::poisson,
+        &Material::stiffeningStrain, &Material::stiffeningWarp, &Material::stiffeningWeft, &Material::bendWarp,
+        &Material::bendWeft, &Material::bendBias}) {
+    Material changed = woven();
+    changed.*modulus += 1e-6;
+    EXPECT_NE(fingerprintOf(changed, Vec3::UnitX()), own);
+  }
+}
+
 TEST(Fabric, refusesMaterialsThatAreNotStable) {
   const auto springs = irregularSheet(4);
   const auto warp = warpAlong(Vec3::UnitX(), springs->restPositions, springs->triangles);

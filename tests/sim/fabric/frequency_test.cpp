@@ -1,6 +1,7 @@
 #include "fabric_cloths.hpp"
 #include "sim/forces/forces.hpp"
 #include "sim/forces/stability.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,25 @@ TEST(FabricFrequency, isEstimatedFromAboveByTheLargestStiffnessOfAVertex) {
       ++kind;
     }
   }
+}
+
+TEST(FabricFrequency, limitsTheStepWhateverTheStiffnessAndDampingOfSprings) {
+  const auto model = asFabric(*threeKindsOfSheet()[0], woven());
+  StepParameters undamped;
+  undamped.material = {.stiffness = 1.0, .damping = 0.0};
+  StepParameters damped;
+  damped.material = {.stiffness = 77.0, .damping = 0.1};
+  EXPECT_EQ(largestFrequency(*model, damped), model->unitFrequency);
+  EXPECT_NEAR(verletStepLimit(*model, damped), 2.0 / model->unitFrequency, 1e-12 / model->unitFrequency);
+  int limited = 0;
+  for (const SolverInfo& solver : solverTable()) {
+    if (solver.takesFabric && solver.stepLimit != nullptr) {
+      EXPECT_EQ(solver.stepLimit(*model, damped), solver.stepLimit(*model, undamped)) << solver.name;
+      ++limited;
+    }
+  }
+  EXPECT_GE(limited, 2);
+  EXPECT_EQ(findSolver("explicit_euler")->stepLimit(*model, damped), 0.0) << "no undamped step is stable";
 }
 
 }  // namespace

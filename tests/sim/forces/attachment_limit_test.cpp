@@ -1,5 +1,6 @@
 #include "sim/forces/attachment_limit.hpp"
 
+#include "fabric_cloths.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -39,6 +40,15 @@ TEST(AttachmentLimit, countsSpringsAsStiffAsTheyAre) {
     spring.relativeStiffness = 3.0;
   }
   EXPECT_NEAR(maxAttachmentForce(model, parameters, {10, centre}), 3.0 * force, 1e-12);
+}
+
+TEST(AttachmentLimit, ofAFabricFollowsItsModuliAndNotTheSpringsStiffness) {
+  StepParameters parameters;
+  parameters.material.stiffness = 300.0;  // the smaller stretch modulus of the fabric
+  const double ofSprings = maxAttachmentForce(*sheetOf(0.01), parameters, {10, centre});
+  parameters.material.stiffness = 1.0;
+  const auto model = testing::asFabric(*sheetOf(0.01), testing::woven());
+  EXPECT_NEAR(maxAttachmentForce(*model, parameters, {10, centre}), ofSprings, 1e-12);
 }
 
 TEST(AttachmentLimit, isAQuarterOfTheWeightAtLeast) {

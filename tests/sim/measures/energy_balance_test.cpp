@@ -1,6 +1,7 @@
 #include "sim/measures/energy_balance.hpp"
 
 #include "all_forces.hpp"
+#include "fabric_cloths.hpp"
 #include "sim/stepping/stepper.hpp"
 #include "test_meshes.hpp"
 
@@ -213,6 +214,14 @@ TEST(EnergyBalance, ofVerletLeavesTheIntegratorAnErrorOfSecondOrder) {
   EXPECT_GT(std::abs(fine.integrator()), 1e-10);
   EXPECT_LT(std::abs(fine.integrator()), 1e-3);
   EXPECT_NEAR(coarse.integrator() / fine.integrator(), 4.0, 0.2);
+}
+
+TEST(EnergyBalance, ofAFabricHasNoWorkOfTheSpringsDamping) {
+  const auto springs = breathingTriangle();
+  const auto model = testing::asFabric(*springs, testing::woven());
+  const EnergyBalance balance = breathe(*model, breathingParameters(), 100);
+  EXPECT_NE(balance.change(), 0.0);
+  EXPECT_EQ(balance.damping(), 0.0);
 }
 
 }  // namespace

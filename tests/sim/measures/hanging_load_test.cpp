@@ -1,5 +1,6 @@
 #include "sim/measures/hanging_load.hpp"
 
+#include "fabric_cloths.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -48,6 +49,20 @@ TEST(StrainByWeight, IsLargerWhereFewPinsCarryAll) {
   parameters.material.stiffness = 10.0;
   const auto corners = buildClothModel(testing::sheet(9), 0.1, MassLumping::Area, {0, 8});
   EXPECT_GT(strainByWeight(*corners, parameters), 2.0 * strainByWeight(*hungSheet(9, 0.1), parameters));
+}
+
+/// The strain of a sheet without contraction that hangs from one edge: its weight over width and modulus.
+TEST(StrainByWeight, OfAFabricFollowsItsModuliAndNotTheSpringsStiffness) {
+  fabric::Material material = testing::woven();
+  material.stretchWarp = material.stretchWeft = 20.0;
+  const auto model = testing::asFabric(*hungSheet(21, 0.5), material);
+  const double exact = 0.5 * 9.81 / 20.0;
+  for (const double stiffness : {0.0, 1e3}) {
+    StepParameters parameters;
+    parameters.material.stiffness = stiffness;
+    EXPECT_GT(strainByWeight(*model, parameters), 0.5 * exact);
+    EXPECT_LT(strainByWeight(*model, parameters), exact);
+  }
 }
 
 TEST(StrainByWeight, IsNothingWithoutPinsAndInfiniteWithoutStiffness) {

@@ -1,5 +1,6 @@
 #include "sim/simd/slice_layout.hpp"
 
+#include "fabric_cloths.hpp"
 #include "sim/simd/sliced_cloth.hpp"
 #include "simd_meshes.hpp"
 
@@ -54,6 +55,12 @@ TEST_P(EveryMesh, standsInAnOrderThatIsAPermutation) {
     EXPECT_EQ(sorted[v], v);
     EXPECT_EQ(vertexAt(layout_.indexOf[v]), v);
   }
+}
+
+TEST_P(EveryMesh, knowsTheTrianglesOfItsCornersIfTheClothIsAFabric) {
+  EXPECT_TRUE(layout_.cornerUses.empty()) << "springs need no triangles";
+  const SliceLayout ofFabric = buildSliceLayout(*testing::asFabric(*model_, testing::woven()));
+  EXPECT_EQ(ofFabric.cornerUses.size(), model_->vertexTriangles.values().size());
 }
 
 TEST_P(EveryMesh, hasEverySpringOnceAtEitherEndWithItsNeighbourAndRestLength) {
