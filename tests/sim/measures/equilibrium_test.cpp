@@ -87,8 +87,10 @@ TEST(Equilibrium, isTheStartIfNothingActs) {
   const std::vector<Vec3> none(model->restPositions.size(), Vec3::Zero());
   const Equilibrium found = equilibriumUnder(*model, none, model->restPositions);
   EXPECT_TRUE(found.converged);
-  EXPECT_EQ(found.iterations, 0);
-  EXPECT_EQ(found.positions, model->restPositions);
+  EXPECT_LE(found.iterations, 2) << "to remove rounding errors";
+  for (std::size_t v = 0; v < found.positions.size(); ++v) {
+    EXPECT_LT((found.positions[v] - model->restPositions[v]).norm(), 1e-14);
+  }
 }
 
 TEST(Equilibrium, reactionsCarryTheWeight) {
