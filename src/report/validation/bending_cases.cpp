@@ -1,5 +1,6 @@
 #include "report/validation/cases.hpp"
 #include "report/validation/closed_forms.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/measures/equilibrium.hpp"
 
 #include <algorithm>
@@ -154,6 +155,26 @@ Comparison buckling(const CaseMesh& mesh) {
     (isStable(middle) ? low : high) = middle;
   }
   return {.measured = 0.5 * (low + high), .exact = exact};
+}
+
+Comparison twist(const CaseMesh& mesh) {
+  constexpr double side = 0.2;  // [m]
+  const sim::fabric::Material material = stiffSheet(1e-4);
+  const TestSheet sheet =
+      testSheet({.length = side, .width = side, .along = mesh.resolution, .across = mesh.resolution}, mesh.kind);
+  const auto model = clothOf(sheet, material, 0.2, {});
+  const sim::fabric::VertexMatrix& bending = model->fabric->bending;
+  const auto height = [&](Eigen::Index vertex) {
+    const Vec3& position = model->restPositions[vertex];
+    return position.x() * position.z();
+  };
+  double energy = 0.0;
+  for (int row = 0; row < bending.outerSize(); ++row) {
+    for (sim::fabric::VertexMatrix::InnerIterator entry(bending, row); entry; ++entry) {
+      energy += 0.5 * entry.value() * height(row) * height(entry.col());
+    }
+  }
+  return {.measured = 0.5 * energy / (side * side), .exact = sim::fabric::bendMatrix(material)(2, 2)};
 }
 
 }  // namespace drape::report::validation

@@ -39,6 +39,8 @@ constexpr std::array casesOfValidation{
         "overhang at a chord of 41.5 degrees, from the heavy elastica", "m", 0.02, 0.1, peircePolyester},
     ValidationCase{"buckling", "Compressed strip with hinged ends",
         "load per width at which the flat strip becomes unstable, pi^2 B / L^2", "N/m", 0.02, 0.1, buckling},
+    ValidationCase{"twist", "Square plate on a saddle",
+        "twist stiffness from the bending energy of y = k x z, 2 D_33 k^2 an area", "N m", 0.03, 0.1, twist},
 };
 // clang-format on
 

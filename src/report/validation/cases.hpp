@@ -21,5 +21,6 @@ namespace drape::report::validation {
 [[nodiscard]] Comparison peirceCotton(const CaseMesh& mesh);
 [[nodiscard]] Comparison peircePolyester(const CaseMesh& mesh);
 [[nodiscard]] Comparison buckling(const CaseMesh& mesh);
+[[nodiscard]] Comparison twist(const CaseMesh& mesh);
 
 }  // namespace drape::report::validation
