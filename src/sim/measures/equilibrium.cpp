@@ -61,7 +61,6 @@ class StaticPotential {
   /// Computes value and gradient with a fraction of the load.
   Value evaluate(const std::vector<Vec3>& displacement, double loadShare) {
     energy_.evaluate(displacement);
-    Value result;
     double work = 0.0;
     double workSize = 0.0;
     double residual = 0.0;
