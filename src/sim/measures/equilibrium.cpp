@@ -21,6 +21,9 @@ constexpr int maxHalvingsOfStep = 30;
 /// Added to the second derivative, as a fraction of its largest diagonal entry. It holds vertices that no force holds
 /// (fabric without bending) and does not change the equilibrium.
 constexpr double regularisation = 1e-14;
+/// The largest residual, relative to the load, that rounding may excuse [-]. The bound of the rounding errors grows
+/// with the displacement. Without a limit it would exceed the load on a cloth that falls for ever.
+constexpr double largestExcuse = 1e-5;
 
 /// The sum of the sizes of the terms of the bending energy at rest [J]. They cancel there, and nearly so in bent cloth.
 double sizeOfBendingTerms(const ClothModel& model) {
@@ -99,6 +102,9 @@ class StaticPotential {
 
   /// Factorises the second derivative at the last evaluation. False if it is not positive definite.
   bool factorise(ForceDerivative variant) {
+    if (hessian_.lower().rows() == 0) {
+      return true;  // all vertices are pinned
+    }
     diagonal_.assign(gradient_.size(), Mat3::Zero());
     pairs_.assign(model_.fabric->pairs.size(), Mat3::Zero());
     energy_.addDerivative(variant, 1.0, diagonal_, pairs_);
@@ -142,7 +148,9 @@ class EquilibriumSearch {
     for (std::size_t v = 0; v < start.size(); ++v) {
       squares += model.pinned[v] ? 0.0 : loads[v].squaredNorm();
     }
-    scale_ = std::max(std::sqrt(squares), potential_.evaluate(displacement_, 0.0).residual);
+    const StaticPotential::Value atStart = potential_.evaluate(displacement_, 0.0);
+    scale_ = std::max(std::sqrt(squares), atStart.residual);
+    largestRounding_ = std::max(largestExcuse * scale_, 2.0 * atStart.rounding);
   }
 
   Equilibrium run(std::span<const Vec3> start) {
@@ -155,7 +163,7 @@ class EquilibriumSearch {
     }
     found.iterations = iterations_;
     found.residual = scale_ > 0.0 ? current_.residual / scale_ : 0.0;
-    found.stable = potential_.factorise(ForceDerivative::Exact);
+    found.stable = found.converged && potential_.factorise(ForceDerivative::Exact);
     found.positions.assign(start.begin(), start.end());
     for (std::size_t v = 0; v < displacement_.size(); ++v) {
       found.positions[v] += displacement_[v];
@@ -190,7 +198,9 @@ class EquilibriumSearch {
   /// Minimises the potential with a fraction of the load. @param limit on the count of all iterations
   bool minimise(double loadShare, int limit) {
     current_ = potential_.evaluate(displacement_, loadShare);
-    const auto target = [&] { return std::max(options_.tolerance * scale_, current_.rounding); };
+    const auto target = [&] {
+      return std::max(options_.tolerance * scale_, std::min(current_.rounding, largestRounding_));
+    };
     while (current_.residual > target() && iterations_ < std::min(limit, options_.maxIterations)) {
       if (stop_.stop_requested()) {
         throw StepStopped();
@@ -230,7 +240,8 @@ class EquilibriumSearch {
   const EquilibriumOptions& options_;
   const std::stop_token& stop_;
   StaticPotential::Value current_;
-  double scale_ = 0.0;  // of the residual [N]
+  double scale_ = 0.0;            // of the residual [N]
+  double largestRounding_ = 0.0;  // residual that may count as rounding [N]
   int iterations_ = 0;
   std::vector<Vec3> displacement_;  // from the start [m]
   std::vector<Vec3> direction_;     // [m]

@@ -22,7 +22,7 @@ struct Equilibrium {
   int loadSteps = 1;            ///< increments of the load that were necessary
   double residual = 0.0;        ///< norm of the unbalanced forces over that of all loads or tensions, see below [-]
   bool converged = false;       ///< the residual is below the tolerance, or is rounding only
-  bool stable = false;          ///< the exact second derivative of the energy is positive definite there
+  bool stable = false;          ///< converged, and the exact second derivative of the energy is positive definite there
 };
 
 /// Finds the static equilibrium of a cloth with a fabric (ClothModel::fabric) under constant loads. It is a minimum of
@@ -39,7 +39,7 @@ struct Equilibrium {
 ///
 /// The residual is relative to the norm of the loads on free vertices, or, where it is larger, to that of the forces
 /// that act at `start`. As in IncrementalPotential, a residual that rounding does not allow to decrease counts as
-/// converged.
+/// converged, but not above 1e-5. A cloth that nothing holds has no equilibrium and does not converge.
 ///
 /// A flat sheet without a load across it is in equilibrium, though it may be an unstable one. A start that is slightly
 /// out of plane finds the stable one.

@@ -93,6 +93,15 @@ TEST(Equilibrium, isTheStartIfNothingActs) {
   }
 }
 
+TEST(Equilibrium, isTheStartIfAllVerticesArePinned) {
+  const auto model = clampedSheet(4, woven(), 4);
+  const Equilibrium found = equilibriumUnder(*model, weightsOf(*model, 9.81), model->restPositions);
+  EXPECT_TRUE(found.converged);
+  EXPECT_TRUE(found.stable);
+  EXPECT_EQ(found.positions, model->restPositions);
+  EXPECT_TRUE(isStableAt(*model, model->restPositions));
+}
+
 TEST(Equilibrium, reactionsCarryTheWeight) {
   const auto model = clampedSheet(7, woven(), 2);
   const std::vector<Vec3> loads = weightsOf(*model, 9.81);
@@ -113,6 +122,14 @@ TEST(Equilibrium, saysSoIfItHasNotConverged) {
   EXPECT_FALSE(found.converged);
   EXPECT_GT(found.residual, 1e-9);
   EXPECT_LE(found.iterations, 2);
+}
+
+TEST(Equilibrium, doesNotConvergeWhereThereIsNone) {
+  const auto model = clampedSheet(7, woven(), 0);
+  const Equilibrium found = equilibriumUnder(*model, weightsOf(*model, 9.81), model->restPositions);
+  EXPECT_FALSE(found.converged) << "the cloth falls for ever";
+  EXPECT_FALSE(found.stable);
+  EXPECT_GT(found.residual, 0.1);
 }
 
 TEST(Equilibrium, aToleranceOfZeroIsMetUpToRounding) {
