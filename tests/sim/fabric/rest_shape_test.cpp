@@ -58,11 +58,6 @@ TEST(WarpAlong, takesTheClosestAxisWhereTheTriangleIsPerpendicular) {
   EXPECT_EQ(warpAlong(Vec3::UnitZ(), inXy, one)[0], Vec3::UnitX());
 }
 
-TEST(WarpAlong, isZeroInADegenerateTriangle) {
-  const Positions positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  EXPECT_EQ(warpAlong(Vec3::UnitX(), positions, Triangles{{0, 1, 2}, {0, 1, 1}}), Positions(2, Vec3::Zero()));
-}
-
 TEST(RestShape, hasSidesAlongWarpAndWeft) {
   const Positions positions = {{0, 0, 0}, {0, 0, 2}, {3, 0, 0}};  // its normal is +y
   const RestTriangle triangle = shapeOf(positions, {{0, 1, 2}}, Vec3::UnitX()).triangles[0];
