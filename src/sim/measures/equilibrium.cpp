@@ -19,7 +19,7 @@ constexpr double armijoShare = 1e-4;
 /// Steps shorter than 2^-30 of Newton's have no effect.
 constexpr int maxHalvingsOfStep = 30;
 /// Added to the second derivative, as a fraction of its largest diagonal entry. It holds vertices that no force holds
-/// (fabric without bending) and does not change the equilibrium.
+/// (fabric without bending) and does not change the equilibrium. It lets neutral modes count as stable.
 constexpr double regularisation = 1e-14;
 /// The largest residual, relative to the load, that rounding may excuse [-]. The bound of the rounding errors grows
 /// with the displacement. Without a limit it would exceed the load on a cloth that falls for ever.
@@ -100,7 +100,7 @@ class StaticPotential {
     return std::min(0.0, gradient.dot(numbers));
   }
 
-  /// Factorises the second derivative at the last evaluation. False if it is not positive definite.
+  /// Factorises the second derivative at the last evaluation. False if it has a negative eigenvalue.
   bool factorise(ForceDerivative variant) {
     if (hessian_.lower().rows() == 0) {
       return true;  // all vertices are pinned

@@ -11,7 +11,7 @@ namespace drape::sim {
 /// How equilibriumUnder searches.
 struct EquilibriumOptions {
   double tolerance = 1e-9;    ///< residual relative to the load (Equilibrium::residual) at which the search ends [-]
-  int maxIterations = 400;    ///< Newton iterations, of all load steps together
+  int maxIterations = 1600;   ///< Newton iterations, of all load steps together; cloth that buckles takes many
   double minLoadStep = 1e-3;  ///< smallest increment of the load, as a fraction of the whole [-]
 };
 
@@ -22,7 +22,7 @@ struct Equilibrium {
   int loadSteps = 1;            ///< increments of the load that were necessary
   double residual = 0.0;        ///< norm of the unbalanced forces over that of all loads or tensions, see below [-]
   bool converged = false;       ///< the residual is below the tolerance, or is rounding only
-  bool stable = false;          ///< converged, and the exact second derivative of the energy is positive definite there
+  bool stable = false;          ///< converged, and no small displacement releases energy, see isStableAt
 };
 
 /// Finds the static equilibrium of a cloth with a fabric (ClothModel::fabric) under constant loads. It is a minimum of
@@ -53,8 +53,12 @@ struct Equilibrium {
 /// The weights of the vertices [N], along -y. @param gravity [m/s^2]
 [[nodiscard]] std::vector<Vec3> weightsOf(const ClothModel& model, double gravity);
 
-/// Whether the second derivative of the elastic energy by the positions of the free vertices is positive definite: no
-/// small displacement releases energy. Constant loads do not matter.
+/// Whether no small displacement of the free vertices releases energy: the second derivative of the elastic energy by
+/// their positions has no negative eigenvalue. Constant loads do not matter.
+///
+/// An eigenvalue of zero counts as stable. Such neutral modes are the rigid motions of a cloth that too few pins hold,
+/// and motion out of the plane of a flat fabric without tension or bending stiffness. Eigenvalues count as zero if
+/// their size is below about 1e-14 of the largest diagonal entry.
 [[nodiscard]] bool isStableAt(const ClothModel& model, std::span<const Vec3> positions);
 
 }  // namespace drape::sim

@@ -158,6 +158,12 @@ TEST(Equilibrium, compressedFlatClothIsUnstable) {
   EXPECT_FALSE(isStableAt(*model, positions));
 }
 
+TEST(Equilibrium, neutralModesCountAsStable) {
+  // Without tension and bending stiffness, the energy of flat cloth does not grow with small motion out of its plane.
+  const auto model = clampedSheet(7, membraneOnly(), 1);
+  EXPECT_TRUE(isStableAt(*model, model->restPositions));
+}
+
 TEST(WeightsOf, pullDownByMassTimesGravity) {
   const auto model = clampedSheet(4, woven(), 1);
   const std::vector<Vec3> weights = weightsOf(*model, 2.0);
