@@ -34,7 +34,9 @@ TEST(ValidateCommand, failsWithStatusOneAndNamesWhatIsOff) {
 }
 
 TEST(ValidateCommand, refusesWrongUse) {
-  EXPECT_EQ(headless("validate --only magic").status, 2);
+  const Outcome unknown = headless("validate --only magic");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.errors.find("own_weight"), std::string::npos) << "the names to choose from: " << unknown.errors;
   const Outcome outcome = headless("validate --only own_weight --json /nowhere/file.json");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.errors.find("/nowhere/file.json"), std::string::npos) << outcome.errors;

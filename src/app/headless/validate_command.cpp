@@ -73,6 +73,7 @@ void addValidateCommand(CLI::App& app) {
   command->add_option("--json", arguments->json, "Write all results to this file (JSON)")
       ->type_name("FILE")
       ->check(notEmpty());
+  command->footer("Exits with 1 when an error at the finest resolution exceeds its aim.");
   command->callback([arguments] { validate(*arguments); });
 }
 

@@ -54,7 +54,11 @@ const ValidationCase& requireValidationCase(std::string_view name) {
   const auto* const found = std::find_if(casesOfValidation.begin(), casesOfValidation.end(),
                                          [&](const ValidationCase& one) { return one.name == name; });
   if (found == casesOfValidation.end()) {
-    throw messages::UsageError("there is no validation case '" + std::string(name) + "'; its table lists the names");
+    std::string names;
+    for (const ValidationCase& one : casesOfValidation) {
+      names += (names.empty() ? "" : ", ") + std::string(one.name);
+    }
+    throw messages::UsageError("there is no validation case '" + std::string(name) + "'; the cases are " + names);
   }
   return *found;
 }
