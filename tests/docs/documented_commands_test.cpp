@@ -90,9 +90,11 @@ class Documentation : public ::testing::TestWithParam<DocumentedCommand> {
 
   void callProgram(const DocumentedCommand& command) {
     const int status = shell(std::regex_replace(command.text, std::regex("^build/release/bin/"), ""));
-    // The hard cases end with 1 when a solver fails one of them, as most do.
-    const bool failsCases = status == 1 && command.text.find(" hardcases ") != std::string::npos;
-    EXPECT_TRUE(status == 0 || status == timedOut || failsCases) << "status " << status << ": " << contentOf(output());
+    const std::string printed = contentOf(output());
+    // Two subcommands end with 1 when a result exceeds its limit, as many do, and then say so (docs/guide/headless.md).
+    const bool exceedsLimits =
+        status == 1 && std::regex_search(printed, std::regex("failed hard cases, of|off by more than the aim"));
+    EXPECT_TRUE(status == 0 || status == timedOut || exceedsLimits) << "status " << status << ": " << printed;
   }
 
   /// Checks that each pattern of the filter matches a test; CTest runs the tests themselves.

@@ -9,6 +9,7 @@ void addRunCommand(CLI::App& app);
 void addCaptureCommand(CLI::App& app);
 void addMeasureCommand(CLI::App& app);
 void addHardCasesCommand(CLI::App& app);
+void addValidateCommand(CLI::App& app);
 void addListCommand(CLI::App& app);
 
 }  // namespace drape::app

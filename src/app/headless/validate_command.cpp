@@ -1,0 +1,80 @@
+#include "app/command_line.hpp"
+#include "app/headless/commands.hpp"
+#include "app/output_file.hpp"
+#include "messages/error.hpp"
+#include "report/validation/validation_rows.hpp"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace drape::app {
+namespace {
+
+struct ValidateArguments {
+  std::vector<std::string> cases;
+  bool shortForm = false;
+  std::string json;
+};
+
+std::vector<const report::validation::ValidationCase*> validationCasesOf(const ValidateArguments& arguments) {
+  std::vector<const report::validation::ValidationCase*> cases;
+  for (const std::string& name : arguments.cases) {
+    cases.push_back(&report::validation::requireValidationCase(name));
+  }
+  for (const report::validation::ValidationCase& one : report::validation::validationTable()) {
+    if (arguments.cases.empty()) {
+      cases.push_back(&one);
+    }
+  }
+  return cases;
+}
+
+void validate(const ValidateArguments& arguments) {
+  const auto cases = validationCasesOf(arguments);
+  std::optional<OutputFile> file;
+  if (!arguments.json.empty()) {
+    file.emplace(arguments.json, "the results");
+  }
+  std::span<const int> resolutions = report::validation::validationResolutions;
+  resolutions = arguments.shortForm ? resolutions.first(2) : resolutions;
+  report::ReportRows rows;
+  std::string off;
+  std::cout << report::validation::validationHeading(resolutions);
+  for (const report::validation::ValidationCase* one : cases) {
+    for (const report::validation::MeshKind kind : report::validation::meshKinds) {
+      const report::validation::ValidationSeries series = report::validation::runValidation(*one, kind, resolutions);
+      std::cout << report::validation::validationLine(series) << std::flush;
+      rows.push_back(report::validation::validationRow(series));
+      if (!series.passes()) {
+        off += (off.empty() ? "" : ", ") + std::string(one->name) + " " + std::string(nameOf(kind));
+      }
+    }
+  }
+  if (file) {
+    file->write(report::ReportRow{{"validation", rows}});
+  }
+  if (!off.empty()) {
+    throw messages::InputError("off by more than the aim: " + off);
+  }
+}
+
+}  // namespace
+
+void addValidateCommand(CLI::App& app) {
+  auto arguments = std::make_shared<ValidateArguments>();
+  CLI::App* command = app.add_subcommand(
+      "validate", "Compares fabric at rest with closed forms on three kinds of mesh, with errors and order");
+  command->add_option("--only", arguments->cases, "A case's name; may be repeated; default: every case")
+      ->type_name("NAME")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--short", arguments->shortForm, "Without the finest resolution");
+  command->add_option("--json", arguments->json, "Write all results to this file (JSON)")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command->footer("Exits with 1 when an error at the finest resolution exceeds its aim.");
+  command->callback([arguments] { validate(*arguments); });
+}
+
+}  // namespace drape::app

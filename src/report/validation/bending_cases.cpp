@@ -1,0 +1,180 @@
+#include "report/validation/cases.hpp"
+#include "report/validation/closed_forms.hpp"
+#include "sim/fabric/fabric.hpp"
+#include "sim/measures/equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace drape::report::validation {
+namespace {
+
+constexpr double gravity = 9.81;  // [m/s^2]
+
+/// A fabric of one bending stiffness [N m] that hardly stretches.
+sim::fabric::Material stiffSheet(double bending) {
+  sim::fabric::Material material;
+  material.stretchWarp = material.stretchWeft = 2000.0;
+  material.shear = 1000.0;
+  material.bendWarp = material.bendWeft = material.bendBias = bending;
+  return material;
+}
+
+/// A strip of this free length that is clamped at x = 0, with a width of a fourth. The first two columns are pinned.
+///
+/// The hinge at the second column bends. Curvature is a mean over the hinges of a triangle, so half of that bend counts
+/// as curvature of the pinned triangles beside it. The strip bends as if it began in the middle of the pinned cell. So
+/// the free length counts from there.
+TestSheet cantilever(double freeLength, const CaseMesh& mesh) {
+  const double cell = freeLength / (mesh.resolution - 0.5);
+  return testSheet({.start = -0.5 * cell,
+                    .length = freeLength + 0.5 * cell,
+                    .width = 0.25 * freeLength,
+                    .along = mesh.resolution,
+                    .across = std::max(2, mesh.resolution / 4),
+                    .straight = 2},
+                   mesh.kind);
+}
+
+/// The tip of a cantilever under its weight, in units of its free length; NaN if no equilibrium was found.
+ElasticaTip tipOf(const sim::fabric::Material& material, double density, double freeLength, const CaseMesh& mesh) {
+  const TestSheet sheet = cantilever(freeLength, mesh);
+  const auto model = clothOf(sheet, material, density, sheet.verticesOf(0, 1));
+  const sim::Equilibrium found =
+      sim::equilibriumUnder(*model, sim::weightsOf(*model, gravity), model->restPositions, {}, mesh.stop);
+  Vec3 tip = Vec3::Zero();
+  for (const int vertex : sheet.verticesOf(sheet.columns - 1, sheet.columns - 1)) {
+    tip += found.positions[vertex] / (sheet.rows * freeLength);
+  }
+  const double failed = found.converged ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  return {.along = tip.x() + failed, .down = -tip.y() + failed};
+}
+
+Comparison heavyElastica(double gamma, const CaseMesh& mesh) {
+  constexpr double freeLength = 0.2;  // [m]
+  constexpr double bending = 1e-4;    // [N m]
+  const double density = gamma * bending / (gravity * freeLength * freeLength * freeLength);
+  return {.measured = tipOf(stiffSheet(bending), density, freeLength, mesh).down,
+          .exact = heavyElasticaTip(gamma).down};
+}
+
+/// Finds the overhang at which the chord makes Peirce's angle, by the secant method.
+Comparison peirce(const sim::fabric::Material& material, double density, const CaseMesh& mesh) {
+  const double exact = peirceOverhang(material.bendWarp, density * gravity);
+  const auto excess = [&](double overhang) {
+    return tipOf(material, density, overhang, mesh).chordAngle() - peirceAngle;
+  };
+  double former = exact;
+  double formerExcess = excess(former);
+  double overhang = 1.01 * exact;
+  constexpr int maxIterations = 8;
+  for (int i = 0; i < maxIterations && std::abs(overhang - former) > 1e-6 * exact; ++i) {
+    const double now = excess(overhang);
+    const double next = overhang - now * (overhang - former) / (now - formerExcess);
+    former = overhang;
+    formerExcess = now;
+    overhang = next;
+  }
+  return {.measured = overhang, .exact = exact};
+}
+
+sim::fabric::Material fabricWith(double warp, double weft, double shear, double bendWarp, double bendBias,
+                                 double bendWeft) {
+  sim::fabric::Material material;
+  material.stretchWarp = warp;
+  material.stretchWeft = weft;
+  material.shear = shear;
+  material.bendWarp = bendWarp;
+  material.bendWeft = bendWeft;
+  material.bendBias = bendBias;
+  return material;
+}
+
+}  // namespace
+
+Comparison heavyElasticaSmall(const CaseMesh& mesh) {
+  return heavyElastica(1.5, mesh);
+}
+
+Comparison heavyElasticaMedium(const CaseMesh& mesh) {
+  return heavyElastica(5.0, mesh);
+}
+
+Comparison heavyElasticaLarge(const CaseMesh& mesh) {
+  return heavyElastica(15.0, mesh);
+}
+
+Comparison heavyElasticaHanging(const CaseMesh& mesh) {
+  return heavyElastica(46.0, mesh);
+}
+
+// Moduli of Wang, O'Brien and Ramamoorthi (2011), Data-driven elastic models for cloth.
+
+Comparison peirceDenim(const CaseMesh& mesh) {
+  return peirce(fabricWith(205.0, 1014.0, 53.0, 64e-6, 73e-6, 97e-6), 0.324, mesh);
+}
+
+Comparison peirceCotton(const CaseMesh& mesh) {
+  return peirce(fabricWith(2017.0, 2035.0, 105.0, 125e-6, 108e-6, 125e-6), 0.220, mesh);
+}
+
+Comparison peircePolyester(const CaseMesh& mesh) {
+  return peirce(fabricWith(2002.0, 2027.0, 19.0, 52e-6, 41e-6, 31e-6), 0.128, mesh);
+}
+
+Comparison buckling(const CaseMesh& mesh) {
+  constexpr double freeLength = 0.2;  // [m]
+  constexpr double bending = 1e-4;    // [N m]
+  const sim::fabric::Material material = stiffSheet(bending);
+  const TestSheet sheet = testSheet({.length = freeLength,
+                                     .width = 0.25 * freeLength,
+                                     .along = mesh.resolution,
+                                     .across = std::max(2, mesh.resolution / 4)},
+                                    mesh.kind);
+  // A single pinned column is a hinge: the strip may turn about it.
+  std::vector<int> pins = sheet.verticesOf(0, 0);
+  const std::vector<int> other = sheet.verticesOf(sheet.columns - 1, sheet.columns - 1);
+  pins.insert(pins.end(), other.begin(), other.end());
+  const auto model = clothOf(sheet, material, 0.2, pins);
+  const double exact = bucklingLoad(bending, freeLength);
+  // Without contraction across, the flat strip is strained evenly: E_11 = -load / C_11.
+  const auto isStable = [&](double load) {
+    std::vector<Vec3> positions = model->restPositions;
+    const double stretch = std::sqrt(1.0 - 2.0 * load / material.stretchWarp);
+    for (Vec3& position : positions) {
+      position.x() *= stretch;
+    }
+    return sim::isStableAt(*model, positions);
+  };
+  double low = 0.0;
+  double high = 4.0 * exact;
+  constexpr int halvings = 20;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (isStable(middle) ? low : high) = middle;
+  }
+  return {.measured = 0.5 * (low + high), .exact = exact};
+}
+
+Comparison twist(const CaseMesh& mesh) {
+  constexpr double side = 0.2;  // [m]
+  const sim::fabric::Material material = stiffSheet(1e-4);
+  const TestSheet sheet =
+      testSheet({.length = side, .width = side, .along = mesh.resolution, .across = mesh.resolution}, mesh.kind);
+  const auto model = clothOf(sheet, material, 0.2, {});
+  const sim::fabric::VertexMatrix& bending = model->fabric->bending;
+  const auto height = [&](Eigen::Index vertex) {
+    const Vec3& position = model->restPositions[vertex];
+    return position.x() * position.z();
+  };
+  double energy = 0.0;
+  for (int row = 0; row < bending.outerSize(); ++row) {
+    for (sim::fabric::VertexMatrix::InnerIterator entry(bending, row); entry; ++entry) {
+      energy += 0.5 * entry.value() * height(row) * height(entry.col());
+    }
+  }
+  return {.measured = 0.5 * energy / (side * side), .exact = sim::fabric::bendMatrix(material)(2, 2)};
+}
+
+}  // namespace drape::report::validation

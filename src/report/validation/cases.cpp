@@ -1,0 +1,99 @@
+#include "report/validation/cases.hpp"
+
+#include "messages/error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace drape::report::validation {
+namespace {
+
+// clang-format off
+constexpr std::array casesOfValidation{
+    ValidationCase{"end_load_modulus", "Strip under an end load: stiffness",
+        "E h from the strain in the middle, with Saint Venant-Kirchhoff's law", "N/m", 0.005, 0.005, endLoadModulus},
+    ValidationCase{"end_load_poisson", "Strip under an end load: contraction",
+        "Poisson's ratio from the strains in the middle", "", 0.005, 0.005, endLoadPoisson},
+    ValidationCase{"own_weight", "Strip that hangs from one end",
+        "elongation by its own weight, from the nonlinear law integrated over the strip", "m", 0.005, 0.005, ownWeight},
+    ValidationCase{"picture_frame", "Picture frame",
+        "shear modulus from the work of the frame at 0.3 rad", "N/m", 0.005, 0.005, pictureFrame},
+    ValidationCase{"hanging_strip", "Strip that hangs from both ends",
+        "sag of the catenary", "m", 0.005, 0.005, hangingStrip},
+    ValidationCase{"heavy_elastica_1.5", "Clamped strip under its weight, Gamma = 1.5",
+        "drop of the tip of the heavy elastica, in lengths", "", 0.02, 0.1, heavyElasticaSmall},
+    ValidationCase{"heavy_elastica_5", "Clamped strip under its weight, Gamma = 5",
+        "drop of the tip of the heavy elastica, in lengths", "", 0.02, 0.1, heavyElasticaMedium},
+    ValidationCase{"heavy_elastica_15", "Clamped strip under its weight, Gamma = 15",
+        "drop of the tip of the heavy elastica, in lengths", "", 0.02, 0.1, heavyElasticaLarge},
+    ValidationCase{"heavy_elastica_46", "Clamped strip under its weight, Gamma = 46",
+        "drop of the tip of the heavy elastica, in lengths", "", 0.02, 0.1, heavyElasticaHanging},
+    ValidationCase{"peirce_denim", "Peirce's cantilever, denim along warp",
+        "overhang at a chord of 41.5 degrees, from the heavy elastica", "m", 0.02, 0.1, peirceDenim},
+    ValidationCase{"peirce_cotton", "Peirce's cantilever, cotton-polyester along warp",
+        "overhang at a chord of 41.5 degrees, from the heavy elastica", "m", 0.02, 0.1, peirceCotton},
+    ValidationCase{"peirce_polyester", "Peirce's cantilever, polyester along warp",
+        "overhang at a chord of 41.5 degrees, from the heavy elastica", "m", 0.02, 0.1, peircePolyester},
+    ValidationCase{"buckling", "Compressed strip with hinged ends",
+        "load per width at which the flat strip becomes unstable, pi^2 B / L^2", "N/m", 0.02, 0.1, buckling},
+    ValidationCase{"twist", "Square plate on a saddle",
+        "twist stiffness from the bending energy of y = k x z, 2 D_33 k^2 an area", "N m", 0.03, 0.1, twist},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const ValidationCase> validationTable() {
+  return casesOfValidation;
+}
+
+const ValidationCase& requireValidationCase(std::string_view name) {
+  const auto* const found = std::find_if(casesOfValidation.begin(), casesOfValidation.end(),
+                                         [&](const ValidationCase& one) { return one.name == name; });
+  if (found == casesOfValidation.end()) {
+    std::string names;
+    for (const ValidationCase& one : casesOfValidation) {
+      names += (names.empty() ? "" : ", ") + std::string(one.name);
+    }
+    throw messages::UsageError("there is no validation case '" + std::string(name) + "'; the cases are " + names);
+  }
+  return *found;
+}
+
+bool ValidationSeries::passes() const {
+  return !results.empty() && std::abs(results.back().comparison.error()) <= validationCase->aimFor(kind);
+}
+
+double ValidationSeries::order() const {
+  constexpr double smallest = 1e-6;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (results.size() < 2) {
+    return none;
+  }
+  const ValidationResult& coarse = results[results.size() - 2];
+  const ValidationResult& fine = results.back();
+  const double before = std::abs(coarse.comparison.error());
+  const double after = std::abs(fine.comparison.error());
+  if (!(before > smallest) || !(after > smallest)) {
+    return none;
+  }
+  return std::log(before / after) / std::log(static_cast<double>(fine.resolution) / coarse.resolution);
+}
+
+ValidationSeries runValidation(const ValidationCase& validationCase, MeshKind kind, std::span<const int> resolutions,
+                               const std::stop_token& stop) {
+  using Clock = std::chrono::steady_clock;
+  ValidationSeries series{.validationCase = &validationCase, .kind = kind, .results = {}};
+  for (const int resolution : resolutions) {
+    const auto start = Clock::now();
+    const Comparison comparison = validationCase.run({.resolution = resolution, .kind = kind, .stop = stop});
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    series.results.push_back({.kind = kind, .resolution = resolution, .comparison = comparison, .seconds = seconds});
+  }
+  return series;
+}
+
+}  // namespace drape::report::validation

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "report/validation/validation_case.hpp"
+
+/// The functions of the validation cases, grouped by file. The table of cases.cpp lists them.
+namespace drape::report::validation {
+
+// membrane_cases.cpp
+[[nodiscard]] Comparison endLoadModulus(const CaseMesh& mesh);
+[[nodiscard]] Comparison endLoadPoisson(const CaseMesh& mesh);
+[[nodiscard]] Comparison ownWeight(const CaseMesh& mesh);
+[[nodiscard]] Comparison pictureFrame(const CaseMesh& mesh);
+[[nodiscard]] Comparison hangingStrip(const CaseMesh& mesh);
+
+// bending_cases.cpp
+[[nodiscard]] Comparison heavyElasticaSmall(const CaseMesh& mesh);
+[[nodiscard]] Comparison heavyElasticaMedium(const CaseMesh& mesh);
+[[nodiscard]] Comparison heavyElasticaLarge(const CaseMesh& mesh);
+[[nodiscard]] Comparison heavyElasticaHanging(const CaseMesh& mesh);
+[[nodiscard]] Comparison peirceDenim(const CaseMesh& mesh);
+[[nodiscard]] Comparison peirceCotton(const CaseMesh& mesh);
+[[nodiscard]] Comparison peircePolyester(const CaseMesh& mesh);
+[[nodiscard]] Comparison buckling(const CaseMesh& mesh);
+[[nodiscard]] Comparison twist(const CaseMesh& mesh);
+
+}  // namespace drape::report::validation

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "sim/fabric/material.hpp"
+
+/// Closed forms of the mechanics of sheets, which the validation cases compare with. None of them shares code with the
+/// simulation.
+namespace drape::report::validation {
+
+/// The tip of a strip that is clamped horizontally, in units of its length.
+struct ElasticaTip {
+  double along = 0.0;  ///< horizontal distance from the clamp [-]
+  double down = 0.0;   ///< drop below the clamp [-]
+
+  /// The angle of the chord from clamp to tip below the horizontal [rad].
+  [[nodiscard]] double chordAngle() const;
+};
+
+/// The heavy elastica: an inextensible strip of length 1, clamped horizontally at s = 0, bends under its own weight,
+///
+///     theta'' = -Gamma (1 - s) cos(theta),   theta(0) = 0,   theta'(1) = 0
+///
+/// with theta the slope below the horizontal. Gamma = w L^3 / B, with the weight w per area [N/m^2], the length L [m]
+/// and the bending stiffness B per width [N m]. For small Gamma the drop is Gamma / 8. Solved by shooting
+/// from the tip. @param gamma above 0 and at most 400
+[[nodiscard]] ElasticaTip heavyElasticaTip(double gamma);
+
+/// The Gamma at which the chord of the heavy elastica makes this angle with the horizontal. @param angle [rad], above
+/// 0 and at most 1.4
+[[nodiscard]] double gammaOfChordAngle(double angle);
+
+/// The angle of Peirce's cantilever test, 41.5 degrees [rad].
+inline constexpr double peirceAngle = 41.5 / 180.0 * 3.14159265358979323846;
+
+/// The bending length c = (B / w)^(1/3) [m]. @param bending B [N m]  @param weight w per area [N/m^2]
+[[nodiscard]] double bendingLength(double bending, double weight);
+
+/// The overhang [m] at which the chord of a strip makes the angle peirceAngle, from the heavy elastica.
+[[nodiscard]] double peirceOverhang(double bending, double weight);
+
+/// Peirce's own approximation of the bending length, c = L (cos(theta / 2) / (8 tan(theta)))^(1/3) [m]. At 41.5 degrees
+/// it is close to L / 2. (Peirce 1930, The "handle" of cloth as a measurable quantity.)
+/// @param overhang L [m]  @param angle theta [rad]
+[[nodiscard]] double peirceFormula(double overhang, double angle);
+
+/// The stretch lambda of a strip under a force per width at rest f, where Saint Venant-Kirchhoff's law is E h lambda
+/// (lambda^2 - 1) / 2 = f [-]. @param force f [N/m], not negative  @param modulus E h [N/m]
+[[nodiscard]] double stretchUnderLoad(double force, double modulus);
+
+/// The stretch across such a strip, whose sides are free [-].
+[[nodiscard]] double stretchAcross(double stretch, double poisson);
+
+/// The elongation of a strip that hangs from one end under its own weight [m], with the same law.
+/// @param weight per area at rest [N/m^2]  @param length at rest [m]  @param modulus E h [N/m]
+[[nodiscard]] double elongationByWeight(double weight, double length, double modulus);
+
+/// The sag of an inextensible chain between two supports of the same height [m]. @param length [m], above `span`
+/// @param span distance of the supports [m]
+[[nodiscard]] double catenarySag(double length, double span);
+
+/// Euler's buckling load of a strip with hinged ends, pi^2 B / L^2 a width [N/m].
+[[nodiscard]] double bucklingLoad(double bending, double length);
+
+/// The energy per area of a picture frame test [J/m^2]. The sides of a square along warp and weft keep their length,
+/// and its angles change by `angle` [rad].
+[[nodiscard]] double pictureFrameEnergy(const sim::fabric::Material& material, double angle);
+
+/// The energy per area of simple shear along warp by the shear `shear` [-]: x + shear y, y [J/m^2].
+[[nodiscard]] double simpleShearEnergy(const sim::fabric::Material& material, double shear);
+
+}  // namespace drape::report::validation

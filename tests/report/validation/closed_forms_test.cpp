@@ -1,0 +1,130 @@
+#include "report/validation/closed_forms.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace drape::report::validation {
+namespace {
+
+TEST(HeavyElastica, dropsByAnEighthOfASmallGamma) {
+  for (const double gamma : {1e-4, 1e-3, 1e-2}) {
+    const ElasticaTip tip = heavyElasticaTip(gamma);
+    EXPECT_NEAR(tip.down, gamma / 8.0, 1e-4 * gamma / 8.0);
+    EXPECT_NEAR(tip.along, 1.0, gamma);
+  }
+}
+
+TEST(HeavyElastica, shortensByHalfTheSquaredSlope) {
+  // The slope of the beam is Gamma (s - s^2 + s^3 / 3) / 2; the integral of its squared half over s is Gamma^2 / 112.
+  const double gamma = 0.1;
+  EXPECT_NEAR(1.0 - heavyElasticaTip(gamma).along, gamma * gamma / 112.0, 1e-3 * gamma * gamma / 112.0);
+}
+
+TEST(HeavyElastica, hangsStraightDownIfItIsVeryHeavy) {
+  // Near the clamp the bend has the length (B / (w L))^(1/2), which falls with Gamma^(-1/2).
+  const ElasticaTip tip = heavyElasticaTip(400.0);
+  EXPECT_GT(tip.down, 0.94);
+  EXPECT_LT(tip.along, 0.1);
+  EXPECT_GT(tip.along, 0.0);
+}
+
+TEST(HeavyElastica, dropsMoreTheHeavierItIs) {
+  double former = 0.0;
+  for (const double gamma : {0.5, 1.5, 5.0, 15.0, 46.0, 100.0}) {
+    const ElasticaTip tip = heavyElasticaTip(gamma);
+    EXPECT_GT(tip.down, former);
+    EXPECT_LT(std::hypot(tip.down, tip.along), 1.0);
+    former = tip.down;
+  }
+}
+
+TEST(HeavyElastica, hasTheGammaOfItsChord) {
+  for (const double angle : {0.1, 0.5, peirceAngle, 1.2}) {
+    EXPECT_NEAR(heavyElasticaTip(gammaOfChordAngle(angle)).chordAngle(), angle, 1e-10);
+  }
+}
+
+TEST(Peirce, approximatesTheElasticaWithinAFewPercent) {
+  constexpr double bending = 5e-5;  // [N m]
+  constexpr double weight = 2.0;    // [N/m^2]
+  const double overhang = peirceOverhang(bending, weight);
+  EXPECT_NEAR(peirceFormula(overhang, peirceAngle), bendingLength(bending, weight),
+              0.04 * bendingLength(bending, weight));
+}
+
+TEST(Peirce, bendingLengthIsHalfTheOverhangAt41Point5Degrees) {
+  EXPECT_NEAR(peirceFormula(1.0, peirceAngle), 0.5, 0.01);
+  EXPECT_DOUBLE_EQ(bendingLength(8e-6, 1.0), 0.02);
+}
+
+TEST(Stretch, fulfilsTheLaw) {
+  for (const double force : {0.0, 1e-3, 1.0, 50.0, 3000.0}) {
+    const double stretch = stretchUnderLoad(force, 1000.0);
+    EXPECT_NEAR(500.0 * stretch * (stretch * stretch - 1.0), force, 1e-10 * (1.0 + force));
+  }
+}
+
+TEST(Stretch, isHookesForSmallForces) {
+  const double stretch = stretchUnderLoad(1e-3, 1000.0);
+  EXPECT_NEAR(stretch - 1.0, 1e-6, 1e-11);
+  EXPECT_NEAR(1.0 - stretchAcross(stretch, 0.3), 0.3e-6, 1e-11);
+}
+
+TEST(ElongationByWeight, isHalfThatOfTheSameEndLoadForSmallWeights) {
+  EXPECT_NEAR(elongationByWeight(1.0, 0.2, 1e4), 1.0 * 0.2 * 0.2 / (2.0 * 1e4), 1e-10);
+}
+
+TEST(ElongationByWeight, isTheSumOfThatOfItsParts) {
+  constexpr double weight = 300.0;
+  constexpr double length = 0.4;
+  constexpr double modulus = 500.0;
+  constexpr int parts = 2000;
+  double sum = 0.0;
+  for (int i = 0; i < parts; ++i) {
+    const double force = weight * length * (i + 0.5) / parts;
+    sum += (stretchUnderLoad(force, modulus) - 1.0) * length / parts;
+  }
+  EXPECT_NEAR(elongationByWeight(weight, length, modulus), sum, 1e-7 * sum);
+}
+
+TEST(Catenary, ofSmallSagIsAParabola) {
+  // The length of a flat parabola is span (1 + 8/3 (sag / span)^2).
+  constexpr double sag = 0.01;
+  EXPECT_NEAR(catenarySag(1.0 + 8.0 / 3.0 * sag * sag, 1.0), sag, 1e-3 * sag);
+}
+
+TEST(Catenary, fulfilsTheRelationOfLengthAndSag) {
+  // For a catenary of parameter a: (L / 2)^2 = sag^2 + 2 a sag, and cosh(span / (2 a)) = 1 + sag / a.
+  for (const double span : {0.2, 0.5, 0.8, 0.99}) {
+    const double sag = catenarySag(1.0, span);
+    const double a = (0.25 - sag * sag) / (2.0 * sag);
+    EXPECT_NEAR(std::cosh(0.5 * span / a), 1.0 + sag / a, 1e-8 * (1.0 + sag / a)) << span;
+  }
+}
+
+TEST(Catenary, ofNearbySupportsHangsByHalfItsLength) {
+  EXPECT_NEAR(catenarySag(1.0, 1e-3), 0.5, 5e-3);
+}
+
+TEST(Buckling, loadFallsWithTheSquareOfTheLength) {
+  EXPECT_NEAR(bucklingLoad(1e-4, 0.2), 0.024674011, 1e-9);
+  EXPECT_NEAR(bucklingLoad(1e-4, 0.1) / bucklingLoad(1e-4, 0.2), 4.0, 1e-12);
+}
+
+TEST(Shear, ofAFrameAndOfASheetAreTheSameForSmallAngles) {
+  sim::fabric::Material material;
+  const double linear = 0.5 * material.shear * 1e-6;
+  EXPECT_NEAR(pictureFrameEnergy(material, 1e-3), linear, 1e-5 * linear);
+  EXPECT_NEAR(simpleShearEnergy(material, 1e-3), linear, 1e-4 * linear);
+  EXPECT_GT(simpleShearEnergy(material, 0.5), 0.5 * material.shear * 0.25);
+}
+
+TEST(Shear, ofAFrameIsLargestAtARightAngle) {
+  sim::fabric::Material material;
+  EXPECT_NEAR(pictureFrameEnergy(material, 0.5 * std::numbers::pi), 0.5 * material.shear, 1e-12);
+}
+
+}  // namespace
+}  // namespace drape::report::validation

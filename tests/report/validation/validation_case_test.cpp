@@ -1,0 +1,123 @@
+#include "report/validation/validation_case.hpp"
+
+#include "messages/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace drape::report::validation {
+namespace {
+
+constexpr std::array testResolution{20};
+
+double areaOf(const TestSheet& sheet) {
+  return sim::restAreaOf(sheet.mesh);
+}
+
+TEST(ValidationCases, areWithinTheirAimsOnACoarseMesh) {
+  for (const ValidationCase& one : validationTable()) {
+    for (const MeshKind kind : {MeshKind::Grid, MeshKind::Alternating}) {
+      if (one.name == "twist") {
+        continue;  // it needs a fine mesh, and alternating meshes are known to be too stiff
+      }
+      const ValidationSeries series = runValidation(one, kind, testResolution);
+      EXPECT_TRUE(series.passes()) << one.name << ' ' << nameOf(kind) << ": "
+                                   << series.results.back().comparison.error();
+    }
+  }
+}
+
+TEST(ValidationCases, ofTheMembraneAreWithinTheirAimsOnIrregularMeshes) {
+  for (const char* name : {"end_load_modulus", "end_load_poisson", "own_weight", "picture_frame", "hanging_strip"}) {
+    EXPECT_TRUE(runValidation(requireValidationCase(name), MeshKind::Irregular, testResolution).passes()) << name;
+  }
+}
+
+TEST(ValidationCases, ofTwistIsWithinItsAimOnAFineGrid) {
+  const ValidationSeries series = runValidation(requireValidationCase("twist"), MeshKind::Grid, validationResolutions);
+  EXPECT_TRUE(series.passes()) << series.results.back().comparison.error();
+  EXPECT_NEAR(series.order(), 1.0, 0.1) << "boundary edges carry no moment, so the cells beside them differ";
+}
+
+TEST(ValidationCases, ofBendingConvergeWithSecondOrderOnGrids) {
+  constexpr std::array coarse{8, 16};
+  for (const char* name : {"heavy_elastica_1.5", "heavy_elastica_15", "buckling"}) {
+    const ValidationSeries series = runValidation(requireValidationCase(name), MeshKind::Grid, coarse);
+    EXPECT_GT(series.order(), 1.5) << name;
+    EXPECT_LT(series.order(), 3.0) << name;
+  }
+}
+
+TEST(ValidationCases, haveDifferentNamesAndAims) {
+  std::set<std::string_view> names;
+  for (const ValidationCase& one : validationTable()) {
+    EXPECT_TRUE(names.insert(one.name).second) << one.name;
+    EXPECT_GT(one.aim, 0.0);
+    EXPECT_GE(one.irregularAim, one.aim);
+    EXPECT_EQ(&requireValidationCase(one.name), &one);
+  }
+  EXPECT_THROW(static_cast<void>(requireValidationCase("magic")), messages::UsageError);
+}
+
+TEST(ValidationSeries, passesByItsFinestResolution) {
+  ValidationCase one;
+  one.aim = 0.01;
+  one.irregularAim = 0.1;
+  ValidationSeries series{.validationCase = &one, .kind = MeshKind::Grid, .results = {}};
+  EXPECT_FALSE(series.passes());
+  series.results.push_back({.resolution = 10, .comparison = {.measured = 1.08, .exact = 1.0}});
+  EXPECT_FALSE(series.passes());
+  EXPECT_TRUE(std::isnan(series.order()));
+  series.kind = MeshKind::Irregular;
+  EXPECT_TRUE(series.passes());
+  series.kind = MeshKind::Grid;
+  series.results.push_back({.resolution = 20, .comparison = {.measured = 0.995, .exact = 1.0}});
+  EXPECT_TRUE(series.passes());
+  EXPECT_NEAR(series.order(), 4.0, 1e-9);
+  series.results.back().comparison.measured = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(series.passes());
+}
+
+TEST(ValidationSeries, aSearchStopsOnRequest) {
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_ANY_THROW(static_cast<void>(
+      runValidation(requireValidationCase("heavy_elastica_1.5"), MeshKind::Grid, testResolution, source.get_token())));
+}
+
+TEST(TestSheet, coversTheRectangleWithEveryKindOfMesh) {
+  for (const MeshKind kind : meshKinds) {
+    const TestSheet sheet = testSheet({.start = -0.1, .length = 2.0, .width = 0.5, .along = 8, .across = 4}, kind);
+    EXPECT_EQ(sheet.mesh.positions.size(), 45U);
+    EXPECT_EQ(sheet.mesh.triangles.size(), 64U);
+    EXPECT_NEAR(areaOf(sheet), 1.0, 1e-12) << nameOf(kind);
+    for (const int vertex : sheet.verticesOf(8, 8)) {
+      EXPECT_NEAR(sheet.mesh.positions[vertex].x(), 1.9, 1e-12);
+    }
+  }
+}
+
+TEST(TestSheet, irregularMeshesMoveTheVerticesInsideOnly) {
+  const SheetForm form{.length = 1.0, .width = 1.0, .along = 10, .across = 10, .straight = 2};
+  const TestSheet grid = testSheet(form, MeshKind::Grid);
+  const TestSheet irregular = testSheet(form, MeshKind::Irregular);
+  double largest = 0.0;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const int vertex = grid.vertex(column, row);
+      const double moved = (irregular.mesh.positions[vertex] - grid.mesh.positions[vertex]).cwiseAbs().maxCoeff();
+      const bool inside = column > 1 && column < 10 && row > 0 && row < 10;
+      EXPECT_EQ(moved > 0.0, inside);
+      largest = std::max(largest, moved);
+    }
+  }
+  EXPECT_LE(largest, 0.03);
+  EXPECT_GT(largest, 0.02);
+}
+
+}  // namespace
+}  // namespace drape::report::validation
