@@ -14,18 +14,21 @@ namespace {
 struct ValidateArguments {
   std::vector<std::string> cases;
   bool shortForm = false;
+  double aim = 0.0;  // [%]; 0: each case's own
   std::string json;
 };
 
-std::vector<const report::validation::ValidationCase*> validationCasesOf(const ValidateArguments& arguments) {
-  std::vector<const report::validation::ValidationCase*> cases;
+std::vector<report::validation::ValidationCase> validationCasesOf(const ValidateArguments& arguments) {
+  std::vector<report::validation::ValidationCase> cases;
   for (const std::string& name : arguments.cases) {
-    cases.push_back(&report::validation::requireValidationCase(name));
+    cases.push_back(report::validation::requireValidationCase(name));
   }
-  for (const report::validation::ValidationCase& one : report::validation::validationTable()) {
-    if (arguments.cases.empty()) {
-      cases.push_back(&one);
-    }
+  if (arguments.cases.empty()) {
+    const auto all = report::validation::validationTable();
+    cases.assign(all.begin(), all.end());
+  }
+  for (report::validation::ValidationCase& one : cases) {
+    one.aim = arguments.aim > 0.0 ? arguments.aim / 100.0 : one.aim;
   }
   return cases;
 }
@@ -41,13 +44,13 @@ void validate(const ValidateArguments& arguments) {
   report::ReportRows rows;
   std::string off;
   std::cout << report::validation::validationHeading(resolutions);
-  for (const report::validation::ValidationCase* one : cases) {
+  for (const report::validation::ValidationCase& one : cases) {
     for (const report::validation::MeshKind kind : report::validation::meshKinds) {
-      const report::validation::ValidationSeries series = report::validation::runValidation(*one, kind, resolutions);
+      const report::validation::ValidationSeries series = report::validation::runValidation(one, kind, resolutions);
       std::cout << report::validation::validationLine(series) << std::flush;
       rows.push_back(report::validation::validationRow(series));
       if (!series.passes()) {
-        off += (off.empty() ? "" : ", ") + std::string(one->name) + " " + std::string(nameOf(kind));
+        off += (off.empty() ? "" : ", ") + std::string(one.name) + " " + std::string(nameOf(kind));
       }
     }
   }
@@ -70,6 +73,11 @@ void addValidateCommand(CLI::App& app) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--short", arguments->shortForm, "Without the finest resolution");
+  command
+      ->add_option("--aim", arguments->aim,
+                   "Largest acceptable error at the finest resolution [%]; default: each case's own")
+      ->type_name("PERCENT")
+      ->check(numberFrom(1e-6, 100.0));
   command->add_option("--json", arguments->json, "Write all results to this file (JSON)")
       ->type_name("FILE")
       ->check(notEmpty());

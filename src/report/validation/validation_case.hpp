@@ -32,11 +32,8 @@ struct ValidationCase {
   std::string_view title;     ///< "Clamped strip under its weight, Gamma = 15"
   std::string_view compared;  ///< the quantity and its closed form
   std::string_view unit;      ///< of the quantity; empty for a plain number
-  double aim = 0.0;           ///< largest error in size at the finest resolution, on grid and alternating meshes [-]
-  double irregularAim = 0.0;  ///< the same on irregular meshes [-]
+  double aim = 0.0;           ///< largest error in size at the finest resolution [-]
   Comparison (*run)(const CaseMesh&) = nullptr;
-
-  [[nodiscard]] double aimFor(MeshKind kind) const { return kind == MeshKind::Irregular ? irregularAim : aim; }
 };
 
 /// The resolutions of a full validation: cells along the sheet, each twice the former.
