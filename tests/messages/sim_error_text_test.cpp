@@ -70,7 +70,8 @@ TEST(SimErrorText, saysWhyStiffnessesCannotBe) {
 TEST(SimErrorText, namesTheSolversThatTakeAFabric) {
   const std::string refusal = knowsSpringsOnly("ghost.solver", "kang");
   EXPECT_TRUE(
-      refusal.starts_with("ghost.solver = kang knows springs only. With material.model = fabric choose one of: auto"))
+      refusal.starts_with("ghost.solver = kang knows springs only. With material.model = fabric choose one of: "
+                          "one_iteration, auto, "))
       << refusal;
   const auto model = sim::testing::asFabric(*sim::testing::pinnedSheet(3), sim::testing::woven());
   sim::ClothState state = sim::stateAtRest(model->restPositions);

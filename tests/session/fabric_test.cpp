@@ -123,7 +123,7 @@ TEST(Fabric, isRefusedWithASolverThatKnowsSpringsOnly) {
   set(simulation, "solver", std::string("verlet"));
   set(simulation, "material.model", std::string("fabric"));
   EXPECT_NE(simulation.model().fabric, nullptr) << simulation.message();
-  set(simulation, "ghost.solver", std::string("one_iteration"));
+  set(simulation, "ghost.solver", std::string("xpbd"));
   EXPECT_EQ(simulation.settings().ghost.solver, "off");
   EXPECT_THROW(Simulation(smallGrid(9, {"solver=kang", "material.model=fabric"})), messages::InputError);
 }

@@ -7,18 +7,43 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 namespace drape::sim::fabric {
 namespace {
 
-/// The largest stiffness at each vertex at rest [N/m]: the largest eigenvalue of its diagonal block of the membrane,
-/// plus the diagonal of the bending matrix.
+/// Half of what bounds the highest frequency of bending by Gershgorin's theorem, omega^2 <= sum_j |L_ij| / m_i [N/m].
+double halfRowSum(const VertexMatrix& bending, std::size_t vertex) {
+  double sum = 0.0;
+  for (VertexMatrix::InnerIterator entry(bending, static_cast<int>(vertex)); entry; ++entry) {
+    sum += std::abs(entry.value());
+  }
+  return 0.5 * sum;
+}
+
+/// The factor on the moduli of a triangle: below 1 for slivers.
+double stiffnessScaleOf(const RestTriangle& triangle) {
+  return std::min(1.0, qualityOf(triangle) / sliverQuality);
+}
+
+/// The material with the slopes that it has beyond the strain at which it stiffens.
+Material stiffened(const Material& material) {
+  Material steep = material;
+  steep.stretchWarp += material.stiffeningWarp;
+  steep.stretchWeft += material.stiffeningWeft;
+  return steep;
+}
+
+/// The largest stiffness at each vertex [N/m]: the largest eigenvalue of its diagonal block of the stiffened membrane,
+/// plus half the row sum of the bending matrix, which exceeds the diagonal where the matrix is far from dominant.
 std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& model) {
+  const Material steep = stiffened(fabric.material);
   std::vector<Mat3> blocks(model.restPositions.size(), Mat3::Zero());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    const Mat9 stiffness =
-        fabric.membrane[t].derivative(cornersOf(model.triangles[t], model.restPositions), ForceDerivative::Exact);
+    const RestTriangle& rest = fabric.shape.triangles[t];
+    const Mat9 stiffness = MembraneTriangle(rest, steep, stiffnessScaleOf(rest))
+                               .derivative(cornersOf(model.triangles[t], model.restPositions), ForceDerivative::Exact);
     for (Eigen::Index corner = 0; corner < 3; ++corner) {
       blocks[model.triangles[t][corner]] += stiffness.block<3, 3>(3 * corner, 3 * corner);
     }
@@ -27,7 +52,7 @@ std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& 
   largest.reserve(blocks.size());
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
   for (std::size_t v = 0; v < blocks.size(); ++v) {
-    const double bending = fabric.bends() ? fabric.bending.coeff(static_cast<int>(v), static_cast<int>(v)) : 0.0;
+    const double bending = fabric.bends() ? halfRowSum(fabric.bending, v) : 0.0;
     largest.push_back(solver.computeDirect(blocks[v], Eigen::EigenvaluesOnly).eigenvalues().maxCoeff() + bending);
   }
   return largest;
@@ -48,8 +73,8 @@ void findPairs(const ClothModel& model, Fabric& fabric) {
   }
   const auto ends = [](const Spring& edge) { return std::pair(edge.a, edge.b); };
   std::ranges::sort(edges, {}, ends);
-  const auto repeated = std::ranges::unique(edges, {}, ends);
-  edges.erase(repeated.begin(), repeated.end());
+  const auto equal = [&](const Spring& one, const Spring& other) { return ends(one) == ends(other); };
+  edges.erase(std::unique(edges.begin(), edges.end(), equal), edges.end());
   for (const Spring& edge : edges) {
     fabric.pairs.push_back({edge.a, edge.b, fabric.bends() ? fabric.bending.coeff(edge.a, edge.b) : 0.0});
   }
@@ -95,7 +120,7 @@ std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Mate
       restShapeOf(model.restPositions, model.triangles, edgesOf(model.triangles, model.restPositions.size()), warp);
   fabric->fingerprint = fingerprintOf(material, fabric->shape);
   for (const RestTriangle& triangle : fabric->shape.triangles) {
-    const double scale = std::min(1.0, qualityOf(triangle) / sliverQuality);
+    const double scale = stiffnessScaleOf(triangle);
     fabric->membrane.emplace_back(triangle, material, scale);
     fabric->slivers += scale < 1.0 ? 1 : 0;
   }
@@ -149,6 +174,27 @@ Vec3 elasticForceOn(const ClothModel& model, std::span<const Vec3> positions, st
     }
   }
   return force;
+}
+
+Mat3 stiffnessAt(const ClothModel& model, std::span<const Vec3> positions, std::size_t vertex,
+                 ForceDerivative variant) {
+  const Fabric& fabric = *model.fabric;
+  Mat3 stiffness = Mat3::Zero();
+  for (const int t : model.vertexTriangles[vertex]) {
+    const Triangle& triangle = model.triangles[t];
+    const Mat9 whole = fabric.membrane[t].derivative(cornersOf(triangle, positions), variant);
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      for (Eigen::Index b = 0; b < 3; ++b) {
+        const bool own = triangle[a] == static_cast<int>(vertex) && triangle[b] == static_cast<int>(vertex);
+        stiffness += own ? Mat3(whole.block<3, 3>(3 * a, 3 * b)) : Mat3(Mat3::Zero());
+      }
+    }
+  }
+  if (fabric.bends()) {
+    const int row = static_cast<int>(vertex);
+    stiffness.diagonal().array() += fabric.bending.coeff(row, row);
+  }
+  return stiffness;
 }
 
 }  // namespace drape::sim::fabric

@@ -56,4 +56,8 @@ struct Fabric {
 /// The elastic force on a vertex [N] of a cloth whose material is a fabric.
 [[nodiscard]] Vec3 elasticForceOn(const ClothModel& model, std::span<const Vec3> positions, std::size_t vertex);
 
+/// Minus the derivative of that force by the vertex's position [N/m]. @param variant of the membrane's derivative
+[[nodiscard]] Mat3 stiffnessAt(const ClothModel& model, std::span<const Vec3> positions, std::size_t vertex,
+                               ForceDerivative variant);
+
 }  // namespace drape::sim::fabric

@@ -55,7 +55,7 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
   double stiffestSpring = 1.0;   ///< largest relativeStiffness [-]; 1 without springs
   /// Membrane and bending (sim/fabric/fabric.hpp), which replace the springs' forces. Null: springs.
   std::shared_ptr<const fabric::Fabric> fabric;
-  /// Largest stiffness of the fabric at each vertex at rest [N/m]. Empty: springs.
+  /// Largest stiffness of the fabric at each vertex [N/m], with stiffening. Empty: springs.
   std::vector<double> fabricStiffness;
 
   [[nodiscard]] int vertexCount() const { return static_cast<int>(restPositions.size()); }

@@ -27,9 +27,9 @@ RaggedRows<int> gatherByColour(const std::vector<int>& colourOf) {
 /// Sets the entries of `taken` to `value` for the colours around a vertex. `index` maps a spring end to the item
 /// (spring or neighbour) whose colour counts.
 template <typename Index>
-void setTaken(const ClothModel& model, std::size_t vertex, const std::vector<int>& colourOf, const Index& index,
-              bool value, std::vector<bool>& taken) {
-  for (const SpringEnd& end : model.springEnds[vertex]) {
+void setTaken(const RaggedRows<SpringEnd>& neighbours, std::size_t vertex, const std::vector<int>& colourOf,
+              const Index& index, bool value, std::vector<bool>& taken) {
+  for (const SpringEnd& end : neighbours[vertex]) {
     const int colour = colourOf[index(end)];
     if (colour != none) {
       taken[colour] = value;
@@ -46,24 +46,24 @@ RaggedRows<int> colourSprings(const ClothModel& model) {
   for (std::size_t s = 0; s < model.springs.size(); ++s) {
     const int a = model.springs[s].a;
     const int b = model.springs[s].b;
-    setTaken(model, a, colourOf, springOf, true, taken);
-    setTaken(model, b, colourOf, springOf, true, taken);
+    setTaken(model.springEnds, a, colourOf, springOf, true, taken);
+    setTaken(model.springEnds, b, colourOf, springOf, true, taken);
     const int colour = smallestFree(taken);
-    setTaken(model, a, colourOf, springOf, false, taken);
-    setTaken(model, b, colourOf, springOf, false, taken);
+    setTaken(model.springEnds, a, colourOf, springOf, false, taken);
+    setTaken(model.springEnds, b, colourOf, springOf, false, taken);
     colourOf[s] = colour;
   }
   return gatherByColour(colourOf);
 }
 
-RaggedRows<int> colourVertices(const ClothModel& model) {
-  std::vector<int> colourOf(model.restPositions.size(), none);
+RaggedRows<int> colourVertices(const RaggedRows<SpringEnd>& neighbours) {
+  std::vector<int> colourOf(neighbours.rowCount(), none);
   std::vector<bool> taken;
   const auto neighbourOf = [](const SpringEnd& end) { return end.neighbour; };
   for (std::size_t v = 0; v < colourOf.size(); ++v) {
-    setTaken(model, v, colourOf, neighbourOf, true, taken);
+    setTaken(neighbours, v, colourOf, neighbourOf, true, taken);
     const int colour = smallestFree(taken);
-    setTaken(model, v, colourOf, neighbourOf, false, taken);
+    setTaken(neighbours, v, colourOf, neighbourOf, false, taken);
     colourOf[v] = colour;
   }
   return gatherByColour(colourOf);

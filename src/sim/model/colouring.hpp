@@ -11,9 +11,10 @@ namespace drape::sim {
 /// threads.
 [[nodiscard]] RaggedRows<int> colourSprings(const ClothModel& model);
 
-/// Colours the vertices so that no two of one colour share a spring. Row c has the vertices of colour c, ascending.
-/// Greedy in the order of the vertices; at most D + 1 colours.
-[[nodiscard]] RaggedRows<int> colourVertices(const ClothModel& model);
+/// Colours the vertices so that no two of one colour are neighbours: share a spring, or are a pair of a fabric. Row c
+/// has the vertices of colour c, ascending. Greedy in the order of the vertices; at most D + 1 colours.
+/// @param neighbours of each vertex: ClothModel::springEnds or fabric::Fabric::pairEnds
+[[nodiscard]] RaggedRows<int> colourVertices(const RaggedRows<SpringEnd>& neighbours);
 
 /// Calls visit(i) for every index, colour by colour; on several threads within a colour.
 template <typename Visit>

@@ -1,5 +1,6 @@
 #include "sim/forces/stability.hpp"
 #include "sim/simd/sliced_run.hpp"
+#include "sim/solvers/assembled_run.hpp"
 #include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/registry.hpp"
 
@@ -54,12 +55,17 @@ class ChebyshevSolver final : public BatchSolver {
                    ClothState& state) override {
     const std::vector<double> ofSweeps = weightsOfSweeps(parameters);
     const simd::JacobiOptions sweeping{.sweeps = static_cast<int>(ofSweeps.size()), .relaxation = 1.0};
-    run_.oneIteration(model, parameters, sweeping, inputs, count, ofSweeps, state);
+    if (model.fabric) {
+      assembled_.oneIteration(model, parameters, sweeping, inputs, count, ofSweeps, state);
+    } else {
+      run_.oneIteration(model, parameters, sweeping, inputs, count, ofSweeps, state);
+    }
     return {.iterations = count * parameters.iteration.iterations};
   }
 
  private:
   simd::SlicedRun run_;
+  AssembledRun assembled_;  // of fabrics
 };
 
 /// The remaining error of a mode with Jacobi eigenvalue mu, signed: the solver's recursion for one number.
@@ -112,6 +118,7 @@ SolverInfo solvers::chebyshev() {
           "Wang (2015), A Chebyshev semi-iterative approach for accelerating projective and position-based "
           "dynamics",
       .backwardEuler = true,
+      .takesFabric = true,
       .settings = {"iterations", "spectral_radius", "derivative", "precision"},
       .warning = warningOf,
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<ChebyshevSolver>(); }};

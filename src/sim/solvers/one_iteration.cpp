@@ -1,4 +1,5 @@
 #include "sim/simd/sliced_run.hpp"
+#include "sim/solvers/assembled_run.hpp"
 #include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/one_iteration_limits.hpp"
 #include "sim/solvers/registry.hpp"
@@ -20,12 +21,17 @@ class OneIterationSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
-    run_.oneIteration(model, parameters, parameters.jacobi, inputs, count, {}, state);
+    if (model.fabric) {
+      assembled_.oneIteration(model, parameters, parameters.jacobi, inputs, count, {}, state);
+    } else {
+      run_.oneIteration(model, parameters, parameters.jacobi, inputs, count, {}, state);
+    }
     return {};
   }
 
  private:
   simd::SlicedRun run_;
+  AssembledRun assembled_;  // of fabrics
 };
 
 }  // namespace
@@ -41,6 +47,7 @@ SolverInfo solvers::oneIteration() {
           "can gain energy and blow up. Substeps help more than sweeps.",
       .source = "Real-Time Animation of Complex Virtual Cloth with Physical Plausibility and Numerical Stability",
       .backwardEuler = true,
+      .takesFabric = true,
       .settings = {"sweeps", "relaxation", "derivative", "precision"},
       .warning = oneIterationWarning,
       .stepLimit = nullptr,

@@ -1,3 +1,4 @@
+#include "sim/solvers/assembled_run.hpp"
 #include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/conjugate_gradients_run.hpp"
 #include "sim/solvers/registry.hpp"
@@ -12,11 +13,13 @@ class PcgSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
-    return run_.steps(model, parameters, inputs, count, state);
+    return model.fabric ? assembled_.conjugateGradients(model, parameters, inputs, count, state)
+                        : run_.steps(model, parameters, inputs, count, state);
   }
 
  private:
   ConjugateGradientsRun run_;
+  AssembledRun assembled_;  // of fabrics
 };
 
 }  // namespace
@@ -32,6 +35,7 @@ SolverInfo solvers::pcg() {
           "the system of compressed cloth may be indefinite; the iteration then stops early.",
       .source = "Baraff and Witkin (1998), Large steps in cloth simulation",
       .backwardEuler = true,
+      .takesFabric = true,
       .settings = {"tolerance", "max_iterations", "derivative", "precision"},
       .warning = nullptr,
       .make = []() -> std::unique_ptr<Solver> { return std::make_unique<PcgSolver>(); }};

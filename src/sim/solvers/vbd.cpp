@@ -1,3 +1,4 @@
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/attachment.hpp"
 #include "sim/forces/kernels.hpp"
 #include "sim/model/colouring.hpp"
@@ -7,6 +8,7 @@
 #include "sim/systems/position_step.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -36,7 +38,8 @@ class VbdSolver final : public Solver {
  public:
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state) override {
-    const RaggedRows<int>& colours = colours_.get(model, colourVertices);
+    const RaggedRows<int>& colours = colours_.get(
+        model, [](const ClothModel& m) { return colourVertices(m.fabric ? m.fabric->pairEnds : m.springEnds); });
     predictPositions(model, parameters, state, workers_, inertial_);
     start_ = state.positions;
     state.positions = inertial_;
@@ -81,6 +84,44 @@ class VbdSolver final : public Solver {
     int sweep_ = 0;
   };
 
+  /// What springs or fabric do to one vertex.
+  struct Local {
+    Vec3 force = Vec3::Zero();      // [N]
+    Mat3 stiffness = Mat3::Zero();  // [N/m]
+    double largest = 0.0;           // upper bound of its eigenvalues [N/m]
+    Vec3 drag = Vec3::Zero();       // sum of (dx_j - dx_i) [m]
+    double damping = 0.0;           // C_d [N s/m]
+    double ends = 0.0;              // n_i [-]
+  };
+
+  [[nodiscard]] Local localOfSprings(const ClothModel& model, const StepParameters& parameters, std::size_t i,
+                                     const ClothState& state) const {
+    Local local;
+    local.damping = parameters.material.damping;
+    local.ends = static_cast<double>(model.springEnds[i].size());
+    const Vec3 displacement = state.positions[i] - start_[i];
+    for (const SpringEnd& springEnd : model.springEnds[i]) {
+      const auto j = static_cast<std::size_t>(springEnd.neighbour);
+      const Spring& spring = model.springs[static_cast<std::size_t>(springEnd.spring)];
+      const double own = parameters.material.stiffness * spring.relativeStiffness;
+      const Vec3 offset = state.positions[j] - state.positions[i];
+      local.force += kernels::springForce(offset, spring.restLength, own);
+      local.stiffness += kernels::springDerivative(offset, spring.restLength, own, parameters.derivative);
+      local.largest += own;
+      local.drag += (state.positions[j] - start_[j]) - displacement;
+    }
+    return local;
+  }
+
+  [[nodiscard]] static Local localOfFabric(const ClothModel& model, const StepParameters& parameters, std::size_t i,
+                                           const ClothState& state) {
+    Local local;
+    local.force = fabric::elasticForceOn(model, state.positions, i);
+    local.stiffness = fabric::stiffnessAt(model, state.positions, i, parameters.derivative);
+    local.largest = std::max(model.fabricStiffness[i], local.stiffness.norm());
+    return local;
+  }
+
   /// One vertex's Newton step on G.
   void relax(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, std::size_t i,
              ClothState& state) const {
@@ -88,35 +129,20 @@ class VbdSolver final : public Solver {
       return;
     }
     const double h = parameters.timeStep;
-    const Vec3 position = state.positions[i];
-    const Vec3 displacement = position - start_[i];
-    Vec3 force = Vec3::Zero();  // of the springs [N]
-    Vec3 drag = Vec3::Zero();   // sum of (dx_j - dx_i) [m]
-    Mat3 stiffness = Mat3::Zero();
-    double largest = 0.0;  // upper bound of its eigenvalues [N/m]
-    for (const SpringEnd& springEnd : model.springEnds[i]) {
-      const auto j = static_cast<std::size_t>(springEnd.neighbour);
-      const Spring& spring = model.springs[static_cast<std::size_t>(springEnd.spring)];
-      const double own = parameters.material.stiffness * spring.relativeStiffness;
-      const Vec3 offset = state.positions[j] - position;
-      force += kernels::springForce(offset, spring.restLength, own);
-      stiffness += kernels::springDerivative(offset, spring.restLength, own, parameters.derivative);
-      largest += own;
-      drag += (state.positions[j] - start_[j]) - displacement;
-    }
+    Local local =
+        model.fabric ? localOfFabric(model, parameters, i, state) : localOfSprings(model, parameters, i, state);
     if (inputs.attachment) {
-      addAttachment(model, *inputs.attachment, i, state, force, stiffness);
+      addAttachment(model, *inputs.attachment, i, state, local.force, local.stiffness);
     }
-    const double isotropic =
-        model.vertexMass[i] + static_cast<double>(model.springEnds[i].size()) * h * parameters.material.damping;
-    const Vec3 residual =
-        model.vertexMass[i] * (inertial_[i] - position) + h * h * force + h * parameters.material.damping * drag;
+    const double isotropic = model.vertexMass[i] + local.ends * h * local.damping;
+    const Vec3 residual = model.vertexMass[i] * (inertial_[i] - state.positions[i]) + h * h * local.force +
+                          h * local.damping * local.drag;
     state.positions[i] +=
-        solve(h * h * stiffness + isotropic * Mat3::Identity(), residual, isotropic + h * h * largest);
+        solve(h * h * local.stiffness + isotropic * Mat3::Identity(), residual, isotropic + h * h * local.largest);
   }
 
-  /// H^-1 r. If the chosen derivative makes H indefinite, Newton's step could increase G. The step with k I for every
-  /// spring never does.
+  /// H^-1 r. If the chosen derivative makes H indefinite, Newton's step could increase G. The step with the bound of
+  /// the stiffness does not: with k I for every spring.
   static Vec3 solve(const Mat3& hessian, const Vec3& residual, double isotropic) {
     const Eigen::LLT<Mat3> factors(hessian);
     return factors.info() == Eigen::Success ? Vec3(factors.solve(residual)) : Vec3(residual / isotropic);
@@ -180,6 +206,7 @@ SolverInfo solvers::vbd() {
           "and derivatives. With few sweeps stiff cloth is slack and slow.",
       .source = "Chen, Liu, Yang and Yuksel (2024), Vertex block descent",
       .backwardEuler = true,
+      .takesFabric = true,
       .settings = {"iterations", "derivative", "spectral_radius"},
       .warning = vbdWarning,
       .stepLimit = nullptr,

@@ -125,9 +125,10 @@ std::shared_ptr<const ClothModel> asFabricWithWarp(const ClothModel& model, cons
 }
 
 TEST_F(Sleeping, endsWhenTheFabricChanges) {
-  const fabric::Material material = testing::woven();
+  fabric::Material material = testing::woven();
+  material.stiffeningWarp = 100.0;
   fabric::Material stiffening = material;
-  stiffening.stiffeningWarp = 100.0;
+  stiffening.stiffeningStrain *= 0.5;
   const auto before = asFabricWithWarp(*model, material, Vec3::UnitX());
   const auto stiffer = asFabricWithWarp(*model, stiffening, Vec3::UnitX());
   const auto turned = asFabricWithWarp(*model, material, Vec3::UnitY());

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -123,9 +124,9 @@ double energyOfTwist(const Plate& plate, const VertexMatrix& matrix) {
 VertexMatrix slopeMatrix(const Plate& plate) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const Triangle& triangle : plate.triangles) {
-    const Vec3 sides[3] = {plate.positions[triangle[2]] - plate.positions[triangle[1]],
-                           plate.positions[triangle[0]] - plate.positions[triangle[2]],
-                           plate.positions[triangle[1]] - plate.positions[triangle[0]]};
+    const std::array sides{Vec3(plate.positions[triangle[2]] - plate.positions[triangle[1]]),
+                           Vec3(plate.positions[triangle[0]] - plate.positions[triangle[2]]),
+                           Vec3(plate.positions[triangle[1]] - plate.positions[triangle[0]])};
     const double area = 0.5 * sides[0].cross(sides[1]).norm();
     for (std::size_t a = 0; a < 3; ++a) {
       for (std::size_t b = 0; b < 3; ++b) {
@@ -158,8 +159,8 @@ struct NamedKind {
   const char* name;
   MeshKind kind;
 };
-constexpr NamedKind everyKind[] = {
-    {"grid", MeshKind::Grid}, {"alternating", MeshKind::Alternating}, {"irregular", MeshKind::Irregular}};
+constexpr std::array everyKind{NamedKind{"grid", MeshKind::Grid}, NamedKind{"alternating", MeshKind::Alternating},
+                               NamedKind{"irregular", MeshKind::Irregular}};
 
 TEST(Plate, resistsTwistEquallyOnEveryMesh) {
   const double expected = 0.5 * 4.0 * 1.0;  // 1/2 D_33 (2 w_xy)^2 times the area
@@ -175,8 +176,8 @@ TEST(Plate, bucklesAtEulersLoadOnEveryMeshAndConverges) {
   const double expected = std::numbers::pi * std::numbers::pi * 4.0;  // pi^2 D_11 / L^2
   for (const auto& [name, kind] : everyKind) {
     for (const unsigned seed : {1U, 2U, 3U}) {
-      const auto errorAt = [&](int n) {
-        const Plate mesh = plate(kind, n, seed);
+      const auto errorAt = [of = kind, seed, expected](int n) {
+        const Plate mesh = plate(of, n, seed);
         return std::abs(bucklingLoad(mesh, matrixOf(mesh, anisotropic())) / expected - 1.0);
       };
       EXPECT_LT(errorAt(10), 0.03) << name;

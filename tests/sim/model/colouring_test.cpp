@@ -66,7 +66,7 @@ TEST(Colouring, givesNoTwoSpringsOfAColourAVertexInCommon) {
 
 TEST(Colouring, givesNoTwoNeighboursTheSameColour) {
   for (const auto& model : models()) {
-    const RaggedRows<int> colours = colourVertices(*model);
+    const RaggedRows<int> colours = colourVertices(model->springEnds);
     expectAPartition(colours, model->restPositions.size());
     std::vector<std::size_t> colourOf(model->restPositions.size());
     for (std::size_t c = 0; c < colours.rowCount(); ++c) {
@@ -84,7 +84,7 @@ TEST(Colouring, needsNoMoreColoursThanAGreedyOneMay) {
   for (const auto& model : models()) {
     const int degree = maxDegree(*model);
     const auto springColours = static_cast<int>(colourSprings(*model).rowCount());
-    const auto vertexColours = static_cast<int>(colourVertices(*model).rowCount());
+    const auto vertexColours = static_cast<int>(colourVertices(model->springEnds).rowCount());
     EXPECT_GE(springColours, degree);
     EXPECT_LE(springColours, 2 * degree - 1);
     EXPECT_GE(vertexColours, 3) << "a triangle needs three";
@@ -94,7 +94,7 @@ TEST(Colouring, needsNoMoreColoursThanAGreedyOneMay) {
 
 TEST(Colouring, visitsEveryIndexOnceColourAfterColour) {
   const auto model = testing::pinnedSheet(9);
-  const RaggedRows<int> colours = colourVertices(*model);
+  const RaggedRows<int> colours = colourVertices(model->springEnds);
   Workers workers;
   std::vector<int> visited;
   forEachByColour(workers, 1, colours, [&](std::size_t i) { visited.push_back(static_cast<int>(i)); });
@@ -104,7 +104,7 @@ TEST(Colouring, visitsEveryIndexOnceColourAfterColour) {
 TEST(Colouring, hasNoColoursWhereThereAreNoSprings) {
   ClothModel model;
   EXPECT_EQ(colourSprings(model).rowCount(), 0U);
-  EXPECT_TRUE(colourVertices(model).values().empty());
+  EXPECT_TRUE(colourVertices(model.springEnds).values().empty());
 }
 
 }  // namespace
