@@ -24,19 +24,13 @@ in Surface {
 
 out vec4 pixel;
 
-struct Frame3 {
-  vec3 weft;    // unit vectors
-  vec3 warp;
-  vec3 normal;  // to the side that is seen
-};
-
 // Along weft and warp, turned by the angle of warp [m].
 vec2 placeOnFabric() {
   return vec2(dot(surface.yarns, warpTurn), dot(surface.yarns, vec2(-warpTurn.y, warpTurn.x)));
 }
 
 // The directions in which x and y grow on the cloth as it hangs.
-Frame3 frameOf(vec2 place, vec3 normal) {
+Directions frameOf(vec2 place, vec3 normal) {
   vec3 positionX = dFdx(surface.position);
   vec3 positionY = dFdy(surface.position);
   vec2 placeX = dFdx(place);
@@ -46,14 +40,14 @@ Frame3 frameOf(vec2 place, vec3 normal) {
   vec3 warp = side * (positionY * placeX.x - positionX * placeY.x);
   weft -= normal * dot(normal, weft);
   warp -= normal * dot(normal, warp);
-  return Frame3(weft * inversesqrt(max(dot(weft, weft), 1e-30)), warp * inversesqrt(max(dot(warp, warp), 1e-30)), normal);
+  return Directions(weft * inversesqrt(max(dot(weft, weft), 1e-30)), warp * inversesqrt(max(dot(warp, warp), 1e-30)), normal);
 }
 
 // Share of the light that a surface of this reflectance reflects [Schlick 1994].
 float fresnel(float cosine) { return 0.04 + 0.96 * pow(1.0 - clamp(cosine, 0.0, 1.0), 5.0); }
 
 // Highlight of the key light: microfacets of the GGX distribution, wider across the yarns than along them [Burley 2012].
-float highlight(Frame3 frame, vec3 normal, vec3 toEye, Yarn yarn) {
+float highlight(Directions frame, vec3 normal, vec3 toEye, Yarn yarn) {
   vec3 middle = normalize(toLight.xyz + toEye);
   float across = roughness * (1.0 + anisotropy);
   vec2 width = mix(vec2(across, roughness), vec2(roughness, across), yarn.weft);  // along weft and warp
@@ -73,8 +67,8 @@ void main() {
   smoothNormal = normalize(smoothNormal + toEye * max(0.02 - dot(smoothNormal, toEye), 0.0));
 
   vec2 place = placeOnFabric();
-  Yarn yarn = structureAt(place, front);
-  Frame3 frame = frameOf(place, smoothNormal);
+  Directions frame = frameOf(place, smoothNormal);
+  Yarn yarn = structureAt(place, frame, toEye, front);
   vec3 normal = normalize(smoothNormal - yarn.slope.x * frame.weft - yarn.slope.y * frame.warp);
   frame.weft = normalize(frame.weft - normal * dot(normal, frame.weft));
   frame.warp = normalize(frame.warp - normal * dot(normal, frame.warp));
@@ -98,6 +92,6 @@ void main() {
   result += gloss * visible * keyLight * highlight(frame, normal, toEye, yarn);
   vec3 mirrored = reflect(-toEye, normal);
   vec3 around = mix(floorLight, skyLight, smoothstep(-0.6, 0.6, mirrored.y));
-  result += gloss * (1.0 - roughness) * fresnel(max(dot(normal, toEye), 0.0)) * around;
+  result += gloss * (1.0 - roughness) * (1.0 - roughness) * fresnel(max(dot(normal, toEye), 0.0)) * around;
   pixel = vec4(toScreen(result), 1.0);
 }

@@ -8,6 +8,13 @@ uniform vec2 count;         // columns and rows a metre
 uniform float relief;       // steepest slope of a yarn's side
 uniform float unevenness;   // of the yarns' brightness
 
+// Unit vectors.
+struct Directions {
+  vec3 weft;
+  vec3 warp;
+  vec3 normal;  // to the side that is seen
+};
+
 struct Yarn {
   vec2 slope;   // of the surface, along x and y, towards the viewer
   float weft;   // share of the weft's colour, 0 to 1
@@ -25,12 +32,8 @@ float meanPulse(float x, float duty, float width) {
   return (integral.y - integral.x) / w;
 }
 
-// By how much a value changes from a pixel to the next.
-float reach(float x) { return length(vec2(dFdx(x), dFdy(x))); }
-vec2 reach(vec2 p) { return vec2(reach(p.x), reach(p.y)); }
-
-// Share of the weft on the front.
-float weftShare(vec2 p, vec2 w) {
+// Share of the weft on the front. `diagonal`: by how much p.y - p.x changes in a pixel.
+float weftShare(vec2 p, vec2 w, float diagonal) {
   float repeat = weave.x;
   float mean = weave.z / repeat;
   // Near: in every column the weft crosses at other rows. Crowded warp yarns leave rounded gaps to the weft.
@@ -43,7 +46,7 @@ float weftShare(vec2 p, vec2 w) {
     return near;
   }
   // Farther away: the diagonal ribs of a twill are wider than its yarns.
-  float width = reach(p.y - p.x) / repeat;
+  float width = diagonal / repeat;
   float ribs = meanPulse((p.y - p.x + 0.5) / repeat, mean, width);
   ribs = mix(mean, ribs, seen(width));
   return mix(ribs, near, seen(w.x));
@@ -64,8 +67,8 @@ float fibres(vec2 across, vec2 along, float weft, vec2 w) {
   return mix(warpFibres, weftFibres, weft);
 }
 
-Yarn woven(vec2 p, vec2 w, bool front) {
-  float weft = weftShare(p, w);
+Yarn woven(vec2 p, vec2 w, float diagonal, bool front) {
+  float weft = weftShare(p, w, diagonal);
   weft = front ? weft : 1.0 - weft;
   vec2 across = 2.0 * fract(p) - 1.0;  // from one side of the yarn to the other: -1 to 1
   float repeat = weave.x;
@@ -150,7 +153,7 @@ Yarn matted(vec2 p, vec2 w, bool front) {
 
 // Leather: round pebbles between creases.
 Yarn grained(vec2 p, vec2 w) {
-  vec2 place = p + 0.6 * noise(p / 9.0).yz;
+  vec2 place = p + 0.2 * noise(p / 5.0).yz;
   vec2 cell = floor(place);
   vec2 nearest = vec2(0.0);
   vec2 distances = vec2(8.0);  // squared, to the nearest and the second nearest centre
@@ -166,20 +169,33 @@ Yarn grained(vec2 p, vec2 w) {
   float border = 1.0 - smoothstep(0.0, 0.3 + wide, sqrt(distances.y) - sqrt(distances.x));
   vec3 wrinkle = noise(p / 7.0);
   Yarn yarn;
-  yarn.slope = -relief * (visible * nearest * (1.2 + 0.8 * border) + 0.08 * seen(wide / 8.0) * wrinkle.yz);
+  yarn.slope = -relief * (visible * nearest * (0.8 + 0.8 * border) + 0.05 * seen(wide / 8.0) * wrinkle.yz);
   yarn.weft = 0.0;
   yarn.light = 1.0 + visible * (0.10 - 0.35 * border) + 0.5 * unevenness * seen(wide / 8.0) * wrinkle.x;
   yarn.rough = 0.25 * relief * relief * (1.0 - visible);
   return yarn;
 }
 
-// @param place along weft and warp [m]
-Yarn structureAt(vec2 place, bool front) {
+// By how much a value with this gradient [1/m] changes in a pixel: much along the line of sight on a tilted cloth. The
+// smooth normal gives it without steps between triangles. Only where a triangle is tilted much more, that one counts.
+float reach(vec3 gradient, float value, vec3 normal, vec3 toEye) {
+  float focal = length(vec3(viewProjection[0][1], viewProjection[1][1], viewProjection[2][1]));  // in half heights
+  float pixel = 2.0 / (gl_FragCoord.w * viewport.y * focal);                                     // [m]
+  vec3 tilt = toEye / max(dot(normal, toEye), 0.02) - normal;
+  float smoothly = pixel * length(vec2(length(gradient), dot(gradient, tilt)));
+  return max(smoothly, 0.6 * length(vec2(dFdx(value), dFdy(value))));
+}
+
+// @param place along weft and warp [m]  @param frame see fabric.frag
+Yarn structureAt(vec2 place, Directions frame, vec3 toEye, bool front) {
   vec2 p = place * count;
-  vec2 w = reach(p);
+  vec3 alongX = frame.weft * count.x;
+  vec3 alongY = frame.warp * count.y;
+  vec2 w = vec2(reach(alongX, p.x, frame.normal, toEye), reach(alongY, p.y, frame.normal, toEye));
+  float diagonal = reach(alongY - alongX, p.y - p.x, frame.normal, toEye);
   Yarn yarn = Yarn(vec2(0.0), front ? 0.0 : 1.0, 1.0, 0.0);
   if (structure == 0) {
-    yarn = woven(p, w, front);
+    yarn = woven(p, w, diagonal, front);
   } else if (structure == 1) {
     yarn = knitted(p, w, front);
   } else if (structure == 2 || (structure == 3 && !front)) {

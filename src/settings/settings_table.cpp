@@ -217,7 +217,7 @@ bool usesSprings(const Settings& settings) {
   return !usesFabric(settings);
 }
 
-/// Whether the name of the fabric counts: for the cloth itself or for its look.
+/// Whether the name of the fabric and its warp count: for the cloth itself or for its look.
 bool namesFabric(const Settings& settings) {
   return usesFabric(settings) || settings.view.surface == "fabric";
 }
@@ -381,7 +381,7 @@ const std::array table{
         NumberField{[](auto& s) -> auto& { return s.fabric.warpAngle; }, -90.0, 90.0, false},
         "Angle by which warp is turned about the normal of the cloth. At 0 warp is vertical, or along x where the cloth "
         "is level at rest. 45 is cut on the bias.",
-        {}, {}, SettingScope::Everywhere, usesFabric},
+        {}, {}, SettingScope::Everywhere, namesFabric},
     SettingInfo{"fabric.own_density", "Own density", "-", Material, SettingEffect::Mass,
         FlagField{[](auto& s) -> auto& { return s.fabric.ownDensity; }},
         "Whether fabric.density sets the weight of the cloth while material.model is fabric. Setting density or mass "
