@@ -75,7 +75,9 @@ void main() {
 
   // The back is a little duller.
   float side = front ? 1.0 : 0.6;
-  vec3 color = mix(fromScreen(warpColor), fromScreen(weftColor), yarn.weft) * max(yarn.light, 0.0);
+  // Crowded warp yarns shade the weft between them.
+  float shade = front && structure == 0 && weave.z < 1.0 ? 0.5 : 1.0;
+  vec3 color = mix(fromScreen(warpColor), shade * fromScreen(weftColor), yarn.weft) * max(yarn.light, 0.0);
   float facing = dot(smoothNormal, toLight.xyz);
   float visible = keyVisibility(surface.position, facing >= 0.0 ? smoothNormal : -smoothNormal);
   float lit = max((dot(normal, toLight.xyz) + 0.08) / 1.08, 0.0);

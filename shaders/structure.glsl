@@ -99,7 +99,7 @@ Yarn stitches(vec2 p, vec2 w) {
   float across = 2.0 * a - 1.0;
   float along = 2.0 * fract(p.y - 0.9 * a) - 1.0;
   float end = along * along * along;
-  vec2 visible = seen(vec2(2.0, 1.0) * w);
+  vec2 visible = seen(vec2(2.5, 1.5) * w);
   float both = visible.x * visible.y;
   Yarn yarn;
   yarn.slope = -relief * vec2(side * (across - 0.5 * end), 0.8 * end) * visible;
@@ -115,7 +115,7 @@ Yarn stitches(vec2 p, vec2 w) {
 Yarn purls(vec2 p, vec2 w) {
   float row = 2.0 * p.y + 0.35 * cos(2.0 * pi * p.x);
   float across = 2.0 * fract(row) - 1.0;
-  float visible = seen(2.0 * w.y) * seen(w.x);
+  float visible = seen(3.0 * w.y) * seen(1.5 * w.x);
   float bump = cos(2.0 * pi * p.x + (mod(floor(row), 2.0) < 0.5 ? 0.0 : pi));
   Yarn yarn;
   yarn.slope = -relief * vec2(0.6 * sin(2.0 * pi * p.x), across) * visible;

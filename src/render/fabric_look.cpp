@@ -22,7 +22,7 @@ constexpr std::array looks{
                .warp = {0.40F, 0.53F, 0.72F}, .weft = {0.82F, 0.87F, 0.92F}, .relief = 0.55F, .roughness = 0.70F,
                .shine = 0.6F, .sheen = 0.12F, .unevenness = 0.10F},
     FabricLook{.preset = "denim", .structure = Structure::Woven, .weave = threeOneTwill, .columns = 2500.0F, .rows = 1700.0F,
-               .warp = {0.09F, 0.17F, 0.31F}, .weft = {0.65F, 0.69F, 0.71F}, .relief = 0.75F, .roughness = 0.75F,
+               .warp = {0.11F, 0.20F, 0.35F}, .weft = {0.76F, 0.78F, 0.78F}, .relief = 0.75F, .roughness = 0.75F,
                .shine = 0.5F, .sheen = 0.06F, .unevenness = 0.15F, .translucency = 0.3F},
     FabricLook{.preset = "canvas", .structure = Structure::Woven, .weave = plainWeave, .columns = 1100.0F, .rows = 1000.0F,
                .warp = {0.62F, 0.58F, 0.46F}, .weft = {0.66F, 0.62F, 0.50F}, .relief = 0.75F, .roughness = 0.80F,
