@@ -13,6 +13,7 @@ in Surface {
   vec3 normal;
   vec2 coordinate;
   float curvature;
+  vec2 yarns;
 } surface;
 #ifdef WIREFRAME
 in vec3 barycentric;

@@ -7,6 +7,7 @@ in Surface {
   vec3 normal;
   vec2 coordinate;
   float curvature;
+  vec2 yarns;
 } surface;
 
 out vec4 pixel;

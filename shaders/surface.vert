@@ -4,12 +4,14 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 coordinate;
 layout(location = 3) in float curvature;
+layout(location = 4) in vec2 yarns;
 
 out Surface {
   vec3 position;    // [m]
   vec3 normal;
   vec2 coordinate;  // along the cloth [m]
   float curvature;  // positive: hollow as seen from the front [1/m]
+  vec2 yarns;       // along weft and warp at rest [m]
 } surface;
 
 void main() {
@@ -17,5 +19,6 @@ void main() {
   surface.normal = normal;
   surface.coordinate = coordinate;
   surface.curvature = curvature;
+  surface.yarns = yarns;
   gl_Position = viewProjection * vec4(position, 1.0);
 }

@@ -7,6 +7,7 @@ in Surface {
   vec3 normal;
   vec2 coordinate;
   float curvature;
+  vec2 yarns;
 } corner[];
 
 out Surface {
@@ -14,6 +15,7 @@ out Surface {
   vec3 normal;
   vec2 coordinate;
   float curvature;
+  vec2 yarns;
 } surface;
 out vec3 barycentric;
 
@@ -23,6 +25,7 @@ void main() {
     surface.normal = corner[i].normal;
     surface.coordinate = corner[i].coordinate;
     surface.curvature = corner[i].curvature;
+    surface.yarns = corner[i].yarns;
     barycentric = vec3(i == 0, i == 1, i == 2);
     gl_Position = gl_in[i].gl_Position;
     EmitVertex();

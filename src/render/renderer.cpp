@@ -2,6 +2,7 @@
 
 #include "render/body_drawing.hpp"
 #include "render/creases.hpp"
+#include "render/fabric_look.hpp"
 #include "render/frame_uniforms.hpp"
 #include "render/framebuffer.hpp"
 #include "render/ground_shadow.hpp"
@@ -11,10 +12,12 @@
 #include "render/smooth_mesh.hpp"
 #include "render/surface_coordinates.hpp"
 #include "render/texture_units.hpp"
+#include "render/yarn_coordinates.hpp"
 #include "scene/framing.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drape::render {
 namespace {
@@ -40,6 +43,29 @@ float pixelsPerMetre(const Camera& camera, int height) {
   return static_cast<float>(height / (2.0 * scene::viewOffset(pose).norm() * scene::tanHalfAngle(pose)));
 }
 
+Eigen::Vector3f vectorOf(const Colour& colour) {
+  return {colour[0], colour[1], colour[2]};
+}
+
+/// Sets the uniforms of fabric.frag. @param warpAngle as fabric.warp_angle [degrees]
+void setFabric(const ShaderProgram& program, const FabricLook& look, double warpAngle) {
+  const auto angle = static_cast<float>(warpAngle * std::numbers::pi / 180.0);
+  program.set("structure", static_cast<int>(look.structure));
+  program.set("weave", Eigen::Vector3f(static_cast<float>(look.weave.repeat), static_cast<float>(look.weave.step),
+                                       look.weave.weftOnTop));
+  program.set("count", Eigen::Vector2f(look.columns, look.rows));
+  program.set("warpTurn", Eigen::Vector2f(std::cos(angle), std::sin(angle)));
+  program.set("warpColor", vectorOf(look.warp));
+  program.set("weftColor", vectorOf(look.weft));
+  program.set("relief", look.relief);
+  program.set("roughness", look.roughness);
+  program.set("anisotropy", look.anisotropy);
+  program.set("shine", look.shine);
+  program.set("sheen", look.sheen);
+  program.set("unevenness", look.unevenness);
+  program.set("translucency", look.translucency);
+}
+
 }  // namespace
 
 struct Renderer::Parts {
@@ -52,8 +78,9 @@ struct Renderer::Parts {
   void drawBackground() const;
   void drawStand() const;
   void drawBodies() const;
-  void drawCloth(const settings::Settings::View& view) const;
-  void drawGhost(const settings::Settings::View& view) const;
+  void setPattern(const ShaderProgram& program, const settings::Settings& settings) const;
+  void drawCloth(const settings::Settings& settings) const;
+  void drawGhost(const settings::Settings& settings) const;
   void drawGround() const;
   void drawMarks(const session::Snapshot& snapshot, const Camera& camera, int height) const;
 
@@ -61,6 +88,7 @@ struct Renderer::Parts {
   FrameBlock frameBlock;
   ShaderProgram backgroundProgram{"fullscreen.vert", "background.frag"};
   ShaderProgram clothProgram{"surface.vert", "cloth.frag"};
+  ShaderProgram fabricProgram{"surface.vert", "fabric.frag"};
   ShaderProgram wireframeProgram{"surface.vert", "cloth.frag", "wireframe.geom", "#define WIREFRAME\n"};
   ShaderProgram standProgram{"surface.vert", "stand.frag"};
   ShaderProgram bodyProgram{"surface.vert", "stand.frag", {}, "#define BODY\n"};
@@ -124,7 +152,8 @@ void Renderer::Parts::takeScene(const scene::Scene& newScene) {
   const io::RenderMesh& mesh = newScene.renderMesh;
   const SurfaceCoordinates coordinates = surfaceCoordinates(mesh, newScene.model->restPositions);
   checkSize = coordinates.checkSize;
-  const MeshTopology topology{newScene.model->triangles, mesh.triangles, mesh.particle, coordinates.metres};
+  const std::vector<Vec2> yarns = yarnCoordinates(mesh, newScene.model->restPositions);
+  const MeshTopology topology{newScene.model->triangles, mesh.triangles, mesh.particle, coordinates.metres, yarns};
   cloth.setTopology(topology);
   ghost.setTopology(topology);
 
@@ -196,12 +225,25 @@ void Renderer::Parts::drawBodies() const {
   bodies.draw();
 }
 
-void Renderer::Parts::drawCloth(const settings::Settings::View& view) const {
-  const ShaderProgram& program = view.wireframe ? wireframeProgram : clothProgram;
-  program.use();
+/// Sets the uniforms of cloth.frag that both cloths share.
+void Renderer::Parts::setPattern(const ShaderProgram& program, const settings::Settings& settings) const {
   program.set("shadowMap", static_cast<int>(shadowUnit));
   program.set("checkSize", static_cast<float>(checkSize));
-  program.set("checkered", view.surface == "checker" ? 1.0F : 0.0F);
+  program.set("checkered", surfaceOf(settings) == Surface::Checker ? 1.0F : 0.0F);
+}
+
+void Renderer::Parts::drawCloth(const settings::Settings& settings) const {
+  // The wireframe keeps its own colours, on which the edges can be read.
+  if (surfaceOf(settings) == Surface::Fabric && !settings.view.wireframe) {
+    fabricProgram.use();
+    fabricProgram.set("shadowMap", static_cast<int>(shadowUnit));
+    setFabric(fabricProgram, lookOf(settings), settings.fabric.warpAngle);
+    cloth.draw();
+    return;
+  }
+  const ShaderProgram& program = settings.view.wireframe ? wireframeProgram : clothProgram;
+  program.use();
+  setPattern(program, settings);
   program.set("ghostly", 0.0F);
   program.set("shadowed", 1.0F);
   program.set("opacity", 1.0F);
@@ -210,9 +252,10 @@ void Renderer::Parts::drawCloth(const settings::Settings::View& view) const {
 
 /// Draws the second cloth translucent. Only its nearest layer counts, since folds would add up. Where both cloths
 /// coincide, the first one is visible.
-void Renderer::Parts::drawGhost(const settings::Settings::View& view) const {
-  const ShaderProgram& program = view.wireframe ? wireframeProgram : clothProgram;
+void Renderer::Parts::drawGhost(const settings::Settings& settings) const {
+  const ShaderProgram& program = settings.view.wireframe ? wireframeProgram : clothProgram;
   program.use();
+  setPattern(program, settings);
   program.set("ghostly", 1.0F);
   // Where the cloths intersect, their shadows on each other would be noise.
   program.set("shadowed", ghostStandsBeside ? 1.0F : 0.0F);
@@ -300,13 +343,13 @@ void Renderer::draw(const session::Snapshot& snapshot, const Camera& camera, int
   glClear(GL_DEPTH_BUFFER_BIT);
   parts.drawStand();
   parts.drawBodies();
-  parts.drawCloth(view);
+  parts.drawCloth(snapshot.settings);
   if (view.ground && camera.pose().position.y() > parts.groundCentre.y()) {
     parts.drawGround();
   }
   parts.drawBackground();
   if (parts.hasGhost) {
-    parts.drawGhost(view);
+    parts.drawGhost(snapshot.settings);
   }
   parts.drawMarks(snapshot, camera, height);
   parts.framebuffer.resolve();

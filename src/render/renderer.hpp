@@ -8,8 +8,9 @@
 
 namespace drape::render {
 
-/// Draws snapshots: cloth (smooth, two-sided, checkered or plain), its ghost in green, stand, bodies, ground, soft
-/// light with shadows, attachment, pins and contacts. Needs a current GlContext from construction to destruction.
+/// Draws snapshots: cloth (smooth, two-sided, checkered, plain or as its fabric), its ghost in green, stand, bodies,
+/// ground, soft light with shadows, attachment, pins and contacts. Needs a current GlContext from construction to
+/// destruction.
 class Renderer {
  public:
   Renderer();

@@ -11,6 +11,7 @@ constexpr GLuint positionAttribute = 0U;
 constexpr GLuint normalAttribute = 1U;
 constexpr GLuint surfaceAttribute = 2U;
 constexpr GLuint curvatureAttribute = 3U;
+constexpr GLuint yarnAttribute = 4U;
 
 const void* bufferOffset(std::size_t bytes) {
   // OpenGL takes offsets as pointers.
@@ -32,9 +33,24 @@ SmoothMesh::SmoothMesh() {
                         bufferOffset(offsetof(MovingVertex, shape.curvature)));
   glBindBuffer(GL_ARRAY_BUFFER, fixed_.name());
   glEnableVertexAttribArray(surfaceAttribute);
-  glVertexAttribPointer(surfaceAttribute, 2, GL_FLOAT, GL_FALSE, 0, bufferOffset(0));
+  glVertexAttribPointer(surfaceAttribute, 2, GL_FLOAT, GL_FALSE, sizeof(FixedVertex),
+                        bufferOffset(offsetof(FixedVertex, surface)));
+  glEnableVertexAttribArray(yarnAttribute);
+  glVertexAttribPointer(yarnAttribute, 2, GL_FLOAT, GL_FALSE, sizeof(FixedVertex),
+                        bufferOffset(offsetof(FixedVertex, yarns)));
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.name());
   glBindVertexArray(0);
+}
+
+std::vector<SmoothMesh::FixedVertex> SmoothMesh::fixedVertices(const MeshTopology& topology, std::size_t count) {
+  std::vector<FixedVertex> vertices(count);
+  for (std::size_t i = 0; i < std::min(count, topology.surfaceCoordinates.size()); ++i) {
+    vertices[i].surface = topology.surfaceCoordinates[i].cast<float>();
+  }
+  for (std::size_t i = 0; i < std::min(count, topology.yarnCoordinates.size()); ++i) {
+    vertices[i].yarns = topology.yarnCoordinates[i].cast<float>();
+  }
+  return vertices;
 }
 
 void SmoothMesh::setTopology(const MeshTopology& topology) {
@@ -49,14 +65,11 @@ void SmoothMesh::setTopology(const MeshTopology& topology) {
     std::iota(particleOfVertex_.begin(), particleOfVertex_.end(), 0);
   }
 
-  std::vector<Eigen::Vector2f> coordinates(particleOfVertex_.size(), Eigen::Vector2f(0.0F, 0.0F));
-  for (std::size_t i = 0; i < std::min(coordinates.size(), topology.surfaceCoordinates.size()); ++i) {
-    coordinates[i] = topology.surfaceCoordinates[i].cast<float>();
-  }
+  const std::vector<FixedVertex> vertices = fixedVertices(topology, particleOfVertex_.size());
   glBindVertexArray(vertexArray_.name());
   glBindBuffer(GL_ARRAY_BUFFER, fixed_.name());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(coordinates.size() * sizeof(Eigen::Vector2f)),
-               coordinates.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(FixedVertex)), vertices.data(),
+               GL_STATIC_DRAW);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(topology.drawnTriangles.size_bytes()),
                topology.drawnTriangles.data(), GL_STATIC_DRAW);
   glBindVertexArray(0);

@@ -17,10 +17,12 @@ struct MeshTopology {
   std::span<const Triangle> drawnTriangles;     ///< indices of drawn vertices
   std::span<const int> particleOfVertex;        ///< the particle of each drawn vertex; empty: the same index
   std::span<const Vec2> surfaceCoordinates;     ///< one per drawn vertex [m]; empty: all zero
+  std::span<const Vec2> yarnCoordinates = {};   ///< one per drawn vertex [m]; empty: all zero
 };
 
 /// A moving triangle mesh on the graphics card. Positions and smooth normals are uploaded when they change, indices and
-/// surface coordinates once. Vertex attributes: 0 position, 1 normal, 2 surface coordinates, 3 curvature.
+/// surface coordinates once. Vertex attributes: 0 position, 1 normal, 2 surface coordinates, 3 curvature, 4 yarn
+/// coordinates.
 class SmoothMesh {
  public:
   SmoothMesh();
@@ -41,6 +43,13 @@ class SmoothMesh {
     Eigen::Vector3f position;
     SurfaceShape shape;
   };
+
+  struct FixedVertex {
+    Eigen::Vector2f surface = Eigen::Vector2f::Zero();  // [m]
+    Eigen::Vector2f yarns = Eigen::Vector2f::Zero();    // [m]
+  };
+
+  static std::vector<FixedVertex> fixedVertices(const MeshTopology& topology, std::size_t count);
 
   GlVertexArray vertexArray_;
   GlBuffer moving_;

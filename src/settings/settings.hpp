@@ -75,7 +75,7 @@ struct Settings {
 
   struct View {
     bool wireframe = false;
-    std::string surface = "checker";  ///< "checker" or "plain"
+    std::string surface = "auto";  ///< "auto" (checker for springs, else fabric), "checker", "plain" or "fabric"
     bool ground = true;
     bool shadows = true;
     bool contacts = false;

@@ -105,6 +105,12 @@ constexpr std::array pinSources{
     TextWord{"top", {"Top", "The topmost 3 % of the height."}},
     TextWord{"none", {"None", "No pins: the cloth falls until it lands on something solid."}}};
 
+constexpr std::array surfaces{
+    TextWord{"auto", {"Automatic", "A checker on springs. A fabric looks like itself."}},
+    TextWord{"checker", {"Checker", "Squares along the texture coordinates. They show how the cloth stretches."}},
+    TextWord{"plain", {"Plain", "One colour for each side."}},
+    TextWord{"fabric", {"Fabric", "The structure and the colours of the fabric in material.preset."}}};
+
 template <const auto& words>
 std::vector<std::string> wordsIn() {
   std::vector<std::string> list;
@@ -209,6 +215,11 @@ bool showsGhost(const Settings& settings) {
 
 bool usesSprings(const Settings& settings) {
   return !usesFabric(settings);
+}
+
+/// Whether the name of the fabric and its warp count: for the cloth itself or for its look.
+bool namesFabric(const Settings& settings) {
+  return usesFabric(settings) || settings.view.surface == "fabric";
 }
 
 bool weighsAsGiven(const Settings& settings) {
@@ -322,8 +333,8 @@ const std::array table{
         ChoiceField{presetOf, setPreset, fabricNames, fabricLabel,
                     [](std::string_view text) { return text == noPreset; }, noPreset},
         "A fabric by name. It sets all fabric values except the angle of warp. custom: the values are those of no "
-        "preset. Counts while material.model is fabric.",
-        {}, {}, SettingScope::Everywhere, usesFabric, {}, true},
+        "preset. Counts while material.model is fabric, and for the look while view.surface is fabric.",
+        {}, {}, SettingScope::Everywhere, namesFabric, {}, true},
     SettingInfo{"fabric.stretch_warp", "Stretch warp", "N/m", Material, SettingEffect::Fabric,
         NumberField{[](auto& s) -> auto& { return s.fabric.moduli.stretchWarp; }, 0.1, 1e6, true},
         "Stretch modulus of the fabric along warp: force per width and strain.",
@@ -370,7 +381,7 @@ const std::array table{
         NumberField{[](auto& s) -> auto& { return s.fabric.warpAngle; }, -90.0, 90.0, false},
         "Angle by which warp is turned about the normal of the cloth. At 0 warp is vertical, or along x where the cloth "
         "is level at rest. 45 is cut on the bias.",
-        {}, {}, SettingScope::Everywhere, usesFabric},
+        {}, {}, SettingScope::Everywhere, namesFabric},
     SettingInfo{"fabric.own_density", "Own density", "-", Material, SettingEffect::Mass,
         FlagField{[](auto& s) -> auto& { return s.fabric.ownDensity; }},
         "Whether fabric.density sets the weight of the cloth while material.model is fabric. Setting density or mass "
@@ -505,8 +516,9 @@ const std::array table{
         "Draws the edges of the triangles, which are the springs."},
     SettingInfo{"view.surface", "Surface", "-", SettingGroup::View, SettingEffect::View,
         textOf<[](auto& s) -> auto& { return s.view.surface; }>(
-            [] { return std::vector<std::string>{"checker", "plain"}; }),
-        "Look of the cloth: a checker along its texture coordinates, or one colour."},
+            wordsIn<surfaces>, labelIn<surfaces>),
+        "Look of the cloth: a checker along its texture coordinates, one colour, or the woven or knitted structure and "
+        "the colours of the fabric in material.preset. auto draws springs as a checker, and a fabric as itself."},
     SettingInfo{"view.ground", "Ground", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](auto& s) -> auto& { return s.view.ground; }},
         "Draws the ground. The ground stops the cloth even when it is not drawn. The Contact panel switches this "

@@ -259,6 +259,16 @@ TEST(FabricSettings, areSpringsUnlessAFabricIsChosen) {
   EXPECT_NE(refusal("material.model=jelly").find("material.model must be springs or fabric"), std::string::npos);
 }
 
+TEST(FabricSettings, givenToSpringsForTheirLookHaveAnEffect) {
+  Settings settings;
+  assignSettingExpression(settings, "view.surface=fabric");
+  for (const char* key : {"material.preset", "fabric.warp_angle"}) {
+    EXPECT_TRUE(isRelevant(requireSetting(key), settings)) << key;
+    EXPECT_EQ(noEffectNote(settings, key), "") << key;
+  }
+  EXPECT_FALSE(isRelevant(requireSetting("fabric.shear"), settings));
+}
+
 TEST(FabricSettings, takeTheValuesOfEveryPreset) {
   const SettingInfo& info = requireSetting("material.preset");
   for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {

@@ -198,8 +198,8 @@ TEST_F(SettingWidget, AFlagIsTickedByAClick) {
 }
 
 TEST_F(SettingWidget, AShortChoiceIsOneClick) {
-  const UiOutput output = click(button("view.surface=plain"));
-  EXPECT_EQ(std::get<std::string>(lastValue(output, "view.surface")), "plain");
+  const UiOutput output = click(button("material.model=fabric"));
+  EXPECT_EQ(std::get<std::string>(lastValue(output, "material.model")), "fabric");
 }
 
 TEST_F(SettingWidget, ALongChoiceIsPickedFromTheListByItsTitle) {
@@ -210,6 +210,13 @@ TEST_F(SettingWidget, ALongChoiceIsPickedFromTheListByItsTitle) {
   }
   const UiOutput output = click(button("derivative=scalar"));
   EXPECT_EQ(std::get<std::string>(lastValue(output, "derivative")), "scalar");
+}
+
+TEST_F(SettingWidget, TheLookOfTheClothIsPickedFromAList) {
+  click(widget("view.surface"));
+  settle();
+  const UiOutput output = click(button("view.surface=fabric"));
+  EXPECT_EQ(std::get<std::string>(lastValue(output, "view.surface")), "fabric");
 }
 
 TEST_F(SettingWidget, EverySolverIsInBothLists) {
