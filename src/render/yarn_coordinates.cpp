@@ -32,7 +32,7 @@ Map sidesInTexture(const io::RenderMesh& mesh, const Triangle& triangle) {
 void addToPiece(const io::RenderMesh& mesh, std::span<const Vec3> rest, const Triangle& triangle, const Vec3& warp,
                 PieceSum& sum) {
   const Map inTexture = sidesInTexture(mesh, triangle);
-  const Vec3 origin = rest[mesh.particle[triangle[0]]];
+  const Vec3& origin = rest[mesh.particle[triangle[0]]];
   const Vec3 side1 = rest[mesh.particle[triangle[1]]] - origin;
   const Vec3 side2 = rest[mesh.particle[triangle[2]]] - origin;
   const Vec3 areaVector = 0.5 * side1.cross(side2);
