@@ -328,7 +328,7 @@ const std::array table{
     SettingInfo{"material.model", "Model", "-", Material, SettingEffect::Fabric,
         textOf<[](auto& s) -> auto& { return s.material.model; }>(wordsIn<materialModels>, labelIn<materialModels>),
         "What the cloth is made of. springs: a spring on every edge of the mesh, as in the paper. fabric: a sheet with "
-        "warp and weft, whose stretch and shear do not depend on the mesh."},
+        "warp and weft, whose stiffness does not depend on the mesh."},
     SettingInfo{"material.preset", "Fabric", "-", Material, SettingEffect::Fabric,
         ChoiceField{presetOf, setPreset, fabricNames, fabricLabel,
                     [](std::string_view text) { return text == noPreset; }, noPreset},
