@@ -11,9 +11,10 @@ namespace drape::sim::fabric {
 namespace {
 
 using Row3 = Eigen::RowVector3d;
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// The moment of a fit along a direction without stiffness is at least this fraction of the largest one. Otherwise the
-/// fit would not be unique where hinges are missing.
+/// A fit takes every bending stiffness as at least this fraction of the largest one. Otherwise the fit would not be
+/// unique where hinges are missing and the fabric does not resist bending in one direction.
 constexpr double minMomentRatio = 1e-2;
 
 /// Patches whose hinges determine the curvature badly are regularised below this eigenvalue of their correlation
@@ -42,8 +43,8 @@ Mat3 secondDerivatives(const Hinge& hinge, std::size_t of) {
   return secondDerivatives(frame.along, of == 0 ? frame.outward : Vec2(-frame.outward));
 }
 
-/// Twice what the slope of a plane triangle differs from the slope at the middle of its side per second derivative
-/// along the side [m].
+/// A second derivative H along a side makes the slope of the plane triangle differ by H / 2 times this length from the
+/// slope at the middle of the side [m].
 double alongSide(const SideFrame& frame) {
   return (frame.offset * frame.offset - 0.25 * frame.length * frame.length) / frame.height;
 }
@@ -76,7 +77,7 @@ class CurvatureBuilder {
   }
 
   /// The matrix [1/m] with three rows a triangle and one column a hinge.
-  VertexMatrix build() {
+  RowMatrix build() {
     for (std::size_t h = 0; h < shape_.hinges.size(); ++h) {
       addHinge(static_cast<int>(h));
     }
@@ -87,8 +88,8 @@ class CurvatureBuilder {
         }
       }
     }
-    VertexMatrix matrix(static_cast<Eigen::Index>(3 * shape_.triangles.size()),
-                        static_cast<Eigen::Index>(shape_.hinges.size()));
+    RowMatrix matrix(static_cast<Eigen::Index>(3 * shape_.triangles.size()),
+                     static_cast<Eigen::Index>(shape_.hinges.size()));
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     return matrix;
   }
@@ -185,7 +186,7 @@ class CurvatureBuilder {
 };
 
 /// The bend vectors of the hinges as a function of the vertices [1/m].
-VertexMatrix bendVectors(const RestShape& shape, std::size_t vertexCount) {
+RowMatrix bendVectors(const RestShape& shape, std::size_t vertexCount) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t h = 0; h < shape.hinges.size(); ++h) {
     for (std::size_t i = 0; i < 4; ++i) {
@@ -193,15 +194,15 @@ VertexMatrix bendVectors(const RestShape& shape, std::size_t vertexCount) {
                            shape.hinges[h].weights[static_cast<Eigen::Index>(i)]);
     }
   }
-  VertexMatrix matrix(static_cast<Eigen::Index>(shape.hinges.size()), static_cast<Eigen::Index>(vertexCount));
+  RowMatrix matrix(static_cast<Eigen::Index>(shape.hinges.size()), static_cast<Eigen::Index>(vertexCount));
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 
 /// A D for each triangle, on the diagonal.
-VertexMatrix momentsOf(const RestShape& shape, const Mat3& moments) {
+RowMatrix momentsOf(const RestShape& shape, const Mat3& moments) {
   const auto size = static_cast<Eigen::Index>(3 * shape.triangles.size());
-  VertexMatrix matrix(size, size);
+  RowMatrix matrix(size, size);
   matrix.reserve(Eigen::VectorXi::Constant(size, 1));
   for (Eigen::Index i = 0; i < size; ++i) {
     matrix.insert(i, i) = shape.triangles[static_cast<std::size_t>(i / 3)].area * moments(i % 3, i % 3);
@@ -224,9 +225,8 @@ VertexMatrix withoutRounding(const VertexMatrix& matrix) {
 
 VertexMatrix bendingMatrix(const RestShape& shape, const Material& material, std::size_t vertexCount) {
   const Mat3 moments = bendMatrix(material);
-  const VertexMatrix curvatures =
-      (CurvatureBuilder(shape, moments).build() * bendVectors(shape, vertexCount)).pruned(0.0);
-  return withoutRounding(VertexMatrix(curvatures.transpose()) * momentsOf(shape, moments) * curvatures);
+  const RowMatrix curvatures = (CurvatureBuilder(shape, moments).build() * bendVectors(shape, vertexCount)).pruned(0.0);
+  return withoutRounding(RowMatrix(curvatures.transpose()) * momentsOf(shape, moments) * curvatures);
 }
 
 }  // namespace drape::sim::fabric

@@ -18,7 +18,7 @@ using VertexMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// |----------|----------------------------------------------------------------------------------------------|------|
 /// | kappa    | curvature (k_11, k_22, 2 k_12) of a triangle along warp and weft, three vectors              | 1/m  |
 /// | s_e      | slope at the middle of side e: the derivative of x along the outward normal n_e              | -    |
-/// | s_Te     | the same of the plane triangle                                                               | -    |
+/// | s_Te     | slope of the plane triangle: its derivative of x along n_e                                   | -    |
 /// | u_e      | bend vector of a hinge, the sum of s_Te of its two triangles, see Hinge::weights             | -    |
 /// | l_e, A   | length of the side, area of the triangle                                                     | m    |
 ///

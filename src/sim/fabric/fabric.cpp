@@ -13,13 +13,16 @@
 namespace drape::sim::fabric {
 namespace {
 
-/// Half of what bounds the highest frequency of bending by Gershgorin's theorem, omega^2 <= sum_j |L_ij| / m_i [N/m].
-double halfRowSum(const VertexMatrix& bending, std::size_t vertex) {
-  double sum = 0.0;
-  for (VertexMatrix::InnerIterator entry(bending, static_cast<int>(vertex)); entry; ++entry) {
-    sum += std::abs(entry.value());
+/// See Fabric::bendingHalfSums.
+std::vector<double> halfSumsOf(const VertexMatrix& bending) {
+  std::vector<double> sums(static_cast<std::size_t>(bending.rows()), 0.0);
+  for (int row = 0; row < bending.outerSize(); ++row) {
+    for (VertexMatrix::InnerIterator entry(bending, row); entry; ++entry) {
+      sums[row] += std::abs(entry.value());
+    }
+    sums[row] *= 0.5;
   }
-  return 0.5 * sum;
+  return sums;
 }
 
 /// The factor on the moduli of a triangle: below 1 for slivers.
@@ -52,7 +55,7 @@ std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& 
   largest.reserve(blocks.size());
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
   for (std::size_t v = 0; v < blocks.size(); ++v) {
-    const double bending = fabric.bends() ? halfRowSum(fabric.bending, v) : 0.0;
+    const double bending = fabric.bends() ? fabric.bendingHalfSums[v] : 0.0;
     largest.push_back(solver.computeDirect(blocks[v], Eigen::EigenvaluesOnly).eigenvalues().maxCoeff() + bending);
   }
   return largest;
@@ -126,6 +129,7 @@ std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Mate
   }
   if (resistsBending(material)) {
     fabric->bending = bendingMatrix(fabric->shape, material, model.restPositions.size());
+    fabric->bendingHalfSums = halfSumsOf(fabric->bending);
   }
   findPairs(model, *fabric);
   for (const auto& [a, b, c] : model.triangles) {

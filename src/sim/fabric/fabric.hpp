@@ -27,8 +27,11 @@ struct Fabric {
   RestShape shape;
   std::vector<MembraneTriangle> membrane;  ///< one a triangle
   VertexMatrix bending;                    ///< without rows if the fabric does not resist bending
-  std::vector<VertexPair> pairs;           ///< sorted by (a, b)
-  RaggedRows<SpringEnd> pairEnds;          ///< of each vertex, by ascending neighbour; `spring` is an index into pairs
+  /// Half the sum of |L_ij| over the row of each vertex [N/m]. By Gershgorin's theorem the highest frequency of bending
+  /// has omega^2 <= 2 max_i(half sum_i / m_i). Empty if the fabric does not resist bending.
+  std::vector<double> bendingHalfSums;
+  std::vector<VertexPair> pairs;   ///< sorted by (a, b)
+  RaggedRows<SpringEnd> pairEnds;  ///< of each vertex, by ascending neighbour; `spring` is an index into pairs
   std::vector<std::array<int, 3>> pairsOfSides;  ///< of each triangle: the pairs of its sides
 
   int slivers = 0;  ///< triangles whose stiffness is clamped, see sliverQuality

@@ -4,23 +4,19 @@
 #include "sim/forces/kernels.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace drape::sim {
 namespace {
 
 /// See ImplicitSystem::jacobiSurplus [N/m]. @param stiffness the vertex's diagonal block of membrane and bending [N/m]
 Mat3 surplusOf(const fabric::Fabric& fabric, const Mat3& stiffness, std::size_t vertex) {
-  double own = 0.0;
-  double sum = 0.0;
-  if (fabric.bends()) {
-    for (fabric::VertexMatrix::InnerIterator entry(fabric.bending, static_cast<int>(vertex)); entry; ++entry) {
-      own = entry.col() == entry.row() ? entry.value() : own;
-      sum += std::abs(entry.value());
-    }
+  if (!fabric.bends()) {
+    return 0.5 * stiffness;
   }
-  const Mat3 bending = own * Mat3::Identity();
-  return 0.5 * (stiffness - bending) + std::max(0.0, 0.5 * sum - own) * Mat3::Identity();
+  const int row = static_cast<int>(vertex);
+  const double own = fabric.bending.coeff(row, row);
+  return 0.5 * (stiffness - own * Mat3::Identity()) +
+         std::max(0.0, fabric.bendingHalfSums[vertex] - own) * Mat3::Identity();
 }
 
 }  // namespace
