@@ -1,10 +1,15 @@
 #include "sim/fabric/bending.hpp"
 
+#include "sim/fabric/rate_limit.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace drape::sim::fabric {
@@ -199,13 +204,20 @@ RowMatrix bendVectors(const RestShape& shape, std::size_t vertexCount) {
   return matrix;
 }
 
-/// A D for each triangle, on the diagonal.
-RowMatrix momentsOf(const RestShape& shape, const Mat3& moments) {
+/// The curvatures of the triangles as a function of the vertices [1/m^2]: three rows a triangle.
+RowMatrix curvatureMatrix(const RestShape& shape, const Mat3& moments, std::size_t vertexCount) {
+  return (CurvatureBuilder(shape, moments).build() * bendVectors(shape, vertexCount)).pruned(0.0);
+}
+
+/// A D for each triangle, on the diagonal. @param scales factor of each triangle; empty: 1
+RowMatrix momentsOf(const RestShape& shape, const Mat3& moments, std::span<const double> scales) {
   const auto size = static_cast<Eigen::Index>(3 * shape.triangles.size());
   RowMatrix matrix(size, size);
   matrix.reserve(Eigen::VectorXi::Constant(size, 1));
   for (Eigen::Index i = 0; i < size; ++i) {
-    matrix.insert(i, i) = shape.triangles[static_cast<std::size_t>(i / 3)].area * moments(i % 3, i % 3);
+    const auto t = static_cast<std::size_t>(i / 3);
+    const double scale = scales.empty() ? 1.0 : scales[t];
+    matrix.insert(i, i) = scale * shape.triangles[t].area * moments(i % 3, i % 3);
   }
   return matrix;
 }
@@ -221,12 +233,66 @@ VertexMatrix withoutRounding(const VertexMatrix& matrix) {
   return symmetric;
 }
 
+VertexMatrix matrixOf(const RestShape& shape, const Mat3& moments, const RowMatrix& curvatures,
+                      std::span<const double> scales) {
+  return withoutRounding(RowMatrix(curvatures.transpose()) * momentsOf(shape, moments, scales) * curvatures);
+}
+
+/// The factor on the bending energy of one triangle, from its part of the half row sums.
+double bendingScaleOf(std::size_t triangle, const RestShape& shape, const Mat3& moments, const RowMatrix& curvatures,
+                      std::span<const double> areas, const RateLimit& limit) {
+  std::map<int, Vec3> columns;  // the curvature per displacement of each vertex [1/m^2]
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    for (RowMatrix::InnerIterator entry(curvatures, 3 * static_cast<Eigen::Index>(triangle) + i); entry; ++entry) {
+      columns.try_emplace(static_cast<int>(entry.col()), Vec3::Zero()).first->second[i] = entry.value();
+    }
+  }
+  const Vec3 stiffness = shape.triangles[triangle].area * moments.diagonal();
+  double scale = 1.0;
+  for (const auto& [vertex, column] : columns) {
+    double sum = 0.0;
+    for (const auto& [other, otherColumn] : columns) {
+      sum += std::abs(column.dot(stiffness.cwiseProduct(otherColumn)));
+    }
+    scale = std::min(scale, limit.scaleOf(0.5 * sum / areas[vertex]));
+  }
+  return scale;
+}
+
 }  // namespace
 
 VertexMatrix bendingMatrix(const RestShape& shape, const Material& material, std::size_t vertexCount) {
   const Mat3 moments = bendMatrix(material);
-  const RowMatrix curvatures = (CurvatureBuilder(shape, moments).build() * bendVectors(shape, vertexCount)).pruned(0.0);
-  return withoutRounding(RowMatrix(curvatures.transpose()) * momentsOf(shape, moments) * curvatures);
+  return matrixOf(shape, moments, curvatureMatrix(shape, moments, vertexCount), {});
+}
+
+std::vector<double> halfRowSums(const VertexMatrix& bending) {
+  std::vector<double> sums(static_cast<std::size_t>(bending.rows()), 0.0);
+  for (int row = 0; row < bending.outerSize(); ++row) {
+    for (VertexMatrix::InnerIterator entry(bending, row); entry; ++entry) {
+      sums[row] += std::abs(entry.value());
+    }
+    sums[row] *= 0.5;
+  }
+  return sums;
+}
+
+ClampedBending clampedBendingMatrix(const RestShape& shape, const Material& material,
+                                    std::span<const double> vertexAreas) {
+  const Mat3 moments = bendMatrix(material);
+  const RowMatrix curvatures = curvatureMatrix(shape, moments, vertexAreas.size());
+  ClampedBending clamped{matrixOf(shape, moments, curvatures, {}), {}};
+  const std::vector<double> areas = boundedAreas(vertexAreas);
+  std::vector<double> rates = halfRowSums(clamped.matrix);
+  std::ranges::transform(rates, areas, rates.begin(), std::divides<>());
+  const RateLimit limit(std::move(rates));
+  for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
+    clamped.scales.push_back(bendingScaleOf(t, shape, moments, curvatures, areas, limit));
+  }
+  if (std::ranges::any_of(clamped.scales, [](double scale) { return scale < 1.0; })) {
+    clamped.matrix = matrixOf(shape, moments, curvatures, clamped.scales);
+  }
+  return clamped;
 }
 
 }  // namespace drape::sim::fabric

@@ -5,6 +5,8 @@
 
 #include <Eigen/SparseCore>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 namespace drape::sim::fabric {
 
@@ -38,5 +40,21 @@ using VertexMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// The bend vectors at slivers (sliverQuality) are scaled down, so that they do not determine the time step.
 /// Edges on the boundary are free of moments. Edges of three or more triangles bend freely.
 [[nodiscard]] VertexMatrix bendingMatrix(const RestShape& shape, const Material& material, std::size_t vertexCount);
+
+/// Half the sum of |L_ij| over each row [N/m]. By Gershgorin's theorem the highest frequency of bending has
+/// omega^2 <= 2 max_i(half sum_i / m_i).
+[[nodiscard]] std::vector<double> halfRowSums(const VertexMatrix& bending);
+
+/// The bending stiffness with clamped triangles.
+struct ClampedBending {
+  VertexMatrix matrix;
+  std::vector<double> scales;  ///< the factor on the bending energy of each triangle [-]
+};
+
+/// The same matrix, with the energy of the stiffest triangles scaled down to the RateLimit of the mesh. Each triangle's
+/// energy stays free of rigid motion and positive, so the matrix is semidefinite too.
+/// @param vertexAreas of all vertices [m^2]
+[[nodiscard]] ClampedBending clampedBendingMatrix(const RestShape& shape, const Material& material,
+                                                  std::span<const double> vertexAreas);
 
 }  // namespace drape::sim::fabric

@@ -1,5 +1,7 @@
 #include "sim/fabric/fabric.hpp"
 
+#include "sim/fabric/rate_limit.hpp"
+#include "sim/fabric/stretch_scale.hpp"
 #include "sim/model/fingerprint.hpp"
 #include "sim/model/sim_error.hpp"
 
@@ -8,22 +10,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 namespace drape::sim::fabric {
 namespace {
-
-/// See Fabric::bendingHalfSums.
-std::vector<double> halfSumsOf(const VertexMatrix& bending) {
-  std::vector<double> sums(static_cast<std::size_t>(bending.rows()), 0.0);
-  for (int row = 0; row < bending.outerSize(); ++row) {
-    for (VertexMatrix::InnerIterator entry(bending, row); entry; ++entry) {
-      sums[row] += std::abs(entry.value());
-    }
-    sums[row] *= 0.5;
-  }
-  return sums;
-}
 
 /// The factor on the moduli of a triangle: below 1 for slivers.
 double stiffnessScaleOf(const RestTriangle& triangle) {
@@ -38,25 +30,61 @@ Material stiffened(const Material& material) {
   return steep;
 }
 
-/// The largest stiffness at each vertex [N/m]: the largest eigenvalue of its diagonal block of the stiffened membrane,
-/// plus half the row sum of the bending matrix, which exceeds the diagonal where the matrix is far from dominant.
-std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& model) {
+using CornerBlocks = std::array<Mat3, 3>;
+
+/// The diagonal blocks of the stiffened membrane of each triangle at its corners [N/m].
+std::vector<CornerBlocks> cornerBlocks(const Fabric& fabric, const ClothModel& model) {
   const Material steep = stiffened(fabric.material);
-  std::vector<Mat3> blocks(model.restPositions.size(), Mat3::Zero());
+  std::vector<CornerBlocks> blocks;
+  blocks.reserve(model.triangles.size());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    const RestTriangle& rest = fabric.shape.triangles[t];
-    const Mat9 stiffness = MembraneTriangle(rest, steep, stiffnessScaleOf(rest))
+    const Mat9 stiffness = MembraneTriangle(fabric.shape.triangles[t], steep, fabric.membraneScales[t])
                                .derivative(cornersOf(model.triangles[t], model.restPositions), ForceDerivative::Exact);
-    for (Eigen::Index corner = 0; corner < 3; ++corner) {
-      blocks[model.triangles[t][corner]] += stiffness.block<3, 3>(3 * corner, 3 * corner);
+    blocks.push_back({stiffness.block<3, 3>(0, 0), stiffness.block<3, 3>(3, 3), stiffness.block<3, 3>(6, 6)});
+  }
+  return blocks;
+}
+
+double largestEigenvalue(const Mat3& matrix) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>().computeDirect(matrix, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
+/// The largest stiffness of the membrane at each vertex [N/m].
+std::vector<double> membraneStiffness(const ClothModel& model, std::span<const CornerBlocks> blocks) {
+  std::vector<Mat3> sums(model.restPositions.size(), Mat3::Zero());
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      sums[model.triangles[t][corner]] += blocks[t][corner];
     }
   }
   std::vector<double> largest;
-  largest.reserve(blocks.size());
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  for (std::size_t v = 0; v < blocks.size(); ++v) {
-    const double bending = fabric.bends() ? fabric.bendingHalfSums[v] : 0.0;
-    largest.push_back(solver.computeDirect(blocks[v], Eigen::EigenvaluesOnly).eigenvalues().maxCoeff() + bending);
+  largest.reserve(sums.size());
+  std::ranges::transform(sums, std::back_inserter(largest), largestEigenvalue);
+  return largest;
+}
+
+/// Scales the stiffest triangles down to the RateLimit of the mesh.
+void clampMembrane(const ClothModel& model, Fabric& fabric) {
+  const std::vector<CornerBlocks> blocks = cornerBlocks(fabric, model);
+  const std::vector<double> areas = boundedAreas(model.vertexArea);
+  std::vector<double> rates = membraneStiffness(model, blocks);
+  std::ranges::transform(rates, areas, rates.begin(), std::divides<>());
+  const RateLimit limit(std::move(rates));
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    double scale = 1.0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      scale = std::min(scale, limit.scaleOf(largestEigenvalue(blocks[t][corner]) / areas[model.triangles[t][corner]]));
+    }
+    fabric.membraneScales[t] *= scale;
+  }
+}
+
+/// The largest stiffness at each vertex [N/m]: the largest eigenvalue of its diagonal block of the stiffened membrane,
+/// plus half the row sum of the bending matrix, which exceeds the diagonal where the matrix is far from dominant.
+std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& model) {
+  std::vector<double> largest = membraneStiffness(model, cornerBlocks(fabric, model));
+  if (fabric.bends()) {
+    std::ranges::transform(largest, fabric.bendingHalfSums, largest.begin(), std::plus<>());
   }
   return largest;
 }
@@ -105,6 +133,13 @@ std::uint64_t fingerprintOf(const Material& material, const RestShape& shape) {
   return fingerprint.value();
 }
 
+void buildMembrane(Fabric& fabric) {
+  fabric.membrane.clear();
+  for (std::size_t t = 0; t < fabric.shape.triangles.size(); ++t) {
+    fabric.membrane.emplace_back(fabric.shape.triangles[t], fabric.material, fabric.membraneScales[t]);
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Material& material,
@@ -122,14 +157,18 @@ std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Mate
   fabric->shape =
       restShapeOf(model.restPositions, model.triangles, edgesOf(model.triangles, model.restPositions.size()), warp);
   fabric->fingerprint = fingerprintOf(material, fabric->shape);
-  for (const RestTriangle& triangle : fabric->shape.triangles) {
-    const double scale = stiffnessScaleOf(triangle);
-    fabric->membrane.emplace_back(triangle, material, scale);
-    fabric->slivers += scale < 1.0 ? 1 : 0;
-  }
+  std::ranges::transform(fabric->shape.triangles, std::back_inserter(fabric->membraneScales), stiffnessScaleOf);
+  clampMembrane(model, *fabric);
+  buildMembrane(*fabric);
+  std::vector<double> bendingScales(model.triangles.size(), 1.0);
   if (resistsBending(material)) {
-    fabric->bending = bendingMatrix(fabric->shape, material, model.restPositions.size());
-    fabric->bendingHalfSums = halfSumsOf(fabric->bending);
+    ClampedBending bending = clampedBendingMatrix(fabric->shape, material, model.vertexArea);
+    fabric->bending = std::move(bending.matrix);
+    fabric->bendingHalfSums = halfRowSums(fabric->bending);
+    bendingScales = std::move(bending.scales);
+  }
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    fabric->slivers += fabric->membraneScales[t] < 1.0 || bendingScales[t] < 1.0 ? 1 : 0;
   }
   findPairs(model, *fabric);
   for (const auto& [a, b, c] : model.triangles) {
@@ -138,6 +177,36 @@ std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Mate
   }
   std::vector<double> stiffness = stiffnessAtVertices(*fabric, model);
   return sim::withFabric(model, std::move(fabric), std::move(stiffness));
+}
+
+std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, double scale) {
+  auto fabric = std::make_shared<Fabric>(*model.fabric);
+  Material& material = fabric->material;
+  for (double* modulus :
+       {&material.stretchWarp, &material.stretchWeft, &material.stiffeningWarp, &material.stiffeningWeft}) {
+    *modulus *= scale;
+  }
+  buildMembrane(*fabric);
+  fabric->fingerprint = fingerprintOf(material, fabric->shape);
+  std::vector<double> stiffness = stiffnessAtVertices(*fabric, model);
+  return sim::withFabric(model, std::move(fabric), std::move(stiffness));
+}
+
+double stretchAlongYarns(const ClothModel& model, std::span<const Vec3> positions) {
+  if (model.triangles.empty()) {
+    return 0.0;
+  }
+  std::vector<double> strains;
+  strains.reserve(model.triangles.size());
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    const MembraneTriangle& membrane = model.fabric->membrane[t];
+    const Vec3 strain = membrane.strain(membrane.excess(cornersOf(model.triangles[t], positions)));
+    strains.push_back(std::max({0.0, strain[0], strain[1]}));
+  }
+  constexpr double fraction = 0.99;
+  const auto at = strains.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(strains.size() - 1));
+  std::nth_element(strains.begin(), at, strains.end());
+  return *at;
 }
 
 Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions) {

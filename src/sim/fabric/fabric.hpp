@@ -26,15 +26,15 @@ struct Fabric {
   Material material;
   RestShape shape;
   std::vector<MembraneTriangle> membrane;  ///< one a triangle
+  std::vector<double> membraneScales;      ///< the factor on the moduli of each triangle [-]; below 1 where clamped
   VertexMatrix bending;                    ///< without rows if the fabric does not resist bending
-  /// Half the sum of |L_ij| over the row of each vertex [N/m]. By Gershgorin's theorem the highest frequency of bending
-  /// has omega^2 <= 2 max_i(half sum_i / m_i). Empty if the fabric does not resist bending.
+  /// See halfRowSums. Empty if the fabric does not resist bending [N/m].
   std::vector<double> bendingHalfSums;
   std::vector<VertexPair> pairs;   ///< sorted by (a, b)
   RaggedRows<SpringEnd> pairEnds;  ///< of each vertex, by ascending neighbour; `spring` is an index into pairs
   std::vector<std::array<int, 3>> pairsOfSides;  ///< of each triangle: the pairs of its sides
 
-  int slivers = 0;  ///< triangles whose stiffness is clamped, see sliverQuality
+  int slivers = 0;  ///< triangles whose stiffness is clamped, see sliverQuality and RateLimit
 
   /// A hash of the material and of the rest shape. It differs for fabrics that differ in a modulus or in the direction
   /// of warp, even if their stiffness at rest is the same.
