@@ -72,18 +72,18 @@ HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTe
   return sum;
 }
 
-/// Adds drag and lift (eqs. 18-20) to `force`. They are limited to the force that stops the vertex relative to the air
+/// Drag and lift (eqs. 18-20) [N]. They are limited to the force that stops the vertex relative to the air
 /// within the step, as in kernels::airForce. With w the velocity relative to the air, s = |w|, the unit normal n turned
 /// to face w, and q = n.w: drag = -K_D q w. As (n x u) x u = (q/s) u - n for u = w/s,
 /// lift = K_L s (s - q) ((q/s^2) w - n).
+/// @param timeStep the time for which they act [s]  @param area see areaNormal  @param force of everything else [N]
 template <class D, typename T>
-HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step, const SpringTerms<T>* terms,
-                            int slice, int lane, const Lanes3<D>& force) {
+HWY_INLINE Lanes3<D> airForce(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step, T timeStep,
+                              const Lanes3<D>& area, int slice, int lane, const Lanes3<D>& force) {
   const int i = slice * sliceLanes + lane;
   const auto zero = hn::Zero(d);
   const Lanes3<D> wind = {hn::Set(d, step.windX), hn::Set(d, step.windY), hn::Set(d, step.windZ)};
   const Lanes3<D> relative = subtract(load3(d, cloth.velocity, i), wind);
-  const Lanes3<D> area = areaNormal(d, cloth, terms, slice, lane);
   const auto speed = hn::Sqrt(dot(relative, relative));
   const auto size = hn::Sqrt(dot(area, area));
   // One division for both: 1 / |w| = |N| / (|w| |N|).
@@ -100,7 +100,7 @@ HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>
   if (step.liftRise > T(0)) {
     // Lift is limited to R q', implicit in the normal velocity q' = p + h/m (f - R q') after the kick. p + h/m f is the
     // normal velocity after the kick by all other forces; its sign tells the side that faces the air.
-    const auto push = hn::Div(hn::Set(d, step.timeStep), mass);
+    const auto push = hn::Div(hn::Set(d, timeStep), mass);
     side = hn::MulAdd(push, hn::NegMulAdd(drag, facing, dot(normal, force)), facing);
     const auto rise = hn::Mul(hn::Mul(surface, hn::Set(d, step.liftRise)), speed);
     const auto full = hn::Mul(lift, speed);
@@ -110,14 +110,22 @@ HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>
   const auto along = hn::MulSub(hn::Mul(lift, q), hn::Mul(inverse, size), drag);
   Lanes3<D> air = scaled(relative, along);
   air = multiplyAdd(normal, hn::Neg(hn::Mul(hn::CopySign(lift, side), speed)), air);
-  const auto limit = hn::Mul(mass, hn::Mul(speed, hn::Set(d, T(1) / step.timeStep)));
+  const auto limit = hn::Mul(mass, hn::Mul(speed, hn::Set(d, T(1) / timeStep)));
   const auto strength = dot(air, air);
   const auto excessive = hn::Gt(strength, hn::Mul(limit, limit));
   if (HWY_UNLIKELY(!hn::AllFalse(d, excessive))) {
     const auto scale = hn::Div(limit, hn::Sqrt(strength));
     air = scaled(air, hn::IfThenElse(excessive, scale, hn::Set(d, T(1))));
   }
-  return add(force, air);
+  return air;
+}
+
+/// Adds drag and lift to `force`.
+template <class D, typename T>
+HWY_INLINE Lanes3<D> addAir(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step, const SpringTerms<T>* terms,
+                            int slice, int lane, const Lanes3<D>& force) {
+  const Lanes3<D> area = areaNormal(d, cloth, terms, slice, lane);
+  return add(force, airForce(d, cloth, step, step.timeStep, area, slice, lane, force));
 }
 
 }  // namespace drape::sim::simd::HWY_NAMESPACE

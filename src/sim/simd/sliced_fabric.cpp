@@ -1,6 +1,7 @@
 #include "sim/simd/sliced_fabric.hpp"
 
 #include "sim/fabric/fabric.hpp"
+#include "sim/simd/sliced_fans.hpp"
 
 #include <algorithm>
 #include <map>
@@ -51,6 +52,7 @@ void setMembrane(const fabric::MembraneTriangle& membrane, const fabric::RestTri
   at.ab[lane] += static_cast<T>(stiffness(a, b));
   at.bc[lane] += static_cast<T>(stiffness(b, c));
   at.bb[lane] += static_cast<T>(stiffness(b, b));
+  at.cc[lane] += static_cast<T>(stiffness(c, c));
   // Side b comes back to the corner.
   at.restDot[lane] = static_cast<T>(-rest.sides[corner].dot(rest.sides[(corner + 2) % 3]));
 }
@@ -65,6 +67,54 @@ void setStiffening(const fabric::MembraneTriangle& membrane, std::size_t corner,
     at[direction].c[lane] = static_cast<T>(weights[c]);
     at[direction].b[lane] = static_cast<T>(weights[b]);
     at[direction].start[lane] = static_cast<T>(start);
+  }
+}
+
+bool hasCommonCorners(const SliceLayout& layout, int slice) {
+  const auto* const begin = layout.corners.data() + layout.cornerBegin[slice];
+  const auto* const end = layout.corners.data() + layout.cornerBegin[slice + 1];
+  return std::all_of(begin, end, [](const SliceLayout::Corner& corner) { return corner.table < 0; });
+}
+
+template <typename T>
+typename SlicedFabric<T>::Moduli moduliOf(const fabric::Material& material) {
+  const Mat3 stretch = fabric::stretchMatrix(material);
+  return {.warp = static_cast<T>(stretch(0, 0)),
+          .weft = static_cast<T>(stretch(1, 1)),
+          .across = static_cast<T>(stretch(0, 1)),
+          .shear = static_cast<T>(stretch(2, 2)),
+          .stiffeningStrain = static_cast<T>(material.stiffeningStrain),
+          .stiffeningWarp = static_cast<T>(material.stiffeningWarp),
+          .stiffeningWeft = static_cast<T>(material.stiffeningWeft),
+          .stiffens = material.stiffens()};
+}
+
+/// Sets the numbers of the corners in the slices that have common ones.
+template <typename T>
+void setCommonCorners(const ClothModel& model, const SliceLayout& layout, SlicedFabric<T>& sliced) {
+  using Stiffenings = std::array<typename SlicedFabric<T>::Stiffening, 2>;
+  const fabric::Fabric& fabric = *model.fabric;
+  std::vector<std::pair<typename SlicedFabric<T>::Corner, Stiffenings>> numbers(layout.corners.size());
+  std::vector<bool> common(layout.corners.size(), false);
+  for (int slice = 0; slice < layout.slices(); ++slice) {
+    for (int c = layout.cornerBegin[slice]; c < layout.cornerBegin[slice + 1]; ++c) {
+      common[c] = sliced.hasCommonCorners[slice] != 0;
+    }
+  }
+  for (const SliceLayout::CornerUse& use : layout.cornerUses) {
+    if (common[use.corner]) {
+      const fabric::MembraneTriangle& membrane = fabric.membrane[use.triangle];
+      auto& [corner, stiffening] = numbers[use.corner];
+      setMembrane<T>(membrane, fabric.shape.triangles[use.triangle], use.cornerOfTriangle, use.lane, corner);
+      setStiffening<T>(membrane, use.cornerOfTriangle, use.lane, stiffening);
+    }
+  }
+  sliced.cornerOf = shareEqual(numbers);
+  for (const auto& [corner, stiffening] : numbers) {
+    sliced.corners.push_back(corner);
+    if (fabric.material.stiffens()) {
+      sliced.stiffening.push_back(stiffening);
+    }
   }
 }
 
@@ -157,7 +207,9 @@ class BendingBuilder {
 template <typename T>
 std::size_t SlicedFabric<T>::bytes() const {
   std::size_t sum = hasCommonCorners.capacity() + cornerOf.capacity() * sizeof(int) +
-                    corners.capacity() * sizeof(Corner) + stiffening.capacity() * sizeof(std::array<Stiffening, 2>);
+                    corners.capacity() * sizeof(Corner) + stiffening.capacity() * sizeof(std::array<Stiffening, 2>) +
+                    spokeBegin.capacity() * sizeof(int) + spokes.capacity() * sizeof(SliceLayout::Slot) +
+                    spokeTables.capacity() * sizeof(SliceLayout::NeighbourTable) + sectors.capacity() * sizeof(Sector);
   if (bending) {
     sum += (bending->slotBegin.capacity() + bending->entriesOf.capacity()) * sizeof(int) +
            bending->slots.capacity() * sizeof(SliceLayout::Slot) +
@@ -171,25 +223,17 @@ template <typename T>
 SlicedFabric<T> buildSlicedFabric(const ClothModel& model, SliceLayout& layout) {
   const fabric::Fabric& fabric = *model.fabric;
   SlicedFabric<T> sliced;
-  sliced.corners.assign(layout.corners.size(), {});
-  if (fabric.material.stiffens()) {
-    sliced.stiffening.assign(layout.corners.size(), {});
-  }
-  for (const SliceLayout::CornerUse& use : layout.cornerUses) {
-    const fabric::MembraneTriangle& membrane = fabric.membrane[use.triangle];
-    setMembrane<T>(membrane, fabric.shape.triangles[use.triangle], use.cornerOfTriangle, use.lane,
-                   sliced.corners[use.corner]);
-    if (!sliced.stiffening.empty()) {
-      setStiffening<T>(membrane, use.cornerOfTriangle, use.lane, sliced.stiffening[use.corner]);
-    }
-  }
+  sliced.moduli = moduliOf<T>(fabric.material);
+  sliced.spokeBegin.push_back(0);
   for (int slice = 0; slice < layout.slices(); ++slice) {
-    const auto* const begin = layout.corners.data() + layout.cornerBegin[slice];
-    const auto* const end = layout.corners.data() + layout.cornerBegin[slice + 1];
-    sliced.hasCommonCorners.push_back(
-        std::all_of(begin, end, [](const SliceLayout::Corner& corner) { return corner.table < 0; }) ? 1 : 0);
+    const bool common = hasCommonCorners(layout, slice);
+    sliced.hasCommonCorners.push_back(common ? 1 : 0);
+    if (!common) {
+      addFansOfSlice(model, layout, slice, sliced);
+    }
+    sliced.spokeBegin.push_back(static_cast<int>(sliced.spokes.size()));
   }
-  sliced.cornerOf = shareEqual(sliced.corners);
+  setCommonCorners(model, layout, sliced);
   if (fabric.bends()) {
     sliced.bending = BendingBuilder<T>(fabric.bending, layout).take();
     finishBandwidth(layout);

@@ -16,30 +16,56 @@ struct alignas(64) SliceNumbers : std::array<T, sliceLanes> {};
 
 /// The fabric of a cloth in the sliced layout (sim/fabric/fabric.hpp has the formulas).
 ///
-/// Each vertex evaluates the triangles at its corners: the vertex i with the ends j and k of two of its slots, whose
-/// offsets are a and b. Its forces need q of all three sides and the tensions of two:
+/// Each vertex evaluates the triangles at its corners. Each triangle is evaluated three times, and no thread writes
+/// another one's data. There are two forms.
+///
+/// In slices whose lanes all have the same corners, as on a grid, many slices share their numbers. The vertex i with
+/// the ends j and k of two of its slots, whose offsets are a and b. Its forces need q of all three sides and the
+/// tensions of two:
 ///
 ///     q_a = (|a|^2 - A^2) / 2,  q_b alike,  q_c = q_a + q_b + A.B - a.b  (the side from j to k)
 ///     t_a = K_aa q_a + K_ac q_c + K_ab q_b,  t_b = K_ab q_a + K_bc q_c + K_bb q_b,  force += t_a a + t_b b
 ///
-/// A and B are a and b at rest. Each triangle is
-/// evaluated three times, and no thread writes another one's data.
+/// A and B are a and b at rest.
+///
+/// In all other slices the numbers of each triangle are its own, so there should be few of them. The triangles of a
+/// vertex are a fan: sectors between spokes. A spoke is the side to a neighbour. With the sides a and b of a sector,
+///
+///     f_1 = a_1 a + b_1 b,  f_2 = a_2 a + b_2 b  (the derivatives of x along warp and weft)
+///     E_11 = (|f_1|^2 - 1) / 2,  E_22 alike,  2 E_12 = f_1.f_2,  sigma from the moduli and the stiffening
+///     force += A ((a_1 + b_1) (s_11 f_1 + s_12 f_2) + (a_2 + b_2) (s_12 f_1 + s_22 f_2))
 template <typename T>
 struct SlicedFabric {
-  /// The membrane at one corner.
+  /// The membrane at one corner of all lanes.
   struct Corner {
-    SliceNumbers<T> aa, ac, ab, bc, bb;  ///< K [N/m^3]; 0 in lanes without the corner
-    SliceNumbers<T> restDot;             ///< A.B [m^2]
+    SliceNumbers<T> aa{}, ac{}, ab{}, bc{}, bb{}, cc{};  ///< K [N/m^3]; 0 in lanes without the corner
+    SliceNumbers<T> restDot{};                           ///< A.B [m^2]
 
     friend bool operator<(const Corner& one, const Corner& other) {
-      return std::tie(one.aa, one.ac, one.ab, one.bc, one.bb, one.restDot) <
-             std::tie(other.aa, other.ac, other.ab, other.bc, other.bb, other.restDot);
+      return std::tie(one.aa, one.ac, one.ab, one.bc, one.bb, one.cc, one.restDot) <
+             std::tie(other.aa, other.ac, other.ab, other.bc, other.bb, other.cc, other.restDot);
     }
   };
   /// The stiffening along warp or weft at one corner: with s = max(0, w_a q_a + w_c q_c + w_b q_b - start), t_a += s
   /// w_a and t_b += s w_b. The energy of the triangle is s^2 / 2.
   struct Stiffening {
-    SliceNumbers<T> a, c, b, start;
+    SliceNumbers<T> a{}, c{}, b{}, start{};
+
+    friend bool operator<(const Stiffening& one, const Stiffening& other) {
+      return std::tie(one.a, one.c, one.b, one.start) < std::tie(other.a, other.c, other.b, other.start);
+    }
+  };
+  /// One sector of the fans of a slice; 0 in lanes without it.
+  struct Sector {
+    SliceNumbers<T> a1{}, a2{}, b1{}, b2{};  ///< the inverse of the sides at rest [1/m]
+    SliceNumbers<T> area{};  ///< times the clamping of the triangle [m^2]; negative if it lies from b to a
+  };
+  /// The same for all triangles.
+  struct Moduli {
+    T warp = 0, weft = 0, across = 0, shear = 0;  ///< C_11, C_22, C_12, C_33 [N/m]
+    T stiffeningStrain = 0;                       ///< [-]
+    T stiffeningWarp = 0, stiffeningWeft = 0;     ///< [N/m]
+    bool stiffens = false;
   };
   /// Bending: slots of neighbours with an entry of the matrix each, as the slots of springs.
   struct Bending {
@@ -52,11 +78,17 @@ struct SlicedFabric {
     std::vector<SliceNumbers<T>> entries;
   };
 
-  std::vector<std::uint8_t> hasCommonCorners;         ///< of each slice: whether all of its lanes have the same corners
-  std::vector<int> cornerOf;                          ///< of each SliceLayout::Corner: index into `corners`
-  std::vector<Corner> corners;                        ///< shared by the regular parts of a mesh
-  std::vector<std::array<Stiffening, 2>> stiffening;  ///< along warp and weft; empty if the fabric does not stiffen
-  std::optional<Bending> bending;                     ///< nothing if the fabric does not resist bending
+  std::vector<std::uint8_t> hasCommonCorners;  ///< of each slice: whether all of its lanes have the same corners
+  std::vector<int> cornerOf;                   ///< of each SliceLayout::Corner: index into `corners`
+  std::vector<Corner> corners;                 ///< shared by the regular parts of a mesh
+  /// Along warp and weft, in the order of `corners`; empty if the fabric does not stiffen.
+  std::vector<std::array<Stiffening, 2>> stiffening;
+  Moduli moduli;
+  std::vector<int> spokeBegin;            ///< slices + 1 entries
+  std::vector<SliceLayout::Slot> spokes;  ///< a lane without one has its own vertex
+  std::vector<SliceLayout::NeighbourTable> spokeTables;
+  std::vector<Sector> sectors;     ///< between each spoke and the one before it; 0 at the first spoke of a part
+  std::optional<Bending> bending;  ///< nothing if the fabric does not resist bending
 
   /// The memory that it takes [bytes].
   [[nodiscard]] std::size_t bytes() const;

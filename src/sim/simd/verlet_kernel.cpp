@@ -69,12 +69,12 @@ class VerletKernel {
     V3 force = {hn::Zero(d), hn::Neg(weight), hn::Zero(d)};
     auto energy = hn::Mul(weight, x.y);
     if constexpr (hasFabric) {
-      addFabric(d, cloth_, terms_, slice, lane, x, air_, step_.energy != nullptr, force, energy);
+      addFabric(d, cloth_, step_, terms_, slice, lane, x, air_, force, energy);
     } else {
       addSprings(slice, lane, x, v, force, energy);
-    }
-    if (air_) {
-      force = addAir(d, cloth_, step_, terms_, slice, lane, force);
+      if (air_) {
+        force = addAir(d, cloth_, step_, terms_, slice, lane, force);
+      }
     }
     auto unused = mass;
     addAttachment(d, step_, slice, lane, force, unused);
