@@ -286,6 +286,12 @@ const std::array table{
         FlagField{[](auto& s) -> auto& { return s.step.automatic.soften; }},
         "When the cost budget is too small for stiff and fine cloth: off slows the simulation down, on softens the "
         "springs. Counts while material.model is springs."},
+    SettingInfo{"auto.strain", "Strain limit", "-", Advanced, SettingEffect::Step,
+        NumberField{[](auto& s) -> auto& { return s.step.automatic.strainLimit; }, 0.0, 1.0, false},
+        "When the cost budget is too small for a stiff fabric: auto lowers the stretch stiffness as long as the strain "
+        "along warp and weft stays below this value. Shear, bending and mass keep their values. 0: the full stiffness. "
+        "Counts while material.model is fabric.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
     SettingInfo{"auto.budget", "Time budget", "ms", Advanced, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.automatic.budget; }, 0.0, 1000.0, false},
         "Computing time of auto for each 1/60 s of motion. 0: auto.cost counts instead. Drape measures the cost "

@@ -35,6 +35,12 @@ std::span<const Stage> stagesOf(ExplicitScheme scheme) {
 /// the others at the barrier.
 constexpr int stopCheckInterval = 64;
 
+/// The weight of bending and air in a substep. They act in the middle one of each `slowInterval` substeps, with the
+/// impulse of all of them. The sequence is the same backwards, so the scheme stays of second order and reversible.
+int slowWeightOf(const StepPlan& plan, int substep) {
+  return substep % plan.slowInterval == plan.slowInterval / 2 ? plan.slowInterval : 0;
+}
+
 double startOf(ExplicitScheme scheme) {
   return scheme == ExplicitScheme::Pefrl ? xi : verletStart;
 }
@@ -152,6 +158,7 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
       const double drift = (stages[s].drift + (between ? start : 0.0)) * substep;
       simd::SliceStep<T> step = step_;
       step.timeStep = static_cast<T>(stages[s].kick * substep);
+      step.slowWeight = static_cast<T>(slowWeightOf(plan, i));
       step.energy = firstKick ? firstEnergy_.data() : lastKick ? lastEnergy_.data() : nullptr;
       kick(step, plan, static_cast<T>(inputs.attachment ? 0.0 : drift), firstKick ? &firstCoarse_ : &lastCoarse_,
            share);
@@ -208,6 +215,7 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
   still.timeStep = T(0);
   still.damping = still.drag = still.lift = T(0);
   still.updatesVelocity = true;
+  still.slowWeight = T(1);
   if (!plan.softens) {
     still.stiffnessScales = nullptr;
   }

@@ -24,6 +24,8 @@ std::vector<std::pair<std::string_view, double>> figuresOf(const StepChoice& cho
           {"h_omega", choice.hOmega},
           {"cost_ratio", choice.costRatio},
           {"stiffness_scale", choice.stiffnessScale},
+          {"strain", choice.strain},
+          {"full_stiffness_cost", choice.fullStiffnessCost},
           {"coarse_levels", choice.coarseLevels},
           {"retries", choice.retries},
           {"error", choice.error},

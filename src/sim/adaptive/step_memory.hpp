@@ -8,6 +8,16 @@
 
 namespace drape::sim::adaptive {
 
+/// The memory of StretchChoice.
+struct StretchMemory {
+  int level = -1;           ///< number of halvings of the stretch stiffness [-]; negative: not chosen yet
+  double strain = 0.0;      ///< the last measured strain [-]
+  double imposed = 0.0;     ///< the strain that the stiffness does not reduce [-]
+  double raisedFrom = 0.0;  ///< the strain before the stiffness was raised [-]; 0: no rise that has yet to be judged
+  double checked = 0.0;     ///< time of the last measurement [s]
+  double changed = 0.0;     ///< time of the last change of the level, or of strain close to the limit [s]
+};
+
 /// The memory of the solver `auto`. It is part of the state, so that a copy of the state continues identically.
 struct StepMemory {
   double forceEvaluations = 0.0;   ///< of a step, for the error tolerance [-]; 0: not known yet
@@ -19,6 +29,10 @@ struct StepMemory {
   double energyDrift = 0.0;        ///< drift of the energy at the ends of steps [J]
   double energy = 0.0;             ///< at the end of the last step [J]
   std::uint64_t fingerprint = 0;   ///< of the state and the settings that `energy` belongs to; 0: not known
+  /// Root mean square of the vertices' displacement in the last step over its duration [m/s], for fabrics. Vibration
+  /// hardly counts.
+  double speed = 0.0;
+  StretchMemory stretch = {};
   /// Positions at `sleepReferenceTime`, near which the vertices have stayed since [m]; null: they move.
   std::shared_ptr<const std::vector<Vec3>> sleepReference = {};
   double sleepReferenceTime = 0.0;     ///< [s]

@@ -1,6 +1,7 @@
 #include "sim/adaptive/step_plan.hpp"
 
 #include "sim/adaptive/tuning.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/stability.hpp"
 #include "sim/simd/damping_stages.hpp"
 
@@ -118,6 +119,15 @@ double strainAtPins(const LocalRates& rates, const CommonParameters& parameters,
   return (parameters.gravity * rates.mass + wind) / (stiffness * rates.pinnedLength);
 }
 
+/// The cost of a force evaluation, in evaluations of one spring.
+double costOfEvaluation(const ClothModel& model) {
+  const auto edges = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
+  if (!model.fabric) {
+    return edges;
+  }
+  return edges * (model.fabric->bends() ? tuning.fabricCost : tuning.membraneCost);
+}
+
 /// The force evaluations that the error tolerance asks for, without regard to the cost budget.
 double evaluationsForTolerance(const StableSteps& need, const StepMemory& memory) {
   const double wanted =
@@ -128,60 +138,26 @@ double evaluationsForTolerance(const StableSteps& need, const StepMemory& memory
   return std::clamp(wanted, stable, tuning.maxLimitFactor * std::max(stable, tuning.minLimitEvaluations));
 }
 
-}  // namespace
-
-// Eight independent maxima: with a single one each comparison would wait for the previous one.
-double maxCoordinate(const std::vector<Vec3>& positions) {
-  constexpr std::size_t lanes = 8;
-  std::array<double, lanes> maxima{};
-  const double* const values = positions.empty() ? nullptr : positions.front().data();
-  const std::size_t count = 3 * positions.size();
-  for (std::size_t i = 0; i + lanes <= count; i += lanes) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      maxima[lane] = std::max(maxima[lane], std::abs(values[i + lane]));
-    }
+/// Lets bending and air act in one of several substeps where that is accurate, and adds substeps so that their number
+/// is a multiple.
+StepPlan withSlowForces(StepPlan plan, const ClothModel& model, const LocalRates& rates,
+                        const CommonParameters& parameters) {
+  if (!model.fabric || plan.scheme != ExplicitScheme::Verlet) {
+    return plan;
   }
-  for (std::size_t i = count - count % lanes; i < count; ++i) {
-    maxima[0] = std::max(maxima[0], std::abs(values[i]));
+  const double substep = parameters.timeStep / plan.substeps;
+  double longest = parameters.air.acts() ? tuning.maxAirTime : parameters.timeStep;
+  if (rates.bendingFrequency > 0.0) {
+    longest = std::min(longest, tuning.maxBendingHOmega / rates.bendingFrequency);
   }
-  return *std::max_element(maxima.begin(), maxima.end());
-}
-
-double maxWindForce(const LocalRates& rates, const CommonParameters& parameters) {
-  const double speed = parameters.air.wind.norm();
-  return 0.5 * parameters.air.density * (parameters.air.drag + parameters.air.lift) * speed * speed * rates.area;
-}
-
-double evaluationsInBudget(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
-  const auto springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
-  return std::max(tuning.minEvaluations, options.costBudget * 1e6 * parameters.timeStep / springs);
-}
-
-double maxEvaluations(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
-  const double springs = static_cast<double>(std::max<std::size_t>(1, model.springs.size()));
-  return std::max(evaluationsInBudget(model, parameters, options), tuning.maxSpringEvaluations / springs);
-}
-
-bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
-  if (model.fabric) {
-    return false;  // its moduli are those of a real material
-  }
-  return options.soften || stableStepsOf(model, parameters, maxDampingNumber(model, parameters)).evaluations >
-                               maxEvaluations(model, parameters, options);
-}
-
-StepPlan saferPlan(StepPlan plan) {
-  const bool finer = !plan.softens || plan.hOmegaLimit < tuning.minRetryHOmega;
-  plan.hOmegaLimit *= plan.softens && finer ? 0.5 : tuning.retryClampFactor;
-  if (finer) {
-    plan.substeps = 2 * plan.forceEvaluations();
-  }
-  plan.scheme = ExplicitScheme::Verlet;
+  const int fitting = std::clamp(static_cast<int>(longest / substep), 1, tuning.maxSlowInterval);
+  plan.slowInterval = fitting % 2 == 1 ? fitting : fitting - 1;
+  plan.substeps = (plan.substeps + plan.slowInterval - 1) / plan.slowInterval * plan.slowInterval;
   return plan;
 }
 
-StepPlan planStep(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
-                  const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory) {
+StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
+                               const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory) {
   const double budget = std::min(tuning.maxBudgetedEvaluations, evaluationsInBudget(model, parameters, options));
   const double damped = dampingNumber(rates, parameters);
   const StableSteps need = stableStepsOf(model, parameters, damped);
@@ -224,12 +200,71 @@ StepPlan planStep(const ClothModel& model, const LocalRates& rates, const Common
   return withLevels;
 }
 
+}  // namespace
+
+// Eight independent maxima: with a single one each comparison would wait for the previous one.
+double maxCoordinate(const std::vector<Vec3>& positions) {
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> maxima{};
+  const double* const values = positions.empty() ? nullptr : positions.front().data();
+  const std::size_t count = 3 * positions.size();
+  for (std::size_t i = 0; i + lanes <= count; i += lanes) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      maxima[lane] = std::max(maxima[lane], std::abs(values[i + lane]));
+    }
+  }
+  for (std::size_t i = count - count % lanes; i < count; ++i) {
+    maxima[0] = std::max(maxima[0], std::abs(values[i]));
+  }
+  return *std::max_element(maxima.begin(), maxima.end());
+}
+
+double maxWindForce(const LocalRates& rates, const CommonParameters& parameters) {
+  const double speed = parameters.air.wind.norm();
+  return 0.5 * parameters.air.density * (parameters.air.drag + parameters.air.lift) * speed * speed * rates.area;
+}
+
+double evaluationsInBudget(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
+  const double springs = costOfEvaluation(model);
+  return std::max(tuning.minEvaluations, options.costBudget * 1e6 * parameters.timeStep / springs);
+}
+
+double maxEvaluations(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
+  const double springs = costOfEvaluation(model);
+  return std::max(evaluationsInBudget(model, parameters, options), tuning.maxSpringEvaluations / springs);
+}
+
+bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
+  if (model.fabric) {
+    return false;  // its moduli are those of a real material
+  }
+  return options.soften || stableStepsOf(model, parameters, maxDampingNumber(model, parameters)).evaluations >
+                               maxEvaluations(model, parameters, options);
+}
+
+StepPlan saferPlan(StepPlan plan) {
+  plan.slowInterval = 1;
+  const bool finer = !plan.softens || plan.hOmegaLimit < tuning.minRetryHOmega;
+  plan.hOmegaLimit *= plan.softens && finer ? 0.5 : tuning.retryClampFactor;
+  if (finer) {
+    plan.substeps = 2 * plan.forceEvaluations();
+  }
+  plan.scheme = ExplicitScheme::Verlet;
+  return plan;
+}
+
+StepPlan planStep(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
+                  const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory) {
+  return withSlowForces(planWithoutSlowForces(model, rates, parameters, options, inputs, memory), model, rates,
+                        parameters);
+}
+
 bool dampingNeedsDouble(const LocalRates& rates, const CommonParameters& parameters) {
   return dampingNumber(rates, parameters) > tuning.maxDampingStagesInFloat * tuning.maxDampingStagesInFloat;
 }
 
 bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
-                        const AutoOptions& options, double maxCoordinate) {
+                        const AutoOptions& options, const StepMemory& memory, double maxCoordinate) {
   const double rootStiffness =
       parameters.timeStep * std::sqrt(parameters.material.stiffness);  // times sqrt(omega^2/k): h omega
   const double evaluations =
@@ -243,8 +278,9 @@ bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const 
       std::min(parameters.material.stiffness * rates.median, tuning.clampHOmega * tuning.clampHOmega / (h * h));
   const double rounding = 0x1p-24 * maxCoordinate;
   const double heating = 0.5 * tuning.roundingHeat * omegaSquared * rounding * rounding / h;  // [W/kg]
+  const bool isSlow = !model.fabric || memory.speed < tuning.slowSpeed;
   const bool comesToRest =
-      (parameters.material.damping > 0.0 || parameters.air.drag > 0.0) && parameters.air.wind.isZero(0.0);
+      isSlow && (parameters.material.damping > 0.0 || parameters.air.drag > 0.0) && parameters.air.wind.isZero(0.0);
   return heating > (comesToRest ? tuning.maxHeatingAtRest
                                 : tuning.maxHeatingInMotion *
                                       std::max(tuning.minFallEnergy, parameters.gravity * rates.diagonal));

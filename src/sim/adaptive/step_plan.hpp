@@ -37,7 +37,9 @@ struct StepPlan {
   double hOmegaLimit = 0.0;       ///< springs are clamped to this h omega, h being the substep [-]; 0: no clamping
   int dampingStages = 0;          ///< of a substep, for damping too strong for the kick; 0: damping is part of the kick
   bool usesCoarseLevels = false;  ///< coarse levels supply the stiffness that clamping removes
-  bool softens = false;           ///< the energy counts the clamped stiffness; otherwise the full stiffness
+  /// Bending and air of a fabric act in one of so many substeps [-], odd, and a divisor of the substeps.
+  int slowInterval = 1;
+  bool softens = false;  ///< the energy counts the clamped stiffness; otherwise the full stiffness
 
   [[nodiscard]] int forceEvaluations() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }
   /// The cost with coarse levels and damping stages, in force evaluations.
@@ -85,11 +87,11 @@ struct StepPlan {
 /// True if rounding to float would add noticeable energy. In each substep a position is rounded by up to
 /// d = 2^-24 |x|, which adds about c m omega^2 d^2 / 2 with stiff springs; c = AutoTuning::roundingHeat. Noticeable is
 /// 1/500 of the energy of a fall by the cloth's diagonal, in a second. For cloth that damping or still air bring to
-/// rest it is the heating that keeps vertices moving at some tenths of a millimetre per second.
-/// @param maxCoordinate the largest coordinate [m]
+/// rest it is the heating that keeps vertices moving at some tenths of a millimetre per second. A fabric that moves
+/// visibly does not count as coming to rest. @param maxCoordinate the largest coordinate [m]
 [[nodiscard]] bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates,
                                       const CommonParameters& parameters, const AutoOptions& options,
-                                      double maxCoordinate);
+                                      const StepMemory& memory, double maxCoordinate);
 
 /// True if rounding to float alone would exceed the error tolerance, and the cost budget suffices for double, which
 /// costs twice as much. N force evaluations that each round a position x to float cause a mean error of about

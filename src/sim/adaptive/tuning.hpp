@@ -36,6 +36,10 @@ struct AutoTuning {
   /// Most spring evaluations in a step whose springs keep their stiffness [-]: several seconds of computation. Larger:
   /// the viewer waits longer. Smaller: springs are softened without `auto.soften` earlier.
   double maxSpringEvaluations = 2e9;
+  /// Cost of a force evaluation of a fabric without bending and with it, in evaluations of springs
+  /// (docs/experiments/2026-11-23-fabric-pass.md) [-].
+  double membraneCost = 1.35;
+  double fabricCost = 2.05;
   /// Cost of a force evaluation in double, in evaluations in float [-].
   double doubleCost = 2.0;
 
@@ -131,11 +135,40 @@ struct AutoTuning {
   double minFallEnergy = 1.0;
   /// Allowed heating by rounding of cloth that damping or drag bring to rest [W/kg]. Larger: float keeps cloth moving.
   double maxHeatingAtRest = 1e-7;
+  /// A fabric with a higher mean speed than this is not coming to rest [m/s]. Vibration by rounding in float stays far
+  /// below. Larger: double is used more often.
+  double slowSpeed = 0.03;
   /// Cloth with a smaller g D than this [m^2/s^2] may have no energy but that of rounding. The energy guard then adds
   /// `roundingMargin` times the energy of rounding to its reference energy [-]. Its limit is a hundredth of the
   /// reference, so rounding may be ten times the estimate.
   double minGuardedFallEnergy = 1e-2;
   double roundingMargin = 1000.0;
+
+  // Multiple time stepping of fabrics.
+
+  /// Longest time between two kicks by bending, as h omega of its highest frequency [-]. Larger: cheaper. Resonance
+  /// with the membrane then adds energy.
+  double maxBendingHOmega = 0.4;
+  /// Longest time between two kicks by the air [s]. The air's force lags by half of it.
+  double maxAirTime = 2.5e-4;
+  /// Bending and air act in one of at most so many substeps [-], an odd number.
+  int maxSlowInterval = 15;
+
+  // Stretch stiffness of fabrics.
+
+  /// The stretch stiffness is halved at most so many times [-].
+  int maxStretchLevel = 12;
+  /// A lower stretch stiffness is used if a step then takes less than this fraction of the force evaluations [-].
+  /// Without shear and bending the fraction is 0.71.
+  double minStretchGain = 0.93;
+  /// Time between two measurements of the strain without an attachment [s]. Larger: cheaper, the stiffness rises later.
+  double strainCheckInterval = 1.0 / 30.0;
+  /// The strain is measured again so long after the stiffness rose [s]: the time in which cloth settles.
+  double strainSettlingTime = 0.2;
+  /// The strain is imposed if more than this fraction of it is left after the stiffness rose at least twofold [-].
+  double imposedStrainFraction = 0.8;
+  /// The stiffness falls after so much time with a strain below half the limit [s]. Smaller: it rises and falls often.
+  double strainCalmTime = 0.5;
 
   // Sleep detection.
 

@@ -1,8 +1,10 @@
 #include "sim/forces/local_rates.hpp"
 
+#include "sim/fabric/fabric.hpp"
 #include "sim/model/local_frequency.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace drape::sim {
@@ -16,6 +18,15 @@ double quantileExceededBy(std::vector<double>& values, std::size_t oneIn) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() - 1 - (values.size() - 1) / oneIn);
   std::nth_element(values.begin(), at, values.end());
   return *at;
+}
+
+/// By the row sums of the bending matrix (fabric::halfRowSums).
+double bendingFrequencyOf(const ClothModel& model) {
+  double squared = 0.0;
+  for (std::size_t i = 0; i < model.restPositions.size() && model.fabric && model.fabric->bends(); ++i) {
+    squared = std::max(squared, model.pinned[i] ? 0.0 : 2.0 * model.fabric->bendingHalfSums[i] / model.vertexMass[i]);
+  }
+  return std::sqrt(squared);
 }
 
 }  // namespace
@@ -36,6 +47,7 @@ LocalRates localRatesOf(const ClothModel& model) {
   rates.median = quantileExceededBy(free, 2);
   rates.percentile99 = quantileExceededBy(free, 100);
   rates.dampingPercentile99 = quantileExceededBy(freeDamping, 100);
+  rates.bendingFrequency = bendingFrequencyOf(model);
   rates.diagonal = diagonalOf(model);
   rates.mass = model.totalMass();
   rates.area = model.restArea();

@@ -16,6 +16,7 @@ struct LocalRates {
   double median = 0.0;                   ///< of `frequencySquared` over the free vertices [1/kg]
   double percentile99 = 0.0;             ///< of `frequencySquared`: one free vertex in 100 is faster [1/kg]
   double dampingPercentile99 = 0.0;      ///< of `damping` [1/kg]
+  double bendingFrequency = 0.0;         ///< the highest angular frequency of a fabric's bending, from above [1/s]
   double diagonal = 0.0;                 ///< of the rest shape [m]
   double mass = 0.0;                     ///< of the whole cloth [kg]
   double area = 0.0;                     ///< of the whole rest shape [m^2]

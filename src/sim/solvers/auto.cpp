@@ -37,6 +37,15 @@ bool estimatesError(const adaptive::StepChoice& choice, double budgetedEvaluatio
   return estimateIsDue(memory.steps) && (useful || memory.steps >= adaptive::tuning.estimateInterval);
 }
 
+/// StepMemory::speed; 0 if the positions before the step are not known.
+double speedBetween(const std::vector<Vec3>& before, const std::vector<Vec3>& after, double time) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    sum += (after[i] - before[i]).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, before.size()))) / time;
+}
+
 /// An adaptive explicit method. In each step:
 /// 1. `planStep` chooses the scheme, the substeps and the clamping of the springs, from the cloth, the cost budget and
 ///    the state's memory;
@@ -97,7 +106,9 @@ class AdaptiveStep {
       choice.forceEvaluations += plan.cost();
       choice.coarseLevels = run_.levels();
       if (!guard_.hasGrown(energy, work, retry > 0, memory)) {
+        before_ = model.fabric ? state.positions : std::vector<Vec3>();
         run_.store(state);
+        memory.speed = speedBetween(before_, state.positions, parameters.timeStep);
         guard_.store(model, parameters, plan, energy, work, memory, state);
         return;
       }
@@ -225,6 +236,7 @@ class AdaptiveStep {
   ModelCache<std::vector<std::vector<std::size_t>>> pieces_;
   ClothState finer_;
   ClothState after_;
+  std::vector<Vec3> before_;  // positions at the start of the step, of a fabric
   std::vector<Vec3> averaged_;
 };
 
@@ -258,7 +270,7 @@ class AutoSolver final : public Solver {
       return true;
     }
     const double largest = adaptive::maxCoordinate(state.positions);
-    return adaptive::roundingAddsEnergy(model, rates, parameters, parameters.automatic, largest) ||
+    return adaptive::roundingAddsEnergy(model, rates, parameters, parameters.automatic, memory, largest) ||
            adaptive::roundingExceedsTolerance(model, rates, parameters, parameters.automatic, memory, largest);
   }
 

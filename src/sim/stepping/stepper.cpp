@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace drape::sim {
 namespace {
@@ -61,7 +62,23 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
   // So that no solver needs to ask which material acts.
   StepParameters acting = parameters;
   acting.material = actingMaterial(model, parameters);
-  return advance(model, acting, inputs, state);
+  return info_->choosesSubsteps ? advanceWithChosenStretch(model, acting, inputs, state)
+                                : advance(model, acting, inputs, state);
+}
+
+StepReport Stepper::advanceWithChosenStretch(const ClothModel& model, const StepParameters& parameters,
+                                             const StepInputs& inputs, ClothState& state) {
+  adaptive::StepMemory memory = adaptive::stepMemoryOf(state);
+  const ClothModel& chosen = stretch_.choose(model, parameters, parameters.automatic, inputs, state, memory.stretch);
+  const adaptive::StretchMemory choice = memory.stretch;
+  adaptive::storeStepMemory(std::move(memory), state);
+  StepReport report = advance(chosen, parameters, inputs, state);
+  if (report.choice && choice.level >= 0) {
+    report.choice->stiffnessScale = adaptive::StretchChoice::scaleOf(choice.level);
+    report.choice->strain = choice.strain;
+    report.choice->fullStiffnessCost = largestFrequency(model, parameters) / largestFrequency(chosen, parameters);
+  }
+  return report;
 }
 
 StepReport Stepper::advance(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/adaptive/stretch_choice.hpp"
 #include "sim/contact/bodies/substeps.hpp"
 #include "sim/contact/contact_stage.hpp"
 #include "sim/model/model_cache.hpp"
@@ -86,6 +87,10 @@ class Stepper {
   [[nodiscard]] double driftFraction(const StepParameters& parameters, const ClothState& state) const;
   [[nodiscard]] Integration integrationOf(const StepParameters& parameters) const;
 
+  /// The cloth with the stretch stiffness that the solver chooses.
+  StepReport advanceWithChosenStretch(const ClothModel& model, const StepParameters& parameters,
+                                      const StepInputs& inputs, ClothState& state);
+
   const SolverInfo* info_;
   std::unique_ptr<Solver> solver_;
   ClothState before_;
@@ -94,6 +99,7 @@ class Stepper {
   contact::BodySubsteps bodySubsteps_;
   bool keepsContactWork_ = false;
   int contactSubsteps_ = 1;
+  adaptive::StretchChoice stretch_;
   ModelCache<double> rate_;          // 99th percentile of omega^2 / k [1/kg]
   double earlierContactWork_ = 0.0;  // [J]
   std::vector<PinMotion> pinMotions_;

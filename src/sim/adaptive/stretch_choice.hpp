@@ -1,0 +1,57 @@
+#pragma once
+
+#include "sim/adaptive/auto_options.hpp"
+#include "sim/adaptive/step_memory.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/local_rates.hpp"
+#include "sim/forces/step_inputs.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
+#include "sim/model/model_cache.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace drape::sim::adaptive {
+
+/// Chooses the stretch stiffness of a fabric.
+///
+/// The weight of a garment stretches woven fabric by less than 0.1 %, which nobody sees, but the stretch stiffness
+/// decides how short the substeps are. So the stretch stiffness is halved as often as the cost budget needs, and only
+/// while the strain along warp and weft stays below AutoOptions::strainLimit. Shear, bending and mass keep their
+/// values.
+///
+/// The strain under weight and wind is estimated for the first step. Then it is measured: it counts what contact, the
+/// attachment and inertia add. The stiffness rises as soon as the strain exceeds the limit. It falls after a time in
+/// which the strain stayed below half the limit. Strain that a higher stiffness does not reduce is imposed, as by a
+/// body that is wider than the garment. It does not count.
+class StretchChoice {
+ public:
+  /// The cloth for the next step: `model` itself, or a softer one. Updates the memory.
+  /// @param model must have a fabric
+  [[nodiscard]] const ClothModel& choose(const ClothModel& model, const CommonParameters& parameters,
+                                         const AutoOptions& options, const StepInputs& inputs, const ClothState& state,
+                                         StretchMemory& memory);
+
+  /// The factor on the stretch moduli at a level [-].
+  [[nodiscard]] static double scaleOf(int level);
+
+ private:
+  /// A cloth at all levels that were used; level 0 is the cloth itself and stays null.
+  struct Levels {
+    std::vector<std::shared_ptr<const ClothModel>> models;
+    LocalRates rates;  // of level 0
+  };
+
+  [[nodiscard]] static const ClothModel& at(Levels& levels, const ClothModel& model, int level);
+  [[nodiscard]] static int firstLevel(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
+                                      const AutoOptions& options, const StepInputs& inputs);
+  [[nodiscard]] static bool gainsFromLower(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
+                                           const AutoOptions& options, const StepInputs& inputs, int level);
+  static void update(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
+                     const AutoOptions& options, const StepInputs& inputs, double time, StretchMemory& memory);
+
+  ModelCache<Levels> levels_;
+};
+
+}  // namespace drape::sim::adaptive
