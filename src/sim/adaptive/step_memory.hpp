@@ -32,6 +32,7 @@ struct StepMemory {
   /// Root mean square of the vertices' displacement in the last step over its duration [m/s], for fabrics. Vibration
   /// hardly counts.
   double speed = 0.0;
+  int doubleSteps = 0;  ///< number of steps that are still to be taken in double, after the energy grew in float [-]
   StretchMemory stretch = {};
   /// Positions at `sleepReferenceTime`, near which the vertices have stayed since [m]; null: they move.
   std::shared_ptr<const std::vector<Vec3>> sleepReference = {};

@@ -275,7 +275,7 @@ bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const 
   const double substeps = std::min(evaluations, rootStiffness * model.unitFrequency / tuning.clampHOmega);
   const double h = parameters.timeStep / std::max(1.0, substeps);
   const double omegaSquared =
-      std::min(parameters.material.stiffness * rates.median, tuning.clampHOmega * tuning.clampHOmega / (h * h));
+      std::min(parameters.material.stiffness * rates.typical, tuning.clampHOmega * tuning.clampHOmega / (h * h));
   const double rounding = 0x1p-24 * maxCoordinate;
   const double heating = 0.5 * tuning.roundingHeat * omegaSquared * rounding * rounding / h;  // [W/kg]
   const bool isSlow = !model.fabric || memory.speed < tuning.slowSpeed;

@@ -25,6 +25,10 @@ double strainByLoad(const ClothModel& model, const LocalRates& rates, const Comm
   return load / (stretchStiffness(model, parameters) * width);
 }
 
+bool meetsBodies(const StepInputs& inputs) {
+  return inputs.bodies != nullptr && !inputs.bodies->empty();
+}
+
 /// How often the stiffness may be halved while a strain stays below the limit. Negative: it must be doubled.
 int halvings(double strain, double limit) {
   constexpr double tiny = 1e-12;
@@ -56,8 +60,7 @@ bool StretchChoice::gainsFromLower(Levels& levels, const ClothModel& model, cons
     return false;
   }
   const double evaluations = stableEvaluations(at(levels, model, level), parameters);
-  const bool meetsBodies = inputs.bodies != nullptr && !inputs.bodies->empty();
-  if (!meetsBodies && evaluations <= evaluationsInBudget(model, parameters, options)) {
+  if (!meetsBodies(inputs) && evaluations <= evaluationsInBudget(model, parameters, options)) {
     return false;
   }
   return stableEvaluations(at(levels, model, level + 1), parameters) < tuning.minStretchGain * evaluations;
@@ -74,14 +77,17 @@ int StretchChoice::firstLevel(Levels& levels, const ClothModel& model, const Com
 }
 
 void StretchChoice::update(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
-                           const AutoOptions& options, const StepInputs& inputs, double time, StretchMemory& memory) {
+                           const AutoOptions& options, const StepInputs& inputs, double time, double speed,
+                           StretchMemory& memory) {
   const double limit = options.strainLimit;
-  const bool testing = memory.raisedFrom > 0.0;
-  if (testing && time - memory.changed < tuning.strainSettlingTime) {
-    return;
-  }
-  if (testing && memory.strain > tuning.imposedStrainFraction * memory.raisedFrom) {
-    memory.imposed = memory.strain;
+  const bool mayBeImposed = meetsBodies(inputs) && speed < tuning.maxSpeedOfImposedStrain;
+  if (memory.raisedFrom > 0.0 && mayBeImposed) {
+    if (time - memory.changed < tuning.strainSettlingTime) {
+      return;
+    }
+    if (memory.strain > tuning.imposedStrainFraction * memory.raisedFrom) {
+      memory.imposed = memory.strain;
+    }
   }
   memory.raisedFrom = 0.0;
   memory.imposed = memory.strain < limit ? 0.0 : std::min(memory.imposed, memory.strain);
@@ -101,7 +107,8 @@ void StretchChoice::update(Levels& levels, const ClothModel& model, const Common
 
 const ClothModel& StretchChoice::choose(const ClothModel& model, const CommonParameters& parameters,
                                         const AutoOptions& options, const StepInputs& inputs, const ClothState& state,
-                                        StretchMemory& memory) {
+                                        StepMemory& all) {
+  StretchMemory& memory = all.stretch;
   if (options.strainLimit <= 0.0) {
     memory = {};
     return model;
@@ -118,7 +125,7 @@ const ClothModel& StretchChoice::choose(const ClothModel& model, const CommonPar
   if (state.time >= memory.checked + interval || state.time < memory.checked) {
     memory.checked = state.time;
     memory.strain = fabric::stretchAlongYarns(model, state.positions);
-    update(levels, model, parameters, options, inputs, state.time, memory);
+    update(levels, model, parameters, options, inputs, state.time, all.speed, memory);
   }
   return at(levels, model, memory.level);
 }

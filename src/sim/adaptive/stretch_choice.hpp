@@ -23,15 +23,15 @@ namespace drape::sim::adaptive {
 ///
 /// The strain under weight and wind is estimated for the first step. Then it is measured: it counts what contact, the
 /// attachment and inertia add. The stiffness rises as soon as the strain exceeds the limit. It falls after a time in
-/// which the strain stayed below half the limit. Strain that a higher stiffness does not reduce is imposed, as by a
-/// body that is wider than the garment. It does not count.
+/// which the strain stayed below half the limit. Strain that a higher stiffness does not reduce is imposed by a body,
+/// as by one that is wider than the garment. It does not count.
 class StretchChoice {
  public:
   /// The cloth for the next step: `model` itself, or a softer one. Updates the memory.
   /// @param model must have a fabric
   [[nodiscard]] const ClothModel& choose(const ClothModel& model, const CommonParameters& parameters,
                                          const AutoOptions& options, const StepInputs& inputs, const ClothState& state,
-                                         StretchMemory& memory);
+                                         StepMemory& memory);
 
   /// The factor on the stretch moduli at a level [-].
   [[nodiscard]] static double scaleOf(int level);
@@ -49,7 +49,8 @@ class StretchChoice {
   [[nodiscard]] static bool gainsFromLower(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
                                            const AutoOptions& options, const StepInputs& inputs, int level);
   static void update(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
-                     const AutoOptions& options, const StepInputs& inputs, double time, StretchMemory& memory);
+                     const AutoOptions& options, const StepInputs& inputs, double time, double speed,
+                     StretchMemory& memory);
 
   ModelCache<Levels> levels_;
 };

@@ -138,6 +138,8 @@ struct AutoTuning {
   /// A fabric with a higher mean speed than this is not coming to rest [m/s]. Vibration by rounding in float stays far
   /// below. Larger: double is used more often.
   double slowSpeed = 0.03;
+  /// Steps in double after the energy of a fabric grew in float [-]. Larger: fewer attempts in float.
+  int doubleSteps = 64;
   /// Cloth with a smaller g D than this [m^2/s^2] may have no energy but that of rounding. The energy guard then adds
   /// `roundingMargin` times the energy of rounding to its reference energy [-]. Its limit is a hundredth of the
   /// reference, so rounding may be ten times the estimate.
@@ -167,6 +169,8 @@ struct AutoTuning {
   double strainSettlingTime = 0.2;
   /// The strain is imposed if more than this fraction of it is left after the stiffness rose at least twofold [-].
   double imposedStrainFraction = 0.8;
+  /// The strain of cloth with a higher mean speed is not judged [m/s], since its loads change.
+  double maxSpeedOfImposedStrain = 0.1;
   /// The stiffness falls after so much time with a strain below half the limit [s]. Smaller: it rises and falls often.
   double strainCalmTime = 0.5;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace drape::sim {
 namespace {
@@ -45,6 +46,9 @@ LocalRates localRatesOf(const ClothModel& model) {
     }
   }
   rates.median = quantileExceededBy(free, 2);
+  rates.typical = model.fabric && !free.empty()
+                      ? std::accumulate(free.begin(), free.end(), 0.0) / static_cast<double>(free.size())
+                      : rates.median;
   rates.percentile99 = quantileExceededBy(free, 100);
   rates.dampingPercentile99 = quantileExceededBy(freeDamping, 100);
   rates.bendingFrequency = bendingFrequencyOf(model);

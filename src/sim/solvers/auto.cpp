@@ -14,6 +14,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace drape::sim {
@@ -58,8 +60,10 @@ double speedBetween(const std::vector<Vec3>& before, const std::vector<Vec3>& af
 template <typename T>
 class AdaptiveStep {
  public:
-  StepReport step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                  const StepInputs& inputs, adaptive::StepMemory& memory, ClothState& state) {
+  /// @return nothing if the energy of a fabric grew in float: then rounding at slivers may be the cause, the state is
+  /// as before, and the step should be taken in double
+  std::optional<StepReport> step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                                 const StepInputs& inputs, adaptive::StepMemory& memory, ClothState& state) {
     adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
     for (int i = 0; i < memory.retryLevel; ++i) {
       plan = adaptive::saferPlan(plan);
@@ -75,7 +79,9 @@ class AdaptiveStep {
     if (estimating) {
       takeFinerStep(model, rates, parameters, inputs, plan, state, choice);
     }
-    takeStep(model, rates, parameters, inputs, plan, memory, state, choice);
+    if (!takeStep(model, rates, parameters, inputs, plan, memory, state, choice)) {
+      return std::nullopt;
+    }
     if (estimating && choice.retries == 0) {
       estimateError(model, parameters, plan, state, memory);
     }
@@ -87,11 +93,12 @@ class AdaptiveStep {
     choice.error = memory.error;
     choice.energyDrift = memory.energyDrift;
     state.time += parameters.timeStep;
-    return {.choice = choice};
+    return StepReport{.choice = choice};
   }
 
  private:
-  void takeStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+  /// @return whether the step was taken
+  bool takeStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                 const StepInputs& inputs, adaptive::StepPlan plan, adaptive::StepMemory& memory, ClothState& state,
                 adaptive::StepChoice& choice) {
     guard_.prepare(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()));
@@ -110,7 +117,10 @@ class AdaptiveStep {
         run_.store(state);
         memory.speed = speedBetween(before_, state.positions, parameters.timeStep);
         guard_.store(model, parameters, plan, energy, work, memory, state);
-        return;
+        return true;
+      }
+      if (std::is_same_v<T, float> && model.fabric) {
+        return false;
       }
       ++choice.retries;
       plan = adaptive::saferPlan(plan);
@@ -120,6 +130,7 @@ class AdaptiveStep {
     }
     takeFallbackStep(model, rates, parameters, inputs, state, choice);
     memory.schemeEnergyDrift = 0.0;
+    return true;
   }
 
   /// After a retry the next steps start with a safer plan. The retry level falls again after some calm steps.
@@ -259,14 +270,22 @@ class AutoSolver final : public Solver {
       return {.choice = adaptive::StepChoice{.substeps = 0, .forceEvaluations = 0, .sleeping = true}};
     }
     const LocalRates& rates = rates_.get(model, localRatesOf);
-    return needsDouble(model, rates, parameters, memory, state)
-               ? double_.step(model, rates, parameters, inputs, memory, state)
-               : single_.step(model, rates, parameters, inputs, memory, state);
+    if (!needsDouble(model, rates, parameters, memory, state)) {
+      const adaptive::StepMemory before = memory;
+      if (const std::optional<StepReport> report = single_.step(model, rates, parameters, inputs, memory, state)) {
+        return *report;
+      }
+      memory = before;
+      memory.doubleSteps = adaptive::tuning.doubleSteps;
+    }
+    memory.doubleSteps = std::max(0, memory.doubleSteps - 1);
+    return *double_.step(model, rates, parameters, inputs, memory, state);
   }
 
   static bool needsDouble(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                           const adaptive::StepMemory& memory, const ClothState& state) {
-    if (parameters.precision == Precision::Double || adaptive::dampingNeedsDouble(rates, parameters)) {
+    if (parameters.precision == Precision::Double || memory.doubleSteps > 0 ||
+        adaptive::dampingNeedsDouble(rates, parameters)) {
       return true;
     }
     const double largest = adaptive::maxCoordinate(state.positions);

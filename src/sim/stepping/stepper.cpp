@@ -69,7 +69,7 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
 StepReport Stepper::advanceWithChosenStretch(const ClothModel& model, const StepParameters& parameters,
                                              const StepInputs& inputs, ClothState& state) {
   adaptive::StepMemory memory = adaptive::stepMemoryOf(state);
-  const ClothModel& chosen = stretch_.choose(model, parameters, parameters.automatic, inputs, state, memory.stretch);
+  const ClothModel& chosen = stretch_.choose(model, parameters, parameters.automatic, inputs, state, memory);
   const adaptive::StretchMemory choice = memory.stretch;
   adaptive::storeStepMemory(std::move(memory), state);
   StepReport report = advance(chosen, parameters, inputs, state);
