@@ -13,4 +13,8 @@ bool holdsWords(const TextTable& table, std::size_t column) {
   return column == 0 || 2 * words > static_cast<std::ptrdiff_t>(table.rows.size());
 }
 
+bool isBad(const TextTable& table, std::size_t row) {
+  return row < table.tones.size() && table.tones[row] == Tone::Bad;
+}
+
 }  // namespace drape::report

@@ -15,17 +15,24 @@ struct Paragraph {
   std::string text;
 };
 
+enum class Tone { Good, Doubtful, Bad, Dull, None };
+
 /// Every row has as many fields as the header. The first column names the row, the others hold numbers or words.
 struct TextTable {
   std::string title;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
   bool folded = false;  ///< a long detail table: HTML shows it on demand, Markdown omits it
+  /// One a row, or empty. HTML writes a row with Tone::Bad in red, Markdown in bold; the row must say it in words too.
+  std::vector<Tone> tones = {};
 };
 
 /// Whether a column holds words, which are aligned left, and not numbers: the first column, and those whose fields
 /// mostly begin with a letter.
 [[nodiscard]] bool holdsWords(const TextTable& table, std::size_t column);
+
+/// Whether a row of the table has Tone::Bad.
+[[nodiscard]] bool isBad(const TextTable& table, std::size_t row);
 
 enum class Scale { Linear, Logarithmic };
 
@@ -68,8 +75,6 @@ struct Plot {
   PlotAxis y;
   std::vector<Curve> curves;
 };
-
-enum class Tone { Good, Doubtful, Bad, Dull, None };
 
 /// A state of a cell of a map.
 struct MapState {

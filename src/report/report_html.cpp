@@ -7,9 +7,9 @@ namespace drape::report {
 namespace {
 
 constexpr std::string_view pageStyle = R"(
-:root { color-scheme: light dark; --ink: #222; --paper: #fff; --faint: #ddd; --shade: #f4f5f7; }
+:root { color-scheme: light dark; --ink: #222; --paper: #fff; --faint: #ddd; --shade: #f4f5f7; --off: #b3001b; }
 @media screen and (prefers-color-scheme: dark) {
-  :root { --ink: #ddd; --paper: #16181c; --faint: #444; --shade: #202329; } }
+  :root { --ink: #ddd; --paper: #16181c; --faint: #444; --shade: #202329; --off: #ff8a80; } }
 body { color: var(--ink); background: var(--paper); font: 15px/1.5 sans-serif; max-width: 62rem; margin: 2rem auto;
   padding: 0 1rem; }
 table { border-collapse: collapse; margin: 0.5rem 0 1.5rem; font-size: 13px; }
@@ -18,6 +18,7 @@ th, td { border-bottom: 1px solid var(--faint); padding: 0.15rem 0.6rem; text-al
 th.words, td.words, table.head td { text-align: left; }
 table.head td { overflow-wrap: anywhere; }
 th { background: var(--shade); }
+tr.bad td { color: var(--off); font-weight: bold; }
 summary { cursor: pointer; }
 figure { margin: 1rem 0; }
 div.wide { overflow-x: auto; }
@@ -50,9 +51,9 @@ class HtmlWriter {
     for (std::size_t i = 0; i < table.header.size(); ++i) {
       words.push_back(holdsWords(table, i));
     }
-    row("th", table.header, words);
-    for (const auto& fields : table.rows) {
-      row("td", fields, words);
+    row("th", table.header, words, false);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      row("td", table.rows[i], words, isBad(table, i));
     }
     html_.close();
     html_.close();
@@ -65,8 +66,12 @@ class HtmlWriter {
   void operator()(const StateMap& map) { picture(svgOf(map)); }
 
  private:
-  void row(std::string_view element, const std::vector<std::string>& fields, const std::vector<bool>& words) {
-    html_.open("tr");
+  void row(std::string_view element, const std::vector<std::string>& fields, const std::vector<bool>& words, bool bad) {
+    if (bad) {
+      html_.open("tr", {{"class", "bad"}});
+    } else {
+      html_.open("tr");
+    }
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (i < words.size() && words[i]) {
         html_.text(element, fields[i], {{"class", "words"}});

@@ -17,10 +17,11 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string lineOf(const std::vector<std::string>& fields) {
+std::string lineOf(const std::vector<std::string>& fields, bool bold = false) {
+  const std::string mark = bold ? "**" : "";
   std::string line = "|";
   for (const std::string& field : fields) {
-    line += " " + escaped(field) + " |";
+    line += " " + (field.empty() ? "" : mark + escaped(field) + mark) + " |";
   }
   return line + "\n";
 }
@@ -38,8 +39,8 @@ class MarkdownWriter {
       report.text += holdsWords(table, i) ? "---|" : "---:|";
     }
     report.text += "\n";
-    for (const auto& row : table.rows) {
-      report.text += lineOf(row);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      report.text += lineOf(table.rows[i], isBad(table, i));
     }
     report.text += "\n";
   }

@@ -34,6 +34,14 @@ TEST(ValidateCommand, failsWithStatusOneAndNamesWhatIsOff) {
   EXPECT_NE(outcome.errors.find("buckling irregular"), std::string::npos) << outcome.errors;
 }
 
+TEST(ValidateCommand, printsAMarkdownTable) {
+  const Outcome outcome = headless("validate --short --markdown --only twist");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_TRUE(outcome.output.starts_with("| case | mesh |")) << outcome.output;
+  EXPECT_NE(outcome.output.find("| `twist` | irregular | 10, 20 | 0.796 %, 0.590 % |"), std::string::npos)
+      << outcome.output;
+}
+
 TEST(ValidateCommand, refusesWrongUse) {
   const Outcome unknown = headless("validate --only magic");
   EXPECT_EQ(unknown.status, 2);

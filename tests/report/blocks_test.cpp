@@ -17,5 +17,12 @@ TEST(Blocks, tellColumnsOfWordsFromColumnsOfNumbers) {
   EXPECT_FALSE(holdsWords(table, 4)) << "one word among numbers";
 }
 
+TEST(Blocks, tellBadRowsOfATable) {
+  const TextTable table{.title = "", .header = {"a"}, .rows = {{"1"}, {"2"}, {"3"}}, .tones = {Tone::None, Tone::Bad}};
+  EXPECT_FALSE(isBad(table, 0));
+  EXPECT_TRUE(isBad(table, 1));
+  EXPECT_FALSE(isBad(table, 2)) << "a row without a tone";
+}
+
 }  // namespace
 }  // namespace drape::report

@@ -2,6 +2,7 @@
 #include "app/output_file.hpp"
 #include "messages/error.hpp"
 #include "report/hardcases/hard_case_rows.hpp"
+#include "report/validation/validation_rows.hpp"
 #include "scene/scene.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/solvers/solver.hpp"
@@ -68,6 +69,19 @@ Json hardCasesAsJson() {
   return list;
 }
 
+Json validationAsJson() {
+  Json list = Json::array();
+  for (const report::validation::ValidationCase& one : report::validation::validationTable()) {
+    list.push_back({{"name", one.name},
+                    {"title", one.title},
+                    {"help", one.compared},
+                    {"group", nameOf(one.group)},
+                    {"unit", one.unit},
+                    {"aim", one.aim}});
+  }
+  return list;
+}
+
 Json solversAsJson() {
   Json list = Json::array();
   for (const sim::SolverInfo& info : sim::solverTable()) {
@@ -127,7 +141,8 @@ struct Listing {
 constexpr std::array listings{
     Listing{"scenes", scenesAsJson, nullptr}, Listing{"settings", settingsAsJson, printSettingsMarkdown},
     Listing{"solvers", solversAsJson, nullptr},
-    Listing{"hardcases", hardCasesAsJson, [] { std::cout << report::hardcases::hardCaseListMarkdown(); }}};
+    Listing{"hardcases", hardCasesAsJson, [] { std::cout << report::hardcases::hardCaseListMarkdown(); }},
+    Listing{"validation", validationAsJson, [] { std::cout << report::validation::validationListMarkdown(); }}};
 
 void list(const ListArguments& arguments) {
   const Listing& listing =
@@ -157,10 +172,11 @@ std::vector<std::string> listable() {
 
 void addListCommand(CLI::App& app) {
   auto arguments = std::make_shared<ListArguments>();
-  CLI::App* command = app.add_subcommand("list", "Lists scenes, settings, solvers or hard cases");
+  CLI::App* command = app.add_subcommand("list", "Lists scenes, settings, solvers, hard cases or validation cases");
   command->add_option("what", arguments->what, "What to list")->required()->check(CLI::IsMember(listable()));
   auto* json = command->add_flag("--json", arguments->json, "As JSON");
-  command->add_flag("--markdown", arguments->markdown, "Settings or hard cases as a Markdown table")->excludes(json);
+  command->add_flag("--markdown", arguments->markdown, "Settings, hard cases or validation cases as a Markdown table")
+      ->excludes(json);
   command->callback([arguments] { list(*arguments); });
 }
 

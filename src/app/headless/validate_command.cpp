@@ -4,6 +4,7 @@
 #include "messages/error.hpp"
 #include "report/validation/validation_rows.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@ struct ValidateArguments {
   std::vector<std::string> cases;
   bool shortForm = false;
   double aim = 0.0;  // [%]; 0: each case's own
+  bool markdown = false;
   std::string json;
 };
 
@@ -39,20 +41,28 @@ void validate(const ValidateArguments& arguments) {
   if (!arguments.json.empty()) {
     file.emplace(arguments.json, "the results");
   }
-  std::span<const int> resolutions = report::validation::validationResolutions;
-  resolutions = arguments.shortForm ? resolutions.first(2) : resolutions;
+  std::vector<int> headed;  // the resolutions of the last heading
   report::ReportRows rows;
   std::string off;
-  std::cout << report::validation::validationHeading(resolutions);
   for (const report::validation::ValidationCase& one : cases) {
+    const std::span<const int> resolutions = report::validation::resolutionsOf(one, arguments.shortForm);
+    if (!arguments.markdown && !std::ranges::equal(resolutions, headed)) {
+      std::cout << report::validation::validationHeading(resolutions);
+      headed.assign(resolutions.begin(), resolutions.end());
+    }
     for (const report::validation::MeshKind kind : report::validation::meshKinds) {
       const report::validation::ValidationSeries series = report::validation::runValidation(one, kind, resolutions);
-      std::cout << report::validation::validationLine(series) << std::flush;
       rows.push_back(report::validation::validationRow(series));
+      if (!arguments.markdown) {
+        std::cout << report::validation::validationLine(rows.back()) << std::flush;
+      }
       if (!series.passes()) {
         off += (off.empty() ? "" : ", ") + std::string(one.name) + " " + std::string(nameOf(kind));
       }
     }
+  }
+  if (arguments.markdown) {
+    std::cout << report::validation::validationMarkdown(rows);
   }
   if (file) {
     file->write(report::ReportRow{{"validation", rows}});
@@ -78,6 +88,7 @@ void addValidateCommand(CLI::App& app) {
                    "Largest acceptable error at the finest resolution [%]; default: each case's own")
       ->type_name("PERCENT")
       ->check(numberFrom(1e-6, 100.0));
+  command->add_flag("--markdown", arguments->markdown, "Print one table of all results (Markdown)");
   command->add_option("--json", arguments->json, "Write all results to this file (JSON)")
       ->type_name("FILE")
       ->check(notEmpty());

@@ -7,7 +7,8 @@ namespace drape::report {
 std::span<const Section> sectionTable() {
   static const std::array table{sections::table1(),      sections::table2(),    sections::workPrecision(),
                                 sections::whatFollows(), sections::stability(), sections::hardCases(),
-                                sections::growth(),      sections::threads(),   sections::collision()};
+                                sections::growth(),      sections::threads(),   sections::collision(),
+                                sections::validation()};
   return table;
 }
 

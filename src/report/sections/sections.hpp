@@ -14,5 +14,6 @@ Section whatFollows();
 Section threads();
 Section hardCases();
 Section collision();
+Section validation();
 
 }  // namespace drape::report::sections

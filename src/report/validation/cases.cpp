@@ -11,40 +11,65 @@
 namespace drape::report::validation {
 namespace {
 
+constexpr CaseGroup membrane = CaseGroup::Membrane;
+constexpr CaseGroup bending = CaseGroup::Bending;
+
 // clang-format off
 constexpr std::array casesOfValidation{
-    ValidationCase{"end_load_modulus", "Strip under an end load: stiffness",
+    ValidationCase{membrane, "end_load_modulus", "Strip under an end load: stiffness",
         "E h from the strain in the middle, with Saint Venant-Kirchhoff's law", "N/m", 0.005, endLoadModulus},
-    ValidationCase{"end_load_poisson", "Strip under an end load: contraction",
+    ValidationCase{membrane, "end_load_poisson", "Strip under an end load: contraction",
         "Poisson's ratio from the strains in the middle", "", 0.005, endLoadPoisson},
-    ValidationCase{"own_weight", "Strip that hangs from one end",
+    ValidationCase{membrane, "own_weight", "Strip that hangs from one end",
         "elongation by its own weight, from the nonlinear law integrated over the strip", "m", 0.005, ownWeight},
-    ValidationCase{"picture_frame", "Picture frame",
+    ValidationCase{membrane, "picture_frame", "Picture frame",
         "shear modulus from the work of the frame at 0.3 rad", "N/m", 0.005, pictureFrame},
-    ValidationCase{"hanging_strip", "Strip that hangs from both ends",
+    ValidationCase{membrane, "hanging_strip", "Strip that hangs from both ends",
         "sag of the catenary", "m", 0.005, hangingStrip},
-    ValidationCase{"heavy_elastica_1.5", "Clamped strip under its weight, Gamma = 1.5",
+    ValidationCase{bending, "heavy_elastica_1.5", "Clamped strip under its weight, Gamma = 1.5",
         "drop of the tip of the heavy elastica, in lengths", "", 0.01, heavyElasticaSmall},
-    ValidationCase{"heavy_elastica_5", "Clamped strip under its weight, Gamma = 5",
+    ValidationCase{bending, "heavy_elastica_5", "Clamped strip under its weight, Gamma = 5",
         "drop of the tip of the heavy elastica, in lengths", "", 0.01, heavyElasticaMedium},
-    ValidationCase{"heavy_elastica_15", "Clamped strip under its weight, Gamma = 15",
+    ValidationCase{bending, "heavy_elastica_15", "Clamped strip under its weight, Gamma = 15",
         "drop of the tip of the heavy elastica, in lengths", "", 0.01, heavyElasticaLarge},
-    ValidationCase{"heavy_elastica_46", "Clamped strip under its weight, Gamma = 46",
+    ValidationCase{bending, "heavy_elastica_46", "Clamped strip under its weight, Gamma = 46",
         "drop of the tip of the heavy elastica, in lengths", "", 0.01, heavyElasticaHanging},
-    ValidationCase{"peirce_denim", "Peirce's cantilever, denim along warp",
+    ValidationCase{bending, "peirce_denim", "Peirce's cantilever, denim along warp",
         "overhang at a chord of 41.5 degrees, from the heavy elastica", "m", 0.01, peirceDenim},
-    ValidationCase{"peirce_cotton", "Peirce's cantilever, cotton-polyester along warp",
+    ValidationCase{bending, "peirce_cotton", "Peirce's cantilever, cotton-polyester along warp",
         "overhang at a chord of 41.5 degrees, from the heavy elastica", "m", 0.01, peirceCotton},
-    ValidationCase{"peirce_polyester", "Peirce's cantilever, polyester along warp",
+    ValidationCase{bending, "peirce_polyester", "Peirce's cantilever, polyester along warp",
         "overhang at a chord of 41.5 degrees, from the heavy elastica", "m", 0.01, peircePolyester},
-    ValidationCase{"buckling", "Compressed strip with hinged ends",
+    ValidationCase{bending, "buckling", "Compressed strip with hinged ends",
         "load per width at which the flat strip becomes unstable, pi^2 B / L^2", "N/m", 0.01, buckling},
-    ValidationCase{"twist", "Square plate on a saddle",
+    ValidationCase{bending, "twist", "Square plate on a saddle",
         "twist stiffness of a plate whose corners are moved to y = k x z, energy 2 D_33 k^2 an area", "N m", 0.01, twist},
 };
 // clang-format on
 
 }  // namespace
+
+double Comparison::error() const {
+  if (std::isnan(upper)) {
+    return measured / exact - 1.0;
+  }
+  return measured >= exact && measured <= upper ? 0.0 : measured / (measured < exact ? exact : upper) - 1.0;
+}
+
+std::string_view nameOf(CaseGroup group) {
+  switch (group) {
+    case CaseGroup::Membrane:
+      return "membrane";
+    case CaseGroup::Bending:
+      break;
+  }
+  return "bending";
+}
+
+std::span<const int> resolutionsOf(const ValidationCase& validationCase, bool shortForm) {
+  const std::span<const int> all = validationCase.resolutions;
+  return shortForm ? all.first(all.size() - 1) : all;
+}
 
 std::span<const ValidationCase> validationTable() {
   return casesOfValidation;

@@ -3,26 +3,53 @@
 #include "report/number_text.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <cmath>
 
 namespace drape::report::validation {
 namespace {
 
-double secondsOf(const ValidationSeries& series) {
-  double seconds = 0.0;
-  for (const ValidationResult& one : series.results) {
-    seconds += one.seconds;
+bool isRange(const ReportRow& row) {
+  return row.contains("upper") && row["upper"].is_number();
+}
+
+std::string percent(double share, int digits) {
+  const std::string text = fmt::format("{:.{}f} %", 100.0 * share, digits);
+  const bool isZero = text.find_first_not_of("-0. %") == std::string::npos;
+  return isZero && text.starts_with('-') ? text.substr(1) : text;
+}
+
+/// Errors of all resolutions, separated by commas.
+std::string figuresOf(const ReportRow& row) {
+  std::string text;
+  for (const ReportRow& result : row["results"]) {
+    text += (text.empty() ? "" : ", ") + figureOf(row, result);
   }
-  return seconds;
+  return text;
+}
+
+std::string cellsOf(const ReportRow& row) {
+  std::string text;
+  for (const ReportRow& result : row["results"]) {
+    text += (text.empty() ? "" : ", ") + std::to_string(result.value("resolution", 0));
+  }
+  return text;
 }
 
 }  // namespace
 
 ReportRow validationRow(const ValidationSeries& series) {
   const ValidationCase& one = *series.validationCase;
-  ReportRow row{{"name", one.name}, {"title", one.title},          {"compared", one.compared},
-                {"unit", one.unit}, {"mesh", nameOf(series.kind)}, {"aim", one.aim}};
-  row["exact"] = series.results.empty() ? ReportRow() : finiteOrNull(series.results.back().comparison.exact);
+  ReportRow row{{"group", nameOf(one.group)},
+                {"name", one.name},
+                {"title", one.title},
+                {"compared", one.compared},
+                {"unit", one.unit},
+                {"mesh", nameOf(series.kind)},
+                {"aim", one.aim}};
+  const Comparison last = series.results.empty() ? Comparison() : series.results.back().comparison;
+  row["exact"] = series.results.empty() ? ReportRow() : finiteOrNull(last.exact);
+  row["upper"] = finiteOrNull(last.upper);
   row["results"] = ReportRow::array();
   for (const ValidationResult& result : series.results) {
     row["results"].push_back({{"resolution", result.resolution},
@@ -32,20 +59,41 @@ ReportRow validationRow(const ValidationSeries& series) {
   }
   row["order"] = finiteOrNull(series.order());
   row["passed"] = series.passes();
+  row["reason"] = one.reason;
   return row;
 }
 
-std::string validationLine(const ValidationSeries& series) {
-  const ValidationCase& one = *series.validationCase;
-  std::string line = fmt::format("{:<20}{:<12}", one.name, nameOf(series.kind));
-  for (const ValidationResult& result : series.results) {
-    const double error = result.comparison.error();
-    line += std::isfinite(error) ? fmt::format("{:>9.3f} %", 100.0 * error) : fmt::format("{:>11}", "none");
+std::string figureOf(const ReportRow& row, const ReportRow& result) {
+  if (!result["error"].is_number()) {
+    return "none";
   }
-  const double order = series.order();
-  line += std::isfinite(order) ? fmt::format("{:>8.1f}", order) : fmt::format("{:>8}", "-");
-  line += fmt::format("{:>8.1f} %{:>8.2f} s", 100.0 * one.aim, secondsOf(series));
-  return line + (series.passes() ? "\n" : "  off\n");
+  return isRange(row) ? fmt::format("{:.1f}", result.value("measured", 0.0)) : percent(result.value("error", 0.0), 3);
+}
+
+std::string aimOf(const ReportRow& row) {
+  return isRange(row) ? fmt::format("{:g} to {:g}", row.value("exact", 0.0), row.value("upper", 0.0))
+                      : percent(row.value("aim", 0.0), 1);
+}
+
+std::string orderOf(const ReportRow& row) {
+  return row["order"].is_number() ? fmt::format("{:.1f}", row.value("order", 0.0)) : "-";
+}
+
+double secondsOf(const ReportRow& row) {
+  double seconds = 0.0;
+  for (const ReportRow& one : row["results"]) {
+    seconds += one.value("seconds", 0.0);
+  }
+  return seconds;
+}
+
+std::string validationLine(const ReportRow& row) {
+  std::string line = fmt::format("{:<20}{:<12}", row.value("name", ""), row.value("mesh", ""));
+  for (const ReportRow& result : row["results"]) {
+    line += fmt::format("{:>11}", figureOf(row, result));
+  }
+  line += fmt::format("{:>8}{:>10}{:>8.2f} s", orderOf(row), aimOf(row), secondsOf(row));
+  return line + (row.value("passed", false) ? "\n" : "  off\n");
 }
 
 std::string validationHeading(std::span<const int> resolutions) {
@@ -54,6 +102,27 @@ std::string validationHeading(std::span<const int> resolutions) {
     line += fmt::format("{:>5} cells", resolution);
   }
   return line + fmt::format("{:>8}{:>10}{:>10}\n", "order", "aim", "time");
+}
+
+std::string validationListMarkdown() {
+  std::string text = "| case | test | quantity | cells | aim |\n|---|---|---|---|---:|\n";
+  for (const ValidationCase& one : validationTable()) {
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", one.name, one.title, one.compared,
+                        fmt::join(one.resolutions, ", "), percent(one.aim, 1));
+  }
+  return text;
+}
+
+std::string validationMarkdown(const ReportRows& rows) {
+  std::string text = "| case | mesh | cells | error | order | aim | result |\n|---|---|---:|---:|---:|---:|---|\n";
+  for (const ReportRow& row : rows) {
+    const bool passed = row.value("passed", false);
+    const std::string mark = passed ? "" : "**";
+    text += fmt::format("| `{}` | {} | {} | {}{}{} | {} | {} | {}{}{} |\n", row.value("name", ""),
+                        row.value("mesh", ""), cellsOf(row), mark, figuresOf(row), mark, orderOf(row), aimOf(row), mark,
+                        passed ? "within" : "off", mark);
+  }
+  return text;
 }
 
 }  // namespace drape::report::validation
