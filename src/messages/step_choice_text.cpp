@@ -63,7 +63,8 @@ std::string inWords(const sim::adaptive::StepChoice& choice, double seconds, dou
   }
   std::string words = hOmegaInWords(choice.hOmega) + schemeInWords(choice);
   if (choice.stiffnessScale < almostFull) {
-    words += " at " + brief(100.0 * choice.stiffnessScale) + " % of the stiffness";
+    words += " at " + brief(100.0 * choice.stiffnessScale) + " % of the ";
+    words += choice.strain < 0.0 ? "stiffness" : "stretch stiffness: " + brief(100.0 * choice.strain) + " % strain";
   }
   if (choice.coarseLevels > 0) {
     words += choice.coarseLevels == 1 ? " with 1 coarse level"

@@ -1,0 +1,124 @@
+#include "sim/adaptive/stretch_choice.hpp"
+
+#include "fabric_cloths.hpp"
+#include "sim/adaptive/step_plan.hpp"
+#include "sim/fabric/fabric.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "sim/stepping/stepper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace drape::sim::adaptive {
+namespace {
+
+using namespace testing;
+
+/// A sheet of 1 m that hangs from its upper edge.
+std::shared_ptr<const ClothModel> hangingFabric() {
+  std::vector<int> pins;
+  for (int i = 0; i < 17; ++i) {
+    pins.push_back(i);
+  }
+  fabric::Material material = woven();
+  material.stretchWarp = material.stretchWeft = 6000.0;
+  return asFabric(*buildClothModel(sheet(17), 0.1, MassLumping::Area, pins), material);
+}
+
+/// With a budget that is far too small for the full stiffness.
+StepParameters smallCostBudget() {
+  StepParameters parameters;
+  parameters.timeStep = 1.0 / 60.0;
+  parameters.automatic.costBudget = 0.2;
+  parameters.automatic.strainLimit = 0.01;
+  return parameters;
+}
+
+/// The state after some steps of auto, and the report of the last one.
+std::pair<ClothState, StepReport> afterStepsOfAuto(const ClothModel& model, const StepParameters& parameters,
+                                                   int steps) {
+  Stepper stepper("auto");
+  ClothState state = stateAtRest(model.restPositions);
+  StepReport report;
+  for (int i = 0; i < steps; ++i) {
+    report = stepper.step(model, parameters, {}, state);
+  }
+  return {state, report};
+}
+
+TEST(StretchChoice, keepsTheFullStiffnessWithoutALimit) {
+  StepParameters parameters = smallCostBudget();
+  parameters.automatic.strainLimit = 0.0;
+  EXPECT_EQ(afterStepsOfAuto(*hangingFabric(), parameters, 3).second.choice->stiffnessScale, 1.0);
+}
+
+TEST(StretchChoice, keepsTheFullStiffnessWithinTheBudget) {
+  StepParameters parameters = smallCostBudget();
+  parameters.automatic.costBudget = 1e5;
+  EXPECT_EQ(afterStepsOfAuto(*hangingFabric(), parameters, 3).second.choice->stiffnessScale, 1.0);
+}
+
+TEST(StretchChoice, lowersTheStiffnessAndKeepsTheStrainBelowTheLimit) {
+  const auto [state, report] = afterStepsOfAuto(*hangingFabric(), smallCostBudget(), 60);
+  EXPECT_LT(report.choice->stiffnessScale, 0.3);
+  EXPECT_LT(report.choice->strain, 0.01);
+  EXPECT_GT(report.choice->fullStiffnessCost, 1.3);
+}
+
+TEST(StretchChoice, raisesTheStiffnessWithTheLoad) {
+  const auto model = hangingFabric();
+  StepParameters parameters = smallCostBudget();
+  Stepper stepper("auto");
+  ClothState state = stateAtRest(model->restPositions);
+  for (int i = 0; i < 30; ++i) {
+    (void)stepper.step(*model, parameters, {}, state);
+  }
+  const double before = stepMemoryOf(state).stretch.level;
+  parameters.gravity *= 30.0;
+  for (int i = 0; i < 30; ++i) {
+    (void)stepper.step(*model, parameters, {}, state);
+  }
+  EXPECT_LT(stepMemoryOf(state).stretch.level, before);
+}
+
+TEST(StretchChoice, goesOnEquallyFromACopyOfTheState) {
+  const auto model = hangingFabric();
+  const StepParameters parameters = smallCostBudget();
+  auto [state, report] = afterStepsOfAuto(*model, parameters, 10);
+  ClothState copy = state;
+  Stepper one("auto");
+  Stepper other("auto");
+  for (int i = 0; i < 10; ++i) {
+    (void)one.step(*model, parameters, {}, state);
+  }
+  for (int i = 0; i < 10; ++i) {
+    (void)other.step(*model, parameters, {}, copy);
+  }
+  EXPECT_EQ(stateHash(state), stateHash(copy));
+}
+
+TEST(SlowForces, actLessOftenThanTheMembraneAndKeepTheEnergy) {
+  const auto model = hangingFabric();
+  StepParameters parameters;
+  parameters.timeStep = 1.0 / 60.0;
+  parameters.automatic.costBudget = 1e5;
+  parameters.air.drag = parameters.air.lift = 0.0;
+  ClothState state = shaken(*model, 0.002, 5);
+  const StepPlan plan = planStep(*model, localRatesOf(*model), parameters, parameters.automatic, {}, {});
+  if (plan.scheme == ExplicitScheme::Verlet) {
+    EXPECT_GT(plan.slowInterval, 1);
+    EXPECT_EQ(plan.slowInterval % 2, 1);
+    EXPECT_EQ(plan.substeps % plan.slowInterval, 0);
+  }
+  Stepper stepper("auto");
+  const double start = energyOf(*model, parameters, state).total();
+  const double moving = energyOf(*model, parameters, state).elastic + energyOf(*model, parameters, state).kinetic;
+  for (int i = 0; i < 60; ++i) {
+    (void)stepper.step(*model, parameters, {}, state);
+  }
+  EXPECT_NEAR(energyOf(*model, parameters, state).total(), start, 0.02 * moving);
+}
+
+}  // namespace
+}  // namespace drape::sim::adaptive

@@ -1,0 +1,66 @@
+#include "sim/fabric/rate_limit.hpp"
+
+#include "fabric_cloths.hpp"
+#include "sim/fabric/fabric.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace drape::sim::fabric {
+namespace {
+
+using namespace testing;
+
+/// A sheet with a vertex that lies almost on an edge, so that two triangles are thin.
+std::shared_ptr<const ClothModel> sheetWithThinTriangles(const Material& material) {
+  ClothMesh mesh = sheet(13);
+  const Vec3 side = mesh.positions[1] - mesh.positions[0];
+  mesh.positions[6 * 13 + 6] += 0.85 * side;
+  return asFabric(*buildClothModel(mesh, 0.1, MassLumping::Area, {}), material);
+}
+
+TEST(RateLimit, leavesRatesBelowSixteenTimesTheMedianAlone) {
+  std::vector<double> rates(200, 1.0);
+  rates.back() = 1000.0;
+  const RateLimit limit(rates);
+  EXPECT_EQ(limit.scaleOf(1.0), 1.0);
+  EXPECT_EQ(limit.scaleOf(8.0), 1.0);
+  EXPECT_LT(limit.scaleOf(8.1), 1.0);
+  EXPECT_DOUBLE_EQ(limit.scaleOf(80.0), 0.1);
+}
+
+TEST(RateLimit, leavesTheFastestHundredthAloneOfAMeshWithManySizes) {
+  std::vector<double> rates;
+  for (int i = 0; i < 1000; ++i) {
+    rates.push_back(i < 900 ? 1.0 : 100.0);
+  }
+  EXPECT_EQ(RateLimit(rates).scaleOf(50.0), 1.0);
+}
+
+TEST(RateLimit, clampsNoTriangleOfAnEvenSheet) {
+  const auto model = asFabric(*buildClothModel(sheet(13), 0.1, MassLumping::Area, {}), woven());
+  EXPECT_EQ(model->fabric->slivers, 0);
+}
+
+TEST(RateLimit, keepsThinTrianglesFromDecidingTheTimeStep) {
+  const auto even = asFabric(*buildClothModel(sheet(13), 0.1, MassLumping::Area, {}), woven());
+  const auto thin = sheetWithThinTriangles(woven());
+  EXPECT_GT(thin->fabric->slivers, 0);
+  EXPECT_LT(thin->fabric->slivers, 20);
+  EXPECT_LT(thin->unitFrequency, 6.0 * even->unitFrequency);
+}
+
+TEST(RateLimit, leavesTheBendingMatrixFreeOfRigidMotion) {
+  const auto thin = sheetWithThinTriangles(woven());
+  const VertexMatrix& bending = thin->fabric->bending;
+  Eigen::MatrixXd linear(bending.rows(), 3);
+  for (Eigen::Index v = 0; v < bending.rows(); ++v) {
+    linear.row(v) << 1.0, thin->restPositions[static_cast<std::size_t>(v)].x(),
+        thin->restPositions[static_cast<std::size_t>(v)].y();
+  }
+  EXPECT_LT((bending * linear).cwiseAbs().maxCoeff(), 1e-9 * bending.diagonal().maxCoeff());
+}
+
+}  // namespace
+}  // namespace drape::sim::fabric
