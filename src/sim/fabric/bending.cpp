@@ -285,7 +285,7 @@ ClampedBending clampedBendingMatrix(const RestShape& shape, const Material& mate
   const std::vector<double> areas = boundedAreas(vertexAreas);
   std::vector<double> rates = halfRowSums(clamped.matrix);
   std::ranges::transform(rates, areas, rates.begin(), std::divides<>());
-  const RateLimit limit(std::move(rates));
+  const RateLimit limit(std::move(rates), maxBendingRatio);
   for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
     clamped.scales.push_back(bendingScaleOf(t, shape, moments, curvatures, areas, limit));
   }

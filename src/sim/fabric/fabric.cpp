@@ -69,7 +69,7 @@ void clampMembrane(const ClothModel& model, Fabric& fabric) {
   const std::vector<double> areas = boundedAreas(model.vertexArea);
   std::vector<double> rates = membraneStiffness(model, blocks);
   std::ranges::transform(rates, areas, rates.begin(), std::divides<>());
-  const RateLimit limit(std::move(rates));
+  const RateLimit limit(std::move(rates), maxMembraneRatio);
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     double scale = 1.0;
     for (std::size_t corner = 0; corner < 3; ++corner) {

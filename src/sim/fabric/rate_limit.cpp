@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 
 namespace drape::sim::fabric {
 namespace {
-
-/// The largest ratio of a vertex' frequency to the median [-]. Meshes of even quality have at most 3.5.
-constexpr double maxFrequencyRatio = 4.0;
 
 /// The share of the limit that a single triangle may take [-], since several triangles meet at a vertex.
 constexpr double shareOfTriangle = 0.5;
@@ -25,10 +23,9 @@ double quantile(std::vector<double>& values, double fraction) {
 
 }  // namespace
 
-RateLimit::RateLimit(std::vector<double> rates) {
+RateLimit::RateLimit(std::vector<double> rates, double maxRatio) {
   if (!rates.empty()) {
-    limit_ =
-        shareOfTriangle * std::max(maxFrequencyRatio * maxFrequencyRatio * quantile(rates, 0.5), quantile(rates, 0.99));
+    limit_ = shareOfTriangle * std::max(maxRatio * quantile(rates, 0.5), quantile(rates, 0.99));
   }
 }
 

@@ -12,9 +12,10 @@ namespace drape::sim::fabric {
 /// frequency.
 class RateLimit {
  public:
-  /// @param rates of all vertices. The limit is the larger of the square of `maxFrequencyRatio` times their median, and
-  /// of the rate that one vertex in 100 exceeds.
-  explicit RateLimit(std::vector<double> rates);
+  /// The limit is the larger of `maxRatio` times the median, and of the rate that one vertex in 100 exceeds. A triangle
+  /// may have half of it, since several triangles meet at a vertex.
+  /// @param rates of all vertices
+  RateLimit(std::vector<double> rates, double maxRatio);
 
   /// The factor on the stiffness of a triangle [-], at most 1. @param rate its own part of the rate at a vertex
   [[nodiscard]] double scaleOf(double rate) const { return rate > limit_ ? limit_ / rate : 1.0; }
@@ -22,6 +23,11 @@ class RateLimit {
  private:
   double limit_ = 0.0;  // of a triangle [N/m^3]
 };
+
+/// `maxRatio` for the membrane, whose rate goes with the inverse square of a triangle's size, and for bending, with the
+/// inverse fourth power [-]. Meshes of even quality have at most 12.
+inline constexpr double maxMembraneRatio = 16.0;
+inline constexpr double maxBendingRatio = maxMembraneRatio * maxMembraneRatio;
 
 /// The areas of vertices [m^2], with a lower bound for degenerate ones.
 [[nodiscard]] std::vector<double> boundedAreas(std::span<const double> vertexAreas);

@@ -23,7 +23,7 @@ std::shared_ptr<const ClothModel> sheetWithThinTriangles(const Material& materia
 TEST(RateLimit, leavesRatesBelowSixteenTimesTheMedianAlone) {
   std::vector<double> rates(200, 1.0);
   rates.back() = 1000.0;
-  const RateLimit limit(rates);
+  const RateLimit limit(rates, 16.0);
   EXPECT_EQ(limit.scaleOf(1.0), 1.0);
   EXPECT_EQ(limit.scaleOf(8.0), 1.0);
   EXPECT_LT(limit.scaleOf(8.1), 1.0);
@@ -35,7 +35,7 @@ TEST(RateLimit, leavesTheFastestHundredthAloneOfAMeshWithManySizes) {
   for (int i = 0; i < 1000; ++i) {
     rates.push_back(i < 900 ? 1.0 : 100.0);
   }
-  EXPECT_EQ(RateLimit(rates).scaleOf(50.0), 1.0);
+  EXPECT_EQ(RateLimit(rates, 16.0).scaleOf(50.0), 1.0);
 }
 
 TEST(RateLimit, clampsNoTriangleOfAnEvenSheet) {
