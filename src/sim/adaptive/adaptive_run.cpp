@@ -215,7 +215,6 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
   still.timeStep = T(0);
   still.damping = still.drag = still.lift = T(0);
   still.updatesVelocity = true;
-  still.slowWeight = T(1);
   if (!plan.softens) {
     still.stiffnessScales = nullptr;
   }

@@ -17,8 +17,8 @@ struct StepChoice {
   int forceEvaluations = 1;        ///< cost of the step with retries, in evaluations of all springs [-]
   double hOmega = 0.0;             ///< time step times the mesh's largest local frequency [-]
   double costRatio = 0.0;          ///< planned cost over the cost budget of the step [-]
-  double stiffnessScale = 1.0;     ///< of the clamped springs at the median vertex [-]; 1: the full stiffness
-  double strain = -1.0;            ///< of a fabric whose stretch stiffness is chosen [-]; negative: it is not
+  double stiffnessScale = 1.0;     ///< of the springs at the median vertex, or of a fabric's stretch [-]; 1: full
+  double strain = -1.0;            ///< along warp or weft of a fabric with auto.strain [-]; negative: not measured
   double fullStiffnessCost = 1.0;  ///< cost of a step with the full stretch stiffness over that of this one [-]
   int coarseLevels = 0;            ///< coarse levels in use [-]
   int retries = 0;                 ///< of the step by the energy guard [-]

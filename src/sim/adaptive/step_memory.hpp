@@ -13,7 +13,7 @@ struct StretchMemory {
   int level = -1;           ///< number of halvings of the stretch stiffness [-]; negative: not chosen yet
   double strain = 0.0;      ///< the last measured strain [-]
   double imposed = 0.0;     ///< the strain that the stiffness does not reduce [-]
-  double raisedFrom = 0.0;  ///< the strain before the stiffness was raised [-]; 0: no rise that has yet to be judged
+  double raisedFrom = 0.0;  ///< the strain before the stiffness was raised [-]; 0: its effect is known
   double checked = 0.0;     ///< time of the last measurement [s]
   double changed = 0.0;     ///< time of the last change of the level, or of strain close to the limit [s]
 };

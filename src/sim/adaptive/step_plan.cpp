@@ -81,11 +81,11 @@ StableSteps stableStepsOf(const ClothModel& model, const CommonParameters& param
   const double split = std::max({1.0, std::ceil(hOmega / tuning.clampHOmegaWithDampingStages),
                                  std::ceil(damped / (tuning.maxDampingStages * tuning.maxDampingStages))});
   const double cost = costWithSplitDamping(damped, split);
-  if (cost < limit / tuning.comfortableFraction) {
+  const double comfortable = stableEvaluations(model, parameters);
+  if (cost < comfortable) {
     return {true, split, split, cost};
   }
-  return {false, std::ceil(limit / tuning.comfortableFraction), std::ceil(limit / tuning.limitFraction),
-          limit / tuning.comfortableFraction};
+  return {false, std::ceil(comfortable), std::ceil(limit / tuning.limitFraction), comfortable};
 }
 
 /// The stiffness scale under a plan at a vertex with that omega^2 / k [1/kg].
@@ -114,9 +114,8 @@ StepPlan minimallyClampedPlan(const ClothModel& model, const LocalRates& rates, 
 /// The strain of the springs at the pins under weight and wind, with the stiffness that a plan leaves [-]. Infinite
 /// without pins: the support of the cloth is then unknown.
 double strainAtPins(const LocalRates& rates, const CommonParameters& parameters, const StepPlan& plan) {
-  const double wind = tuning.windLoadFraction * maxWindForce(rates, parameters);
   const double stiffness = stiffnessScaleAt(rates.median, parameters, plan) * parameters.material.stiffness;
-  return (parameters.gravity * rates.mass + wind) / (stiffness * rates.pinnedLength);
+  return loadOf(rates, parameters) / (stiffness * rates.pinnedLength);
 }
 
 /// The cost of a force evaluation, in evaluations of one spring.
@@ -224,6 +223,15 @@ double maxWindForce(const LocalRates& rates, const CommonParameters& parameters)
   return 0.5 * parameters.air.density * (parameters.air.drag + parameters.air.lift) * speed * speed * rates.area;
 }
 
+double loadOf(const LocalRates& rates, const CommonParameters& parameters) {
+  const double wind = tuning.windLoadFraction * maxWindForce(rates, parameters);
+  return parameters.gravity * rates.mass + wind;
+}
+
+double stableEvaluations(const ClothModel& model, const CommonParameters& parameters) {
+  return parameters.timeStep / verletStepLimit(model, parameters) / tuning.comfortableFraction;
+}
+
 double evaluationsInBudget(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
   const double springs = costOfEvaluation(model);
   return std::max(tuning.minEvaluations, options.costBudget * 1e6 * parameters.timeStep / springs);
@@ -275,7 +283,7 @@ bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const 
   const double substeps = std::min(evaluations, rootStiffness * model.unitFrequency / tuning.clampHOmega);
   const double h = parameters.timeStep / std::max(1.0, substeps);
   const double omegaSquared =
-      std::min(parameters.material.stiffness * rates.typical, tuning.clampHOmega * tuning.clampHOmega / (h * h));
+      std::min(parameters.material.stiffness * rates.heatingRate, tuning.clampHOmega * tuning.clampHOmega / (h * h));
   const double rounding = 0x1p-24 * maxCoordinate;
   const double heating = 0.5 * tuning.roundingHeat * omegaSquared * rounding * rounding / h;  // [W/kg]
   const bool isSlow = !model.fabric || memory.speed < tuning.slowSpeed;

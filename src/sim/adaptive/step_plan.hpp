@@ -37,7 +37,7 @@ struct StepPlan {
   double hOmegaLimit = 0.0;       ///< springs are clamped to this h omega, h being the substep [-]; 0: no clamping
   int dampingStages = 0;          ///< of a substep, for damping too strong for the kick; 0: damping is part of the kick
   bool usesCoarseLevels = false;  ///< coarse levels supply the stiffness that clamping removes
-  /// Bending and air of a fabric act in one of so many substeps [-], odd, and a divisor of the substeps.
+  /// Number of substeps between two kicks by bending and air of a fabric [-]. Odd, and a divisor of the substeps.
   int slowInterval = 1;
   bool softens = false;  ///< the energy counts the clamped stiffness; otherwise the full stiffness
 
@@ -66,6 +66,12 @@ struct StepPlan {
 [[nodiscard]] double evaluationsInBudget(const ClothModel& model, const CommonParameters& parameters,
                                          const AutoOptions& options);
 
+/// The force evaluations of a step with Verlet at a distance from the stability limit, without damping stages [-].
+[[nodiscard]] double stableEvaluations(const ClothModel& model, const CommonParameters& parameters);
+
+/// The weight, and the part of the wind's force that counts as load [N].
+[[nodiscard]] double loadOf(const LocalRates& rates, const CommonParameters& parameters);
+
 /// The cheapest plan that is expected to keep `errorTolerance`, within the cost budget. With B force evaluations and
 /// H omega of the time step H (docs/theory/auto.md derives the bounds):
 /// - B >= 2 H omega: fourth order, if forces depend on positions only (no damping, air or attachment);
@@ -88,7 +94,8 @@ struct StepPlan {
 /// d = 2^-24 |x|, which adds about c m omega^2 d^2 / 2 with stiff springs; c = AutoTuning::roundingHeat. Noticeable is
 /// 1/500 of the energy of a fall by the cloth's diagonal, in a second. For cloth that damping or still air bring to
 /// rest it is the heating that keeps vertices moving at some tenths of a millimetre per second. A fabric that moves
-/// visibly does not count as coming to rest. @param maxCoordinate the largest coordinate [m]
+/// visibly does not count as coming to rest.
+/// @param maxCoordinate the largest coordinate [m]
 [[nodiscard]] bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates,
                                       const CommonParameters& parameters, const AutoOptions& options,
                                       const StepMemory& memory, double maxCoordinate);

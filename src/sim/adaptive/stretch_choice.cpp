@@ -2,7 +2,7 @@
 
 #include "sim/adaptive/step_plan.hpp"
 #include "sim/adaptive/tuning.hpp"
-#include "sim/fabric/stretch_scale.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/forces.hpp"
 #include "sim/forces/stability.hpp"
 
@@ -12,21 +12,11 @@
 namespace drape::sim::adaptive {
 namespace {
 
-/// The force evaluations of a stable step.
-double stableEvaluations(const ClothModel& model, const CommonParameters& parameters) {
-  return parameters.timeStep / (tuning.comfortableFraction * verletStepLimit(model, parameters));
-}
-
 /// An estimate of the strain under weight and wind with the full stiffness [-]. Without pins the cloth hangs from
 /// anywhere, by half of its size.
 double strainByLoad(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters) {
-  const double load = parameters.gravity * rates.mass + tuning.windLoadFraction * maxWindForce(rates, parameters);
   const double width = rates.pinnedLength > 0.0 ? rates.pinnedLength : 2.0 * rates.area / rates.diagonal;
-  return load / (stretchStiffness(model, parameters) * width);
-}
-
-bool meetsBodies(const StepInputs& inputs) {
-  return inputs.bodies != nullptr && !inputs.bodies->empty();
+  return loadOf(rates, parameters) / (stretchStiffness(model, parameters) * width);
 }
 
 /// How often the stiffness may be halved while a strain stays below the limit. Negative: it must be doubled.
@@ -54,33 +44,33 @@ const ClothModel& StretchChoice::at(Levels& levels, const ClothModel& model, int
 
 /// Whether the next lower stiffness makes a step cheaper, and a step costs too much. The cost of contact is not in the
 /// budget and rises with the stiffness, so with bodies a step always costs too much.
-bool StretchChoice::gainsFromLower(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
-                                   const AutoOptions& options, const StepInputs& inputs, int level) {
+bool StretchChoice::gainsFromLower(Levels& levels, const ClothModel& model, const StretchConditions& conditions,
+                                   int level) {
+  const auto& [parameters, options, meetsBodies, isAttached] = conditions;
   if (level >= tuning.maxStretchLevel) {
     return false;
   }
   const double evaluations = stableEvaluations(at(levels, model, level), parameters);
-  if (!meetsBodies(inputs) && evaluations <= evaluationsInBudget(model, parameters, options)) {
+  if (!meetsBodies && evaluations <= evaluationsInBudget(model, parameters, options)) {
     return false;
   }
   return stableEvaluations(at(levels, model, level + 1), parameters) < tuning.minStretchGain * evaluations;
 }
 
-int StretchChoice::firstLevel(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
-                              const AutoOptions& options, const StepInputs& inputs) {
-  const int allowed = halvings(strainByLoad(model, levels.rates, parameters), options.strainLimit);
+int StretchChoice::firstLevel(Levels& levels, const ClothModel& model, const StretchConditions& conditions) {
+  const double strain = strainByLoad(model, levels.rates, conditions.parameters);
+  const int allowed = halvings(strain, conditions.options.strainLimit);
   int level = 0;
-  while (level < allowed && gainsFromLower(levels, model, parameters, options, inputs, level)) {
+  while (level < allowed && gainsFromLower(levels, model, conditions, level)) {
     ++level;
   }
   return level;
 }
 
-void StretchChoice::update(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
-                           const AutoOptions& options, const StepInputs& inputs, double time, double speed,
-                           StretchMemory& memory) {
-  const double limit = options.strainLimit;
-  const bool mayBeImposed = meetsBodies(inputs) && speed < tuning.maxSpeedOfImposedStrain;
+void StretchChoice::update(Levels& levels, const ClothModel& model, const StretchConditions& conditions, double time,
+                           double speed, StretchMemory& memory) {
+  const double limit = conditions.options.strainLimit;
+  const bool mayBeImposed = conditions.meetsBodies && speed < tuning.maxSpeedOfImposedStrain;
   if (memory.raisedFrom > 0.0 && mayBeImposed) {
     if (time - memory.changed < tuning.strainSettlingTime) {
       return;
@@ -98,36 +88,33 @@ void StretchChoice::update(Levels& levels, const ClothModel& model, const Common
     memory.changed = time;
   } else if (2.0 * strain > limit) {
     memory.changed = time;
-  } else if (time - memory.changed > tuning.strainCalmTime &&
-             gainsFromLower(levels, model, parameters, options, inputs, memory.level)) {
+  } else if (time - memory.changed > tuning.strainCalmTime && gainsFromLower(levels, model, conditions, memory.level)) {
     ++memory.level;
     memory.changed = time;
   }
 }
 
-const ClothModel& StretchChoice::choose(const ClothModel& model, const CommonParameters& parameters,
-                                        const AutoOptions& options, const StepInputs& inputs, const ClothState& state,
-                                        StepMemory& all) {
-  StretchMemory& memory = all.stretch;
-  if (options.strainLimit <= 0.0) {
-    memory = {};
-    return model;
-  }
+const ClothModel& StretchChoice::choose(const ClothModel& model, const StretchConditions& conditions,
+                                        const ClothState& state, StepMemory& memory) {
   Levels& levels = levels_.get(model, [](const ClothModel& own) {
     return Levels{.models = std::vector<std::shared_ptr<const ClothModel>>(tuning.maxStretchLevel + 1),
                   .rates = localRatesOf(own)};
   });
-  if (memory.level < 0) {
-    memory.level = firstLevel(levels, model, parameters, options, inputs);
-    memory.changed = memory.checked = state.time;
+  StretchMemory& stretch = memory.stretch;
+  if (memory.sleepFingerprint != 0) {
+    return at(levels, model, std::max(0, stretch.level));
   }
-  const double interval = inputs.attachment ? 0.0 : tuning.strainCheckInterval;
-  if (state.time >= memory.checked + interval || state.time < memory.checked) {
-    memory.checked = state.time;
-    memory.strain = fabric::stretchAlongYarns(model, state.positions);
-    update(levels, model, parameters, options, inputs, state.time, all.speed, memory);
+  if (stretch.level < 0) {
+    stretch.level = firstLevel(levels, model, conditions);
+    stretch.changed = stretch.checked = state.time;
   }
-  return at(levels, model, memory.level);
+  const double interval = conditions.isAttached ? 0.0 : tuning.strainCheckInterval;
+  if (state.time >= stretch.checked + interval || state.time < stretch.checked) {
+    stretch.checked = state.time;
+    stretch.strain = fabric::strainAlongYarns(model, state.positions);
+    update(levels, model, conditions, state.time, memory.speed, stretch);
+  }
+  return at(levels, model, stretch.level);
 }
 
 }  // namespace drape::sim::adaptive

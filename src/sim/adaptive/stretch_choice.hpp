@@ -4,7 +4,6 @@
 #include "sim/adaptive/step_memory.hpp"
 #include "sim/forces/common_parameters.hpp"
 #include "sim/forces/local_rates.hpp"
-#include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/model_cache.hpp"
@@ -14,6 +13,15 @@
 
 namespace drape::sim::adaptive {
 
+/// Everything, apart from the model and the state, on which the stretch stiffness depends. It holds references and must
+/// not outlive what they refer to.
+struct StretchConditions {
+  const CommonParameters& parameters;
+  const AutoOptions& options;  ///< strainLimit must be above 0
+  bool meetsBodies = false;    ///< contact::meetsBodies
+  bool isAttached = false;     ///< an attachment acts
+};
+
 /// Chooses the stretch stiffness of a fabric.
 ///
 /// The weight of a garment stretches woven fabric by less than 0.1 %, which nobody sees, but the stretch stiffness
@@ -21,17 +29,17 @@ namespace drape::sim::adaptive {
 /// while the strain along warp and weft stays below AutoOptions::strainLimit. Shear, bending and mass keep their
 /// values.
 ///
-/// The strain under weight and wind is estimated for the first step. Then it is measured: it counts what contact, the
-/// attachment and inertia add. The stiffness rises as soon as the strain exceeds the limit. It falls after a time in
-/// which the strain stayed below half the limit. Strain that a higher stiffness does not reduce is imposed by a body,
-/// as by one that is wider than the garment. It does not count.
+/// The strain under weight and wind is estimated for the first step. Later steps measure the strain, which contact, the
+/// attachment and inertia also cause. The stiffness rises as soon as the strain exceeds the limit. It falls after a
+/// time in which the strain stayed below half the limit. A body can impose strain, for example one that is wider than
+/// the garment. A higher stiffness does not reduce imposed strain, so it does not count. The stiffness of cloth that
+/// sleeps does not change.
 class StretchChoice {
  public:
   /// The cloth for the next step: `model` itself, or a softer one. Updates the memory.
   /// @param model must have a fabric
-  [[nodiscard]] const ClothModel& choose(const ClothModel& model, const CommonParameters& parameters,
-                                         const AutoOptions& options, const StepInputs& inputs, const ClothState& state,
-                                         StepMemory& memory);
+  [[nodiscard]] const ClothModel& choose(const ClothModel& model, const StretchConditions& conditions,
+                                         const ClothState& state, StepMemory& memory);
 
   /// The factor on the stretch moduli at a level [-].
   [[nodiscard]] static double scaleOf(int level);
@@ -44,13 +52,11 @@ class StretchChoice {
   };
 
   [[nodiscard]] static const ClothModel& at(Levels& levels, const ClothModel& model, int level);
-  [[nodiscard]] static int firstLevel(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
-                                      const AutoOptions& options, const StepInputs& inputs);
-  [[nodiscard]] static bool gainsFromLower(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
-                                           const AutoOptions& options, const StepInputs& inputs, int level);
-  static void update(Levels& levels, const ClothModel& model, const CommonParameters& parameters,
-                     const AutoOptions& options, const StepInputs& inputs, double time, double speed,
-                     StretchMemory& memory);
+  [[nodiscard]] static int firstLevel(Levels& levels, const ClothModel& model, const StretchConditions& conditions);
+  [[nodiscard]] static bool gainsFromLower(Levels& levels, const ClothModel& model, const StretchConditions& conditions,
+                                           int level);
+  static void update(Levels& levels, const ClothModel& model, const StretchConditions& conditions, double time,
+                     double speed, StretchMemory& memory);
 
   ModelCache<Levels> levels_;
 };

@@ -148,30 +148,31 @@ struct AutoTuning {
 
   // Multiple time stepping of fabrics.
 
-  /// Longest time between two kicks by bending, as h omega of its highest frequency [-]. Larger: cheaper. Resonance
-  /// with the membrane then adds energy.
+  /// Longest time between two kicks by bending, times its highest angular frequency [-]. Larger: cheaper, but resonance
+  /// with the membrane can add energy.
   double maxBendingHOmega = 0.4;
   /// Longest time between two kicks by the air [s]. The air's force lags by half of it.
   double maxAirTime = 2.5e-4;
-  /// Bending and air act in one of at most so many substeps [-], an odd number.
+  /// Maximum number of substeps between two kicks by bending and air [-], odd.
   int maxSlowInterval = 15;
 
   // Stretch stiffness of fabrics.
 
-  /// The stretch stiffness is halved at most so many times [-].
+  /// Maximum number of halvings of the stretch stiffness [-].
   int maxStretchLevel = 12;
   /// A lower stretch stiffness is used if a step then takes less than this fraction of the force evaluations [-].
   /// Without shear and bending the fraction is 0.71.
   double minStretchGain = 0.93;
   /// Time between two measurements of the strain without an attachment [s]. Larger: cheaper, the stiffness rises later.
   double strainCheckInterval = 1.0 / 30.0;
-  /// The strain is measured again so long after the stiffness rose [s]: the time in which cloth settles.
+  /// Time from a rise of the stiffness to the check whether the strain is imposed [s]. Cloth settles in that time.
   double strainSettlingTime = 0.2;
-  /// The strain is imposed if more than this fraction of it is left after the stiffness rose at least twofold [-].
+  /// The strain is imposed if more than this fraction of it is left after a rise of the stiffness [-]. The stiffness
+  /// rises at least twofold.
   double imposedStrainFraction = 0.8;
-  /// The strain of cloth with a higher mean speed is not judged [m/s], since its loads change.
+  /// Strain counts as imposed only at a mean speed below this [m/s]. The loads of faster cloth change.
   double maxSpeedOfImposedStrain = 0.1;
-  /// The stiffness falls after so much time with a strain below half the limit [s]. Smaller: it rises and falls often.
+  /// Time with a strain below half the limit after which the stiffness falls [s]. Smaller: it rises and falls often.
   double strainCalmTime = 0.5;
 
   // Sleep detection.

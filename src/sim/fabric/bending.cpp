@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace drape::sim::fabric {
@@ -240,7 +238,7 @@ VertexMatrix matrixOf(const RestShape& shape, const Mat3& moments, const RowMatr
 
 /// The factor on the bending energy of one triangle, from its part of the half row sums.
 double bendingScaleOf(std::size_t triangle, const RestShape& shape, const Mat3& moments, const RowMatrix& curvatures,
-                      std::span<const double> areas, const RateLimit& limit) {
+                      const RateLimit& limit) {
   std::map<int, Vec3> columns;  // the curvature per displacement of each vertex [1/m^2]
   for (Eigen::Index i = 0; i < 3; ++i) {
     for (RowMatrix::InnerIterator entry(curvatures, 3 * static_cast<Eigen::Index>(triangle) + i); entry; ++entry) {
@@ -254,7 +252,7 @@ double bendingScaleOf(std::size_t triangle, const RestShape& shape, const Mat3& 
     for (const auto& [other, otherColumn] : columns) {
       sum += std::abs(column.dot(stiffness.cwiseProduct(otherColumn)));
     }
-    scale = std::min(scale, limit.scaleOf(0.5 * sum / areas[vertex]));
+    scale = std::min(scale, limit.scaleOf(0.5 * sum, static_cast<std::size_t>(vertex)));
   }
   return scale;
 }
@@ -282,12 +280,9 @@ ClampedBending clampedBendingMatrix(const RestShape& shape, const Material& mate
   const Mat3 moments = bendMatrix(material);
   const RowMatrix curvatures = curvatureMatrix(shape, moments, vertexAreas.size());
   ClampedBending clamped{matrixOf(shape, moments, curvatures, {}), {}};
-  const std::vector<double> areas = boundedAreas(vertexAreas);
-  std::vector<double> rates = halfRowSums(clamped.matrix);
-  std::ranges::transform(rates, areas, rates.begin(), std::divides<>());
-  const RateLimit limit(std::move(rates), maxBendingRatio);
+  const RateLimit limit(halfRowSums(clamped.matrix), vertexAreas, maxBendingRatio);
   for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
-    clamped.scales.push_back(bendingScaleOf(t, shape, moments, curvatures, areas, limit));
+    clamped.scales.push_back(bendingScaleOf(t, shape, moments, curvatures, limit));
   }
   if (std::ranges::any_of(clamped.scales, [](double scale) { return scale < 1.0; })) {
     clamped.matrix = matrixOf(shape, moments, curvatures, clamped.scales);

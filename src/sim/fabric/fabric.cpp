@@ -1,8 +1,8 @@
 #include "sim/fabric/fabric.hpp"
 
 #include "sim/fabric/rate_limit.hpp"
-#include "sim/fabric/stretch_scale.hpp"
 #include "sim/model/fingerprint.hpp"
+#include "sim/model/quantile.hpp"
 #include "sim/model/sim_error.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -66,14 +66,12 @@ std::vector<double> membraneStiffness(const ClothModel& model, std::span<const C
 /// Scales the stiffest triangles down to the RateLimit of the mesh.
 void clampMembrane(const ClothModel& model, Fabric& fabric) {
   const std::vector<CornerBlocks> blocks = cornerBlocks(fabric, model);
-  const std::vector<double> areas = boundedAreas(model.vertexArea);
-  std::vector<double> rates = membraneStiffness(model, blocks);
-  std::ranges::transform(rates, areas, rates.begin(), std::divides<>());
-  const RateLimit limit(std::move(rates), maxMembraneRatio);
+  const RateLimit limit(membraneStiffness(model, blocks), model.vertexArea, maxMembraneRatio);
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     double scale = 1.0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      scale = std::min(scale, limit.scaleOf(largestEigenvalue(blocks[t][corner]) / areas[model.triangles[t][corner]]));
+      scale = std::min(scale, limit.scaleOf(largestEigenvalue(blocks[t][corner]),
+                                            static_cast<std::size_t>(model.triangles[t][corner])));
     }
     fabric.membraneScales[t] *= scale;
   }
@@ -192,10 +190,7 @@ std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, doub
   return sim::withFabric(model, std::move(fabric), std::move(stiffness));
 }
 
-double stretchAlongYarns(const ClothModel& model, std::span<const Vec3> positions) {
-  if (model.triangles.empty()) {
-    return 0.0;
-  }
+double strainAlongYarns(const ClothModel& model, std::span<const Vec3> positions) {
   std::vector<double> strains;
   strains.reserve(model.triangles.size());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
@@ -203,10 +198,7 @@ double stretchAlongYarns(const ClothModel& model, std::span<const Vec3> position
     const Vec3 strain = membrane.strain(membrane.excess(cornersOf(model.triangles[t], positions)));
     strains.push_back(std::max({0.0, strain[0], strain[1]}));
   }
-  constexpr double fraction = 0.99;
-  const auto at = strains.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(strains.size() - 1));
-  std::nth_element(strains.begin(), at, strains.end());
-  return *at;
+  return quantileExceededBy(strains, 100);
 }
 
 Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions) {

@@ -50,6 +50,14 @@ struct Fabric {
 [[nodiscard]] std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Material& material,
                                                            std::span<const Vec3> warp);
 
+/// The same cloth with its stretch moduli and their stiffening multiplied by a factor. Shear, bending and mass are the
+/// same. @param model must have a fabric  @param scale above 0 [-]
+[[nodiscard]] std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, double scale);
+
+/// The strain along warp or weft that one triangle in 100 exceeds (Green's strain) [-]. Compression counts as 0.
+/// @param model must have a fabric
+[[nodiscard]] double strainAlongYarns(const ClothModel& model, std::span<const Vec3> positions);
+
 /// The corners of a triangle.
 [[nodiscard]] Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions);
 

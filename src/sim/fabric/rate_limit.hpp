@@ -1,35 +1,39 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace drape::sim::fabric {
 
 /// The limit on the local frequencies of a cloth. Without it a few slivers or tiny triangles would determine the time
-/// step of the whole cloth. On meshes of even quality no vertex reaches it.
+/// step of the whole cloth. On meshes of even quality no triangle reaches it.
 ///
 /// A rate is the largest stiffness at a vertex per area [N/m^3]. It is proportional to the square of the local
 /// frequency.
 class RateLimit {
  public:
-  /// The limit is the larger of `maxRatio` times the median, and of the rate that one vertex in 100 exceeds. A triangle
-  /// may have half of it, since several triangles meet at a vertex.
-  /// @param rates of all vertices
-  RateLimit(std::vector<double> rates, double maxRatio);
+  /// The limit is the larger of two rates: `maxRatio` times the median, and the rate that one vertex in 100 exceeds. A
+  /// triangle may have half of it, since several triangles meet at a vertex.
+  /// @param stiffness of all vertices [N/m]  @param vertexAreas of all vertices [m^2]
+  RateLimit(std::span<const double> stiffness, std::span<const double> vertexAreas, double maxRatio);
 
-  /// The factor on the stiffness of a triangle [-], at most 1. @param rate its own part of the rate at a vertex
-  [[nodiscard]] double scaleOf(double rate) const { return rate > limit_ ? limit_ / rate : 1.0; }
+  /// The factor that clamps a triangle's stiffness at one of its vertices [-], at most 1.
+  /// @param stiffness the triangle's part of the stiffness at the vertex [N/m]
+  [[nodiscard]] double scaleOf(double stiffness, std::size_t vertex) const {
+    const double rate = stiffness / areas_[vertex];
+    return rate > limit_ ? limit_ / rate : 1.0;
+  }
 
  private:
-  double limit_ = 0.0;  // of a triangle [N/m^3]
+  std::vector<double> areas_;  // with a lower bound for degenerate vertices [m^2]
+  double limit_ = 0.0;         // of a triangle [N/m^3]
 };
 
-/// `maxRatio` for the membrane, whose rate goes with the inverse square of a triangle's size, and for bending, with the
-/// inverse fourth power [-]. Meshes of even quality have at most 12.
+/// `maxRatio` for the membrane [-]. Its rate goes with the inverse square of a triangle's size. Meshes of even quality
+/// have at most 12.
 inline constexpr double maxMembraneRatio = 16.0;
+/// The same for bending, whose rate goes with the inverse fourth power of the size.
 inline constexpr double maxBendingRatio = maxMembraneRatio * maxMembraneRatio;
-
-/// The areas of vertices [m^2], with a lower bound for degenerate ones.
-[[nodiscard]] std::vector<double> boundedAreas(std::span<const double> vertexAreas);
 
 }  // namespace drape::sim::fabric

@@ -2,6 +2,7 @@
 
 #include "sim/fabric/fabric.hpp"
 #include "sim/model/local_frequency.hpp"
+#include "sim/model/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +11,6 @@
 
 namespace drape::sim {
 namespace {
-
-/// The largest value that at most one in `oneIn` values exceeds; 0 if there are no values. Reorders the values.
-double quantileExceededBy(std::vector<double>& values, std::size_t oneIn) {
-  if (values.empty()) {
-    return 0.0;
-  }
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() - 1 - (values.size() - 1) / oneIn);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 /// By the row sums of the bending matrix (fabric::halfRowSums).
 double bendingFrequencyOf(const ClothModel& model) {
@@ -46,9 +37,9 @@ LocalRates localRatesOf(const ClothModel& model) {
     }
   }
   rates.median = quantileExceededBy(free, 2);
-  rates.typical = model.fabric && !free.empty()
-                      ? std::accumulate(free.begin(), free.end(), 0.0) / static_cast<double>(free.size())
-                      : rates.median;
+  rates.heatingRate = model.fabric && !free.empty()
+                          ? std::accumulate(free.begin(), free.end(), 0.0) / static_cast<double>(free.size())
+                          : rates.median;
   rates.percentile99 = quantileExceededBy(free, 100);
   rates.dampingPercentile99 = quantileExceededBy(freeDamping, 100);
   rates.bendingFrequency = bendingFrequencyOf(model);

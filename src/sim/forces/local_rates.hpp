@@ -14,12 +14,12 @@ struct LocalRates {
   std::vector<double> frequencySquared;  ///< omega_i^2 / k [1/kg], one a vertex; 0 where pinned
   std::vector<double> damping;           ///< lambda_i / C_d [1/kg], one a vertex; 0 where pinned
   double median = 0.0;                   ///< of `frequencySquared` over the free vertices [1/kg]
-  /// Of `frequencySquared`, for the heating by rounding: the mean over the free vertices of a fabric, the median of
-  /// springs [1/kg]. Small triangles of a fabric gain more energy than most.
-  double typical = 0.0;
+  /// Of `frequencySquared`, for the heating by rounding [1/kg]: the mean over the free vertices of a fabric, the median
+  /// for springs. The mean counts the small triangles of a fabric, which gain the most energy.
+  double heatingRate = 0.0;
   double percentile99 = 0.0;         ///< of `frequencySquared`: one free vertex in 100 is faster [1/kg]
   double dampingPercentile99 = 0.0;  ///< of `damping` [1/kg]
-  double bendingFrequency = 0.0;     ///< the highest angular frequency of a fabric's bending, from above [1/s]
+  double bendingFrequency = 0.0;     ///< an upper bound of the angular frequencies of a fabric's bending [1/s]
   double diagonal = 0.0;             ///< of the rest shape [m]
   double mass = 0.0;                 ///< of the whole cloth [kg]
   double area = 0.0;                 ///< of the whole rest shape [m^2]

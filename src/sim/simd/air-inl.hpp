@@ -73,9 +73,9 @@ HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTe
 }
 
 /// Drag and lift (eqs. 18-20) [N]. They are limited to the force that stops the vertex relative to the air
-/// within the step, as in kernels::airForce. With w the velocity relative to the air, s = |w|, the unit normal n turned
-/// to face w, and q = n.w: drag = -K_D q w. As (n x u) x u = (q/s) u - n for u = w/s,
-/// lift = K_L s (s - q) ((q/s^2) w - n).
+/// within `timeStep`, as in kernels::airForce. With w the velocity relative to the air, s = |w|, the unit normal n
+/// turned to face w, and q = n.w: drag = -K_D q w. As (n x u) x u = (q/s) u - n for u = w/s, lift = K_L s (s - q)
+/// ((q/s^2) w - n).
 /// @param timeStep the time for which they act [s]  @param area see areaNormal  @param force of everything else [N]
 template <class D, typename T>
 HWY_INLINE Lanes3<D> airForce(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step, T timeStep,

@@ -99,8 +99,8 @@ struct SliceStep {
   /// Slope of the lift at zero incidence [kg/m^3] (kernels::liftRise). The lift is then implicit, so that it never
   /// changes the side of a vertex that faces the air (addAir). 0: eq. 19 as printed, which jumps at zero incidence.
   T liftRise = T(0);
-  /// Verlet with a fabric: the weight of bending and air in this kick [-]. They change slowly, so that they may act in
-  /// one kick of several, with their number as the weight. 0: they do not act.
+  /// Verlet with a fabric: the weight of bending and air in this kick [-]. In multiple time stepping they act in one of
+  /// several kicks, and the weight is the number of these kicks. 0: they do not act.
   T slowWeight = T(1);
   /// Verlet: stiffness scale of each spring [-], one number a slot and lane. Null: all are 1.
   const SliceNumbers<T>* stiffnessScales = nullptr;

@@ -19,16 +19,16 @@ struct alignas(64) SliceNumbers : std::array<T, sliceLanes> {};
 /// Each vertex evaluates the triangles at its corners. Each triangle is evaluated three times, and no thread writes
 /// another one's data. There are two forms.
 ///
-/// In slices whose lanes all have the same corners, as on a grid, many slices share their numbers. The vertex i with
-/// the ends j and k of two of its slots, whose offsets are a and b. Its forces need q of all three sides and the
-/// tensions of two:
+/// In slices whose lanes all have the same corners, as on a grid, many slices share their numbers. A corner is a vertex
+/// i with the neighbours j and k of two slots. The offsets to them are a and b. The force needs q of all three sides
+/// and the tensions of two:
 ///
 ///     q_a = (|a|^2 - A^2) / 2,  q_b alike,  q_c = q_a + q_b + A.B - a.b  (the side from j to k)
 ///     t_a = K_aa q_a + K_ac q_c + K_ab q_b,  t_b = K_ab q_a + K_bc q_c + K_bb q_b,  force += t_a a + t_b b
 ///
 /// A and B are a and b at rest.
 ///
-/// In all other slices the numbers of each triangle are its own, so there should be few of them. The triangles of a
+/// In all other slices each triangle has its own numbers, so a form with few numbers is faster. The triangles of a
 /// vertex are a fan: sectors between spokes. A spoke is the side to a neighbour. With the sides a and b of a sector,
 ///
 ///     f_1 = a_1 a + b_1 b,  f_2 = a_2 a + b_2 b  (the derivatives of x along warp and weft)
@@ -55,10 +55,10 @@ struct SlicedFabric {
       return std::tie(one.a, one.c, one.b, one.start) < std::tie(other.a, other.c, other.b, other.start);
     }
   };
-  /// One sector of the fans of a slice; 0 in lanes without it.
+  /// One sector of the fans of a slice; 0 in lanes without a triangle there.
   struct Sector {
     SliceNumbers<T> a1{}, a2{}, b1{}, b2{};  ///< the inverse of the sides at rest [1/m]
-    SliceNumbers<T> area{};  ///< times the clamping of the triangle [m^2]; negative if it lies from b to a
+    SliceNumbers<T> area{};  ///< of the triangle at rest times its clamping [m^2]; negative if its order is b, a
   };
   /// The same for all triangles.
   struct Moduli {

@@ -62,14 +62,19 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
   // So that no solver needs to ask which material acts.
   StepParameters acting = parameters;
   acting.material = actingMaterial(model, parameters);
-  return info_->choosesSubsteps ? advanceWithChosenStretch(model, acting, inputs, state)
-                                : advance(model, acting, inputs, state);
+  return info_->choosesSubsteps && parameters.automatic.strainLimit > 0.0
+             ? advanceWithChosenStretch(model, acting, inputs, state)
+             : advance(model, acting, inputs, state);
 }
 
 StepReport Stepper::advanceWithChosenStretch(const ClothModel& model, const StepParameters& parameters,
                                              const StepInputs& inputs, ClothState& state) {
   adaptive::StepMemory memory = adaptive::stepMemoryOf(state);
-  const ClothModel& chosen = stretch_.choose(model, parameters, parameters.automatic, inputs, state, memory);
+  const adaptive::StretchConditions conditions{.parameters = parameters,
+                                               .options = parameters.automatic,
+                                               .meetsBodies = contact::meetsBodies(parameters.contact, inputs),
+                                               .isAttached = inputs.attachment.has_value()};
+  const ClothModel& chosen = stretch_.choose(model, conditions, state, memory);
   const adaptive::StretchMemory choice = memory.stretch;
   adaptive::storeStepMemory(std::move(memory), state);
   StepReport report = advance(chosen, parameters, inputs, state);

@@ -82,6 +82,27 @@ TEST(StretchChoice, raisesTheStiffnessWithTheLoad) {
   EXPECT_LT(stepMemoryOf(state).stretch.level, before);
 }
 
+TEST(StretchChoice, keepsTheStiffnessOfClothThatSleeps) {
+  const auto model = hangingFabric();
+  StepParameters parameters = smallCostBudget();
+  parameters.automatic.costBudget = 1e5;
+  parameters.air.drag = 1.0;
+  parameters.gravity = 0.0;
+  Stepper stepper("auto");
+  ClothState state = stateAtRest(model->restPositions);
+  bool sleeps = false;
+  for (int i = 0; i < 120 && !sleeps; ++i) {
+    sleeps = stepper.step(*model, parameters, {}, state).choice->sleeping;
+  }
+  ASSERT_TRUE(sleeps);
+  parameters.automatic.costBudget = 0.2;  // moving cloth would become softer
+  for (int i = 0; i < 120; ++i) {
+    const StepReport report = stepper.step(*model, parameters, {}, state);
+    EXPECT_TRUE(report.choice->sleeping);
+    EXPECT_EQ(report.choice->stiffnessScale, 1.0);
+  }
+}
+
 TEST(StretchChoice, goesOnEquallyFromACopyOfTheState) {
   const auto model = hangingFabric();
   const StepParameters parameters = smallCostBudget();

@@ -23,11 +23,11 @@ std::shared_ptr<const ClothModel> sheetWithThinTriangles(const Material& materia
 TEST(RateLimit, leavesRatesBelowSixteenTimesTheMedianAlone) {
   std::vector<double> rates(200, 1.0);
   rates.back() = 1000.0;
-  const RateLimit limit(rates, 16.0);
-  EXPECT_EQ(limit.scaleOf(1.0), 1.0);
-  EXPECT_EQ(limit.scaleOf(8.0), 1.0);
-  EXPECT_LT(limit.scaleOf(8.1), 1.0);
-  EXPECT_DOUBLE_EQ(limit.scaleOf(80.0), 0.1);
+  const RateLimit limit(rates, std::vector<double>(200, 1.0), 16.0);
+  EXPECT_EQ(limit.scaleOf(1.0, 0), 1.0);
+  EXPECT_EQ(limit.scaleOf(8.0, 0), 1.0);
+  EXPECT_LT(limit.scaleOf(8.1, 0), 1.0);
+  EXPECT_DOUBLE_EQ(limit.scaleOf(80.0, 0), 0.1);
 }
 
 TEST(RateLimit, leavesTheFastestHundredthAloneOfAMeshWithManySizes) {
@@ -35,7 +35,7 @@ TEST(RateLimit, leavesTheFastestHundredthAloneOfAMeshWithManySizes) {
   for (int i = 0; i < 1000; ++i) {
     rates.push_back(i < 900 ? 1.0 : 100.0);
   }
-  EXPECT_EQ(RateLimit(rates, 16.0).scaleOf(50.0), 1.0);
+  EXPECT_EQ(RateLimit(rates, std::vector<double>(1000, 1.0), 16.0).scaleOf(50.0, 0), 1.0);
 }
 
 TEST(RateLimit, clampsNoTriangleOfAnEvenSheet) {

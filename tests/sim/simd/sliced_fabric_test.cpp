@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace drape::sim::simd {
 namespace {
@@ -94,6 +95,27 @@ TEST(SlicedFabric, findsTheEnergyOfTheReferenceImplementation) {
     const Energy expected = energyOf(*model, StepParameters{}, state);
     EXPECT_NEAR(energy, expected.elastic + expected.kinetic, 1e-10 * energy) << name;
   }
+}
+
+TEST(SlicedFabric, takesTrianglesThatFaceEitherSideAndEdgesOfThreeTriangles) {
+  ClothMesh mesh = renumbered(unevenSheet(15, 9), 4);
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  }
+  mesh.positions.emplace_back(mesh.positions[mesh.triangles[40][0]] + Vec3(0.0, 0.1, 0.0));
+  mesh.triangles.push_back({mesh.triangles[40][0], mesh.triangles[40][1], static_cast<int>(mesh.positions.size()) - 1});
+  const auto model = asFabric(*pinnedCloth(mesh), stiffeningFabric());
+  StepParameters parameters = windyStep();
+  parameters.timeStep = 1e-4;
+  parameters.precision = Precision::Double;
+  ClothState state = shaken(*model, 0.002, 5);
+  ClothState expected = state;
+  SlicedRun run;
+  run.verlet(*model, parameters, {}, 3, state);
+  for (int i = 0; i < 3; ++i) {
+    referenceStep(*model, parameters, expected);
+  }
+  EXPECT_LT(largestDifference(state, expected), 1e-10 * largestSpeed(expected));
 }
 
 TEST(SlicedFabric, conservesEnergyBelowTheStabilityLimit) {
