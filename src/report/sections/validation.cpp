@@ -60,8 +60,8 @@ void addErrors(const ReportRow& row, ErrorsByResolution& errors) {
   }
 }
 
-/// A curve a case: the largest error over the kinds of mesh. A cross and the word "off" mark a case whose error at the
-/// finest resolution exceeds the aim.
+/// One curve for each case: the largest error over the kinds of mesh. A cross and the word "off" mark a case whose
+/// error at the finest resolution exceeds the aim.
 Plot plotOf(const std::string& group, const ReportRows& rows) {
   Plot plot{"validation-" + group,
             "Errors of the cases: " + group,
@@ -92,7 +92,7 @@ Plot plotOf(const std::string& group, const ReportRows& rows) {
   return plot;
 }
 
-/// The quantity with its closed form, and what it is worth.
+/// One row for each case: the test, the quantity, its exact value and its unit.
 TextTable casesOf(const std::string& group, const ReportRows& rows) {
   TextTable table{"The cases: " + group, {"case", "test", "quantity", "exact", "unit"}, {}};
   std::string last;
@@ -114,23 +114,21 @@ TextTable resultsOf(const std::string& group, const ReportRows& rows) {
                   {}};
   for (const ReportRow& row : rows) {
     std::vector<std::string> figures(3, "");
-    std::string cells;
     for (std::size_t i = 0; i < row["results"].size() && i < figures.size(); ++i) {
       figures[i] = validation::figureOf(row, row["results"][i]);
-      cells += (cells.empty() ? "" : ", ") + std::to_string(row["results"][i].value("resolution", 0));
     }
     const bool passed = row.value("passed", false);
-    table.rows.push_back({row.value("name", ""), row.value("mesh", ""), cells, figures[0], figures[1], figures[2],
-                          validation::orderOf(row), validation::aimOf(row),
+    table.rows.push_back({row.value("name", ""), row.value("mesh", ""), validation::cellsOf(row), figures[0],
+                          figures[1], figures[2], validation::orderOf(row), validation::aimOf(row),
                           fmt::format("{:.2f}", validation::secondsOf(row)), passed ? "within the aim" : "off"});
     table.tones.push_back(passed ? Tone::None : Tone::Bad);
   }
   return table;
 }
 
-/// What is off by more than its aim, with what is known of why.
+/// The results whose error exceeds the aim, each with the known reason.
 TextTable offOf(const ReportRows& rows) {
-  TextTable table{"Beyond the aim", {"case", "mesh", "error", "aim", "what is known of why"}, {}};
+  TextTable table{"Beyond the aim", {"case", "mesh", "error", "aim", "known reason"}, {}};
   for (const ReportRow& row : rows) {
     if (!row.value("passed", false) && !row["results"].empty()) {
       const std::string reason = row.value("reason", "");

@@ -51,7 +51,7 @@ struct ValidationCase {
   double aim = 0.0;           ///< largest error in size at the finest resolution [-]
   Comparison (*run)(const CaseMesh&) = nullptr;
   std::array<int, 3> resolutions = validationResolutions;  ///< cells along the sheet, ascending
-  std::string_view reason = {};  ///< why its error exceeds the aim, as far as is known; empty where it does not
+  std::string_view reason = {};  ///< the known reason why its error exceeds the aim; empty if it does not
 };
 
 /// All cases.

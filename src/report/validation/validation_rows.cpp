@@ -28,14 +28,6 @@ std::string figuresOf(const ReportRow& row) {
   return text;
 }
 
-std::string cellsOf(const ReportRow& row) {
-  std::string text;
-  for (const ReportRow& result : row["results"]) {
-    text += (text.empty() ? "" : ", ") + std::to_string(result.value("resolution", 0));
-  }
-  return text;
-}
-
 }  // namespace
 
 ReportRow validationRow(const ValidationSeries& series) {
@@ -68,6 +60,14 @@ std::string figureOf(const ReportRow& row, const ReportRow& result) {
     return "none";
   }
   return isRange(row) ? fmt::format("{:.1f}", result.value("measured", 0.0)) : percent(result.value("error", 0.0), 3);
+}
+
+std::string cellsOf(const ReportRow& row) {
+  std::string text;
+  for (const ReportRow& result : row["results"]) {
+    text += (text.empty() ? "" : ", ") + std::to_string(result.value("resolution", 0));
+  }
+  return text;
 }
 
 std::string aimOf(const ReportRow& row) {

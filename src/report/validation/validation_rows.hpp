@@ -9,13 +9,16 @@ namespace drape::report::validation {
 
 /// The results of a case on one kind of mesh as a row of `validation`: `group`, `name`, `title`, `compared`, `unit`,
 /// `mesh`, `aim`, `exact` (for a range its lower end) and `upper` (null without a range), `results` (`resolution`,
-/// `measured`, `error`, `seconds`), `order` (null where there is none), `passed`, `reason` (why it is off, as far as is
-/// known).
+/// `measured`, `error`, `seconds`), `order` (null where there is none), `passed`, `reason` (the known reason why it is
+/// off).
 [[nodiscard]] ReportRow validationRow(const ValidationSeries& series);
 
 /// The error of one of the row's results: "0.134 %", or "none" if there is no equilibrium. For a range the measured
 /// quantity.
 [[nodiscard]] std::string figureOf(const ReportRow& row, const ReportRow& result);
+
+/// The resolutions of a row's results: "10, 20, 40".
+[[nodiscard]] std::string cellsOf(const ReportRow& row);
 
 /// The aim of a row: "1.0 %", or the range "20 to 40".
 [[nodiscard]] std::string aimOf(const ReportRow& row);
