@@ -59,7 +59,9 @@ Outcome report(const std::string& arguments) {
 }
 
 Outcome interruptedReport(int seconds, const std::string& arguments) {
-  return runProgram("timeout --preserve-status -s INT " + std::to_string(seconds) + " " DRAPE_REPORT, arguments);
+  // Without --foreground the program gets the signal twice, and a second interrupt ends it at once.
+  return runProgram("timeout --foreground --preserve-status -s INT " + std::to_string(seconds) + " " DRAPE_REPORT,
+                    arguments);
 }
 
 }  // namespace drape::app::testing
