@@ -383,6 +383,16 @@ const std::array table{
         "Bending stiffness of the fabric along the bias, at 45 degrees to warp. Must be at least a quarter of the sum of "
         "fabric.bend_warp and fabric.bend_weft.",
         {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.stretch_damping", "Damp stretch", "s", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.stretchDamping; }, 0.0, 1.0, true},
+        "Time constant of the damping of stretch and shear: a strain rate causes the stress of a strain of the rate "
+        "times this.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.bend_damping", "Damp bending", "s", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.moduli.bendDamping; }, 0.0, 1.0, true},
+        "Time constant of the damping of bending. A vibration of the angular frequency omega decays at the rate "
+        "omega^2 / 2 times this.",
+        {}, {}, SettingScope::Everywhere, usesFabric},
     SettingInfo{"fabric.warp_angle", "Warp angle", "degrees", Material, SettingEffect::Fabric,
         NumberField{[](auto& s) -> auto& { return s.fabric.warpAngle; }, -90.0, 90.0, false},
         "Angle by which warp is turned about the normal of the cloth. At 0 warp is vertical, or along x where the cloth "

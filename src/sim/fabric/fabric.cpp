@@ -32,13 +32,12 @@ Material stiffened(const Material& material) {
 
 using CornerBlocks = std::array<Mat3, 3>;
 
-/// The diagonal blocks of the stiffened membrane of each triangle at its corners [N/m].
-std::vector<CornerBlocks> cornerBlocks(const Fabric& fabric, const ClothModel& model) {
-  const Material steep = stiffened(fabric.material);
+/// The diagonal blocks of the membrane of each triangle at its corners [N/m].
+std::vector<CornerBlocks> cornerBlocks(const Fabric& fabric, const Material& material, const ClothModel& model) {
   std::vector<CornerBlocks> blocks;
   blocks.reserve(model.triangles.size());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    const Mat9 stiffness = MembraneTriangle(fabric.shape.triangles[t], steep, fabric.membraneScales[t])
+    const Mat9 stiffness = MembraneTriangle(fabric.shape.triangles[t], material, fabric.membraneScales[t])
                                .derivative(cornersOf(model.triangles[t], model.restPositions), ForceDerivative::Exact);
     blocks.push_back({stiffness.block<3, 3>(0, 0), stiffness.block<3, 3>(3, 3), stiffness.block<3, 3>(6, 6)});
   }
@@ -50,7 +49,7 @@ double largestEigenvalue(const Mat3& matrix) {
 }
 
 /// The largest stiffness of the membrane at each vertex [N/m].
-std::vector<double> membraneStiffness(const ClothModel& model, std::span<const CornerBlocks> blocks) {
+std::vector<double> sumAtVertices(const ClothModel& model, std::span<const CornerBlocks> blocks) {
   std::vector<Mat3> sums(model.restPositions.size(), Mat3::Zero());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -65,8 +64,8 @@ std::vector<double> membraneStiffness(const ClothModel& model, std::span<const C
 
 /// Scales the stiffest triangles down to the RateLimit of the mesh.
 void clampMembrane(const ClothModel& model, Fabric& fabric) {
-  const std::vector<CornerBlocks> blocks = cornerBlocks(fabric, model);
-  const RateLimit limit(membraneStiffness(model, blocks), model.vertexArea, maxMembraneRatio);
+  const std::vector<CornerBlocks> blocks = cornerBlocks(fabric, stiffened(fabric.material), model);
+  const RateLimit limit(sumAtVertices(model, blocks), model.vertexArea, maxMembraneRatio);
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     double scale = 1.0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -80,7 +79,7 @@ void clampMembrane(const ClothModel& model, Fabric& fabric) {
 /// The largest stiffness at each vertex [N/m]: the largest eigenvalue of its diagonal block of the stiffened membrane,
 /// plus half the row sum of the bending matrix, which exceeds the diagonal where the matrix is far from dominant.
 std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& model) {
-  std::vector<double> largest = membraneStiffness(model, cornerBlocks(fabric, model));
+  std::vector<double> largest = sumAtVertices(model, cornerBlocks(fabric, stiffened(fabric.material), model));
   if (fabric.bends()) {
     std::ranges::transform(largest, fabric.bendingHalfSums, largest.begin(), std::plus<>());
   }
@@ -199,6 +198,10 @@ double strainAlongYarns(const ClothModel& model, std::span<const Vec3> positions
     strains.push_back(std::max({0.0, strain[0], strain[1]}));
   }
   return quantileExceededBy(strains, 100);
+}
+
+std::vector<double> membraneStiffness(const ClothModel& model) {
+  return sumAtVertices(model, cornerBlocks(*model.fabric, model.fabric->material, model));
 }
 
 Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions) {

@@ -58,6 +58,10 @@ struct Fabric {
 /// @param model must have a fabric
 [[nodiscard]] double strainAlongYarns(const ClothModel& model, std::span<const Vec3> positions);
 
+/// The largest stiffness of the membrane at each vertex at rest, without stiffening [N/m].
+/// @param model must have a fabric
+[[nodiscard]] std::vector<double> membraneStiffness(const ClothModel& model);
+
 /// The corners of a triangle.
 [[nodiscard]] Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions);
 

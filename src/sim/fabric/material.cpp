@@ -27,9 +27,11 @@ bool isStable(const Material& material) {
                          std::abs(material.poisson) < 1.0;
   const bool stiffens =
       material.stiffeningWarp >= 0.0 && material.stiffeningWeft >= 0.0 && material.stiffeningStrain >= 0.0;
+  const bool damps = material.stretchDamping >= 0.0 && material.bendDamping >= 0.0 &&
+                     std::isfinite(material.stretchDamping) && std::isfinite(material.bendDamping);
   const bool finite = stretchMatrix(material).allFinite() && bendMatrix(material).allFinite() &&
                       std::isfinite(material.stiffeningWarp) && std::isfinite(material.stiffeningWeft);
-  return stretches && stiffens && finite && (bendMatrix(material).diagonal().array() >= 0.0).all();
+  return stretches && stiffens && damps && finite && (bendMatrix(material).diagonal().array() >= 0.0).all();
 }
 
 }  // namespace drape::sim::fabric

@@ -4,8 +4,8 @@
 
 namespace drape::sim::fabric {
 
-/// The elastic moduli of a fabric, an orthotropic sheet whose axes are warp and weft. All are per width of the fabric,
-/// so they contain its thickness.
+/// The elastic moduli and the damping of a fabric, an orthotropic sheet whose axes are warp and weft. The moduli are per
+/// width of the fabric, so they contain its thickness.
 struct Material {
   double stretchWarp = 2000.0;  ///< C_11: force per width and strain along warp, with no strain along weft [N/m]
   double stretchWeft = 2000.0;  ///< C_22: the same along weft [N/m]
@@ -23,7 +23,12 @@ struct Material {
   double bendWeft = 0.0;  ///< B_2: along weft [N m]
   double bendBias = 0.0;  ///< along the direction at 45 degrees between them [N m]
 
+  /// Damping (Kelvin and Voigt): the rate of a strain acts like a strain of the rate times this, without stiffening [s].
+  double stretchDamping = 0.0;
+  double bendDamping = 0.0;  ///< the same for the rate of bending [s]
+
   [[nodiscard]] bool stiffens() const { return stiffeningWarp > 0.0 || stiffeningWeft > 0.0; }
+  [[nodiscard]] bool damps() const { return stretchDamping > 0.0 || bendDamping > 0.0; }
 
   friend bool operator==(const Material&, const Material&) = default;
 };
@@ -40,8 +45,8 @@ struct Material {
 /// Whether the fabric resists bending.
 [[nodiscard]] bool resistsBending(const Material& material);
 
-/// Whether the energy is positive for every strain: C is positive definite, D is positive semidefinite, and no
-/// stiffening slope is negative. False if a modulus is not a finite number.
+/// Whether the energy is positive for every strain, and damping takes energy: C is positive definite, D is positive
+/// semidefinite, and no stiffening slope or damping time is negative. False if one of them is not a finite number.
 [[nodiscard]] bool isStable(const Material& material);
 
 }  // namespace drape::sim::fabric

@@ -83,10 +83,11 @@ double attachmentWork(const ClothModel& model, const Attachment& attachment, con
 
 void EnergyBalance::add(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                         const ClothState& before, const ClothState& after, const ClothState* unresolved,
-                        double earlierContact) {
+                        const WorkApart& apart) {
   const double end = energyOf(model, parameters, after).total();
   change_ += end - energyOf(model, parameters, before).total();
-  contact_ += earlierContact;
+  contact_ += apart.earlierContact;
+  damping_ += apart.fabricDamping;
   if (unresolved != nullptr) {
     contact_ += end - energyOf(model, parameters, *unresolved).total();
   }

@@ -7,6 +7,12 @@
 
 namespace drape::sim {
 
+/// Energy changes that do not follow from the state before and after a step [J].
+struct WorkApart {
+  double earlierContact = 0.0;  ///< by contact in the contact substeps before the last one
+  double fabricDamping = 0.0;   ///< by the damping of a fabric
+};
+
 /// The energy balance of a cloth over the added steps: the work of damping, air, attachment and contact, and the
 /// remainder, which is the error of the integrator. The work of a force f over a step from x0 to x1 is computed by the
 /// trapezoidal rule, (x1 - x0) . (f(0) + f(1)) / 2, for every method, so that methods are comparable. Pinned vertices
@@ -18,14 +24,14 @@ class EnergyBalance {
  public:
   /// Adds one step from `before` to `after`, with its `parameters` and `inputs`.
   /// @param unresolved the state before contact corrected it, or nullptr if it did not
-  /// @param earlierContact energy change by contact in the earlier contact substeps of the step [J]
+  /// @param apart what the stepper measured itself
   void add(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
            const ClothState& before, const ClothState& after, const ClothState* unresolved = nullptr,
-           double earlierContact = 0.0);
+           const WorkApart& apart = {});
 
   /// Change of kinetic + elastic + potential energy [J].
   [[nodiscard]] double change() const { return change_; }
-  /// Work of the springs' damping [J]; negative if it removes energy.
+  /// Work of the damping of springs or of a fabric [J]; negative if it removes energy.
   [[nodiscard]] double damping() const { return damping_; }
   /// Work of drag and lift [J]; of either sign in wind.
   [[nodiscard]] double air() const { return air_; }

@@ -1,6 +1,7 @@
 #include "sim/stepping/stepper.hpp"
 
 #include "sim/contact/bodies/body.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/forces/local_rates.hpp"
 #include "sim/forces/stability.hpp"
@@ -89,9 +90,26 @@ StepReport Stepper::advanceWithChosenStretch(const ClothModel& model, const Step
 StepReport Stepper::advance(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                             ClothState& state) {
   earlierContactWork_ = 0.0;
+  fabricDampingWork_ = 0.0;
+  if (model.fabric && model.fabric->material.damps()) {
+    dampFabric(model, parameters, inputs, state);
+  }
   contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state);
   return contactSubsteps_ == 1 ? stepWithContact(model, parameters, inputs, state)
                                : stepInContactSubsteps(model, parameters, inputs, contactSubsteps_, state);
+}
+
+void Stepper::dampFabric(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                         ClothState& state) {
+  planPins(model, inputs, state);
+  std::vector<simd::PinVelocity> pins;
+  for (const PinMotion& pin : pinMotions_) {
+    pins.push_back({pin.vertex, (pin.to - pin.from) / parameters.timeStep});
+  }
+  if (!damper_) {
+    damper_ = std::make_unique<simd::FabricDamper>();
+  }
+  fabricDampingWork_ = damper_->damp(model, parameters, pins, state);
 }
 
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,

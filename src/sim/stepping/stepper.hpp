@@ -5,6 +5,7 @@
 #include "sim/contact/contact_stage.hpp"
 #include "sim/model/model_cache.hpp"
 #include "sim/motion/momentum.hpp"
+#include "sim/simd/fabric_damper.hpp"
 #include "sim/solvers/solver.hpp"
 
 #include <memory>
@@ -23,6 +24,9 @@ namespace drape::sim {
 /// With `keepMomentum` the MomentumKeeper corrects every substep. Contact acts at the end of the step. Pins on a body
 /// move before every substep, evenly over the step. Solvers assume pins at rest, so they work in a frame that moves
 /// with the pins (MovingFrame).
+///
+/// The damping of a fabric acts at the start of the step (FabricDamper), for every solver. All else then starts from
+/// the damped velocities.
 ///
 /// Near bodies a step is divided into contact substeps of at most 1/300 s. Each has its own contact and its part of the
 /// substeps. A solver that chooses its substeps conserves energy: when springs pull cloth into a body or into itself
@@ -49,6 +53,8 @@ class Stepper {
   void keepContactWork(bool kept) { keepsContactWork_ = kept; }
   /// Energy change by contact in the contact substeps before the last one [J]; 0 if it is not measured.
   [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
+  /// Energy change by the damping of the fabric in the last step [J].
+  [[nodiscard]] double fabricDampingWork() const { return fabricDampingWork_; }
 
  private:
   /// The motion of a pin on a body over the step [m].
@@ -87,6 +93,10 @@ class Stepper {
   [[nodiscard]] double driftFraction(const StepParameters& parameters, const ClothState& state) const;
   [[nodiscard]] Integration integrationOf(const StepParameters& parameters) const;
 
+  /// Damps the fabric over the step.
+  void dampFabric(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                  ClothState& state);
+
   /// The cloth with the stretch stiffness that the solver chooses.
   StepReport advanceWithChosenStretch(const ClothModel& model, const StepParameters& parameters,
                                       const StepInputs& inputs, ClothState& state);
@@ -100,8 +110,10 @@ class Stepper {
   bool keepsContactWork_ = false;
   int contactSubsteps_ = 1;
   adaptive::StretchChoice stretch_;
+  std::unique_ptr<simd::FabricDamper> damper_;  // null until a fabric damps
   ModelCache<double> rate_;          // 99th percentile of omega^2 / k [1/kg]
   double earlierContactWork_ = 0.0;  // [J]
+  double fabricDampingWork_ = 0.0;   // [J]
   std::vector<PinMotion> pinMotions_;
 };
 

@@ -208,6 +208,33 @@ EnergyBalance verlet(int steps) {
   return balance;
 }
 
+TEST(EnergyBalance, countsTheDampingOfAFabricWithEverySolverThatTakesIt) {
+  fabric::Material material = testing::woven();
+  material.stretchDamping = 1e-3;
+  material.bendDamping = 1e-2;
+  const auto model = testing::asFabric(*testing::pinnedSheet(6), material);
+  StepParameters parameters;
+  parameters.timeStep = 2e-4;
+  for (const SolverInfo& info : solverTable()) {
+    if (!info.takesFabric) {
+      continue;
+    }
+    Stepper stepper(info.name);
+    ClothState state = testing::shaken(*model, 1e-3, 3);
+    const double start = energyOf(*model, parameters, state).total();
+    EnergyBalance balance;
+    for (int i = 0; i < 20; ++i) {
+      const ClothState before = state;
+      stepper.step(*model, parameters, {}, state);
+      balance.add(*model, parameters, {}, before, state, nullptr, {.fabricDamping = stepper.fabricDampingWork()});
+    }
+    EXPECT_LT(balance.damping(), -0.05 * start) << info.name;
+    if (info.name == "verlet") {
+      EXPECT_NEAR(balance.integrator(), 0.0, 0.02 * start);
+    }
+  }
+}
+
 TEST(EnergyBalance, ofVerletLeavesTheIntegratorAnErrorOfSecondOrder) {
   const EnergyBalance coarse = verlet(200);
   const EnergyBalance fine = verlet(400);

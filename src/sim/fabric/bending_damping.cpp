@@ -1,0 +1,136 @@
+#include "sim/fabric/bending_damping.hpp"
+
+#include "sim/fabric/fabric.hpp"
+#include "sim/model/mesh_topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape::sim::fabric {
+namespace {
+
+/// Below this radius of curvature [m] d_i is mainly the direction of Delta_i x, above it mainly the normal. The
+/// in-plane strain of flat cloth also causes a small Delta_i x, whose direction means nothing.
+constexpr double flatRadius = 1.0;
+
+/// Index of the spring between two vertices of a triangle.
+std::size_t springBetween(const ClothModel& model, int a, int b) {
+  const std::span<const SpringEnd> ends = model.springEnds[a];
+  return static_cast<std::size_t>(std::ranges::lower_bound(ends, b, {}, &SpringEnd::neighbour)->spring);
+}
+
+std::vector<double> weightsOf(const ClothModel& model) {
+  const Material& material = model.fabric->material;
+  const double warp = std::sqrt(material.bendWarp);
+  const double weft = std::sqrt(material.bendWeft);
+  std::vector<double> weights(model.springs.size(), 0.0);
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    const RestTriangle& rest = model.fabric->shape.triangles[t];
+    if (!(rest.area > 0.0)) {
+      continue;
+    }
+    const double scale = std::min(1.0, qualityOf(rest) / sliverQuality);
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The gradient of a corner's shape function is its opposite side, turned by a right angle, over twice the area.
+      const Vec2& first = rest.sides[(k + 1) % 3];
+      const Vec2& second = rest.sides[(k + 2) % 3];
+      const double product = warp * first.y() * second.y() + weft * first.x() * second.x();
+      const std::size_t edge = springBetween(model, model.triangles[t][k], model.triangles[t][(k + 1) % 3]);
+      weights[edge] -= scale * product / (4.0 * rest.area);
+    }
+  }
+  return weights;
+}
+
+/// Vertices of edges that do not have two triangles.
+std::vector<bool> boundaryVertices(const ClothModel& model) {
+  std::vector<bool> onBoundary(model.restPositions.size(), false);
+  const MeshEdges mesh = edgesOf(model.triangles, model.restPositions.size());
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    if (mesh.sides[e].size() != 2) {
+      onBoundary[mesh.edges[e].a] = onBoundary[mesh.edges[e].b] = true;
+    }
+  }
+  return onBoundary;
+}
+
+/// By the row sums of M^-1 Z.
+double highestRateOf(const ClothModel& model, const BendingDamping& damping) {
+  std::vector<double> rowSums(model.restPositions.size(), 0.0);  // of |Delta|
+  for (std::size_t s = 0; s < model.springs.size(); ++s) {
+    rowSums[model.springs[s].a] += 2.0 * std::abs(damping.weights[s]);
+    rowSums[model.springs[s].b] += 2.0 * std::abs(damping.weights[s]);
+  }
+  const auto partOf = [&](std::size_t vertex) { return rowSums[vertex] * damping.inverseAreas[vertex]; };
+  double highest = 0.0;
+  for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+    double sum = 0.0;
+    double diagonal = 0.0;
+    for (const SpringEnd& end : model.springEnds[v]) {
+      const double weight = std::abs(damping.weights[end.spring]);
+      sum += weight * partOf(static_cast<std::size_t>(end.neighbour));
+      diagonal += weight;
+    }
+    highest = std::max(highest, model.pinned[v] ? 0.0 : (sum + diagonal * partOf(v)) / model.vertexMass[v]);
+  }
+  return highest;
+}
+
+std::vector<Vec3> vertexNormals(const ClothModel& model, std::span<const Vec3> positions) {
+  std::vector<Vec3> normals(positions.size(), Vec3::Zero());
+  for (const auto& [a, b, c] : model.triangles) {
+    const Vec3 area = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+    normals[a] += area;
+    normals[b] += area;
+    normals[c] += area;
+  }
+  return normals;
+}
+
+}  // namespace
+
+BendingDamping bendingDampingOf(const ClothModel& model) {
+  BendingDamping damping;
+  damping.weights = weightsOf(model);
+  const std::vector<bool> onBoundary = boundaryVertices(model);
+  for (std::size_t v = 0; v < onBoundary.size(); ++v) {
+    const bool counts = !onBoundary[v] && model.vertexArea[v] > 0.0;
+    damping.inverseAreas.push_back(counts ? 1.0 / model.vertexArea[v] : 0.0);
+  }
+  damping.highestRate = highestRateOf(model, damping);
+  return damping;
+}
+
+std::vector<Vec3> weightedLaplacian(const ClothModel& model, const BendingDamping& damping,
+                                    std::span<const Vec3> vectors) {
+  std::vector<Vec3> sums(vectors.size(), Vec3::Zero());
+  for (std::size_t s = 0; s < model.springs.size(); ++s) {
+    const auto& spring = model.springs[s];
+    const Vec3 part = damping.weights[s] * (vectors[spring.b] - vectors[spring.a]);
+    sums[spring.a] += part;
+    sums[spring.b] -= part;
+  }
+  return sums;
+}
+
+std::vector<Vec3> bendingDirections(const ClothModel& model, const BendingDamping& damping,
+                                    std::span<const Vec3> positions) {
+  const Material& material = model.fabric->material;
+  const double unit = std::sqrt(std::max(material.bendWarp, material.bendWeft));
+  const std::vector<Vec3> curvatures = weightedLaplacian(model, damping, positions);
+  std::vector<Vec3> directions = vertexNormals(model, positions);
+  for (std::size_t v = 0; v < directions.size(); ++v) {
+    Vec3& direction = directions[v];
+    if (damping.inverseAreas[v] == 0.0 || !(direction.squaredNorm() > 0.0)) {
+      direction.setZero();
+      continue;
+    }
+    direction.normalize();
+    const Vec3 curvature = flatRadius * damping.inverseAreas[v] / unit * curvatures[v];
+    direction += curvature.dot(direction) < 0.0 ? Vec3(-curvature) : curvature;
+    direction.normalize();
+  }
+  return directions;
+}
+
+}  // namespace drape::sim::fabric

@@ -1,0 +1,207 @@
+#include "sim/simd/fabric_damper.hpp"
+
+#include "sim/fabric/fabric.hpp"
+
+#include <algorithm>
+
+namespace drape::sim::simd {
+namespace {
+
+/// The stages do not damp rates at their limit, and stretched cloth has higher rates than its rest shape.
+constexpr double rateMargin = 1.25;
+
+/// Cloth that is stretched further gets as many times the stages at most.
+constexpr int maxRefinement = 8;
+
+/// Rounding may raise the kinetic energy by this fraction.
+constexpr double roundingGain = 1e-5;
+
+double kineticEnergy(const ClothModel& model, const ClothState& state) {
+  double energy = 0.0;
+  for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+    energy += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
+  }
+  return energy;
+}
+
+bool isAtRest(std::span<const PinVelocity> pins, const ClothState& state) {
+  const auto rests = [](const Vec3& velocity) { return velocity.isZero(0.0); };
+  return std::ranges::all_of(state.velocities, rests) && std::ranges::all_of(pins, rests, &PinVelocity::velocity);
+}
+
+/// Largest 2 k_i / m_i of the free vertices [1/s^2]: an upper estimate of the highest frequency squared.
+double highestRate(const ClothModel& model, std::span<const double> stiffness) {
+  double highest = 0.0;
+  for (std::size_t v = 0; v < stiffness.size(); ++v) {
+    highest = std::max(highest, model.pinned[v] ? 0.0 : 2.0 * stiffness[v] / model.vertexMass[v]);
+  }
+  return highest;
+}
+
+/// The stages for a damping time over a time step, and the time that they allow.
+template <typename T>
+DampingRun<T> runOf(DampedPart part, double timeStep, double dampingTime, double rate) {
+  const double number = rateMargin * timeStep * dampingTime * rate;
+  constexpr double stagesAllow = FabricDamper::maxStages * (FabricDamper::maxStages + 1.0);
+  const double allowed = std::min(1.0, stagesAllow / number);
+  return {.part = part,
+          .timedDamping = static_cast<T>(allowed * timeStep * dampingTime),
+          .stages = dampingStages(allowed * number)};
+}
+
+/// Adds the change of the velocities that one thread computed. In double, because a velocity that does not change
+/// must keep its bits.
+template <typename T>
+void addChange(const ClothModel& model, const SlicedCloth<T>& cloth, const StepShare& share, ClothState& state) {
+  const int end = std::min(share.end * sliceLanes, cloth.layout.vertices);
+  for (int index = share.begin * sliceLanes; index < end; ++index) {
+    const auto vertex = static_cast<std::size_t>(cloth.layout.order[index]);
+    if (model.pinned[vertex]) {
+      continue;
+    }
+    Vec3& velocity = state.velocities[vertex];
+    const Vec3 before = velocity.template cast<T>().template cast<double>();
+    const Vec3 after = Eigen::Matrix<T, 3, 1>(cloth.velocity.x.data()[index], cloth.velocity.y.data()[index],
+                                              cloth.velocity.z.data()[index])
+                           .template cast<double>();
+    velocity += after - before;
+  }
+}
+
+/// The weights of the springs in the slots of a layout.
+template <typename T>
+std::vector<SliceNumbers<T>> slotWeights(const ClothModel& model, const SlicedCloth<T>& cloth,
+                                         std::span<const double> weights) {
+  const SliceLayout& layout = cloth.layout;
+  std::vector<SliceNumbers<T>> slots(layout.slots.size());
+  for (int index = 0; index < layout.vertices; ++index) {
+    const int slice = index / sliceLanes;
+    const int lane = index % sliceLanes;
+    const std::span<const SpringEnd> ends = model.springEnds[layout.order[index]];
+    for (int s = layout.slotBegin[slice]; s < layout.slotBegin[slice + 1]; ++s) {
+      const auto slot = static_cast<std::size_t>(s);
+      if (cloth.restLength[slot][lane] < T(0)) {
+        continue;
+      }
+      const int table = layout.slots[slot].table;
+      const int neighbour =
+          layout.order[table < 0 ? layout.slots[slot].first + lane : layout.neighbourTables[table][lane]];
+      const auto end = std::ranges::lower_bound(ends, neighbour, {}, &SpringEnd::neighbour);
+      slots[slot][lane] = static_cast<T>(weights[end->spring]);
+    }
+  }
+  return slots;
+}
+
+/// The damping of bending, with directions that are still to be set.
+template <typename T>
+SlicedBendingDamping<T> slicedBending(const ClothModel& model, const fabric::BendingDamping& damping,
+                                      const SlicedCloth<T>& cloth) {
+  const int slices = cloth.layout.slices();
+  SlicedBendingDamping<T> bending;
+  bending.weights = slotWeights(model, cloth, damping.weights);
+  bending.inverseAreas.resize(slices);
+  bending.directions.resize(slices, false);
+  bending.rates.resize(slices, cloth.layout.irregular());
+  for (int index = 0; index < cloth.layout.vertices; ++index) {
+    bending.inverseAreas.data()[index] = static_cast<T>(damping.inverseAreas[cloth.layout.order[index]]);
+  }
+  return bending;
+}
+
+template <typename T>
+void setDirections(const SliceLayout& layout, std::span<const Vec3> directions, LaneVectors<T>& lanes) {
+  for (int index = 0; index < layout.vertices; ++index) {
+    const Eigen::Matrix<T, 3, 1> own = directions[layout.order[index]].template cast<T>();
+    lanes.set(static_cast<std::size_t>(index), own.x(), own.y(), own.z());
+  }
+}
+
+}  // namespace
+
+FabricDamper::Constants FabricDamper::constantsOf(const ClothModel& model) {
+  Constants constants{.membraneRate = highestRate(model, fabric::membraneStiffness(model)), .bending = std::nullopt};
+  if (model.fabric->bends() && model.fabric->material.bendDamping > 0.0) {
+    constants.bending = fabric::bendingDampingOf(model);
+  }
+  return constants;
+}
+
+template <typename T>
+std::vector<DampingRun<T>> FabricDamper::runsOf(const ClothModel& model, const Constants& constants, double timeStep,
+                                                const ClothState& state, Sliced<T>& sliced) {
+  const fabric::Material& material = model.fabric->material;
+  std::vector<DampingRun<T>> runs;
+  if (material.stretchDamping > 0.0) {
+    runs.push_back(runOf<T>(DampedPart::Membrane, timeStep, material.stretchDamping, constants.membraneRate));
+  }
+  if (constants.bending) {
+    const SlicedCloth<T>& cloth = sliced.cloths.get(model);
+    SlicedBendingDamping<T>& bending =
+        sliced.bending.get(model, [&](const ClothModel& own) { return slicedBending(own, *constants.bending, cloth); });
+    setDirections(cloth.layout, fabric::bendingDirections(model, *constants.bending, state.positions),
+                  bending.directions);
+    runs.push_back(runOf<T>(DampedPart::Bending, timeStep, material.bendDamping, constants.bending->highestRate));
+    runs.back().bending = &bending;
+  }
+  return runs;
+}
+
+double FabricDamper::damp(const ClothModel& model, const CommonParameters& parameters,
+                          std::span<const PinVelocity> pins, ClothState& state) {
+  if (!model.fabric->material.damps() || isAtRest(pins, state)) {
+    return 0.0;
+  }
+  const double energy = kineticEnergy(model, state);
+  before_ = state.velocities;
+  for (int refinement = 1;; refinement *= 2) {
+    if (parameters.precision == Precision::Float) {
+      run(model, parameters, refinement, pins, single_, state);
+    } else {
+      run(model, parameters, refinement, pins, double_, state);
+    }
+    const double change = kineticEnergy(model, state) - energy;
+    // Pins that move can add energy.
+    if (change <= roundingGain * energy || !pins.empty() || refinement >= maxRefinement) {
+      return change;
+    }
+    state.velocities = before_;
+  }
+}
+
+template <typename T>
+void FabricDamper::run(const ClothModel& model, const CommonParameters& parameters, int refinement,
+                       std::span<const PinVelocity> pins, Sliced<T>& sliced, ClothState& state) {
+  const Constants& constants = constants_.get(model, constantsOf);
+  SlicedCloth<T>& cloth = sliced.cloths.get(model);
+  std::vector<DampingRun<T>> runs = runsOf(model, constants, parameters.timeStep, state, sliced);
+  for (DampingRun<T>& run : runs) {
+    run.stages *= refinement;
+  }
+  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  team_.run(threads, [&](int member) {
+    const StepShare share = shareOf(cloth.layout, 1, member, threads);
+    cloth.load(state, share);
+    for (const auto& [vertex, velocity] : pins) {
+      const int index = cloth.layout.indexOf[vertex];
+      if (share.contains(index)) {
+        const Eigen::Matrix<T, 3, 1> own = velocity.template cast<T>();
+        cloth.velocity.set(static_cast<std::size_t>(index), own.x(), own.y(), own.z());
+      }
+    }
+    team_.arriveAndWait();
+    for (const DampingRun<T>& run : runs) {
+      for (int stage = 1; stage <= run.stages; ++stage) {
+        if (run.part == DampedPart::Bending) {
+          bendingRates(cloth, run, stage, share);
+          team_.arriveAndWait();
+        }
+        dampingStage(cloth, run, stage, share);
+        team_.arriveAndWait();
+      }
+    }
+    addChange(model, cloth, share, state);
+  });
+}
+
+}  // namespace drape::sim::simd
