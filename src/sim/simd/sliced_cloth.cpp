@@ -119,6 +119,12 @@ void SlicedCloth<T>::load(const ClothState& state, const StepShare& share) {
   const IndexRange range(layout, share);
   scatter(layout, range, state.positions, position);
   scatter(layout, range, state.velocities, velocity);
+  // A step that became unstable may have left NaN in the lanes beyond the last vertex, where 0 times NaN spreads it.
+  for (int index = std::max(layout.vertices, share.begin * sliceLanes); index < share.end * sliceLanes; ++index) {
+    for (LaneVectors<T>* vectors : {&position, &velocity, &start}) {
+      vectors->set(static_cast<std::size_t>(index), T(0), T(0), T(0));
+    }
+  }
   // Pinned vertices need zero velocity: a velocity from before they were pinned would move them.
   for (const int index : pinned) {
     if (share.contains(index)) {

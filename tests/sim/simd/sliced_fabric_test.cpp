@@ -133,6 +133,26 @@ TEST(SlicedFabric, conservesEnergyBelowTheStabilityLimit) {
   EXPECT_LT(worst, 0.02 * std::abs(start));
 }
 
+TEST(SlicedFabric, keepsNothingOfAnUnstableStep) {
+  const auto model = asFabric(*pinnedCloth(unevenSheet(15, 3)), woven());
+  const ClothState start = shaken(*model, 0.002, 5);
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    StepParameters parameters;
+    parameters.precision = precision;
+    SlicedRun run;
+    ClothState unstable = start;
+    parameters.timeStep = 1.0;
+    run.verlet(*model, parameters, {}, 50, unstable);
+    EXPECT_FALSE(isFinite(unstable));
+    parameters.timeStep = 1e-4;
+    ClothState after = start;
+    run.verlet(*model, parameters, {}, 10, after);
+    ClothState fresh = start;
+    SlicedRun().verlet(*model, parameters, {}, 10, fresh);
+    EXPECT_EQ(after.positions, fresh.positions);
+  }
+}
+
 TEST(SlicedFabric, isBuiltAnewForAnotherMaterialAndForSprings) {
   const auto springs = pinnedCloth(sheet(9));
   const ClothState start = shaken(*springs, 0.002, 5);
