@@ -37,11 +37,11 @@ std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& mod
 }
 
 std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model, const settings::Settings& settings) {
-  std::shared_ptr<const sim::ClothModel> changed = withElasticity(model, settings);
-  if (changed.get() == &model) {
-    return changed;
+  if (!settings::usesFabric(settings) && !model.fabric) {
+    return model.shared_from_this();
   }
-  return sim::withMass(*changed, totalMassOf(settings, model.restArea()), lumpingOf(settings));
+  const auto weighed = sim::withMass(model, totalMassOf(settings, model.restArea()), lumpingOf(settings));
+  return withElasticity(*weighed, settings);
 }
 
 }  // namespace drape::scene

@@ -195,6 +195,7 @@ void Simulation::on(const SetSettingCommand& command) {
   requireSolversForMaterial(changed);
   if (info.effect == settings::SettingEffect::Mass) {
     model_ = sim::withMass(*model_, scene::totalMassOf(changed, model_->restArea()), scene::lumpingOf(changed));
+    model_ = scene::withElasticity(*model_, changed);  // a fabric's highest frequency depends on the masses
   } else if (info.effect == settings::SettingEffect::Fabric) {
     model_ = scene::withMaterial(*model_, changed);
   }

@@ -4,8 +4,8 @@
 
 namespace drape::sim::fabric {
 
-/// The elastic moduli and the damping of a fabric, an orthotropic sheet whose axes are warp and weft. The moduli are per
-/// width of the fabric, so they contain its thickness.
+/// The elastic moduli and the damping of a fabric, an orthotropic sheet whose axes are warp and weft. The moduli are
+/// per width of the fabric, so they contain its thickness.
 struct Material {
   double stretchWarp = 2000.0;  ///< C_11: force per width and strain along warp, with no strain along weft [N/m]
   double stretchWeft = 2000.0;  ///< C_22: the same along weft [N/m]
@@ -23,7 +23,8 @@ struct Material {
   double bendWeft = 0.0;  ///< B_2: along weft [N m]
   double bendBias = 0.0;  ///< along the direction at 45 degrees between them [N m]
 
-  /// Damping (Kelvin and Voigt): the rate of a strain acts like a strain of the rate times this, without stiffening [s].
+  /// Damping (Kelvin and Voigt): the rate of a strain acts like a strain of the rate times this, without stiffening
+  /// [s].
   double stretchDamping = 0.0;
   double bendDamping = 0.0;  ///< the same for the rate of bending [s]
 
