@@ -112,6 +112,10 @@ bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, 
                          tuning.maxRemovedEnergy * referenceEnergy(energy.start, 1.0)) {
     return true;
   }
+  // In an unstable step velocities alternate in sign, and v.v' becomes negative without bound.
+  if (growth < -referenceEnergy(energy.first, 1.0) - work) {
+    return true;
+  }
   if (growth <= 0.0) {
     memory.schemeEnergyDrift = std::max(0.0, memory.schemeEnergyDrift + growth);
     return false;

@@ -137,6 +137,12 @@ TEST_F(DecidingOnAStep, refusesAnEnergyThatIsNotFinite) {
   EXPECT_FALSE(guard.hasGrown(growth(0.0, 0.0), 0.0, false, memory));
 }
 
+TEST_F(DecidingOnAStep, refusesALossOfMoreEnergyThanThereIs) {
+  EXPECT_TRUE(guard.hasGrown(growth(-1e277, 0.0), 0.0, false, memory));
+  EXPECT_TRUE(guard.hasGrown(growth(-10.0 * fall, 0.0), 0.0, false, memory));
+  EXPECT_FALSE(guard.hasGrown(growth(-0.5 * fall, 0.0), 0.0, false, memory));
+}
+
 TEST_F(DecidingOnAStep, sumsTheGrowthOfTheSchemesEnergyAndRefusesTheStepThatExceedsTheLimit) {
   const StepEnergy grown = growth(0.6 * schemeLimit(tuning.maxSchemeDrift), 0.0);
   EXPECT_FALSE(guard.hasGrown(grown, 0.0, false, memory));
