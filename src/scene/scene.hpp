@@ -155,7 +155,8 @@ struct SceneInfo {
 [[nodiscard]] std::vector<SceneInfo> sceneList();
 
 /// Reads a built-in scene ("flag"), a scene file ("mine.toml") or a mesh file ("shirt.obj"). Throws InputError.
-[[nodiscard]] SceneDescription openScene(const std::string& nameOrPath);
+/// @param own the user's fabrics, which the settings of the scene may name
+[[nodiscard]] SceneDescription openScene(const std::string& nameOrPath, const settings::OwnFabrics& own = {});
 
 /// Builds mesh, model and start from a description with these settings. Throws InputError, and Cancelled when the watch
 /// cancels.

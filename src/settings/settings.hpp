@@ -1,5 +1,6 @@
 #pragma once
 
+#include "settings/own_fabrics.hpp"
 #include "sim/fabric/material.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/solvers/step_parameters.hpp"
@@ -39,6 +40,8 @@ struct Settings {
     sim::fabric::Material moduli;
     double density = 0.0;    ///< [kg/m^2]
     bool ownDensity = true;  ///< whether `density` counts instead of that of Material
+    std::string preset = {};  ///< the fabric that was chosen last, whose values may be changed since; empty: none
+    OwnFabrics own;           ///< the user's fabrics, and those of the scene file
     double warpAngle = 0.0;  ///< by which warp is turned from the vertical, in the plane of each triangle [degrees]
   } fabric;
 

@@ -10,6 +10,7 @@
 #include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
 #include "session/simulation.hpp"
+#include "settings/settings_table.hpp"
 #include "sim/forces/diagnostics.hpp"
 
 #include <fmt/core.h>
@@ -63,6 +64,13 @@ void printStabilityLimit(const nlohmann::ordered_json& limit) {
   }
 }
 
+/// Prints the name of the fabric, and of what it consists. Prints nothing for springs.
+void printFabric(const session::Simulation& simulation) {
+  if (simulation.model().fabric) {
+    std::cout << "fabric: " << settings::fabricTitle(simulation.settings()) << '\n';
+  }
+}
+
 void printSummary(const session::Simulation& simulation, const nlohmann::ordered_json& json) {
   printMesh(simulation.scene());
   std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
@@ -72,6 +80,7 @@ void printSummary(const session::Simulation& simulation, const nlohmann::ordered
                            json["step_us"]["median"].get<double>(),
                            sim::maxStretch(simulation.model(), simulation.state()),
                            json["state_hash"].get<std::string>());
+  printFabric(simulation);
   printStabilityLimit(json["stability_limit"]);
 }
 
@@ -198,7 +207,8 @@ void addRunCommand(CLI::App& app) {
       ->check(notEmpty())
       ->excludes(seconds)
       ->excludes("scene")
-      ->excludes("--set");
+      ->excludes("--set")
+      ->excludes("--fabrics");
   command->add_option("--threads", arguments->threads,
                       "Maximum number of threads of a step; the result does not depend on it");
   command->add_option("--stats", arguments->stats, "Write the statistics of the run to this file (JSON)")
