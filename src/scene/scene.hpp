@@ -2,6 +2,7 @@
 
 #include "io/mesh_import.hpp"
 #include "scene/mesh_reading.hpp"
+#include "scene/pattern_uvs.hpp"
 #include "settings/settings.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/model/cloth_model.hpp"
@@ -134,6 +135,7 @@ struct Scene {
   std::shared_ptr<const sim::ClothModel> model;
   sim::ClothState start;
   io::RenderMesh renderMesh;
+  PatternUvs uvs;  ///< of the render mesh
   io::MeshSummary summary;
   std::optional<MeshReading> reading;  ///< of a mesh file that is not built in
   std::optional<Advice> pinAdvice;     ///< when the pins fix all vertices or none

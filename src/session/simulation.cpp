@@ -211,7 +211,7 @@ void Simulation::useSettings(settings::Settings changed, settings::SettingEffect
   if (effect == settings::SettingEffect::Mass) {
     model_ = sim::withMass(*model_, scene::totalMassOf(changed, model_->restArea()), scene::lumpingOf(changed));
   } else if (effect == settings::SettingEffect::Fabric) {
-    model_ = scene::withMaterial(*model_, changed);
+    model_ = scene::withMaterial(*model_, changed, scene_->uvs);
   }
   settings_ = std::move(changed);
   useSolvers();

@@ -158,6 +158,11 @@ constexpr std::array materialModels{
     TextWord{"springs", {"Springs", "The paper's: every edge of the mesh is a spring."}},
     TextWord{"fabric", {"Fabric", "A sheet that resists stretch, shear and bending along warp and weft."}}};
 
+constexpr std::array warpSources{
+    TextWord{"auto", {"Automatic", "Along V of the texture coordinates where they are a flat pattern, else vertical."}},
+    TextWord{"vertical", {"Vertical", "The vertical of the rest shape, along each triangle."}},
+    TextWord{"uv", {"UVs", "Along V of the mesh's texture coordinates."}}};
+
 std::vector<std::string> fabricNames() {
   std::vector<std::string> names;
   for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
@@ -421,10 +426,16 @@ const std::array table{
         "Bending stiffness of the fabric along the bias, at 45 degrees to warp. Must be at least a quarter of the sum of "
         "fabric.bend_warp and fabric.bend_weft.",
         {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.warp_from", "Warp from", "-", Material, SettingEffect::Fabric,
+        textOf<[](auto& s) -> auto& { return s.fabric.warpFrom; }>(wordsIn<warpSources>, labelIn<warpSources>),
+        "Where warp runs before fabric.warp_angle turns it. uv: along V of the mesh's texture coordinates (UVs), which "
+        "must be neither degenerate nor mirrored. vertical: vertical at rest, or along x where the cloth is level. "
+        "auto: uv where the UVs are a flat pattern, stretched by less than 1.5 nearly everywhere; else vertical.",
+        {}, {}, SettingScope::Everywhere, namesFabric},
     SettingInfo{"fabric.warp_angle", "Warp angle", "degrees", Material, SettingEffect::Fabric,
         NumberField{[](auto& s) -> auto& { return s.fabric.warpAngle; }, -90.0, 90.0, false},
-        "Angle by which warp is turned about the normal of the cloth. At 0 warp is vertical, or along x where the cloth "
-        "is level at rest. 45 is cut on the bias.",
+        "Angle by which warp is turned about the normal of the cloth from its direction by fabric.warp_from. 45 is cut on "
+        "the bias.",
         {}, {}, SettingScope::Everywhere, namesFabric},
     SettingInfo{"fabric.own_density", "Own density", "-", Material, SettingEffect::Mass,
         FlagField{[](auto& s) -> auto& { return s.fabric.ownDensity; }},
