@@ -3,6 +3,7 @@
 #include "app/progress_line.hpp"
 #include "app/standard_streams.hpp"
 #include "messages/sim_error_text.hpp"
+#include "scene/cloth_material.hpp"
 #include "settings/settings_table.hpp"
 
 #include <cmath>
@@ -59,6 +60,9 @@ void printNotes(const scene::Scene& scene) {
       options += options.find(option) != std::string::npos ? "" : (options.empty() ? "" : ", ") + option + other.value;
     }
     std::cerr << "note: " << scene::inWords(*scene.reading) << " To change it: " << options << '\n';
+  }
+  if (const std::string note = scene::warpNote(scene.uvs, scene.settings); !note.empty()) {
+    std::cerr << "note: " << note << '\n';
   }
   if (scene.pinAdvice) {
     std::cerr << "warning: " << scene.pinAdvice->text << " Use --set " << scene.pinAdvice->key << '='

@@ -1,4 +1,6 @@
 #include "messages/error.hpp"
+#include "scene/cloth_material.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "ui/panels.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
@@ -36,6 +38,21 @@ void requestSave(PanelContext& context, Place place) {
   }
   context.output.requests.emplace_back(SaveFabricRequest{std::move(fabric), place});
   context.memory.fabricName.clear();
+}
+
+/// Where warp comes from, and the triangles whose stiffness is clamped.
+void fabricRows(PanelContext& context) {
+  const session::Snapshot& snapshot = context.snapshot;
+  factRow(context, "Warp", scene::warpInWords(snapshot.scene->uvs, context.settings));
+  if (const std::string note = scene::warpNote(snapshot.scene->uvs, context.settings); !note.empty()) {
+    mutedText("Note: " + note + ".", palette().warning);
+  }
+  if (snapshot.model->fabric && snapshot.model->fabric->slivers > 0) {
+    factRow(context, "Slivers",
+            text::formatCount(snapshot.model->fabric->slivers) + " of " +
+                text::formatCount(static_cast<int>(snapshot.model->triangles.size())) +
+                " triangles have a lowered stiffness");
+  }
 }
 
 /// A field for a name, and buttons that save the fabric under it.
@@ -81,6 +98,7 @@ void materialRows(PanelContext& context) {
     valueRow(context, "Density", text::formatQuantity(mass / area, "kg/m\u00B2"));
   }
   if (settings::usesFabric(context.settings)) {
+    fabricRows(context);
     saveFabricRow(context);
   }
 }

@@ -65,7 +65,7 @@ Json scenesAsJson() {
 }
 
 Json fabricAsJson(const settings::OwnFabric& fabric, std::string_view title, bool own) {
-  Json row = toJson(fabric);
+  Json row = app::toJson(fabric);
   row["title"] = title;
   row["own"] = own;
   return row;

@@ -9,8 +9,10 @@
 #include "app/session_log.hpp"
 #include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
+#include "scene/cloth_material.hpp"
 #include "session/simulation.hpp"
 #include "settings/settings_table.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
 
 #include <fmt/core.h>
@@ -64,11 +66,18 @@ void printStabilityLimit(const nlohmann::ordered_json& limit) {
   }
 }
 
-/// Prints the name of the fabric, and of what it consists. Prints nothing for springs.
+/// Prints the name of the fabric, where its warp comes from, and its clamped triangles. Prints nothing for springs.
 void printFabric(const session::Simulation& simulation) {
-  if (simulation.model().fabric) {
-    std::cout << "fabric: " << settings::fabricTitle(simulation.settings()) << '\n';
+  if (!simulation.model().fabric) {
+    return;
   }
+  const int slivers = simulation.model().fabric->slivers;
+  std::cout << "fabric: " << settings::fabricTitle(simulation.settings()) << "; warp "
+            << scene::warpInWords(simulation.scene().uvs, simulation.settings()) << "; "
+            << (slivers == 0 ? "no triangle has a lowered stiffness"
+                             : fmt::format("slivers: the stiffness of {} of {} triangles is lowered", slivers,
+                                           simulation.model().triangles.size()))
+            << '\n';
 }
 
 void printSummary(const session::Simulation& simulation, const nlohmann::ordered_json& json) {
