@@ -133,11 +133,10 @@ std::string problemOf(const PatternUvs& uvs) {
     return "the mesh has no texture coordinates (UVs)";
   }
   if (!uvs.degenerate.empty()) {
-    return countAndFirst(uvs.degenerate) + " of the mesh have no area in its texture coordinates (UVs)";
+    return "the texture coordinates (UVs) give no area to " + countAndFirst(uvs.degenerate);
   }
   if (!uvs.mirrored.empty()) {
-    return countAndFirst(uvs.mirrored) +
-           " of the mesh are mirrored in its texture coordinates (UVs) against the rest of their piece";
+    return "the texture coordinates (UVs) mirror " + countAndFirst(uvs.mirrored) + " against the rest of the piece";
   }
   return {};
 }
