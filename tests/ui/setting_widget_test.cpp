@@ -134,7 +134,7 @@ TEST_F(FabricPanel, SavesTheFabricUnderTheNameThatIsTyped) {
 }
 
 TEST_F(FabricPanel, RefusesABadNameAndSaysWhy) {
-  for (const auto& [name, expected] : {std::pair("Silk", "belongs to the built-in fabric"), {"", "needs a name"}}) {
+  for (const auto& [name, expected] : {std::pair("", "needs a name"), {"Silk", "belongs to the built-in fabric"}}) {
     const UiOutput output = saveAs(name);
     EXPECT_TRUE(output.requests.empty()) << name;
     EXPECT_NE(output.hint.find(expected), std::string::npos) << output.hint;
