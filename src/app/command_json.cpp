@@ -1,5 +1,6 @@
 #include "app/command_json.hpp"
 
+#include "app/fabric_json.hpp"
 #include "messages/error.hpp"
 
 #include <cstddef>
@@ -16,6 +17,12 @@ using Json = nlohmann::ordered_json;
 // The name of each command and its fields: both directions use them.
 constexpr std::string_view nameOf(const session::SetSettingCommand& /*command*/) {
   return "set";
+}
+constexpr std::string_view nameOf(const session::UseFabricCommand& /*command*/) {
+  return "use_fabric";
+}
+constexpr std::string_view nameOf(const session::SetOwnFabricsCommand& /*command*/) {
+  return "set_own_fabrics";
 }
 constexpr std::string_view nameOf(const session::PauseCommand& /*command*/) {
   return "pause";
@@ -63,6 +70,10 @@ void visitFields(Command& command, const Visitor& visit) {
   if constexpr (std::is_same_v<Plain, session::SetSettingCommand>) {
     visit("key", command.key);
     visit("value", command.value);
+  } else if constexpr (std::is_same_v<Plain, session::UseFabricCommand>) {
+    visit("fabric", command.fabric);
+  } else if constexpr (std::is_same_v<Plain, session::SetOwnFabricsCommand>) {
+    visit("fabrics", command.fabrics);
   } else if constexpr (std::is_same_v<Plain, session::PauseCommand>) {
     visit("paused", command.paused);
   } else if constexpr (std::is_same_v<Plain, session::AttachCommand>) {
@@ -97,6 +108,14 @@ void put(Json& json, const settings::SettingValue& value) {
   std::visit([&](const auto& each) { json = each; }, value);
 }
 
+void put(Json& json, const settings::OwnFabric& fabric) {
+  json = toJson(fabric);
+}
+
+void put(Json& json, const settings::OwnFabrics& fabrics) {
+  json = toJson(fabrics);
+}
+
 template <typename T>
 void put(Json& json, const T& value) {
   json = value;
@@ -118,6 +137,14 @@ void take(const Json& json, settings::SettingValue& value) {
   } else {
     value = json.get<std::string>();
   }
+}
+
+void take(const Json& json, settings::OwnFabric& fabric) {
+  fabric = fabricFrom(json);
+}
+
+void take(const Json& json, settings::OwnFabrics& fabrics) {
+  fabrics = fabricsFrom(json);
 }
 
 template <typename T>

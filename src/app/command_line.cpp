@@ -3,6 +3,7 @@
 #include "app/progress_line.hpp"
 #include "app/standard_streams.hpp"
 #include "messages/sim_error_text.hpp"
+#include "scene/cloth_material.hpp"
 #include "settings/settings_table.hpp"
 
 #include <cmath>
@@ -60,6 +61,9 @@ void printNotes(const scene::Scene& scene) {
     }
     std::cerr << "note: " << scene::inWords(*scene.reading) << " To change it: " << options << '\n';
   }
+  if (const std::string note = scene::warpNote(scene.uvs, scene.settings); !note.empty()) {
+    std::cerr << "note: " << note << '\n';
+  }
   if (scene.pinAdvice) {
     std::cerr << "warning: " << scene.pinAdvice->text << " Use --set " << scene.pinAdvice->key << '='
               << scene.pinAdvice->value << '\n';
@@ -84,10 +88,30 @@ void SceneArguments::addTo(CLI::App& app) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->check(notEmpty());
+  addFabricsOption(app, fabrics);
+}
+
+void addFabricsOption(CLI::App& app, std::string& file) {
+  app.add_option("--fabrics", file, "The file with your own fabrics (default: fabrics.toml in ~/.config/drape)")
+      ->type_name("FILE")
+      ->check(notEmpty());
+}
+
+FabricList readFabricList(const std::string& file, FabricList::Missing missing) {
+  FabricList list(file, missing);
+  if (!list.problem().empty()) {
+    std::cerr << "warning: " << list.problem() << '\n';
+  }
+  return list;
 }
 
 std::shared_ptr<const scene::Scene> SceneArguments::load() const {
-  const scene::SceneDescription description = scene::openScene(scene.empty() ? scene::sceneList().front().name : scene);
+  return load(readFabricList(fabrics).fabrics());
+}
+
+std::shared_ptr<const scene::Scene> SceneArguments::load(const settings::OwnFabrics& own) const {
+  const scene::SceneDescription description =
+      scene::openScene(scene.empty() ? scene::sceneList().front().name : scene, own);
   settings::Settings inForce = description.settings;
   for (const std::string& note : description.notes) {
     std::cerr << "note: " << note << '\n';

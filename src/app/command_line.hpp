@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/fabric_list.hpp"
 #include "scene/scene.hpp"
 
 #include <CLI/CLI.hpp>
@@ -14,17 +15,29 @@ namespace drape::app {
 /// Exit status of the programs: WrongUsage for a UsageError, Failed for every other error.
 enum class ExitStatus { Ok = 0, Failed = 1, WrongUsage = 2 };
 
-/// The arguments "[SCENE|MESH] [--set key=value]..." of every command that opens a scene.
+/// The arguments "[SCENE|MESH] [--set key=value]... [--fabrics FILE]" of every command that opens a scene.
 struct SceneArguments {
   std::string scene;                  ///< built-in scene, scene file or mesh file; empty: the first built-in scene
   std::vector<std::string> settings;  ///< each key=value
+  std::string fabrics;                ///< the file of the user's fabrics; empty: the usual one
 
   void addTo(CLI::App& app);
 
   /// Opens and builds the scene. Warnings about the mesh go to standard error. Throws UsageError for a bad --set,
   /// InputError for a bad scene or mesh.
+  /// @param own the user's fabrics
+  [[nodiscard]] std::shared_ptr<const scene::Scene> load(const settings::OwnFabrics& own) const;
+  /// The same with the fabrics of the list that `fabrics` names.
   [[nodiscard]] std::shared_ptr<const scene::Scene> load() const;
 };
+
+/// Adds the option --fabrics FILE.
+void addFabricsOption(CLI::App& app, std::string& file);
+
+/// Reads the user's fabrics. A usual file that is bad becomes a warning on standard error. Throws InputError as
+/// FabricList does.
+[[nodiscard]] FabricList readFabricList(const std::string& file,
+                                        FabricList::Missing missing = FabricList::Missing::Refused);
 
 /// Prints a note to standard error when "key=value" uses a former key of a setting.
 void printFormerKey(std::string_view expression);

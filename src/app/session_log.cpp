@@ -1,6 +1,7 @@
 #include "app/session_log.hpp"
 
 #include "app/command_json.hpp"
+#include "app/fabric_json.hpp"
 #include "messages/error.hpp"
 #include "scene/scene_parts.hpp"
 #include "settings/settings_table.hpp"
@@ -45,6 +46,7 @@ SessionLog parse(const Json& json) {
   for (const auto& [key, value] : json.at("settings").items()) {
     log.settings.emplace_back(key, value.get<std::string>());
   }
+  log.fabrics = fabricsFrom(json.value("fabrics", Json::array()));
   for (const Json& entry : json.at("commands")) {
     log.commands.push_back(commandFrom(entry));
   }
@@ -78,6 +80,7 @@ SessionLog sessionLogOf(const session::Simulation& simulation) {
     log.settings.emplace_back(info.key,
                               settings::formatValue(settings::settingValue(simulation.scene().settings, info)));
   }
+  log.fabrics = simulation.scene().settings.fabric.own;
   log.commands = simulation.log();
   log.steps = simulation.stepsTaken();
   log.stateHash = sim::toHex(sim::stateHash(simulation.state()));
@@ -93,6 +96,7 @@ void write(const SessionLog& log, OutputFile& file) {
   for (const auto& [key, value] : log.settings) {
     json["settings"][key] = value;
   }
+  json["fabrics"] = toJson(log.fabrics);
   json["commands"] = Json::array();
   for (const session::LoggedCommand& entry : log.commands) {
     json["commands"].push_back(toJson(entry));
@@ -120,8 +124,9 @@ SessionLog readSessionLog(const std::string& file) {
 }
 
 std::shared_ptr<const scene::Scene> openLoggedScene(const SessionLog& log) {
-  const scene::SceneDescription description = scene::openParts(log.parts);
+  const scene::SceneDescription description = scene::openParts(log.parts, log.fabrics);
   settings::Settings settings = description.settings;
+  settings.fabric.own = settings::joined(settings.fabric.own, log.fabrics);
   // First the settings that decide others: mass and density decide mass_given_as, a preset decides the fabric.
   for (int depth = settings::maxDepth; depth >= 0; --depth) {
     for (const auto& [key, value] : log.settings) {

@@ -16,6 +16,7 @@ namespace drape::app {
 struct SessionLog {
   scene::SceneParts parts;                                    ///< of the scene; file names are absolute
   std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of all, when the scene was opened
+  settings::OwnFabrics fabrics;                               ///< that the settings can name
   std::vector<session::LoggedCommand> commands;
   std::int64_t steps = 0;  ///< taken in the whole session
   std::string stateHash;   ///< at the end (sim/model/cloth_state.hpp)

@@ -76,6 +76,13 @@ std::string_view nearestPreset(const settings::Settings::Fabric& fabric) {
   return nearest->name;
 }
 
+/// The preset whose look a fabric has. A changed preset keeps its look.
+std::string_view lookedLike(const settings::Settings::Fabric& fabric) {
+  const settings::OwnFabric* own = settings::findOwnFabric(fabric.own, fabric.preset);
+  const std::string& name = own != nullptr ? own->basedOn : fabric.preset;
+  return sim::fabric::findPreset(name) != nullptr ? std::string_view(name) : nearestPreset(fabric);
+}
+
 }  // namespace
 
 Surface surfaceOf(const settings::Settings& settings) {
@@ -91,7 +98,7 @@ std::span<const FabricLook> fabricLooks() {
 }
 
 const FabricLook& lookOf(const settings::Settings& settings) {
-  const std::string_view preset = nearestPreset(settings.fabric);
+  const std::string_view preset = lookedLike(settings.fabric);
   const auto found = std::find_if(looks.begin(), looks.end(), [&](const auto& look) { return look.preset == preset; });
   return found == looks.end() ? looks.front() : *found;
 }

@@ -57,7 +57,8 @@ struct FabricLook {
 /// The looks of all fabrics: one row for each preset.
 [[nodiscard]] std::span<const FabricLook> fabricLooks();
 
-/// The look of the fabric in material.preset. A custom fabric gets the look of the preset with the most similar values.
+/// The look of the fabric in material.preset. A changed preset keeps its look,
+/// and an own fabric has that of its base. A custom one gets the look of the preset with the most similar values.
 [[nodiscard]] const FabricLook& lookOf(const settings::Settings& settings);
 
 }  // namespace drape::render

@@ -13,6 +13,7 @@
 #include "render/surface_coordinates.hpp"
 #include "render/texture_units.hpp"
 #include "render/yarn_coordinates.hpp"
+#include "scene/cloth_material.hpp"
 #include "scene/framing.hpp"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ void setFabric(const ShaderProgram& program, const FabricLook& look, double warp
 
 struct Renderer::Parts {
   void take(const session::Snapshot& snapshot);
-  void takeScene(const scene::Scene& scene);
+  void takeScene(const scene::Scene& scene, const settings::Settings& settings);
   void takeGhost(const session::Snapshot& snapshot);
   void updateShadows(const FrameUniforms& uniforms);
   [[nodiscard]] FrameUniforms frameUniforms(const session::Snapshot& snapshot, const Camera& camera, int width,
@@ -103,6 +104,7 @@ struct Renderer::Parts {
   GroundShadow groundShadow;
 
   std::shared_ptr<const scene::Scene> scene;
+  std::string warpFrom;  // of the yarns that are shown
   std::shared_ptr<const sim::ClothModel> model;
   std::int64_t version = -1;
   double checkSize = 0.1;                       // [m]
@@ -117,10 +119,10 @@ struct Renderer::Parts {
 
 /// Uploads the changes since the last picture.
 void Renderer::Parts::take(const session::Snapshot& snapshot) {
-  const bool newScene = snapshot.scene != scene;
+  const bool newScene = snapshot.scene != scene || snapshot.settings.fabric.warpFrom != warpFrom;
   if (newScene) {
     scene = snapshot.scene;
-    takeScene(*scene);
+    takeScene(*scene, snapshot.settings);
   }
   if (newScene || snapshot.version != version || snapshot.model != model) {
     version = snapshot.version;
@@ -148,11 +150,13 @@ void Renderer::Parts::takeGhost(const session::Snapshot& snapshot) {
   ghostStandsBeside = std::abs(offset) > 0.5 * clothWidth;
 }
 
-void Renderer::Parts::takeScene(const scene::Scene& newScene) {
+void Renderer::Parts::takeScene(const scene::Scene& newScene, const settings::Settings& settings) {
+  warpFrom = settings.fabric.warpFrom;
   const io::RenderMesh& mesh = newScene.renderMesh;
   const SurfaceCoordinates coordinates = surfaceCoordinates(mesh, newScene.model->restPositions);
   checkSize = coordinates.checkSize;
-  const std::vector<Vec2> yarns = yarnCoordinates(mesh, newScene.model->restPositions);
+  const std::vector<Vec2> yarns = yarnCoordinates(mesh, newScene.model->restPositions,
+                                                  scene::warpDirections(*newScene.model, newScene.uvs, settings));
   const MeshTopology topology{newScene.model->triangles, mesh.triangles, mesh.particle, coordinates.metres, yarns};
   cloth.setTopology(topology);
   ghost.setTopology(topology);

@@ -1,6 +1,5 @@
 #include "render/yarn_coordinates.hpp"
 
-#include "sim/fabric/rest_shape.hpp"
 #include "sim/model/mesh_topology.hpp"
 
 #include <Eigen/Geometry>
@@ -69,16 +68,11 @@ Map meanOf(const PieceSum& sum) {
 
 }  // namespace
 
-std::vector<Vec2> yarnCoordinates(const io::RenderMesh& mesh, std::span<const Vec3> restPositions) {
+std::vector<Vec2> yarnCoordinates(const io::RenderMesh& mesh, std::span<const Vec3> restPositions,
+                                  std::span<const Vec3> warp) {
   if (mesh.uvs.size() != mesh.particle.size()) {
     return {};
   }
-  std::vector<Triangle> triangles;  // of the cloth
-  triangles.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    triangles.push_back({mesh.particle[a], mesh.particle[b], mesh.particle[c]});
-  }
-  const std::vector<Vec3> warp = sim::fabric::warpAlong(Vec3::UnitY(), restPositions, triangles);
   const sim::ConnectedComponents pieces = sim::componentsOf(mesh.triangles, mesh.uvs.size());
   std::vector<PieceSum> sums(pieces.count());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

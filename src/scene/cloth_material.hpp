@@ -1,19 +1,40 @@
 #pragma once
 
+#include "scene/pattern_uvs.hpp"
 #include "settings/settings.hpp"
 #include "sim/model/cloth_model.hpp"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace drape::scene {
 
-/// The same cloth, elastic as the settings say: springs or a fabric. Warp is vertical in the rest shape, turned by
-/// fabric.warp_angle about the normal of each triangle. Throws ClothModelError as fabric::withFabric does.
+/// Whether warp runs along V of the texture coordinates, by fabric.warp_from. Otherwise it is vertical.
+[[nodiscard]] bool warpsAlongUvs(const PatternUvs& uvs, const settings::Settings& settings);
+
+/// Where warp comes from, in words: "along V of the UVs, turned by 30 degrees".
+[[nodiscard]] std::string warpInWords(const PatternUvs& uvs, const settings::Settings& settings);
+
+/// Why fabric.warp_from = auto does not take the texture coordinates that a mesh has, in one sentence. Empty if it
+/// does, if there are none, or if they are sound but no pattern.
+[[nodiscard]] std::string warpNote(const PatternUvs& uvs, const settings::Settings& settings);
+
+/// The direction of warp in each triangle, a unit vector in its plane, without fabric.warp_angle. Zero for a degenerate
+/// triangle. Vertical, projected onto each triangle, where the texture coordinates cannot give it.
+[[nodiscard]] std::vector<Vec3> warpDirections(const sim::ClothModel& model, const PatternUvs& uvs,
+                                               const settings::Settings& settings);
+
+/// The same cloth, elastic as the settings say: springs or a fabric. Warp has the direction of warpDirections, turned
+/// by fabric.warp_angle about the normal of each triangle. Throws InputError when fabric.warp_from = uv and the texture
+/// coordinates cannot give the warp, and ClothModelError as fabric::withFabric does.
 [[nodiscard]] std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& model,
-                                                                    const settings::Settings& settings);
+                                                                    const settings::Settings& settings,
+                                                                    const PatternUvs& uvs = {});
 
 /// The same with the mass of the settings. A cloth of springs that stays one does not change.
 [[nodiscard]] std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model,
-                                                                  const settings::Settings& settings);
+                                                                  const settings::Settings& settings,
+                                                                  const PatternUvs& uvs);
 
 }  // namespace drape::scene

@@ -2,6 +2,7 @@
 
 #include "io/mesh_import.hpp"
 #include "scene/mesh_reading.hpp"
+#include "scene/pattern_uvs.hpp"
 #include "settings/settings.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/model/cloth_model.hpp"
@@ -134,6 +135,7 @@ struct Scene {
   std::shared_ptr<const sim::ClothModel> model;
   sim::ClothState start;
   io::RenderMesh renderMesh;
+  PatternUvs uvs;  ///< of the render mesh
   io::MeshSummary summary;
   std::optional<MeshReading> reading;  ///< of a mesh file that is not built in
   std::optional<Advice> pinAdvice;     ///< when the pins fix all vertices or none
@@ -155,7 +157,8 @@ struct SceneInfo {
 [[nodiscard]] std::vector<SceneInfo> sceneList();
 
 /// Reads a built-in scene ("flag"), a scene file ("mine.toml") or a mesh file ("shirt.obj"). Throws InputError.
-[[nodiscard]] SceneDescription openScene(const std::string& nameOrPath);
+/// @param own the user's fabrics, which the settings of the scene may name
+[[nodiscard]] SceneDescription openScene(const std::string& nameOrPath, const settings::OwnFabrics& own = {});
 
 /// Builds mesh, model and start from a description with these settings. Throws InputError, and Cancelled when the watch
 /// cancels.

@@ -251,10 +251,13 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->start = sim::stateAtRest(startPositions(description, source));
   placeCloth(description, source.mesh.cloth.positions);
   const std::vector<int> pins = choosePins(description, settings, source);
+  if (!source.grid) {  // the texture of a grid is made for the checker
+    scene->uvs = patternUvsOf(source.mesh.render, source.mesh.cloth.positions);
+  }
   scene->model = messages::withInputErrors([&] {
     const auto springs = sim::buildClothModel(
         source.mesh.cloth, totalMassOf(settings, sim::restAreaOf(source.mesh.cloth)), lumpingOf(settings), pins);
-    return withElasticity(*springs, settings);
+    return withElasticity(*springs, settings, scene->uvs);
   });
   watch.tell(0.95, "Building");
   scene->renderMesh = std::move(source.mesh.render);

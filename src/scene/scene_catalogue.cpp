@@ -4,10 +4,9 @@
 #include "scene/opened_mesh.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/text_file.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <span>
 
 namespace drape::scene {
@@ -18,7 +17,6 @@ std::span<const EmbeddedFile> embeddedMeshes();
 namespace {
 
 constexpr std::string_view sceneEnding = ".toml";
-constexpr std::uintmax_t largestSceneFile = 1U << 20U;  // [bytes]
 
 std::string sceneName(const EmbeddedFile& file) {
   return std::string(file.name.substr(0, file.name.size() - sceneEnding.size()));
@@ -40,19 +38,7 @@ std::string sceneNames() {
   return names;
 }
 
-std::string readText(const std::filesystem::path& file) {
-  if (std::filesystem::file_size(file) > largestSceneFile) {
-    throw messages::InputError(file.string() + " is larger than the limit for scene files (1 MiB)");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) {
-    throw messages::InputError(file.string() + " cannot be read; check its permissions");
-  }
-  return text;
-}
-
-SceneDescription sceneOfMesh(const std::filesystem::path& file) {
+SceneDescription sceneOfMesh(const std::filesystem::path& file, const settings::OwnFabrics& own) {
   SceneDescription scene;
   scene.name = file.filename().string();
   scene.title = scene.name;
@@ -61,6 +47,7 @@ SceneDescription sceneOfMesh(const std::filesystem::path& file) {
   scene.pins.top = topOfBareMesh;
   scene.groundBelowCloth = true;
   scene.settings = openedMeshSettings();
+  scene.settings.fabric.own = own;
   scene.opened = true;
   scene.settings.mesh.unit = "auto";
   scene.settings.mesh.up = "auto";
@@ -68,7 +55,7 @@ SceneDescription sceneOfMesh(const std::filesystem::path& file) {
   return scene;
 }
 
-SceneDescription openFile(const std::filesystem::path& file) {
+SceneDescription openFile(const std::filesystem::path& file, const settings::OwnFabrics& own) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
     throw messages::InputError(file.string() + " is a folder; give a scene (.toml) or a mesh file");
@@ -81,10 +68,10 @@ SceneDescription openFile(const std::filesystem::path& file) {
                                sceneNames());
   }
   if (file.extension() == sceneEnding) {
-    return parseScene(readText(file), file.stem().string(), file.string(), file.parent_path());
+    return parseScene(readTextFile(file), file.stem().string(), file.string(), file.parent_path(), own);
   }
   if (io::isMeshFile(file)) {
-    return sceneOfMesh(file);
+    return sceneOfMesh(file, own);
   }
   if (const std::string advice = io::adviceForFormat(file); !advice.empty()) {
     throw messages::InputError(file.string() + ": " + advice);
@@ -119,15 +106,15 @@ std::vector<SceneInfo> sceneList() {
   return list;
 }
 
-SceneDescription openScene(const std::string& nameOrPath) {
+SceneDescription openScene(const std::string& nameOrPath, const settings::OwnFabrics& own) {
   for (const EmbeddedFile& file : embeddedScenes()) {
     if (sceneName(file) == nameOrPath) {
-      SceneDescription scene = parseScene(file.bytes, nameOrPath, std::string(file.name), {});
+      SceneDescription scene = parseScene(file.bytes, nameOrPath, std::string(file.name), {}, own);
       scene.parts.scene = nameOrPath;
       return scene;
     }
   }
-  SceneDescription scene = openFile(nameOrPath);
+  SceneDescription scene = openFile(nameOrPath, own);
   scene.parts.scene = nameOrPath;
   return scene;
 }

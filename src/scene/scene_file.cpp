@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "scene/body_reader.hpp"
+#include "scene/fabric_file.hpp"
 #include "scene/framing.hpp"
 #include "scene/toml_reader.hpp"
 #include "settings/settings_table.hpp"
@@ -99,23 +100,6 @@ CameraPose readCamera(const TomlReader& reader) {
   return pose;
 }
 
-settings::SettingValue valueOf(const toml::node& node) {
-  if (const auto* flag = node.as_boolean()) {
-    return flag->get();
-  }
-  if (const auto* whole = node.as_integer()) {
-    const std::int64_t value = whole->get();
-    if (value == static_cast<int>(value)) {
-      return static_cast<int>(value);
-    }
-    return static_cast<double>(value);
-  }
-  if (const auto* real = node.as_floating_point()) {
-    return real->get();
-  }
-  return node.value_or(std::string("a list"));
-}
-
 /// Checks that the pins' body exists.
 void requireCarrier(const TomlReader& scene, const SceneDescription& description) {
   const std::string& name = description.pins.body;
@@ -138,7 +122,7 @@ void readSettings(const TomlReader& reader, SceneDescription& scene) {
       if (const auto* text = node.as_string()) {
         settings::assignSettingText(settings, info, text->get());
       } else {
-        settings::assignSetting(settings, info, valueOf(node));
+        settings::assignSetting(settings, info, settingValueOf(node));
       }
     } catch (const messages::UsageError& error) {
       reader.fail(node, error.what());
@@ -164,10 +148,11 @@ void readSettings(const TomlReader& reader, SceneDescription& scene) {
 }  // namespace
 
 SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
-                            const std::filesystem::path& folder) {
+                            const std::filesystem::path& folder, const settings::OwnFabrics& own) {
   const TomlReader reader(text, file);
-  reader.allowOnly({"title", "help", "cloth", "pins", "camera", "stand", "ground", "bodies", "settings"});
+  reader.allowOnly({"title", "help", "cloth", "pins", "camera", "stand", "ground", "bodies", "settings", "fabrics"});
   SceneDescription scene;
+  scene.settings.fabric.own = settings::joined(own, readFabrics(reader));
   scene.name = name;
   scene.title = reader.text("title").value_or(name);
   scene.help = reader.text("help").value_or("");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "settings/own_fabrics.hpp"
 
 #include <filesystem>
 #include <string_view>
@@ -9,8 +10,8 @@ namespace drape::scene {
 
 /// Reads a scene from TOML text (docs/guide/scenes.md). Mesh paths are relative to `folder`; "builtin:skirt.obj" names
 /// a built-in mesh. Throws InputError with file and line.
-/// @param name of the scene  @param file for messages
+/// @param name of the scene  @param file for messages  @param own the user's fabrics; those of the scene are added
 [[nodiscard]] SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
-                                          const std::filesystem::path& folder);
+                                          const std::filesystem::path& folder, const settings::OwnFabrics& own = {});
 
 }  // namespace drape::scene

@@ -54,12 +54,12 @@ void addBody(SceneDescription& scene, const std::string& file) {
 
 }  // namespace
 
-SceneDescription openParts(const SceneParts& parts) {
+SceneDescription openParts(const SceneParts& parts, const settings::OwnFabrics& own) {
   if (parts.bodies.size() > maxBodies) {
     throw messages::InputError("there are " + std::to_string(parts.bodies.size()) + " files for bodies; drop at most " +
                                std::to_string(maxBodies) + " at a time");
   }
-  SceneDescription scene = openScene(parts.scene.empty() ? parts.cloth : parts.scene);
+  SceneDescription scene = openScene(parts.scene.empty() ? parts.cloth : parts.scene, own);
   if (!parts.scene.empty() && !parts.cloth.empty()) {
     replaceCloth(scene, parts.cloth);
   }

@@ -8,6 +8,24 @@
 #include <limits>
 
 namespace drape::scene {
+
+settings::SettingValue settingValueOf(const toml::node& node) {
+  if (const auto* flag = node.as_boolean()) {
+    return flag->get();
+  }
+  if (const auto* whole = node.as_integer()) {
+    const std::int64_t value = whole->get();
+    if (value == static_cast<int>(value)) {
+      return static_cast<int>(value);
+    }
+    return static_cast<double>(value);
+  }
+  if (const auto* real = node.as_floating_point()) {
+    return real->get();
+  }
+  return node.value_or(std::string("a list"));
+}
+
 TomlReader::TomlReader(std::string_view text, const std::string& file) : file_(file) {
   try {
     document_ = std::make_shared<const toml::table>(toml::parse(text, file));
@@ -29,6 +47,10 @@ std::string TomlReader::placeOf(const toml::node& node) const {
   return file_ + ":" + std::to_string(node.source().begin.line);
 }
 
+std::size_t TomlReader::line() const {
+  return table_->source().begin.line;
+}
+
 std::string TomlReader::place(std::string_view key) const {
   const toml::node* node = table_->get(key);
   return placeOf(node == nullptr ? static_cast<const toml::node&>(*table_) : *node);
@@ -45,7 +67,7 @@ void TomlReader::allowOnly(const std::vector<std::string_view>& keys) const {
       for (const auto& each : keys) {
         known += (known.empty() ? "" : ", ") + std::string(each);
       }
-      fail(node, "there is no '" + nameOf(key.str()) + "' in a scene; known keys here: " + known);
+      fail(node, "there is no '" + nameOf(key.str()) + "'; known keys here: " + known);
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "settings/settings_table.hpp"
 #include "sim/model/vector.hpp"
 
 #include <toml++/toml.h>
@@ -18,6 +19,9 @@ inline constexpr double farAway = 1e4;
 
 /// Angles are in degrees in scene files [rad].
 inline constexpr double degree = std::numbers::pi / 180.0;
+
+/// A value as a setting takes it; a list becomes a text that no setting takes.
+[[nodiscard]] settings::SettingValue settingValueOf(const toml::node& node);
 
 /// Checked access to a TOML table. Every wrong type or unknown key becomes an InputError with file, line and key.
 class TomlReader {
@@ -49,6 +53,9 @@ class TomlReader {
 
   /// "file:line" of the key, or of the start of this table when there is no such key.
   [[nodiscard]] std::string place(std::string_view key = {}) const;
+
+  /// The line where this table starts; the first is 1.
+  [[nodiscard]] std::size_t line() const;
 
   /// "file:line" of a value.
   [[nodiscard]] std::string placeOf(const toml::node& node) const;

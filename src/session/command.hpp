@@ -14,6 +14,14 @@ struct SetSettingCommand {
   std::string key;
   settings::SettingValue value;
 };
+/// Gives the cloth all values of a fabric at once. One by one they could pass through combinations that are refused.
+struct UseFabricCommand {
+  settings::OwnFabric fabric;  ///< material.preset has its name then, or "NAME, changed" where the values differ
+};
+/// Replaces the own fabrics that material.preset can name.
+struct SetOwnFabricsCommand {
+  settings::OwnFabrics fabrics;
+};
 struct PauseCommand {
   bool paused = true;
 };
@@ -57,9 +65,10 @@ struct LoadSceneCommand {
 };
 
 /// All commands to a running simulation.
-using Command = std::variant<SetSettingCommand, PauseCommand, SingleStepCommand, ResetCommand, AttachCommand,
-                             MoveAttachmentCommand, DetachCommand, TogglePinCommand, MovePinsCommand, SwitchBodyCommand,
-                             SetSurfaceCommand, MoveBodyCommand, SetCostBudgetCommand, LoadSceneCommand>;
+using Command =
+    std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
+                 ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand, MovePinsCommand,
+                 SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand, SetCostBudgetCommand, LoadSceneCommand>;
 
 /// A command, and the number of steps before it took effect. A log of these reproduces a session.
 struct LoggedCommand {

@@ -191,13 +191,29 @@ void Simulation::on(const SetSettingCommand& command) {
   if (info.effect == settings::SettingEffect::Scene) {
     throw messages::InputError(command.key + " takes effect when the scene is built again");
   }
-  settings::Settings changed = settings::withSetting(settings_, info, command.value);
+  useSettings(settings::withSetting(settings_, info, command.value), info.effect);
+}
+
+void Simulation::on(const UseFabricCommand& command) {
+  settings::Settings changed = settings_;
+  settings::useFabric(changed, command.fabric);
+  settings::requireFabricValues(changed);
+  useSettings(std::move(changed), settings::SettingEffect::Fabric);
+}
+
+void Simulation::on(const SetOwnFabricsCommand& command) {
+  settings_.fabric.own = command.fabrics;
+}
+
+/// Replaces the settings, and the parts of the model that depend on them.
+void Simulation::useSettings(settings::Settings changed, settings::SettingEffect effect) {
   requireSolversForMaterial(changed);
-  if (info.effect == settings::SettingEffect::Mass) {
+  if (effect == settings::SettingEffect::Mass) {
     model_ = sim::withMass(*model_, scene::totalMassOf(changed, model_->restArea()), scene::lumpingOf(changed));
-    model_ = scene::withElasticity(*model_, changed);  // a fabric's highest frequency depends on the masses
-  } else if (info.effect == settings::SettingEffect::Fabric) {
-    model_ = scene::withMaterial(*model_, changed);
+    // A fabric's highest frequency depends on the masses.
+    model_ = scene::withElasticity(*model_, changed, scene_->uvs);
+  } else if (effect == settings::SettingEffect::Fabric) {
+    model_ = scene::withMaterial(*model_, changed, scene_->uvs);
   }
   settings_ = std::move(changed);
   useSolvers();

@@ -74,6 +74,8 @@ class Simulation {
 
  private:
   void on(const SetSettingCommand& command);
+  void on(const UseFabricCommand& command);
+  void on(const SetOwnFabricsCommand& command);
   void on(const PauseCommand& command);
   void on(const SingleStepCommand& command);
   void on(const ResetCommand& command);
@@ -88,6 +90,7 @@ class Simulation {
   void on(const SetCostBudgetCommand& command);
   void on(const LoadSceneCommand& command);
 
+  void useSettings(settings::Settings changed, settings::SettingEffect effect);
   void useSolvers();
   void useBalance();
   void stepGhost();

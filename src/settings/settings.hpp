@@ -1,5 +1,6 @@
 #pragma once
 
+#include "settings/own_fabrics.hpp"
 #include "sim/fabric/material.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/solvers/step_parameters.hpp"
@@ -37,9 +38,12 @@ struct Settings {
   /// Counts while material.model is "fabric". Starts as one of the presets (sim/fabric/presets.hpp).
   struct Fabric {
     sim::fabric::Material moduli;
-    double density = 0.0;    ///< [kg/m^2]
-    bool ownDensity = true;  ///< whether `density` counts instead of that of Material
-    double warpAngle = 0.0;  ///< by which warp is turned from the vertical, in the plane of each triangle [degrees]
+    double density = 0.0;           ///< [kg/m^2]
+    bool ownDensity = true;         ///< whether `density` counts instead of that of Material
+    std::string preset = {};        ///< the fabric that was chosen last, whose values may be changed since; empty: none
+    OwnFabrics own;                 ///< the user's fabrics, and those of the scene file
+    std::string warpFrom = "auto";  ///< where warp runs: "auto", "vertical" or "uv" (along V of the mesh's UVs)
+    double warpAngle = 0.0;         ///< by which warp is turned from there, in the plane of each triangle [degrees]
   } fabric;
 
   sim::AttachmentSpring attachment{.stiffness = 500.0, .maxForce = 10.0};

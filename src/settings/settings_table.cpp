@@ -158,6 +158,11 @@ constexpr std::array materialModels{
     TextWord{"springs", {"Springs", "The paper's: every edge of the mesh is a spring."}},
     TextWord{"fabric", {"Fabric", "A sheet that resists stretch, shear and bending along warp and weft."}}};
 
+constexpr std::array warpSources{
+    TextWord{"auto", {"Automatic", "Along V of the texture coordinates where they are a flat pattern, else vertical."}},
+    TextWord{"vertical", {"Vertical", "The vertical of the rest shape, along each triangle."}},
+    TextWord{"uv", {"UVs", "Along V of the mesh's texture coordinates."}}};
+
 std::vector<std::string> fabricNames() {
   std::vector<std::string> names;
   for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
@@ -171,22 +176,60 @@ ChoiceLabel fabricLabel(std::string_view word) {
   return preset == nullptr ? ChoiceLabel{} : ChoiceLabel{preset->title, preset->source};
 }
 
-constexpr std::string_view noPreset = "custom";
-
-/// The preset whose values the fabric has. The name is not stored, so it is right after any change.
-std::string presetOf(const Settings& settings) {
-  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
-    if (preset.material == settings.fabric.moduli && preset.density == settings.fabric.density) {
-      return std::string(preset.name);
+std::vector<OwnChoice> ownFabricChoices(const Settings& settings) {
+  std::vector<OwnChoice> choices;
+  if (settings.fabric.own) {
+    for (const OwnFabric& fabric : *settings.fabric.own) {
+      choices.push_back(
+          {fabric.name, fabric.name, fabric.source.empty() ? "A fabric of your own." : "Your own: " + fabric.source});
     }
   }
-  return std::string(noPreset);
+  return choices;
 }
 
+/// Whether the fabric has the values of the preset or the own fabric with that name.
+bool hasValuesOf(const Settings& settings, std::string_view name) {
+  const Settings::Fabric& fabric = settings.fabric;
+  if (const sim::fabric::MaterialPreset* preset = sim::fabric::findPreset(name)) {
+    return preset->material == fabric.moduli && preset->density == fabric.density;
+  }
+  const OwnFabric* own = findOwnFabric(fabric.own, name);
+  return own != nullptr && own->material == fabric.moduli && own->density == fabric.density;
+}
+
+/// The fabric whose values these are. It follows from the values, so it is right after any change.
+std::string presetOf(const Settings& settings) {
+  const std::string& chosen = settings.fabric.preset;
+  if (hasValuesOf(settings, chosen)) {
+    return chosen;
+  }
+  for (const std::string& name : fabricNames()) {
+    if (hasValuesOf(settings, name)) {
+      return name;
+    }
+  }
+  return chosen.empty() ? std::string(noPreset) : chosen + std::string(changedMark);
+}
+
+/// Of "cotton, changed" the name of the fabric. Empty for a text without the mark.
+std::string_view nameOfChanged(std::string_view text) {
+  return text.ends_with(changedMark) ? text.substr(0, text.size() - changedMark.size()) : std::string_view();
+}
+
+bool isCustomFabric(std::string_view text) {
+  return text == noPreset || !nameOfChanged(text).empty();
+}
+
+/// A changed fabric keeps its values: they follow as single settings.
 void setPreset(Settings& settings, const std::string& name) {
   if (const sim::fabric::MaterialPreset* preset = sim::fabric::findPreset(name)) {
     settings.fabric.moduli = preset->material;
     settings.fabric.density = preset->density;
+    settings.fabric.preset = name;
+  } else if (const OwnFabric* own = findOwnFabric(settings.fabric.own, name)) {
+    useFabric(settings, OwnFabric(*own));
+  } else {
+    settings.fabric.preset = nameOfChanged(name);
   }
 }
 
@@ -336,10 +379,10 @@ const std::array table{
         "What the cloth is made of. springs: a spring on every edge of the mesh, as in the paper. fabric: a sheet with "
         "warp and weft, whose stiffness does not depend on the mesh."},
     SettingInfo{"material.preset", "Fabric", "-", Material, SettingEffect::Fabric,
-        ChoiceField{presetOf, setPreset, fabricNames, fabricLabel,
-                    [](std::string_view text) { return text == noPreset; }, noPreset},
-        "A fabric by name. It sets all fabric values except the angle of warp. custom: the values are those of no "
-        "preset. Counts while material.model is fabric, and for the look while view.surface is fabric.",
+        ChoiceField{presetOf, setPreset, fabricNames, fabricLabel, isCustomFabric, noPreset, ownFabricChoices},
+        "A fabric by name: a built-in one, or one of your own (docs/guide/fabrics.md). It sets all fabric values except "
+        "the direction of warp. \"cotton, changed\" and custom set no value: the values are given one by one. Counts "
+        "while material.model is fabric, and for the look while view.surface is fabric.",
         {}, {}, SettingScope::Everywhere, namesFabric, {}, true},
     SettingInfo{"fabric.stretch_warp", "Stretch warp", "N/m", Material, SettingEffect::Fabric,
         NumberField{[](auto& s) -> auto& { return s.fabric.moduli.stretchWarp; }, 0.1, 1e6, true},
@@ -393,10 +436,16 @@ const std::array table{
         "Time constant of the damping of bending. A vibration of the angular frequency omega decays at the rate "
         "omega^2 / 2 times this.",
         {}, {}, SettingScope::Everywhere, usesFabric},
+    SettingInfo{"fabric.warp_from", "Warp from", "-", Material, SettingEffect::Fabric,
+        textOf<[](auto& s) -> auto& { return s.fabric.warpFrom; }>(wordsIn<warpSources>, labelIn<warpSources>),
+        "Where warp runs before fabric.warp_angle turns it. uv: along V of the mesh's texture coordinates (UVs), which "
+        "must be neither degenerate nor mirrored. vertical: vertical at rest, or along x where the cloth is level. "
+        "auto: uv where the UVs are a flat pattern, stretched by less than 1.5 nearly everywhere; else vertical.",
+        {}, {}, SettingScope::Everywhere, namesFabric},
     SettingInfo{"fabric.warp_angle", "Warp angle", "degrees", Material, SettingEffect::Fabric,
         NumberField{[](auto& s) -> auto& { return s.fabric.warpAngle; }, -90.0, 90.0, false},
-        "Angle by which warp is turned about the normal of the cloth. At 0 warp is vertical, or along x where the cloth "
-        "is level at rest. 45 is cut on the bias.",
+        "Angle by which warp is turned about the normal of the cloth from its direction by fabric.warp_from. 45 is cut on "
+        "the bias.",
         {}, {}, SettingScope::Everywhere, namesFabric},
     SettingInfo{"fabric.own_density", "Own density", "-", Material, SettingEffect::Mass,
         FlagField{[](auto& s) -> auto& { return s.fabric.ownDensity; }},

@@ -52,6 +52,13 @@ struct ChoiceLabel {
   std::string_view help;
 };
 
+/// A choice that depends on the settings, as a fabric of the user.
+struct OwnChoice {
+  std::string word;
+  std::string title;
+  std::string help;
+};
+
 /// One of a list of words, or another text that `accepts` allows.
 struct ChoiceField {
   std::string (*get)(const Settings&);
@@ -60,6 +67,7 @@ struct ChoiceField {
   ChoiceLabel (*label)(std::string_view word) = nullptr;  ///< of a word; null: the words need no label
   bool (*accepts)(std::string_view text) = nullptr;       ///< whether another text is allowed; null: words only
   std::string_view otherTexts = {};                       ///< what `accepts` allows, for messages
+  std::vector<OwnChoice> (*ownChoices)(const Settings&) = nullptr;  ///< further choices; null: none
 };
 
 using SettingField = std::variant<NumberField, IntegerField, FlagField, ChoiceField>;
@@ -115,8 +123,17 @@ inline constexpr int maxDepth = 2;  ///< of any setting
 /// "1e-05 to 0.1", "on or off", "m, cm or mm".
 [[nodiscard]] std::string describeRange(const SettingInfo& info);
 
+/// The same, with the choices that these settings add.
+[[nodiscard]] std::string describeRange(const SettingInfo& info, const Settings& settings);
+
 /// The name of a choice for the user: its title, or the word with blanks in place of underscores.
 [[nodiscard]] std::string choiceTitle(const ChoiceField& field, std::string_view word);
+
+/// The same, also for choices that the settings add, and for a changed fabric: "Cotton, changed".
+[[nodiscard]] std::string shownChoice(const ChoiceField& field, std::string_view word, const Settings& settings);
+
+/// The name of the fabric of these settings: "Denim", "Cotton, changed", or that of an own fabric.
+[[nodiscard]] std::string fabricTitle(const Settings& settings);
 
 /// Sets the value, and that of `alsoKey`. A real setting also takes a whole number. Throws UsageError with key, value,
 /// range and unit when the value has the wrong type or is out of range. `settings` is then unchanged.

@@ -26,6 +26,17 @@ std::string withUnit(const SettingInfo& info, const std::string& text) {
   return info.unit == "-" ? text : text + " " + std::string(info.unit);
 }
 
+/// The words of a choice, with those that the settings add.
+std::vector<std::string> wordsOf(const ChoiceField& field, const Settings& settings) {
+  std::vector<std::string> words = field.choices();
+  if (field.ownChoices != nullptr) {
+    for (OwnChoice& choice : field.ownChoices(settings)) {
+      words.push_back(std::move(choice.word));
+    }
+  }
+  return words;
+}
+
 std::string listWords(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -34,19 +45,20 @@ std::string listWords(const std::vector<std::string>& words) {
   return text;
 }
 
-[[noreturn]] void refuse(const SettingInfo& info, const std::string& given) {
-  throw messages::UsageError(std::string(info.key) + " must be " + describeRange(info) + "; " + given + " is not");
+[[noreturn]] void refuse(const SettingInfo& info, const std::string& given, const Settings& settings) {
+  throw messages::UsageError(std::string(info.key) + " must be " + describeRange(info, settings) + "; " + given +
+                             " is not");
 }
 
 void assignNumber(Settings& settings, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
   const auto* real = std::get_if<double>(&value);
   const auto* whole = std::get_if<int>(&value);
   if (real == nullptr && whole == nullptr) {
-    refuse(info, quoted(formatValue(value)));
+    refuse(info, quoted(formatValue(value)), settings);
   }
   const double number = real != nullptr ? *real : static_cast<double>(*whole);
   if (!(number >= field.min && number <= field.max)) {
-    refuse(info, text::exactNumber(number));
+    refuse(info, text::exactNumber(number), settings);
   }
   field.access.ref(settings) = number;
 }
@@ -54,19 +66,22 @@ void assignNumber(Settings& settings, const SettingInfo& info, const NumberField
 void assignInteger(Settings& settings, const SettingInfo& info, const IntegerField& field, const SettingValue& value) {
   const auto* whole = std::get_if<int>(&value);
   if (whole == nullptr || *whole < field.min || *whole > field.max) {
-    refuse(info, quoted(formatValue(value)));
+    refuse(info, quoted(formatValue(value)), settings);
   }
   field.access.ref(settings) = *whole;
 }
 
 void assignChoice(Settings& settings, const SettingInfo& info, const ChoiceField& field, const SettingValue& value) {
   const std::string text = formatValue(value);
-  const auto choices = field.choices();
+  const std::vector<std::string> choices = wordsOf(field, settings);
   const bool isWord =
       std::holds_alternative<std::string>(value) && std::find(choices.begin(), choices.end(), text) != choices.end();
-  const bool isOther = !std::holds_alternative<bool>(value) && field.accepts != nullptr && field.accepts(text);
+  const std::string_view base =
+      text.ends_with(changedMark) ? std::string_view(text).substr(0, text.size() - changedMark.size()) : "";
+  const bool isOther = !std::holds_alternative<bool>(value) && field.accepts != nullptr && field.accepts(text) &&
+                       (base.empty() || std::find(choices.begin(), choices.end(), base) != choices.end());
   if (!isWord && !isOther) {
-    refuse(info, quoted(text));
+    refuse(info, quoted(text), settings);
   }
   field.set(settings, text);
 }
@@ -74,7 +89,7 @@ void assignChoice(Settings& settings, const SettingInfo& info, const ChoiceField
 void assignFlag(Settings& settings, const SettingInfo& info, const FlagField& field, const SettingValue& value) {
   const auto* flag = std::get_if<bool>(&value);
   if (flag == nullptr) {
-    refuse(info, quoted(formatValue(value)));
+    refuse(info, quoted(formatValue(value)), settings);
   }
   field.access.ref(settings) = *flag;
 }
@@ -206,11 +221,32 @@ std::string choiceTitle(const ChoiceField& field, std::string_view word) {
   return spoken;
 }
 
+std::string shownChoice(const ChoiceField& field, std::string_view word, const Settings& settings) {
+  if (word.ends_with(changedMark)) {
+    return shownChoice(field, word.substr(0, word.size() - changedMark.size()), settings) + std::string(changedMark);
+  }
+  for (const OwnChoice& own : field.ownChoices == nullptr ? std::vector<OwnChoice>() : field.ownChoices(settings)) {
+    if (own.word == word) {
+      return own.title;
+    }
+  }
+  return choiceTitle(field, word);
+}
+
+std::string fabricTitle(const Settings& settings) {
+  const auto& field = std::get<ChoiceField>(requireSetting("material.preset").field);
+  return shownChoice(field, field.get(settings), settings);
+}
+
 SettingValue defaultValue(const SettingInfo& info) {
   return settingValue(Settings{}, info);
 }
 
 std::string describeRange(const SettingInfo& info) {
+  return describeRange(info, Settings{});
+}
+
+std::string describeRange(const SettingInfo& info, const Settings& settings) {
   return std::visit(
       Overloaded{[&](const NumberField& field) {
                    return withUnit(info, text::exactNumber(field.min) + " to " + text::exactNumber(field.max));
@@ -220,8 +256,8 @@ std::string describeRange(const SettingInfo& info) {
                        info, "a whole number from " + std::to_string(field.min) + " to " + std::to_string(field.max));
                  },
                  [](const FlagField&) { return std::string("on or off"); },
-                 [](const ChoiceField& field) {
-                   return listWords(field.choices()) +
+                 [&](const ChoiceField& field) {
+                   return listWords(wordsOf(field, settings)) +
                           (field.otherTexts.empty() ? "" : ", or " + std::string(field.otherTexts));
                  }},
       info.field);

@@ -55,6 +55,7 @@ struct PanelMemory {
   std::set<std::string> accepted;            ///< lines of the notice that the user answered
   std::string openSurface;                   ///< the body whose surface is visible
   std::string openPath;                      ///< the text of the open field
+  std::string fabricName;                    ///< the text of the field that names a fabric
   std::vector<scene::SceneInfo> scenes;      ///< the built-in ones
   std::string hoveredRow;                    ///< the row whose explanation will appear
   double hoveredSince = 0.0;                 ///< [s]

@@ -9,6 +9,9 @@ namespace drape::ui {
 /// The sections of the column (sections.cpp has their table): a heading each and, when open, the settings of its group.
 void drawSections(PanelContext& context);
 
+/// Rows of the section Material, below its settings.
+void materialRows(PanelContext& context);
+
 /// Rows of the section Contact, and whether contact is the main subject of the scene.
 void contactRows(PanelContext& context);
 [[nodiscard]] bool contactMatters(const PanelContext& context);

@@ -1,5 +1,7 @@
 #include "ui/pending_settings.hpp"
 
+#include "messages/error.hpp"
+
 namespace drape::ui {
 namespace {
 
@@ -28,7 +30,11 @@ void PendingSettings::update(const settings::Settings& current, double now, bool
 settings::Settings PendingSettings::overlay(const settings::Settings& current) const {
   settings::Settings settings = current;
   for (const Entry& entry : entries_) {
-    settings::assignSetting(settings, *entry.info, entry.value);
+    try {
+      settings::assignSetting(settings, *entry.info, entry.value);
+    } catch (const messages::UsageError&) {
+      continue;  // a fabric of the previous scene, which this scene does not have
+    }
   }
   return settings;
 }

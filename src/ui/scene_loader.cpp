@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -33,11 +34,12 @@ std::string SceneLoader::activity() const {
   return activity_ + (shown ? ": " + std::to_string(percent) + " %" : activity_.empty() ? "" : " \u2026");
 }
 
-void SceneLoader::open(const scene::SceneParts& parts, std::function<void(settings::Settings&)> adjust) {
+void SceneLoader::open(const scene::SceneParts& parts, std::function<void(settings::Settings&)> adjust,
+                       const settings::OwnFabrics& own) {
   submit({.activity = "Opening " + (parts.cloth.empty() ? parts.scene : parts.cloth),
           .build =
-              [parts, adjust = std::move(adjust)](const io::ImportWatch& watch) {
-                const scene::SceneDescription description = scene::openParts(parts);
+              [parts, own, adjust = std::move(adjust)](const io::ImportWatch& watch) {
+                const scene::SceneDescription description = scene::openParts(parts, own);
                 settings::Settings settings = description.settings;
                 adjust(settings);
                 return scene::buildScene(description, settings, watch);
@@ -114,12 +116,19 @@ void carryViewSettings(const settings::Settings& current, const settings::Settin
   }
 }
 
-std::vector<session::SetSettingCommand> runningChanges(const settings::Settings& from, const settings::Settings& to) {
-  std::vector<session::SetSettingCommand> changes;
+std::vector<session::Command> runningChanges(const settings::Settings& from, const settings::Settings& to) {
+  const auto values = settings::fabricValueKeys();
+  bool otherFabric = false;
+  std::vector<session::Command> changes;
   for (const settings::SettingInfo* info : settings::differingSettings(from, to)) {
-    if (info->effect != settings::SettingEffect::Scene) {
-      changes.push_back({std::string(info->key), settings::settingValue(to, *info)});
+    if (info->isPreset || std::find(values.begin(), values.end(), info->key) != values.end()) {
+      otherFabric = true;
+    } else if (info->effect != settings::SettingEffect::Scene) {
+      changes.emplace_back(session::SetSettingCommand{std::string(info->key), settings::settingValue(to, *info)});
     }
+  }
+  if (otherFabric) {
+    changes.emplace_back(session::UseFabricCommand{settings::fabricOf(to, to.fabric.preset)});
   }
   return changes;
 }

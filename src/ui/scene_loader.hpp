@@ -40,7 +40,9 @@ class SceneLoader {
   ~SceneLoader();
 
   /// Opens another scene. `adjust` may change the scene's own settings before it is built.
-  void open(const scene::SceneParts& parts, std::function<void(settings::Settings&)> adjust);
+  /// @param own the user's fabrics
+  void open(const scene::SceneParts& parts, std::function<void(settings::Settings&)> adjust,
+            const settings::OwnFabrics& own = {});
   /// Builds a description again with these settings.
   void rebuild(const scene::SceneDescription& description, const settings::Settings& settings,
                Kind kind = Kind::Rebuilt);
@@ -76,8 +78,8 @@ class SceneLoader {
 /// setting that differs between `current` and `own`, the present scene's original settings.
 void carryViewSettings(const settings::Settings& current, const settings::Settings& own, settings::Settings& target);
 
-/// The changes from `from` to `to` that need no rebuild of the scene.
-[[nodiscard]] std::vector<session::SetSettingCommand> runningChanges(const settings::Settings& from,
-                                                                     const settings::Settings& to);
+/// The changes from `from` to `to` that need no rebuild of the scene. The values of a fabric change together.
+[[nodiscard]] std::vector<session::Command> runningChanges(const settings::Settings& from,
+                                                           const settings::Settings& to);
 
 }  // namespace drape::ui

@@ -12,17 +12,6 @@
 namespace drape::ui {
 namespace {
 
-void materialRows(PanelContext& context) {
-  const sim::ClothModel& model = *context.snapshot.model;
-  const double mass = model.totalMass();
-  const double area = model.restArea();
-  if (settings::weighsAsFabric(context.settings) || context.settings.material.massGivenAs == "density") {
-    valueRow(context, "Mass of the cloth", text::formatQuantity(mass, "kg"));
-  } else if (area > 0.0) {
-    valueRow(context, "Density", text::formatQuantity(mass / area, "kg/m\u00B2"));
-  }
-}
-
 void airRows(PanelContext& context) {
   windDial(context);
   const sim::AirParameters& air = context.settings.step.air;

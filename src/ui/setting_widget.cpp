@@ -23,13 +23,19 @@ Edit flagWidget(bool value) {
 struct Choice {
   std::string word;
   std::string title;
-  std::string_view help;
+  std::string help;
 };
 
-std::vector<Choice> choicesOf(const settings::ChoiceField& field) {
+std::vector<Choice> choicesOf(const settings::ChoiceField& field, const settings::Settings& settings) {
   std::vector<Choice> choices;
   for (const std::string& word : field.choices()) {
-    choices.push_back({word, settings::choiceTitle(field, word), field.label == nullptr ? "" : field.label(word).help});
+    choices.push_back(
+        {word, settings::choiceTitle(field, word), std::string(field.label == nullptr ? "" : field.label(word).help)});
+  }
+  if (field.ownChoices != nullptr) {
+    for (settings::OwnChoice& own : field.ownChoices(settings)) {
+      choices.push_back({std::move(own.word), std::move(own.title), std::move(own.help)});
+    }
   }
   return choices;
 }
@@ -38,7 +44,7 @@ std::vector<Choice> choicesOf(const settings::ChoiceField& field) {
 void explainChoice(const PanelContext& context, const std::string& name, const Choice& choice, const UiRect& row) {
   if (!choice.help.empty() && ImGui::IsItemHovered() && hoveredLongEnough(context, name)) {
     beginExplanation(context, &row);
-    ImGui::TextWrapped("%.*s", static_cast<int>(choice.help.size()), choice.help.data());
+    ImGui::TextWrapped("%s", choice.help.c_str());
     endExplanation();
   }
 }
@@ -76,7 +82,10 @@ Edit comboWidget(PanelContext& context, const settings::SettingInfo& info, const
   const auto chosen = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.word == value; });
   const float textWidth =
       ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;  // beside the arrow
-  const std::string shown = chosen == choices.end() ? value : fitted(chosen->title, textWidth);
+  const std::string title = chosen != choices.end() ? chosen->title
+                                                    : settings::shownChoice(std::get<settings::ChoiceField>(info.field),
+                                                                            value, context.settings);
+  const std::string shown = fitted(title, textWidth);
   if (ImGui::BeginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const Choice& choice : choices) {
       if (ImGui::Selectable(choice.title.c_str(), choice.word == value) && choice.word != value) {
@@ -95,7 +104,7 @@ Edit comboWidget(PanelContext& context, const settings::SettingInfo& info, const
 /// Up to three short words stand side by side; more of them form a drop-down list.
 Edit choiceWidget(PanelContext& context, const settings::SettingInfo& info, const settings::ChoiceField& field,
                   const std::string& value) {
-  const std::vector<Choice> choices = choicesOf(field);
+  const std::vector<Choice> choices = choicesOf(field, context.settings);
   float widest = 0.0F;
   for (const Choice& choice : choices) {
     widest = std::max(widest, ImGui::CalcTextSize(choice.title.c_str()).x);
@@ -134,7 +143,7 @@ void explain(const PanelContext& context, const settings::SettingInfo& info, con
   ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
   ImGui::TextWrapped("%.*s", static_cast<int>(info.help.size()), info.help.data());
   ImGui::Spacing();
-  ImGui::TextWrapped("Range: %s", settings::describeRange(info).c_str());
+  ImGui::TextWrapped("Range: %s", settings::describeRange(info, context.settings).c_str());
   ImGui::TextWrapped("In the scene: %s",
                      withUnit(shortValue(settings::settingValue(context.sceneSettings, info)), info.unit).c_str());
   ImGui::TextWrapped("Default: %s", withUnit(shortValue(settings::defaultValue(info)), info.unit).c_str());
@@ -196,6 +205,20 @@ void changeSetting(PanelContext& context, const settings::SettingInfo& info, con
   }
 }
 
+namespace {
+
+/// The scene's value. A fabric that the scene gives by single values has no name that would restore them.
+void restoreSetting(PanelContext& context, const settings::SettingInfo& info, const settings::SettingValue& value) {
+  if (info.isPreset) {
+    context.output.commands.emplace_back(
+        session::UseFabricCommand{settings::fabricOf(context.sceneSettings, context.sceneSettings.fabric.preset)});
+  } else {
+    changeSetting(context, info, value);
+  }
+}
+
+}  // namespace
+
 void settingWidget(PanelContext& context, const settings::SettingInfo& info) {
   const settings::SettingValue value = settings::settingValue(context.settings, info);
   const settings::SettingValue sceneValue = settings::settingValue(context.sceneSettings, info);
@@ -207,7 +230,7 @@ void settingWidget(PanelContext& context, const settings::SettingInfo& info) {
   applyEdit(context, info, edit);
   if (hoversRow(row)) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != sceneValue) {
-      changeSetting(context, info, sceneValue);
+      restoreSetting(context, info, sceneValue);
     }
     if (hoveredLongEnough(context, key)) {
       explain(context, info, row);

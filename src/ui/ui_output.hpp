@@ -48,6 +48,13 @@ struct RebuildSceneRequest {
   settings::Settings settings;  ///< all of them, with the change
 };
 
+/// Save a fabric of the user, and give it to the cloth.
+struct SaveFabricRequest {
+  enum class Place { List, Scene };  ///< the user's list, or the file of the running scene
+  settings::OwnFabric fabric;
+  Place place = Place::List;
+};
+
 /// Actions of the program, not of the simulation.
 enum class UiAction {
   TogglePanels,
@@ -63,7 +70,8 @@ enum class UiAction {
   QuitAndLoseChanges  ///< without asking
 };
 
-using UiRequest = std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest, UiAction>;
+using UiRequest =
+    std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest, SaveFabricRequest, UiAction>;
 
 /// The requests of the user in one frame. Panels and input only add to it; they never change the running state.
 struct UiOutput {

@@ -467,6 +467,21 @@ TEST(Window, AGhostIsCalledAndSentAway) {
   viewer.waitUntil("no ghost", [](const Json& s) { return s["ghost"].is_null(); });
 }
 
+TEST(Window, SavesAFabricInTheListAndUsesIt) {
+  const TemporaryFolder folder;
+  const std::string list = (folder.path() / "new" / "fabrics.toml").string();
+  ViewerDriver viewer({"grid", "--paused", "--fabrics", list, "--set", "solver=auto", "--set", "material.model=fabric",
+                       "--set", "material.preset=denim", "--set", "fabric.shear=60"});
+  EXPECT_EQ(viewer.state()["settings"]["material.preset"], "denim, changed");
+  viewer.click(viewer.find("fabric.name"));
+  viewer.type("My denim");
+  viewer.waitUntil("the own fabric", [](const Json& s) { return s["settings"]["material.preset"] == "My denim"; });
+  std::stringstream text;
+  text << std::ifstream(list).rdbuf();
+  EXPECT_NE(text.str().find("name = \"My denim\""), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("shear = 60"), std::string::npos) << text.str();
+}
+
 TEST(Window, ABadFileLeavesTheSceneRunning) {
   ViewerDriver viewer({"grid"});
   viewer.click(viewer.find("scene.path"));

@@ -100,6 +100,33 @@ TEST(Replay, keepsTheFabricAndItsChanges) {
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
 }
 
+TEST(Replay, needsNoListForTheOwnFabricsOfTheSession) {
+  const scene::SceneDescription grid = scene::openScene("grid");
+  settings::Settings settings = grid.settings;
+  settings::assignSettingExpression(settings, "material.preset=denim");
+  settings::OwnFabric first = settings::fabricOf(settings, "first");
+  settings::OwnFabric second = settings::fabricOf(settings, "second");
+  first.density = 0.3;
+  second.density = 0.4;
+  settings.fabric.own = settings::withOwnFabric({}, first);
+  for (const char* expression :
+       {"solver=auto", "material.model=fabric", "material.preset=first", "fabric.own_density=on"}) {
+    settings::assignSettingExpression(settings, expression);
+  }
+  session::Simulation session(scene::buildScene(grid, settings));
+  session.step();
+  session.apply(session::SetOwnFabricsCommand{settings::withOwnFabric(settings.fabric.own, second)});
+  session.apply(session::UseFabricCommand{second});
+  session.step();
+  session.apply(session::SetSettingCommand{"material.preset", std::string("first")});
+  session.apply(session::SetSettingCommand{"material.preset", std::string("second")});
+  session.step();
+  ASSERT_TRUE(session.message().empty()) << session.message();
+  const Outcome outcome = headless("run --replay " + written(sessionLogOf(session)));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("fabric: second;"), std::string::npos) << outcome.output;
+}
+
 TEST(Replay, failsWhereTheEndDiffers) {
   const auto session = busySession();
   SessionLog log = sessionLogOf(*session);

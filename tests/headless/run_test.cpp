@@ -147,7 +147,7 @@ TEST(Run, takesAFabricByName) {
   const auto changed = statsOf(
       "grid --set solver=auto --set material.model=fabric --set material.preset=denim --set fabric.shear=80 --seconds "
       "0");
-  EXPECT_EQ(changed["settings"]["material.preset"], "custom");
+  EXPECT_EQ(changed["settings"]["material.preset"], "denim, changed");
   EXPECT_EQ(statsOf("grid --seconds 0")["settings"]["material.model"], "springs");
 }
 

@@ -35,7 +35,20 @@ TEST(FabricLook, PresetsLookLikeTheirRow) {
   }
 }
 
+TEST(FabricLook, AnOwnFabricHasTheLookOfItsBase) {
+  settings::Settings settings = settingsWith({"material.preset=denim", "fabric.shear=80"});
+  settings.fabric.own = settings::withOwnFabric({}, settings::fabricOf(settings, "mine"));
+  settings::assignSettingExpression(settings, "material.preset=silk");
+  settings::assignSettingExpression(settings, "material.preset=mine");
+  EXPECT_EQ(lookOf(settings).preset, "denim");
+}
+
 TEST(FabricLook, ACustomFabricLooksLikeTheMostSimilarPreset) {
+  EXPECT_EQ(lookOf(settingsWith({"material.preset=leather", "material.preset=custom", "fabric.density=0.5"})).preset,
+            "leather");
+}
+
+TEST(FabricLook, AChangedPresetKeepsItsLook) {
   EXPECT_EQ(lookOf(settingsWith({"material.preset=denim", "fabric.shear=80", "fabric.bend_bias=1e-4"})).preset,
             "denim");
   EXPECT_EQ(lookOf(settingsWith({"material.preset=leather", "fabric.density=0.5"})).preset, "leather");

@@ -98,7 +98,7 @@ TEST(SceneFile, takesAFabricByNameAndThenItsSingleValues) {
     EXPECT_FALSE(settings::weighsAsFabric(changed)) << text;
     EXPECT_EQ(changed.material.density, 0.4) << text;
     EXPECT_EQ(settings::settingValue(changed, settings::requireSetting("material.preset")),
-              settings::SettingValue(std::string("custom")))
+              settings::SettingValue(std::string("denim, changed")))
         << text;
   }
 }

@@ -105,6 +105,45 @@ TEST(Fabric, turnsWarpByTheAngleOfTheSettings) {
   EXPECT_NEAR(alongWarp(*smallGrid(9, {"material.model=fabric", "fabric.warp_angle=90"})->model), 0.0, 1e-12);
 }
 
+settings::OwnFabric fabricNamed(const char* name, const char* preset, double bend) {
+  settings::Settings settings;
+  settings::assignSettingExpression(settings, std::string("material.preset=") + preset);
+  settings::OwnFabric fabric = settings::fabricOf(settings, name);
+  fabric.material.bendWarp = fabric.material.bendWeft = fabric.material.bendBias = bend;
+  return fabric;
+}
+
+TEST(Fabric, changesAllValuesTogetherWhereOneByOneWouldBeRefused) {
+  Simulation simulation(smallGrid(9, {"solver=auto", "material.model=fabric", "material.preset=silk"}));
+  const settings::OwnFabric stiff = fabricNamed("stiff", "denim", 1e-3);
+  set(simulation, "fabric.bend_warp", stiff.material.bendWarp);
+  EXPECT_FALSE(simulation.message().empty()) << "the first of the values alone is unstable";
+  simulation.apply(SetOwnFabricsCommand{settings::withOwnFabric({}, stiff)});
+  simulation.apply(UseFabricCommand{stiff});
+  EXPECT_TRUE(simulation.message().empty()) << simulation.message();
+  EXPECT_EQ(simulation.model().fabric->material, stiff.material);
+  EXPECT_EQ(settings::fabricTitle(simulation.settings()), "stiff");
+  set(simulation, "material.preset", std::string("silk"));
+  set(simulation, "material.preset", std::string("stiff"));
+  EXPECT_EQ(simulation.model().fabric->material, stiff.material);
+}
+
+TEST(Fabric, refusesAnOwnFabricOutOfRangeAndKeepsTheOldOne) {
+  Simulation simulation(smallGrid(9, {"solver=auto", "material.model=fabric"}));
+  const sim::fabric::Material before = simulation.model().fabric->material;
+  simulation.apply(UseFabricCommand{fabricNamed("bad", "denim", -1.0)});
+  EXPECT_NE(simulation.message().find("fabric.bend_warp must be"), std::string::npos) << simulation.message();
+  EXPECT_EQ(simulation.model().fabric->material, before);
+  EXPECT_EQ(settings::fabricTitle(simulation.settings()), "Cotton");
+}
+
+TEST(Fabric, refusesWarpFromTextureThatTheClothLacks) {
+  Simulation simulation(smallGrid(9, {"solver=auto", "material.model=fabric"}));
+  set(simulation, "fabric.warp_from", std::string("uv"));
+  EXPECT_NE(simulation.message().find("no texture coordinates"), std::string::npos) << simulation.message();
+  EXPECT_EQ(simulation.settings().fabric.warpFrom, "auto");
+}
+
 TEST(Fabric, isToldToBeSofterWhenItBlowsUp) {
   Simulation simulation(smallGrid(9, {"solver=verlet", "time_step=0.02", "material.model=fabric",
                                       "fabric.stretch_warp=1e6", "fabric.stretch_weft=1e6"}));

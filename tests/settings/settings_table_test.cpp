@@ -287,14 +287,14 @@ TEST(FabricSettings, takeTheValuesOfEveryPreset) {
             std::string::npos);
 }
 
-TEST(FabricSettings, areCustomOnceAValueDiffersFromThePreset) {
+TEST(FabricSettings, nameThePresetAsChangedOnceAValueDiffers) {
   Settings settings;
   const SettingInfo& info = requireSetting("material.preset");
   assignSettingExpression(settings, "material.preset=denim");
   assignSettingExpression(settings, "fabric.warp_angle=45");
   EXPECT_EQ(settingValue(settings, info), SettingValue(std::string("denim"))) << "the cut is not the fabric";
   assignSettingExpression(settings, "fabric.shear=54");
-  EXPECT_EQ(settingValue(settings, info), SettingValue(std::string("custom")));
+  EXPECT_EQ(settingValue(settings, info), SettingValue(std::string("denim, changed")));
   assignSettingExpression(settings, "material.preset=custom");
   EXPECT_EQ(settings.fabric.moduli.shear, 54.0) << "custom changes nothing";
   assignSettingExpression(settings, "fabric.shear=53");

@@ -127,7 +127,7 @@ TEST(RunningChanges, LeaveOutWhatTheSceneIsBuiltFrom) {
   to.grid.width = 4.0;
   const auto changes = runningChanges(settings::Settings(), to);
   ASSERT_EQ(changes.size(), 1U);
-  EXPECT_EQ(changes.front().key, "drag");
+  EXPECT_EQ(std::get<session::SetSettingCommand>(changes.front()).key, "drag");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_F(SettingWidget, ShowsTheSettingsOfSpringsOrThoseOfTheFabric) {
   EXPECT_FALSE(drawnKeys().contains("mass_given_as"));
 }
 
-TEST_F(SettingWidget, ChoosingAFabricSetsItsValuesAndChangingOneMakesItCustom) {
+TEST_F(SettingWidget, ChoosingAFabricSetsItsValuesAndChangingOneIsNamed) {
   simulation_.apply(session::SetSettingCommand{"solver", std::string("auto")});
   simulation_.apply(session::SetSettingCommand{"material.model", std::string("fabric")});
   settle();
@@ -99,7 +99,66 @@ TEST_F(SettingWidget, ChoosingAFabricSetsItsValuesAndChangingOneMakesItCustom) {
   apply(typeInto(widget("fabric.shear"), "60"));
   EXPECT_EQ(simulation_.settings().fabric.moduli.shear, 60.0);
   EXPECT_EQ(settings::settingValue(simulation_.settings(), settings::requireSetting("material.preset")),
-            settings::SettingValue(std::string("custom")));
+            settings::SettingValue(std::string("denim, changed")));
+}
+
+class FabricPanel : public SettingWidget {
+ protected:
+  FabricPanel() {
+    simulation_.apply(session::SetSettingCommand{"solver", std::string("auto")});
+    simulation_.apply(session::SetSettingCommand{"material.model", std::string("fabric")});
+    simulation_.apply(session::SetSettingCommand{"material.preset", std::string("denim")});
+    simulation_.apply(session::SetSettingCommand{"fabric.shear", 60.0});
+    settle();
+  }
+
+  /// Types a name and presses the button that saves.
+  UiOutput saveAs(const std::string& name) {
+    click(button("fabric.name"));
+    ImGui::GetIO().AddInputCharactersUTF8(name.c_str());
+    frame();
+    settle();
+    return click(button("button.save_fabric"));
+  }
+};
+
+TEST_F(FabricPanel, SavesTheFabricUnderTheNameThatIsTyped) {
+  const UiOutput output = saveAs("My denim");
+  ASSERT_EQ(output.requests.size(), 1U);
+  const auto& request = std::get<SaveFabricRequest>(output.requests.front());
+  EXPECT_EQ(request.fabric.name, "My denim");
+  EXPECT_EQ(request.fabric.basedOn, "denim");
+  EXPECT_EQ(request.fabric.material.shear, 60.0);
+  EXPECT_EQ(request.place, SaveFabricRequest::Place::List);
+  EXPECT_FALSE(panels_.buttons().contains("button.save_fabric_in_scene")) << "a built-in scene has no file";
+}
+
+TEST_F(FabricPanel, RefusesABadNameAndSaysWhy) {
+  for (const auto& [name, expected] : {std::pair("", "needs a name"), {"Silk", "belongs to the built-in fabric"}}) {
+    const UiOutput output = saveAs(name);
+    EXPECT_TRUE(output.requests.empty()) << name;
+    EXPECT_NE(output.hint.find(expected), std::string::npos) << output.hint;
+  }
+}
+
+TEST_F(FabricPanel, OffersOwnFabricsAmongThePresets) {
+  settings::OwnFabric own = settings::fabricOf(simulation_.settings(), "My denim");
+  own.density = 0.5;
+  simulation_.apply(session::SetOwnFabricsCommand{settings::withOwnFabric({}, own)});
+  settle();
+  click(widget("material.preset"));
+  settle();
+  apply(click(button("material.preset=My denim")));
+  settle();
+  EXPECT_EQ(simulation_.settings().fabric.density, 0.5);
+  EXPECT_EQ(settings::fabricTitle(simulation_.settings()), "My denim");
+}
+
+TEST_F(FabricPanel, RightClickOnThePresetRestoresAllValuesOfTheScene) {
+  const UiOutput output = click(widget("material.preset"), 0.3, 1);
+  apply(output);
+  EXPECT_EQ(simulation_.settings().fabric.moduli, simulation_.scene().description.settings.fabric.moduli);
+  EXPECT_EQ(settings::fabricTitle(simulation_.settings()), "Cotton");
 }
 
 TEST_F(SettingWidget, NoTwoWidgetsShareAPlace) {

@@ -1,3 +1,5 @@
+#include "app/command_line.hpp"
+#include "app/fabric_json.hpp"
 #include "app/headless/commands.hpp"
 #include "app/output_file.hpp"
 #include "messages/error.hpp"
@@ -5,6 +7,7 @@
 #include "report/validation/validation_rows.hpp"
 #include "scene/scene.hpp"
 #include "settings/settings_table.hpp"
+#include "sim/fabric/presets.hpp"
 #include "sim/solvers/solver.hpp"
 
 #include <algorithm>
@@ -59,6 +62,49 @@ Json scenesAsJson() {
     list.push_back({{"name", info.name}, {"title", info.title}, {"help", info.help}});
   }
   return list;
+}
+
+Json fabricAsJson(const settings::OwnFabric& fabric, std::string_view title, bool own) {
+  Json row = app::toJson(fabric);
+  row["title"] = title;
+  row["own"] = own;
+  return row;
+}
+
+/// The built-in fabrics, then the user's.
+Json fabricsAsJson(const settings::OwnFabrics& own) {
+  Json list = Json::array();
+  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+    Json row = fabricAsJson({std::string(preset.name), {}, std::string(preset.source), preset.density, preset.material},
+                            preset.title, false);
+    row["thickness"] = preset.thickness;
+    list.push_back(std::move(row));
+  }
+  for (const settings::OwnFabric& fabric : own ? *own : std::vector<settings::OwnFabric>()) {
+    list.push_back(fabricAsJson(fabric, fabric.name, true));
+  }
+  return list;
+}
+
+void printFabrics(const Json& list) {
+  for (const Json& row : list) {
+    const std::string based = row["based_on"].get<std::string>();
+    const bool own = row["own"].get<bool>();
+    std::cout << row["name"].get<std::string>() << "   "
+              << (own ? "Your own" + (based.empty() ? "" : ", based on " + based) : row["title"].get<std::string>())
+              << '\n';
+    for (const std::string_view key : settings::fabricValueKeys()) {
+      const settings::SettingInfo& info = settings::requireSetting(key);
+      std::cout << "    " << key << " = " << settings::formatValue(row[std::string(key)].get<double>())
+                << (info.unit == "-" ? "" : " " + std::string(info.unit)) << '\n';
+    }
+    if (row.contains("thickness")) {
+      std::cout << "    thickness = " << settings::formatValue(row["thickness"].get<double>()) << " m\n";
+    }
+    if (const std::string source = row["source"].get<std::string>(); !source.empty()) {
+      std::cout << "    Source: " << source << '\n';
+    }
+  }
 }
 
 Json hardCasesAsJson() {
@@ -127,6 +173,7 @@ void printNamed(const Json& list) {
 
 struct ListArguments {
   std::string what;
+  std::string fabrics;  // the file of the user's fabrics
   bool json = false;
   bool markdown = false;
 };
@@ -144,7 +191,28 @@ constexpr std::array listings{
     Listing{"hardcases", hardCasesAsJson, [] { std::cout << report::hardcases::hardCaseListMarkdown(); }},
     Listing{"validation", validationAsJson, [] { std::cout << report::validation::validationListMarkdown(); }}};
 
+constexpr std::string_view fabricsWord = "fabrics";
+
+void listFabrics(const ListArguments& arguments) {
+  if (arguments.markdown) {
+    throw messages::UsageError("list fabrics has no --markdown");
+  }
+  const Json fabrics = fabricsAsJson(readFabricList(arguments.fabrics).fabrics());
+  if (arguments.json) {
+    std::cout << jsonText(fabrics, 2) << '\n';
+  } else {
+    printFabrics(fabrics);
+  }
+}
+
 void list(const ListArguments& arguments) {
+  if (arguments.what == fabricsWord) {
+    listFabrics(arguments);
+    return;
+  }
+  if (!arguments.fabrics.empty()) {
+    throw messages::UsageError("--fabrics belongs to 'list fabrics', not to 'list " + arguments.what + "'");
+  }
   const Listing& listing =
       *std::find_if(listings.begin(), listings.end(), [&](const Listing& one) { return one.what == arguments.what; });
   if (arguments.json) {
@@ -162,7 +230,7 @@ void list(const ListArguments& arguments) {
 }
 
 std::vector<std::string> listable() {
-  std::vector<std::string> words;
+  std::vector<std::string> words{std::string(fabricsWord)};
   std::transform(listings.begin(), listings.end(), std::back_inserter(words),
                  [](const Listing& one) { return std::string(one.what); });
   return words;
@@ -172,11 +240,13 @@ std::vector<std::string> listable() {
 
 void addListCommand(CLI::App& app) {
   auto arguments = std::make_shared<ListArguments>();
-  CLI::App* command = app.add_subcommand("list", "Lists scenes, settings, solvers, hard cases or validation cases");
+  CLI::App* command =
+      app.add_subcommand("list", "Lists scenes, settings, solvers, fabrics, hard cases or validation cases");
   command->add_option("what", arguments->what, "What to list")->required()->check(CLI::IsMember(listable()));
   auto* json = command->add_flag("--json", arguments->json, "As JSON");
   command->add_flag("--markdown", arguments->markdown, "Settings, hard cases or validation cases as a Markdown table")
       ->excludes(json);
+  addFabricsOption(*command, arguments->fabrics);
   command->callback([arguments] { list(*arguments); });
 }
 

@@ -9,7 +9,10 @@
 #include "app/session_log.hpp"
 #include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
+#include "scene/cloth_material.hpp"
 #include "session/simulation.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
 
 #include <fmt/core.h>
@@ -63,6 +66,20 @@ void printStabilityLimit(const nlohmann::ordered_json& limit) {
   }
 }
 
+/// Prints the name of the fabric, where its warp comes from, and its clamped triangles. Prints nothing for springs.
+void printFabric(const session::Simulation& simulation) {
+  if (!simulation.model().fabric) {
+    return;
+  }
+  const int slivers = simulation.model().fabric->slivers;
+  std::cout << "fabric: " << settings::fabricTitle(simulation.settings()) << "; warp "
+            << scene::warpInWords(simulation.scene().uvs, simulation.settings()) << "; "
+            << (slivers == 0 ? "no triangle has a lowered stiffness"
+                             : fmt::format("slivers: the stiffness of {} of {} triangles is lowered", slivers,
+                                           simulation.model().triangles.size()))
+            << '\n';
+}
+
 void printSummary(const session::Simulation& simulation, const nlohmann::ordered_json& json) {
   printMesh(simulation.scene());
   std::cout << simulation.scene().description.title << ": " << json["vertices"] << " vertices, " << json["springs"]
@@ -72,6 +89,7 @@ void printSummary(const session::Simulation& simulation, const nlohmann::ordered
                            json["step_us"]["median"].get<double>(),
                            sim::maxStretch(simulation.model(), simulation.state()),
                            json["state_hash"].get<std::string>());
+  printFabric(simulation);
   printStabilityLimit(json["stability_limit"]);
 }
 
@@ -198,7 +216,8 @@ void addRunCommand(CLI::App& app) {
       ->check(notEmpty())
       ->excludes(seconds)
       ->excludes("scene")
-      ->excludes("--set");
+      ->excludes("--set")
+      ->excludes("--fabrics");
   command->add_option("--threads", arguments->threads,
                       "Maximum number of threads of a step; the result does not depend on it");
   command->add_option("--stats", arguments->stats, "Write the statistics of the run to this file (JSON)")

@@ -3,6 +3,9 @@
 #include "app/choice_json.hpp"
 #include "report/number_text.hpp"
 #include "report/settings_json.hpp"
+#include "scene/cloth_material.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/measures/measures.hpp"
 #include "sim/solvers/solver.hpp"
@@ -36,6 +39,19 @@ nlohmann::ordered_json stabilityLimit(const sim::ClothModel& model, const settin
     return nullptr;
   }
   return report::finiteOrNull(solver->stepLimit(model, settings.step));
+}
+
+/// The fabric's name, where its warp comes from, and the number of triangles whose stiffness is clamped. Null for
+/// springs.
+nlohmann::ordered_json fabricJson(const session::Simulation& simulation) {
+  if (!simulation.model().fabric) {
+    return nullptr;
+  }
+  const settings::Settings& settings = simulation.settings();
+  return {{"title", settings::fabricTitle(settings)},
+          {"warp", scene::warpInWords(simulation.scene().uvs, settings)},
+          {"warp_from", scene::warpsAlongUvs(simulation.scene().uvs, settings) ? "uv" : "vertical"},
+          {"slivers", simulation.model().fabric->slivers}};
 }
 
 /// How a mesh file was read, or null for a grid.
@@ -112,6 +128,7 @@ nlohmann::ordered_json RunStats::toJson(const session::Simulation& simulation) c
   json["vertices"] = model.vertexCount();
   json["springs"] = model.springs.size();
   json["triangles"] = model.triangles.size();
+  json["fabric"] = fabricJson(simulation);
   json["pins"] = std::count(model.pinned.begin(), model.pinned.end(), true);
   json["mass"] = model.totalMass();
   json["steps"] = simulation.stepIndex();

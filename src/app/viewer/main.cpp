@@ -52,7 +52,10 @@ int main(int argc, char** argv) {
     if (!windowSize.empty()) {
       options.windowSize = drape::app::parseWindowSize(windowSize);
     }
-    drape::app::Viewer viewer(scene.load(), options);
+    // The first save creates a list that does not exist yet.
+    auto fabrics = drape::app::readFabricList(scene.fabrics, drape::app::FabricList::Missing::Allowed);
+    const auto loaded = scene.load(fabrics.fabrics());
+    drape::app::Viewer viewer(loaded, std::move(fabrics), options);
     viewer.run();
   });
 }

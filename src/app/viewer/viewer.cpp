@@ -80,10 +80,11 @@ bool differsInSize(const scene::Scene& a, const scene::Scene& b) {
 
 }  // namespace
 
-Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, const ViewerOptions& options)
+Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabrics, const ViewerOptions& options)
     : window_("Drape", openingSize(options).first, openingSize(options).second),
       panels_(measureDisplay(scene->settings.view.fontScale), ui::UserInterface::Backend::OpenGl),
       events_(window_.window()),
+      fabrics_(std::move(fabrics)),
       status_(options.statusFile),
       simulation_(scene, options.paused),
       newScene_(scene) {
@@ -92,6 +93,9 @@ Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, const ViewerOpt
   glfwSwapInterval(1);
   if (!options.recordFile.empty()) {
     record_.emplace(options.recordFile, "the session log");
+  }
+  if (!fabrics_.problem().empty()) {
+    showError(fabrics_.problem());
   }
 }
 
@@ -206,6 +210,9 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     return;
   }
   simulation_.post(session::LoadSceneCommand{outcome->scene});
+  if (outcome->kind != ui::SceneLoader::Kind::Opened) {
+    keepOwnFabrics(snapshot);
+  }
   using Kind = ui::SceneLoader::Kind;
   if (outcome->kind != Kind::Opened) {
     resizedScene_ = differsInSize(*outcome->scene, *snapshot.scene) ? outcome->scene : nullptr;
@@ -315,13 +322,35 @@ void Viewer::on(const ui::DroppedRequest& request, const session::Snapshot& snap
 
 void Viewer::on(const ui::OpenPartsRequest& request, const session::Snapshot& snapshot) {
   stats_.error.clear();
-  loader_.open(request.parts, [current = snapshot.settings, own = snapshot.scene->description.settings](
-                                  settings::Settings& target) { ui::carryViewSettings(current, own, target); });
+  loader_.open(
+      request.parts,
+      [current = snapshot.settings, own = snapshot.scene->description.settings](settings::Settings& target) {
+        ui::carryViewSettings(current, own, target);
+      },
+      fabrics_.fabrics());
 }
 
 void Viewer::on(const ui::RebuildSceneRequest& request, const session::Snapshot& snapshot) {
   stats_.error.clear();
   loader_.rebuild(snapshot.scene->description, request.settings);
+}
+
+void Viewer::on(const ui::SaveFabricRequest& request, const session::Snapshot& snapshot) {
+  const settings::OwnFabric& fabric = request.fabric;
+  try {
+    std::filesystem::path file = fabrics_.file();
+    if (request.place == ui::SaveFabricRequest::Place::Scene) {
+      file = snapshot.scene->description.parts.scene;
+      saveFabric(file, fabric);
+    } else {
+      fabrics_.add(fabric);
+    }
+    simulation_.post(session::SetOwnFabricsCommand{settings::withOwnFabric(snapshot.settings.fabric.own, fabric)});
+    simulation_.post(session::UseFabricCommand{fabric});
+    showNotice("Saved the fabric '" + fabric.name + "' in " + file.string());
+  } catch (const messages::InputError& error) {
+    showError(error.what());
+  }
 }
 
 void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
@@ -362,8 +391,16 @@ void Viewer::resetAll(const session::Snapshot& snapshot) {
   const scene::Scene& scene = *snapshot.scene;
   if (settings::differingSettings(scene.settings, scene.description.settings).empty()) {
     simulation_.post(session::LoadSceneCommand{snapshot.scene});
+    keepOwnFabrics(snapshot);
   } else {
     loader_.rebuild(scene.description, scene.description.settings, ui::SceneLoader::Kind::Restored);
+  }
+}
+
+/// The scene as it was built does not have the fabrics that the user saved since.
+void Viewer::keepOwnFabrics(const session::Snapshot& snapshot) {
+  if (snapshot.settings.fabric.own != snapshot.scene->settings.fabric.own) {
+    simulation_.post(session::SetOwnFabricsCommand{snapshot.settings.fabric.own});
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/fabric_list.hpp"
 #include "app/output_file.hpp"
 #include "app/viewer/status_file.hpp"
 #include "app/viewer/window_events.hpp"
@@ -30,7 +31,8 @@ struct ViewerOptions {
 /// The window: runs a scene on the simulation thread, draws it, and turns user input into commands.
 class Viewer {
  public:
-  Viewer(const std::shared_ptr<const scene::Scene>& scene, const ViewerOptions& options);
+  /// @param fabrics of the user, with which the scene was opened
+  Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabrics, const ViewerOptions& options);
 
   /// Returns when the user quits. Then the session log is written; throws InputError when that fails.
   void run();
@@ -52,7 +54,9 @@ class Viewer {
   void on(const ui::OpenPartsRequest& request, const session::Snapshot& snapshot);
   void on(const ui::DroppedRequest& request, const session::Snapshot& snapshot);
   void on(const ui::RebuildSceneRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::SaveFabricRequest& request, const session::Snapshot& snapshot);
   void on(ui::UiAction action, const session::Snapshot& snapshot);
+  void keepOwnFabrics(const session::Snapshot& snapshot);
   void resetAll(const session::Snapshot& snapshot);
   void stopLoadingOrQuit(const session::Snapshot& snapshot);
   void quitOrAsk(const session::Snapshot& snapshot);
@@ -68,6 +72,7 @@ class Viewer {
   WindowEvents events_;
   ui::InteractionController controller_;
   ui::SceneLoader loader_;
+  FabricList fabrics_;
   StatusFile status_;
   std::optional<OutputFile> record_;
   session::SimulationThread simulation_;
