@@ -13,31 +13,6 @@ namespace {
 
 constexpr double gravity = 9.81;  // [m/s^2]
 
-/// A fabric of one bending stiffness [N m] that hardly stretches.
-sim::fabric::Material stiffSheet(double bending) {
-  sim::fabric::Material material;
-  material.stretchWarp = material.stretchWeft = 2000.0;
-  material.shear = 1000.0;
-  material.bendWarp = material.bendWeft = material.bendBias = bending;
-  return material;
-}
-
-/// A strip of this free length that is clamped at x = 0, with a width of a fourth. The first two columns are pinned.
-///
-/// The hinge at the second column bends. Curvature is a mean over the hinges of a triangle, so half of that bend counts
-/// as curvature of the pinned triangles beside it. The strip bends as if it began in the middle of the pinned cell. So
-/// the free length counts from there.
-TestSheet cantilever(double freeLength, const CaseMesh& mesh) {
-  const double cell = freeLength / (mesh.resolution - 0.5);
-  return testSheet({.start = -0.5 * cell,
-                    .length = freeLength + 0.5 * cell,
-                    .width = 0.25 * freeLength,
-                    .along = mesh.resolution,
-                    .across = std::max(2, mesh.resolution / 4),
-                    .straight = 2},
-                   mesh.kind);
-}
-
 /// The tip of a cantilever under its weight, in units of its free length; NaN if no equilibrium was found.
 ElasticaTip tipOf(const sim::fabric::Material& material, double density, double freeLength, const CaseMesh& mesh) {
   const TestSheet sheet = cantilever(freeLength, mesh);

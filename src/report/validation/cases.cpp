@@ -13,6 +13,35 @@ namespace {
 
 constexpr CaseGroup membrane = CaseGroup::Membrane;
 constexpr CaseGroup bending = CaseGroup::Bending;
+constexpr CaseGroup frequency = CaseGroup::Frequency;
+constexpr CaseGroup motion = CaseGroup::Motion;
+
+constexpr std::array dynamicResolutions{8, 16, 32};
+constexpr std::array coarseResolutions{5, 10, 20};
+
+constexpr ValidationCase membraneFrequencyOf(std::string_view name, std::string_view solver) {
+  return {frequency,
+          name,
+          "Stretched square membrane, mode 1, 1",
+          "frequency, sqrt(S / density) sqrt(2) / (2 L)",
+          "1/s",
+          0.01,
+          membraneMode11,
+          dynamicResolutions,
+          solver};
+}
+
+constexpr ValidationCase stripFrequencyOf(std::string_view name, std::string_view solver) {
+  return {frequency,
+          name,
+          "Clamped strip, lowest mode",
+          "frequency, 3.516 sqrt(B / density) / (2 pi L^2)",
+          "1/s",
+          0.01,
+          stripMode,
+          dynamicResolutions,
+          solver};
+}
 
 // clang-format off
 constexpr std::array casesOfValidation{
@@ -44,6 +73,34 @@ constexpr std::array casesOfValidation{
         "load per width at which the flat strip becomes unstable, pi^2 B / L^2", "N/m", 0.01, buckling},
     ValidationCase{bending, "twist", "Square plate on a saddle",
         "twist stiffness of a plate whose corners are moved to y = k x z, energy 2 D_33 k^2 an area", "N m", 0.01, twist},
+    ValidationCase{frequency, "membrane_12", "Stretched square membrane, mode 1, 2",
+        "frequency, sqrt(S / density) sqrt(5) / (2 L)", "1/s", 0.01, membraneMode12, dynamicResolutions, "auto"},
+    ValidationCase{frequency, "membrane_22", "Stretched square membrane, mode 2, 2",
+        "frequency, sqrt(S / density) sqrt(8) / (2 L)", "1/s", 0.01, membraneMode22, dynamicResolutions, "auto"},
+    membraneFrequencyOf("membrane_11_auto", "auto"),
+    membraneFrequencyOf("membrane_11_verlet", "verlet"),
+    membraneFrequencyOf("membrane_11_explicit_euler", "explicit_euler"),
+    membraneFrequencyOf("membrane_11_one_iteration", "one_iteration"),
+    membraneFrequencyOf("membrane_11_chebyshev", "chebyshev"),
+    membraneFrequencyOf("membrane_11_pcg", "pcg"),
+    membraneFrequencyOf("membrane_11_newton", "newton"),
+    membraneFrequencyOf("membrane_11_vbd", "vbd"),
+    stripFrequencyOf("strip_auto", "auto"),
+    stripFrequencyOf("strip_verlet", "verlet"),
+    stripFrequencyOf("strip_explicit_euler", "explicit_euler"),
+    stripFrequencyOf("strip_one_iteration", "one_iteration"),
+    stripFrequencyOf("strip_chebyshev", "chebyshev"),
+    stripFrequencyOf("strip_pcg", "pcg"),
+    stripFrequencyOf("strip_newton", "newton"),
+    stripFrequencyOf("strip_vbd", "vbd"),
+    ValidationCase{motion, "incline_sticks", "Sheet on an incline: where it begins to slide",
+        "slope, the coefficient of static friction", "", 0.01, inclineSticks, coarseResolutions, "auto"},
+    ValidationCase{motion, "incline_slides", "Sheet on an incline: acceleration",
+        "acceleration, g (sin a - mu cos a)", "m/s^2", 0.01, inclineSlides, coarseResolutions, "auto"},
+    ValidationCase{motion, "terminal_velocity", "Falling sheet: terminal velocity",
+        "speed at which drag carries the weight", "m/s", 0.01, terminalVelocity, coarseResolutions, "auto"},
+    ValidationCase{motion, "fall_distance", "Falling sheet: distance",
+        "distance after the terminal velocity over g, v^2 / g log(cosh(1))", "m", 0.01, fallDistance, coarseResolutions, "auto"},
 };
 // clang-format on
 
@@ -61,9 +118,15 @@ std::string_view nameOf(CaseGroup group) {
     case CaseGroup::Membrane:
       return "membrane";
     case CaseGroup::Bending:
+      return "bending";
+    case CaseGroup::Frequency:
+      return "frequency";
+    case CaseGroup::Motion:
+      return "motion";
+    case CaseGroup::Drape:
       break;
   }
-  return "bending";
+  return "drape";
 }
 
 std::span<const int> resolutionsOf(const ValidationCase& validationCase, bool shortForm) {
@@ -114,7 +177,8 @@ ValidationSeries runValidation(const ValidationCase& validationCase, MeshKind ki
   ValidationSeries series{.validationCase = &validationCase, .kind = kind, .results = {}};
   for (const int resolution : resolutions) {
     const auto start = Clock::now();
-    const Comparison comparison = validationCase.run({.resolution = resolution, .kind = kind, .stop = stop});
+    const Comparison comparison =
+        validationCase.run({.resolution = resolution, .kind = kind, .subject = validationCase.subject, .stop = stop});
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     series.results.push_back({.kind = kind, .resolution = resolution, .comparison = comparison, .seconds = seconds});
   }

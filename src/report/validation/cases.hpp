@@ -23,4 +23,16 @@ namespace drape::report::validation {
 [[nodiscard]] Comparison buckling(const CaseMesh& mesh);
 [[nodiscard]] Comparison twist(const CaseMesh& mesh);
 
+// frequency_cases.cpp; the subject is a solver
+[[nodiscard]] Comparison membraneMode11(const CaseMesh& mesh);
+[[nodiscard]] Comparison membraneMode12(const CaseMesh& mesh);
+[[nodiscard]] Comparison membraneMode22(const CaseMesh& mesh);
+[[nodiscard]] Comparison stripMode(const CaseMesh& mesh);
+
+// motion_cases.cpp; the subject is a solver
+[[nodiscard]] Comparison inclineSticks(const CaseMesh& mesh);
+[[nodiscard]] Comparison inclineSlides(const CaseMesh& mesh);
+[[nodiscard]] Comparison terminalVelocity(const CaseMesh& mesh);
+[[nodiscard]] Comparison fallDistance(const CaseMesh& mesh);
+
 }  // namespace drape::report::validation

@@ -2,6 +2,7 @@
 
 #include "sim/fabric/fabric.hpp"
 
+#include <algorithm>
 #include <random>
 
 namespace drape::report::validation {
@@ -80,6 +81,25 @@ TestSheet testSheet(const SheetForm& form, MeshKind kind) {
     }
   }
   return sheet;
+}
+
+sim::fabric::Material stiffSheet(double bending) {
+  sim::fabric::Material material;
+  material.stretchWarp = material.stretchWeft = 2000.0;
+  material.shear = 1000.0;
+  material.bendWarp = material.bendWeft = material.bendBias = bending;
+  return material;
+}
+
+TestSheet cantilever(double freeLength, const CaseMesh& mesh) {
+  const double cell = freeLength / (mesh.resolution - 0.5);
+  return testSheet({.start = -0.5 * cell,
+                    .length = freeLength + 0.5 * cell,
+                    .width = 0.25 * freeLength,
+                    .along = mesh.resolution,
+                    .across = std::max(2, mesh.resolution / 4),
+                    .straight = 2},
+                   mesh.kind);
 }
 
 std::shared_ptr<const sim::ClothModel> clothOf(const TestSheet& sheet, const sim::fabric::Material& material,

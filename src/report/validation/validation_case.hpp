@@ -11,13 +11,6 @@
 
 namespace drape::report::validation {
 
-/// A mesh that a case runs on.
-struct CaseMesh {
-  int resolution = 0;  ///< cells along the sheet
-  MeshKind kind = MeshKind::Grid;
-  std::stop_token stop = {};  ///< ends a search or a run by sim::StepStopped
-};
-
 /// A quantity, measured on a mesh and from the closed form or a published range.
 struct Comparison {
   double measured = 0.0;
@@ -31,11 +24,12 @@ struct Comparison {
 };
 
 /// The parts of the mechanics that the cases test.
-enum class CaseGroup { Membrane, Bending };
+enum class CaseGroup { Membrane, Bending, Frequency, Motion, Drape };
 
-inline constexpr std::array caseGroups{CaseGroup::Membrane, CaseGroup::Bending};
+inline constexpr std::array caseGroups{CaseGroup::Membrane, CaseGroup::Bending, CaseGroup::Frequency, CaseGroup::Motion,
+                                       CaseGroup::Drape};
 
-/// "membrane", "bending".
+/// "membrane", "bending", "frequency", "motion", "drape".
 [[nodiscard]] std::string_view nameOf(CaseGroup group);
 
 /// The resolutions of most cases: cells along the sheet, each twice the former.
@@ -51,6 +45,7 @@ struct ValidationCase {
   double aim = 0.0;           ///< largest error in size at the finest resolution [-]
   Comparison (*run)(const CaseMesh&) = nullptr;
   std::array<int, 3> resolutions = validationResolutions;  ///< cells along the sheet, ascending
+  std::string_view subject = {};                           ///< CaseMesh::subject
   std::string_view reason = {};  ///< the known reason why its error exceeds the aim; empty if it does not
 };
 
