@@ -1,12 +1,14 @@
 #include "report/validation/cases.hpp"
 #include "report/validation/closed_forms.hpp"
 #include "sim/fabric/fabric.hpp"
+#include "sim/fabric/presets.hpp"
 #include "sim/measures/equilibrium.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace drape::report::validation {
 namespace {
@@ -55,15 +57,11 @@ Comparison peirce(const sim::fabric::Material& material, double density, const C
   return {.measured = overhang, .exact = exact};
 }
 
-sim::fabric::Material fabricWith(double warp, double weft, double shear, double bendWarp, double bendBias,
-                                 double bendWeft) {
-  sim::fabric::Material material;
-  material.stretchWarp = warp;
-  material.stretchWeft = weft;
-  material.shear = shear;
-  material.bendWarp = bendWarp;
-  material.bendWeft = bendWeft;
-  material.bendBias = bendBias;
+/// The fabric with warp and weft exchanged.
+sim::fabric::Material turned(sim::fabric::Material material) {
+  std::swap(material.stretchWarp, material.stretchWeft);
+  std::swap(material.stiffeningWarp, material.stiffeningWeft);
+  std::swap(material.bendWarp, material.bendWeft);
   return material;
 }
 
@@ -85,18 +83,14 @@ Comparison heavyElasticaHanging(const CaseMesh& mesh) {
   return heavyElastica(46.0, mesh);
 }
 
-// Moduli of Wang, O'Brien and Ramamoorthi (2011), Data-driven elastic models for cloth.
-
-Comparison peirceDenim(const CaseMesh& mesh) {
-  return peirce(fabricWith(205.0, 1014.0, 53.0, 64e-6, 73e-6, 97e-6), 0.324, mesh);
+Comparison peirceWarp(const CaseMesh& mesh) {
+  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  return peirce(preset.material, preset.density, mesh);
 }
 
-Comparison peirceCotton(const CaseMesh& mesh) {
-  return peirce(fabricWith(2017.0, 2035.0, 105.0, 125e-6, 108e-6, 125e-6), 0.220, mesh);
-}
-
-Comparison peircePolyester(const CaseMesh& mesh) {
-  return peirce(fabricWith(2002.0, 2027.0, 19.0, 52e-6, 41e-6, 31e-6), 0.128, mesh);
+Comparison peirceWeft(const CaseMesh& mesh) {
+  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  return peirce(turned(preset.material), preset.density, mesh);
 }
 
 Comparison buckling(const CaseMesh& mesh) {

@@ -10,6 +10,7 @@ namespace drape::report::validation {
 [[nodiscard]] Comparison endLoadPoisson(const CaseMesh& mesh);
 [[nodiscard]] Comparison ownWeight(const CaseMesh& mesh);
 [[nodiscard]] Comparison pictureFrame(const CaseMesh& mesh);
+[[nodiscard]] Comparison biasExtension(const CaseMesh& mesh);
 [[nodiscard]] Comparison hangingStrip(const CaseMesh& mesh);
 
 // bending_cases.cpp
@@ -17,15 +18,13 @@ namespace drape::report::validation {
 [[nodiscard]] Comparison heavyElasticaMedium(const CaseMesh& mesh);
 [[nodiscard]] Comparison heavyElasticaLarge(const CaseMesh& mesh);
 [[nodiscard]] Comparison heavyElasticaHanging(const CaseMesh& mesh);
-[[nodiscard]] Comparison peirceDenim(const CaseMesh& mesh);
-[[nodiscard]] Comparison peirceCotton(const CaseMesh& mesh);
-[[nodiscard]] Comparison peircePolyester(const CaseMesh& mesh);
+[[nodiscard]] Comparison peirceWarp(const CaseMesh& mesh);  // the subject is a preset
+[[nodiscard]] Comparison peirceWeft(const CaseMesh& mesh);
 [[nodiscard]] Comparison buckling(const CaseMesh& mesh);
 [[nodiscard]] Comparison twist(const CaseMesh& mesh);
 
 // frequency_cases.cpp; the subject is a solver
 [[nodiscard]] Comparison membraneMode11(const CaseMesh& mesh);
-[[nodiscard]] Comparison membraneMode12(const CaseMesh& mesh);
 [[nodiscard]] Comparison membraneMode22(const CaseMesh& mesh);
 [[nodiscard]] Comparison stripMode(const CaseMesh& mesh);
 
@@ -34,5 +33,10 @@ namespace drape::report::validation {
 [[nodiscard]] Comparison inclineSlides(const CaseMesh& mesh);
 [[nodiscard]] Comparison terminalVelocity(const CaseMesh& mesh);
 [[nodiscard]] Comparison fallDistance(const CaseMesh& mesh);
+
+// drape_cases.cpp; the subject is a preset
+[[nodiscard]] Comparison cusick(const CaseMesh& mesh);
+[[nodiscard]] Comparison remeshedDisc(const CaseMesh& mesh);
+[[nodiscard]] Comparison remeshedSkirt(const CaseMesh& mesh);
 
 }  // namespace drape::report::validation

@@ -136,6 +136,14 @@ double simpleShearEnergy(const sim::fabric::Material& material, double shear) {
   return 0.5 * material.shear * shear * shear + 0.5 * material.stretchWeft * across * across;
 }
 
+double biasModulus(const sim::fabric::Material& material) {
+  const double warp = material.stretchWarp;
+  const double weft = material.stretchWeft;
+  const double coupling = material.poisson * std::sqrt(warp * weft);
+  const double determinant = warp * weft - coupling * coupling;
+  return 4.0 / ((warp + weft - 2.0 * coupling) / determinant + 1.0 / material.shear);
+}
+
 double membraneFrequency(double modulus, double stretch, double density, double side, int m, int n) {
   const double tension = 0.5 * modulus * (stretch * stretch - 1.0);
   return 0.5 * std::sqrt(tension / density) * std::hypot(m, n) / side;

@@ -67,6 +67,10 @@ inline constexpr double peirceAngle = 41.5 / 180.0 * 3.14159265358979323846;
 /// The energy per area of simple shear along warp by the shear `shear` [-]: x + shear y, y [J/m^2].
 [[nodiscard]] double simpleShearEnergy(const sim::fabric::Material& material, double shear);
 
+/// Young's modulus times thickness along the bias [N/m]. With the compliances S of warp and weft it is
+/// 4 / (S_11 + S_22 + 2 S_12 + 1 / G).
+[[nodiscard]] double biasModulus(const sim::fabric::Material& material);
+
 /// The frequency of a square membrane that is stretched by the same factor in both directions and held at its sides
 /// [1/s]. With Saint Venant-Kirchhoff's law and no contraction across, its tension per width is S = C (stretch^2 - 1)
 /// / 2, and f = sqrt(S / density) sqrt(m^2 + n^2) / (2 side).

@@ -1,8 +1,12 @@
 #include "report/validation/drape_disc.hpp"
 
+#include "sim/measures/equilibrium.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace drape::report::validation {
 namespace {
@@ -11,13 +15,14 @@ constexpr double turn = 2.0 * std::numbers::pi;
 
 /// Which ring has which radius. `free` cells lie outside the last held ring.
 struct Rings {
+  DiscForm form;
   int count = 0;
   int free = 0;
 
   [[nodiscard]] double radius(double ring) const {
     const int held = count - free;
-    const double cell = (discRadius - supportRadius) / (free + 0.5);
-    const double lastHeld = supportRadius + 0.5 * cell;
+    const double cell = (form.radius - form.support) / (free + 0.5);
+    const double lastHeld = form.support + 0.5 * cell;
     const double beyond = ring - held;
     // The cell inside the last held ring has the same width, for the bend at the edge of the support.
     return beyond >= -1.0 ? lastHeld + beyond * cell : (lastHeld - cell) * ring / (held - 1);
@@ -63,10 +68,10 @@ void turnDiagonals(TestSheet& sheet) {
 
 }  // namespace
 
-DrapeDisc drapeDisc(int cells, MeshKind kind) {
+Disc discOf(const DiscForm& form, int cells, MeshKind kind) {
   const double size = cells;
-  const Rings rings{.count = cells / 2, .free = cells / 3};
-  DrapeDisc disc;
+  const Rings rings{.form = form, .count = cells / 2, .free = cells / 3};
+  Disc disc;
   disc.sheet = testSheet({.start = -0.5 * size, .length = size, .width = size, .along = cells, .across = cells}, kind);
   const int last = rings.count - rings.free;
   for (int row = 0; row <= cells; ++row) {
@@ -84,6 +89,96 @@ DrapeDisc drapeDisc(int cells, MeshKind kind) {
   }
   turnDiagonals(disc.sheet);
   return disc;
+}
+
+std::vector<int> rimOf(const Disc& disc) {
+  std::vector<int> rim;
+  const int last = disc.sheet.columns - 1;
+  for (int row = 0; row <= last; ++row) {
+    for (int column = 0; column <= last; ++column) {
+      if (row == 0 || column == 0 || row == last || column == last) {
+        rim.push_back(disc.sheet.vertex(column, row));
+      }
+    }
+  }
+  return rim;
+}
+
+namespace {
+
+/// Twice the signed area of the triangle (0, u, v), seen from above.
+double crossOf(const Vec3& u, const Vec3& v) {
+  return u.z() * v.x() - u.x() * v.z();
+}
+
+/// The displacement of a point of the flat disc, interpolated in the triangle that it lies in, or that it is closest to
+/// in barycentric coordinates.
+Vec3 displacementAt(const Vec3& point, const DrapedDisc& from) {
+  const sim::ClothMesh& mesh = from.disc.sheet.mesh;
+  Vec3 displacement = Vec3::Zero();
+  double best = -std::numeric_limits<double>::infinity();
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vec3& a = mesh.positions[triangle[0]];
+    const Vec3& b = mesh.positions[triangle[1]];
+    const Vec3& c = mesh.positions[triangle[2]];
+    const double area = crossOf(b - a, c - a);
+    const double ofB = crossOf(point - a, c - a) / area;
+    const double ofC = crossOf(b - a, point - a) / area;
+    const double least = std::min({1.0 - ofB - ofC, ofB, ofC});
+    if (least > best) {
+      best = least;
+      displacement = (1.0 - ofB - ofC) * (from.positions[triangle[0]] - a) + ofB * (from.positions[triangle[1]] - b) +
+                     ofC * (from.positions[triangle[2]] - c);
+    }
+    if (best >= 0.0) {
+      break;
+    }
+  }
+  return displacement;
+}
+
+/// Four waves along the rim. They are turned a little, and one side is lower, so that no symmetry hinders the search.
+std::vector<Vec3> wavesOf(const DiscForm& form, const Disc& disc) {
+  constexpr double amplitude = 0.13;  // of the radius
+  std::vector<Vec3> positions = disc.sheet.mesh.positions;
+  for (Vec3& position : positions) {
+    const double angle = std::atan2(position.z(), position.x());
+    const double beyond = std::hypot(position.x(), position.z()) - form.support;
+    const double wave = std::cos(4.0 * (angle + 0.1)) - 0.03 * std::cos(angle);
+    position.y() = amplitude * form.radius * wave * std::max(0.0, beyond) / (form.radius - form.support);
+  }
+  return positions;
+}
+
+}  // namespace
+
+DrapedDisc drapedDisc(const DiscForm& form, const sim::fabric::MaterialPreset& preset, const CaseMesh& mesh) {
+  constexpr int coarsest = 12;
+  constexpr double gravity = 9.81;  // [m/s^2]
+  // The coefficient is accurate to a hundredth with this residual. A search on a fine mesh starts near its end.
+  constexpr sim::EquilibriumOptions options{.tolerance = 1e-6, .maxIterations = 400};
+  DrapedDisc draped;
+  for (int cells = std::min(coarsest, mesh.resolution); cells <= mesh.resolution;
+       cells = cells == mesh.resolution ? cells + 1 : std::min(2 * cells, mesh.resolution)) {
+    DrapedDisc finer{.disc = discOf(form, cells, mesh.kind), .positions = {}};
+    finer.positions = wavesOf(form, finer.disc);
+    if (!draped.positions.empty()) {
+      finer.positions = finer.disc.sheet.mesh.positions;
+      for (Vec3& position : finer.positions) {
+        position += displacementAt(position, draped);
+      }
+    }
+    for (const int vertex : finer.disc.held) {
+      finer.positions[vertex] = finer.disc.sheet.mesh.positions[vertex];
+    }
+    const auto model = clothOf(finer.disc.sheet, preset.material, preset.density, finer.disc.held);
+    sim::Equilibrium found =
+        sim::equilibriumUnder(*model, sim::weightsOf(*model, gravity), finer.positions, options, mesh.stop);
+    finer.converged = found.converged;
+    finer.positions = std::move(found.positions);
+    draped = std::move(finer);
+  }
+  return draped;
 }
 
 std::vector<double> shadowOf(std::span<const Vec3> positions, const std::vector<Triangle>& triangles) {
@@ -120,14 +215,14 @@ double drapeCoefficient(std::span<const double> shadow) {
   for (const double radius : shadow) {
     squares += radius * radius / static_cast<double>(shadow.size());
   }
-  const double support = supportRadius * supportRadius;
-  return 100.0 * (squares - support) / (discRadius * discRadius - support);
+  const double support = cusickDisc.support * cusickDisc.support;
+  return 100.0 * (squares - support) / (cusickDisc.radius * cusickDisc.radius - support);
 }
 
 int foldsOf(std::span<const double> shadow) {
   const auto [least, most] = std::minmax_element(shadow.begin(), shadow.end());
   const double rise = 0.2 * (*most - *least);
-  if (rise < 1e-3 * discRadius) {
+  if (rise < 1e-3 * cusickDisc.radius) {
     return 0;
   }
   // From the lowest minimum once around: a fold begins with a rise and ends with a fall.

@@ -47,7 +47,10 @@ Oscillation clampedStrip(const CaseMesh& mesh) {
   constexpr double bending = 1e-4;    // [N m]
   constexpr double density = 0.05;    // [kg/m^2]
   constexpr double amplitude = 0.01 * freeLength;
-  const sim::fabric::Material material = stiffSheet(bending);
+  // The mode does not stretch the strip. So a soft membrane changes nothing and permits longer explicit steps.
+  sim::fabric::Material material = stiffSheet(bending);
+  material.stretchWarp = material.stretchWeft = 50.0;
+  material.shear = 25.0;
   const TestSheet sheet = cantilever(freeLength, mesh);
   Oscillation oscillation;
   oscillation.model = clothOf(sheet, material, density, sheet.verticesOf(0, 1));
@@ -68,10 +71,6 @@ Comparison compared(const Oscillation& oscillation, const CaseMesh& mesh) {
 
 Comparison membraneMode11(const CaseMesh& mesh) {
   return compared(stretchedMembrane(1, 1, mesh), mesh);
-}
-
-Comparison membraneMode12(const CaseMesh& mesh) {
-  return compared(stretchedMembrane(1, 2, mesh), mesh);
 }
 
 Comparison membraneMode22(const CaseMesh& mesh) {

@@ -103,11 +103,11 @@ TestSheet cantilever(double freeLength, const CaseMesh& mesh) {
 }
 
 std::shared_ptr<const sim::ClothModel> clothOf(const TestSheet& sheet, const sim::fabric::Material& material,
-                                               double density, const std::vector<int>& pins) {
+                                               double density, const std::vector<int>& pins, const Vec3& warp) {
   const auto springs =
       sim::buildClothModel(sheet.mesh, density * sim::restAreaOf(sheet.mesh), sim::MassLumping::Area, pins);
   return sim::fabric::withFabric(*springs, material,
-                                 sim::fabric::warpAlong(Vec3::UnitX(), sheet.mesh.positions, sheet.mesh.triangles));
+                                 sim::fabric::warpAlong(warp, sheet.mesh.positions, sheet.mesh.triangles));
 }
 
 }  // namespace drape::report::validation

@@ -56,10 +56,11 @@ struct SheetForm {
 /// Makes a sheet. The irregular kind is the same at every call.
 [[nodiscard]] TestSheet testSheet(const SheetForm& form, MeshKind kind);
 
-/// The sheet as a cloth of fabric with warp along x. @param density [kg/m^2]  @param pins vertex indices
+/// The sheet as a cloth of fabric. @param density [kg/m^2]  @param pins vertex indices  @param warp its direction
 [[nodiscard]] std::shared_ptr<const sim::ClothModel> clothOf(const TestSheet& sheet,
                                                              const sim::fabric::Material& material, double density,
-                                                             const std::vector<int>& pins);
+                                                             const std::vector<int>& pins,
+                                                             const Vec3& warp = Vec3::UnitX());
 
 /// A fabric of one bending stiffness [N m] that hardly stretches.
 [[nodiscard]] sim::fabric::Material stiffSheet(double bending);

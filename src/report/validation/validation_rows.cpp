@@ -88,7 +88,7 @@ double secondsOf(const ReportRow& row) {
 }
 
 std::string validationLine(const ReportRow& row) {
-  std::string line = fmt::format("{:<20}{:<12}", row.value("name", ""), row.value("mesh", ""));
+  std::string line = fmt::format("{:<26}{:<12}", row.value("name", ""), row.value("mesh", ""));
   for (const ReportRow& result : row["results"]) {
     line += fmt::format("{:>11}", figureOf(row, result));
   }
@@ -97,7 +97,7 @@ std::string validationLine(const ReportRow& row) {
 }
 
 std::string validationHeading(std::span<const int> resolutions) {
-  std::string line = fmt::format("{:<20}{:<12}", "case", "mesh");
+  std::string line = fmt::format("{:<26}{:<12}", "case", "mesh");
   for (const int resolution : resolutions) {
     line += fmt::format("{:>5} cells", resolution);
   }
