@@ -94,7 +94,8 @@ constexpr std::string_view lockingReason =
     "Flat triangles of a fabric that hardly stretches cannot bend in two directions at once, so a coarse mesh is too "
     "stiff where folds begin.";
 
-constexpr ValidationCase remeshedDiscOf(std::string_view name, std::string_view preset, std::string_view title) {
+constexpr ValidationCase remeshedDiscOf(std::string_view name, std::string_view preset, std::string_view title,
+                                        std::span<const MeshKind> kinds) {
   return {.group = CaseGroup::Drape,
           .name = name,
           .title = title,
@@ -103,20 +104,23 @@ constexpr ValidationCase remeshedDiscOf(std::string_view name, std::string_view 
           .aim = 0.001,
           .run = remeshedDisc,
           .resolutions = remeshedResolutions,
+          .kinds = kinds,
           .everyResolution = true,
           .subject = preset,
           .reason = lockingReason};
 }
 
-constexpr ValidationCase remeshedSkirtOf(std::string_view name, std::string_view preset, std::string_view title) {
+constexpr ValidationCase remeshedCapeOf(std::string_view name, std::string_view preset, std::string_view title,
+                                        std::span<const MeshKind> kinds) {
   return {.group = CaseGroup::Drape,
           .name = name,
           .title = title,
           .compared = "mean depth of the hem, compared with that with 24 cells",
           .unit = "m",
           .aim = 0.02,
-          .run = remeshedSkirt,
+          .run = remeshedCape,
           .resolutions = remeshedResolutions,
+          .kinds = kinds,
           .everyResolution = true,
           .subject = preset,
           .reason = lockingReason};
@@ -212,10 +216,9 @@ constexpr std::array casesOfValidation{
         "coefficient: layers of leather differ, and bend more easily than stretch tells."),
     cusickOf("cusick_rubber", "rubber", "Cusick's drape test, rubber", unknown,
         "No equilibrium was found: the folds would touch, and the search knows no contact."),
-    remeshedDiscOf("remeshed_disc_cotton", "cotton", "Cusick's disc of cotton, remeshed"),
-    remeshedSkirtOf("remeshed_skirt_cotton", "cotton", "Circle skirt of cotton, remeshed"),
-    remeshedDiscOf("remeshed_disc_denim", "denim", "Cusick's disc of denim, remeshed"),
-    remeshedSkirtOf("remeshed_skirt_denim", "denim", "Circle skirt of denim, remeshed"),
+    remeshedDiscOf("remeshed_disc_cotton", "cotton", "Cusick's disc of cotton, remeshed", oneKind),
+    remeshedDiscOf("remeshed_disc_denim", "denim", "Cusick's disc of denim, remeshed", meshKinds),
+    remeshedCapeOf("remeshed_cape", "denim", "Round cape of denim, 12 cm long, remeshed", meshKinds),
 };
 // clang-format on
 

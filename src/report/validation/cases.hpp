@@ -37,6 +37,6 @@ namespace drape::report::validation {
 // drape_cases.cpp; the subject is a preset
 [[nodiscard]] Comparison cusick(const CaseMesh& mesh);
 [[nodiscard]] Comparison remeshedDisc(const CaseMesh& mesh);
-[[nodiscard]] Comparison remeshedSkirt(const CaseMesh& mesh);
+[[nodiscard]] Comparison remeshedCape(const CaseMesh& mesh);
 
 }  // namespace drape::report::validation

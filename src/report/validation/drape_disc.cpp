@@ -155,7 +155,6 @@ std::vector<Vec3> wavesOf(const DiscForm& form, const Disc& disc) {
 DrapedDisc drapedDisc(const DiscForm& form, const sim::fabric::MaterialPreset& preset, const CaseMesh& mesh) {
   constexpr int coarsest = 12;
   constexpr double gravity = 9.81;  // [m/s^2]
-  // The coefficient is accurate to a hundredth with this residual. A search on a fine mesh starts near its end.
   constexpr sim::EquilibriumOptions options{.tolerance = 1e-6, .maxIterations = 400};
   DrapedDisc draped;
   for (int cells = std::min(coarsest, mesh.resolution); cells <= mesh.resolution;
