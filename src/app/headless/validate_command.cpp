@@ -76,8 +76,8 @@ void validate(const ValidateArguments& arguments) {
 
 void addValidateCommand(CLI::App& app) {
   auto arguments = std::make_shared<ValidateArguments>();
-  CLI::App* command = app.add_subcommand(
-      "validate", "Compares fabric at rest with closed forms on three kinds of mesh, with errors and order");
+  CLI::App* command =
+      app.add_subcommand("validate", "Compares fabric with closed forms and published ranges, with errors and order");
   command->add_option("--only", arguments->cases, "A case's name; may be repeated; default: every case")
       ->type_name("NAME")
       ->expected(1)

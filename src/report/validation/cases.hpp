@@ -2,7 +2,7 @@
 
 #include "report/validation/validation_case.hpp"
 
-/// The functions of the validation cases, grouped by file. The table of cases.cpp lists them.
+/// The functions of the validation cases, grouped by file. The table of case_table.cpp lists them.
 namespace drape::report::validation {
 
 // membrane_cases.cpp

@@ -44,7 +44,7 @@ inline constexpr std::array caseGroups{CaseGroup::Membrane, CaseGroup::Bending, 
 /// The resolutions of most cases: cells along the sheet, each twice the former.
 inline constexpr std::array validationResolutions{10, 20, 40};
 
-/// A test of the mechanics of fabric against a closed form, declared in the table of cases.cpp.
+/// A test of the mechanics of fabric against a closed form, declared in the table of case_table.cpp.
 struct ValidationCase {
   CaseGroup group = CaseGroup::Membrane;
   std::string_view name;      ///< "heavy_elastica_15"
