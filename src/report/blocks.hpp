@@ -108,7 +108,7 @@ struct Drawing {
   };
   struct Panel {
     std::string caption;
-    std::vector<Face> faces;  ///< the farthest first
+    std::vector<Face> faces;  ///< those behind first
   };
   std::string name;  ///< as of a Plot
   std::string title;

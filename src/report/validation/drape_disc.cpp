@@ -20,12 +20,12 @@ struct Rings {
   int free = 0;
 
   [[nodiscard]] double radius(double ring) const {
-    const int held = count - free;
+    const int last = count - free;
     const double cell = (form.radius - form.support) / (free + 0.5);
     const double lastHeld = form.support + 0.5 * cell;
-    const double beyond = ring - held;
+    const double beyond = ring - last;
     // The cell inside the last held ring has the same width, for the bend at the edge of the support.
-    return beyond >= -1.0 ? lastHeld + beyond * cell : (lastHeld - cell) * ring / (held - 1);
+    return beyond >= -1.0 ? lastHeld + beyond * cell : (lastHeld - cell) * ring / (last - 1);
   }
 };
 
@@ -80,7 +80,7 @@ Disc discOf(const DiscForm& form, int cells, MeshKind kind) {
       const int ring = std::max(std::abs(column - rings.count), std::abs(row - rings.count));
       Vec3& position = disc.sheet.mesh.positions[vertex];
       if (ring <= last) {
-        disc.held.push_back(vertex);
+        disc.pinned.push_back(vertex);
         position.x() = column - rings.count;
         position.z() = row;
       }
@@ -124,9 +124,9 @@ Vec3 displacementAt(const Vec3& point, const DrapedDisc& from) {
     const double area = crossOf(b - a, c - a);
     const double ofB = crossOf(point - a, c - a) / area;
     const double ofC = crossOf(b - a, point - a) / area;
-    const double least = std::min({1.0 - ofB - ofC, ofB, ofC});
-    if (least > best) {
-      best = least;
+    const double lowest = std::min({1.0 - ofB - ofC, ofB, ofC});
+    if (lowest > best) {
+      best = lowest;
       displacement = (1.0 - ofB - ofC) * (from.positions[triangle[0]] - a) + ofB * (from.positions[triangle[1]] - b) +
                      ofC * (from.positions[triangle[2]] - c);
     }
@@ -167,10 +167,10 @@ DrapedDisc drapedDisc(const DiscForm& form, const sim::fabric::MaterialPreset& p
         position += displacementAt(position, draped);
       }
     }
-    for (const int vertex : finer.disc.held) {
+    for (const int vertex : finer.disc.pinned) {
       finer.positions[vertex] = finer.disc.sheet.mesh.positions[vertex];
     }
-    const auto model = clothOf(finer.disc.sheet, preset.material, preset.density, finer.disc.held);
+    const auto model = clothOf(finer.disc.sheet, preset.material, preset.density, finer.disc.pinned);
     sim::Equilibrium found =
         sim::equilibriumUnder(*model, sim::weightsOf(*model, gravity), finer.positions, options, mesh.stop);
     finer.converged = found.converged;
@@ -200,8 +200,8 @@ std::vector<double> shadowOf(std::span<const Vec3> positions, const std::vector<
         const double across = (b.x() - a.x()) * s - (b.z() - a.z()) * c;
         if (across != 0.0) {
           const double t = std::clamp((a.z() * c - a.x() * s) / across, 0.0, 1.0);
-          double& farthest = shadow[(i % shadowAngles + shadowAngles) % shadowAngles];
-          farthest = std::max(farthest, std::hypot(a.x() + t * (b.x() - a.x()), a.z() + t * (b.z() - a.z())));
+          double& largest = shadow[(i % shadowAngles + shadowAngles) % shadowAngles];
+          largest = std::max(largest, std::hypot(a.x() + t * (b.x() - a.x()), a.z() + t * (b.z() - a.z())));
         }
       }
     }
@@ -219,16 +219,16 @@ double drapeCoefficient(std::span<const double> shadow) {
 }
 
 int foldsOf(std::span<const double> shadow) {
-  const auto [least, most] = std::minmax_element(shadow.begin(), shadow.end());
-  const double rise = 0.2 * (*most - *least);
+  const auto [lowest, most] = std::minmax_element(shadow.begin(), shadow.end());
+  const double rise = 0.2 * (*most - *lowest);
   if (rise < 1e-3 * cusickDisc.radius) {
     return 0;
   }
   // From the lowest minimum once around: a fold begins with a rise and ends with a fall.
-  const auto start = static_cast<std::size_t>(least - shadow.begin());
+  const auto start = static_cast<std::size_t>(lowest - shadow.begin());
   int folds = 0;
   bool rising = true;
-  double extreme = *least;
+  double extreme = *lowest;
   for (std::size_t i = 1; i <= shadow.size(); ++i) {
     const double radius = shadow[(start + i) % shadow.size()];
     if (rising) {

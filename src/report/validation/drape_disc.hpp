@@ -22,12 +22,12 @@ inline constexpr DiscForm cusickDisc;
 /// A disc in the xz plane around the origin. It consists of square rings of cells; the rings outside the support are
 /// circles. A third of the cells across the disc are rings outside the support.
 ///
-/// The vertices of `held` are on the support. The last held ring and the free one beside it share the bend at the edge
-/// of the support. The disc bends as if it began in the middle between the last two held rings, so the edge of the
+/// The vertices of `pinned` are on the support. The last held ring and the free one beside it share the bend at the
+/// edge of the support. The disc bends as if it began in the middle between the last two held rings, so the edge of the
 /// support is there.
 struct Disc {
   TestSheet sheet;
-  std::vector<int> held;
+  std::vector<int> pinned;
 };
 
 /// @param cells across the disc, even and at least 12  @param kind as of a sheet

@@ -38,16 +38,16 @@ TEST(DrapeDisc, coversTheDiscWithGoodTrianglesOfEveryKind) {
 
 TEST(DrapeDisc, hasTheEdgeOfTheSupportInTheMiddleBetweenItsLastHeldRings) {
   const Disc disc = discOf(cusickDisc, testCells, MeshKind::Irregular);
-  double farthest = 0.0;
+  double largest = 0.0;
   double second = 0.0;
-  for (const int vertex : disc.held) {
-    farthest = std::max(farthest, disc.sheet.mesh.positions[vertex].norm());
+  for (const int vertex : disc.pinned) {
+    largest = std::max(largest, disc.sheet.mesh.positions[vertex].norm());
   }
-  for (const int vertex : disc.held) {
+  for (const int vertex : disc.pinned) {
     const double radius = disc.sheet.mesh.positions[vertex].norm();
-    second = radius < farthest - 1e-9 ? std::max(second, radius) : second;
+    second = radius < largest - 1e-9 ? std::max(second, radius) : second;
   }
-  EXPECT_NEAR(0.5 * (farthest + second), cusickDisc.support, 1e-12);
+  EXPECT_NEAR(0.5 * (largest + second), cusickDisc.support, 1e-12);
   for (const int vertex : rimOf(disc)) {
     EXPECT_NEAR(disc.sheet.mesh.positions[vertex].norm(), cusickDisc.radius, 1e-12);
   }
