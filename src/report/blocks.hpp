@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -97,6 +98,24 @@ struct StateMap {
   std::vector<MapState> states;
 };
 
-using Block = std::variant<Paragraph, TextTable, Plot, StateMap>;
+/// Shaded surfaces side by side, as they are seen from one direction.
+struct Drawing {
+  /// A triangle of a surface on the picture.
+  struct Face {
+    std::array<double, 3> x{};  ///< to the right [m]
+    std::array<double, 3> y{};  ///< upwards [m]
+    double light = 1.0;         ///< 0 (dark) to 1 (bright)
+  };
+  struct Panel {
+    std::string caption;
+    std::vector<Face> faces;  ///< those behind first
+  };
+  std::string name;  ///< as of a Plot
+  std::string title;
+  double halfWidth = 0.1;  ///< of a panel, around its origin [m]
+  std::vector<Panel> panels;
+};
+
+using Block = std::variant<Paragraph, TextTable, Plot, StateMap, Drawing>;
 
 }  // namespace drape::report

@@ -64,6 +64,7 @@ class HtmlWriter {
 
   void operator()(const Plot& plot) { picture(svgOf(plot)); }
   void operator()(const StateMap& map) { picture(svgOf(map)); }
+  void operator()(const Drawing& drawing) { picture(svgOf(drawing)); }
 
  private:
   void row(std::string_view element, const std::vector<std::string>& fields, const std::vector<bool>& words, bool bad) {

@@ -49,6 +49,8 @@ class MarkdownWriter {
 
   void operator()(const StateMap& map) { picture(map.name, map.title, svgFile(svgOf(map))); }
 
+  void operator()(const Drawing& drawing) { picture(drawing.name, drawing.title, svgFile(svgOf(drawing))); }
+
   MarkdownReport report;
 
  private:

@@ -14,6 +14,7 @@ namespace drape::report {
 /// A picture as an SVG element without style.
 [[nodiscard]] std::string svgOf(const Plot& plot);
 [[nodiscard]] std::string svgOf(const StateMap& map);
+[[nodiscard]] std::string svgOf(const Drawing& drawing);
 
 /// A picture as a separate file.
 [[nodiscard]] std::string svgFile(std::string_view svg);

@@ -50,7 +50,7 @@ void validate(const ValidateArguments& arguments) {
       std::cout << report::validation::validationHeading(resolutions);
       headed.assign(resolutions.begin(), resolutions.end());
     }
-    for (const report::validation::MeshKind kind : report::validation::meshKinds) {
+    for (const report::validation::MeshKind kind : one.kinds) {
       const report::validation::ValidationSeries series = report::validation::runValidation(one, kind, resolutions);
       rows.push_back(report::validation::validationRow(series));
       if (!arguments.markdown) {
@@ -76,8 +76,8 @@ void validate(const ValidateArguments& arguments) {
 
 void addValidateCommand(CLI::App& app) {
   auto arguments = std::make_shared<ValidateArguments>();
-  CLI::App* command = app.add_subcommand(
-      "validate", "Compares fabric at rest with closed forms on three kinds of mesh, with errors and order");
+  CLI::App* command =
+      app.add_subcommand("validate", "Compares fabric with closed forms and published ranges, with errors and order");
   command->add_option("--only", arguments->cases, "A case's name; may be repeated; default: every case")
       ->type_name("NAME")
       ->expected(1)

@@ -1,5 +1,6 @@
 #include "report/number_text.hpp"
 #include "report/sections/sections.hpp"
+#include "report/sections/validation_picture.hpp"
 #include "report/validation/validation_rows.hpp"
 
 #include <fmt/core.h>
@@ -23,7 +24,7 @@ ReportRows measureSeries(const ValidationCase& one, MeshKind kind, bool quick, c
 SectionPlan planOfValidation(const ReportOptions& options) {
   SectionPlan plan;
   for (const ValidationCase& one : validation::validationTable()) {
-    for (const MeshKind kind : validation::meshKinds) {
+    for (const MeshKind kind : one.kinds) {
       plan.cells.push_back({std::string(one.name) + " " + std::string(nameOf(kind)), options.quick ? 0.1 : 1.0,
                             [&one, kind, quick = options.quick](const CellContext& context) {
                               return measureSeries(one, kind, quick, context);
@@ -110,7 +111,7 @@ TextTable casesOf(const std::string& group, const ReportRows& rows) {
 
 TextTable resultsOf(const std::string& group, const ReportRows& rows) {
   TextTable table{"Results: " + group,
-                  {"case", "mesh", "cells", "coarse", "middle", "fine", "order", "aim", "time [s]", "result"},
+                  {"case", "mesh", "cells", "coarse", "middle", "fine", "order", "aim", "time [s]", "result", "remark"},
                   {}};
   for (const ReportRow& row : rows) {
     std::vector<std::string> figures(3, "");
@@ -120,7 +121,8 @@ TextTable resultsOf(const std::string& group, const ReportRows& rows) {
     const bool passed = row.value("passed", false);
     table.rows.push_back({row.value("name", ""), row.value("mesh", ""), validation::cellsOf(row), figures[0],
                           figures[1], figures[2], validation::orderOf(row), validation::aimOf(row),
-                          fmt::format("{:.2f}", validation::secondsOf(row)), passed ? "within the aim" : "off"});
+                          fmt::format("{:.2f}", validation::secondsOf(row)), passed ? "within the aim" : "off",
+                          row["results"].empty() ? "" : row["results"].back().value("note", "")});
     table.tones.push_back(passed ? Tone::None : Tone::Bad);
   }
   return table;
@@ -168,6 +170,9 @@ std::vector<Block> showValidation(const ReportOptions& options, const ReportRows
       blocks.emplace_back(resultsOf(name, own));
       blocks.emplace_back(casesOf(name, own));
     }
+  }
+  if (const Drawing picture = pictureOf(rows); !picture.panels.empty()) {
+    blocks.emplace_back(picture);
   }
   return blocks;
 }

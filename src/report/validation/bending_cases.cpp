@@ -1,42 +1,19 @@
 #include "report/validation/cases.hpp"
 #include "report/validation/closed_forms.hpp"
 #include "sim/fabric/fabric.hpp"
+#include "sim/fabric/presets.hpp"
 #include "sim/measures/equilibrium.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace drape::report::validation {
 namespace {
 
 constexpr double gravity = 9.81;  // [m/s^2]
-
-/// A fabric of one bending stiffness [N m] that hardly stretches.
-sim::fabric::Material stiffSheet(double bending) {
-  sim::fabric::Material material;
-  material.stretchWarp = material.stretchWeft = 2000.0;
-  material.shear = 1000.0;
-  material.bendWarp = material.bendWeft = material.bendBias = bending;
-  return material;
-}
-
-/// A strip of this free length that is clamped at x = 0, with a width of a fourth. The first two columns are pinned.
-///
-/// The hinge at the second column bends. Curvature is a mean over the hinges of a triangle, so half of that bend counts
-/// as curvature of the pinned triangles beside it. The strip bends as if it began in the middle of the pinned cell. So
-/// the free length counts from there.
-TestSheet cantilever(double freeLength, const CaseMesh& mesh) {
-  const double cell = freeLength / (mesh.resolution - 0.5);
-  return testSheet({.start = -0.5 * cell,
-                    .length = freeLength + 0.5 * cell,
-                    .width = 0.25 * freeLength,
-                    .along = mesh.resolution,
-                    .across = std::max(2, mesh.resolution / 4),
-                    .straight = 2},
-                   mesh.kind);
-}
 
 /// The tip of a cantilever under its weight, in units of its free length; NaN if no equilibrium was found.
 ElasticaTip tipOf(const sim::fabric::Material& material, double density, double freeLength, const CaseMesh& mesh) {
@@ -80,15 +57,11 @@ Comparison peirce(const sim::fabric::Material& material, double density, const C
   return {.measured = overhang, .exact = exact};
 }
 
-sim::fabric::Material fabricWith(double warp, double weft, double shear, double bendWarp, double bendBias,
-                                 double bendWeft) {
-  sim::fabric::Material material;
-  material.stretchWarp = warp;
-  material.stretchWeft = weft;
-  material.shear = shear;
-  material.bendWarp = bendWarp;
-  material.bendWeft = bendWeft;
-  material.bendBias = bendBias;
+/// The fabric with warp and weft exchanged.
+sim::fabric::Material turned(sim::fabric::Material material) {
+  std::swap(material.stretchWarp, material.stretchWeft);
+  std::swap(material.stiffeningWarp, material.stiffeningWeft);
+  std::swap(material.bendWarp, material.bendWeft);
   return material;
 }
 
@@ -110,18 +83,14 @@ Comparison heavyElasticaHanging(const CaseMesh& mesh) {
   return heavyElastica(46.0, mesh);
 }
 
-// Moduli of Wang, O'Brien and Ramamoorthi (2011), Data-driven elastic models for cloth.
-
-Comparison peirceDenim(const CaseMesh& mesh) {
-  return peirce(fabricWith(205.0, 1014.0, 53.0, 64e-6, 73e-6, 97e-6), 0.324, mesh);
+Comparison peirceWarp(const CaseMesh& mesh) {
+  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  return peirce(preset.material, preset.density, mesh);
 }
 
-Comparison peirceCotton(const CaseMesh& mesh) {
-  return peirce(fabricWith(2017.0, 2035.0, 105.0, 125e-6, 108e-6, 125e-6), 0.220, mesh);
-}
-
-Comparison peircePolyester(const CaseMesh& mesh) {
-  return peirce(fabricWith(2002.0, 2027.0, 19.0, 52e-6, 41e-6, 31e-6), 0.128, mesh);
+Comparison peirceWeft(const CaseMesh& mesh) {
+  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  return peirce(turned(preset.material), preset.density, mesh);
 }
 
 Comparison buckling(const CaseMesh& mesh) {

@@ -136,4 +136,47 @@ double simpleShearEnergy(const sim::fabric::Material& material, double shear) {
   return 0.5 * material.shear * shear * shear + 0.5 * material.stretchWeft * across * across;
 }
 
+double biasModulus(const sim::fabric::Material& material) {
+  const double warp = material.stretchWarp;
+  const double weft = material.stretchWeft;
+  const double coupling = material.poisson * std::sqrt(warp * weft);
+  const double determinant = warp * weft - coupling * coupling;
+  return 4.0 / ((warp + weft - 2.0 * coupling) / determinant + 1.0 / material.shear);
+}
+
+double membraneFrequency(double modulus, double stretch, double density, double side, int m, int n) {
+  const double tension = 0.5 * modulus * (stretch * stretch - 1.0);
+  return 0.5 * std::sqrt(tension / density) * std::hypot(m, n) / side;
+}
+
+namespace {
+
+constexpr double cantileverRoot = 1.8751040687119611;  // the smallest x with cos(x) cosh(x) = -1
+
+}  // namespace
+
+double cantileverFrequency(double bending, double density, double length) {
+  return 0.5 * std::numbers::inv_pi * cantileverRoot * cantileverRoot * std::sqrt(bending / density) /
+         (length * length);
+}
+
+double cantileverMode(double share) {
+  const double ratio =
+      (std::cosh(cantileverRoot) + std::cos(cantileverRoot)) / (std::sinh(cantileverRoot) + std::sin(cantileverRoot));
+  const double at = cantileverRoot * share;
+  return 0.5 * (std::cosh(at) - std::cos(at) - ratio * (std::sinh(at) - std::sin(at)));
+}
+
+double slidingAcceleration(double slope, double friction, double gravity) {
+  return gravity * (slope - friction) / std::sqrt(1.0 + slope * slope);
+}
+
+double terminalSpeed(double density, double airDensity, double drag, double gravity) {
+  return std::sqrt(2.0 * density * gravity / (airDensity * drag));
+}
+
+double TerminalFall::distance(double time) const {
+  return speed * speed / gravity * std::log(std::cosh(gravity * time / speed));
+}
+
 }  // namespace drape::report::validation

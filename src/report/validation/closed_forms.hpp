@@ -67,4 +67,37 @@ inline constexpr double peirceAngle = 41.5 / 180.0 * 3.14159265358979323846;
 /// The energy per area of simple shear along warp by the shear `shear` [-]: x + shear y, y [J/m^2].
 [[nodiscard]] double simpleShearEnergy(const sim::fabric::Material& material, double shear);
 
+/// Young's modulus times thickness along the bias [N/m]. With the compliances S of warp and weft it is
+/// 4 / (S_11 + S_22 + 2 S_12 + 1 / G).
+[[nodiscard]] double biasModulus(const sim::fabric::Material& material);
+
+/// The frequency of a square membrane that is stretched by the same factor in both directions and held at its sides
+/// [1/s]. With Saint Venant-Kirchhoff's law and no contraction across, its tension per width is S = C (stretch^2 - 1)
+/// / 2, and f = sqrt(S / density) sqrt(m^2 + n^2) / (2 side).
+/// @param modulus C [N/m]  @param density at rest [kg/m^2]  @param side at rest [m]  @param m half waves, also n
+[[nodiscard]] double membraneFrequency(double modulus, double stretch, double density, double side, int m, int n);
+
+/// The lowest frequency of a strip that is clamped at one end, 3.5160 sqrt(B / density) / (2 pi L^2) [1/s].
+/// @param bending B [N m]  @param density [kg/m^2]  @param length L [m]
+[[nodiscard]] double cantileverFrequency(double bending, double density, double length);
+
+/// The shape of that mode, 1 at the tip. @param share distance from the clamp over the length, 0 to 1 [-]
+[[nodiscard]] double cantileverMode(double share);
+
+/// The acceleration of a sheet on an incline, g (sin a - mu cos a) [m/s^2]. @param slope tan a, above `friction`
+[[nodiscard]] double slidingAcceleration(double slope, double friction, double gravity);
+
+/// The speed at which drag carries the weight of a sheet that falls normal to its plane, sqrt(2 density g / (rho C_D))
+/// [m/s]. @param density of the sheet [kg/m^2]  @param airDensity rho [kg/m^3]  @param drag C_D [-]
+[[nodiscard]] double terminalSpeed(double density, double airDensity, double drag, double gravity);
+
+/// A fall from rest against drag that rises with the square of the speed.
+struct TerminalFall {
+  double speed = 0.0;    ///< terminal [m/s]
+  double gravity = 0.0;  ///< [m/s^2]
+
+  /// After that time [s]: speed^2 / g log(cosh(g t / speed)) [m].
+  [[nodiscard]] double distance(double time) const;
+};
+
 }  // namespace drape::report::validation

@@ -44,13 +44,13 @@ std::vector<Vec3> positionsUnder(const sim::ClothModel& model, const std::vector
   return found.positions;
 }
 
-constexpr double endForce = 50.0;  // per width [N/m]: a strain of 5 %
+constexpr double endForce = 50.0;  // per width [N/m]: a strain of 5 % of the isotropic sheet
 
 /// The stretches along x and z in the middle of a strip under an end load, fitted to the vertices there. An
 /// extensometer measures them in the same place, because the clamp prevents the contraction beside it.
-Vec2 stretchesOfLoadedStrip(const CaseMesh& mesh) {
+Vec2 stretchesOfLoadedStrip(const CaseMesh& mesh, const sim::fabric::Material& material, const Vec3& warp) {
   const TestSheet sheet = stripOf(mesh);
-  const auto model = clothOf(sheet, isotropic(poissonRatio), 0.2, sheet.verticesOf(0, 0));
+  const auto model = clothOf(sheet, material, 0.2, sheet.verticesOf(0, 0), warp);
   std::vector<Vec3> loads(model->restPositions.size(), Vec3::Zero());
   for (int row = 0; row + 1 < sheet.rows; ++row) {
     const double side = width / (sheet.rows - 1);
@@ -73,13 +73,21 @@ Vec2 stretchesOfLoadedStrip(const CaseMesh& mesh) {
 }  // namespace
 
 Comparison endLoadModulus(const CaseMesh& mesh) {
-  const double stretch = stretchesOfLoadedStrip(mesh).x();
+  const double stretch = stretchesOfLoadedStrip(mesh, isotropic(poissonRatio), Vec3::UnitX()).x();
   return {.measured = 2.0 * endForce / (stretch * (stretch * stretch - 1.0)), .exact = youngThickness};
 }
 
 Comparison endLoadPoisson(const CaseMesh& mesh) {
-  const Vec2 stretch = stretchesOfLoadedStrip(mesh);
+  const Vec2 stretch = stretchesOfLoadedStrip(mesh, isotropic(poissonRatio), Vec3::UnitX());
   return {.measured = (1.0 - stretch.y() * stretch.y()) / (stretch.x() * stretch.x() - 1.0), .exact = poissonRatio};
+}
+
+/// Bias extension: with equal moduli along warp and weft, a strip that is cut at 45 degrees does not shear when it is
+/// stretched.
+Comparison biasExtension(const CaseMesh& mesh) {
+  const sim::fabric::Material material{.stretchWarp = 2000.0, .stretchWeft = 2000.0, .shear = 300.0, .poisson = 0.2};
+  const double stretch = stretchesOfLoadedStrip(mesh, material, Vec3(1.0, 0.0, 1.0).normalized()).x();
+  return {.measured = 2.0 * endForce / (stretch * (stretch * stretch - 1.0)), .exact = biasModulus(material)};
 }
 
 Comparison ownWeight(const CaseMesh& mesh) {

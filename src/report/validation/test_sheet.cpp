@@ -2,6 +2,7 @@
 
 #include "sim/fabric/fabric.hpp"
 
+#include <algorithm>
 #include <random>
 
 namespace drape::report::validation {
@@ -82,12 +83,31 @@ TestSheet testSheet(const SheetForm& form, MeshKind kind) {
   return sheet;
 }
 
+sim::fabric::Material stiffSheet(double bending) {
+  sim::fabric::Material material;
+  material.stretchWarp = material.stretchWeft = 2000.0;
+  material.shear = 1000.0;
+  material.bendWarp = material.bendWeft = material.bendBias = bending;
+  return material;
+}
+
+TestSheet cantilever(double freeLength, const CaseMesh& mesh) {
+  const double cell = freeLength / (mesh.resolution - 0.5);
+  return testSheet({.start = -0.5 * cell,
+                    .length = freeLength + 0.5 * cell,
+                    .width = 0.25 * freeLength,
+                    .along = mesh.resolution,
+                    .across = std::max(2, mesh.resolution / 4),
+                    .straight = 2},
+                   mesh.kind);
+}
+
 std::shared_ptr<const sim::ClothModel> clothOf(const TestSheet& sheet, const sim::fabric::Material& material,
-                                               double density, const std::vector<int>& pins) {
+                                               double density, const std::vector<int>& pins, const Vec3& warp) {
   const auto springs =
       sim::buildClothModel(sheet.mesh, density * sim::restAreaOf(sheet.mesh), sim::MassLumping::Area, pins);
   return sim::fabric::withFabric(*springs, material,
-                                 sim::fabric::warpAlong(Vec3::UnitX(), sheet.mesh.positions, sheet.mesh.triangles));
+                                 sim::fabric::warpAlong(warp, sheet.mesh.positions, sheet.mesh.triangles));
 }
 
 }  // namespace drape::report::validation

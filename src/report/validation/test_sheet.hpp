@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,14 @@ inline constexpr std::array meshKinds{MeshKind::Grid, MeshKind::Alternating, Mes
 
 /// "grid", "alternating" or "irregular".
 [[nodiscard]] std::string_view nameOf(MeshKind kind);
+
+/// A mesh that a case runs on.
+struct CaseMesh {
+  int resolution = 0;  ///< cells along the sheet
+  MeshKind kind = MeshKind::Grid;
+  std::string_view subject = {};  ///< of the case: the name of a solver or of a preset; empty if it has none
+  std::stop_token stop = {};      ///< ends a search or a run by sim::StepStopped
+};
 
 /// A flat rectangular sheet in the xz plane. It has columns of vertices along z, in the order of their x, and rows
 /// along x.
@@ -47,9 +56,20 @@ struct SheetForm {
 /// Makes a sheet. The irregular kind is the same at every call.
 [[nodiscard]] TestSheet testSheet(const SheetForm& form, MeshKind kind);
 
-/// The sheet as a cloth of fabric with warp along x. @param density [kg/m^2]  @param pins vertex indices
+/// The sheet as a cloth of fabric. @param density [kg/m^2]  @param pins vertex indices  @param warp its direction
 [[nodiscard]] std::shared_ptr<const sim::ClothModel> clothOf(const TestSheet& sheet,
                                                              const sim::fabric::Material& material, double density,
-                                                             const std::vector<int>& pins);
+                                                             const std::vector<int>& pins,
+                                                             const Vec3& warp = Vec3::UnitX());
+
+/// A fabric of one bending stiffness [N m] that hardly stretches.
+[[nodiscard]] sim::fabric::Material stiffSheet(double bending);
+
+/// A strip of this free length [m] that is clamped at x = 0, with a width of a fourth. Pin its first two columns.
+///
+/// The hinge at the second column bends. Curvature is a mean over the hinges of a triangle, so half of that bend counts
+/// as curvature of the pinned triangles beside it. The strip bends as if it began in the middle of the pinned cell. So
+/// the free length counts from there.
+[[nodiscard]] TestSheet cantilever(double freeLength, const CaseMesh& mesh);
 
 }  // namespace drape::report::validation

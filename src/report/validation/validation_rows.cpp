@@ -19,6 +19,23 @@ std::string percent(double share, int digits) {
   return isZero && text.starts_with('-') ? text.substr(1) : text;
 }
 
+/// A shape, with its positions in tenths of a millimetre.
+ReportRow rowOf(const DrapedShape& shape) {
+  constexpr double unitsOfMetre = 1e4;
+  ReportRow row{{"positions", ReportRow::array()}, {"triangles", ReportRow::array()}};
+  for (const Vec3& position : shape.positions) {
+    for (const double coordinate : position) {
+      row["positions"].push_back(std::lround(unitsOfMetre * coordinate));
+    }
+  }
+  for (const Triangle& triangle : shape.triangles) {
+    for (const int corner : triangle) {
+      row["triangles"].push_back(corner);
+    }
+  }
+  return row;
+}
+
 /// Errors of all resolutions, separated by commas.
 std::string figuresOf(const ReportRow& row) {
   std::string text;
@@ -47,7 +64,11 @@ ReportRow validationRow(const ValidationSeries& series) {
     row["results"].push_back({{"resolution", result.resolution},
                               {"measured", finiteOrNull(result.comparison.measured)},
                               {"error", finiteOrNull(result.comparison.error())},
-                              {"seconds", result.seconds}});
+                              {"seconds", result.seconds},
+                              {"note", result.comparison.note}});
+    if (result.comparison.shape != nullptr) {
+      row["shape"] = rowOf(*result.comparison.shape);
+    }
   }
   row["order"] = finiteOrNull(series.order());
   row["passed"] = series.passes();
@@ -71,7 +92,7 @@ std::string cellsOf(const ReportRow& row) {
 }
 
 std::string aimOf(const ReportRow& row) {
-  return isRange(row) ? fmt::format("{:g} to {:g}", row.value("exact", 0.0), row.value("upper", 0.0))
+  return isRange(row) ? fmt::format("{:.3g} to {:.3g}", row.value("exact", 0.0), row.value("upper", 0.0))
                       : percent(row.value("aim", 0.0), 1);
 }
 
@@ -88,7 +109,7 @@ double secondsOf(const ReportRow& row) {
 }
 
 std::string validationLine(const ReportRow& row) {
-  std::string line = fmt::format("{:<20}{:<12}", row.value("name", ""), row.value("mesh", ""));
+  std::string line = fmt::format("{:<26}{:<12}", row.value("name", ""), row.value("mesh", ""));
   for (const ReportRow& result : row["results"]) {
     line += fmt::format("{:>11}", figureOf(row, result));
   }
@@ -97,7 +118,7 @@ std::string validationLine(const ReportRow& row) {
 }
 
 std::string validationHeading(std::span<const int> resolutions) {
-  std::string line = fmt::format("{:<20}{:<12}", "case", "mesh");
+  std::string line = fmt::format("{:<26}{:<12}", "case", "mesh");
   for (const int resolution : resolutions) {
     line += fmt::format("{:>5} cells", resolution);
   }

@@ -9,8 +9,8 @@ namespace drape::report::validation {
 
 /// The results of a case on one kind of mesh as a row of `validation`: `group`, `name`, `title`, `compared`, `unit`,
 /// `mesh`, `aim`, `exact` (for a range its lower end) and `upper` (null without a range), `results` (`resolution`,
-/// `measured`, `error`, `seconds`), `order` (null where there is none), `passed`, `reason` (the known reason why it is
-/// off).
+/// `measured`, `error`, `seconds`, `note`), `order` (null where there is none), `passed`, `reason` (the known reason
+/// why it is off), and `shape` if there is a picture: `positions` (x, y, z of each vertex) [0.1 mm] and `triangles`.
 [[nodiscard]] ReportRow validationRow(const ValidationSeries& series);
 
 /// The error of one of the row's results: "0.134 %", or "none" if there is no equilibrium. For a range the measured

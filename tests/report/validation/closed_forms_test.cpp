@@ -126,5 +126,64 @@ TEST(Shear, ofAFrameIsLargestAtARightAngle) {
   EXPECT_NEAR(pictureFrameEnergy(material, 0.5 * std::numbers::pi), 0.5 * material.shear, 1e-12);
 }
 
+TEST(Bias, modulusOfAnIsotropicSheetIsItsYoungsModulus) {
+  constexpr double poisson = 0.3;
+  const sim::fabric::Material material{.stretchWarp = 1000.0 / (1.0 - poisson * poisson),
+                                       .stretchWeft = 1000.0 / (1.0 - poisson * poisson),
+                                       .shear = 500.0 / (1.0 + poisson),
+                                       .poisson = poisson};
+  EXPECT_NEAR(biasModulus(material), 1000.0, 1e-9);
+}
+
+TEST(Bias, modulusOfAFabricThatHardlyResistsShearIsFourTimesTheShearModulus) {
+  EXPECT_NEAR(biasModulus({.stretchWarp = 1e6, .stretchWeft = 1e6, .shear = 10.0}), 40.0, 0.01);
+}
+
+TEST(MembraneFrequency, isThatOfAStringForASmallStretch) {
+  // A string of tension T and mass per length m has sqrt(T / m) / (2 L); a wave across a square has sqrt(2) of it.
+  constexpr double strain = 1e-4;
+  EXPECT_NEAR(membraneFrequency(1000.0, 1.0 + strain, 0.2, 0.5, 1, 1),
+              std::sqrt(2.0) * std::sqrt(1000.0 * strain / 0.2) / (2.0 * 0.5), 1e-3);
+  EXPECT_NEAR(membraneFrequency(1000.0, 1.1, 0.2, 0.5, 2, 2) / membraneFrequency(1000.0, 1.1, 0.2, 0.5, 1, 1), 2.0,
+              1e-12);
+}
+
+TEST(CantileverFrequency, isNearThatOfRayleighsQuotientAndBelowIt) {
+  // Of the shape s^2 the quotient is 4 B L / (m L^5 / 5) = 20 B / (m L^4).
+  const double upper = std::sqrt(20.0 * 1e-4 / 0.05) / (2.0 * std::numbers::pi * 0.2 * 0.2);
+  const double frequency = cantileverFrequency(1e-4, 0.05, 0.2);
+  EXPECT_LT(frequency, upper);
+  EXPECT_GT(frequency, 0.78 * upper);
+}
+
+TEST(CantileverFrequency, belongsToItsModeByRayleighsQuotient) {
+  constexpr int parts = 2000;
+  double bend = 0.0;
+  double mass = 0.0;
+  for (int i = 1; i < parts; ++i) {
+    const double at = static_cast<double>(i) / parts;
+    const double curvature = (cantileverMode(at + 1e-3) - 2.0 * cantileverMode(at) + cantileverMode(at - 1e-3)) / 1e-6;
+    bend += curvature * curvature / parts;
+    mass += cantileverMode(at) * cantileverMode(at) / parts;
+  }
+  EXPECT_NEAR(std::sqrt(bend / mass) / (2.0 * std::numbers::pi), cantileverFrequency(1.0, 1.0, 1.0), 0.002);
+  EXPECT_NEAR(cantileverMode(1.0), 1.0, 1e-12);
+  EXPECT_NEAR(cantileverMode(0.0), 0.0, 1e-12);
+}
+
+TEST(Incline, accelerationVanishesAtTheSlopeOfFrictionAndIsThatOfAFreeFallOnACliff) {
+  EXPECT_NEAR(slidingAcceleration(0.4, 0.4, 9.81), 0.0, 1e-12);
+  EXPECT_NEAR(slidingAcceleration(1e6, 0.4, 9.81), 9.81, 1e-4);
+  EXPECT_NEAR(slidingAcceleration(0.75, 0.0, 10.0), 6.0, 1e-12);
+}
+
+TEST(TerminalFall, fallsFreelyAtFirstAndEvenlyAtTheEnd) {
+  const double speed = terminalSpeed(0.1, 1.225, 1.2, 9.81);
+  EXPECT_NEAR(0.5 * 1.225 * 1.2 * speed * speed, 0.1 * 9.81, 1e-12);
+  const TerminalFall fall{.speed = speed, .gravity = 9.81};
+  EXPECT_NEAR(fall.distance(1e-3), 0.5 * 9.81 * 1e-6, 1e-10);
+  EXPECT_NEAR(fall.distance(3.0) - fall.distance(2.0), speed, 1e-6);
+}
+
 }  // namespace
 }  // namespace drape::report::validation

@@ -1,0 +1,93 @@
+#include "report/validation/cases.hpp"
+#include "report/validation/drape_disc.hpp"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+
+namespace drape::report::validation {
+namespace {
+
+constexpr double notAtRest = std::numeric_limits<double>::quiet_NaN();
+
+/// Drape coefficients of fabrics of this kind [%].
+struct PublishedRange {
+  std::string_view preset;
+  double lower = 0.0;
+  double upper = 100.0;
+};
+
+// Ranges for silk, wool, cotton, denim and leather are those that textbooks and studies report for Cusick's test. The
+// others are estimates: linen and canvas as stiff cottons, jersey as the knits of such studies.
+constexpr std::array publishedRanges{
+    PublishedRange{"silk", 20.0, 40.0},   PublishedRange{"wool", 40.0, 70.0},    PublishedRange{"cotton", 60.0, 76.0},
+    PublishedRange{"denim", 70.0, 90.0},  PublishedRange{"leather", 47.0, 70.0}, PublishedRange{"linen", 60.0, 85.0},
+    PublishedRange{"canvas", 75.0, 95.0}, PublishedRange{"jersey", 20.0, 50.0},
+};
+
+PublishedRange rangeOf(std::string_view preset) {
+  const auto* const found =
+      std::ranges::find_if(publishedRanges, [&](const PublishedRange& range) { return range.preset == preset; });
+  return found == publishedRanges.end() ? PublishedRange{} : *found;
+}
+
+/// The report has a picture of these presets, on a mesh that is neither coarse nor large.
+bool isPictured(const CaseMesh& mesh) {
+  constexpr std::array<std::string_view, 4> presets{"silk", "cotton", "denim", "leather"};
+  return mesh.resolution == 24 && std::ranges::find(presets, mesh.subject) != presets.end();
+}
+
+double coefficientOf(const DrapedDisc& draped) {
+  return draped.converged ? drapeCoefficient(shadowOf(draped.positions, draped.disc.sheet.mesh.triangles)) : notAtRest;
+}
+
+/// The mean depth of the rim below the support [m].
+double depthOfRim(const DrapedDisc& draped) {
+  const std::vector<int> rim = rimOf(draped.disc);
+  double depth = 0.0;
+  for (const int vertex : rim) {
+    depth -= draped.positions[vertex].y() / static_cast<double>(rim.size());
+  }
+  return draped.converged ? depth : notAtRest;
+}
+
+/// The mesh with once the vertices, which the others are compared with.
+CaseMesh onceTheVertices(const CaseMesh& mesh) {
+  CaseMesh once = mesh;
+  once.resolution = 24;
+  return once;
+}
+
+}  // namespace
+
+Comparison cusick(const CaseMesh& mesh) {
+  const DrapedDisc draped = drapedDisc(cusickDisc, *sim::fabric::findPreset(mesh.subject), mesh);
+  const std::vector<Triangle>& triangles = draped.disc.sheet.mesh.triangles;
+  const PublishedRange range = rangeOf(mesh.subject);
+  return {
+      .measured = coefficientOf(draped),
+      .exact = range.lower,
+      .upper = range.upper,
+      .note = fmt::format("{} folds{}", foldsOf(shadowOf(draped.positions, triangles)),
+                          draped.converged ? "" : ", not at rest"),
+      .shape = isPictured(mesh) ? std::make_shared<DrapedShape>(DrapedShape{draped.positions, triangles}) : nullptr};
+}
+
+Comparison remeshedDisc(const CaseMesh& mesh) {
+  constexpr double points = 3.0;
+  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  const double once = coefficientOf(drapedDisc(cusickDisc, preset, onceTheVertices(mesh)));
+  return {
+      .measured = coefficientOf(drapedDisc(cusickDisc, preset, mesh)), .exact = once - points, .upper = once + points};
+}
+
+Comparison remeshedCape(const CaseMesh& mesh) {
+  constexpr DiscForm cape{.radius = 0.25, .support = 0.13};
+  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  return {.measured = depthOfRim(drapedDisc(cape, preset, mesh)),
+          .exact = depthOfRim(drapedDisc(cape, preset, onceTheVertices(mesh)))};
+}
+
+}  // namespace drape::report::validation

@@ -1,0 +1,123 @@
+#include "report/validation/cases.hpp"
+#include "report/validation/closed_forms.hpp"
+#include "report/validation/test_motion.hpp"
+#include "sim/fabric/presets.hpp"
+
+#include <cmath>
+
+namespace drape::report::validation {
+namespace {
+
+constexpr double earth = 9.81;  // [m/s^2]
+
+/// A square sheet of this preset, with a side of 20 cm.
+TestSheet freeSheet(const CaseMesh& mesh) {
+  constexpr double side = 0.2;  // [m]
+  return testSheet({.length = side, .width = side, .along = mesh.resolution, .across = mesh.resolution}, mesh.kind);
+}
+
+std::shared_ptr<const sim::ClothModel> freeCloth(const TestSheet& sheet) {
+  const sim::fabric::MaterialPreset& cotton = *sim::fabric::findPreset("cotton");
+  return clothOf(sheet, cotton.material, cotton.density, {});
+}
+
+constexpr double staticFriction = 0.5;
+constexpr double kineticFriction = 0.4;
+
+/// A sheet that lies at rest on a plane, which descends along x by this slope.
+TestMotion sheetOnIncline(double slope, const CaseMesh& mesh) {
+  const TestSheet sheet = freeSheet(mesh);
+  sim::StepParameters parameters;
+  parameters.gravity = earth;
+  sim::contact::Body plane;
+  plane.name = "incline";
+  plane.shape = sim::contact::PlaneShape{};
+  plane.motion.keyframes = {{.rotation = {0.0, 0.0, -std::atan(slope)}}};
+  plane.surface.staticFriction = staticFriction;
+  plane.surface.kineticFriction = kineticFriction;
+  const sim::contact::Pose pose = sim::contact::poseAt(plane.motion, 0.0);
+  const double offset = plane.surface.thickness + 0.5 * parameters.contact.thickness;
+  std::vector<Vec3> start;
+  for (const Vec3& rest : sheet.mesh.positions) {
+    start.push_back(pose.toWorld(rest + Vec3(0.0, offset, 0.0)));
+  }
+  TestMotion motion(freeCloth(sheet), mesh.subject, parameters, start, mesh.stop);
+  motion.add(plane);
+  return motion;
+}
+
+}  // namespace
+
+/// Searches the slope from which on the sheet slides.
+Comparison inclineSticks(const CaseMesh& mesh) {
+  constexpr double seconds = 0.1;
+  // Just above the limit it slides at g cos(a) (mu_s - mu_k), 0.9 m/s^2.
+  constexpr double slow = 0.02;  // [m/s]
+  double low = 0.9 * staticFriction;
+  double high = 1.1 * staticFriction;
+  constexpr int halvings = 8;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    TestMotion motion = sheetOnIncline(middle, mesh);
+    motion.run(seconds);
+    (motion.velocity().norm() > slow ? high : low) = middle;
+  }
+  return {.measured = 0.5 * (low + high), .exact = staticFriction};
+}
+
+Comparison inclineSlides(const CaseMesh& mesh) {
+  constexpr double slope = 0.6;
+  constexpr double settled = 0.1;  // [s]
+  constexpr double seconds = 0.3;
+  TestMotion motion = sheetOnIncline(slope, mesh);
+  motion.run(settled);
+  const double from = motion.velocity().norm();
+  const double since = motion.state().time;
+  motion.run(seconds);
+  return {.measured = (motion.velocity().norm() - from) / (motion.state().time - since),
+          .exact = slidingAcceleration(slope, kineticFriction, earth)};
+}
+
+namespace {
+
+constexpr double dragCoefficient = 1.2;
+
+struct Fall {
+  double distance = 0.0;  // [m]
+  double speed = 0.0;     // [m/s]
+};
+
+/// A horizontal sheet after a fall from rest, of this many times its terminal speed over g.
+Fall fallOf(double times, const CaseMesh& mesh, const TerminalFall& closed) {
+  const TestSheet sheet = freeSheet(mesh);
+  sim::StepParameters parameters;
+  parameters.gravity = earth;
+  parameters.air.drag = dragCoefficient;
+  parameters.timeStep = closed.speed / earth / 50.0;
+  TestMotion motion(freeCloth(sheet), mesh.subject, parameters, sheet.mesh.positions, mesh.stop);
+  const Vec3 start = motion.centre();
+  motion.run(times * closed.speed / earth);
+  return {.distance = (motion.centre() - start).norm(), .speed = motion.velocity().norm()};
+}
+
+TerminalFall closedFall() {
+  const sim::StepParameters parameters;
+  return {.speed =
+              terminalSpeed(sim::fabric::findPreset("cotton")->density, parameters.air.density, dragCoefficient, earth),
+          .gravity = earth};
+}
+
+}  // namespace
+
+Comparison terminalVelocity(const CaseMesh& mesh) {
+  constexpr double times = 6.0;  // the speed is then 1 - 1e-5 of the terminal one
+  const TerminalFall closed = closedFall();
+  return {.measured = fallOf(times, mesh, closed).speed, .exact = closed.speed};
+}
+
+Comparison fallDistance(const CaseMesh& mesh) {
+  const TerminalFall closed = closedFall();
+  return {.measured = fallOf(1.0, mesh, closed).distance, .exact = closed.distance(closed.speed / earth)};
+}
+
+}  // namespace drape::report::validation
