@@ -113,6 +113,9 @@ std::shared_ptr<const scene::Scene> SceneArguments::load(const settings::OwnFabr
   const scene::SceneDescription description =
       scene::openScene(scene.empty() ? scene::sceneList().front().name : scene, own);
   settings::Settings inForce = description.settings;
+  if (adjust) {
+    adjust(inForce);
+  }
   for (const std::string& note : description.notes) {
     std::cerr << "note: " << note << '\n';
   }

@@ -20,6 +20,7 @@ struct SceneArguments {
   std::string scene;                  ///< built-in scene, scene file or mesh file; empty: the first built-in scene
   std::vector<std::string> settings;  ///< each key=value
   std::string fabrics;                ///< the file of the user's fabrics; empty: the usual one
+  std::function<void(settings::Settings&)> adjust = {};  ///< changes the scene's own settings before --set does
 
   void addTo(CLI::App& app);
 

@@ -49,9 +49,19 @@ std::string schemeInWords(const sim::adaptive::StepChoice& choice) {
   words += choice.usedFallback ? " substep" : " explicit substep";
   words += choice.substeps == 1 ? "" : "s";
   if (choice.usedFallback) {
-    return words + " of XPBD";
+    return words + " of the fallback solver";
   }
   return choice.order == 4 ? words + " of fourth order" : words;
+}
+
+/// How fast the cloth runs with its full stretch stiffness, if that is slower than real time.
+std::string fullStiffnessInWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
+  constexpr double almostRealTime = 0.95;
+  const double load = available > 0.0 ? seconds / available : choice.costRatio;
+  const double speed = 1.0 / (load * choice.fullStiffnessCost);
+  return choice.fullStiffnessCost > 1.0 && load > 0.0 && speed < almostRealTime
+             ? "; full stiffness runs at " + brief(speed) + "x"
+             : std::string();
 }
 
 }  // namespace
@@ -65,6 +75,7 @@ std::string inWords(const sim::adaptive::StepChoice& choice, double seconds, dou
   if (choice.stiffnessScale < almostFull) {
     words += " at " + brief(100.0 * choice.stiffnessScale) + " % of the ";
     words += choice.strain < 0.0 ? "stiffness" : "stretch stiffness: " + brief(100.0 * choice.strain) + " % strain";
+    words += fullStiffnessInWords(choice, seconds, available);
   }
   if (choice.coarseLevels > 0) {
     words += choice.coarseLevels == 1 ? " with 1 coarse level"

@@ -333,7 +333,7 @@ const std::array table{
         NumberField{[](auto& s) -> auto& { return s.step.automatic.strainLimit; }, 0.0, 1.0, false},
         "When the cost budget is too small for a stiff fabric: auto lowers the stretch stiffness as long as the strain "
         "along warp and weft stays below this value. Shear, bending and mass keep their values. 0: the full stiffness. "
-        "Counts while material.model is fabric.",
+        "In the window a scene that leaves it at 0 begins with 0.01. Counts while material.model is fabric.",
         {}, {}, SettingScope::Everywhere, usesFabric},
     SettingInfo{"auto.budget", "Time budget", "ms", Advanced, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.automatic.budget; }, 0.0, 1000.0, false},

@@ -108,6 +108,12 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
   return outcome;
 }
 
+void useWindowDefaults(settings::Settings& settings) {
+  constexpr double visibleStrain = 0.01;  // nobody sees less
+  double& limit = settings.step.automatic.strainLimit;
+  limit = limit > 0.0 ? limit : visibleStrain;
+}
+
 void carryViewSettings(const settings::Settings& current, const settings::Settings& own, settings::Settings& target) {
   for (const settings::SettingInfo* info : settings::differingSettings(current, own)) {
     if (info->group == settings::SettingGroup::View) {

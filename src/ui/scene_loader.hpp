@@ -74,6 +74,10 @@ class SceneLoader {
   std::future<Outcome> running_;  // last, since its destructor waits while the other members still exist
 };
 
+/// Sets what begins differently in the window than in the other programs: a strain limit of 1 % (auto.strain) where a
+/// scene leaves it at 0, so that stiff fabrics keep real time.
+void useWindowDefaults(settings::Settings& settings);
+
 /// Another scene keeps the user's changes of the view: `target`, the settings of the next scene, takes each view
 /// setting that differs between `current` and `own`, the present scene's original settings.
 void carryViewSettings(const settings::Settings& current, const settings::Settings& own, settings::Settings& target);

@@ -21,7 +21,26 @@ TEST(StepChoiceText, tellsTheFourthOrderAndTheFallbackSolver) {
   EXPECT_EQ(inWords({.order = 4, .substeps = 1, .hOmega = 1.0, .error = 3e-8}),
             "soft cloth: 1 explicit substep of fourth order, error about 30 nm");
   EXPECT_EQ(inWords({.order = 1, .substeps = 4, .hOmega = 1.0, .retries = 4, .usedFallback = true}),
-            "soft cloth: 4 substeps of XPBD, 4 retries");
+            "soft cloth: 4 substeps of the fallback solver, 4 retries");
+}
+
+TEST(StepChoiceText, tellsTheStretchStiffnessAndHowFastTheFullOneRuns) {
+  const sim::adaptive::StepChoice choice{.substeps = 60,
+                                         .hOmega = 100.0,
+                                         .costRatio = 0.5,
+                                         .stiffnessScale = 0.08,
+                                         .strain = 0.004,
+                                         .fullStiffnessCost = 4.0};
+  EXPECT_EQ(
+      inWords(choice),
+      "very stiff cloth: 60 explicit substeps at 8 % of the stretch stiffness: 0.4 % strain; full stiffness runs at "
+      "0.5x");
+  EXPECT_EQ(inWords(choice, 0.001, 0.016),
+            "very stiff cloth: 60 explicit substeps at 8 % of the stretch stiffness: 0.4 % strain, 1 ms of 16 ms");
+  EXPECT_EQ(
+      inWords(choice, 0.016, 0.016),
+      "very stiff cloth: 60 explicit substeps at 8 % of the stretch stiffness: 0.4 % strain; full stiffness runs at "
+      "0.25x, 16 ms of 16 ms");
 }
 
 TEST(StepChoiceText, tellsSlowMotionAndSleep) {

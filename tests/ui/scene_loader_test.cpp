@@ -130,5 +130,15 @@ TEST(RunningChanges, LeaveOutWhatTheSceneIsBuiltFrom) {
   EXPECT_EQ(std::get<session::SetSettingCommand>(changes.front()).key, "drag");
 }
 
+TEST(WindowDefaults, SetAStrainLimitOnlyWhereTheSceneHasNone) {
+  settings::Settings none;
+  useWindowDefaults(none);
+  EXPECT_EQ(none.step.automatic.strainLimit, 0.01);
+  settings::Settings own;
+  own.step.automatic.strainLimit = 0.2;
+  useWindowDefaults(own);
+  EXPECT_EQ(own.step.automatic.strainLimit, 0.2);
+}
+
 }  // namespace
 }  // namespace drape::ui

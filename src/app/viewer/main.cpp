@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 #include "app/viewer/viewer.hpp"
 #include "messages/error.hpp"
+#include "ui/scene_loader.hpp"
 
 #include <charconv>
 #include <string>
@@ -32,6 +33,7 @@ std::pair<int, int> parseWindowSize(const std::string& text) {
 int main(int argc, char** argv) {
   CLI::App app("Cloth that you can pull, in a window. F1 in the window lists keys and mouse actions.", "drape");
   drape::app::SceneArguments scene;
+  scene.adjust = drape::ui::useWindowDefaults;
   scene.addTo(app);
   drape::app::ViewerOptions options;
   std::string windowSize;

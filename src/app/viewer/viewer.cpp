@@ -325,6 +325,7 @@ void Viewer::on(const ui::OpenPartsRequest& request, const session::Snapshot& sn
   loader_.open(
       request.parts,
       [current = snapshot.settings, own = snapshot.scene->description.settings](settings::Settings& target) {
+        ui::useWindowDefaults(target);
         ui::carryViewSettings(current, own, target);
       },
       fabrics_.fabrics());
@@ -389,11 +390,13 @@ void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
 void Viewer::resetAll(const session::Snapshot& snapshot) {
   stats_.error.clear();
   const scene::Scene& scene = *snapshot.scene;
-  if (settings::differingSettings(scene.settings, scene.description.settings).empty()) {
+  settings::Settings own = scene.description.settings;
+  ui::useWindowDefaults(own);
+  if (settings::differingSettings(scene.settings, own).empty()) {
     simulation_.post(session::LoadSceneCommand{snapshot.scene});
     keepOwnFabrics(snapshot);
   } else {
-    loader_.rebuild(scene.description, scene.description.settings, ui::SceneLoader::Kind::Restored);
+    loader_.rebuild(scene.description, own, ui::SceneLoader::Kind::Restored);
   }
 }
 

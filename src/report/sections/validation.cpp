@@ -152,7 +152,7 @@ std::vector<Block> showValidation(const ReportOptions& options, const ReportRows
   blocks.emplace_back(Paragraph{
       "Fabric against closed forms of mechanics (docs/guide/validation.md), on three kinds of mesh: grid (parallel "
       "diagonals), alternating (diagonals of alternating direction) and irregular (displaced vertices, random "
-      "diagonals). Errors are relative to the closed form. Where the source is a published range, the table shows the "
+      "diagonals). Errors are relative to the closed form. Where the source is a usual range, the table shows the "
       "quantity itself. The aim holds for the finest resolution; a larger error is 'off' and red. These are the "
       "numbers of 'drape-headless validate'" +
       std::string(options.quick ? " --short." : ".")});

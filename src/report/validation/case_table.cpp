@@ -87,7 +87,7 @@ constexpr ValidationCase cusickOf(std::string_view name, std::string_view preset
           .reason = reason};
 }
 
-constexpr std::string_view published = "drape coefficient, published range";
+constexpr std::string_view usual = "drape coefficient, usual range";
 constexpr std::string_view estimated = "drape coefficient, estimated range";
 constexpr std::string_view unknown = "drape coefficient, no range is known";
 constexpr std::string_view lockingReason =
@@ -197,13 +197,13 @@ constexpr std::array casesOfValidation{
         "speed at which drag carries the weight", "m/s", terminalVelocity),
     motionOf("fall_distance", "Falling sheet: distance",
         "distance after the time v / g, v^2 / g log(cosh(1)), with the terminal velocity v", "m", fallDistance),
-    cusickOf("cusick_silk", "silk", "Cusick's drape test, silk", published,
+    cusickOf("cusick_silk", "silk", "Cusick's drape test, silk", usual,
         "The preset has the shear stiffness of a stiff silk, 136 N/m; with 20 N/m the coefficient is 54. Its bending "
         "length of 18 mm is that of fabrics with 35 to 50 %. Published silks are lighter and softer."),
-    cusickOf("cusick_cotton", "cotton", "Cusick's drape test, cotton", published),
-    cusickOf("cusick_denim", "denim", "Cusick's drape test, denim", published),
+    cusickOf("cusick_cotton", "cotton", "Cusick's drape test, cotton", usual),
+    cusickOf("cusick_denim", "denim", "Cusick's drape test, denim", usual),
     cusickOf("cusick_canvas", "canvas", "Cusick's drape test, canvas", estimated),
-    cusickOf("cusick_wool", "wool", "Cusick's drape test, wool", published),
+    cusickOf("cusick_wool", "wool", "Cusick's drape test, wool", usual),
     cusickOf("cusick_linen", "linen", "Cusick's drape test, linen", estimated),
     cusickOf("cusick_jersey", "jersey", "Cusick's drape test, jersey", estimated,
         "The preset has the bending stiffness that Wang et al. measured, which is several times that of light jerseys "
@@ -211,7 +211,7 @@ constexpr std::array casesOfValidation{
     cusickOf("cusick_nylon", "nylon", "Cusick's drape test, nylon", unknown),
     cusickOf("cusick_polyester", "polyester", "Cusick's drape test, polyester", unknown),
     cusickOf("cusick_felt", "felt", "Cusick's drape test, felt", unknown),
-    cusickOf("cusick_leather", "leather", "Cusick's drape test, leather", published,
+    cusickOf("cusick_leather", "leather", "Cusick's drape test, leather", usual,
         "The preset is a homogeneous sheet. Its bending length of 37 mm is twice that of leather with such a "
         "coefficient: layers of leather differ, and bend more easily than stretch tells."),
     cusickOf("cusick_rubber", "rubber", "Cusick's drape test, rubber", unknown,

@@ -13,7 +13,7 @@ namespace {
 constexpr double notAtRest = std::numeric_limits<double>::quiet_NaN();
 
 /// Drape coefficients of fabrics of this kind [%].
-struct PublishedRange {
+struct UsualRange {
   std::string_view preset;
   double lower = 0.0;
   double upper = 100.0;
@@ -21,16 +21,16 @@ struct PublishedRange {
 
 // Ranges for silk, wool, cotton, denim and leather are those that textbooks and studies report for Cusick's test. The
 // others are estimates: linen and canvas as stiff cottons, jersey as the knits of such studies.
-constexpr std::array publishedRanges{
-    PublishedRange{"silk", 20.0, 40.0},   PublishedRange{"wool", 40.0, 70.0},    PublishedRange{"cotton", 60.0, 76.0},
-    PublishedRange{"denim", 70.0, 90.0},  PublishedRange{"leather", 47.0, 70.0}, PublishedRange{"linen", 60.0, 85.0},
-    PublishedRange{"canvas", 75.0, 95.0}, PublishedRange{"jersey", 20.0, 50.0},
+constexpr std::array usualRanges{
+    UsualRange{"silk", 20.0, 40.0},   UsualRange{"wool", 40.0, 70.0},    UsualRange{"cotton", 60.0, 76.0},
+    UsualRange{"denim", 70.0, 90.0},  UsualRange{"leather", 47.0, 70.0}, UsualRange{"linen", 60.0, 85.0},
+    UsualRange{"canvas", 75.0, 95.0}, UsualRange{"jersey", 20.0, 50.0},
 };
 
-PublishedRange rangeOf(std::string_view preset) {
+UsualRange rangeOf(std::string_view preset) {
   const auto* const found =
-      std::ranges::find_if(publishedRanges, [&](const PublishedRange& range) { return range.preset == preset; });
-  return found == publishedRanges.end() ? PublishedRange{} : *found;
+      std::ranges::find_if(usualRanges, [&](const UsualRange& range) { return range.preset == preset; });
+  return found == usualRanges.end() ? UsualRange{} : *found;
 }
 
 /// The report has a picture of these presets, on a mesh that is neither coarse nor large.
@@ -65,7 +65,7 @@ CaseMesh onceTheVertices(const CaseMesh& mesh) {
 Comparison cusick(const CaseMesh& mesh) {
   const DrapedDisc draped = drapedDisc(cusickDisc, *sim::fabric::findPreset(mesh.subject), mesh);
   const std::vector<Triangle>& triangles = draped.disc.sheet.mesh.triangles;
-  const PublishedRange range = rangeOf(mesh.subject);
+  const UsualRange range = rangeOf(mesh.subject);
   return {
       .measured = coefficientOf(draped),
       .exact = range.lower,

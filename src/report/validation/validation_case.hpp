@@ -18,11 +18,11 @@ struct DrapedShape {
   std::vector<Triangle> triangles;
 };
 
-/// A quantity, measured on a mesh and from the closed form or a published range.
+/// A quantity, measured on a mesh and from the closed form or a usual range.
 struct Comparison {
   double measured = 0.0;
   double exact = 0.0;  ///< of the closed form, or the lower end of the range
-  /// The upper end of a published range; not a number for a closed form.
+  /// The upper end of a usual range; not a number for a closed form.
   double upper = std::numeric_limits<double>::quiet_NaN();
   std::string note = {};                          ///< what else was found; may be empty
   std::shared_ptr<const DrapedShape> shape = {};  ///< null: there is no picture

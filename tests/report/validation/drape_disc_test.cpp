@@ -112,7 +112,7 @@ TEST(DrapedDisc, continuesOnAFinerMeshWithTheSameFolds) {
   }
 }
 
-TEST(Cusick, isOffOutsideThePublishedRange) {
+TEST(Cusick, isOffOutsideTheUsualRange) {
   const Comparison leather = cusick({.resolution = testCells, .kind = MeshKind::Alternating, .subject = "leather"});
   EXPECT_EQ(leather.exact, 47.0);
   EXPECT_EQ(leather.upper, 70.0);
