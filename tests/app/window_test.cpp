@@ -478,7 +478,7 @@ TEST(Window, SavesAFabricInTheListAndUsesIt) {
   viewer.waitUntil("the own fabric", [](const Json& s) { return s["settings"]["material.preset"] == "My denim"; });
   std::stringstream text;
   text << std::ifstream(list).rdbuf();
-  EXPECT_NE(text.str().find("name = \"My denim\""), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find("name = 'My denim'"), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("shear = 60"), std::string::npos) << text.str();
 }
 

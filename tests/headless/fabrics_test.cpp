@@ -135,6 +135,7 @@ TEST(FabricList, losesNothingWhenASaveIsRefused) {
   EXPECT_NE(refusalOfSave("/dev/null/x/fabrics.toml", silkCalled("a")).find("/dev/null/x"), std::string::npos);
 }
 
+// The flat triangle is a sliver, and its neighbour at the thin corners is faster than most of the mesh.
 TEST(Fabrics, countSliversInTheSummaryAndInTheFigures) {
   const auto folder = testFolder();
   const auto mesh = folder / "sliver.obj";
@@ -143,10 +144,10 @@ TEST(Fabrics, countSliversInTheSummaryAndInTheFigures) {
   const Outcome outcome = headless("run " + mesh.string() + " --seconds 0 --set unit=m --set up=y" +
                                    " --set material.model=fabric --stats " + stats.string());
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_NE(outcome.output.find("slivers: the stiffness of 1 of 3 triangles is lowered"), std::string::npos)
+  EXPECT_NE(outcome.output.find("slivers: the stiffness of 2 of 3 triangles is lowered"), std::string::npos)
       << outcome.output;
   const auto fabric = nlohmann::json::parse(readFile(stats))["fabric"];
-  EXPECT_EQ(fabric["slivers"], 1);
+  EXPECT_EQ(fabric["slivers"], 2);
   EXPECT_EQ(fabric["title"], "Cotton");
   EXPECT_EQ(fabric["warp_from"], "vertical");
 }

@@ -13,12 +13,14 @@ constexpr double knitPoisson = 0.3;
 /// Damping times [s], estimates: a loss factor of about 0.2 at the frequencies of garments. These are 3 Hz for bending,
 /// 150 Hz for stretch of woven fabric and 12 Hz for stretch of knits.
 constexpr double bendDamping = 10e-3;
+constexpr double rubberDamping = 3e-3;  // of bending: natural rubber has a lower loss factor
 constexpr double stretchDamping = 0.2e-3;
 constexpr double knitDamping = 2.5e-3;
 
 /// The moduli of a homogeneous sheet.
-/// @param young Young's modulus [Pa]  @param thickness [m]  @param poisson Poisson's ratio [-]
-constexpr Material sheetOf(double young, double thickness, double poisson) {
+/// @param young Young's modulus [Pa]  @param thickness [m]  @param poisson Poisson's ratio [-]  @param damping of
+/// bending [s]
+constexpr Material sheetOf(double young, double thickness, double poisson, double damping = bendDamping) {
   const double stretch = young * thickness;
   const double bend = young * thickness * thickness * thickness / 12.0;
   return {.stretchWarp = stretch / (1.0 - poisson * poisson),
@@ -29,7 +31,7 @@ constexpr Material sheetOf(double young, double thickness, double poisson) {
           .bendWeft = bend,
           .bendBias = bend,
           .stretchDamping = stretchDamping,
-          .bendDamping = bendDamping};
+          .bendDamping = damping};
 }
 
 // KES-FB, the Kawabata evaluation system, measures bending in gf cm^2/cm (98 uN m) and shear in gf/(cm degree) (56
@@ -221,7 +223,7 @@ constexpr std::array presets{
     MaterialPreset{.name = "rubber",
                    .title = "Rubber sheet",
                    .density = 0.38,
-                   .material = sheetOf(1.2e6, 0.4e-3, 0.5),
+                   .material = sheetOf(1.2e6, 0.4e-3, 0.5, rubberDamping),
                    .thickness = 0.4e-3,
                    .source =
                        "Estimate: a homogeneous incompressible sheet with a Young's modulus of 1.2 MPa, about that "

@@ -111,9 +111,9 @@ class Stepper {
   int contactSubsteps_ = 1;
   adaptive::StretchChoice stretch_;
   std::unique_ptr<simd::FabricDamper> damper_;  // null until a fabric damps
-  ModelCache<double> rate_;          // 99th percentile of omega^2 / k [1/kg]
-  double earlierContactWork_ = 0.0;  // [J]
-  double fabricDampingWork_ = 0.0;   // [J]
+  ModelCache<double> rate_;                     // 99th percentile of omega^2 / k [1/kg]
+  double earlierContactWork_ = 0.0;             // [J]
+  double fabricDampingWork_ = 0.0;              // [J]
   std::vector<PinMotion> pinMotions_;
 };
 
