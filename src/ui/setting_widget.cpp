@@ -1,6 +1,7 @@
 #include "ui/setting_widget.hpp"
 
 #include "messages/error.hpp"
+#include "settings/own_fabrics.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
@@ -8,6 +9,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace drape::ui {
@@ -239,11 +241,30 @@ void settingWidget(PanelContext& context, const settings::SettingInfo& info) {
   ImGui::PopID();
 }
 
+namespace {
+
+/// Whether a setting is one of the moduli and damping times that the name of a fabric stands for. They are folded
+/// at first, so that the other settings are in sight.
+bool isFolded(const settings::SettingInfo& info) {
+  const auto keys = settings::fabricValueKeys();
+  return info.key != "fabric.density" && std::find(keys.begin(), keys.end(), info.key) != keys.end();
+}
+
+}  // namespace
+
 void settingsOfGroup(PanelContext& context, settings::SettingGroup group) {
+  std::optional<bool> unfolded;  // nothing: no folded setting yet
   for (const settings::SettingInfo& info : settings::settingsTable()) {
-    if (info.group == group && settingApplies(info, context.settings, *context.snapshot.scene)) {
-      settingWidget(context, info);
+    if (info.group != group || !settingApplies(info, context.settings, *context.snapshot.scene)) {
+      continue;
     }
+    if (isFolded(info)) {
+      unfolded = unfolded ? unfolded : beginFold(context, "Moduli and damping", "moduli");
+      if (!*unfolded) {
+        continue;
+      }
+    }
+    settingWidget(context, info);
   }
 }
 

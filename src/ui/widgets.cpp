@@ -232,6 +232,15 @@ bool beginSection(PanelContext& context, const std::string& title, bool openAtFi
   return open;
 }
 
+bool beginFold(PanelContext& context, const std::string& title, const std::string& name) {
+  const std::optional<bool>& all = context.memory.openSections;
+  ImGui::SetNextItemOpen(all.value_or(false), all ? ImGuiCond_Always : ImGuiCond_Once);
+  const bool open =
+      ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
+  context.buttons["fold." + name] = lastItemRect();
+  return open;
+}
+
 void endSection() {
   ImGui::Unindent();
   ImGui::Dummy({0.0F, ImGui::GetStyle().ItemSpacing.y * 0.5F});

@@ -58,4 +58,8 @@ bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::
 bool beginSection(PanelContext& context, const std::string& title, bool openAtFirst);
 void endSection();
 
+/// The heading of settings that are hidden at first, within a section; stored under "fold." and `name`. Returns whether
+/// it is open.
+bool beginFold(PanelContext& context, const std::string& title, const std::string& name);
+
 }  // namespace drape::ui

@@ -64,7 +64,7 @@ TEST(FirstMinute, TheStatusLineSaysThatTheClockIsTooSlow) {
 TEST(FirstMinute, MaterialAndAirAreInSightInAnOrdinaryWindow) {
   ViewerDriver viewer({}, "1440,900");
   const Json state = viewer.state();
-  for (const char* key : {"stiffness", "damping", "density", "drag", "lift", "wind.x", "wind.y", "wind.z"}) {
+  for (const char* key : {"material.preset", "drag", "lift", "wind.x", "wind.y", "wind.z"}) {
     ASSERT_TRUE(state["widgets"].contains(key)) << key;
     const Json& row = state["widgets"][key];
     EXPECT_TRUE(row["visible"].get<bool>()) << key;

@@ -76,6 +76,9 @@ TEST_F(SettingWidget, ShowsTheSettingsOfSpringsOrThoseOfTheFabric) {
   settle();
   EXPECT_FALSE(drawnKeys().contains("stiffness"));
   EXPECT_TRUE(drawnKeys().contains("material.preset"));
+  EXPECT_FALSE(drawnKeys().contains("fabric.shear")) << "the moduli are folded at first";
+  click(button("fold.moduli"));
+  settle();
   EXPECT_TRUE(drawnKeys().contains("fabric.shear"));
   EXPECT_TRUE(drawnKeys().contains("mass")) << "the scene gives the mass";
   EXPECT_FALSE(drawnKeys().contains("fabric.density"));
@@ -96,6 +99,8 @@ TEST_F(SettingWidget, ChoosingAFabricSetsItsValuesAndChangingOneIsNamed) {
   apply(click(button("material.preset=denim")));
   settle();
   EXPECT_EQ(simulation_.settings().fabric.moduli.stretchWeft, 1014.0);
+  click(button("fold.moduli"));
+  settle();
   apply(typeInto(widget("fabric.shear"), "60"));
   EXPECT_EQ(simulation_.settings().fabric.moduli.shear, 60.0);
   EXPECT_EQ(settings::settingValue(simulation_.settings(), settings::requireSetting("material.preset")),
