@@ -19,8 +19,8 @@ struct UsualRange {
   double upper = 100.0;
 };
 
-// Ranges for silk, wool, cotton, denim and leather are those that textbooks and studies report for Cusick's test. The
-// others are estimates: linen and canvas as stiff cottons, jersey as the knits of such studies.
+// Ranges for silk, wool, cotton, denim and leather are often quoted for Cusick's test, without one source. The others
+// are estimates: linen and canvas as stiff cottons, jersey as a knit.
 constexpr std::array usualRanges{
     UsualRange{"silk", 20.0, 40.0},   UsualRange{"wool", 40.0, 70.0},    UsualRange{"cotton", 60.0, 76.0},
     UsualRange{"denim", 70.0, 90.0},  UsualRange{"leather", 47.0, 70.0}, UsualRange{"linen", 60.0, 85.0},
