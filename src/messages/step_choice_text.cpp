@@ -54,7 +54,23 @@ std::string schemeInWords(const sim::adaptive::StepChoice& choice) {
   return choice.order == 4 ? words + " of fourth order" : words;
 }
 
-/// How fast the cloth runs with its full stretch stiffness, if that is slower than real time.
+/// How much of its stiffness the cloth has, if that is not all.
+std::string stiffnessInWords(const sim::adaptive::StepChoice& choice) {
+  constexpr double almostFull = 0.995;
+  std::string words;
+  if (choice.stiffnessScale < almostFull) {
+    words = " at " + brief(100.0 * choice.stiffnessScale) + " % of the ";
+    words += choice.strain < 0.0 ? "stiffness" : "stretch stiffness: " + brief(100.0 * choice.strain) + " % strain";
+  }
+  if (choice.softenedTriangles > 0) {
+    words += words.empty() ? " with " : ", ";
+    words += std::to_string(choice.softenedTriangles);
+    words += choice.softenedTriangles == 1 ? " small triangle softened" : " small triangles softened";
+  }
+  return words;
+}
+
+/// How fast the cloth runs with its full stiffness, if that is slower than real time.
 std::string fullStiffnessInWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
   constexpr double almostRealTime = 0.95;
   const double load = available > 0.0 ? seconds / available : choice.costRatio;
@@ -67,15 +83,12 @@ std::string fullStiffnessInWords(const sim::adaptive::StepChoice& choice, double
 }  // namespace
 
 std::string inWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
-  constexpr double almostFull = 0.995;
   if (choice.sleeping) {
     return "at rest: nothing is computed until something changes";
   }
   std::string words = hOmegaInWords(choice.hOmega) + schemeInWords(choice);
-  if (choice.stiffnessScale < almostFull) {
-    words += " at " + brief(100.0 * choice.stiffnessScale) + " % of the ";
-    words += choice.strain < 0.0 ? "stiffness" : "stretch stiffness: " + brief(100.0 * choice.strain) + " % strain";
-    words += fullStiffnessInWords(choice, seconds, available);
+  if (const std::string stiffness = stiffnessInWords(choice); !stiffness.empty()) {
+    words += stiffness + fullStiffnessInWords(choice, seconds, available);
   }
   if (choice.coarseLevels > 0) {
     words += choice.coarseLevels == 1 ? " with 1 coarse level"

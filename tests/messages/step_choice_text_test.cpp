@@ -43,6 +43,14 @@ TEST(StepChoiceText, tellsTheStretchStiffnessAndHowFastTheFullOneRuns) {
       "0.25x, 16 ms of 16 ms");
 }
 
+TEST(StepChoiceText, tellsThatSmallTrianglesAreSoftened) {
+  EXPECT_EQ(inWords({.substeps = 60, .hOmega = 100.0, .costRatio = 0.5, .softenedTriangles = 14}),
+            "very stiff cloth: 60 explicit substeps with 14 small triangles softened");
+  EXPECT_EQ(inWords({.substeps = 60, .hOmega = 100.0, .stiffnessScale = 0.5, .strain = 0.004, .softenedTriangles = 1}),
+            "very stiff cloth: 60 explicit substeps at 50 % of the stretch stiffness: 0.4 % strain, 1 small triangle "
+            "softened");
+}
+
 TEST(StepChoiceText, tellsSlowMotionAndSleep) {
   EXPECT_EQ(inWords({.substeps = 305, .hOmega = 622.0, .costRatio = 17.9}, 0.3, 0.0067),
             "very stiff cloth: 305 explicit substeps, 18 times the cost budget: slow motion, 300 ms of 6.7 ms");

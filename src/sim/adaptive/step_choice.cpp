@@ -25,6 +25,7 @@ std::vector<std::pair<std::string_view, double>> figuresOf(const StepChoice& cho
           {"cost_ratio", choice.costRatio},
           {"stiffness_scale", choice.stiffnessScale},
           {"strain", choice.strain},
+          {"softened_triangles", choice.softenedTriangles},
           {"full_stiffness_cost", choice.fullStiffnessCost},
           {"coarse_levels", choice.coarseLevels},
           {"retries", choice.retries},

@@ -19,7 +19,8 @@ struct StepChoice {
   double costRatio = 0.0;          ///< planned cost over the cost budget of the step [-]
   double stiffnessScale = 1.0;     ///< of the springs at the median vertex, or of a fabric's stretch [-]; 1: full
   double strain = -1.0;            ///< along warp or weft of a fabric with auto.strain [-]; negative: not measured
-  double fullStiffnessCost = 1.0;  ///< cost of a step with the full stretch stiffness over that of this one [-]
+  int softenedTriangles = 0;       ///< small triangles of a fabric with auto.strain whose stiffness is lowered [-]
+  double fullStiffnessCost = 1.0;  ///< cost of a step with the full stiffness over that of this one [-]
   int coarseLevels = 0;            ///< coarse levels in use [-]
   int retries = 0;                 ///< of the step by the energy guard [-]
   bool usedFallback = false;       ///< the fallback solver took the step

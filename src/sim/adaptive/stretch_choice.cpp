@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drape::sim::adaptive {
 namespace {
@@ -19,25 +20,36 @@ double strainByLoad(const ClothModel& model, const LocalRates& rates, const Comm
   return loadOf(rates, parameters) / (stretchStiffness(model, parameters) * width);
 }
 
-/// How often the stiffness may be halved while a strain stays below the limit. Negative: it must be doubled.
-int halvings(double strain, double limit) {
+/// The ratio of the stiffnesses of a level and the next one [-].
+constexpr double levelRatio = std::numbers::sqrt2;
+
+/// By how many levels the stiffness may fall while a strain stays below the limit. Negative: it must rise.
+int levelsBelow(double strain, double limit) {
   constexpr double tiny = 1e-12;
-  return static_cast<int>(std::floor(std::log2(limit / std::max(strain, tiny))));
+  return static_cast<int>(std::floor(std::log2(limit / std::max(strain, tiny)) / std::log2(levelRatio)));
 }
 
 }  // namespace
 
 double StretchChoice::scaleOf(int level) {
-  return std::exp2(-level);
+  return std::pow(levelRatio, -level);
+}
+
+StretchChoice::Levels StretchChoice::levelsOf(const ClothModel& model) {
+  Levels levels{.models = std::vector<std::shared_ptr<const ClothModel>>(tuning.maxStretchLevel + 1),
+                .rates = localRatesOf(model)};
+  levels.models.front() = fabric::withLowerRateLimit(model, tuning.maxTriangleRatio);
+  return levels;
 }
 
 const ClothModel& StretchChoice::at(Levels& levels, const ClothModel& model, int level) {
+  const ClothModel& stiffest = levels.models.front() ? *levels.models.front() : model;
   if (level == 0) {
-    return model;
+    return stiffest;
   }
   std::shared_ptr<const ClothModel>& softer = levels.models[static_cast<std::size_t>(level)];
   if (!softer) {
-    softer = fabric::withStretchScale(model, scaleOf(level));
+    softer = fabric::withStretchScale(stiffest, scaleOf(level));
   }
   return *softer;
 }
@@ -59,7 +71,7 @@ bool StretchChoice::gainsFromLower(Levels& levels, const ClothModel& model, cons
 
 int StretchChoice::firstLevel(Levels& levels, const ClothModel& model, const StretchConditions& conditions) {
   const double strain = strainByLoad(model, levels.rates, conditions.parameters);
-  const int allowed = halvings(strain, conditions.options.strainLimit);
+  const int allowed = levelsBelow(strain, conditions.options.strainLimit);
   int level = 0;
   while (level < allowed && gainsFromLower(levels, model, conditions, level)) {
     ++level;
@@ -84,9 +96,9 @@ void StretchChoice::update(Levels& levels, const ClothModel& model, const Stretc
   const double strain = memory.strain - memory.imposed;
   if (strain > limit && memory.level > 0) {
     memory.raisedFrom = memory.strain;
-    memory.level = std::max(0, memory.level + std::min(-1, halvings(strain, limit)));
+    memory.level = std::max(0, memory.level + std::min(-1, levelsBelow(strain, limit)));
     memory.changed = time;
-  } else if (2.0 * strain > limit) {
+  } else if (tuning.strainMargin * levelRatio * strain > limit) {
     memory.changed = time;
   } else if (time - memory.changed > tuning.strainCalmTime && gainsFromLower(levels, model, conditions, memory.level)) {
     ++memory.level;
@@ -96,10 +108,7 @@ void StretchChoice::update(Levels& levels, const ClothModel& model, const Stretc
 
 const ClothModel& StretchChoice::choose(const ClothModel& model, const StretchConditions& conditions,
                                         const ClothState& state, StepMemory& memory) {
-  Levels& levels = levels_.get(model, [](const ClothModel& own) {
-    return Levels{.models = std::vector<std::shared_ptr<const ClothModel>>(tuning.maxStretchLevel + 1),
-                  .rates = localRatesOf(own)};
-  });
+  Levels& levels = levels_.get(model, levelsOf);
   StretchMemory& stretch = memory.stretch;
   if (memory.sleepFingerprint != 0) {
     return at(levels, model, std::max(0, stretch.level));

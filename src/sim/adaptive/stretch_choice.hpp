@@ -25,15 +25,15 @@ struct StretchConditions {
 /// Chooses the stretch stiffness of a fabric.
 ///
 /// The weight of a garment stretches woven fabric by less than 0.1 %, which nobody sees, but the stretch stiffness
-/// decides how short the substeps are. So the stretch stiffness is halved as often as the cost budget needs, and only
+/// decides how short the substeps are. So the stretch stiffness is lowered as far as the cost budget needs, and only
 /// while the strain along warp and weft stays below AutoOptions::strainLimit. Shear, bending and mass keep their
-/// values.
+/// values, except that the stiffness of the few smallest triangles has a lower limit (fabric::withLowerRateLimit).
 ///
 /// The strain under weight and wind is estimated for the first step. Later steps measure the strain, which contact, the
 /// attachment and inertia also cause. The stiffness rises as soon as the strain exceeds the limit. It falls after a
-/// time in which the strain stayed below half the limit. A body can impose strain, for example one that is wider than
-/// the garment. A higher stiffness does not reduce imposed strain, so it does not count. The stiffness of cloth that
-/// sleeps does not change.
+/// time in which the strain stayed so small that a softer cloth meets the limit too. A body can impose strain, for
+/// example one that is wider than the garment. A higher stiffness does not reduce imposed strain, so it does not count.
+/// The stiffness of cloth that sleeps does not change.
 class StretchChoice {
  public:
   /// The cloth for the next step: `model` itself, or a softer one. Updates the memory.
@@ -45,12 +45,13 @@ class StretchChoice {
   [[nodiscard]] static double scaleOf(int level);
 
  private:
-  /// A cloth at all levels that were used; level 0 is the cloth itself and stays null.
+  /// A cloth at all levels that were used.
   struct Levels {
-    std::vector<std::shared_ptr<const ClothModel>> models;
-    LocalRates rates;  // of level 0
+    std::vector<std::shared_ptr<const ClothModel>> models;  // level 0 is null if it is the cloth itself
+    LocalRates rates;                                       // of the cloth itself
   };
 
+  [[nodiscard]] static Levels levelsOf(const ClothModel& model);
   [[nodiscard]] static const ClothModel& at(Levels& levels, const ClothModel& model, int level);
   [[nodiscard]] static int firstLevel(Levels& levels, const ClothModel& model, const StretchConditions& conditions);
   [[nodiscard]] static bool gainsFromLower(Levels& levels, const ClothModel& model, const StretchConditions& conditions,

@@ -158,11 +158,18 @@ struct AutoTuning {
 
   // Stretch stiffness of fabrics.
 
-  /// Maximum number of halvings of the stretch stiffness [-].
-  int maxStretchLevel = 12;
+  /// Most levels of the stretch stiffness [-]. A level has the stiffness of the one before, divided by the square root
+  /// of 2.
+  int maxStretchLevel = 24;
+  /// The stiffness falls if the strain then stays below the limit divided by this, as static cloth stretches [-].
+  /// Larger: stiffer cloth. Smaller: the stiffness can change to and fro.
+  double strainMargin = 1.15;
+  /// The stiffness of the smallest triangles is limited to this ratio (fabric::RateLimit) [-]. Larger: more substeps on
+  /// meshes with a few small triangles. Smaller: more triangles become softer.
+  double maxTriangleRatio = 4.0;
   /// A lower stretch stiffness is used if a step then takes less than this fraction of the force evaluations [-].
-  /// Without shear and bending the fraction is 0.71.
-  double minStretchGain = 0.93;
+  /// Without shear and bending the fraction is 0.84.
+  double minStretchGain = 0.96;
   /// Time between two measurements of the strain without an attachment [s]. Larger: cheaper, the stiffness rises later.
   double strainCheckInterval = 1.0 / 30.0;
   /// Time from a rise of the stiffness to the check whether the strain is imposed [s]. Cloth settles in that time.
@@ -172,7 +179,7 @@ struct AutoTuning {
   double imposedStrainFraction = 0.8;
   /// Strain counts as imposed only at a mean speed below this [m/s]. The loads of faster cloth change.
   double maxSpeedOfImposedStrain = 0.1;
-  /// Time with a strain below half the limit after which the stiffness falls [s]. Smaller: it rises and falls often.
+  /// Time with a strain that allows a lower stiffness, after which it falls [s]. Smaller: it rises and falls often.
   double strainCalmTime = 0.5;
 
   // Sleep detection.

@@ -276,11 +276,11 @@ std::vector<double> halfRowSums(const VertexMatrix& bending) {
 }
 
 ClampedBending clampedBendingMatrix(const RestShape& shape, const Material& material,
-                                    std::span<const double> vertexAreas) {
+                                    std::span<const double> vertexAreas, double maxRatio) {
   const Mat3 moments = bendMatrix(material);
   const RowMatrix curvatures = curvatureMatrix(shape, moments, vertexAreas.size());
   ClampedBending clamped{matrixOf(shape, moments, curvatures, {}), {}};
-  const RateLimit limit(halfRowSums(clamped.matrix), vertexAreas, maxBendingRatio);
+  const RateLimit limit(halfRowSums(clamped.matrix), vertexAreas, maxRatio);
   for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
     clamped.scales.push_back(bendingScaleOf(t, shape, moments, curvatures, limit));
   }

@@ -53,8 +53,8 @@ struct ClampedBending {
 
 /// The same matrix, with the energy of the stiffest triangles scaled down to the RateLimit of the mesh. Each triangle's
 /// energy stays free of rigid motion and positive, so the matrix is semidefinite too.
-/// @param vertexAreas of all vertices [m^2]
+/// @param vertexAreas of all vertices [m^2]  @param maxRatio as in RateLimit [-]
 [[nodiscard]] ClampedBending clampedBendingMatrix(const RestShape& shape, const Material& material,
-                                                  std::span<const double> vertexAreas);
+                                                  std::span<const double> vertexAreas, double maxRatio);
 
 }  // namespace drape::sim::fabric

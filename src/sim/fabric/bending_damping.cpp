@@ -1,6 +1,7 @@
 #include "sim/fabric/bending_damping.hpp"
 
 #include "sim/fabric/fabric.hpp"
+#include "sim/fabric/rate_limit.hpp"
 #include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
@@ -12,6 +13,9 @@ namespace {
 /// Below this radius of curvature [m] d_i is mainly the direction of Delta_i x, above it mainly the normal. The
 /// in-plane strain of flat cloth also causes a small Delta_i x, whose direction means nothing.
 constexpr double flatRadius = 1.0;
+
+/// `maxRatio` of the RateLimit [-]. Small triangles whose vibration lasts longer than that of others do not show.
+constexpr double dampingRatio = 4.0;
 
 /// Index of the spring between two vertices of a triangle.
 std::size_t springBetween(const ClothModel& model, int a, int b) {
@@ -54,24 +58,49 @@ std::vector<bool> boundaryVertices(const ClothModel& model) {
   return onBoundary;
 }
 
+/// Bounds of Z by the sums of its absolute values.
+struct RowSums {
+  /// The row sum that one term of Z has at its own vertex [N/m times s]; at a neighbour it is the share of the spring.
+  std::vector<double> own;
+  std::vector<double> total;  ///< over all terms
+};
+
+RowSums rowSumsOf(const ClothModel& model, const BendingDamping& damping) {
+  const std::size_t count = model.restPositions.size();
+  std::vector<double> diagonal(count, 0.0);  // of |Delta|
+  for (std::size_t s = 0; s < model.springs.size(); ++s) {
+    diagonal[model.springs[s].a] += std::abs(damping.weights[s]);
+    diagonal[model.springs[s].b] += std::abs(damping.weights[s]);
+  }
+  const auto partOf = [&](std::size_t v) { return 2.0 * diagonal[v] * damping.inverseAreas[v]; };
+  RowSums sums;
+  for (std::size_t v = 0; v < count; ++v) {
+    sums.own.push_back(diagonal[v] * partOf(v));
+    double total = sums.own.back();
+    for (const SpringEnd& end : model.springEnds[v]) {
+      total += std::abs(damping.weights[end.spring]) * partOf(static_cast<std::size_t>(end.neighbour));
+    }
+    sums.total.push_back(total);
+  }
+  return sums;
+}
+
+/// Scales the fastest terms down to the RateLimit of the mesh. Otherwise a few small triangles would determine the
+/// number of stages.
+void clampTerms(const ClothModel& model, BendingDamping& damping) {
+  const RowSums sums = rowSumsOf(model, damping);
+  const RateLimit limit(sums.total, model.vertexArea, maxBendingRatio(dampingRatio));
+  for (std::size_t v = 0; v < sums.own.size(); ++v) {
+    damping.inverseAreas[v] *= limit.scaleOf(sums.own[v], v);
+  }
+}
+
 /// By the row sums of M^-1 Z.
 double highestRateOf(const ClothModel& model, const BendingDamping& damping) {
-  std::vector<double> rowSums(model.restPositions.size(), 0.0);  // of |Delta|
-  for (std::size_t s = 0; s < model.springs.size(); ++s) {
-    rowSums[model.springs[s].a] += 2.0 * std::abs(damping.weights[s]);
-    rowSums[model.springs[s].b] += 2.0 * std::abs(damping.weights[s]);
-  }
-  const auto partOf = [&](std::size_t vertex) { return rowSums[vertex] * damping.inverseAreas[vertex]; };
+  const RowSums sums = rowSumsOf(model, damping);
   double highest = 0.0;
-  for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
-    double sum = 0.0;
-    double diagonal = 0.0;
-    for (const SpringEnd& end : model.springEnds[v]) {
-      const double weight = std::abs(damping.weights[end.spring]);
-      sum += weight * partOf(static_cast<std::size_t>(end.neighbour));
-      diagonal += weight;
-    }
-    highest = std::max(highest, model.pinned[v] ? 0.0 : (sum + diagonal * partOf(v)) / model.vertexMass[v]);
+  for (std::size_t v = 0; v < sums.total.size(); ++v) {
+    highest = std::max(highest, model.pinned[v] ? 0.0 : sums.total[v] / model.vertexMass[v]);
   }
   return highest;
 }
@@ -97,6 +126,7 @@ BendingDamping bendingDampingOf(const ClothModel& model) {
     const bool counts = !onBoundary[v] && model.vertexArea[v] > 0.0;
     damping.inverseAreas.push_back(counts ? 1.0 / model.vertexArea[v] : 0.0);
   }
+  clampTerms(model, damping);
   damping.highestRate = highestRateOf(model, damping);
   return damping;
 }

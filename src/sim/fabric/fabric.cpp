@@ -79,7 +79,7 @@ std::vector<double> sumAtVertices(const ClothModel& model, std::span<const Corne
 /// Scales the stiffest triangles down to the RateLimit of the mesh.
 void clampMembrane(const ClothModel& model, Fabric& fabric) {
   const std::vector<CornerBlocks> blocks = cornerBlocks(membraneAtRest(fabric, stiffened(fabric.material), model));
-  const RateLimit limit(sumAtVertices(model, blocks), model.vertexArea, maxMembraneRatio);
+  const RateLimit limit(sumAtVertices(model, blocks), model.vertexArea, fabric.maxRatio);
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     double scale = 1.0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -111,8 +111,16 @@ std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& 
   return largest;
 }
 
+int pairBetween(const Fabric& fabric, int vertex, int neighbour) {
+  const std::span<const SpringEnd> ends = fabric.pairEnds[vertex];
+  const auto found = std::ranges::lower_bound(ends, neighbour, {}, &SpringEnd::neighbour);
+  return found != ends.end() && found->neighbour == neighbour ? found->spring : -1;
+}
+
 /// Finds the pairs of vertices of edges and of the bending matrix.
 void findPairs(const ClothModel& model, Fabric& fabric) {
+  fabric.pairs.clear();
+  fabric.pairsOfSides.clear();
   std::vector<Spring> edges;
   for (const Spring& edge : model.springs) {
     edges.push_back({.a = edge.a, .b = edge.b});
@@ -132,26 +140,24 @@ void findPairs(const ClothModel& model, Fabric& fabric) {
     fabric.pairs.push_back({edge.a, edge.b, fabric.bends() ? fabric.bending.coeff(edge.a, edge.b) : 0.0});
   }
   fabric.pairEnds = springEndsOf(edges, model.restPositions.size());
+  for (const auto& [a, b, c] : model.triangles) {
+    fabric.pairsOfSides.push_back({pairBetween(fabric, a, b), pairBetween(fabric, b, c), pairBetween(fabric, c, a)});
+  }
 }
 
-int pairBetween(const Fabric& fabric, int vertex, int neighbour) {
-  const std::span<const SpringEnd> ends = fabric.pairEnds[vertex];
-  const auto found = std::ranges::lower_bound(ends, neighbour, {}, &SpringEnd::neighbour);
-  return found != ends.end() && found->neighbour == neighbour ? found->spring : -1;
-}
-
-std::uint64_t fingerprintOf(const Material& material, const RestShape& shape) {
+std::uint64_t fingerprintOf(const Fabric& fabric) {
   static_assert(sizeof(Material) % sizeof(double) == 0);
   Fingerprint fingerprint;
-  for (const double modulus : std::bit_cast<std::array<double, sizeof(Material) / sizeof(double)>>(material)) {
+  for (const double modulus : std::bit_cast<std::array<double, sizeof(Material) / sizeof(double)>>(fabric.material)) {
     fingerprint.add(modulus);
   }
-  for (const RestTriangle& triangle : shape.triangles) {
+  for (const RestTriangle& triangle : fabric.shape.triangles) {
     for (const Vec2& side : triangle.sides) {
       fingerprint.add(side.x());
       fingerprint.add(side.y());
     }
   }
+  fingerprint.add(fabric.maxRatio);
   return fingerprint.value();
 }
 
@@ -160,6 +166,37 @@ void buildMembrane(Fabric& fabric) {
   for (std::size_t t = 0; t < fabric.shape.triangles.size(); ++t) {
     fabric.membrane.emplace_back(fabric.shape.triangles[t], fabric.material, fabric.membraneScales[t]);
   }
+}
+
+void buildBending(const ClothModel& model, Fabric& fabric) {
+  if (!resistsBending(fabric.material)) {
+    return;
+  }
+  ClampedBending bending =
+      clampedBendingMatrix(fabric.shape, fabric.material, model.vertexArea, maxBendingRatio(fabric.maxRatio));
+  fabric.bending = std::move(bending.matrix);
+  fabric.bendingHalfSums = halfRowSums(fabric.bending);
+  fabric.bendingScales = std::move(bending.scales);
+}
+
+/// Clamps the stiffness of a fabric whose material, rest shape and membraneScales are set, and sets what follows from
+/// it.
+void build(const ClothModel& model, Fabric& fabric) {
+  fabric.fingerprint = fingerprintOf(fabric);
+  clampMembrane(model, fabric);
+  buildMembrane(fabric);
+  buildBending(model, fabric);
+  fabric.slivers = 0;
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    const bool bendsLess = fabric.bends() && fabric.bendingScales[t] < 1.0;
+    fabric.slivers += fabric.membraneScales[t] < 1.0 || bendsLess ? 1 : 0;
+  }
+  findPairs(model, fabric);
+}
+
+std::shared_ptr<const ClothModel> withBuilt(const ClothModel& model, std::shared_ptr<const Fabric> fabric) {
+  std::vector<double> stiffness = stiffnessAtVertices(*fabric, model);
+  return sim::withFabric(model, std::move(fabric), std::move(stiffness));
 }
 
 }  // namespace
@@ -178,27 +215,9 @@ std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Mate
   fabric->material = material;
   fabric->shape =
       restShapeOf(model.restPositions, model.triangles, edgesOf(model.triangles, model.restPositions.size()), warp);
-  fabric->fingerprint = fingerprintOf(material, fabric->shape);
   std::ranges::transform(fabric->shape.triangles, std::back_inserter(fabric->membraneScales), stiffnessScaleOf);
-  clampMembrane(model, *fabric);
-  buildMembrane(*fabric);
-  std::vector<double> bendingScales(model.triangles.size(), 1.0);
-  if (resistsBending(material)) {
-    ClampedBending bending = clampedBendingMatrix(fabric->shape, material, model.vertexArea);
-    fabric->bending = std::move(bending.matrix);
-    fabric->bendingHalfSums = halfRowSums(fabric->bending);
-    bendingScales = std::move(bending.scales);
-  }
-  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    fabric->slivers += fabric->membraneScales[t] < 1.0 || bendingScales[t] < 1.0 ? 1 : 0;
-  }
-  findPairs(model, *fabric);
-  for (const auto& [a, b, c] : model.triangles) {
-    fabric->pairsOfSides.push_back(
-        {pairBetween(*fabric, a, b), pairBetween(*fabric, b, c), pairBetween(*fabric, c, a)});
-  }
-  std::vector<double> stiffness = stiffnessAtVertices(*fabric, model);
-  return sim::withFabric(model, std::move(fabric), std::move(stiffness));
+  build(model, *fabric);
+  return withBuilt(model, std::move(fabric));
 }
 
 std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, double scale) {
@@ -209,9 +228,17 @@ std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, doub
     *modulus *= scale;
   }
   buildMembrane(*fabric);
-  fabric->fingerprint = fingerprintOf(material, fabric->shape);
-  std::vector<double> stiffness = stiffnessAtVertices(*fabric, model);
-  return sim::withFabric(model, std::move(fabric), std::move(stiffness));
+  fabric->fingerprint = fingerprintOf(*fabric);
+  return withBuilt(model, std::move(fabric));
+}
+
+std::shared_ptr<const ClothModel> withLowerRateLimit(const ClothModel& model, double maxRatio) {
+  auto fabric = std::make_shared<Fabric>(*model.fabric);
+  fabric->maxRatio = maxRatio;
+  build(model, *fabric);
+  const bool isEqual =
+      fabric->membraneScales == model.fabric->membraneScales && fabric->bendingScales == model.fabric->bendingScales;
+  return isEqual ? nullptr : withBuilt(model, std::move(fabric));
 }
 
 double strainAlongYarns(const ClothModel& model, std::span<const Vec3> positions) {

@@ -3,6 +3,7 @@
 #include "sim/fabric/bending.hpp"
 #include "sim/fabric/material.hpp"
 #include "sim/fabric/membrane.hpp"
+#include "sim/fabric/rate_limit.hpp"
 #include "sim/fabric/rest_shape.hpp"
 #include "sim/model/cloth_model.hpp"
 
@@ -28,16 +29,18 @@ struct Fabric {
   std::vector<MembraneTriangle> membrane;  ///< one a triangle
   std::vector<double> membraneScales;      ///< the factor on the moduli of each triangle [-]; below 1 where clamped
   VertexMatrix bending;                    ///< without rows if the fabric does not resist bending
+  std::vector<double> bendingScales;       ///< the factor on the bending energy of each triangle [-]; empty likewise
   /// See halfRowSums. Empty if the fabric does not resist bending [N/m].
   std::vector<double> bendingHalfSums;
   std::vector<VertexPair> pairs;   ///< sorted by (a, b)
   RaggedRows<SpringEnd> pairEnds;  ///< of each vertex, by ascending neighbour; `spring` is an index into pairs
   std::vector<std::array<int, 3>> pairsOfSides;  ///< of each triangle: the pairs of its sides
 
-  int slivers = 0;  ///< triangles whose stiffness is clamped, see sliverQuality and RateLimit
+  double maxRatio = maxMembraneRatio;  ///< of the RateLimit of the membrane; that of bending is its square [-]
+  int slivers = 0;                     ///< triangles whose stiffness is clamped, see sliverQuality and RateLimit
 
-  /// A hash of the material and of the rest shape. It differs for fabrics that differ in a modulus or in the direction
-  /// of warp, even if their stiffness at rest is the same.
+  /// A hash of the material, the rest shape and the limit. It differs for fabrics that differ in a modulus or in the
+  /// direction of warp, even if their stiffness at rest is the same.
   std::uint64_t fingerprint = 0;
 
   [[nodiscard]] bool bends() const { return bending.rows() > 0; }
@@ -53,6 +56,12 @@ struct Fabric {
 /// The same cloth with its stretch moduli and their stiffening multiplied by a factor. Shear, bending and mass are the
 /// same. @param model must have a fabric  @param scale above 0 [-]
 [[nodiscard]] std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, double scale);
+
+/// The same cloth with a lower RateLimit, so that its few smallest triangles do not decide the time step. Stretch,
+/// shear and bending of these triangles become softer.
+/// @param model must have a fabric  @param maxRatio as in RateLimit, of the membrane; its square is that of bending [-]
+/// @return null if no triangle exceeds the lower limit
+[[nodiscard]] std::shared_ptr<const ClothModel> withLowerRateLimit(const ClothModel& model, double maxRatio);
 
 /// The strain along warp or weft that one triangle in 100 exceeds (Green's strain) [-]. Compression counts as 0.
 /// @param model must have a fabric

@@ -34,6 +34,9 @@ class RateLimit {
 /// have at most 12.
 inline constexpr double maxMembraneRatio = 16.0;
 /// The same for bending, whose rate goes with the inverse fourth power of the size.
-inline constexpr double maxBendingRatio = maxMembraneRatio * maxMembraneRatio;
+/// @param maxRatio of the membrane [-]
+[[nodiscard]] constexpr double maxBendingRatio(double maxRatio) {
+  return maxRatio * maxRatio;
+}
 
 }  // namespace drape::sim::fabric

@@ -82,6 +82,7 @@ StepReport Stepper::advanceWithChosenStretch(const ClothModel& model, const Step
   if (report.choice && choice.level >= 0) {
     report.choice->stiffnessScale = adaptive::StretchChoice::scaleOf(choice.level);
     report.choice->strain = choice.strain;
+    report.choice->softenedTriangles = chosen.fabric->slivers - model.fabric->slivers;
     report.choice->fullStiffnessCost = largestFrequency(model, parameters) / largestFrequency(chosen, parameters);
   }
   return report;

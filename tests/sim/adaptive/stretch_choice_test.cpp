@@ -66,6 +66,22 @@ TEST(StretchChoice, lowersTheStiffnessAndKeepsTheStrainBelowTheLimit) {
   EXPECT_GT(report.choice->fullStiffnessCost, 1.3);
 }
 
+TEST(StretchChoice, softensSmallTrianglesOnlyWithALimit) {
+  ClothMesh mesh = sheet(31);
+  mesh.positions[15 * 31 + 15] += 0.88 * (mesh.positions[1] - mesh.positions[0]);
+  const auto model = asFabric(*buildClothModel(mesh, 0.1, MassLumping::Area, {0, 30}), woven());
+  StepParameters parameters = smallCostBudget();
+  parameters.automatic.costBudget = 1e5;
+  const StepReport limited = afterStepsOfAuto(*model, parameters, 2).second;
+  EXPECT_GT(limited.choice->softenedTriangles, 0);
+  EXPECT_EQ(limited.choice->stiffnessScale, 1.0);
+  EXPECT_GT(limited.choice->fullStiffnessCost, 1.05);
+  parameters.automatic.strainLimit = 0.0;
+  const StepReport full = afterStepsOfAuto(*model, parameters, 2).second;
+  EXPECT_EQ(full.choice->softenedTriangles, 0);
+  EXPECT_GT(full.choice->substeps, limited.choice->substeps);
+}
+
 TEST(StretchChoice, raisesTheStiffnessWithTheLoad) {
   const auto model = hangingFabric();
   StepParameters parameters = smallCostBudget();

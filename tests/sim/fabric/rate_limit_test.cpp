@@ -1,6 +1,7 @@
 #include "sim/fabric/rate_limit.hpp"
 
 #include "fabric_cloths.hpp"
+#include "sim/fabric/bending_damping.hpp"
 #include "sim/fabric/fabric.hpp"
 
 #include <gtest/gtest.h>
@@ -12,11 +13,11 @@ namespace {
 
 using namespace testing;
 
-/// A sheet with a vertex that lies almost on an edge, so that two triangles are thin.
-std::shared_ptr<const ClothModel> sheetWithThinTriangles(const Material& material) {
+/// A sheet with one displaced vertex, so that two triangles are thin. @param fraction of a side [-]
+std::shared_ptr<const ClothModel> sheetWithThinTriangles(const Material& material, double fraction = 0.95) {
   ClothMesh mesh = sheet(31);
   const Vec3 side = mesh.positions[1] - mesh.positions[0];
-  mesh.positions[15 * 31 + 15] += 0.95 * side;
+  mesh.positions[15 * 31 + 15] += fraction * side;
   return asFabric(*buildClothModel(mesh, 0.1, MassLumping::Area, {}), material);
 }
 
@@ -60,6 +61,36 @@ TEST(RateLimit, leavesTheBendingMatrixFreeOfRigidMotion) {
         thin->restPositions[static_cast<std::size_t>(v)].y();
   }
   EXPECT_LT((bending * linear).cwiseAbs().maxCoeff(), 1e-9 * bending.diagonal().maxCoeff());
+}
+
+TEST(LowerRateLimit, leavesAnEvenSheetAlone) {
+  const auto even = asFabric(*buildClothModel(sheet(31), 0.1, MassLumping::Area, {}), woven());
+  EXPECT_EQ(withLowerRateLimit(*even, 4.0), nullptr);
+}
+
+TEST(LowerRateLimit, softensOnlyTheSmallestTriangles) {
+  const auto full = sheetWithThinTriangles(woven(), 0.88);
+  ASSERT_EQ(full->fabric->slivers, 0);
+  const auto limited = withLowerRateLimit(*full, 4.0);
+  ASSERT_NE(limited, nullptr);
+  EXPECT_GT(limited->fabric->slivers, 0);
+  EXPECT_LT(limited->fabric->slivers, 20);
+  EXPECT_LT(limited->unitFrequency, 0.95 * full->unitFrequency);
+  EXPECT_NE(limited->fabric->fingerprint, full->fabric->fingerprint);
+  EXPECT_EQ(limited->vertexMass, full->vertexMass);
+  for (std::size_t t = 0; t < full->triangles.size(); ++t) {
+    if (limited->fabric->membraneScales[t] == 1.0) {
+      EXPECT_EQ(limited->fabric->membrane[t].stiffnessOfSides(), full->fabric->membrane[t].stiffnessOfSides());
+    } else {
+      EXPECT_LT(limited->fabric->membraneScales[t], 1.0);
+    }
+  }
+}
+
+TEST(LowerRateLimit, keepsThinTrianglesFromDecidingTheStagesOfDamping) {
+  const auto even = asFabric(*buildClothModel(sheet(31), 0.1, MassLumping::Area, {}), woven());
+  const auto thin = sheetWithThinTriangles(woven(), 0.97);
+  EXPECT_LT(bendingDampingOf(*thin).highestRate, 20.0 * bendingDampingOf(*even).highestRate);
 }
 
 }  // namespace
