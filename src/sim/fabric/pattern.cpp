@@ -85,7 +85,7 @@ Corners placedInSpace(const RestTriangle& rest, const Corners& mesh, double maxS
   Corners corners = Corners::Zero();
   if (rest.area > 0.0) {
     const Eigen::JacobiSVD<Matrix32> parts = stretchesOf(rest, mesh);
-    const Vec2 stretches = parts.singularValues().cwiseMax(1.0).cwiseMin(maxStretch);
+    const Vec2 stretches = (1.0 + (parts.singularValues().array() - 1.0).abs()).min(maxStretch);
     corners.rightCols<2>() =
         parts.matrixU().leftCols<2>() * stretches.asDiagonal() * parts.matrixV().transpose() * sidesFromFirst(rest);
   }

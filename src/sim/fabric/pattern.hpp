@@ -24,8 +24,8 @@ struct MeshStrain {
 };
 [[nodiscard]] MeshStrain meshStrain(const ClothModel& model, std::span<const RestTriangle> pattern);
 
-/// A triangle of a pattern, turned in space as near as possible to the corners of the mesh (polar decomposition). Its
-/// principal stretches are those of the mesh, but at least 1 and at most `maxStretch`. With 1 it is unstressed.
+/// A triangle of a pattern, turned in space as near as possible to the mesh. Its principal stretches are those of the
+/// mesh, with 1 + s for 1 - s because cloth that is let go swings back as far, and at most `maxStretch`. 1: unstressed.
 /// @return its corners relative to the first one; all zero for a triangle without area
 [[nodiscard]] Corners placedInSpace(const RestTriangle& rest, const Corners& mesh, double maxStretch);
 
