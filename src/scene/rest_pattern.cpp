@@ -17,8 +17,6 @@ namespace {
 constexpr double unlikelyAreaRatio = 4.0;
 /// A larger factor is an error [-].
 constexpr double largestAreaRatio = 1e4;
-/// Meshes of garments are strained by some percent against their patterns. Texture that wraps a garment is more [-].
-constexpr double unlikelyStrain = 0.5;
 
 /// The scale with which the pattern has the area of the mesh [m].
 double matchingScale(const PatternUvs& uvs) {
@@ -115,11 +113,12 @@ std::string restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs, c
     return fmt::format("fabric.uv_scale gives the pattern {} the area of the mesh; with {:.3g} they are equal",
                        asFactor(ratio), matchingScale(uvs));
   }
-  if (const double strain = model.fabric->meshStrain->median; strain > unlikelyStrain) {
+  if (!uvs.isPattern()) {
+    const auto& [median, high] = *model.fabric->meshStrain;
     return fmt::format(
-        "the UVs are hardly the pattern of this mesh: half of its triangles are strained by more than "
-        "{:.0f} % against them",
-        100.0 * strain);
+        "the UVs are hardly the pattern of this mesh: it is strained against them by {:.0f} % (median), "
+        "{:.0f} % (99 % of the triangles), and more in one direction than in the other",
+        100.0 * median, 100.0 * high);
   }
   return {};
 }

@@ -27,8 +27,8 @@ namespace drape::scene {
 [[nodiscard]] std::string restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs,
                                            const settings::Settings& settings);
 
-/// Why the pattern is hardly that of the mesh, in one sentence: their areas differ by more than a factor of
-/// 4, or half of the triangles are strained by more than 50 %. Empty if it can be.
+/// Why the pattern is hardly that of the mesh, in one sentence: their areas differ by more than a factor of 4, or the
+/// texture coordinates do not look like a pattern (PatternUvs::isPattern). Empty if it can be.
 [[nodiscard]] std::string restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs,
                                         const settings::Settings& settings);
 
