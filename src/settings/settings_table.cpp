@@ -448,7 +448,8 @@ const std::array table{
         textOf<[](auto& s) -> auto& { return s.fabric.warpFrom; }>(wordsIn<warpSources>, labelIn<warpSources>),
         "Where warp runs before fabric.warp_angle turns it. uv: along V of the mesh's texture coordinates (UVs), which "
         "must be neither degenerate nor mirrored. vertical: vertical at rest, or along x where the cloth is level. "
-        "auto: uv where the UVs are a flat pattern, stretched by less than 1.5 nearly everywhere; else vertical.",
+        "auto: uv where the UVs are the rest shape, or a flat pattern, stretched by less than 1.5 nearly everywhere; else "
+        "vertical.",
         {}, {}, SettingScope::Everywhere, namesFabric},
     SettingInfo{"fabric.warp_angle", "Warp angle", "degrees", Material, SettingEffect::Fabric,
         NumberField{[](auto& s) -> auto& { return s.fabric.warpAngle; }, -90.0, 90.0, false},
