@@ -4,6 +4,7 @@
 #include "app/standard_streams.hpp"
 #include "messages/sim_error_text.hpp"
 #include "scene/cloth_material.hpp"
+#include "scene/rest_pattern.hpp"
 #include "settings/settings_table.hpp"
 
 #include <cmath>
@@ -63,6 +64,9 @@ void printNotes(const scene::Scene& scene) {
   }
   if (const std::string note = scene::warpNote(scene.uvs, scene.settings); !note.empty()) {
     std::cerr << "note: " << note << '\n';
+  }
+  if (const std::string note = scene::restShapeNote(*scene.model, scene.uvs, scene.settings); !note.empty()) {
+    std::cerr << "warning: " << note << '\n';
   }
   if (scene.pinAdvice) {
     std::cerr << "warning: " << scene.pinAdvice->text << " Use --set " << scene.pinAdvice->key << '='

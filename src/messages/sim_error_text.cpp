@@ -50,6 +50,12 @@ std::string inWords(const sim::ClothModelError& error) {
              "the bias bending at least a quarter of warp plus weft, and poisson between -1 and 1";
     case Fault::WarpCount:
       return wrongCount(numbers, "warp directions", "triangles");
+    case Fault::PatternCount:
+      return wrongCount(numbers, "pattern triangles", "triangles");
+    case Fault::LengthCount:
+      return wrongCount(numbers, "rest lengths", "springs");
+    case Fault::AreaCount:
+      return wrongCount(numbers, "areas", "vertices");
     case Fault::TooManySprings:
       return fmt::format("a vertex of the cloth has more than {} springs", numbers.count);
   }

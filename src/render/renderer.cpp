@@ -104,7 +104,7 @@ struct Renderer::Parts {
   GroundShadow groundShadow;
 
   std::shared_ptr<const scene::Scene> scene;
-  std::string warpFrom;  // of the yarns that are shown
+  bool warpsAlongUvs = false;  // of the yarns that are shown
   std::shared_ptr<const sim::ClothModel> model;
   std::int64_t version = -1;
   double checkSize = 0.1;                       // [m]
@@ -119,7 +119,8 @@ struct Renderer::Parts {
 
 /// Uploads the changes since the last picture.
 void Renderer::Parts::take(const session::Snapshot& snapshot) {
-  const bool newScene = snapshot.scene != scene || snapshot.settings.fabric.warpFrom != warpFrom;
+  const bool newScene =
+      snapshot.scene != scene || scene::warpsAlongUvs(snapshot.scene->uvs, snapshot.settings) != warpsAlongUvs;
   if (newScene) {
     scene = snapshot.scene;
     takeScene(*scene, snapshot.settings);
@@ -151,7 +152,7 @@ void Renderer::Parts::takeGhost(const session::Snapshot& snapshot) {
 }
 
 void Renderer::Parts::takeScene(const scene::Scene& newScene, const settings::Settings& settings) {
-  warpFrom = settings.fabric.warpFrom;
+  warpsAlongUvs = scene::warpsAlongUvs(newScene.uvs, settings);
   const io::RenderMesh& mesh = newScene.renderMesh;
   const SurfaceCoordinates coordinates = surfaceCoordinates(mesh, newScene.model->restPositions);
   checkSize = coordinates.checkSize;

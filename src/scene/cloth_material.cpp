@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "scene/mass.hpp"
+#include "scene/rest_pattern.hpp"
 #include "sim/fabric/fabric.hpp"
 #include "text/number_text.hpp"
 
@@ -38,7 +39,8 @@ std::vector<Vec3> turnedWarp(const sim::ClothModel& model, const PatternUvs& uvs
 // up to fivefold across, and their V runs down every part of the back. Cloth cannot be cut so, and the vertical is as
 // good a guess there as for a mesh without texture coordinates.
 bool warpsAlongUvs(const PatternUvs& uvs, const settings::Settings& settings) {
-  return settings.fabric.warpFrom == "uv" || (settings.fabric.warpFrom == "auto" && uvs.isPattern());
+  const bool isPattern = restsOnPattern(settings) || uvs.isPattern();
+  return settings.fabric.warpFrom == "uv" || (settings.fabric.warpFrom == "auto" && isPattern);
 }
 
 std::string warpInWords(const PatternUvs& uvs, const settings::Settings& settings) {
@@ -63,6 +65,9 @@ std::vector<Vec3> warpDirections(const sim::ClothModel& model, const PatternUvs&
 
 std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& model, const settings::Settings& settings,
                                                       const PatternUvs& uvs) {
+  if (restsOnPattern(settings)) {
+    return sim::fabric::withPatternFabric(model, settings.fabric.moduli, patternOf(uvs, settings));
+  }
   if (settings::usesFabric(settings)) {
     return sim::fabric::withFabric(model, settings.fabric.moduli, turnedWarp(model, uvs, settings));
   }
@@ -74,7 +79,9 @@ std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model
   if (!settings::usesFabric(settings) && !model.fabric) {
     return model.shared_from_this();
   }
-  const auto weighed = sim::withMass(model, totalMassOf(settings, model.restArea()), lumpingOf(settings));
+  const auto sized =
+      restsOnPattern(settings) ? sim::fabric::withPattern(model, patternOf(uvs, settings)) : sim::withMeshSizes(model);
+  const auto weighed = sim::withMass(*sized, totalMassOf(settings, sized->restArea()), lumpingOf(settings));
   return withElasticity(*weighed, settings, uvs);
 }
 

@@ -10,7 +10,8 @@
 
 namespace drape::scene {
 
-/// Whether warp runs along V of the texture coordinates, by fabric.warp_from. Otherwise it is vertical.
+/// Whether warp runs along V of the texture coordinates, by fabric.warp_from and fabric.rest_shape. Otherwise it is
+/// vertical.
 [[nodiscard]] bool warpsAlongUvs(const PatternUvs& uvs, const settings::Settings& settings);
 
 /// Where warp comes from, in words: "along V of the UVs, turned by 30 degrees".
@@ -25,14 +26,16 @@ namespace drape::scene {
 [[nodiscard]] std::vector<Vec3> warpDirections(const sim::ClothModel& model, const PatternUvs& uvs,
                                                const settings::Settings& settings);
 
-/// The same cloth, elastic as the settings say: springs or a fabric. Warp has the direction of warpDirections, turned
-/// by fabric.warp_angle about the normal of each triangle. Throws InputError when fabric.warp_from = uv and the texture
-/// coordinates cannot give the warp, and ClothModelError as fabric::withFabric does.
+/// The same cloth, elastic as the settings say: springs or a fabric, whose rest shape is the mesh or the pattern. Warp
+/// has the direction of warpDirections, turned by fabric.warp_angle about the normal of each triangle. Throws
+/// InputError when fabric.warp_from = uv and the texture coordinates cannot give the warp, InputError as patternOf
+/// does, and ClothModelError as fabric::withFabric does.
 [[nodiscard]] std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& model,
                                                                     const settings::Settings& settings,
                                                                     const PatternUvs& uvs = {});
 
-/// The same with the mass of the settings. A cloth of springs that stays one does not change.
+/// The same with the mass of the settings, for the area of the rest shape. A cloth of springs that stays one does not
+/// change.
 [[nodiscard]] std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model,
                                                                   const settings::Settings& settings,
                                                                   const PatternUvs& uvs);

@@ -94,6 +94,8 @@ PatternUvs patternUvsOf(const io::RenderMesh& mesh, std::span<const Vec3> rest) 
     const Vec3 first = rest[mesh.particle[b]] - rest[mesh.particle[a]];
     const Vec3 second = rest[mesh.particle[c]] - rest[mesh.particle[a]];
     const double own = 0.5 * first.cross(second).norm();
+    uvs.area += 0.5 * std::abs(twiceArea(uvs.corners.back()));
+    uvs.meshArea += own;
     if (twiceArea(uvs.corners.back()) == 0.0) {
       uvs.degenerate.push_back(static_cast<int>(uvs.corners.size()) - 1);
     } else if (own > minRestHeight * std::max(first.squaredNorm(), second.squaredNorm())) {

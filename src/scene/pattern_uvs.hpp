@@ -16,6 +16,8 @@ struct PatternUvs {
   std::vector<std::array<Vec2, 3>> corners;  ///< of each triangle; empty without texture coordinates in the file
   std::vector<int> degenerate;               ///< triangles without area in the texture
   std::vector<int> mirrored;  ///< triangles that are turned over against the larger part of their piece of the texture
+  double area = 0.0;          ///< of the texture, in UV units [-]
+  double meshArea = 0.0;      ///< of the cloth [m^2]
   double distorted = 0.0;     ///< share of the area whose texture is stretched by more than maxPatternStretch [-]
 
   [[nodiscard]] bool present() const { return !corners.empty(); }

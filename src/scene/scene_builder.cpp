@@ -257,7 +257,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->model = messages::withInputErrors([&] {
     const auto springs = sim::buildClothModel(
         source.mesh.cloth, totalMassOf(settings, sim::restAreaOf(source.mesh.cloth)), lumpingOf(settings), pins);
-    return withElasticity(*springs, settings, scene->uvs);
+    return withMaterial(*springs, settings, scene->uvs);
   });
   watch.tell(0.95, "Building");
   scene->renderMesh = std::move(source.mesh.render);

@@ -44,6 +44,8 @@ struct Settings {
     OwnFabrics own;                 ///< the user's fabrics, and those of the scene file
     std::string warpFrom = "auto";  ///< where warp runs: "auto", "vertical" or "uv" (along V of the mesh's UVs)
     double warpAngle = 0.0;         ///< by which warp is turned from there, in the plane of each triangle [degrees]
+    std::string restShape = "mesh";  ///< "mesh" or "uv" (the pattern in the mesh's UVs)
+    double uvScale = 0.0;            ///< size of a UV unit in the pattern [m]; 0: it has the area of the mesh
   } fabric;
 
   sim::AttachmentSpring attachment{.stiffness = 500.0, .maxForce = 10.0};

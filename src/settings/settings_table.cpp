@@ -163,6 +163,10 @@ constexpr std::array warpSources{
     TextWord{"vertical", {"Vertical", "The vertical of the rest shape, along each triangle."}},
     TextWord{"uv", {"UVs", "Along V of the mesh's texture coordinates."}}};
 
+constexpr std::array restShapes{
+    TextWord{"mesh", {"Mesh", "The cloth is unstressed in the shape of its mesh."}},
+    TextWord{"uv", {"UVs", "The cloth is unstressed in the flat sewing pattern of its texture coordinates."}}};
+
 std::vector<std::string> fabricNames() {
   std::vector<std::string> names;
   for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
@@ -263,6 +267,10 @@ bool usesSprings(const Settings& settings) {
 /// Whether the name of the fabric and its warp count: for the cloth itself or for its look.
 bool namesFabric(const Settings& settings) {
   return usesFabric(settings) || settings.view.surface == "fabric";
+}
+
+bool restsOnUvs(const Settings& settings) {
+  return usesFabric(settings) && settings.fabric.restShape == "uv";
 }
 
 bool weighsAsGiven(const Settings& settings) {
@@ -440,13 +448,24 @@ const std::array table{
         textOf<[](auto& s) -> auto& { return s.fabric.warpFrom; }>(wordsIn<warpSources>, labelIn<warpSources>),
         "Where warp runs before fabric.warp_angle turns it. uv: along V of the mesh's texture coordinates (UVs), which "
         "must be neither degenerate nor mirrored. vertical: vertical at rest, or along x where the cloth is level. "
-        "auto: uv where the UVs are a flat pattern, stretched by less than 1.5 nearly everywhere; else vertical.",
+        "auto: uv where the UVs are the rest shape, or a flat pattern, stretched by less than 1.5 nearly everywhere; else "
+        "vertical.",
         {}, {}, SettingScope::Everywhere, namesFabric},
     SettingInfo{"fabric.warp_angle", "Warp angle", "degrees", Material, SettingEffect::Fabric,
         NumberField{[](auto& s) -> auto& { return s.fabric.warpAngle; }, -90.0, 90.0, false},
         "Angle by which warp is turned about the normal of the cloth from its direction by fabric.warp_from. 45 is cut on "
         "the bias.",
         {}, {}, SettingScope::Everywhere, namesFabric},
+    SettingInfo{"fabric.rest_shape", "Rest shape", "-", Material, SettingEffect::Fabric,
+        textOf<[](auto& s) -> auto& { return s.fabric.restShape; }>(wordsIn<restShapes>, labelIn<restShapes>),
+        "The shape in which the fabric is unstressed against stretch and shear. uv: the sewing pattern in the mesh's "
+        "texture coordinates (UVs), which must be neither degenerate nor mirrored. Area and density then count on the "
+        "pattern, and warp runs along V. mesh: each triangle of the mesh as it is.",
+        {}, {}, SettingScope::MeshFile, usesFabric},
+    SettingInfo{"fabric.uv_scale", "UV scale", "m", Material, SettingEffect::Fabric,
+        NumberField{[](auto& s) -> auto& { return s.fabric.uvScale; }, 0.0, 100.0, true},
+        "Size of a UV unit while fabric.rest_shape is uv. 0: the pattern gets the area of the mesh.",
+        {}, {}, SettingScope::MeshFile, restsOnUvs},
     SettingInfo{"fabric.own_density", "Own density", "-", Material, SettingEffect::Mass,
         FlagField{[](auto& s) -> auto& { return s.fabric.ownDensity; }},
         "Whether fabric.density sets the weight of the cloth while material.model is fabric. Setting density or mass "

@@ -1,5 +1,6 @@
 #include "messages/error.hpp"
 #include "scene/cloth_material.hpp"
+#include "scene/rest_pattern.hpp"
 #include "sim/fabric/fabric.hpp"
 #include "ui/panels.hpp"
 #include "ui/text.hpp"
@@ -46,6 +47,13 @@ void fabricRows(PanelContext& context) {
   factRow(context, "Warp", scene::warpInWords(snapshot.scene->uvs, context.settings));
   if (const std::string note = scene::warpNote(snapshot.scene->uvs, context.settings); !note.empty()) {
     mutedText("Note: " + note + ".", palette().warning);
+  }
+  if (snapshot.model->fabric && snapshot.model->fabric->meshStrain) {
+    factRow(context, "Rest shape", scene::restShapeInWords(*snapshot.model, snapshot.scene->uvs, context.settings));
+    if (const std::string note = scene::restShapeNote(*snapshot.model, snapshot.scene->uvs, context.settings);
+        !note.empty()) {
+      mutedText("Warning: " + note + ".", palette().warning);
+    }
   }
   if (snapshot.model->fabric && snapshot.model->fabric->slivers > 0) {
     factRow(context, "Slivers",

@@ -71,6 +71,24 @@ TEST(Fabrics, areNamedOnTheCommandLineAndInTheSummary) {
       << unknown.errors;
 }
 
+TEST(Fabrics, tellWhichRestShapeTheyHave) {
+  const std::string run = "run skirt --seconds 0.01 ";
+  EXPECT_EQ(headless(run).output.find("rest shape:"), std::string::npos);
+  const std::string file = (testFolder() / "stats.json").string();
+  const Outcome pattern = headless(run + "--set fabric.rest_shape=uv --stats " + file);
+  EXPECT_NE(pattern.output.find("rest shape: the pattern in the UVs, "), std::string::npos) << pattern.errors;
+  const auto stats = nlohmann::json::parse(readFile(file))["fabric"]["rest_shape"];
+  EXPECT_EQ(stats["from"], "uv");
+  EXPECT_GT(stats["uv_scale"], 0.1);
+  EXPECT_GT(stats["mesh_strain"]["p99"], stats["mesh_strain"]["median"]);
+  const Outcome refused = headless(run + "--set fabric.rest_shape=uv --set fabric.warp_from=vertical");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.errors.find("fabric.warp_from = vertical is not possible"), std::string::npos) << refused.errors;
+  const Outcome doubted = headless("run cape --seconds 0.01 --set material.model=fabric --set fabric.rest_shape=uv");
+  EXPECT_NE(doubted.errors.find("warning: the UVs are hardly the pattern of this mesh"), std::string::npos)
+      << doubted.errors;
+}
+
 TEST(Fabrics, areFoundInTheConfigurationFolder) {
   const auto folder = testFolder();
   std::filesystem::create_directories(folder / "drape");

@@ -67,6 +67,17 @@ TEST(SimErrorText, saysWhyStiffnessesCannotBe) {
             "a vertex of the cloth has more than 65535 springs");
 }
 
+TEST(SimErrorText, saysWhyAPatternCannotBe) {
+  const auto model = sim::testing::pinnedSheet(3);
+  EXPECT_EQ(messageFrom([&] { return sim::fabric::withPattern(*model, {}); }),
+            "the list of pattern triangles has 0 entries for a cloth of 8 triangles");
+  EXPECT_EQ(messageFrom([&] { return sim::withRestSizes(*model, {}, model->vertexArea); }),
+            "the list of rest lengths has 0 entries for a cloth of 16 springs");
+  const std::vector<double> lengths(model->springs.size(), 1.0);
+  EXPECT_EQ(messageFrom([&] { return sim::withRestSizes(*model, lengths, {}); }),
+            "the list of areas has 0 entries for a cloth of 9 vertices");
+}
+
 TEST(SimErrorText, namesTheSolversThatTakeAFabric) {
   const std::string refusal = knowsSpringsOnly("ghost.solver", "kang");
   EXPECT_TRUE(

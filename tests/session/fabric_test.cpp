@@ -84,6 +84,15 @@ TEST(Fabric, refusesABadValueWithAMessageAndKeepsTheOldOne) {
   }
 }
 
+TEST(Fabric, refusesAPatternWhereTheMeshHasNoneAndKeepsTheMesh) {
+  Simulation simulation(smallGrid(9, {"solver=auto", "material.model=fabric"}));
+  set(simulation, "fabric.rest_shape", std::string("uv"));
+  EXPECT_NE(simulation.message().find("fabric.rest_shape = uv cannot be used"), std::string::npos)
+      << simulation.message();
+  EXPECT_EQ(simulation.settings().fabric.restShape, "mesh");
+  EXPECT_FALSE(simulation.model().hasPattern);
+}
+
 /// The first side of the first triangle that runs along warp, as seen by the fabric [m].
 double alongWarp(const sim::ClothModel& model) {
   const Triangle& triangle = model.triangles[0];

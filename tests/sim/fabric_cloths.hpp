@@ -3,6 +3,9 @@
 #include "sim/fabric/fabric.hpp"
 #include "test_meshes.hpp"
 
+#include <Eigen/Geometry>
+
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,6 +54,30 @@ inline std::vector<NamedMaterial> everyKindOfFabric() {
 inline std::shared_ptr<const ClothModel> asFabric(const ClothModel& model, const fabric::Material& material) {
   const Vec3 warp = Vec3(1.0, 0.3, 0.4).normalized();
   return fabric::withFabric(model, material, fabric::warpAlong(warp, model.restPositions, model.triangles));
+}
+
+/// The pattern of a level sheet of 1 m x 1 m, cut in two pieces along x = 0.5 m. The second piece is turned in the
+/// pattern. @param scale of both pieces [-]  @param ease a factor on the second piece along warp, which makes its side
+/// of the seam longer [-]
+inline std::vector<fabric::RestTriangle> twoPieces(const ClothModel& model, double scale, double ease) {
+  std::vector<fabric::RestTriangle> pattern;
+  for (const Triangle& triangle : model.triangles) {
+    std::array<Vec2, 3> corners;
+    double middle = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& position = model.restPositions[triangle[k]];
+      corners[k] = scale * Vec2(position.z(), position.x());
+      middle += position.x() / 3.0;
+    }
+    if (middle > 0.5) {
+      const Eigen::Rotation2Dd turn(0.4);
+      for (Vec2& corner : corners) {
+        corner = turn * Vec2(ease * corner.x(), corner.y());
+      }
+    }
+    pattern.push_back(fabric::restTriangleOf(corners));
+  }
+  return pattern;
 }
 
 }  // namespace drape::sim::testing

@@ -10,6 +10,7 @@
 #include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
 #include "scene/cloth_material.hpp"
+#include "scene/rest_pattern.hpp"
 #include "session/simulation.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/fabric/fabric.hpp"
@@ -78,6 +79,10 @@ void printFabric(const session::Simulation& simulation) {
                              : fmt::format("slivers: the stiffness of {} of {} triangles is lowered", slivers,
                                            simulation.model().triangles.size()))
             << '\n';
+  if (simulation.model().fabric->meshStrain) {
+    std::cout << "rest shape: "
+              << scene::restShapeInWords(simulation.model(), simulation.scene().uvs, simulation.settings()) << '\n';
+  }
 }
 
 void printSummary(const session::Simulation& simulation, const nlohmann::ordered_json& json) {

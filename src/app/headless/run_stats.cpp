@@ -4,6 +4,7 @@
 #include "report/number_text.hpp"
 #include "report/settings_json.hpp"
 #include "scene/cloth_material.hpp"
+#include "scene/rest_pattern.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
@@ -41,6 +42,19 @@ nlohmann::ordered_json stabilityLimit(const sim::ClothModel& model, const settin
   return report::finiteOrNull(solver->stepLimit(model, settings.step));
 }
 
+/// What the fabric's rest shape is, and for a pattern its scale and the strain of the mesh against it.
+nlohmann::ordered_json restShapeJson(const session::Simulation& simulation) {
+  const sim::ClothModel& model = simulation.model();
+  if (!model.fabric->meshStrain) {
+    return {{"from", "mesh"}, {"area", model.restArea()}};
+  }
+  const auto& [median, high] = *model.fabric->meshStrain;
+  return {{"from", "uv"},
+          {"area", model.restArea()},
+          {"uv_scale", scene::patternScale(simulation.scene().uvs, simulation.settings())},
+          {"mesh_strain", {{"median", median}, {"p99", high}}}};
+}
+
 /// The fabric's name, where its warp comes from, and the number of triangles whose stiffness is clamped. Null for
 /// springs.
 nlohmann::ordered_json fabricJson(const session::Simulation& simulation) {
@@ -51,6 +65,7 @@ nlohmann::ordered_json fabricJson(const session::Simulation& simulation) {
   return {{"title", settings::fabricTitle(settings)},
           {"warp", scene::warpInWords(simulation.scene().uvs, settings)},
           {"warp_from", scene::warpsAlongUvs(simulation.scene().uvs, settings) ? "uv" : "vertical"},
+          {"rest_shape", restShapeJson(simulation)},
           {"slivers", simulation.model().fabric->slivers}};
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace drape::sim::fabric {
@@ -28,6 +29,7 @@ Material stiffened(const Material& material) {
   Material steep = material;
   steep.stretchWarp += material.stiffeningWarp;
   steep.stretchWeft += material.stiffeningWeft;
+  steep.stiffeningWarp = steep.stiffeningWeft = 0.0;
   return steep;
 }
 
@@ -38,12 +40,17 @@ constexpr double frequencyMargin = 1.1;
 using CornerBlocks = std::array<Mat3, 3>;
 
 /// The second derivative of the membrane's energy of each triangle at rest [N/m].
-std::vector<Mat9> membraneAtRest(const Fabric& fabric, const Material& material, const ClothModel& model) {
+/// @param maxStretch in a mesh that differs from its pattern, see placedInSpace; 1: at rest
+std::vector<Mat9> membraneAtRest(const Fabric& fabric, const Material& material, const ClothModel& model,
+                                 double maxStretch = 1.0) {
+  const ForceDerivative variant = model.hasPattern ? ForceDerivative::Stabilised : ForceDerivative::Exact;
   std::vector<Mat9> stiffness;
   stiffness.reserve(model.triangles.size());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    stiffness.push_back(MembraneTriangle(fabric.shape.triangles[t], material, fabric.membraneScales[t])
-                            .derivative(cornersOf(model.triangles[t], model.restPositions), ForceDerivative::Exact));
+    const RestTriangle& rest = fabric.shape.triangles[t];
+    const Corners mesh = cornersOf(model.triangles[t], model.restPositions);
+    stiffness.push_back(MembraneTriangle(rest, material, fabric.membraneScales[t])
+                            .derivative(model.hasPattern ? placedInSpace(rest, mesh, maxStretch) : mesh, variant));
   }
   return stiffness;
 }
@@ -93,9 +100,11 @@ void clampMembrane(const ClothModel& model, Fabric& fabric) {
 /// The largest stiffness at each vertex [N/m]: the largest eigenvalue of its diagonal block of the stiffened membrane,
 /// plus half the row sum of the bending matrix, which exceeds the diagonal where the matrix is far from dominant. The
 /// frequency that follows from it (unitFrequencySquared) can be a third too high on garments. So all are scaled to the
-/// frequency of the whole cloth.
+/// frequency of the whole cloth. A mesh that is stretched against its pattern is stiffer than at rest, and counts as it
+/// is: the cloth starts from it.
 std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& model) {
-  const std::vector<Mat9> membrane = membraneAtRest(fabric, stiffened(fabric.material), model);
+  constexpr double asInMesh = std::numeric_limits<double>::infinity();
+  const std::vector<Mat9> membrane = membraneAtRest(fabric, stiffened(fabric.material), model, asInMesh);
   std::vector<double> largest = sumAtVertices(model, cornerBlocks(membrane));
   if (fabric.bends()) {
     std::ranges::transform(largest, fabric.bendingHalfSums, largest.begin(), std::plus<>());
@@ -199,25 +208,39 @@ std::shared_ptr<const ClothModel> withBuilt(const ClothModel& model, std::shared
   return sim::withFabric(model, std::move(fabric), std::move(stiffness));
 }
 
+/// @param model with the rest lengths and areas of the triangles at rest
+std::shared_ptr<const ClothModel> withTriangles(const ClothModel& model, const Material& material,
+                                                std::vector<RestTriangle> rest) {
+  if (!isStable(material)) {
+    throw ClothModelError(ClothModelError::Fault::Material, {});
+  }
+  auto fabric = std::make_shared<Fabric>();
+  fabric->material = material;
+  fabric->shape = restShapeOf(std::move(rest), model.triangles, edgesOf(model.triangles, model.restPositions.size()));
+  if (model.hasPattern) {
+    fabric->meshStrain = meshStrain(model, fabric->shape.triangles);
+  }
+  std::ranges::transform(fabric->shape.triangles, std::back_inserter(fabric->membraneScales), stiffnessScaleOf);
+  build(model, *fabric);
+  return withBuilt(model, std::move(fabric));
+}
+
 }  // namespace
 
 std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Material& material,
                                              std::span<const Vec3> warp) {
-  using Fault = ClothModelError::Fault;
-  if (!isStable(material)) {
-    throw ClothModelError(Fault::Material, {});
-  }
   if (warp.size() != model.triangles.size()) {
-    throw ClothModelError(Fault::WarpCount, {.found = static_cast<std::int64_t>(warp.size()),
-                                             .count = static_cast<std::int64_t>(model.triangles.size())});
+    throw ClothModelError(
+        ClothModelError::Fault::WarpCount,
+        {.found = static_cast<std::int64_t>(warp.size()), .count = static_cast<std::int64_t>(model.triangles.size())});
   }
-  auto fabric = std::make_shared<Fabric>();
-  fabric->material = material;
-  fabric->shape =
-      restShapeOf(model.restPositions, model.triangles, edgesOf(model.triangles, model.restPositions.size()), warp);
-  std::ranges::transform(fabric->shape.triangles, std::back_inserter(fabric->membraneScales), stiffnessScaleOf);
-  build(model, *fabric);
-  return withBuilt(model, std::move(fabric));
+  return withTriangles(*withMeshSizes(model), material, restTrianglesOf(model.restPositions, model.triangles, warp));
+}
+
+std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model, const Material& material,
+                                                    std::vector<RestTriangle> pattern) {
+  const std::shared_ptr<const ClothModel> sized = withPattern(model, pattern);
+  return withTriangles(*sized, material, std::move(pattern));
 }
 
 std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, double scale) {

@@ -3,6 +3,7 @@
 #include "sim/fabric/bending.hpp"
 #include "sim/fabric/material.hpp"
 #include "sim/fabric/membrane.hpp"
+#include "sim/fabric/pattern.hpp"
 #include "sim/fabric/rate_limit.hpp"
 #include "sim/fabric/rest_shape.hpp"
 #include "sim/model/cloth_model.hpp"
@@ -10,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +38,8 @@ struct Fabric {
   RaggedRows<SpringEnd> pairEnds;  ///< of each vertex, by ascending neighbour; `spring` is an index into pairs
   std::vector<std::array<int, 3>> pairsOfSides;  ///< of each triangle: the pairs of its sides
 
+  /// The strain of the mesh against the pattern. Nothing if the rest shape is the mesh.
+  std::optional<MeshStrain> meshStrain;
   double maxRatio = maxMembraneRatio;  ///< of the RateLimit of the membrane; that of bending is its square [-]
   int slivers = 0;                     ///< triangles whose stiffness is clamped, see sliverQuality and RateLimit
 
@@ -46,12 +50,18 @@ struct Fabric {
   [[nodiscard]] bool bends() const { return bending.rows() > 0; }
 };
 
-/// The same cloth with a fabric instead of springs. The rest shape is flat for bending: the fabric tends to unroll, as
-/// woven cloth does, whatever the shape of the mesh.
+/// The same cloth with a fabric instead of springs, whose rest shape is the mesh. The rest shape is flat for bending:
+/// the fabric tends to unroll, as woven cloth does, whatever the shape of the mesh.
 /// @param warp a unit vector in the plane of each triangle at rest, see warpAlong
 /// Throws ClothModelError if the material is not stable (isStable) or if there is not one direction a triangle.
 [[nodiscard]] std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Material& material,
                                                            std::span<const Vec3> warp);
+
+/// The same cloth with a fabric whose rest shape is a flat sewing pattern instead of the mesh. Rest lengths and areas
+/// become those of the pattern (withPattern). Masses do not change. @param pattern one for each triangle of the cloth
+/// Throws ClothModelError if the material is not stable or if there are more or fewer triangles.
+[[nodiscard]] std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model, const Material& material,
+                                                                  std::vector<RestTriangle> pattern);
 
 /// The same cloth with its stretch moduli and their stiffening multiplied by a factor. Shear, bending and mass are the
 /// same. @param model must have a fabric  @param scale above 0 [-]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace drape::sim::fabric {
 namespace {
@@ -28,7 +29,7 @@ Vec3 inPlane(const Vec3& direction, const Vec3& normal) {
   return length > minSine * direction.norm() ? Vec3(part / length) : Vec3(Vec3::Zero());
 }
 
-RestTriangle restTriangleOf(std::span<const Vec3> positions, const Triangle& triangle, const Vec3& warp) {
+RestTriangle measured(std::span<const Vec3> positions, const Triangle& triangle, const Vec3& warp) {
   RestTriangle rest;
   const Vec3 vector = areaVector(positions, triangle);
   const double twice = vector.norm();
@@ -96,13 +97,43 @@ std::vector<Vec3> warpAlong(const Vec3& direction, std::span<const Vec3> positio
   return warp;
 }
 
+std::vector<RestTriangle> restTrianglesOf(std::span<const Vec3> positions, std::span<const Triangle> triangles,
+                                          std::span<const Vec3> warp) {
+  std::vector<RestTriangle> rest;
+  rest.reserve(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    rest.push_back(measured(positions, triangles[t], warp[t]));
+  }
+  return rest;
+}
+
+RestTriangle restTriangleOf(const std::array<Vec2, 3>& corners) {
+  RestTriangle rest;
+  std::array<Vec2, 3> sides;
+  double longest = 0.0;  // squared
+  for (std::size_t k = 0; k < 3; ++k) {
+    sides[k] = corners[(k + 1) % 3] - corners[k];
+    longest = std::max(longest, sides[k].squaredNorm());
+  }
+  const double twice = sides[0].x() * sides[1].y() - sides[0].y() * sides[1].x();
+  if (!(std::abs(twice) > minHeight * longest)) {
+    return rest;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    rest.sides[k] = {sides[k].x(), twice > 0.0 ? sides[k].y() : -sides[k].y()};
+  }
+  rest.area = 0.5 * std::abs(twice);
+  return rest;
+}
+
 RestShape restShapeOf(std::span<const Vec3> positions, std::span<const Triangle> triangles, const MeshEdges& edges,
                       std::span<const Vec3> warp) {
+  return restShapeOf(restTrianglesOf(positions, triangles, warp), triangles, edges);
+}
+
+RestShape restShapeOf(std::vector<RestTriangle> rest, std::span<const Triangle> triangles, const MeshEdges& edges) {
   RestShape shape;
-  shape.triangles.reserve(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    shape.triangles.push_back(restTriangleOf(positions, triangles[t], warp[t]));
-  }
+  shape.triangles = std::move(rest);
   for (std::size_t e = 0; e < edges.edges.size(); ++e) {
     const std::span<const TriangleSide> sides = edges.sides[e];
     const bool bends = sides.size() == 2 && shape.triangles[sides[0].triangle].area > 0.0 &&

@@ -58,8 +58,23 @@ struct RestShape {
 [[nodiscard]] std::vector<Vec3> warpAlong(const Vec3& direction, std::span<const Vec3> positions,
                                           std::span<const Triangle> triangles);
 
-/// Measures the rest shape.
-/// @param positions at rest [m]  @param edges of these triangles  @param warp a direction in the plane of each triangle
+/// The triangles of a mesh, each in its own plane.
+/// @param positions at rest [m]  @param warp a direction in the plane of each triangle
+[[nodiscard]] std::vector<RestTriangle> restTrianglesOf(std::span<const Vec3> positions,
+                                                        std::span<const Triangle> triangles,
+                                                        std::span<const Vec3> warp);
+
+/// A triangle of a flat pattern. @param corners in coordinates along warp and weft [m]. Their order may be clockwise,
+/// as in a piece that is cut from the back of the cloth: weft then points the other way.
+[[nodiscard]] RestTriangle restTriangleOf(const std::array<Vec2, 3>& corners);
+
+/// The rest shape of these triangles, which may come from a mesh or from a pattern. Two triangles of a pattern may give
+/// their common edge different lengths, at a seam. Then either side of the hinge has the length of its own triangle.
+/// @param rest one for each of the triangles  @param edges of these triangles
+[[nodiscard]] RestShape restShapeOf(std::vector<RestTriangle> rest, std::span<const Triangle> triangles,
+                                    const MeshEdges& edges);
+
+/// The rest shape of a mesh, see restTrianglesOf. @param edges of these triangles
 [[nodiscard]] RestShape restShapeOf(std::span<const Vec3> positions, std::span<const Triangle> triangles,
                                     const MeshEdges& edges, std::span<const Vec3> warp);
 

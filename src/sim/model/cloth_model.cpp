@@ -208,8 +208,34 @@ std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, std::share
   return changed;
 }
 
-std::shared_ptr<const ClothModel> withSprings(const ClothModel& model) {
+std::shared_ptr<const ClothModel> withRestSizes(const ClothModel& model, std::span<const double> lengths,
+                                                std::vector<double> areas) {
+  requireSize(lengths.size(), model.springs.size(), Fault::LengthCount);
+  requireSize(areas.size(), model.restPositions.size(), Fault::AreaCount);
   auto changed = std::make_shared<ClothModel>(model);
+  for (std::size_t s = 0; s < lengths.size(); ++s) {
+    changed->springs[s].restLength = lengths[s];
+  }
+  changed->vertexArea = std::move(areas);
+  changed->hasPattern = true;
+  return changed;
+}
+
+std::shared_ptr<const ClothModel> withMeshSizes(const ClothModel& model) {
+  auto changed = std::make_shared<ClothModel>(model);
+  if (!model.hasPattern) {
+    return changed;
+  }
+  for (Spring& spring : changed->springs) {
+    spring.restLength = (model.restPositions[spring.b] - model.restPositions[spring.a]).norm();
+  }
+  changed->vertexArea = vertexAreasOf({model.restPositions, model.triangles});
+  changed->hasPattern = false;
+  return changed;
+}
+
+std::shared_ptr<const ClothModel> withSprings(const ClothModel& model) {
+  auto changed = std::make_shared<ClothModel>(*withMeshSizes(model));
   changed->fabric.reset();
   changed->fabricStiffness.clear();
   findRates(*changed);

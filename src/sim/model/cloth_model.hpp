@@ -4,6 +4,7 @@
 #include "sim/model/vector.hpp"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace drape::sim {
@@ -53,6 +54,8 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
   double unitFrequency = 0.0;  ///< largest local angular frequency [1/s], for springs of 1 N/m; see local_frequency.hpp
   double unitDampingRate = 0.0;  ///< largest 2 n_i / m_i, for a damping of 1 N s/m [1/s]
   double stiffestSpring = 1.0;   ///< largest relativeStiffness [-]; 1 without springs
+  /// Whether the rest lengths and areas are those of a flat pattern (fabric::withPattern) instead of restPositions.
+  bool hasPattern = false;
   /// Membrane and bending (sim/fabric/fabric.hpp), which replace the springs' forces. Null: springs.
   std::shared_ptr<const fabric::Fabric> fabric;
   /// Largest stiffness of the fabric at each vertex [N/m], with stiffening. Empty: springs.
@@ -98,7 +101,15 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
                                                            std::shared_ptr<const fabric::Fabric> fabric,
                                                            std::vector<double> stiffness);
 
-/// The same cloth with springs instead of a fabric.
+/// The same cloth with the rest lengths of its springs [m] and the areas of its vertices [m^2] from a pattern. Masses
+/// do not change. Use fabric::withPattern, which computes both.
+[[nodiscard]] std::shared_ptr<const ClothModel> withRestSizes(const ClothModel& model, std::span<const double> lengths,
+                                                              std::vector<double> areas);
+
+/// The same cloth with the rest lengths and areas of its mesh again. Masses do not change.
+[[nodiscard]] std::shared_ptr<const ClothModel> withMeshSizes(const ClothModel& model);
+
+/// The same cloth with springs instead of a fabric, of the lengths in the mesh.
 [[nodiscard]] std::shared_ptr<const ClothModel> withSprings(const ClothModel& model);
 
 /// The same cloth with other pins. `pinned` has one entry a vertex.

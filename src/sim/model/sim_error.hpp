@@ -29,6 +29,9 @@ class ClothModelError : public SimError {
     PinCount,         ///< there are `found` pins for `count` vertices
     Material,         ///< the fabric's moduli are negative, not finite, or not positive definite
     WarpCount,        ///< there are `found` directions of warp for `count` triangles
+    PatternCount,     ///< there are `found` triangles of a pattern for `count` triangles
+    LengthCount,      ///< there are `found` rest lengths for `count` springs
+    AreaCount,        ///< there are `found` areas for `count` vertices
     TooManySprings,   ///< a vertex has more than `count` springs
   };
 

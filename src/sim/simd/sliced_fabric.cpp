@@ -4,6 +4,7 @@
 #include "sim/simd/sliced_fans.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -70,10 +71,42 @@ void setStiffening(const fabric::MembraneTriangle& membrane, std::size_t corner,
   }
 }
 
-bool hasCommonCorners(const SliceLayout& layout, int slice) {
-  const auto* const begin = layout.corners.data() + layout.cornerBegin[slice];
-  const auto* const end = layout.corners.data() + layout.cornerBegin[slice + 1];
-  return std::all_of(begin, end, [](const SliceLayout::Corner& corner) { return corner.table < 0; });
+/// Whether the sides of a triangle at rest are as long as the springs. In a pattern they are not at seams where one
+/// piece is eased into the other.
+bool fitsSprings(const ClothModel& model, int triangle) {
+  constexpr double rounding = 1e-9;
+  const Triangle& corners = model.triangles[triangle];
+  const fabric::RestTriangle& rest = model.fabric->shape.triangles[triangle];
+  for (std::size_t k = 0; k < 3 && rest.area > 0.0; ++k) {
+    const std::span<const SpringEnd> ends = model.springEnds[corners[k]];
+    const auto end = std::ranges::lower_bound(ends, corners[(k + 1) % 3], {}, &SpringEnd::neighbour);
+    const double length = model.springs[end->spring].restLength;
+    if (std::abs(rest.sides[k].norm() - length) > rounding * length) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The corners, of all slices, whose triangles fit the springs in every lane.
+std::vector<bool> fittingCorners(const ClothModel& model, const SliceLayout& layout) {
+  std::vector<bool> fit(layout.corners.size(), true);
+  if (model.hasPattern) {
+    for (const SliceLayout::CornerUse& use : layout.cornerUses) {
+      fit[use.corner] = fit[use.corner] && fitsSprings(model, static_cast<int>(use.triangle));
+    }
+  }
+  return fit;
+}
+
+/// Whether all lanes of a slice have the same corners, and the springs give the rest lengths of their triangles.
+bool hasCommonCorners(const SliceLayout& layout, const std::vector<bool>& fit, int slice) {
+  for (int c = layout.cornerBegin[slice]; c < layout.cornerBegin[slice + 1]; ++c) {
+    if (layout.corners[static_cast<std::size_t>(c)].table >= 0 || !fit[c]) {
+      return false;
+    }
+  }
+  return true;
 }
 
 template <typename T>
@@ -224,9 +257,10 @@ SlicedFabric<T> buildSlicedFabric(const ClothModel& model, SliceLayout& layout) 
   const fabric::Fabric& fabric = *model.fabric;
   SlicedFabric<T> sliced;
   sliced.moduli = moduliOf<T>(fabric.material);
+  const std::vector<bool> fit = fittingCorners(model, layout);
   sliced.spokeBegin.push_back(0);
   for (int slice = 0; slice < layout.slices(); ++slice) {
-    const bool common = hasCommonCorners(layout, slice);
+    const bool common = hasCommonCorners(layout, fit, slice);
     sliced.hasCommonCorners.push_back(common ? 1 : 0);
     if (!common) {
       addFansOfSlice(model, layout, slice, sliced);

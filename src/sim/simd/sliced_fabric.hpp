@@ -19,9 +19,10 @@ struct alignas(64) SliceNumbers : std::array<T, sliceLanes> {};
 /// Each vertex evaluates the triangles at its corners. Each triangle is evaluated three times, and no thread writes
 /// another one's data. There are two forms.
 ///
-/// In slices whose lanes all have the same corners, as on a grid, many slices share their numbers. A corner is a vertex
-/// i with the neighbours j and k of two slots. The offsets to them are a and b. The force needs q of all three sides
-/// and the tensions of two:
+/// In slices whose lanes all have the same corners, as on a grid, many slices share their numbers. There the triangles
+/// of a side must give it the same rest length, which a pattern does not at its seams. A corner is a vertex i with the
+/// neighbours j and k of two slots. The offsets to them are a and b. The force needs q of all three sides and the
+/// tensions of two:
 ///
 ///     q_a = (|a|^2 - A^2) / 2,  q_b alike,  q_c = q_a + q_b + A.B - a.b  (the side from j to k)
 ///     t_a = K_aa q_a + K_ac q_c + K_ab q_b,  t_b = K_ab q_a + K_bc q_c + K_bb q_b,  force += t_a a + t_b b
@@ -78,7 +79,7 @@ struct SlicedFabric {
     std::vector<SliceNumbers<T>> entries;
   };
 
-  std::vector<std::uint8_t> hasCommonCorners;  ///< of each slice: whether all of its lanes have the same corners
+  std::vector<std::uint8_t> hasCommonCorners;  ///< of each slice: whether it has the first form
   std::vector<int> cornerOf;                   ///< of each SliceLayout::Corner: index into `corners`
   std::vector<Corner> corners;                 ///< shared by the regular parts of a mesh
   /// Along warp and weft, in the order of `corners`; empty if the fabric does not stiffen.

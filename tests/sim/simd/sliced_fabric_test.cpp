@@ -118,6 +118,32 @@ TEST(SlicedFabric, takesTrianglesThatFaceEitherSideAndEdgesOfThreeTriangles) {
   EXPECT_LT(largestDifference(state, expected), 1e-10 * largestSpeed(expected));
 }
 
+/// On a grid, whose slices have common corners except at the seam, and on an irregular mesh.
+TEST(SlicedFabric, takesAPatternWhoseSidesOfASeamDiffer) {
+  for (const ClothMesh& mesh : {sheet(25), renumbered(unevenSheet(17, 4), 6)}) {
+    for (const auto& [name, material] : everyKindOfFabric()) {
+      const auto springs = pinnedCloth(mesh);
+      const auto model = fabric::withPatternFabric(*springs, material, twoPieces(*springs, 1.01, 1.03));
+      StepParameters parameters = windyStep();
+      parameters.timeStep = 5e-5;
+      parameters.precision = Precision::Double;
+      const ClothState start = shaken(*model, 0.002, 5);
+      ClothState expected = start;
+      for (int i = 0; i < 3; ++i) {
+        referenceStep(*model, parameters, expected);
+      }
+      SlicedRun run;
+      ClothState state = start;
+      run.verlet(*model, parameters, {}, 3, state);
+      EXPECT_LT(largestDifference(state, expected), 1e-10 * largestSpeed(expected)) << name;
+      ClothState threaded = start;
+      parameters.threads = 3;
+      run.verlet(*model, parameters, {}, 3, threaded);
+      EXPECT_EQ(largestDifference(state, threaded), 0.0) << name;
+    }
+  }
+}
+
 TEST(SlicedFabric, conservesEnergyBelowTheStabilityLimit) {
   const auto model = asFabric(*pinnedCloth(sheet(13)), woven());
   StepParameters parameters;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "scene/pattern_uvs.hpp"
+#include "settings/settings.hpp"
+#include "sim/fabric/pattern.hpp"
+#include "sim/model/cloth_model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace drape::scene {
+
+/// Whether the cloth's rest shape is the pattern in its texture coordinates, by fabric.rest_shape.
+[[nodiscard]] bool restsOnPattern(const settings::Settings& settings);
+
+/// The size of a unit of the texture coordinates [m]: fabric.uv_scale, or where that is 0 the scale with which the
+/// pattern has the area of the mesh.
+[[nodiscard]] double patternScale(const PatternUvs& uvs, const settings::Settings& settings);
+
+/// The triangles of the pattern at rest. Warp runs along V, turned by fabric.warp_angle.
+/// Throws InputError if the texture coordinates cannot be a pattern, if fabric.warp_from is vertical, or if
+/// fabric.uv_scale makes the pattern implausibly large or small.
+[[nodiscard]] std::vector<sim::fabric::RestTriangle> patternOf(const PatternUvs& uvs,
+                                                               const settings::Settings& settings);
+
+/// The rest shape in words: "the mesh", or the pattern with its scale and the strain of the mesh against it.
+[[nodiscard]] std::string restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs,
+                                           const settings::Settings& settings);
+
+/// Why the pattern is hardly that of the mesh, in one sentence: their areas differ by more than a factor of 4, or the
+/// texture coordinates do not look like a pattern (PatternUvs::isPattern). Empty if it can be.
+[[nodiscard]] std::string restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs,
+                                        const settings::Settings& settings);
+
+}  // namespace drape::scene
