@@ -35,7 +35,7 @@ Limits limitsOf(bool quick, const WorkGround& ground) {
     return {30.0, 0.05, 2e-3};
   }
   // Fabrics are stiff, and the implicit solvers run them without vector instructions.
-  const double maxSeconds = ground.resolution() == 0 ? 1.0 : ground.material().isFabric() ? 0.5 : 0.08;
+  const double maxSeconds = ground.resolution() == 0 ? 0.6 : ground.material().isFabric() ? 0.25 : 0.08;
   return {maxSeconds, 0.02, 3e-3};
 }
 
