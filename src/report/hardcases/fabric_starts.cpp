@@ -103,7 +103,7 @@ void fabricDamped(CaseTrial& trial) {
   const Vec3 drift(0.3, 0.4, 0.0);  // [m/s]
   CaseNumbers random(28);
   for (const Vec3& position : cloth.mesh.positions) {
-    cloth.velocities.push_back(spin.cross(position) + drift + randomVector(random));
+    cloth.velocities.emplace_back(spin.cross(position) + drift + randomVector(random));
   }
   WatchedCloth watched(trial, cloth);
   const auto spinNow = [&] { return sim::angularMomentum(watched.model(), watched.state(), barycentreOf(watched)); };
@@ -125,7 +125,7 @@ void fabricViolentStart(CaseTrial& trial) {
   for (std::size_t v = 0; v < cloth.mesh.positions.size(); ++v) {
     const bool pinned = std::find(cloth.pins.begin(), cloth.pins.end(), static_cast<int>(v)) != cloth.pins.end();
     const Vec3 velocity = fastest / std::sqrt(3.0) * randomVector(random);
-    cloth.velocities.push_back(pinned ? Vec3(Vec3::Zero()) : velocity);
+    cloth.velocities.emplace_back(pinned ? Vec3::Zero().eval() : velocity);
   }
   WatchedCloth watched(trial, cloth);
   expectCalm(trial, watched, 3.0, share);

@@ -9,6 +9,7 @@
 #include "sim/measures/measures.hpp"
 #include "sim/stepping/stepper.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -175,7 +176,7 @@ void addCells(const std::string& name, int resolution, bool quick, SectionPlan& 
     const auto ground = std::make_shared<StretchGround>(name, resolution, preset, quick ? freeTime : 3.5);
     for (const double limit : quick ? std::vector<double>{0.0, 0.01} : std::vector<double>{0.0, 0.003, 0.01, 0.03}) {
       plan.cells.push_back(
-          {name + " " + preset + " " + text::figure(limit), quick ? 0.5 : 2.0,
+          {fmt::format("{} {} {}", name, preset, limit), quick ? 0.5 : 2.0,
            [=](const CellContext& context) -> ReportRows { return {ground->measure(limit, context.checkStop)}; }});
     }
   }

@@ -11,7 +11,7 @@ namespace drape::report::sections {
 
 /// A cloth for the comparison of methods.
 struct GroundPlan {
-  int resolution;  ///< 0 for a mesh
+  int resolution = 0;  ///< 0 for a mesh
   WorkMaterial material;
   bool fastMethods = false;  ///< only methods with vector instructions for this material
 };

@@ -3,8 +3,8 @@
 #include "report/number_text.hpp"
 #include "report/section.hpp"
 
-#include <compare>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace drape::report::sections {
@@ -23,7 +23,9 @@ struct WorkCloth {
   double stiffness = 0.0;     ///< of springs [N/m]
   std::string material = {};  ///< "springs", or the preset of a fabric
 
-  auto operator<=>(const WorkCloth&) const = default;
+  [[nodiscard]] auto key() const { return std::tie(scene, isFabric, resolution, stiffness, material); }
+  bool operator==(const WorkCloth& other) const { return key() == other.key(); }
+  bool operator<(const WorkCloth& other) const { return key() < other.key(); }
 };
 
 [[nodiscard]] inline WorkCloth workClothOf(const ReportRow& row) {
