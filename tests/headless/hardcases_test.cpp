@@ -32,6 +32,12 @@ TEST(HardCasesCommand, failsWithStatusOneAndSaysWhichSolverFailed) {
   EXPECT_NE(outcome.errors.find("one_iteration 1"), std::string::npos) << outcome.errors;
 }
 
+TEST(HardCasesCommand, countsACaseThatASolverRefusesAsNoFailure) {
+  const Outcome outcome = headless("hardcases --short --case fabric_folded --solver xpbd --markdown");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, "| case | xpbd |\n|---|---|\n| 24 fabric_folded | refused |\n");
+}
+
 TEST(HardCasesCommand, printsATableOfSolvers) {
   const Outcome outcome = headless(quick + "--solver verlet --markdown");
   EXPECT_EQ(outcome.output, "| case | verlet |\n|---|---|\n| 21 heavy_gravity | passed |\n");
@@ -43,7 +49,7 @@ TEST(HardCasesCommand, putsTheDefaultSolverOnTrial) {
 }
 
 TEST(HardCasesCommand, refusesWrongUse) {
-  EXPECT_EQ(headless("hardcases --case 23").status, 2);
+  EXPECT_EQ(headless("hardcases --case 34").status, 2);
   EXPECT_EQ(headless(quick + "--solver magic").status, 2);
   EXPECT_EQ(headless(quick + "--set magic=1").status, 2);
   EXPECT_EQ(headless(quick + "--max-seconds 0").status, 2);

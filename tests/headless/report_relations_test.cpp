@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -148,6 +149,19 @@ TEST_F(QuickReport, findsVerletAheadOnSoftClothAndAbsentOnStiff) {
   }
 }
 
+TEST_F(QuickReport, comparesTheSolversThatTakeAFabricOnIt) {
+  std::set<std::string> methods;
+  for (const Json& row : json_["work_precision"]) {
+    if (row["material"] == "jersey") {
+      EXPECT_TRUE(row["stiffness"].is_null());
+      EXPECT_TRUE(row["trusted"]) << row;
+      methods.insert(row["method"]);
+    }
+  }
+  EXPECT_EQ(methods, (std::set<std::string>{"auto", "chebyshev", "explicit_euler", "newton", "one_iteration", "pcg",
+                                            "vbd", "verlet"}));
+}
+
 /// eps of backward Euler with n steps an interval against explicit Euler with m, both falling freely from rest, in
 /// interval k: (n (2k - 1) + 1) / n against (m (2k - 1) - 1) / m intervals' lengths.
 double freeFallEps(double n, double m, double k) {
@@ -184,7 +198,8 @@ TEST_F(QuickReport, namesAsCheapestWhatIsCheapestInItsOwnRows) {
     EXPECT_LT(answer["error_of_diagonal"], answer["share"]);
     for (const Json& row : json_["work_precision"]) {
       const bool same = row["scene"] == answer["scene"] && row["stiffness"] == answer["stiffness"] &&
-                        row["resolution"] == answer["resolution"] && row["time"] == answer["time"];
+                        row["material"] == answer["material"] && row["resolution"] == answer["resolution"] &&
+                        row["time"] == answer["time"];
       if (same && row["state"] == "calm" && row["us_per_simulated_second"].is_number() &&
           row["error_of_diagonal"] < answer["share"]) {
         EXPECT_GE(row["us_per_simulated_second"], answer["us_per_simulated_second"]);

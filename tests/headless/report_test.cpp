@@ -13,8 +13,8 @@ nlohmann::json jsonIn(const std::filesystem::path& folder) {
 }
 
 void expectHead(const nlohmann::json& json) {
-  for (const char* array : {"table1", "table2", "work_precision", "what_follows", "stability", "hard_cases", "growth",
-                            "threads", "collision", "validation"}) {
+  for (const char* array : {"table1", "table2", "work_precision", "what_follows", "stability", "hard_cases",
+                            "stretch_limit", "growth", "threads", "collision", "validation"}) {
     EXPECT_TRUE(json[array].is_array()) << array;
   }
   ASSERT_TRUE(json["machine"].is_object());

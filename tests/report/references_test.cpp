@@ -76,6 +76,20 @@ TEST(ConvergedReference, saysWhereItEndsWhenItIsNotConverged) {
   EXPECT_THROW((void)firstOrder(*scene, exact), messages::InputError);
 }
 
+TEST(ConvergedReference, convergesInTheDampingOfAFabricToo) {
+  // The damping acts once in a step. Substeps of longer steps would leave its error as it is.
+  const auto scene = testing::smallGrid(
+      {"material.model=fabric", "material.preset=jersey", "fabric.bend_damping=0.1", "fabric.stretch_damping=0.05"});
+  ConvergenceTolerance tolerance;
+  tolerance.absolute = 1e-6;
+  const Reference reference = convergedReference(*scene, convergedSettings(scene->settings), checkpoints, tolerance);
+  ASSERT_EQ(reference.doubt, "");
+  settings::Settings finer = reference.settings;
+  finer.step.timeStep /= 4.0;
+  const Trajectory truth = runTrajectory(*scene, finer, checkpoints);
+  EXPECT_LT(sim::meanDistance(truth.states.back().positions, reference.trajectory.states.back().positions), 1e-6);
+}
+
 TEST(ConvergedReference, needsBeNoBetterThanTheErrorThatItJudges) {
   const auto scene = testing::smallGrid({"stiffness=10"});
   const Trajectory judged = runTrajectory(*scene, scene->settings, checkpoints);

@@ -3,6 +3,7 @@
 #include "report/sections/section_scene.hpp"
 #include "report/sections/stability_rule.hpp"
 #include "report/sections/work_precision_view.hpp"
+#include "report/sections/work_rows.hpp"
 #include "sim/solvers/solver.hpp"
 #include "small_grid.hpp"
 
@@ -104,6 +105,30 @@ TEST(WorkPrecision, findsVerletMoreExactWithMoreSubstepsAndExplodedBeyondItsLimi
   EXPECT_TRUE(sixteen[1]["trusted"]);
 }
 
+TEST(WorkPrecision, findsTheOrderOfASolverOnAFabric) {
+  const ReportRow coarse =
+      measured("work_precision", "hang 9x9 jersey, newton substeps=1 tolerance=1e-6 derivative=exact max_iterations=50")
+          .at(0);
+  const ReportRow fine = measured("work_precision", "hang 9x9 jersey, verlet substeps=16").at(0);
+  ASSERT_TRUE(fine["trusted"]);
+  EXPECT_EQ(fine["state"], "calm");
+  EXPECT_EQ(fine["material"], "jersey");
+  EXPECT_TRUE(fine["stiffness"].is_null());
+  // The damping acts once in a step of 1/150 s, in the reference more often.
+  EXPECT_LT(fine["error_mean"].get<double>(), 1e-4);
+  EXPECT_GT(coarse["error_mean"].get<double>(), 20.0 * fine["error_mean"].get<double>());
+}
+
+TEST(WorkPrecision, namesFabricsAndMeshesInItsTitles) {
+  ReportRow row{
+      {"scene", "tshirt"}, {"resolution", nullptr}, {"material", "cotton"}, {"stiffness", nullptr}, {"time", 0.5}};
+  EXPECT_EQ(sections::clothOf(row), "tshirt, mesh, cotton, 0.5 s");
+  row["resolution"] = 17;
+  row["stiffness"] = 1e5;
+  row["material"] = "springs";
+  EXPECT_EQ(sections::clothOf(row), "tshirt, 17x17, 100000 N/m, 0.5 s");
+}
+
 TEST(WorkPrecision, addsASampleOfTimeInEachRoundAndKeepsTheError) {
   const std::string key = "hang 17x17 10 N/m, one_iteration substeps=1";
   const ReportRows once = measured("work_precision", key, 1);
@@ -123,6 +148,7 @@ TEST(WorkPrecision, drawsAndNamesItsFront) {
         std::tuple("substeps=3", 0.5, 0.01, "frozen"), std::tuple("substeps=4", 3.0, 0.2, "calm")}) {
     rows.push_back({{"scene", "grid"},
                     {"resolution", 17},
+                    {"material", "springs"},
                     {"stiffness", 10.0},
                     {"time", 0.2},
                     {"method", "verlet"},

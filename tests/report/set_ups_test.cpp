@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "report/sections/table2_starts.hpp"
+#include "report/sections/work_material.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/measures/measures.hpp"
 
@@ -18,7 +19,7 @@ TEST(SetUps, areTheReportsOwnOrOneByName) {
   for (const auto& setUp : sections::comparedSetUps("")) {
     names.insert(setUp.name);
   }
-  EXPECT_EQ(names, (std::set<std::string>{"hang", "flag", "crush", "twist"}));
+  EXPECT_EQ(names, (std::set<std::string>{"hang", "flag", "crush", "twist", "tshirt"}));
   EXPECT_EQ(sections::comparedSetUps("twist").size(), 1U);
   EXPECT_EQ(sections::comparedSetUps("curtain").at(0).scene, "curtain");
   EXPECT_THROW((void)sections::comparedSetUps("skirt"), messages::InputError);
@@ -27,12 +28,35 @@ TEST(SetUps, areTheReportsOwnOrOneByName) {
 
 TEST(SetUps, beginAtRestWithTheirPinsWhereTheyBelong) {
   for (const auto& setUp : sections::comparedSetUps("")) {
+    if (sections::isMesh(setUp)) {
+      continue;
+    }
     const auto scene = sections::buildSetUp(setUp, 9, {"stiffness=50"});
     EXPECT_EQ(scene->settings.step.material.stiffness, 50.0);
     EXPECT_EQ(sim::energyOf(*scene->model, scene->settings.step, scene->start).kinetic, 0.0) << setUp.name;
     const auto pins = std::count(scene->model->pinned.begin(), scene->model->pinned.end(), true);
     EXPECT_EQ(pins, setUp.name == "hang" ? 2 : setUp.name == "flag" ? 9 : 18) << setUp.name;
   }
+}
+
+TEST(SetUps, hangTheTShirtFromItsTopWithItsFabricAndWithoutItsMannequin) {
+  const auto tshirt = sections::comparedSetUps("tshirt").at(0);
+  ASSERT_TRUE(sections::isMesh(tshirt));
+  const auto scene = sections::buildSetUp(tshirt, 0, sections::fabricOf("denim").settings);
+  EXPECT_EQ(scene->model->vertexCount(), 2014);
+  EXPECT_TRUE(scene->bodies->empty());
+  ASSERT_TRUE(scene->model->fabric);
+  const double lowestPin = [&] {
+    double lowest = 1e9;
+    for (std::size_t v = 0; v < scene->model->pinned.size(); ++v) {
+      lowest = scene->model->pinned[v] ? std::min(lowest, scene->model->restPositions[v].y()) : lowest;
+    }
+    return lowest;
+  }();
+  const auto [bottom, top] = std::minmax_element(scene->model->restPositions.begin(), scene->model->restPositions.end(),
+                                                 [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
+  EXPECT_GE(lowestPin, top->y() - 0.031 * (top->y() - bottom->y()));
+  EXPECT_NEAR(scene->model->totalMass() / scene->model->restArea(), 0.324, 1e-3) << "the density of denim";
 }
 
 TEST(SetUps, compressTheCrushedSheetAndStretchTheTwistedOne) {

@@ -41,6 +41,16 @@ settings::Settings CaseTrial::settings(const std::vector<std::string>& changes) 
   return settings;
 }
 
+settings::Settings CaseTrial::fabricSettings(const std::string& preset, const std::vector<std::string>& changes) const {
+  std::vector<std::string> all{"material.model=fabric", "material.preset=" + preset, "fabric.own_density=on"};
+  all.insert(all.end(), changes.begin(), changes.end());
+  settings::Settings settings = this->settings(all);
+  if (!sim::findSolver(settings.solver.name)->takesFabric) {
+    throw CaseRefused();
+  }
+  return settings;
+}
+
 void CaseTrial::expect(const std::string& name, const std::string& unit, double value, double limit) {
   const auto known =
       std::find_if(figures_.begin(), figures_.end(), [&](const CaseFigure& one) { return one.name == name; });

@@ -18,6 +18,9 @@ struct CaseEnded {
   std::string why;
 };
 
+/// Thrown by a case with a fabric when the solver under test takes springs only.
+struct CaseRefused {};
+
 /// Thrown when a case exceeds its time limit.
 struct CaseTooSlow {};
 
@@ -37,6 +40,11 @@ class CaseTrial {
 
   /// The default settings with these changes ("key=value"), the solver under test and the user's changes.
   [[nodiscard]] settings::Settings settings(const std::vector<std::string>& changes) const;
+
+  /// The same for a fabric with its own density. Throws CaseRefused when the solver under test takes springs only.
+  /// @param preset of the table in sim/fabric/presets.hpp
+  [[nodiscard]] settings::Settings fabricSettings(const std::string& preset,
+                                                  const std::vector<std::string>& changes) const;
 
   /// Adds a value that must not exceed its limit. Of several with the same name the largest counts.
   void expect(const std::string& name, const std::string& unit, double value, double limit);

@@ -56,6 +56,28 @@ constexpr std::array table{
         "the general criteria only", hardcases::heavyGravity},
     HardCase{22, "nothing_there", "No stiffness, no mass, springs without length.",
         "refused with a message, or handled: without stiffness a vertex falls freely (5 %)", hardcases::nothingThere},
+    HardCase{23, "fabric_long_steps", "Denim and cotton with steps of 1/60 and 1/30 s.",
+        "the general criteria only", hardcases::fabricLongSteps},
+    HardCase{24, "fabric_folded", "A cotton sheet starts folded flat onto itself and hangs from two corners.",
+        "the general criteria only", hardcases::fabricFolded},
+    HardCase{25, "fabric_turned_over", "One tenth of the vertices of a free cotton sheet starts beyond their neighbours, so triangles are turned over.",
+        "kinetic and elastic energy after 3 s below 1e-3 of the start", hardcases::fabricTurnedOver},
+    HardCase{26, "fabric_slivers", "Cotton on a mesh with slivers and with triangles that are 1e4 times smaller than the others.",
+        "the clamped triangles are counted", hardcases::fabricSlivers},
+    HardCase{27, "fabric_uneven_moduli", "The stretch modulus is 1e5 N/m along warp and 10 N/m along weft.",
+        "largest elongation during the run at most twice that of the converged solve", hardcases::fabricUnevenModuli},
+    HardCase{28, "fabric_compressed", "Canvas starts between two pinned edges at 0.3 of its width.",
+        "the general criteria only", hardcases::fabricCompressed},
+    HardCase{29, "fabric_damped", "Free denim with damping times of 1 s spins and drifts without gravity.",
+        "linear and angular momentum change by at most 1e-6 of their value", hardcases::fabricDamped},
+    HardCase{30, "fabric_thin_cells", "A sheet of 1 cm whose cells are 50 times longer than wide, in denim and in jersey.",
+        "the general criteria only", hardcases::fabricThinCells},
+    HardCase{31, "fabric_violent_start", "Every vertex of a denim sheet starts with a random velocity of up to 50 m/s.",
+        "kinetic and elastic energy after 3 s below 1e-2 of the start; strain below 0.3", hardcases::fabricViolentStart},
+    HardCase{32, "fabric_pins_teleport", "The pins of hanging cotton move by 1 m within one frame.",
+        "kinetic and elastic energy after 2 s below 1e-3 of the value after the move; strain below 0.3", hardcases::fabricPinsTeleport},
+    HardCase{33, "fabric_overstretched", "Jersey under 30 times the gravity of the Earth, which stretches it twofold.",
+        "largest elongation during the run at most 1.5 times that of the converged solve", hardcases::fabricOverstretched},
 };
 // clang-format on
 
@@ -85,6 +107,8 @@ std::string_view wordFor(CaseOutcome outcome) {
       return "passed";
     case CaseOutcome::Failed:
       return "failed";
+    case CaseOutcome::Refused:
+      return "refused";
     case CaseOutcome::GivenUp:
       break;
   }
@@ -115,6 +139,9 @@ CaseResult runHardCase(const HardCase& hardCase, const CaseOptions& options) {
     result.outcome = outcomeOf(trial);
   } catch (const CaseEnded& end) {
     ended = end.why;
+  } catch (const CaseRefused&) {
+    result.outcome = CaseOutcome::Refused;
+    ended = "The solver takes springs only.";
   } catch (const CaseTooSlow&) {
     result.outcome = CaseOutcome::GivenUp;
     ended = "It exceeded the time limit.";

@@ -41,4 +41,19 @@ void degenerateTriangles(CaseTrial& trial);
 void looseMesh(CaseTrial& trial);
 void nothingThere(CaseTrial& trial);
 
+// fabric_starts.cpp
+void fabricFolded(CaseTrial& trial);
+void fabricTurnedOver(CaseTrial& trial);
+void fabricCompressed(CaseTrial& trial);
+void fabricDamped(CaseTrial& trial);
+void fabricViolentStart(CaseTrial& trial);
+void fabricPinsTeleport(CaseTrial& trial);
+
+// fabric_materials.cpp
+void fabricLongSteps(CaseTrial& trial);
+void fabricSlivers(CaseTrial& trial);
+void fabricUnevenModuli(CaseTrial& trial);
+void fabricThinCells(CaseTrial& trial);
+void fabricOverstretched(CaseTrial& trial);
+
 }  // namespace drape::report::hardcases

@@ -25,10 +25,11 @@ struct CaseFigure {
 enum class CaseOutcome {
   Passed,
   Failed,
-  GivenUp  ///< it exceeded the time limit; the result is unknown
+  GivenUp,  ///< it exceeded the time limit; the result is unknown
+  Refused   ///< the case has a fabric, and the solver takes springs only
 };
 
-/// "passed", "failed" or "given up".
+/// "passed", "failed", "given up" or "refused".
 [[nodiscard]] std::string_view wordFor(CaseOutcome outcome);
 
 /// The result of a solver in a case.

@@ -63,8 +63,8 @@ std::string hardCaseLine(const HardCase& hardCase, const CaseResult& result) {
   const std::string start = fmt::format("{:>2}  {:<22}{:<9}{:>8.2f} s  ", hardCase.number, hardCase.name,
                                         wordFor(result.outcome), result.seconds);
   const std::string figures = figuresInWords(result);
-  const bool ended =
-      result.outcome == CaseOutcome::GivenUp || result.words.starts_with("The state was no longer finite");
+  const bool ended = result.outcome == CaseOutcome::GivenUp || result.outcome == CaseOutcome::Refused ||
+                     result.words.starts_with("The state was no longer finite");
   return start + (ended ? result.words : figures) + "\n";
 }
 

@@ -1,10 +1,10 @@
 #include "report/hardcases/cases.hpp"
+#include "report/hardcases/strain_on_the_way.hpp"
 #include "report/hardcases/watched_cloth.hpp"
 #include "report/number_text.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/measures/measures.hpp"
-#include "sim/stepping/stepper.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,40 +13,6 @@
 
 /// Cases of extreme materials.
 namespace drape::report::hardcases {
-namespace {
-
-/// The largest elongation during the run, at each 1/150 s.
-double strainOnTheWay(WatchedCloth& watched, double seconds) {
-  double largest = 0.0;
-  const auto steps = std::lround(seconds / watched.simulation().settings().step.timeStep);
-  for (long i = 0; i < steps; ++i) {
-    watched.step();
-    largest = std::max(largest, sim::maxStretch(watched.model(), watched.state()));
-  }
-  return largest;
-}
-
-/// The same for Verlet at half of its limit, in double.
-double convergedStrain(const CaseTrial& trial, const CaseCloth& cloth, double seconds) {
-  settings::Settings settings = cloth.settings;
-  settings.solver.name = "verlet";
-  settings.step.precision = sim::Precision::Double;
-  const auto model = modelOf(cloth);
-  settings.step.substeps = stableSubsteps(*model, settings);
-  sim::Stepper stepper(settings.solver.name);
-  sim::ClothState state = sim::stateAtRest(cloth.mesh.positions);
-  double largest = 0.0;
-  const auto steps = std::lround(seconds / settings.step.timeStep);
-  for (long i = 0; i < steps; ++i) {
-    trial.tick();
-    stepper.step(*model, settings.step, {}, state);
-    largest = std::max(largest, sim::maxStretch(*model, state));
-  }
-  return largest;
-}
-
-}  // namespace
-
 void unevenSprings(CaseTrial& trial) {
   constexpr double stiffer = 1e5;
   CaseCloth cloth = sheetCloth(trial.settings({"stiffness=10"}), trial.pick(33, 9), Pinned::TwoCorners);

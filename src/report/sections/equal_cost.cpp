@@ -1,7 +1,7 @@
 #include "report/sections/equal_cost.hpp"
 
 #include "report/number_text.hpp"
-#include "report/sections/calm_rows.hpp"
+#include "report/sections/work_rows.hpp"
 
 #include <algorithm>
 #include <string>

@@ -66,6 +66,7 @@ const std::vector<MapState>& states() {
   static const std::vector<MapState> all{{"passed", "P", Tone::Good},
                                          {"failed", "F", Tone::Bad},
                                          {"given up", "-", Tone::None},
+                                         {"refused", "x", Tone::Dull},
                                          {"not measured", "", Tone::None}};
   return all;
 }
@@ -111,7 +112,8 @@ TextTable faultsOf(const RowOf& rows, const std::vector<std::string>& methods) {
   for (const std::string& method : methods) {
     for (const hardcases::HardCase& one : hardcases::hardCaseTable()) {
       const auto found = rows.find({one.number, method});
-      if (found != rows.end() && !found->second->value("passed", false)) {
+      if (found != rows.end() && !found->second->value("passed", false) &&
+          found->second->value("outcome", "") != "refused") {
         table.rows.push_back({method, std::to_string(one.number) + " " + std::string(one.name),
                               found->second->value("outcome", ""), found->second->value("words", "")});
       }
@@ -145,7 +147,8 @@ std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
                 ". Every method has its default settings; the explicit methods use as many substeps as half of "
                 "their stability limit needs. In every case the state must stay finite, no vertex may move beyond 1e5 "
                 "m, and the energy "
-                "may rise by at most 1 % of the scene's scale beyond external work. Given up: it took too long."});
+                "may rise by at most 1 % of the scene's scale beyond external work. Given up: it took too long. "
+                "Refused: the case has a fabric, and the solver takes springs only."});
   blocks.emplace_back(mapOf(cells, methods));
   blocks.emplace_back(casesAsTable());
   blocks.emplace_back(faultsOf(cells, methods));

@@ -3,9 +3,26 @@
 #include "messages/error.hpp"
 #include "settings/settings_table.hpp"
 
+#include <utility>
 #include <variant>
 
 namespace drape::report::sections {
+namespace {
+
+/// Without ground and stand the cloth falls freely, so that only its own motion is compared.
+std::shared_ptr<const scene::Scene> inTheAir(scene::SceneDescription description,
+                                             const std::vector<std::string>& settings) {
+  description.ground.reset();
+  if (description.stand) {
+    description.stand->body.reset();
+  }
+  for (const std::string& expression : settings) {
+    settings::assignSettingExpression(description.settings, expression);
+  }
+  return scene::buildScene(description, description.settings);
+}
+
+}  // namespace
 
 scene::SceneDescription requireGrid(const std::string& name) {
   scene::SceneDescription description = scene::openScene(name);
@@ -22,15 +39,15 @@ std::shared_ptr<const scene::Scene> gridScene(const std::string& name, int resol
   scene::SceneDescription description = requireGrid(name);
   description.pins = pins.value_or(description.pins);
   description.settings.grid.resolution = resolution;
-  // Without ground the cloth falls freely, so that only its own motion is compared.
-  description.ground.reset();
-  if (description.stand) {
-    description.stand->body.reset();
-  }
-  for (const std::string& expression : settings) {
-    settings::assignSettingExpression(description.settings, expression);
-  }
-  return scene::buildScene(description, description.settings);
+  return inTheAir(std::move(description), settings);
+}
+
+std::shared_ptr<const scene::Scene> meshScene(const std::string& name, const std::vector<std::string>& settings,
+                                              const scene::PinSelection& pins) {
+  scene::SceneDescription description = scene::openScene(name);
+  description.pins = pins;
+  description.bodies.clear();
+  return inTheAir(std::move(description), settings);
 }
 
 settings::Settings changedSettings(const scene::Scene& scene, const std::vector<std::string>& settings) {

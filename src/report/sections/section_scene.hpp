@@ -15,6 +15,11 @@ namespace drape::report::sections {
     const std::string& name, int resolution, const std::vector<std::string>& settings,
     const std::optional<scene::PinSelection>& pins = std::nullopt);
 
+/// A built-in scene or scene file with a mesh, without its bodies, with these settings and pins in place of its own.
+[[nodiscard]] std::shared_ptr<const scene::Scene> meshScene(const std::string& name,
+                                                            const std::vector<std::string>& settings,
+                                                            const scene::PinSelection& pins);
+
 /// Opens a scene. Throws InputError when there is none of that name or its cloth is not a grid.
 scene::SceneDescription requireGrid(const std::string& name);
 

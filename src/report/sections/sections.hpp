@@ -15,5 +15,6 @@ Section threads();
 Section hardCases();
 Section collision();
 Section validation();
+Section stretchLimit();
 
 }  // namespace drape::report::sections

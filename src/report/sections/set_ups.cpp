@@ -49,7 +49,13 @@ std::vector<SetUp> ownSetUps() {
     // The scene's sheet is level; here it is upright, with its back edge up.
     return twisted({rest.x(), -rest.z(), 0.0}, length);
   };
-  return {hang, flag, crush, twist};
+  SetUp tshirt{"tshirt",
+               "a T-shirt of 2,014 vertices whose sleeves and body fall from its shoulders, without air (the cloth of "
+               "the scene mannequin)",
+               "mannequin",
+               {"drag=0", "lift=0", "damping=0"}};
+  tshirt.top = scene::topOfBareMesh;
+  return {hang, flag, crush, twist, tshirt};
 }
 
 Vec3 barycentreOf(const std::vector<Vec3>& positions) {
@@ -67,6 +73,10 @@ std::shared_ptr<const scene::Scene> buildSetUp(const SetUp& setUp, int resolutio
   std::vector<std::string> all = setUp.settings;
   all.insert(all.end(), settings.begin(), settings.end());
   scene::PinSelection pins;
+  if (isMesh(setUp)) {
+    pins.top = setUp.top;
+    return meshScene(setUp.scene, all, pins);
+  }
   pins.corners = setUp.corners;
   pins.edges = setUp.edges;
   const bool ownPins = !pins.corners.empty() || !pins.edges.empty();

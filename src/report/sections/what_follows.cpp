@@ -1,13 +1,12 @@
 #include "report/number_text.hpp"
-#include "report/sections/calm_rows.hpp"
 #include "report/sections/equal_cost.hpp"
 #include "report/sections/sections.hpp"
+#include "report/sections/work_rows.hpp"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace drape::report::sections {
@@ -21,16 +20,9 @@ constexpr double budget = 1000.0;
 /// The budget per simulated second [us].
 constexpr double budgetOfSecond = budget / frame;
 
-/// A cloth at a time.
-using Setup = std::tuple<std::string, int, double, double>;
-
-Setup setupOf(const ReportRow& row) {
-  return {row.value("scene", ""), row.value("resolution", 0), numberIn(row, "stiffness"), numberIn(row, "time")};
-}
-
 ReportRow rowFor(const ReportRow& like, const char* question) {
   ReportRow row;
-  for (const char* key : {"scene", "resolution", "stiffness", "time"}) {
+  for (const char* key : {"scene", "resolution", "material", "stiffness", "time"}) {
     row[key] = like[key];
   }
   row["question"] = question;
@@ -82,9 +74,9 @@ std::vector<std::string> methodsIn(const ReportRows& rows) {
 
 ReportRows derive(const SectionRows& all) {
   const auto found = all.find("work_precision");
-  std::map<Setup, ReportRows> setups;
+  std::map<WorkClothAt, ReportRows> setups;
   for (const ReportRow& row : found == all.end() ? ReportRows() : found->second) {
-    setups[setupOf(row)].push_back(row);
+    setups[workClothAt(row)].push_back(row);
   }
   ReportRows answers;
   for (const auto& [setup, rows] : setups) {
@@ -139,12 +131,12 @@ TextTable budgetTable(const ReportRows& rows) {
   const std::vector<std::string> methods = methodsIn(asked);
   TextTable table{"Smallest error for 1 ms per frame [% of the diagonal]", {"cloth"}, {}};
   table.header.insert(table.header.end(), methods.begin(), methods.end());
-  std::map<Setup, std::map<std::string, std::string>> errors;
-  std::map<Setup, std::string> names;
+  std::map<WorkClothAt, std::map<std::string, std::string>> errors;
+  std::map<WorkClothAt, std::string> names;
   for (const ReportRow& row : asked) {
     constexpr double percent = 100.0;
-    errors[setupOf(row)][row.value("method", "")] = text::figure(percent * numberIn(row, "error_of_diagonal"), 2);
-    names[setupOf(row)] = clothOf(row);
+    errors[workClothAt(row)][row.value("method", "")] = text::figure(percent * numberIn(row, "error_of_diagonal"), 2);
+    names[workClothAt(row)] = clothOf(row);
   }
   for (auto& [setup, own] : errors) {
     table.rows.push_back({names[setup]});

@@ -11,9 +11,13 @@ namespace drape::report::sections {
 namespace {
 
 /// The maximum cost of a run in the search for the reference, in springs times steps: some seconds at most.
+/// @param resolution 0 for a mesh
 double maxCost(int resolution, bool quick) {
   constexpr int small = 17;
   constexpr int large = 33;
+  if (resolution == 0) {
+    return quick ? 1e8 : 4e8;
+  }
   if (quick) {
     return 1e8;
   }
@@ -30,8 +34,9 @@ Watch watchOf(const std::function<void()>& checkStop) {
 
 const scene::Scene& WorkGround::scene() {
   if (scene_ == nullptr) {
-    scene_ = buildSetUp(setUp_, resolution_,
-                        {"time_step=1/150", "substeps=1", "stiffness=" + stiffness_, "precision=double", "threads=1"});
+    std::vector<std::string> settings = material_.settings;
+    settings.insert(settings.end(), {"time_step=1/150", "substeps=1", "precision=double", "threads=1"});
+    scene_ = buildSetUp(setUp_, resolution_, settings);
   }
   return *scene_;
 }

@@ -2,6 +2,7 @@
 
 #include "report/references.hpp"
 #include "report/sections/set_ups.hpp"
+#include "report/sections/work_material.hpp"
 
 #include <array>
 #include <functional>
@@ -25,12 +26,13 @@ inline constexpr double chaoticFloor = 1e-4;
 /// A cloth for the comparison of methods, and its reference, which is made on first use.
 class WorkGround {
  public:
-  WorkGround(SetUp setUp, int resolution, std::string stiffness, bool quick)
-      : setUp_(std::move(setUp)), resolution_(resolution), stiffness_(std::move(stiffness)), quick_(quick) {}
+  /// @param resolution 0 for a mesh
+  WorkGround(SetUp setUp, int resolution, WorkMaterial material, bool quick)
+      : setUp_(std::move(setUp)), resolution_(resolution), material_(std::move(material)), quick_(quick) {}
 
   [[nodiscard]] const std::string& name() const { return setUp_.name; }
   [[nodiscard]] int resolution() const { return resolution_; }
-  [[nodiscard]] const std::string& stiffness() const { return stiffness_; }
+  [[nodiscard]] const WorkMaterial& material() const { return material_; }
 
   const scene::Scene& scene();
 
@@ -50,7 +52,7 @@ class WorkGround {
 
   SetUp setUp_;
   int resolution_;
-  std::string stiffness_;
+  WorkMaterial material_;
   bool quick_;
   std::shared_ptr<const scene::Scene> scene_;
   std::array<std::shared_ptr<const scene::Scene>, seedCount> jittered_;

@@ -1,0 +1,70 @@
+#include "report/sections/work_plan.hpp"
+
+#include <cstddef>
+#include <string_view>
+
+namespace drape::report::sections {
+namespace {
+
+std::vector<GroundPlan> quickGroundsOf(const SetUp& setUp, bool isFirst) {
+  // A garment takes seconds a method, so a quick report has it only on request.
+  if (isMesh(setUp) && isFirst) {
+    return {{0, fabricOf("jersey"), true}};
+  }
+  if (setUp.name == "twist" && !isFirst) {
+    return {{17, springsOf("10"), true}};
+  }
+  return isFirst ? std::vector<GroundPlan>{{17, springsOf("10")},
+                                           {17, springsOf("1e5"), true},
+                                           {9, fabricOf("jersey")},
+                                           {17, fabricOf("cotton"), true}}
+                 : std::vector<GroundPlan>{};
+}
+
+std::vector<GroundPlan> fullGroundsOf(const SetUp& setUp, bool isFirst) {
+  if (isMesh(setUp)) {
+    return {{0, fabricOf("cotton")}, {0, fabricOf("jersey")}};
+  }
+  std::vector<GroundPlan> grounds;
+  for (const int resolution : {17, 33, 65}) {
+    for (const char* stiffness : {"10", "1000", "1e5"}) {
+      // The largest cloths take most of the time: the first set-up has all of them, the others one each.
+      if (isFirst || resolution < 65 || std::string_view(stiffness) == "1000") {
+        grounds.push_back({resolution, springsOf(stiffness)});
+      }
+    }
+    for (const char* preset : {"cotton", "jersey"}) {
+      if (isFirst && resolution < 65) {
+        grounds.push_back({resolution, fabricOf(preset)});
+      }
+    }
+  }
+  return grounds;
+}
+
+}  // namespace
+
+std::vector<GroundPlan> groundsOf(const SetUp& setUp, bool isFirst, bool quick) {
+  return quick ? quickGroundsOf(setUp, isFirst) : fullGroundsOf(setUp, isFirst);
+}
+
+std::vector<std::string> valuesOn(const GroundPlan& ground, const MethodCurve& curve, bool quick) {
+  constexpr std::size_t stride = 3;  // on a mesh, where every run takes long
+  if (quick || ground.resolution > 0) {
+    return quick ? curve.quick : curve.values;
+  }
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < curve.values.size(); i += stride) {
+    values.push_back(curve.values[i]);
+  }
+  return values;
+}
+
+bool takes(const sim::SolverInfo& solver, const GroundPlan& ground) {
+  const bool fabric = ground.material.isFabric();
+  // The implicit solvers have vector instructions for springs only.
+  const bool fast = hasVectorLoops(solver) && !(fabric && solver.backwardEuler);
+  return (!fabric || solver.takesFabric) && (!ground.fastMethods || fast);
+}
+
+}  // namespace drape::report::sections
