@@ -55,8 +55,11 @@ TEST_F(SettingWidget, EverySettingOfTheTableAppliesSomewhere) {
     byMass.material.massGivenAs = "mass";
     settings::Settings fabric = settings;
     fabric.material.model = "fabric";
-    return settingApplies(info, fabric, meshScene) || settingApplies(info, settings, simulation_.scene()) ||
-           settingApplies(info, settings, meshScene) || settingApplies(info, byMass, meshScene);
+    settings::Settings pattern = fabric;
+    pattern.fabric.restShape = "uv";
+    return settingApplies(info, fabric, meshScene) || settingApplies(info, pattern, meshScene) ||
+           settingApplies(info, settings, simulation_.scene()) || settingApplies(info, settings, meshScene) ||
+           settingApplies(info, byMass, meshScene);
   };
   for (const settings::SettingInfo& info : settings::settingsTable()) {
     const auto table = sim::solverTable();
