@@ -6,9 +6,9 @@
 namespace drape::report::validation {
 namespace {
 
-constexpr CaseGroup membrane = CaseGroup::Membrane;
-constexpr CaseGroup bending = CaseGroup::Bending;
-constexpr CaseGroup motion = CaseGroup::Motion;
+constexpr CaseGroup membraneGroup = CaseGroup::Membrane;
+constexpr CaseGroup bendingGroup = CaseGroup::Bending;
+constexpr CaseGroup motionGroup = CaseGroup::Motion;
 
 constexpr std::array frequencyResolutions{8, 16, 32};
 constexpr std::array coarseResolutions{5, 10, 20};
@@ -47,7 +47,7 @@ constexpr ValidationCase stripWith(std::string_view name, std::string_view solve
 /// A case of a solver that moves a sheet.
 constexpr ValidationCase motionOf(std::string_view name, std::string_view title, std::string_view compared,
                                   std::string_view unit, Comparison (*run)(const CaseMesh&)) {
-  return {.group = motion,
+  return {.group = motionGroup,
           .name = name,
           .title = title,
           .compared = compared,
@@ -61,7 +61,7 @@ constexpr ValidationCase motionOf(std::string_view name, std::string_view title,
 /// Peirce's cantilever of a preset along warp.
 constexpr ValidationCase peirceOf(std::string_view name, std::string_view preset, std::string_view title,
                                   Comparison (*run)(const CaseMesh&) = peirceWarp) {
-  return {.group = bending,
+  return {.group = bendingGroup,
           .name = name,
           .title = title,
           .compared = "overhang at a chord of 41.5 degrees, from the heavy elastica",
@@ -133,25 +133,25 @@ constexpr std::string_view tooFewIterations =
 
 // clang-format off
 constexpr std::array casesOfValidation{
-    ValidationCase{membrane, "end_load_modulus", "Strip under an end load: stiffness",
+    ValidationCase{membraneGroup, "end_load_modulus", "Strip under an end load: stiffness",
         "E h from the strain in the middle, with Saint Venant-Kirchhoff's law", "N/m", 0.005, endLoadModulus},
-    ValidationCase{membrane, "end_load_poisson", "Strip under an end load: contraction",
+    ValidationCase{membraneGroup, "end_load_poisson", "Strip under an end load: contraction",
         "Poisson's ratio from the strains in the middle", "", 0.005, endLoadPoisson},
-    ValidationCase{membrane, "own_weight", "Strip that hangs from one end",
+    ValidationCase{membraneGroup, "own_weight", "Strip that hangs from one end",
         "elongation by its own weight, from the nonlinear law integrated over the strip", "m", 0.005, ownWeight},
-    ValidationCase{membrane, "picture_frame", "Picture frame",
+    ValidationCase{membraneGroup, "picture_frame", "Picture frame",
         "shear modulus from the work of the frame at 0.3 rad", "N/m", 0.005, pictureFrame},
-    ValidationCase{membrane, "bias_extension", "Strip cut along the bias under an end load",
+    ValidationCase{membraneGroup, "bias_extension", "Strip cut along the bias under an end load",
         "modulus along the bias, 4 / (S_11 + S_22 + 2 S_12 + 1 / G)", "N/m", 0.005, biasExtension},
-    ValidationCase{membrane, "hanging_strip", "Strip that hangs from both ends",
+    ValidationCase{membraneGroup, "hanging_strip", "Strip that hangs from both ends",
         "sag of the catenary", "m", 0.005, hangingStrip},
-    ValidationCase{bending, "heavy_elastica_1.5", "Clamped strip under its weight, Gamma = 1.5",
+    ValidationCase{bendingGroup, "heavy_elastica_1.5", "Clamped strip under its weight, Gamma = 1.5",
         "drop of the tip of the heavy elastica, in lengths", "", 0.01, heavyElasticaSmall},
-    ValidationCase{bending, "heavy_elastica_5", "Clamped strip under its weight, Gamma = 5",
+    ValidationCase{bendingGroup, "heavy_elastica_5", "Clamped strip under its weight, Gamma = 5",
         "drop of the tip of the heavy elastica, in lengths", "", 0.01, heavyElasticaMedium},
-    ValidationCase{bending, "heavy_elastica_15", "Clamped strip under its weight, Gamma = 15",
+    ValidationCase{bendingGroup, "heavy_elastica_15", "Clamped strip under its weight, Gamma = 15",
         "drop of the tip of the heavy elastica, in lengths", "", 0.01, heavyElasticaLarge},
-    ValidationCase{bending, "heavy_elastica_46", "Clamped strip under its weight, Gamma = 46",
+    ValidationCase{bendingGroup, "heavy_elastica_46", "Clamped strip under its weight, Gamma = 46",
         "drop of the tip of the heavy elastica, in lengths", "", 0.01, heavyElasticaHanging},
     peirceOf("peirce_silk", "silk", "Peirce's cantilever, silk along warp"),
     peirceOf("peirce_cotton", "cotton", "Peirce's cantilever, cotton along warp"),
@@ -166,9 +166,9 @@ constexpr std::array casesOfValidation{
     peirceOf("peirce_leather", "leather", "Peirce's cantilever, leather along warp"),
     peirceOf("peirce_rubber", "rubber", "Peirce's cantilever, rubber along warp"),
     peirceOf("peirce_denim_weft", "denim", "Peirce's cantilever, denim along weft", peirceWeft),
-    ValidationCase{bending, "buckling", "Compressed strip with hinged ends",
+    ValidationCase{bendingGroup, "buckling", "Compressed strip with hinged ends",
         "load per width at which the flat strip becomes unstable, pi^2 B / L^2", "N/m", 0.01, buckling},
-    ValidationCase{bending, "twist", "Square plate on a saddle",
+    ValidationCase{bendingGroup, "twist", "Square plate on a saddle",
         "twist stiffness of a plate whose corners are moved to y = k x z, energy 2 D_33 k^2 an area", "N m", 0.01, twist},
     membraneWith("membrane_auto", "auto"),
     membraneWith("membrane_verlet", "verlet"),
