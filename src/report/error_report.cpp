@@ -32,12 +32,7 @@ class Mean {
 };
 
 Momentum momentumOf(const sim::ClothModel& model, const sim::ClothState& state) {
-  Vec3 barycentre = Vec3::Zero();
-  for (std::size_t v = 0; v < state.positions.size(); ++v) {
-    barycentre += model.vertexMass[v] * state.positions[v];
-  }
-  barycentre /= model.totalMass();
-  return {sim::linearMomentum(model, state), sim::angularMomentum(model, state, barycentre)};
+  return {sim::linearMomentum(model, state), sim::angularMomentum(model, state, sim::barycentreOf(model, state))};
 }
 
 }  // namespace

@@ -22,6 +22,19 @@ std::string gridText(int resolution) {
   return std::to_string(resolution) + "x" + std::to_string(resolution);
 }
 
+int resolutionIn(const nlohmann::ordered_json& row) {
+  const auto found = row.find("resolution");
+  return found != row.end() && found->is_number() ? found->get<int>() : 0;
+}
+
+nlohmann::ordered_json resolutionJson(int resolution) {
+  return resolution == 0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(resolution);
+}
+
+std::string sizeText(int resolution) {
+  return resolution == 0 ? "mesh" : gridText(resolution);
+}
+
 std::string stepText(double seconds) {
   return "1/" + text::figure(std::round(1.0 / seconds)) + " s";
 }

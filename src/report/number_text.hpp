@@ -19,6 +19,13 @@ namespace drape::report {
 /// "17x17".
 [[nodiscard]] std::string gridText(int resolution);
 
+/// The resolution of the cloth of a row; 0 for a mesh, whose entry is null.
+[[nodiscard]] int resolutionIn(const nlohmann::ordered_json& row);
+/// The entry for a resolution; null for 0, a mesh.
+[[nodiscard]] nlohmann::ordered_json resolutionJson(int resolution);
+/// "17x17", or "mesh" for 0.
+[[nodiscard]] std::string sizeText(int resolution);
+
 /// A step in words: "1/150 s".
 [[nodiscard]] std::string stepText(double seconds);
 

@@ -1,5 +1,5 @@
 #include "report/hardcases/cases.hpp"
-#include "report/hardcases/strain_on_the_way.hpp"
+#include "report/hardcases/run_strain.hpp"
 #include "report/hardcases/watched_cloth.hpp"
 #include "scene/grid_mesh.hpp"
 #include "sim/fabric/fabric.hpp"
@@ -18,13 +18,6 @@ CaseCloth fabricSheet(const settings::Settings& settings, const scene::GridLayou
     cloth.pins.push_back(layout.index(0, column));
   }
   return cloth;
-}
-
-/// The strain during the run over that of the converged solve.
-void expectStrain(CaseTrial& trial, const CaseCloth& cloth, double seconds, double limit) {
-  const double converged = convergedStrain(trial, cloth, seconds);
-  WatchedCloth watched(trial, cloth);
-  trial.expect("strain", "times the converged solve's", strainOnTheWay(watched, seconds) / converged, limit);
 }
 
 }  // namespace

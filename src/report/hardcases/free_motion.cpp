@@ -1,6 +1,6 @@
 #include "report/hardcases/cases.hpp"
+#include "report/hardcases/momentum_kept.hpp"
 #include "report/hardcases/watched_cloth.hpp"
-#include "sim/motion/momentum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,15 +13,6 @@ namespace {
 Vec3 middleOf(const std::vector<Vec3>& positions) {
   return std::accumulate(positions.begin(), positions.end(), Vec3(Vec3::Zero())) /
          static_cast<double>(positions.size());
-}
-
-/// The barycentre of the cloth [m].
-Vec3 barycentreOf(const sim::ClothModel& model, const sim::ClothState& state) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t v = 0; v < state.positions.size(); ++v) {
-    sum += model.vertexMass[v] * state.positions[v];
-  }
-  return sum / model.totalMass();
 }
 
 }  // namespace
@@ -52,18 +43,7 @@ void spinning(CaseTrial& trial) {
     cloth.velocities.push_back(spin.cross(position) + drift);
   }
   WatchedCloth watched(trial, cloth);
-  const auto spinNow = [&] {
-    return sim::angularMomentum(watched.model(), watched.state(), barycentreOf(watched.model(), watched.state()));
-  };
-  const Vec3 linear = sim::linearMomentum(watched.model(), watched.state());
-  const Vec3 angular = spinNow();
-  const int parts = trial.pick(100, 20);
-  for (int i = 0; i < parts; ++i) {
-    watched.run(0.1);
-    const Vec3 linearNow = sim::linearMomentum(watched.model(), watched.state());
-    trial.expect("linear momentum lost", "of itself", (linearNow - linear).norm() / linear.norm(), limit);
-    trial.expect("angular momentum lost", "of itself", (spinNow() - angular).norm() / angular.norm(), limit);
-  }
+  expectMomentumKept(trial, watched, trial.pick(100, 20), limit);
 }
 
 }  // namespace drape::report::hardcases

@@ -20,12 +20,8 @@ bool hasBodies(const ReportRow& row) {
   return row.value("mode", "").starts_with("bodies");
 }
 
-std::string sizeText(const ReportRow& row) {
-  return row["resolution"].is_number() ? gridText(row["resolution"].get<int>()) : "mesh";
-}
-
 std::string nameOf(const ReportRow& row) {
-  return row.value("scene", "") + " (" + sizeText(row) + ")";
+  return row.value("scene", "") + " (" + sizeText(resolutionIn(row)) + ")";
 }
 
 /// The duration of contact relative to the rest of the step [-].
@@ -40,9 +36,10 @@ TextTable costs(const ReportRows& rows) {
                    "contact / rest", "bodies [us per 1,000 triangles]"},
                   {}};
   for (const ReportRow& row : rows) {
-    table.rows.push_back({row.value("scene", ""), sizeText(row), figure(row, "triangles", 7), row.value("mode", ""),
-                          row.value("method", ""), figure(row, "us_per_step"), figure(row, "contact_us_per_step"),
-                          figure(row, "contact_us_p99"), text::figure(ratioOf(row), 2),
+    table.rows.push_back({row.value("scene", ""), sizeText(resolutionIn(row)), figure(row, "triangles", 7),
+                          row.value("mode", ""), row.value("method", ""), figure(row, "us_per_step"),
+                          figure(row, "contact_us_per_step"), figure(row, "contact_us_p99"),
+                          text::figure(ratioOf(row), 2),
                           hasBodies(row) ? figure(row, "bodies_us_per_1000_triangles") : "-"});
   }
   return table;
@@ -54,10 +51,10 @@ TextTable leaks(const ReportRows& rows) {
                    "pairs with itself", "counts with any"},
                   {}};
   for (const ReportRow& row : rows) {
-    table.rows.push_back({row.value("scene", ""), sizeText(row), row.value("mode", ""), figure(row, "seconds"),
-                          figure(row, "contacts_max", 5), figure(row, "intersecting_pairs_bodies_max", 5),
-                          figure(row, "infeasible_max", 5), figure(row, "intersecting_pairs_self_max", 5),
-                          figure(row, "intersecting_share", 2)});
+    table.rows.push_back({row.value("scene", ""), sizeText(resolutionIn(row)), row.value("mode", ""),
+                          figure(row, "seconds"), figure(row, "contacts_max", 5),
+                          figure(row, "intersecting_pairs_bodies_max", 5), figure(row, "infeasible_max", 5),
+                          figure(row, "intersecting_pairs_self_max", 5), figure(row, "intersecting_share", 2)});
   }
   return table;
 }

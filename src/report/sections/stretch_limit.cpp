@@ -6,12 +6,15 @@
 #include "report/sections/time_limit.hpp"
 #include "report/sections/work_material.hpp"
 #include "sim/fabric/fabric.hpp"
+#include "sim/forces/diagnostics.hpp"
 #include "sim/measures/measures.hpp"
 #include "sim/stepping/stepper.hpp"
 
 #include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -52,10 +55,7 @@ double speedOf(const sim::ClothState& state) {
 class Relaxation {
  public:
   void act(const sim::ClothModel& model, sim::ClothState& state) {
-    double energy = 0.0;
-    for (std::size_t v = 0; v < state.velocities.size(); ++v) {
-      energy += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
-    }
+    double energy = sim::kineticEnergy(model, state);
     if (energy < last_) {
       std::fill(state.velocities.begin(), state.velocities.end(), Vec3(Vec3::Zero()));
       energy = 0.0;
@@ -122,7 +122,7 @@ class StretchGround {
     options.costBudget = smallBudget;
     const LimitedRun run = runLimited(*scene_, options, seconds_, checkStop);
     return {{"scene", name_},
-            {"resolution", resolution_ == 0 ? ReportRow(nullptr) : ReportRow(resolution_)},
+            {"resolution", resolutionJson(resolution_)},
             {"material", preset_},
             {"strain_limit", limit},
             {"us_per_frame", run.movedCost},

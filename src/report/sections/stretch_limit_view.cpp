@@ -18,8 +18,7 @@ std::string scaled(const ReportRow& row, const char* key, double factor) {
 }
 
 std::string clothOf(const ReportRow& row) {
-  return row.value("scene", "") + ", " +
-         (row["resolution"].is_number() ? gridText(row["resolution"].get<int>()) : "mesh");
+  return row.value("scene", "") + ", " + sizeText(resolutionIn(row));
 }
 
 TextTable tableOf(const std::string& cloth, const ReportRows& rows) {

@@ -94,7 +94,7 @@ std::array<double, judgedTimes.size()> timedRun(const scene::Scene& scene, const
 /// The row of a setting at a time, before any result.
 ReportRow emptyRow(WorkGround& ground, const Entry& entry, double time) {
   return {{"scene", ground.name()},
-          {"resolution", ground.resolution() == 0 ? ReportRow(nullptr) : ReportRow(ground.resolution())},
+          {"resolution", resolutionJson(ground.resolution())},
           {"material", ground.material().name},
           {"stiffness", ground.material().isFabric() ? ReportRow(nullptr) : ReportRow(*ground.material().stiffness)},
           {"time", time},
@@ -279,8 +279,7 @@ ReportRows measureEntry(WorkGround& ground, const Entry& entry, bool quick, cons
 
 void addCells(const SetUp& setUp, const GroundPlan& plan, bool quick, std::vector<Cell>& cells) {
   const auto ground = std::make_shared<WorkGround>(setUp, plan.resolution, plan.material, quick);
-  const std::string cloth =
-      setUp.name + " " + (isMesh(setUp) ? "mesh" : gridText(plan.resolution)) + " " + plan.material.title;
+  const std::string cloth = setUp.name + " " + sizeText(plan.resolution) + " " + plan.material.title;
   // the durations of cells vary widely; these are about their means
   const double weight = quick ? 0.03 : plan.material.isFabric() ? 0.1 : 0.045;
   for (const MethodCurve& curve : methodCurves()) {

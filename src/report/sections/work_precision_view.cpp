@@ -183,8 +183,9 @@ std::vector<Block> showWorkPrecision(const ReportOptions& options, const ReportR
       "run " +
       fastMethods() +
       "; XPBD in float only. The others use plain loops over the same springs. Fabrics have the density and the "
-      "damping of their preset, and their full stretch stiffness. Their vector instructions run auto, verlet and "
-      "explicit_euler. Their damping acts once in a step, so even an exact solver keeps the error of that in steps of "
+      "damping of their preset, and their full stretch stiffness. auto, verlet and explicit_euler use vector "
+      "instructions for them. Their damping acts once in a step, so even an exact solver keeps the error of that in "
+      "steps of "
       "1/150 s; in the reference it acts in each of its short steps."});
   blocks.emplace_back(Paragraph{
       "When a jitter of the start by up to 0.001 mm grows a hundredfold, the motion is chaotic. Each setting is then "

@@ -31,7 +31,7 @@ struct WorkCloth {
 [[nodiscard]] inline WorkCloth workClothOf(const ReportRow& row) {
   WorkCloth cloth;
   cloth.scene = row.value("scene", "");
-  cloth.resolution = row["resolution"].is_number() ? row["resolution"].get<int>() : 0;
+  cloth.resolution = resolutionIn(row);
   cloth.isFabric = !row["stiffness"].is_number();
   cloth.stiffness = cloth.isFabric ? 0.0 : row["stiffness"].get<double>();
   cloth.material = row.value("material", "springs");
@@ -47,7 +47,7 @@ using WorkClothAt = std::pair<WorkCloth, double>;
 
 /// "hang, 17x17, 10 N/m" or "tshirt, mesh, cotton".
 [[nodiscard]] inline std::string titleOf(const WorkCloth& cloth) {
-  return cloth.scene + ", " + (cloth.resolution == 0 ? "mesh" : gridText(cloth.resolution)) + ", " +
+  return cloth.scene + ", " + sizeText(cloth.resolution) + ", " +
          (cloth.isFabric ? cloth.material : text::figure(cloth.stiffness, 6) + " N/m");
 }
 

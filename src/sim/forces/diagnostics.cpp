@@ -7,10 +7,17 @@
 
 namespace drape::sim {
 
+double kineticEnergy(const ClothModel& model, const ClothState& state) {
+  double energy = 0.0;
+  for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+    energy += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
+  }
+  return energy;
+}
+
 Energy energyOf(const ClothModel& model, const CommonParameters& parameters, const ClothState& state) {
-  Energy energy;
+  Energy energy{.kinetic = kineticEnergy(model, state)};
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
-    energy.kinetic += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
     energy.potential +=
         model.vertexMass[v] * parameters.gravity * (state.positions[v].y() - model.restPositions[v].y());
   }

@@ -15,6 +15,9 @@ struct Energy {
   [[nodiscard]] double total() const { return kinetic + elastic + potential; }
 };
 
+/// The kinetic energy [J].
+[[nodiscard]] double kineticEnergy(const ClothModel& model, const ClothState& state);
+
 [[nodiscard]] Energy energyOf(const ClothModel& model, const CommonParameters& parameters, const ClothState& state);
 
 /// The largest strain of an edge, (L - l0) / l0 [-]; 0 if no edge is stretched.

@@ -19,6 +19,14 @@ Vec3 linearMomentumOf(const ClothModel& model, const std::vector<std::size_t>& p
 
 }  // namespace
 
+Vec3 barycentreOf(const ClothModel& model, const ClothState& state) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    sum += model.vertexMass[v] * state.positions[v];
+  }
+  return sum / model.totalMass();
+}
+
 Vec3 linearMomentum(const ClothModel& model, const ClothState& state) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t v = 0; v < state.velocities.size(); ++v) {

@@ -12,6 +12,9 @@
 
 namespace drape::sim {
 
+/// The barycentre of the cloth [m].
+[[nodiscard]] Vec3 barycentreOf(const ClothModel& model, const ClothState& state);
+
 /// The sum of m v over all vertices [kg m/s].
 [[nodiscard]] Vec3 linearMomentum(const ClothModel& model, const ClothState& state);
 

@@ -1,4 +1,4 @@
-#include "report/hardcases/strain_on_the_way.hpp"
+#include "report/hardcases/run_strain.hpp"
 
 #include "sim/forces/diagnostics.hpp"
 #include "sim/stepping/stepper.hpp"
@@ -8,16 +8,9 @@
 
 namespace drape::report::hardcases {
 
-double strainOnTheWay(WatchedCloth& watched, double seconds) {
-  double largest = 0.0;
-  const auto steps = std::lround(seconds / watched.simulation().settings().step.timeStep);
-  for (long i = 0; i < steps; ++i) {
-    watched.step();
-    largest = std::max(largest, sim::maxStretch(watched.model(), watched.state()));
-  }
-  return largest;
-}
+namespace {
 
+/// maxStrainOfRun for Verlet at half of its limit, in double.
 double convergedStrain(const CaseTrial& trial, const CaseCloth& cloth, double seconds) {
   settings::Settings settings = cloth.settings;
   settings.solver.name = "verlet";
@@ -34,6 +27,24 @@ double convergedStrain(const CaseTrial& trial, const CaseCloth& cloth, double se
     largest = std::max(largest, sim::maxStretch(*model, state));
   }
   return largest;
+}
+
+}  // namespace
+
+double maxStrainOfRun(WatchedCloth& watched, double seconds) {
+  double largest = 0.0;
+  const auto steps = std::lround(seconds / watched.simulation().settings().step.timeStep);
+  for (long i = 0; i < steps; ++i) {
+    watched.step();
+    largest = std::max(largest, sim::maxStretch(watched.model(), watched.state()));
+  }
+  return largest;
+}
+
+void expectStrain(CaseTrial& trial, const CaseCloth& cloth, double seconds, double limit) {
+  const double converged = convergedStrain(trial, cloth, seconds);
+  WatchedCloth watched(trial, cloth);
+  trial.expect("strain", "times the converged solve's", maxStrainOfRun(watched, seconds) / converged, limit);
 }
 
 }  // namespace drape::report::hardcases
