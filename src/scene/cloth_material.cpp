@@ -39,7 +39,7 @@ std::vector<Vec3> turnedWarp(const sim::ClothModel& model, const PatternUvs& uvs
 // up to fivefold across, and their V runs down every part of the back. Cloth cannot be cut so, and the vertical is as
 // good a guess there as for a mesh without texture coordinates.
 bool warpsAlongUvs(const PatternUvs& uvs, const settings::Settings& settings) {
-  const bool isPattern = restsOnPattern(settings) || uvs.isPattern();
+  const bool isPattern = settings::restsOnPattern(settings) || uvs.isPattern();
   return settings.fabric.warpFrom == "uv" || (settings.fabric.warpFrom == "auto" && isPattern);
 }
 
@@ -65,7 +65,7 @@ std::vector<Vec3> warpDirections(const sim::ClothModel& model, const PatternUvs&
 
 std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& model, const settings::Settings& settings,
                                                       const PatternUvs& uvs) {
-  if (restsOnPattern(settings)) {
+  if (settings::restsOnPattern(settings)) {
     return sim::fabric::withPatternFabric(model, settings.fabric.moduli, patternOf(uvs, settings));
   }
   if (settings::usesFabric(settings)) {
@@ -79,8 +79,8 @@ std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model
   if (!settings::usesFabric(settings) && !model.fabric) {
     return model.shared_from_this();
   }
-  const auto sized =
-      restsOnPattern(settings) ? sim::fabric::withPattern(model, patternOf(uvs, settings)) : sim::withMeshSizes(model);
+  const auto sized = settings::restsOnPattern(settings) ? sim::fabric::withPattern(model, patternOf(uvs, settings))
+                                                        : sim::withMeshSizes(model);
   const auto weighed = sim::withMass(*sized, totalMassOf(settings, sized->restArea()), lumpingOf(settings));
   return withElasticity(*weighed, settings, uvs);
 }

@@ -15,15 +15,6 @@ constexpr double minTextureHeight = 1e-5;
 /// The same at rest.
 constexpr double minRestHeight = 1e-9;
 
-/// Twice the signed area of a texture triangle; 0 if it is degenerate.
-double twiceArea(const std::array<Vec2, 3>& corners) {
-  const Vec2 first = corners[1] - corners[0];
-  const Vec2 second = corners[2] - corners[0];
-  const double longest = std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()});
-  const double twice = first.x() * second.y() - first.y() * second.x();
-  return std::abs(twice) > minTextureHeight * longest ? twice : 0.0;
-}
-
 /// Two sides of a triangle at rest, in its own plane.
 Eigen::Matrix2d sidesInPlane(const Vec3& first, const Vec3& second) {
   const double length = first.norm();
@@ -75,6 +66,14 @@ std::string countAndFirst(const std::vector<int>& triangles) {
 }
 
 }  // namespace
+
+double twiceArea(const std::array<Vec2, 3>& corners) {
+  const Vec2 first = corners[1] - corners[0];
+  const Vec2 second = corners[2] - corners[0];
+  const double longest = std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()});
+  const double twice = first.x() * second.y() - first.y() * second.x();
+  return std::abs(twice) > minTextureHeight * longest ? twice : 0.0;
+}
 
 bool PatternUvs::isPattern() const {
   constexpr double maxDistorted = 0.1;  // a pattern is eased into a sleeve, but not stretched everywhere

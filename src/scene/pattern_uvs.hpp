@@ -31,6 +31,9 @@ struct PatternUvs {
 /// cut stay below 1.25 in nine of ten triangles (three shirts), and texture that is wrapped around a garment does not.
 inline constexpr double maxPatternStretch = 1.5;
 
+/// Twice the signed area of a texture triangle [-]; 0 if it is degenerate.
+[[nodiscard]] double twiceArea(const std::array<Vec2, 3>& corners);
+
 /// Measures texture coordinates. A mirrored piece as a whole is allowed: pieces are cut from folded cloth.
 /// @param rest positions of the cloth's vertices [m]
 [[nodiscard]] PatternUvs patternUvsOf(const io::RenderMesh& mesh, std::span<const Vec3> rest);

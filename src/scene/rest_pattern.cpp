@@ -29,7 +29,7 @@ double areaRatio(const PatternUvs& uvs, const settings::Settings& settings) {
   return scale * scale;
 }
 
-/// "12 times" or "1/12".
+/// "12 times" or "1/12 of".
 std::string asFactor(double ratio) {
   return ratio >= 1.0 ? fmt::format("{:.3g} times", ratio) : fmt::format("1/{:.3g} of", 1.0 / ratio);
 }
@@ -62,10 +62,6 @@ void requirePattern(const PatternUvs& uvs, const settings::Settings& settings) {
 
 }  // namespace
 
-bool restsOnPattern(const settings::Settings& settings) {
-  return settings::usesFabric(settings) && settings.fabric.restShape == "uv";
-}
-
 double patternScale(const PatternUvs& uvs, const settings::Settings& settings) {
   return settings.fabric.uvScale > 0.0 ? settings.fabric.uvScale : matchingScale(uvs);
 }
@@ -80,9 +76,7 @@ std::vector<sim::fabric::RestTriangle> patternOf(const PatternUvs& uvs, const se
   pattern.reserve(uvs.corners.size());
   for (const std::array<Vec2, 3>& corners : uvs.corners) {
     // Seen from the front of the cloth, weft lies to the left of warp. In a mirrored piece that is where U grows.
-    const Vec2 first = corners[1] - corners[0];
-    const Vec2 second = corners[2] - corners[0];
-    const double weftOfU = first.x() * second.y() - first.y() * second.x() > 0.0 ? -1.0 : 1.0;
+    const double weftOfU = twiceArea(corners) > 0.0 ? -1.0 : 1.0;
     std::array<Vec2, 3> turned;
     std::ranges::transform(corners, turned.begin(), [&](const Vec2& uv) {
       const double along = scale * uv.y();
@@ -101,12 +95,12 @@ std::string restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs
   const auto& [median, high] = *model.fabric->meshStrain;
   return fmt::format(
       "the pattern in the UVs, {:.4g} m a unit; the mesh is strained against it by {:.1f} % (median), "
-      "{:.1f} % (99 % of the triangles)",
+      "{:.1f} % (99th percentile)",
       patternScale(uvs, settings), 100.0 * median, 100.0 * high);
 }
 
 std::string restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs, const settings::Settings& settings) {
-  if (!model.fabric || !model.fabric->meshStrain || !restsOnPattern(settings)) {
+  if (!model.fabric || !model.fabric->meshStrain || !settings::restsOnPattern(settings)) {
     return {};
   }
   if (const double ratio = areaRatio(uvs, settings); std::max(ratio, 1.0 / ratio) > unlikelyAreaRatio) {
@@ -116,8 +110,8 @@ std::string restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs, c
   if (!uvs.isPattern()) {
     const auto& [median, high] = *model.fabric->meshStrain;
     return fmt::format(
-        "the UVs are hardly the pattern of this mesh: it is strained against them by {:.0f} % (median), "
-        "{:.0f} % (99 % of the triangles), and more in one direction than in the other",
+        "the UVs are unlikely to be the pattern of this mesh: it is strained against them by {:.0f} % (median), "
+        "{:.0f} % (99th percentile), and more in one direction than in the other",
         100.0 * median, 100.0 * high);
   }
   return {};

@@ -10,9 +10,6 @@
 
 namespace drape::scene {
 
-/// Whether the cloth's rest shape is the pattern in its texture coordinates, by fabric.rest_shape.
-[[nodiscard]] bool restsOnPattern(const settings::Settings& settings);
-
 /// The size of a unit of the texture coordinates [m]: fabric.uv_scale, or where that is 0 the scale with which the
 /// pattern has the area of the mesh.
 [[nodiscard]] double patternScale(const PatternUvs& uvs, const settings::Settings& settings);
@@ -27,8 +24,8 @@ namespace drape::scene {
 [[nodiscard]] std::string restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs,
                                            const settings::Settings& settings);
 
-/// Why the pattern is hardly that of the mesh, in one sentence: their areas differ by more than a factor of 4, or the
-/// texture coordinates do not look like a pattern (PatternUvs::isPattern). Empty if it can be.
+/// Why the pattern is unlikely to belong to the mesh, in one sentence: their areas differ by more than a factor of 4,
+/// or the texture coordinates do not look like a pattern (PatternUvs::isPattern). Empty if neither is so.
 [[nodiscard]] std::string restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs,
                                         const settings::Settings& settings);
 

@@ -95,6 +95,11 @@ struct Settings {
   return settings.material.model == "fabric";
 }
 
+/// Whether the rest shape of the fabric is the sewing pattern in the texture coordinates of the mesh.
+[[nodiscard]] inline bool restsOnPattern(const Settings& settings) {
+  return usesFabric(settings) && settings.fabric.restShape == "uv";
+}
+
 /// Whether the fabric's own density sets the mass of the cloth.
 [[nodiscard]] inline bool weighsAsFabric(const Settings& settings) {
   return usesFabric(settings) && settings.fabric.ownDensity;

@@ -269,10 +269,6 @@ bool namesFabric(const Settings& settings) {
   return usesFabric(settings) || settings.view.surface == "fabric";
 }
 
-bool restsOnUvs(const Settings& settings) {
-  return usesFabric(settings) && settings.fabric.restShape == "uv";
-}
-
 bool weighsAsGiven(const Settings& settings) {
   return !weighsAsFabric(settings);
 }
@@ -459,13 +455,13 @@ const std::array table{
     SettingInfo{"fabric.rest_shape", "Rest shape", "-", Material, SettingEffect::Fabric,
         textOf<[](auto& s) -> auto& { return s.fabric.restShape; }>(wordsIn<restShapes>, labelIn<restShapes>),
         "The shape in which the fabric is unstressed against stretch and shear. uv: the sewing pattern in the mesh's "
-        "texture coordinates (UVs), which must be neither degenerate nor mirrored. Area and density then count on the "
-        "pattern, and warp runs along V. mesh: each triangle of the mesh as it is.",
+        "texture coordinates (UVs), which must be neither degenerate nor mirrored. Its area then sets the mass of a given "
+        "density, and warp runs along V. mesh: each triangle of the mesh as it is.",
         {}, {}, SettingScope::MeshFile, usesFabric},
     SettingInfo{"fabric.uv_scale", "UV scale", "m", Material, SettingEffect::Fabric,
         NumberField{[](auto& s) -> auto& { return s.fabric.uvScale; }, 0.0, 100.0, true},
         "Size of a UV unit while fabric.rest_shape is uv. 0: the pattern gets the area of the mesh.",
-        {}, {}, SettingScope::MeshFile, restsOnUvs},
+        {}, {}, SettingScope::MeshFile, restsOnPattern},
     SettingInfo{"fabric.own_density", "Own density", "-", Material, SettingEffect::Mass,
         FlagField{[](auto& s) -> auto& { return s.fabric.ownDensity; }},
         "Whether fabric.density sets the weight of the cloth while material.model is fabric. Setting density or mass "

@@ -1,5 +1,6 @@
 #include "scene/pattern_uvs.hpp"
 
+#include "mesh_text_test.hpp"
 #include "messages/error.hpp"
 #include "scene/cloth_material.hpp"
 #include "scene/scene.hpp"
@@ -7,8 +8,6 @@
 #include "sim/fabric/fabric.hpp"
 
 #include <gtest/gtest.h>
-#include <filesystem>
-#include <fstream>
 
 namespace drape::scene {
 namespace {
@@ -17,40 +16,9 @@ namespace {
 constexpr const char* squareCorners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 constexpr const char* squareFaces = "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
 
-class UvMesh : public ::testing::Test {
+class UvMesh : public MeshTextTest {
  protected:
-  UvMesh() { std::filesystem::create_directories(folder_); }
-  ~UvMesh() override { std::filesystem::remove_all(folder_); }
-  UvMesh(const UvMesh&) = delete;
-  UvMesh& operator=(const UvMesh&) = delete;
-
-  std::shared_ptr<const Scene> build(const std::string& text, std::initializer_list<const char*> expressions = {}) {
-    const std::filesystem::path file = folder_ / "mesh.obj";
-    std::ofstream(file) << text;
-    const SceneDescription description = openScene(file.string());
-    settings::Settings settings = description.settings;
-    for (const char* expression : {"unit=m", "up=y", "material.model=fabric"}) {
-      settings::assignSettingExpression(settings, expression);
-    }
-    for (const char* expression : expressions) {
-      settings::assignSettingExpression(settings, expression);
-    }
-    return buildScene(description, settings);
-  }
-
-  std::string refusal(const std::string& text, std::initializer_list<const char*> expressions) {
-    try {
-      static_cast<void>(build(text, expressions));
-      return "";
-    } catch (const messages::InputError& error) {
-      return error.what();
-    }
-  }
-
- private:
-  std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("uvs_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  UvMesh() : MeshTextTest({"material.model=fabric"}) {}
 };
 
 std::string square(const char* uvs) {

@@ -1,5 +1,6 @@
 #include "scene/rest_pattern.hpp"
 
+#include "mesh_text_test.hpp"
 #include "messages/error.hpp"
 #include "scene/cloth_material.hpp"
 #include "scene/scene.hpp"
@@ -9,8 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 namespace drape::scene {
 namespace {
@@ -22,40 +21,9 @@ std::string squareWith(const char* uvs) {
 
 constexpr const char* halfSize = "vt 0 0\nvt 0.5 0\nvt 0.5 0.5\nvt 0 0.5\n";
 
-class RestPattern : public ::testing::Test {
+class RestPattern : public MeshTextTest {
  protected:
-  RestPattern() { std::filesystem::create_directories(folder_); }
-  ~RestPattern() override { std::filesystem::remove_all(folder_); }
-  RestPattern(const RestPattern&) = delete;
-  RestPattern& operator=(const RestPattern&) = delete;
-
-  std::shared_ptr<const Scene> build(const std::string& text, const std::vector<std::string>& expressions = {}) {
-    const std::filesystem::path file = folder_ / "mesh.obj";
-    std::ofstream(file) << text;
-    const SceneDescription description = openScene(file.string());
-    settings::Settings settings = description.settings;
-    for (const char* expression : {"unit=m", "up=y", "material.model=fabric", "fabric.rest_shape=uv"}) {
-      settings::assignSettingExpression(settings, expression);
-    }
-    for (const std::string& expression : expressions) {
-      settings::assignSettingExpression(settings, expression);
-    }
-    return buildScene(description, settings);
-  }
-
-  std::string refusal(const std::string& text, const std::vector<std::string>& expressions = {}) {
-    try {
-      static_cast<void>(build(text, expressions));
-      return "";
-    } catch (const messages::InputError& error) {
-      return error.what();
-    }
-  }
-
- private:
-  std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("rest_pattern_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  RestPattern() : MeshTextTest({"material.model=fabric", "fabric.rest_shape=uv"}) {}
 };
 
 Vec2 sideOf(const Scene& scene, std::size_t triangle, std::size_t side) {
@@ -72,8 +40,8 @@ TEST_F(RestPattern, HasTheAreaOfTheMeshUnlessAScaleIsGiven) {
   EXPECT_NEAR(smaller->model->fabric->meshStrain->median, 0.25, 1e-12);
   EXPECT_EQ(restShapeNote(*smaller->model, smaller->uvs, smaller->settings), "");
   EXPECT_EQ(restShapeInWords(*smaller->model, smaller->uvs, smaller->settings),
-            "the pattern in the UVs, 1.6 m a unit; the mesh is strained against it by 25.0 % (median), 25.0 % (99 % of "
-            "the triangles)");
+            "the pattern in the UVs, 1.6 m a unit; the mesh is strained against it by 25.0 % (median), 25.0 % (99th "
+            "percentile)");
 }
 
 TEST_F(RestPattern, WeighsWhatItsOwnAreaWeighs) {
@@ -148,10 +116,9 @@ TEST_F(RestPattern, IsDoubtedWhereItHardlyFitsTheMesh) {
   EXPECT_EQ(restShapeNote(*large->model, large->uvs, large->settings),
             "fabric.uv_scale gives the pattern 6.25 times the area of the mesh; with 2 they are equal");
   const auto wide = build(squareWith("vt 0 0\nvt 4 0\nvt 4 1\nvt 0 1\n"));
-  EXPECT_EQ(
-      restShapeNote(*wide->model, wide->uvs, wide->settings),
-      "the UVs are hardly the pattern of this mesh: it is strained against them by 100 % (median), 100 % (99 % of "
-      "the triangles), and more in one direction than in the other");
+  EXPECT_EQ(restShapeNote(*wide->model, wide->uvs, wide->settings),
+            "the UVs are unlikely to be the pattern of this mesh: it is strained against them by 100 % (median), 100 % "
+            "(99th percentile), and more in one direction than in the other");
 }
 
 TEST(BuiltInPatterns, fitTheirMeshesExceptThatOfTheCape) {

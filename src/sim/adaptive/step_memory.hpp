@@ -10,7 +10,7 @@ namespace drape::sim::adaptive {
 
 /// The memory of StretchChoice.
 struct StretchMemory {
-  int level = -1;           ///< number of halvings of the stretch stiffness [-]; negative: not chosen yet
+  int level = -1;           ///< of the stretch stiffness, see StretchChoice::scaleOf [-]; negative: not chosen yet
   double strain = 0.0;      ///< the last measured strain [-]
   double imposed = 0.0;     ///< the strain that the stiffness does not reduce [-]
   double raisedFrom = 0.0;  ///< the strain before the stiffness was raised [-]; 0: its effect is known

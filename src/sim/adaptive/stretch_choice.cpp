@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace drape::sim::adaptive {
 namespace {
@@ -20,25 +19,25 @@ double strainByLoad(const ClothModel& model, const LocalRates& rates, const Comm
   return loadOf(rates, parameters) / (stretchStiffness(model, parameters) * width);
 }
 
-/// The ratio of the stiffnesses of a level and the next one [-].
-constexpr double levelRatio = std::numbers::sqrt2;
+/// Levels from a stiffness to half of it.
+constexpr double levelsOfHalving = 2.0;
 
 /// By how many levels the stiffness may fall while a strain stays below the limit. Negative: it must rise.
 int levelsBelow(double strain, double limit) {
   constexpr double tiny = 1e-12;
-  return static_cast<int>(std::floor(std::log2(limit / std::max(strain, tiny)) / std::log2(levelRatio)));
+  return static_cast<int>(std::floor(levelsOfHalving * std::log2(limit / std::max(strain, tiny))));
 }
 
 }  // namespace
 
 double StretchChoice::scaleOf(int level) {
-  return std::pow(levelRatio, -level);
+  return std::exp2(-level / levelsOfHalving);
 }
 
 StretchChoice::Levels StretchChoice::levelsOf(const ClothModel& model) {
   Levels levels{.models = std::vector<std::shared_ptr<const ClothModel>>(tuning.maxStretchLevel + 1),
                 .rates = localRatesOf(model)};
-  levels.models.front() = fabric::withLowerRateLimit(model, tuning.maxTriangleRatio);
+  levels.models.front() = fabric::withTighterRateLimit(model, tuning.maxTriangleRatio);
   return levels;
 }
 
@@ -98,7 +97,7 @@ void StretchChoice::update(Levels& levels, const ClothModel& model, const Stretc
     memory.raisedFrom = memory.strain;
     memory.level = std::max(0, memory.level + std::min(-1, levelsBelow(strain, limit)));
     memory.changed = time;
-  } else if (tuning.strainMargin * levelRatio * strain > limit) {
+  } else if (tuning.strainMargin * strain / scaleOf(1) > limit) {
     memory.changed = time;
   } else if (time - memory.changed > tuning.strainCalmTime && gainsFromLower(levels, model, conditions, memory.level)) {
     ++memory.level;

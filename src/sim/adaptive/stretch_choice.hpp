@@ -27,11 +27,12 @@ struct StretchConditions {
 /// The weight of a garment stretches woven fabric by less than 0.1 %, which nobody sees, but the stretch stiffness
 /// decides how short the substeps are. So the stretch stiffness is lowered as far as the cost budget needs, and only
 /// while the strain along warp and weft stays below AutoOptions::strainLimit. Shear, bending and mass keep their
-/// values, except that the stiffness of the few smallest triangles has a lower limit (fabric::withLowerRateLimit).
+/// values. An exception are the few smallest triangles: the limit on their stiffness is tighter than without a strain
+/// limit (fabric::withTighterRateLimit).
 ///
 /// The strain under weight and wind is estimated for the first step. Later steps measure the strain, which contact, the
 /// attachment and inertia also cause. The stiffness rises as soon as the strain exceeds the limit. It falls after a
-/// time in which the strain stayed so small that a softer cloth meets the limit too. A body can impose strain, for
+/// time in which the strain stayed so small that softer cloth would meet the limit too. A body can impose strain, for
 /// example one that is wider than the garment. A higher stiffness does not reduce imposed strain, so it does not count.
 /// The stiffness of cloth that sleeps does not change.
 class StretchChoice {

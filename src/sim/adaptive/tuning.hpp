@@ -161,10 +161,10 @@ struct AutoTuning {
   /// Most levels of the stretch stiffness [-]. A level has the stiffness of the one before, divided by the square root
   /// of 2.
   int maxStretchLevel = 24;
-  /// The stiffness falls if the strain then stays below the limit divided by this, as static cloth stretches [-].
-  /// Larger: stiffer cloth. Smaller: the stiffness can change to and fro.
+  /// Factor on the strain that cloth at rest would have with the next lower stiffness [-]. The stiffness falls only if
+  /// the product is below the limit. Larger: stiffer cloth. Smaller: the stiffness can fall and rise in turn.
   double strainMargin = 1.15;
-  /// The stiffness of the smallest triangles is limited to this ratio (fabric::RateLimit) [-]. Larger: more substeps on
+  /// `maxRatio` of fabric::RateLimit for the stiffness of the smallest triangles [-]. Larger: more substeps on
   /// meshes with a few small triangles. Smaller: more triangles become softer.
   double maxTriangleRatio = 4.0;
   /// A lower stretch stiffness is used if a step then takes less than this fraction of the force evaluations [-].
@@ -179,7 +179,7 @@ struct AutoTuning {
   double imposedStrainFraction = 0.8;
   /// Strain counts as imposed only at a mean speed below this [m/s]. The loads of faster cloth change.
   double maxSpeedOfImposedStrain = 0.1;
-  /// Time with a strain that allows a lower stiffness, after which it falls [s]. Smaller: it rises and falls often.
+  /// The stiffness falls after the strain has allowed it for this time [s]. Smaller: it rises and falls often.
   double strainCalmTime = 0.5;
 
   // Sleep detection.

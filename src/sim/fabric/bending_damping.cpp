@@ -14,14 +14,8 @@ namespace {
 /// in-plane strain of flat cloth also causes a small Delta_i x, whose direction means nothing.
 constexpr double flatRadius = 1.0;
 
-/// `maxRatio` of the RateLimit [-]. Small triangles whose vibration lasts longer than that of others do not show.
+/// `maxRatio` of the RateLimit [-]. In small triangles vibration may last longer, because nobody sees it there.
 constexpr double dampingRatio = 4.0;
-
-/// Index of the spring between two vertices of a triangle.
-std::size_t springBetween(const ClothModel& model, int a, int b) {
-  const std::span<const SpringEnd> ends = model.springEnds[a];
-  return static_cast<std::size_t>(std::ranges::lower_bound(ends, b, {}, &SpringEnd::neighbour)->spring);
-}
 
 std::vector<double> weightsOf(const ClothModel& model) {
   const Material& material = model.fabric->material;
@@ -39,7 +33,7 @@ std::vector<double> weightsOf(const ClothModel& model) {
       const Vec2& first = rest.sides[(k + 1) % 3];
       const Vec2& second = rest.sides[(k + 2) % 3];
       const double product = warp * first.y() * second.y() + weft * first.x() * second.x();
-      const std::size_t edge = springBetween(model, model.triangles[t][k], model.triangles[t][(k + 1) % 3]);
+      const int edge = springBetween(model.springEnds, model.triangles[t][k], model.triangles[t][(k + 1) % 3]);
       weights[edge] -= scale * product / (4.0 * rest.area);
     }
   }
@@ -58,11 +52,10 @@ std::vector<bool> boundaryVertices(const ClothModel& model) {
   return onBoundary;
 }
 
-/// Bounds of Z by the sums of its absolute values.
+/// Bounds of the row sums of |Z|, one a vertex [N/m].
 struct RowSums {
-  /// The row sum that one term of Z has at its own vertex [N/m times s]; at a neighbour it is the share of the spring.
-  std::vector<double> own;
-  std::vector<double> total;  ///< over all terms
+  std::vector<double> own;    ///< of the term of the vertex itself
+  std::vector<double> total;  ///< of all terms
 };
 
 RowSums rowSumsOf(const ClothModel& model, const BendingDamping& damping) {

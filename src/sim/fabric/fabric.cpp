@@ -120,12 +120,6 @@ std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& 
   return largest;
 }
 
-int pairBetween(const Fabric& fabric, int vertex, int neighbour) {
-  const std::span<const SpringEnd> ends = fabric.pairEnds[vertex];
-  const auto found = std::ranges::lower_bound(ends, neighbour, {}, &SpringEnd::neighbour);
-  return found != ends.end() && found->neighbour == neighbour ? found->spring : -1;
-}
-
 /// Finds the pairs of vertices of edges and of the bending matrix.
 void findPairs(const ClothModel& model, Fabric& fabric) {
   fabric.pairs.clear();
@@ -149,8 +143,9 @@ void findPairs(const ClothModel& model, Fabric& fabric) {
     fabric.pairs.push_back({edge.a, edge.b, fabric.bends() ? fabric.bending.coeff(edge.a, edge.b) : 0.0});
   }
   fabric.pairEnds = springEndsOf(edges, model.restPositions.size());
+  const auto between = [&](int a, int b) { return springBetween(fabric.pairEnds, a, b); };
   for (const auto& [a, b, c] : model.triangles) {
-    fabric.pairsOfSides.push_back({pairBetween(fabric, a, b), pairBetween(fabric, b, c), pairBetween(fabric, c, a)});
+    fabric.pairsOfSides.push_back({between(a, b), between(b, c), between(c, a)});
   }
 }
 
@@ -255,7 +250,7 @@ std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, doub
   return withBuilt(model, std::move(fabric));
 }
 
-std::shared_ptr<const ClothModel> withLowerRateLimit(const ClothModel& model, double maxRatio) {
+std::shared_ptr<const ClothModel> withTighterRateLimit(const ClothModel& model, double maxRatio) {
   auto fabric = std::make_shared<Fabric>(*model.fabric);
   fabric->maxRatio = maxRatio;
   build(model, *fabric);
@@ -277,12 +272,6 @@ double strainAlongYarns(const ClothModel& model, std::span<const Vec3> positions
 
 std::vector<double> membraneStiffness(const ClothModel& model) {
   return sumAtVertices(model, cornerBlocks(membraneAtRest(*model.fabric, model.fabric->material, model)));
-}
-
-Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions) {
-  Corners corners;
-  corners << positions[triangle[0]], positions[triangle[1]], positions[triangle[2]];
-  return corners;
 }
 
 double elasticEnergy(const ClothModel& model, std::span<const Vec3> positions) {

@@ -67,11 +67,11 @@ struct Fabric {
 /// same. @param model must have a fabric  @param scale above 0 [-]
 [[nodiscard]] std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, double scale);
 
-/// The same cloth with a lower RateLimit, so that its few smallest triangles do not decide the time step. Stretch,
+/// The same cloth with a tighter RateLimit, so that its few smallest triangles do not determine the time step. Stretch,
 /// shear and bending of these triangles become softer.
 /// @param model must have a fabric  @param maxRatio as in RateLimit, of the membrane; its square is that of bending [-]
-/// @return null if no triangle exceeds the lower limit
-[[nodiscard]] std::shared_ptr<const ClothModel> withLowerRateLimit(const ClothModel& model, double maxRatio);
+/// @return null if no triangle exceeds the tighter limit
+[[nodiscard]] std::shared_ptr<const ClothModel> withTighterRateLimit(const ClothModel& model, double maxRatio);
 
 /// The strain along warp or weft that one triangle in 100 exceeds (Green's strain) [-]. Compression counts as 0.
 /// @param model must have a fabric
@@ -80,9 +80,6 @@ struct Fabric {
 /// The largest stiffness of the membrane at each vertex at rest, without stiffening [N/m].
 /// @param model must have a fabric
 [[nodiscard]] std::vector<double> membraneStiffness(const ClothModel& model);
-
-/// The corners of a triangle.
-[[nodiscard]] Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions);
 
 /// The elastic energy [J] of a cloth whose material is a fabric.
 [[nodiscard]] double elasticEnergy(const ClothModel& model, std::span<const Vec3> positions);

@@ -52,6 +52,12 @@ Vec3 tensilePart(const Vec3& stress) {
 
 }  // namespace
 
+Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions) {
+  Corners corners;
+  corners << positions[triangle[0]], positions[triangle[1]], positions[triangle[2]];
+  return corners;
+}
+
 MembraneTriangle::MembraneTriangle(const RestTriangle& rest, const Material& material, double stiffnessScale)
     : stretch_(stiffnessScale * stretchMatrix(material)),
       stiffening_(stiffnessScale * Vec2(material.stiffeningWarp, material.stiffeningWeft)),

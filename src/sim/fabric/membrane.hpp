@@ -4,12 +4,17 @@
 #include "sim/fabric/rest_shape.hpp"
 #include "sim/model/force_derivative.hpp"
 
+#include <span>
+
 namespace drape::sim::fabric {
 
 using Mat9 = Eigen::Matrix<double, 9, 9>;
 
 /// The positions of a triangle's corners [m], one a column.
 using Corners = Mat3;
+
+/// The corners of a triangle.
+[[nodiscard]] Corners cornersOf(const Triangle& triangle, std::span<const Vec3> positions);
 
 /// The membrane of one triangle: Saint Venant-Kirchhoff, orthotropic, with Green's strain.
 ///

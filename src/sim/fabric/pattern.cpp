@@ -31,13 +31,6 @@ Eigen::JacobiSVD<Matrix32> stretchesOf(const RestTriangle& rest, const Corners& 
   return Eigen::JacobiSVD<Matrix32>(sides * sidesFromFirst(rest).inverse(), Eigen::ComputeFullU | Eigen::ComputeFullV);
 }
 
-Corners cornersIn(const ClothModel& model, std::size_t triangle) {
-  Corners corners;
-  const auto& [a, b, c] = model.triangles[triangle];
-  corners << model.restPositions[a], model.restPositions[b], model.restPositions[c];
-  return corners;
-}
-
 /// The mean length of each spring in its triangles [m].
 std::vector<double> lengthsIn(const ClothModel& model, std::span<const RestTriangle> pattern) {
   const MeshEdges edges = edgesOf(model.triangles, model.restPositions.size());
@@ -73,7 +66,8 @@ MeshStrain meshStrain(const ClothModel& model, std::span<const RestTriangle> pat
   std::vector<double> strains;
   for (std::size_t t = 0; t < pattern.size(); ++t) {
     if (pattern[t].area > 0.0) {
-      const Vec2 stretches = stretchesOf(pattern[t], cornersIn(model, t)).singularValues();
+      const Vec2 stretches =
+          stretchesOf(pattern[t], cornersOf(model.triangles[t], model.restPositions)).singularValues();
       strains.push_back((stretches.array() - 1.0).abs().maxCoeff());
     }
   }

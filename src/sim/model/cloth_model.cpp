@@ -120,6 +120,12 @@ RaggedRows<SpringEnd> springEndsOf(const std::vector<Spring>& springs, std::size
   return ends;
 }
 
+int springBetween(const RaggedRows<SpringEnd>& ends, int vertex, int neighbour) {
+  const std::span<const SpringEnd> own = ends[vertex];
+  const auto found = std::ranges::lower_bound(own, neighbour, {}, &SpringEnd::neighbour);
+  return found != own.end() && found->neighbour == neighbour ? found->spring : -1;
+}
+
 double ClothModel::restArea() const {
   return std::accumulate(vertexArea.begin(), vertexArea.end(), 0.0);
 }

@@ -71,6 +71,9 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
 /// The springs of each vertex, by ascending neighbour.
 [[nodiscard]] RaggedRows<SpringEnd> springEndsOf(const std::vector<Spring>& springs, std::size_t vertexCount);
 
+/// The index of the spring between two vertices; -1 if there is none. @param ends of springEndsOf
+[[nodiscard]] int springBetween(const RaggedRows<SpringEnd>& ends, int vertex, int neighbour);
+
 /// Diagonal of the bounding box of a cloth's rest shape [m], the unit of relative distances.
 [[nodiscard]] double diagonalOf(const ClothModel& model);
 

@@ -1,6 +1,7 @@
 #include "sim/simd/fabric_damper.hpp"
 
 #include "sim/fabric/fabric.hpp"
+#include "sim/forces/diagnostics.hpp"
 
 #include <algorithm>
 
@@ -15,14 +16,6 @@ constexpr int maxRefinement = 8;
 
 /// Rounding may raise the kinetic energy by this fraction.
 constexpr double roundingGain = 1e-5;
-
-double kineticEnergy(const ClothModel& model, const ClothState& state) {
-  double energy = 0.0;
-  for (std::size_t v = 0; v < state.velocities.size(); ++v) {
-    energy += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
-  }
-  return energy;
-}
 
 bool isAtRest(std::span<const PinVelocity> pins, const ClothState& state) {
   const auto rests = [](const Vec3& velocity) { return velocity.isZero(0.0); };
@@ -77,7 +70,6 @@ std::vector<SliceNumbers<T>> slotWeights(const ClothModel& model, const SlicedCl
   for (int index = 0; index < layout.vertices; ++index) {
     const int slice = index / sliceLanes;
     const int lane = index % sliceLanes;
-    const std::span<const SpringEnd> ends = model.springEnds[layout.order[index]];
     for (int s = layout.slotBegin[slice]; s < layout.slotBegin[slice + 1]; ++s) {
       const auto slot = static_cast<std::size_t>(s);
       if (cloth.restLength[slot][lane] < T(0)) {
@@ -86,8 +78,7 @@ std::vector<SliceNumbers<T>> slotWeights(const ClothModel& model, const SlicedCl
       const int table = layout.slots[slot].table;
       const int neighbour =
           layout.order[table < 0 ? layout.slots[slot].first + lane : layout.neighbourTables[table][lane]];
-      const auto end = std::ranges::lower_bound(ends, neighbour, {}, &SpringEnd::neighbour);
-      slots[slot][lane] = static_cast<T>(weights[end->spring]);
+      slots[slot][lane] = static_cast<T>(weights[springBetween(model.springEnds, layout.order[index], neighbour)]);
     }
   }
   return slots;

@@ -78,9 +78,8 @@ bool fitsSprings(const ClothModel& model, int triangle) {
   const Triangle& corners = model.triangles[triangle];
   const fabric::RestTriangle& rest = model.fabric->shape.triangles[triangle];
   for (std::size_t k = 0; k < 3 && rest.area > 0.0; ++k) {
-    const std::span<const SpringEnd> ends = model.springEnds[corners[k]];
-    const auto end = std::ranges::lower_bound(ends, corners[(k + 1) % 3], {}, &SpringEnd::neighbour);
-    const double length = model.springs[end->spring].restLength;
+    const int spring = springBetween(model.springEnds, corners[k], corners[(k + 1) % 3]);
+    const double length = model.springs[spring].restLength;
     if (std::abs(rest.sides[k].norm() - length) > rounding * length) {
       return false;
     }

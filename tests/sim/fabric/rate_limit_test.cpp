@@ -63,15 +63,15 @@ TEST(RateLimit, leavesTheBendingMatrixFreeOfRigidMotion) {
   EXPECT_LT((bending * linear).cwiseAbs().maxCoeff(), 1e-9 * bending.diagonal().maxCoeff());
 }
 
-TEST(LowerRateLimit, leavesAnEvenSheetAlone) {
+TEST(TighterRateLimit, leavesAnEvenSheetAlone) {
   const auto even = asFabric(*buildClothModel(sheet(31), 0.1, MassLumping::Area, {}), woven());
-  EXPECT_EQ(withLowerRateLimit(*even, 4.0), nullptr);
+  EXPECT_EQ(withTighterRateLimit(*even, 4.0), nullptr);
 }
 
-TEST(LowerRateLimit, softensOnlyTheSmallestTriangles) {
+TEST(TighterRateLimit, softensOnlyTheSmallestTriangles) {
   const auto full = sheetWithThinTriangles(woven(), 0.88);
   ASSERT_EQ(full->fabric->slivers, 0);
-  const auto limited = withLowerRateLimit(*full, 4.0);
+  const auto limited = withTighterRateLimit(*full, 4.0);
   ASSERT_NE(limited, nullptr);
   EXPECT_GT(limited->fabric->slivers, 0);
   EXPECT_LT(limited->fabric->slivers, 20);
@@ -87,7 +87,7 @@ TEST(LowerRateLimit, softensOnlyTheSmallestTriangles) {
   }
 }
 
-TEST(LowerRateLimit, keepsThinTrianglesFromDecidingTheStagesOfDamping) {
+TEST(TighterRateLimit, keepsThinTrianglesFromDecidingTheStagesOfDamping) {
   const auto even = asFabric(*buildClothModel(sheet(31), 0.1, MassLumping::Area, {}), woven());
   const auto thin = sheetWithThinTriangles(woven(), 0.97);
   EXPECT_LT(bendingDampingOf(*thin).highestRate, 20.0 * bendingDampingOf(*even).highestRate);

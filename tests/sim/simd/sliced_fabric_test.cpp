@@ -36,6 +36,15 @@ void referenceStep(const ClothModel& model, const CommonParameters& parameters, 
   }
 }
 
+/// The state after some of these steps.
+ClothState afterReferenceSteps(const ClothModel& model, const CommonParameters& parameters, ClothState state,
+                               int steps) {
+  for (int i = 0; i < steps; ++i) {
+    referenceStep(model, parameters, state);
+  }
+  return state;
+}
+
 double largestSpeed(const ClothState& state) {
   double largest = 0.0;
   for (const Vec3& velocity : state.velocities) {
@@ -54,10 +63,7 @@ TEST_P(SlicedFabricOnEveryMesh, movesTheClothAsTheFormulasDo) {
     for (const bool windy : {true, false}) {
       parameters.air.drag = parameters.air.lift = windy ? 0.6 : 0.0;
       const ClothState start = shaken(*model, 0.002, 5);
-      ClothState expected = start;
-      for (int i = 0; i < 3; ++i) {
-        referenceStep(*model, parameters, expected);
-      }
+      const ClothState expected = afterReferenceSteps(*model, parameters, start, 3);
       SlicedRun run;
       ClothState state = start;
       parameters.precision = Precision::Double;
@@ -128,10 +134,7 @@ TEST(SlicedFabric, takesAPatternWhoseSidesOfASeamDiffer) {
       parameters.timeStep = 5e-5;
       parameters.precision = Precision::Double;
       const ClothState start = shaken(*model, 0.002, 5);
-      ClothState expected = start;
-      for (int i = 0; i < 3; ++i) {
-        referenceStep(*model, parameters, expected);
-      }
+      const ClothState expected = afterReferenceSteps(*model, parameters, start, 3);
       SlicedRun run;
       ClothState state = start;
       run.verlet(*model, parameters, {}, 3, state);
