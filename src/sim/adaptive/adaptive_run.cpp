@@ -65,11 +65,14 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
     energy->resize(lanes);
   }
   firstCoarse_ = lastCoarse_ = startCoarse_ = endCoarse_ = 0.0;
+  contactWorkToLast_ = 0.0;
   const int threads = simd::usefulThreads(cloth_->layout, parameters.threads);
   cloth_->prepare(threads, 1);
+  contacts_.prepare(inputs, *cloth_);
   team_.run(threads, [&](int member) {
     const simd::StepShare share = simd::shareOf(cloth_->layout, 1, member, threads);
     cloth_->load(state, share);
+    contacts_.start(*cloth_, share);
     if (request.start) {
       team_.arriveAndWait();
       measure(plan, startEnergy_, startCoarse_, share);
@@ -83,7 +86,9 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
           .last = sumOfLanes(lastEnergy_) + lastCoarse_,
           .start = request.start ? sumOfLanes(startEnergy_) + startCoarse_ : 0.0,
           .end = request.end ? sumOfLanes(endEnergy_) + endCoarse_ : 0.0,
-          .ends = request.end};
+          .ends = request.end,
+          .contactWork = contacts_.work(),
+          .contactWorkToLast = contactWorkToLast_};
 }
 
 /// The number of stages follows from the 99th percentile of the damping rates. The damping of faster springs, as at
@@ -145,7 +150,8 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
                           const simd::StepShare& share) {
   const auto stages = stagesOf(plan.scheme);
   const double start = startOf(plan.scheme);
-  simd::driftSlices(*cloth_, static_cast<T>(start * substep), share);
+  double time = start * substep;  // of the positions
+  simd::driftSlices(*cloth_, static_cast<T>(time), share);
   team_.arriveAndWait();
   for (int i = 0; i < plan.substeps; ++i) {
     if (share.first && share.last && i % stopCheckInterval == stopCheckInterval - 1) {
@@ -173,6 +179,8 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
         simd::driftSlices(*cloth_, static_cast<T>(drift), share);
         team_.arriveAndWait();
       }
+      time += drift;
+      resolveContacts(time, drift, lastKick, share);
     }
   }
 }
@@ -207,6 +215,29 @@ void AdaptiveRun<T>::damp(double drift, const simd::StepShare& share) {
   team_.arriveAndWait();
 }
 
+/// All threads of the team run this together, after a drift that ends at `time` after the start of the step [s].
+template <typename T>
+void AdaptiveRun<T>::resolveContacts(double time, double drift, bool isLast, const simd::StepShare& share) {
+  if (!contacts_.any()) {
+    return;
+  }
+  if (isLast) {
+    if (share.member == 0) {
+      contactWorkToLast_ = contacts_.work();
+    }
+    team_.arriveAndWait();
+  }
+  contacts_.applySingle(*cloth_, time, drift, share);
+  team_.arriveAndWait();
+  if (contacts_.anyCoupled()) {
+    if (share.member == 0) {
+      contacts_.applyCoupled(*cloth_, time, drift);
+    }
+    team_.arriveAndWait();
+  }
+  contacts_.addWork(*cloth_, share);
+}
+
 /// The energy of the present state, by a kick of zero duration, which changes nothing.
 template <typename T>
 void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy,
@@ -225,6 +256,13 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
 template <typename T>
 void AdaptiveRun<T>::store(ClothState& state) {
   cloth_->store(state, simd::shareOf(cloth_->layout, 1, 0, 1));
+}
+
+template <typename T>
+void AdaptiveRun<T>::storeContacts(const StepInputs& inputs) const {
+  if (inputs.contacts != nullptr) {
+    contacts_.store(*inputs.contacts);
+  }
 }
 
 template class AdaptiveRun<float>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/adaptive/coarse_motion.hpp"
+#include "sim/adaptive/contact_impulses.hpp"
 #include "sim/adaptive/step_plan.hpp"
 #include "sim/model/model_cache.hpp"
 #include "sim/simd/damping_stages.hpp"
@@ -16,15 +17,17 @@ namespace drape::sim::adaptive {
 /// The energy in a step: kinetic, potential, of the clamped springs and of the coarse levels.
 ///
 /// In the middle of the first and the last substep it is 1/2 m v.v' + V(x), from forces that are evaluated anyway. A
-/// stable scheme conserves it, except for the work of damping, air and attachment. At the ends of the step it is
-/// 1/2 m v.v + V(x), with the full stiffness of the springs unless they are softened. That energy oscillates by up to
-/// (h omega)^2 / 4 of the vibration energy.
+/// stable scheme conserves it, except for the work of damping, air, attachment and contacts. At the ends of the step it
+/// is 1/2 m v.v + V(x), with the full stiffness of the springs unless they are softened. That energy oscillates by up
+/// to (h omega)^2 / 4 of the vibration energy.
 struct StepEnergy {
-  double first = 0.0;  ///< in the middle of the first substep [J]
-  double last = 0.0;   ///< in the middle of the last substep [J]
-  double start = 0.0;  ///< at the start of the step, if requested [J]
-  double end = 0.0;    ///< at the end of the step, if requested [J]
-  bool ends = false;   ///< `start` and `end` are known
+  double first = 0.0;              ///< in the middle of the first substep [J]
+  double last = 0.0;               ///< in the middle of the last substep [J]
+  double start = 0.0;              ///< at the start of the step, if requested [J]
+  double end = 0.0;                ///< at the end of the step, if requested [J]
+  bool ends = false;               ///< `start` and `end` are known
+  double contactWork = 0.0;        ///< of contacts in the substeps [J]
+  double contactWorkToLast = 0.0;  ///< the same up to the middle of the last substep [J]
 };
 
 /// At which ends of a step the energy is measured. Each costs a force evaluation.
@@ -44,6 +47,9 @@ class AdaptiveRun {
 
   /// Writes positions and velocities at the end of the last step. `state` is the state at its start.
   void store(ClothState& state);
+
+  /// Writes the impulses of the last step into its contacts.
+  void storeContacts(const StepInputs& inputs) const;
 
   /// Number of coarse levels in use.
   [[nodiscard]] int levels() const { return activeLevels_; }
@@ -67,6 +73,7 @@ class AdaptiveRun {
             const simd::StepShare& share);
   void prepareSplitDamping(const ClothModel& model, const LocalRates& rates);
   void damp(double drift, const simd::StepShare& share);
+  void resolveContacts(double time, double drift, bool isLast, const simd::StepShare& share);
   void measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy, const simd::StepShare& share);
 
   simd::ThreadTeam team_;
@@ -81,6 +88,8 @@ class AdaptiveRun {
   ModelCache<std::vector<simd::SliceNumbers<T>>> dampingScales_;  // empty: all are 1
   simd::DampingRun<T> damping_;  // of a substep; no stages: damping is part of the kick
   simd::LaneVectors<T> gain_;    // velocity change of a kick, for the damping stages [m/s]
+  ContactImpulses<T> contacts_;
+  double contactWorkToLast_ = 0.0;  // [J]
   std::vector<T> firstEnergy_;
   std::vector<T> lastEnergy_;
   std::vector<T> startEnergy_;

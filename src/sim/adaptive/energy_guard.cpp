@@ -104,11 +104,11 @@ double EnergyGuard::referenceEnergy(double startEnergy, double fallFraction) con
 }
 
 bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, StepMemory& memory) const {
-  const double growth = energy.last - energy.first;
-  if (!std::isfinite(growth) || !std::isfinite(energy.end)) {
+  const double growth = energy.last - energy.first - energy.contactWorkToLast;
+  if (!std::isfinite(growth) || !std::isfinite(energy.end) || !std::isfinite(energy.contactWork)) {
     return true;
   }
-  if (energy.ends && memory.energyDrift + energy.end - energy.start - work >
+  if (energy.ends && memory.energyDrift + energy.end - energy.start - energy.contactWork - work >
                          tuning.maxRemovedEnergy * referenceEnergy(energy.start, 1.0)) {
     return true;
   }
@@ -137,7 +137,7 @@ void EnergyGuard::store(const ClothModel& model, const CommonParameters& paramet
     return;
   }
   const double allowed = tuning.maxEnergyDrift * referenceEnergy(energy.start, 1.0);
-  memory.energyDrift += energy.end - energy.start - work;
+  memory.energyDrift += energy.end - energy.start - energy.contactWork - work;
   if (dissipates_ || work > 0.0) {
     memory.energyDrift = std::max(0.0, memory.energyDrift);
   }

@@ -13,7 +13,8 @@ namespace drape::sim::adaptive {
 namespace {
 
 bool dependsOnPositionsAlone(const CommonParameters& parameters, const StepInputs& inputs) {
-  return parameters.material.damping == 0.0 && !parameters.air.acts() && !inputs.attachment;
+  return parameters.material.damping == 0.0 && !parameters.air.acts() && !inputs.attachment &&
+         inputs.contacts == nullptr;
 }
 
 /// H lambda of damping over the time step H, with the 99th percentile of the rates [-].

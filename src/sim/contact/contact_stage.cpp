@@ -22,6 +22,10 @@ bool hasBoundedPositions(const std::vector<Vec3>& positions) {
                      [=](const Vec3& position) { return (position.array().abs() <= maxCoordinate).all(); });
 }
 
+double secondsSince(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 }  // namespace
 
 bool meetsBodies(const ContactParameters& contact, const StepInputs& inputs) {
@@ -37,6 +41,7 @@ void ContactStage::begin(const ContactParameters& contact, const StepInputs& inp
   active_ = contact.self != SelfCollision::Off || meetsBodies(contact, inputs);
   changed_ = false;
   points_.clear();
+  bodySeconds_ = selfSeconds_ = 0.0;
   if (active_) {
     start_ = state.positions;
   }
@@ -64,10 +69,35 @@ BodyContact& ContactStage::bodyContact() {
   return *bodies_;
 }
 
+void ContactStage::findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
+                                       const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
+                                       std::vector<SubstepContact>& found) {
+  if (!hasBoundedPositions(state.positions)) {
+    return;
+  }
+  if (contact.self == SelfCollision::Hash) {
+    const auto begin = std::chrono::steady_clock::now();
+    selfContact().findSubstepContacts(model, parameters, contact, state, found);
+    selfSeconds_ = secondsSince(begin);
+  }
+  if (meetsBodies(contact, inputs)) {
+    const auto begin = std::chrono::steady_clock::now();
+    bodyContact().findSubstepContacts(model, parameters, contact, *inputs.bodies, state, found);
+    bodySeconds_ = secondsSince(begin);
+  }
+}
+
+SelfContact& ContactStage::selfContact() {
+  if (!self_) {
+    self_ = std::make_unique<SelfContact>();
+  }
+  return *self_;
+}
+
 ContactReport ContactStage::resolve(const ClothModel& model, const CommonParameters& parameters,
                                     const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
                                     double stepFraction) {
-  ContactReport report;
+  ContactReport report{.bodySeconds = bodySeconds_, .selfSeconds = selfSeconds_};
   if (!active_ || !hasBoundedPositions(start_) || !hasBoundedPositions(state.positions)) {
     return report;
   }
@@ -83,16 +113,17 @@ ContactReport ContactStage::resolve(const ClothModel& model, const CommonParamet
   // Self-collision runs before body contact, so that it cannot push cloth into a body.
   if (contact.self == SelfCollision::Hash) {
     const auto begin = std::chrono::steady_clock::now();
-    if (!self_) {
-      self_ = std::make_unique<SelfContact>();
-    }
-    report.selfContacts = self_->resolve(model, contact, parameters.timeStep, start_, state, points_, stepFraction);
-    report.selfSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    report.selfContacts =
+        selfContact().resolve(model, contact, parameters.timeStep, start_, state, points_, stepFraction);
+    report.selfSeconds += secondsSince(begin);
   }
   if (meetsBodies(contact, inputs)) {
     const auto before = std::chrono::steady_clock::now();
     bodyContact().resolve(model, parameters, contact, *inputs.bodies, start_, state, report, points_);
-    report.bodySeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    if (inputs.contacts != nullptr) {
+      bodyContact().addSubstepContacts(*inputs.contacts, state, report, points_);
+    }
+    report.bodySeconds += secondsSince(before);
   }
   changed_ = report.selfContacts > 0 || report.bodyContacts > 0;
   if (changed_) {

@@ -47,6 +47,12 @@ class ContactStage {
   /// search was made yet.
   [[nodiscard]] static bool isNearItself(const ContactParameters& contact, const ClothState& state);
 
+  /// Finds the contacts, with bodies and of the cloth with itself, that a solver can resolve in its substeps, for a
+  /// step from `state`. Stores the list of near pairs of the cloth in it.
+  void findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
+                           const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
+                           std::vector<SubstepContact>& found);
+
   /// Corrects the predicted state. Does nothing if `begin` did nothing.
   /// @param stepFraction length of this contact substep over that of the user's step [-]; scales how far pairs that are
   /// too close are pushed apart
@@ -61,6 +67,7 @@ class ContactStage {
 
  private:
   BodyContact& bodyContact();
+  SelfContact& selfContact();
 
   bool active_ = false;
   bool changed_ = false;
@@ -69,6 +76,8 @@ class ContactStage {
   ClothState unresolved_;
   std::vector<Vec3> ahead_;  // positions extrapolated by the velocity [m]
   std::vector<ContactPoint> points_;
+  double bodySeconds_ = 0.0;           // of findSubstepContacts [s]
+  double selfSeconds_ = 0.0;           // likewise
   std::unique_ptr<SelfContact> self_;  // created at first use
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/forces/attachment.hpp"
+#include "sim/forces/substep_contact.hpp"
 #include "sim/model/vector.hpp"
 
 #include <functional>
@@ -22,6 +23,10 @@ struct StepStopped {};
 struct StepInputs {
   std::optional<Attachment> attachment;
   const std::vector<contact::BodyStep>* bodies = nullptr;  ///< over this step (sim/contact/bodies/body.hpp); null: none
+  /// Contacts that act in every substep (SolverInfo::resolvesContacts). The solver stores impulse and work in them.
+  /// Null: none.
+  std::vector<SubstepContact>* contacts = nullptr;
+  Vec3 frameVelocity = Vec3::Zero();  ///< of the frame of reference in which the solver works [m/s]
   /// Methods whose steps may take seconds check it now and then and throw StepStopped.
   std::stop_token stop = {};
   /// Called at the same points, to show progress or to check a deadline. An exception that it throws ends the step like

@@ -25,6 +25,7 @@ StepInputs MovingFrame::toFrame(StepInputs inputs, double timeStep) const {
   if (inputs.attachment) {
     inputs.attachment->target -= timeStep * velocity_;
   }
+  inputs.frameVelocity += velocity_;
   return inputs;
 }
 

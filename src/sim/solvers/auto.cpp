@@ -64,6 +64,7 @@ class AdaptiveStep {
   /// as before, and the step should be taken in double
   std::optional<StepReport> step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                  const StepInputs& inputs, adaptive::StepMemory& memory, ClothState& state) {
+    contactWork_ = 0.0;
     adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
     for (int i = 0; i < memory.retryLevel; ++i) {
       plan = adaptive::saferPlan(plan);
@@ -93,7 +94,7 @@ class AdaptiveStep {
     choice.error = memory.error;
     choice.energyDrift = memory.energyDrift;
     state.time += parameters.timeStep;
-    return StepReport{.choice = choice};
+    return StepReport{.contactWork = contactWork_, .choice = choice};
   }
 
  private:
@@ -115,6 +116,8 @@ class AdaptiveStep {
       if (!guard_.hasGrown(energy, work, retry > 0, memory)) {
         before_ = model.fabric ? state.positions : std::vector<Vec3>();
         run_.store(state);
+        run_.storeContacts(inputs);
+        contactWork_ = energy.contactWork;
         memory.speed = speedBetween(before_, state.positions, parameters.timeStep);
         guard_.store(model, parameters, plan, energy, work, memory, state);
         return true;
@@ -249,6 +252,7 @@ class AdaptiveStep {
   ClothState after_;
   std::vector<Vec3> before_;  // positions at the start of the step, of a fabric
   std::vector<Vec3> averaged_;
+  double contactWork_ = 0.0;  // of the last step [J]
 };
 
 class AutoSolver final : public Solver {
@@ -270,7 +274,7 @@ class AutoSolver final : public Solver {
       return {.choice = adaptive::StepChoice{.substeps = 0, .forceEvaluations = 0, .sleeping = true}};
     }
     const LocalRates& rates = rates_.get(model, localRatesOf);
-    if (!needsDouble(model, rates, parameters, memory, state)) {
+    if (!needsDouble(model, rates, parameters, inputs, memory, state)) {
       const adaptive::StepMemory before = memory;
       if (const std::optional<StepReport> report = single_.step(model, rates, parameters, inputs, memory, state)) {
         return *report;
@@ -282,15 +286,17 @@ class AutoSolver final : public Solver {
     return *double_.step(model, rates, parameters, inputs, memory, state);
   }
 
+  /// Contact corrects positions by more than the rounding of float, so that it does not count there.
   static bool needsDouble(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                          const adaptive::StepMemory& memory, const ClothState& state) {
+                          const StepInputs& inputs, const adaptive::StepMemory& memory, const ClothState& state) {
     if (parameters.precision == Precision::Double || memory.doubleSteps > 0 ||
         adaptive::dampingNeedsDouble(rates, parameters)) {
       return true;
     }
     const double largest = adaptive::maxCoordinate(state.positions);
     return adaptive::roundingAddsEnergy(model, rates, parameters, parameters.automatic, memory, largest) ||
-           adaptive::roundingExceedsTolerance(model, rates, parameters, parameters.automatic, memory, largest);
+           (inputs.contacts == nullptr &&
+            adaptive::roundingExceedsTolerance(model, rates, parameters, parameters.automatic, memory, largest));
   }
 
   adaptive::SleepDetection sleep_;
@@ -333,6 +339,7 @@ SolverInfo solvers::adaptive() {
           .backwardEuler = false,
           .takesFabric = true,
           .choosesSubsteps = true,
+          .resolvesContacts = true,
           .settings = {"precision", "auto.cost", "auto.soften", "auto.budget", "auto.tolerance"},
           .warning = autoWarning,
           .stepLimit = nullptr,

@@ -22,11 +22,13 @@ struct StepReport {
   double residual = 0.0;                ///< relative residual of the last solve [-]; 0 if it is not computed
   bool converged = true;                ///< false if a solve ended above its tolerance
   contact::ContactReport contact = {};  ///< contacts of the step
+  double contactWork = 0.0;             ///< of contacts that the solver resolved in its substeps [J]
   std::optional<adaptive::StepChoice> choice = {};  ///< of the solver `auto`
 
   /// Adds the report of the next step.
   void add(const StepReport& next) {
     iterations += next.iterations;
+    contactWork += next.contactWork;
     residual = next.residual;
     converged = converged && next.converged;
     if (choice && next.choice) {
@@ -66,6 +68,7 @@ struct SolverInfo {
   bool backwardEuler = false;              ///< solves a backward-Euler step, which other integrations can use
   bool takesFabric = false;                ///< can move a cloth with a fabric (ClothModel::fabric)
   bool choosesSubsteps = false;            ///< chooses its substeps and ignores the setting `substeps`
+  bool resolvesContacts = false;           ///< applies StepInputs::contacts in its substeps
   std::vector<std::string_view> settings;  ///< keys of the settings that it reads and that not all solvers read
   /// A warning about this cloth and these parameters, if there is one. May be null.
   std::optional<SolverWarning> (*warning)(const ClothModel&, const StepParameters&) = nullptr;

@@ -18,12 +18,6 @@ namespace {
 /// The fraction of a BDF2 step that its backward-Euler solve covers.
 constexpr double bdf2Part = 2.0 / 3.0;
 
-/// Largest h omega of a contact substep, for solvers that choose their substeps, and largest number of contact substeps
-/// in a step. Stiff cloth gains energy with longer contact substeps, without limit when they are much longer (figures:
-/// docs/experiments/2026-11-22-contact-substeps.md).
-constexpr double maxContactHOmega = 4.0;
-constexpr double maxContactSubsteps = 128.0;
-
 /// Longest contact substep of any solver. The solver ignores contacts: if n supporting vertices carry the weight of N,
 /// they sink into the body by about N/n g h^2 before contact corrects them. The cloth below them stretches by as much
 /// and swings. Longer contact substeps add energy.
@@ -115,28 +109,13 @@ void Stepper::dampFabric(const ClothModel& model, const StepParameters& paramete
 
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                const ClothState& state) {
+  const bool nearItself = info_->resolvesContacts && contact::ContactStage::isNearItself(parameters.contact, state);
+  const bool nearBodies = contact::meetsBodies(parameters.contact, inputs) &&
+                          contact_.isNearBodies(model, parameters, parameters.contact, inputs, state);
   constexpr double rounding = 1e-9;  // [-]
-  const bool nearItself = info_->choosesSubsteps && contact::ContactStage::isNearItself(parameters.contact, state);
-  const bool bodies = contact::meetsBodies(parameters.contact, inputs);
-  if (!nearItself && !bodies) {
-    return 1;
-  }
-  const int forStiffness = info_->choosesSubsteps ? contactSubstepsForStiffness(model, parameters) : 1;
-  const int forSelfCollision = nearItself ? forStiffness : 1;
-  if (!bodies) {
-    return forSelfCollision;
-  }
-  const int forTime = static_cast<int>(std::ceil(parameters.timeStep / maxContactSubstepTime * (1.0 - rounding)));
-  const int forBodies = std::max(forTime, forStiffness);
-  return forBodies > forSelfCollision && contact_.isNearBodies(model, parameters, parameters.contact, inputs, state)
-             ? forBodies
-             : forSelfCollision;
-}
-
-int Stepper::contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters) {
-  const double rate = rate_.get(model, [](const ClothModel& m) { return localRatesOf(m).percentile99; });
-  const double hOmega = parameters.timeStep * std::sqrt(parameters.material.stiffness * rate);
-  return std::max(1, static_cast<int>(std::min(std::ceil(hOmega / maxContactHOmega), maxContactSubsteps)));
+  return nearItself || nearBodies
+             ? static_cast<int>(std::ceil(parameters.timeStep / maxContactSubstepTime * (1.0 - rounding)))
+             : 1;
 }
 
 StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters,
@@ -175,25 +154,47 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   StepReport total;
   contact_.begin(parameters.contact, inputs, state);
   planPins(model, inputs, state);
+  const StepInputs own = inputsOfSolver(model, parameters, inputs, state);
   const int substeps = info_->choosesSubsteps && pinMotions_.empty() ? 1 : parameters.substeps;
   part.timeStep = parameters.timeStep / substeps;
   if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum && pinMotions_.empty()) {
     state.history.timeStep = 0.0;
-    total = solver_->steps(model, part, inputs, substeps, state);
+    total = solver_->steps(model, part, own, substeps, state);
+    advanceSubstepContacts(part.timeStep);
   } else {
     MovingFrame frame(meanPinVelocity(model, parameters.timeStep));
     part.air = frame.toFrame(part.air);
-    const StepInputs acting = frame.toFrame(inputs, part.timeStep);
+    const StepInputs acting = frame.toFrame(own, part.timeStep);
     for (int i = 0; i < substeps; ++i) {
       movePins((i + 1.0) / substeps, state);
       frame.enter(model, part.timeStep, state);
       total.add(substep(model, part, acting, state));
       frame.leave(model, part.timeStep, state);
+      advanceSubstepContacts(part.timeStep);
     }
   }
-  total.contact = contact_.resolve(model, parameters, parameters.contact, inputs, state, 1.0 / contactSubsteps_);
+  total.contact = contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
+  earlierContactWork_ += total.contactWork;
   state.time = end;  // not the sum of the substeps, which has rounding errors
   return total;
+}
+
+StepInputs Stepper::inputsOfSolver(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                   ClothState& state) {
+  StepInputs own = inputs;
+  substepContacts_.clear();
+  if (info_->resolvesContacts) {
+    contact_.findSubstepContacts(model, parameters, parameters.contact, inputs, state, substepContacts_);
+    own.contacts = substepContacts_.empty() ? nullptr : &substepContacts_;
+  }
+  return own;
+}
+
+/// Moves the surfaces of the contacts to the end of a substep.
+void Stepper::advanceSubstepContacts(double timeStep) {
+  for (SubstepContact& contact : substepContacts_) {
+    contact.height += timeStep * contact.normal.dot(contact.bodyVelocity);
+  }
 }
 
 void Stepper::planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state) {
@@ -232,7 +233,8 @@ Vec3 Stepper::meanPinVelocity(const ClothModel& model, double seconds) const {
 
 StepReport Stepper::substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                             ClothState& state) {
-  if (!parameters.keepMomentum) {
+  // The impulses of contacts change the momentum. Solvers that apply them conserve it otherwise.
+  if (!parameters.keepMomentum || inputs.contacts != nullptr) {
     return integrate(model, parameters, inputs, state);
   }
   const double driftTime = driftFraction(parameters, state) * parameters.timeStep;

@@ -29,9 +29,10 @@ namespace drape::sim {
 /// the damped velocities.
 ///
 /// Near bodies a step is divided into contact substeps of at most 1/300 s. Each has its own contact and its part of the
-/// substeps. A solver that chooses its substeps conserves energy: when springs pull cloth into a body or into itself
-/// and contact then stretches them, that energy stays. So its contact substeps are shorter for stiffer cloth, by the
-/// 99th percentile of the local frequencies: a few slivers do not make the whole cloth expensive.
+/// substeps. Contact at the end of a contact substep moves cloth that the solver has pulled into a body or into itself,
+/// and stretches its springs; a solver that conserves energy would keep that energy. So `auto` gets the contacts at the
+/// start of each contact substep and applies their impulses in its own substeps (SolverInfo::resolvesContacts). Contact
+/// at the end then corrects what is left.
 class Stepper {
  public:
   /// Throws UnknownSolver if there is no solver of that name.
@@ -51,7 +52,8 @@ class Stepper {
   /// Whether to measure the energy change by contact in the contact substeps, which costs two sums over the springs in
   /// each. Off by default.
   void keepContactWork(bool kept) { keepsContactWork_ = kept; }
-  /// Energy change by contact in the contact substeps before the last one [J]; 0 if it is not measured.
+  /// Energy change by contact in the last step [J], without that at its end: the work of contacts that the solver
+  /// resolved, and, if it is measured, the corrections in the contact substeps before the last one.
   [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
   /// Energy change by the damping of the fabric in the last step [J].
   [[nodiscard]] double fabricDampingWork() const { return fabricDampingWork_; }
@@ -66,8 +68,6 @@ class Stepper {
 
   [[nodiscard]] int contactSubstepsOf(const ClothModel& model, const StepParameters& parameters,
                                       const StepInputs& inputs, const ClothState& state);
-  /// Number of contact substeps for a solver that chooses its substeps.
-  [[nodiscard]] int contactSubstepsForStiffness(const ClothModel& model, const StepParameters& parameters);
   StepReport stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                    int contactSubsteps, ClothState& state);
   /// The step with the material that acts on the cloth (actingMaterial).
@@ -77,6 +77,11 @@ class Stepper {
   StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                              ClothState& state);
 
+  /// The inputs of the solver in a contact substep, with the contacts that it resolves.
+  [[nodiscard]] StepInputs inputsOfSolver(const ClothModel& model, const StepParameters& parameters,
+                                          const StepInputs& inputs, ClothState& state);
+  /// Moves the surfaces of the contacts to the end of a substep.
+  void advanceSubstepContacts(double timeStep);
   void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
   /// Moves pins on bodies to their positions after that fraction of the step.
   void movePins(double fraction, ClothState& state) const;
@@ -111,10 +116,10 @@ class Stepper {
   int contactSubsteps_ = 1;
   adaptive::StretchChoice stretch_;
   std::unique_ptr<simd::FabricDamper> damper_;  // null until a fabric damps
-  ModelCache<double> rate_;                     // 99th percentile of omega^2 / k [1/kg]
   double earlierContactWork_ = 0.0;             // [J]
   double fabricDampingWork_ = 0.0;              // [J]
   std::vector<PinMotion> pinMotions_;
+  std::vector<SubstepContact> substepContacts_;  // of the present contact substep
 };
 
 }  // namespace drape::sim

@@ -18,7 +18,9 @@ void ConstraintBuilder::addContact(const ClothInBody& cloth, std::size_t t, cons
   const double offset = std::min(wanted, near.gap + separationStep);
   const double height = near.normal.dot(near.endPoint);
   const Vec3 predicted = pointAt(cornersOf(cloth.predicted, cloth.triangles[t]), weights);
-  if (near.normal.dot(predicted) - height >= offset) {
+  const double gap = near.normal.dot(predicted) - height;
+  const double nearest = offsets_.listMargin > 0.0 ? std::min(near.gap, gap) : gap;
+  if (nearest >= offset + offsets_.listMargin) {
     return;
   }
   ContactConstraint contact;

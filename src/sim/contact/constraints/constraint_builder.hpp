@@ -18,6 +18,10 @@ struct ContactOffsets {
   /// Decrease per step of the depth of cloth inside the body [m]; up to four times as much where it is deep.
   double recoveryStep = 0.0;
 
+  /// Contacts are also added if the predicted positions satisfy them, but start or end within this distance beyond the
+  /// contact's own [m].
+  double listMargin = 0.0;
+
   /// Decrease per step of this depth [m].
   [[nodiscard]] double recoveryStepAt(double depth) const;
 };

@@ -23,7 +23,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Distance below which edges and faces get contacts [m].
 double closeDistance(const ContactOffsets& offsets) {
-  return offsets.edgeOffset + closeRatio * offsets.contactOffset;
+  return offsets.edgeOffset + std::max(offsets.listMargin, closeRatio * offsets.contactOffset);
 }
 
 /// The results of one part of the clusters.
@@ -212,7 +212,7 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
     const Triangle& corners = cloth.triangles[t];
     const double longest = std::sqrt(std::max({squaredDisplacement(corners[0]), squaredDisplacement(corners[1]),
                                                squaredDisplacement(corners[2])})) +
-                           rounding;
+                           rounding + offsets.listMargin;
     if (distances_[t] >= offsets.edgeOffset + longest) {
       continue;  // it stays too far away
     }
@@ -342,6 +342,11 @@ bool MeshSearch::requestPlanesAround(std::span<const Triangle> triangles, const 
     }
   }
   return newlyFound;
+}
+
+bool MeshSearch::isBehindFace(const MeshInStep& mesh, int vertex) const {
+  const NearestMeshPoint& near = nearest_[vertex];
+  return mesh.mesh.closed && near.triangle >= 0 && faceNormal(mesh.corners(near.triangle)).dot(near.normal) < 0.0;
 }
 
 Vec3 MeshSearch::bodyDisplacementAt(const MeshInStep& mesh, int vertex) const {

@@ -56,6 +56,10 @@ class MeshSearch {
   /// Requests planes for all triangles.
   void requestAllPlanes() { requested_.assign(requested_.size(), 1); }
 
+  /// Whether a vertex is behind the face of a closed mesh that is closest to it, so that it may be inside. After
+  /// findVertexContacts.
+  [[nodiscard]] bool isBehindFace(const MeshInStep& mesh, int vertex) const;
+
   /// Displacement over the step of the closest point to a vertex, in the body's frame [m]; zero if none is near.
   [[nodiscard]] Vec3 bodyDisplacementAt(const MeshInStep& mesh, int vertex) const;
 

@@ -19,6 +19,11 @@ constexpr double minMargin = 0.25;
 constexpr double maxMargin = 0.7;
 constexpr double stepsOfMargin = 4.0;
 
+/// Contacts in substeps, in thicknesses: the distance beyond the predicted one up to which pairs count, and the excess
+/// over the thickness within which they rest.
+constexpr double listMargin = 0.05;
+constexpr double restGap = 0.001;
+
 /// All patches are grown anew after so many searches even if they are valid, since cloth that has become flat needs
 /// fewer. They are also grown anew when repairs have more than doubled their number, plus `extraRepairedPatches`.
 constexpr int maxSearchesPerGrowth = 64;
@@ -235,12 +240,55 @@ void SelfContact::updatePairs(const ClothModel& model, double thickness, const s
   state.selfContact = memory;
 }
 
+double SelfContact::thicknessOf(const ClothModel& model, const ContactParameters& contact) {
+  return contact.selfThickness > 0.0
+             ? contact.selfThickness
+             : edge_.get(model, [&](const ClothModel& m) { return selfThicknessOf(m, contact); });
+}
+
+void SelfContact::findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
+                                      const ContactParameters& contact, ClothState& state,
+                                      std::vector<SubstepContact>& found) {
+  const double thickness = thicknessOf(model, contact);
+  const double h = parameters.timeStep;
+  predicted_.resize(state.positions.size());
+  for (std::size_t v = 0; v < predicted_.size(); ++v) {
+    predicted_[v] = state.positions[v] + h * state.velocities[v];
+  }
+  copyPositions(predicted_, positions_);
+  if (!allFinite(positions_, predicted_.size())) {
+    return;
+  }
+  if (!pairListIsValid(model, thickness, state)) {
+    updatePairs(model, thickness, state.positions, state);
+  }
+  const SelfContactMemory* memory = state.selfContact.get();
+  const double margin = listMargin * thickness + parameters.gravity * h * h;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(memory->pairs.count()); ++i) {
+    const auto [a, b] = memory->pairs.pairs[i];
+    const Vec3 offset = state.positions[a] - state.positions[b];
+    const double distance = offset.norm();
+    if (distance == 0.0 || distance > thickness + memory->reach) {
+      continue;
+    }
+    const Vec3 normal = offset / distance;
+    const double approach = -h * normal.dot(state.velocities[a] - state.velocities[b]);
+    if (distance - std::max(0.0, approach) < thickness + margin) {
+      found.push_back({.vertices = {a, b, b, b},
+                       .weights = {1.0, -1.0, 0.0, 0.0},
+                       .normal = normal,
+                       .height = std::min(thickness, distance),
+                       .restGap = restGap * thickness,
+                       .staticFriction = contact.staticFriction,
+                       .kineticFriction = std::min(contact.kineticFriction, contact.staticFriction)});
+    }
+  }
+}
+
 int SelfContact::resolve(const ClothModel& model, const ContactParameters& contact, double timeStep,
                          const std::vector<Vec3>& start, ClothState& state, std::vector<ContactPoint>& points,
                          double stepFraction) {
-  const double thickness = contact.selfThickness > 0.0
-                               ? contact.selfThickness
-                               : edge_.get(model, [&](const ClothModel& m) { return selfThicknessOf(m, contact); });
+  const double thickness = thicknessOf(model, contact);
   copyPositions(state.positions, positions_);
   if (!pairListIsValid(model, thickness, state)) {
     if (!allFinite(positions_, state.positions.size())) {

@@ -6,6 +6,8 @@
 #include "sim/contact/self/memory.hpp"
 #include "sim/contact/self/point_hash.hpp"
 #include "sim/contact/self/response.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/substep_contact.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/model_cache.hpp"
@@ -32,6 +34,12 @@ namespace drape::sim::contact {
 /// and vertices whose rest distance is less than the thickness.
 class SelfContact {
  public:
+  /// Finds the pairs that can come into contact in a step from `state`, for solvers that resolve contacts in their
+  /// substeps. Searches anew if the list of pairs is not valid where the velocities move the cloth, and stores the list
+  /// in `state`. @param found the contacts are appended
+  void findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
+                           const ContactParameters& contact, ClothState& state, std::vector<SubstepContact>& found);
+
   /// Corrects the predicted state.
   /// @param start positions at the start of the step [m]  @param points the active contacts are appended
   /// @param stepFraction length of this contact substep over that of the user's step [-]; scales the push-out
@@ -41,6 +49,7 @@ class SelfContact {
               double stepFraction = 1.0);
 
  private:
+  [[nodiscard]] double thicknessOf(const ClothModel& model, const ContactParameters& contact);
   [[nodiscard]] bool pairListIsValid(const ClothModel& model, double thickness, const ClothState& state) const;
   void updatePairs(const ClothModel& model, double thickness, const std::vector<Vec3>& start, ClothState& state);
   std::shared_ptr<SelfContactMemory> unusedMemory();
@@ -58,6 +67,7 @@ class SelfContact {
   std::vector<char> valid_;
   PointHash hash_;
   SelfResponse response_;
+  std::vector<Vec3> predicted_;               // by the velocities at the start of the step [m]
   PositionLanes positions_, startPositions_;  // at the end and the start of the step [m]
   PositionLanes sorted_;                      // at the end, patch by patch
   std::vector<LaneBox> boxes_;

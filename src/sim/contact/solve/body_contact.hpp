@@ -9,6 +9,7 @@
 #include "sim/contact/separating_planes/separating_plane_filter.hpp"
 #include "sim/contact/solve/contact_solver.hpp"
 #include "sim/forces/common_parameters.hpp"
+#include "sim/forces/substep_contact.hpp"
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/model_cache.hpp"
 #include "sim/model/workers.hpp"
@@ -39,6 +40,16 @@ class BodyContact {
   void resolve(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
                const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start, ClothState& state,
                ContactReport& report, std::vector<ContactPoint>& points);
+
+  /// Finds the contacts of vertices that can become active in a step from `state`, for solvers that resolve contacts in
+  /// their substeps. Vertices inside bodies get none: they must leave. @param found the contacts are appended
+  void findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
+                           const ContactParameters& contact, const std::vector<BodyStep>& bodies,
+                           const ClothState& state, std::vector<SubstepContact>& found);
+
+  /// Reports contacts that acted in the substeps, unless `resolve` reported their vertices.
+  void addSubstepContacts(const std::vector<SubstepContact>& contacts, const ClothState& state, ContactReport& report,
+                          std::vector<ContactPoint>& points) const;
 
   /// Whether cloth that moves from one box into another could come near any of the bodies.
   [[nodiscard]] bool couldReachAnyBody(const ContactParameters& contact, const std::vector<BodyStep>& bodies,
@@ -92,6 +103,7 @@ class BodyContact {
   void prepareBodyFrames(const Cloth& cloth, const std::vector<Vec3>* previous);
   void extendBoundsForDeformation(const Cloth& cloth, const NearBody& near);
   bool searchVertexContacts(const Cloth& cloth, bool atEnd);
+  void addSubstepContact(const Cloth& cloth, const ContactConstraint& contact, std::vector<SubstepContact>& found);
   bool searchSharpFeatures(const Cloth& cloth, bool atEnd);
   bool searchPlanes(const Cloth& cloth, bool atEnd);
   bool requestPlanesAround(const Cloth& cloth, bool all, const std::vector<Vec3>& positions);

@@ -62,7 +62,8 @@ TEST_P(BodyContactWithSolver, letsASheetSlideWithTheAccelerationThatFrictionLeav
   EXPECT_LT((meanVelocity(scene) - meanVelocity(scene).dot(down) * down).norm(), 1e-5 * expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solvers, BodyContactWithSolver, ::testing::Values("one_iteration", "verlet", "xpbd", "pcg"),
+INSTANTIATE_TEST_SUITE_P(Solvers, BodyContactWithSolver,
+                         ::testing::Values("one_iteration", "verlet", "xpbd", "pcg", "auto"),
                          [](const auto& solver) { return std::string(solver.param); });
 
 TEST(BodyContact, restsOnASphereWithoutCreeping) {

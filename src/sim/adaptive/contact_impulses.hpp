@@ -1,0 +1,85 @@
+#pragma once
+
+#include "sim/forces/step_inputs.hpp"
+#include "sim/simd/sliced_cloth.hpp"
+#include "sim/simd/step_share.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace drape::sim::adaptive {
+
+/// The impulses of contacts in the substeps of a step.
+///
+/// After each kick, and the drift that follows it, a point that would enter the half-space of a contact gets the normal
+/// velocity with which it ends on the surface, and loses tangential velocity by friction. Positions are corrected by
+/// the change of velocity times the drift, as if the impulse had acted before the drift. A point that rests on the
+/// surface only loses its approach velocity: a correction of its height would turn rounding into velocity.
+///
+/// A contact that shares no vertex with another one has an exact solution. All others are solved together by projected
+/// Gauss-Seidel sweeps. They start with the impulses of the substep before, so that few sweeps suffice.
+template <typename T>
+class ContactImpulses {
+ public:
+  /// Prepares for a step. Contacts of pinned vertices do nothing.
+  void prepare(const StepInputs& inputs, const simd::SlicedCloth<T>& cloth);
+
+  [[nodiscard]] bool any() const { return !vertices_.empty(); }
+  [[nodiscard]] bool anyCoupled() const { return !coupled_.empty(); }
+
+  /// Stores the velocities at the start of the step, for the vertices of one thread.
+  void start(const simd::SlicedCloth<T>& cloth, const simd::StepShare& share);
+
+  /// The three stages after a kick and a drift. All threads wait for each other before each of them.
+  /// @param time from the start of the step to the end of the drift [s]  @param drift time of the drift [s]
+  void applySingle(simd::SlicedCloth<T>& cloth, double time, double drift, const simd::StepShare& share);
+  /// For one thread alone.
+  void applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift);
+  void addWork(const simd::SlicedCloth<T>& cloth, const simd::StepShare& share);
+
+  /// Work of all impulses so far on the cloth [J]: an impulse times the mean of the velocities in the substeps before
+  /// and after it, which is the energy that it adds to a Verlet scheme.
+  [[nodiscard]] double work() const;
+
+  /// Writes the impulses into the contacts.
+  void store(std::vector<SubstepContact>& contacts) const;
+
+ private:
+  /// A vertex with a contact.
+  struct Vertex {
+    int index = 0;                  // permuted index
+    double mass = 0.0;              // [kg]
+    double inverseMass = 0.0;       // [1/kg]; 0 if pinned
+    Vec3 before = Vec3::Zero();     // velocity in the substep before [m/s]
+    Vec3 afterKick = Vec3::Zero();  // velocity before the impulses [m/s]
+    double work = 0.0;              // so far [J]
+  };
+  struct Contact {
+    std::size_t count = 0;                  // of its vertices
+    std::array<std::size_t, 4> vertices{};  // indices into vertices_
+    std::array<double, 4> weights{};        // [-]
+    std::size_t source = 0;                 // index into the contacts of the inputs
+    Vec3 bodyVelocity = Vec3::Zero();       // in the solver's frame [m/s]
+    double normalSpeed = 0.0;               // of the body [m/s]
+    double inverseMass = 0.0;               // of the point [1/kg]
+    double normalImpulse = 0.0;             // of the substep [N s]
+    Vec3 friction = Vec3::Zero();           // of the substep [N s]
+    Vec3 impulse = Vec3::Zero();            // so far [N s]
+  };
+
+  void addContact(std::size_t source, const Vec3& frameVelocity, const simd::SlicedCloth<T>& cloth);
+  void separateCoupled();
+  bool solve(simd::SlicedCloth<T>& cloth, double time, double drift, Contact& contact);
+  void apply(const Vec3& impulse, double drift, const Contact& contact, simd::SlicedCloth<T>& cloth) const;
+  [[nodiscard]] std::span<Vertex> verticesOf(const simd::StepShare& share);
+
+  const std::vector<SubstepContact>* source_ = nullptr;
+  std::vector<Vertex> vertices_;  // by permuted index
+  std::vector<Contact> single_;   // of one vertex that has no other contact, by permuted index of the vertex
+  std::vector<Contact> coupled_;
+  std::vector<int> contactCount_;   // of each vertex
+  std::vector<std::size_t> slots_;  // by permuted index: index into vertices_
+};
+
+}  // namespace drape::sim::adaptive

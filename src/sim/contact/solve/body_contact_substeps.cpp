@@ -1,0 +1,99 @@
+// The part of BodyContact that finds contacts for the substeps of a solver.
+#include "sim/contact/solve/body_contact.hpp"
+#include "sim/model/bounds.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace drape::sim::contact {
+namespace {
+
+// Ratios to the contact offset [-]:
+constexpr double marginRatio = 0.25;    // distance beyond the predicted position within which contacts are listed
+constexpr double restGapRatio = 0.002;  // distance within which a vertex rests on the surface
+
+}  // namespace
+
+void BodyContact::findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
+                                      const ContactParameters& contact, const std::vector<BodyStep>& bodies,
+                                      const ClothState& state, std::vector<SubstepContact>& found) {
+  const double h = parameters.timeStep;
+  const Cloth cloth{model, parameters, contact, state.positions, predicted_};
+  predicted_.resize(state.positions.size());
+  for (std::size_t v = 0; v < predicted_.size(); ++v) {
+    predicted_[v] = state.positions[v] + h * state.velocities[v];
+  }
+  const double fall = parameters.gravity * h * h;
+  nearCount_ = 0;
+  if (!chooseBodies(cloth, bodies, predicted_, inflated(boundsOf(predicted_), fall))) {
+    return;
+  }
+  for (std::size_t b = 0; b < nearCount_; ++b) {
+    NearBody& near = near_[b];
+    near.overlaps = false;
+    near.offsets.separationStep = 0.0;
+    near.offsets.listMargin = marginRatio * near.offsets.contactOffset + fall;
+    if (near.mesh != nullptr) {
+      clustersOf(model);  // updates models_
+      near.meshSearch.begin(*near.mesh, models_);
+    }
+  }
+  prepareBodyFrames(cloth, nullptr);
+  for (double& bound : displacementBounds_) {
+    bound += fall + marginRatio * maxContactOffset();
+  }
+  searchVertexContacts(cloth, false);
+  if (hasMeshes()) {
+    transformSolved(cloth, predicted_);
+    searchSharpFeatures(cloth, false);
+  }
+  for (const ContactConstraint& each : candidates_.contacts) {
+    addSubstepContact(cloth, each, found);
+  }
+}
+
+void BodyContact::addSubstepContact(const Cloth& cloth, const ContactConstraint& contact,
+                                    std::vector<SubstepContact>& found) {
+  const NearBody& near = near_[contact.body];
+  Eigen::Index first = 0;
+  const bool isVertex = contact.weights.maxCoeff(&first) == 1.0;
+  if (contact.offset <= 0.0 ||
+      (isVertex && near.mesh != nullptr &&
+       near.meshSearch.isBehindFace(near.meshInStep(false), contact.vertices[static_cast<std::size_t>(first)]))) {
+    return;
+  }
+  const auto& [a, b, c] = contact.vertices;
+  SubstepContact own{.vertices = {a, b, c, c},
+                     .weights = {contact.weights.x(), contact.weights.y(), contact.weights.z(), 0.0},
+                     .normal = contact.normal,
+                     .height = contact.height - contact.normal.dot(contact.bodyDisplacement) + contact.offset,
+                     .restGap = restGapRatio * near.offsets.contactOffset,
+                     .bodyVelocity = contact.bodyDisplacement / cloth.parameters.timeStep,
+                     .staticFriction = contact.staticFriction,
+                     .kineticFriction = contact.kineticFriction};
+  if (isVertex) {
+    std::swap(own.vertices[0], own.vertices[static_cast<std::size_t>(first)]);
+    own.weights = {1.0, 0.0, 0.0, 0.0};
+  }
+  found.push_back(own);
+}
+
+void BodyContact::addSubstepContacts(const std::vector<SubstepContact>& contacts, const ClothState& state,
+                                     ContactReport& report, std::vector<ContactPoint>& points) const {
+  std::vector<bool> reported(state.positions.size());
+  for (const ContactConstraint& contact : active_) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (contact.weights[static_cast<Eigen::Index>(c)] == 1.0) {
+        reported[contact.vertices[c]] = true;
+      }
+    }
+  }
+  for (const SubstepContact& contact : contacts) {
+    if (contact.isWithBody() && contact.isVertex() && !contact.impulse.isZero(0.0) && !reported[contact.vertices[0]]) {
+      ++report.bodyContacts;
+      points.push_back({state.positions[contact.vertices[0]], contact.normal});
+    }
+  }
+}
+
+}  // namespace drape::sim::contact
