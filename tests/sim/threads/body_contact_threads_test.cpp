@@ -41,5 +41,28 @@ TEST(BodyContactThreads, giveTheSameBitsOnMeshesAndOnWhatIsRound) {
   EXPECT_EQ(hashes[0], hashes[1]);
 }
 
+TEST(BodyContactThreads, giveTheSameBitsWhenASolverResolvesTheContacts) {
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 4}) {
+    ClothMesh sheet = testing::sheet(50);
+    for (Vec3& position : sheet.positions) {
+      position += Vec3(-0.5, 0.304, -0.5);
+    }
+    ContactScene scene(buildClothModel(sheet, 0.15, MassLumping::Area, {}),
+                       {bodyAt(contact::BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3::Zero()),
+                        bodyAt(contact::SphereShape{0.1}, Vec3(-0.4, 0.2, 0.3))},
+                       "auto");
+    scene.parameters.threads = threads;
+    scene.parameters.timeStep = 1.0 / 150.0;
+    scene.parameters.material.stiffness = 500.0;
+    scene.parameters.contact.self = contact::SelfCollision::Hash;
+    int contacts = 0;
+    scene.run(0.05, [&](const StepReport& report) { contacts += report.contact.bodyContacts; });
+    EXPECT_GT(contacts, 50);
+    hashes.push_back(stateHash(scene.state));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
 }  // namespace
 }  // namespace drape::sim
