@@ -235,7 +235,7 @@ void AdaptiveRun<T>::resolveContacts(double time, double drift, bool isLast, con
     }
     team_.arriveAndWait();
   }
-  contacts_.addWork(*cloth_, share);
+  contacts_.addWork(share);
 }
 
 /// The energy of the present state, by a kick of zero duration, which changes nothing.

@@ -30,13 +30,13 @@ void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedClo
   vertices_.clear();
   single_.clear();
   coupled_.clear();
-  source_ = inputs.contacts;
-  if (source_ == nullptr) {
+  coupledVertices_.clear();
+  if (inputs.contacts == nullptr) {
     return;
   }
   const auto lanes = static_cast<std::size_t>(cloth.layout.slices()) * simd::sliceLanes;
   slots_.assign(lanes, 0);
-  for (const SubstepContact& contact : *source_) {
+  for (const SubstepContact& contact : *inputs.contacts) {
     for (std::size_t c = 0; c < contact.weights.size(); ++c) {
       if (contact.weights[c] != 0.0) {
         slots_[cloth.layout.indexOf[contact.vertices[c]]] = 1;
@@ -51,16 +51,21 @@ void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedClo
       vertices_.push_back({.index = static_cast<int>(i), .mass = mass, .inverseMass = isFree ? 1.0 / mass : 0.0});
     }
   }
-  for (std::size_t i = 0; i < source_->size(); ++i) {
-    addContact(i, inputs.frameVelocity, cloth);
+  for (std::size_t i = 0; i < inputs.contacts->size(); ++i) {
+    addContact((*inputs.contacts)[i], i, inputs.frameVelocity, cloth);
   }
   separateCoupled();
 }
 
 template <typename T>
-void ContactImpulses<T>::addContact(std::size_t source, const Vec3& frameVelocity, const simd::SlicedCloth<T>& cloth) {
-  const SubstepContact& from = (*source_)[source];
-  Contact contact{.source = source};
+void ContactImpulses<T>::addContact(const SubstepContact& from, std::size_t source, const Vec3& frameVelocity,
+                                    const simd::SlicedCloth<T>& cloth) {
+  Contact contact{.source = source,
+                  .normal = from.normal,
+                  .height = from.height,
+                  .restGap = from.restGap,
+                  .staticFriction = from.staticFriction,
+                  .kineticFriction = from.kineticFriction};
   double total = 0.0;
   for (std::size_t c = 0; c < from.weights.size(); ++c) {
     const double weight = from.weights[c];
@@ -93,6 +98,13 @@ void ContactImpulses<T>::separateCoupled() {
   std::ranges::copy_if(coupled_, std::back_inserter(single_), isSingle);
   std::erase_if(coupled_, isSingle);
   std::ranges::sort(single_, {}, [](const Contact& contact) { return contact.vertices[0]; });
+  for (const Contact& contact : coupled_) {
+    for (std::size_t c = 0; c < contact.count; ++c) {
+      coupledVertices_.push_back(contact.vertices[c]);
+    }
+  }
+  std::ranges::sort(coupledVertices_);
+  coupledVertices_.erase(std::unique(coupledVertices_.begin(), coupledVertices_.end()), coupledVertices_.end());
 }
 
 template <typename T>
@@ -114,7 +126,7 @@ void ContactImpulses<T>::applySingle(simd::SlicedCloth<T>& cloth, double time, d
                                      const simd::StepShare& share) {
   const std::span<Vertex> own = verticesOf(share);
   for (Vertex& vertex : own) {
-    vertex.afterKick = laneVector(cloth.velocity, vertex.index);
+    vertex.velocity = vertex.afterKick = laneVector(cloth.velocity, vertex.index);
   }
   const auto begin = static_cast<std::size_t>(own.data() - vertices_.data());
   const auto vertexOf = [](const Contact& contact) { return contact.vertices[0]; };
@@ -123,78 +135,101 @@ void ContactImpulses<T>::applySingle(simd::SlicedCloth<T>& cloth, double time, d
   for (auto contact = first; contact != last; ++contact) {
     contact->normalImpulse = 0.0;
     contact->friction = Vec3::Zero();
-    solve(cloth, time, drift, *contact);
-    contact->impulse += contact->normalImpulse * (*source_)[contact->source].normal + contact->friction;
+    contact->minSpeed = minSpeedOf(cloth, time, drift, *contact);
+    solve(*contact);
+    if (contact->normalImpulse > 0.0) {
+      contact->impulse += contact->normalImpulse * contact->normal + contact->friction;
+      write(vertices_[contact->vertices[0]], drift, cloth);
+    }
   }
 }
 
 template <typename T>
 void ContactImpulses<T>::applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift) {
+  for (Contact& contact : coupled_) {
+    contact.minSpeed = minSpeedOf(cloth, time, drift, contact);
+  }
   for (const Contact& contact : coupled_) {
     if (contact.normalImpulse > 0.0) {
-      apply(contact.normalImpulse * (*source_)[contact.source].normal + contact.friction, drift, contact, cloth);
+      apply(contact.normalImpulse * contact.normal + contact.friction, contact);
     }
   }
   bool changes = true;
   for (int sweep = 0; sweep < maxSweeps && changes; ++sweep) {
     changes = false;
     for (Contact& contact : coupled_) {
-      changes = solve(cloth, time, drift, contact) || changes;
+      changes = solve(contact) || changes;
     }
   }
   for (Contact& contact : coupled_) {
-    contact.impulse += contact.normalImpulse * (*source_)[contact.source].normal + contact.friction;
+    contact.impulse += contact.normalImpulse * contact.normal + contact.friction;
   }
+  for (const std::size_t v : coupledVertices_) {
+    write(vertices_[v], drift, cloth);
+  }
+}
+
+/// The lower bound of the normal velocity of a contact [m/s]. It does not depend on the impulses of the substep.
+template <typename T>
+double ContactImpulses<T>::minSpeedOf(const simd::SlicedCloth<T>& cloth, double time, double drift,
+                                      const Contact& contact) const {
+  double gapAtEnd = -contact.height - contact.normalSpeed * time;
+  double along = -contact.normalSpeed;
+  for (std::size_t c = 0; c < contact.count; ++c) {
+    const Vertex& vertex = vertices_[contact.vertices[c]];
+    gapAtEnd += contact.weights[c] * contact.normal.dot(laneVector(cloth.position, vertex.index));
+    along += contact.weights[c] * contact.normal.dot(vertex.afterKick);
+  }
+  const double gap = gapAtEnd - drift * along;
+  return gap > contact.restGap ? -gap / drift : 0.0;
 }
 
 /// Changes the impulse of a contact in a substep so that the contact is satisfied.
 /// @return whether the impulse has changed noticeably
 template <typename T>
-bool ContactImpulses<T>::solve(simd::SlicedCloth<T>& cloth, double time, double drift, Contact& contact) {
-  const SubstepContact& from = (*source_)[contact.source];
+bool ContactImpulses<T>::solve(Contact& contact) {
   Vec3 relative = -contact.bodyVelocity;
-  double gapAtEnd = -from.height - contact.normalSpeed * time;
   for (std::size_t c = 0; c < contact.count; ++c) {
-    const int index = vertices_[contact.vertices[c]].index;
-    relative += contact.weights[c] * laneVector(cloth.velocity, index);
-    gapAtEnd += contact.weights[c] * from.normal.dot(laneVector(cloth.position, index));
+    relative += contact.weights[c] * vertices_[contact.vertices[c]].velocity;
   }
-  const double along = from.normal.dot(relative);
-  const double gap = gapAtEnd - drift * along;
-  const double minSpeed = gap > from.restGap ? -gap / drift : 0.0;
-  const double normal = std::max(0.0, contact.normalImpulse + (minSpeed - along) / contact.inverseMass);
+  const double along = contact.normal.dot(relative);
+  const double normal = std::max(0.0, contact.normalImpulse + (contact.minSpeed - along) / contact.inverseMass);
   if (normal == 0.0 && contact.normalImpulse == 0.0) {
     return false;
   }
-  Vec3 friction = contact.friction - (relative - along * from.normal) / contact.inverseMass;
+  Vec3 friction = contact.friction - (relative - along * contact.normal) / contact.inverseMass;
   const double size = friction.norm();
-  if (size > from.staticFriction * normal) {
-    friction *= from.kineticFriction * normal / size;
+  if (size > contact.staticFriction * normal) {
+    friction *= contact.kineticFriction * normal / size;
   }
-  const Vec3 change = (normal - contact.normalImpulse) * from.normal + friction - contact.friction;
-  apply(change, drift, contact, cloth);
+  const Vec3 change = (normal - contact.normalImpulse) * contact.normal + friction - contact.friction;
+  apply(change, contact);
   contact.normalImpulse = normal;
   contact.friction = friction;
   return change.squaredNorm() > converged * converged * normal * normal;
 }
 
 template <typename T>
-void ContactImpulses<T>::apply(const Vec3& impulse, double drift, const Contact& contact,
-                               simd::SlicedCloth<T>& cloth) const {
+void ContactImpulses<T>::apply(const Vec3& impulse, const Contact& contact) {
   for (std::size_t c = 0; c < contact.count; ++c) {
-    const Vertex& vertex = vertices_[contact.vertices[c]];
-    const Vec3 change = contact.weights[c] * vertex.inverseMass * impulse;
-    setLaneVector(cloth.velocity, vertex.index, Vec3(laneVector(cloth.velocity, vertex.index) + change));
-    setLaneVector(cloth.position, vertex.index, Vec3(laneVector(cloth.position, vertex.index) + drift * change));
+    Vertex& vertex = vertices_[contact.vertices[c]];
+    vertex.velocity += contact.weights[c] * vertex.inverseMass * impulse;
   }
 }
 
+/// Writes the velocity of a vertex, and the position as if the impulses had acted before the drift.
 template <typename T>
-void ContactImpulses<T>::addWork(const simd::SlicedCloth<T>& cloth, const simd::StepShare& share) {
+void ContactImpulses<T>::write(const Vertex& vertex, double drift, simd::SlicedCloth<T>& cloth) {
+  const Vec3 position = laneVector(cloth.position, vertex.index) + drift * (vertex.velocity - vertex.afterKick);
+  setLaneVector(cloth.velocity, vertex.index, vertex.velocity);
+  setLaneVector(cloth.position, vertex.index, position);
+}
+
+template <typename T>
+void ContactImpulses<T>::addWork(const simd::StepShare& share) {
   for (Vertex& vertex : verticesOf(share)) {
-    const Vec3 velocity = laneVector(cloth.velocity, vertex.index);
-    vertex.work += 0.5 * vertex.mass * (velocity - vertex.afterKick).dot(vertex.before + velocity);
-    vertex.before = velocity;
+    vertex.work += 0.5 * vertex.mass * (vertex.velocity - vertex.afterKick).dot(vertex.before + vertex.velocity);
+    vertex.before = vertex.velocity;
   }
 }
 

@@ -36,7 +36,7 @@ class ContactImpulses {
   void applySingle(simd::SlicedCloth<T>& cloth, double time, double drift, const simd::StepShare& share);
   /// For one thread alone.
   void applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift);
-  void addWork(const simd::SlicedCloth<T>& cloth, const simd::StepShare& share);
+  void addWork(const simd::StepShare& share);
 
   /// Work of all impulses so far on the cloth [J]: an impulse times the mean of the velocities in the substeps before
   /// and after it, which is the energy that it adds to a Verlet scheme.
@@ -53,6 +53,7 @@ class ContactImpulses {
     double inverseMass = 0.0;       // [1/kg]; 0 if pinned
     Vec3 before = Vec3::Zero();     // velocity in the substep before [m/s]
     Vec3 afterKick = Vec3::Zero();  // velocity before the impulses [m/s]
+    Vec3 velocity = Vec3::Zero();   // with the impulses so far [m/s]
     double work = 0.0;              // so far [J]
   };
   struct Contact {
@@ -60,26 +61,36 @@ class ContactImpulses {
     std::array<std::size_t, 4> vertices{};  // indices into vertices_
     std::array<double, 4> weights{};        // [-]
     std::size_t source = 0;                 // index into the contacts of the inputs
-    Vec3 bodyVelocity = Vec3::Zero();       // in the solver's frame [m/s]
-    double normalSpeed = 0.0;               // of the body [m/s]
-    double inverseMass = 0.0;               // of the point [1/kg]
-    double normalImpulse = 0.0;             // of the substep [N s]
-    Vec3 friction = Vec3::Zero();           // of the substep [N s]
-    Vec3 impulse = Vec3::Zero();            // so far [N s]
+    Vec3 normal = Vec3::UnitY();
+    double height = 0.0;               // at the start of the step [m]
+    double restGap = 0.0;              // [m]
+    double staticFriction = 0.0;       // [-]
+    double kineticFriction = 0.0;      // [-]
+    Vec3 bodyVelocity = Vec3::Zero();  // in the solver's frame [m/s]
+    double normalSpeed = 0.0;          // of the body [m/s]
+    double inverseMass = 0.0;          // of the point [1/kg]
+    double minSpeed = 0.0;             // lower bound of the normal velocity in the substep [m/s]
+    double normalImpulse = 0.0;        // of the substep [N s]
+    Vec3 friction = Vec3::Zero();      // of the substep [N s]
+    Vec3 impulse = Vec3::Zero();       // so far [N s]
   };
 
-  void addContact(std::size_t source, const Vec3& frameVelocity, const simd::SlicedCloth<T>& cloth);
+  void addContact(const SubstepContact& from, std::size_t source, const Vec3& frameVelocity,
+                  const simd::SlicedCloth<T>& cloth);
   void separateCoupled();
-  bool solve(simd::SlicedCloth<T>& cloth, double time, double drift, Contact& contact);
-  void apply(const Vec3& impulse, double drift, const Contact& contact, simd::SlicedCloth<T>& cloth) const;
+  [[nodiscard]] double minSpeedOf(const simd::SlicedCloth<T>& cloth, double time, double drift,
+                                  const Contact& contact) const;
+  bool solve(Contact& contact);
+  void apply(const Vec3& impulse, const Contact& contact);
+  static void write(const Vertex& vertex, double drift, simd::SlicedCloth<T>& cloth);
   [[nodiscard]] std::span<Vertex> verticesOf(const simd::StepShare& share);
 
-  const std::vector<SubstepContact>* source_ = nullptr;
   std::vector<Vertex> vertices_;  // by permuted index
   std::vector<Contact> single_;   // of one vertex that has no other contact, by permuted index of the vertex
   std::vector<Contact> coupled_;
-  std::vector<int> contactCount_;   // of each vertex
-  std::vector<std::size_t> slots_;  // by permuted index: index into vertices_
+  std::vector<std::size_t> coupledVertices_;  // indices into vertices_
+  std::vector<int> contactCount_;             // of each vertex
+  std::vector<std::size_t> slots_;            // by permuted index: index into vertices_
 };
 
 }  // namespace drape::sim::adaptive

@@ -36,7 +36,7 @@ class ContactImpulsesTest : public ::testing::Test {
     simd::driftSlices(cloth, drift, share);
     impulses_.applySingle(cloth, drift, drift, share);
     impulses_.applyCoupled(cloth, drift, drift);
-    impulses_.addWork(cloth, share);
+    impulses_.addWork(share);
     cloth.store(state_, share);
     impulses_.store(contacts_);
   }
