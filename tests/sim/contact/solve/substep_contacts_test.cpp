@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drape::sim::contact {
 namespace {
@@ -110,6 +111,26 @@ TEST(SubstepContacts, keepTwoLayersOfStiffClothApart) {
   });
   EXPECT_GT(contacts, 20);
   EXPECT_LT(highest, start + 0.01);  // [J]; a fall by its own length releases 1 J
+}
+
+TEST(SubstepContacts, letNoTrianglesIntersectWhenASheetFallsOnItsEdgeAndFolds) {
+  for (const double timeStep : {1.0 / 300.0, 1.0 / 60.0}) {
+    const Eigen::Quaterniond upright(Eigen::AngleAxisd(93.0 * std::numbers::pi / 180.0, Vec3::UnitX()));
+    testing::ContactScene scene(testing::freeSheet(25, 0.8, Vec3(0.0, 0.5, 0.0), upright),
+                                {testing::bodyAt(PlaneShape{2.0}, Vec3::Zero())}, "auto");
+    scene.parameters.contact.self = SelfCollision::Hash;
+    scene.parameters.material.stiffness = 150.0;
+    scene.parameters.material.damping = 0.02;
+    scene.parameters.timeStep = timeStep;
+    int contacts = 0;
+    std::size_t pairs = 0;
+    scene.run(1.0, [&](const StepReport& report) {
+      contacts = std::max(contacts, report.contact.selfContacts);
+      pairs = std::max(pairs, intersection::intersectingPairs({scene.state.positions, scene.model().triangles}).size());
+    });
+    EXPECT_GT(contacts, 20) << timeStep;
+    EXPECT_EQ(pairs, 0U) << timeStep;
+  }
 }
 
 }  // namespace
