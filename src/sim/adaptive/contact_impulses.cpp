@@ -1,22 +1,12 @@
 #include "sim/adaptive/contact_impulses.hpp"
 
+#include "sim/simd/lane_vector.hpp"
+
 #include <algorithm>
 #include <iterator>
 
 namespace drape::sim::adaptive {
 namespace {
-
-template <typename T>
-Vec3 laneVector(const simd::LaneVectors<T>& vectors, int index) {
-  return {static_cast<double>(vectors.x.data()[index]), static_cast<double>(vectors.y.data()[index]),
-          static_cast<double>(vectors.z.data()[index])};
-}
-
-template <typename T>
-void setLaneVector(simd::LaneVectors<T>& vectors, int index, const Vec3& value) {
-  vectors.set(static_cast<std::size_t>(index), static_cast<T>(value.x()), static_cast<T>(value.y()),
-              static_cast<T>(value.z()));
-}
 
 /// Maximum number of sweeps over coupled contacts in a substep, and relative change of an impulse that counts as
 /// converged.
@@ -117,7 +107,7 @@ std::span<typename ContactImpulses<T>::Vertex> ContactImpulses<T>::verticesOf(co
 template <typename T>
 void ContactImpulses<T>::start(const simd::SlicedCloth<T>& cloth, const simd::StepShare& share) {
   for (Vertex& vertex : verticesOf(share)) {
-    vertex.before = laneVector(cloth.velocity, vertex.index);
+    vertex.before = simd::laneVector(cloth.velocity, vertex.index);
   }
 }
 
@@ -126,7 +116,7 @@ void ContactImpulses<T>::applySingle(simd::SlicedCloth<T>& cloth, double time, d
                                      const simd::StepShare& share) {
   const std::span<Vertex> own = verticesOf(share);
   for (Vertex& vertex : own) {
-    vertex.velocity = vertex.afterKick = laneVector(cloth.velocity, vertex.index);
+    vertex.velocity = vertex.afterKick = simd::laneVector(cloth.velocity, vertex.index);
   }
   const auto begin = static_cast<std::size_t>(own.data() - vertices_.data());
   const auto vertexOf = [](const Contact& contact) { return contact.vertices[0]; };
@@ -177,7 +167,7 @@ double ContactImpulses<T>::minSpeedOf(const simd::SlicedCloth<T>& cloth, double 
   double along = -contact.normalSpeed;
   for (std::size_t c = 0; c < contact.count; ++c) {
     const Vertex& vertex = vertices_[contact.vertices[c]];
-    gapAtEnd += contact.weights[c] * contact.normal.dot(laneVector(cloth.position, vertex.index));
+    gapAtEnd += contact.weights[c] * contact.normal.dot(simd::laneVector(cloth.position, vertex.index));
     along += contact.weights[c] * contact.normal.dot(vertex.afterKick);
   }
   const double gap = gapAtEnd - drift * along;
@@ -220,9 +210,9 @@ void ContactImpulses<T>::apply(const Vec3& impulse, const Contact& contact) {
 /// Writes the velocity of a vertex, and the position as if the impulses had acted before the drift.
 template <typename T>
 void ContactImpulses<T>::write(const Vertex& vertex, double drift, simd::SlicedCloth<T>& cloth) {
-  const Vec3 position = laneVector(cloth.position, vertex.index) + drift * (vertex.velocity - vertex.afterKick);
-  setLaneVector(cloth.velocity, vertex.index, vertex.velocity);
-  setLaneVector(cloth.position, vertex.index, position);
+  const Vec3 position = simd::laneVector(cloth.position, vertex.index) + drift * (vertex.velocity - vertex.afterKick);
+  simd::setLaneVector(cloth.velocity, vertex.index, vertex.velocity);
+  simd::setLaneVector(cloth.position, vertex.index, position);
 }
 
 template <typename T>

@@ -50,16 +50,20 @@ void ContactStage::begin(const ContactParameters& contact, const StepInputs& inp
 bool ContactStage::isNearBodies(const ClothModel& model, const CommonParameters& parameters,
                                 const ContactParameters& contact, const StepInputs& inputs, const ClothState& state) {
   const double fall = parameters.gravity * parameters.timeStep * parameters.timeStep;
-  ahead_.resize(state.positions.size());
-  for (std::size_t v = 0; v < state.positions.size(); ++v) {
-    ahead_[v] = state.positions[v] + parameters.timeStep * state.velocities[v];
-  }
+  extrapolate(state, parameters.timeStep);
   return hasBoundedPositions(state.positions) &&
          bodyContact().isNearAnyBody(model, contact, *inputs.bodies, state.positions, ahead_, fall);
 }
 
 bool ContactStage::isNearItself(const ContactParameters& contact, const ClothState& state) {
   return contact.self != SelfCollision::Off && (state.selfContact == nullptr || state.selfContact->pairs.count() > 0);
+}
+
+void ContactStage::extrapolate(const ClothState& state, double timeStep) {
+  ahead_.resize(state.positions.size());
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    ahead_[v] = state.positions[v] + timeStep * state.velocities[v];
+  }
 }
 
 BodyContact& ContactStage::bodyContact() {
@@ -75,14 +79,15 @@ void ContactStage::findSubstepContacts(const ClothModel& model, const CommonPara
   if (!hasBoundedPositions(state.positions)) {
     return;
   }
+  extrapolate(state, parameters.timeStep);
   if (contact.self == SelfCollision::Hash) {
     const auto begin = std::chrono::steady_clock::now();
-    selfContact().findSubstepContacts(model, parameters, contact, state, found);
+    selfContact().findSubstepContacts(model, parameters, contact, ahead_, state, found);
     selfSeconds_ = secondsSince(begin);
   }
   if (meetsBodies(contact, inputs)) {
     const auto begin = std::chrono::steady_clock::now();
-    bodyContact().findSubstepContacts(model, parameters, contact, *inputs.bodies, state, found);
+    bodyContact().findSubstepContacts(model, parameters, contact, *inputs.bodies, state.positions, ahead_, found);
     bodySeconds_ = secondsSince(begin);
   }
 }
@@ -121,7 +126,7 @@ ContactReport ContactStage::resolve(const ClothModel& model, const CommonParamet
     const auto before = std::chrono::steady_clock::now();
     bodyContact().resolve(model, parameters, contact, *inputs.bodies, start_, state, report, points_);
     if (inputs.contacts != nullptr) {
-      bodyContact().addSubstepContacts(*inputs.contacts, state, report, points_);
+      bodyContact().reportSubstepContacts(*inputs.contacts, state, report, points_);
     }
     report.bodySeconds += secondsSince(before);
   }

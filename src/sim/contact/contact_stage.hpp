@@ -66,6 +66,8 @@ class ContactStage {
   [[nodiscard]] std::span<const ContactPoint> points() const { return points_; }
 
  private:
+  /// Extrapolates the positions by the velocities over a time step, into `ahead_`.
+  void extrapolate(const ClothState& state, double timeStep);
   BodyContact& bodyContact();
   SelfContact& selfContact();
 

@@ -23,8 +23,8 @@ struct StepStopped {};
 struct StepInputs {
   std::optional<Attachment> attachment;
   const std::vector<contact::BodyStep>* bodies = nullptr;  ///< over this step (sim/contact/bodies/body.hpp); null: none
-  /// Contacts that act in every substep (SolverInfo::resolvesContacts). The solver stores impulse and work in them.
-  /// Null: none.
+  /// Contacts that act in every substep (SolverInfo::resolvesContacts). The solver stores their impulses in
+  /// them. Null: none.
   std::vector<SubstepContact>* contacts = nullptr;
   Vec3 frameVelocity = Vec3::Zero();  ///< of the frame of reference in which the solver works [m/s]
   /// Methods whose steps may take seconds check it now and then and throw StepStopped.

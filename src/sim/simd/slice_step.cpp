@@ -1,14 +1,14 @@
 #include "sim/simd/slice_step.hpp"
 
+#include "sim/simd/lane_vector.hpp"
+
 namespace drape::sim::simd {
 namespace {
 
 /// The vector of a vertex of the model.
 template <typename T>
 Vec3 vectorAt(const SlicedCloth<T>& cloth, const LaneVectors<T>& vectors, std::size_t vertex) {
-  const int index = cloth.layout.indexOf[vertex];
-  return {static_cast<double>(vectors.x.data()[index]), static_cast<double>(vectors.y.data()[index]),
-          static_cast<double>(vectors.z.data()[index])};
+  return laneVector(vectors, cloth.layout.indexOf[vertex]);
 }
 
 }  // namespace
@@ -67,9 +67,7 @@ void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Atta
   corners.forEach([&](std::size_t v, double weight) { inverseMass += weight * shareOf(v, weight); });
   const Vec3 impulse = attachment.implicitImpulse(h, offset, inverseMass);
   corners.forEach([&](std::size_t v, double weight) {
-    const Vec3 velocity = velocityOf(v) + shareOf(v, weight) * impulse;
-    cloth.velocity.set(static_cast<std::size_t>(cloth.layout.indexOf[v]), static_cast<T>(velocity.x()),
-                       static_cast<T>(velocity.y()), static_cast<T>(velocity.z()));
+    setLaneVector(cloth.velocity, cloth.layout.indexOf[v], Vec3(velocityOf(v) + shareOf(v, weight) * impulse));
   });
 }
 

@@ -286,7 +286,7 @@ class AutoSolver final : public Solver {
     return *double_.step(model, rates, parameters, inputs, memory, state);
   }
 
-  /// Contact corrects positions by more than the rounding of float, so that it does not count there.
+  /// While contacts act, rounding does not count as an error: contact corrects positions by more than that.
   static bool needsDouble(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                           const StepInputs& inputs, const adaptive::StepMemory& memory, const ClothState& state) {
     if (parameters.precision == Precision::Double || memory.doubleSteps > 0 ||

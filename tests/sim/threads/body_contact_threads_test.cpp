@@ -23,14 +23,10 @@ std::shared_ptr<const contact::MeshShape> swellingBall() {
 TEST(BodyContactThreads, giveTheSameBitsOnMeshesAndOnWhatIsRound) {
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 4}) {
-    ClothMesh sheet = testing::sheet(34);
-    for (Vec3& position : sheet.positions) {
-      position += Vec3(-0.5, 0.305, -0.5);
-    }
-    const auto model = buildClothModel(sheet, 0.15, MassLumping::Area, {});
-    ContactScene scene(model, {bodyAt(swellingBall(), Vec3::Zero()),
-                               bodyAt(contact::BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3(0.4, 0.0, 0.3)),
-                               bodyAt(contact::SphereShape{0.1}, Vec3(-0.4, 0.2, 0.3))});
+    ContactScene scene(
+        testing::freeSheet(34, 1.0, Vec3(0.0, 0.305, 0.0)),
+        {bodyAt(swellingBall(), Vec3::Zero()), bodyAt(contact::BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3(0.4, 0.0, 0.3)),
+         bodyAt(contact::SphereShape{0.1}, Vec3(-0.4, 0.2, 0.3))});
     scene.parameters.threads = threads;
     scene.parameters.timeStep = 1.0 / 150.0;
     int contacts = 0;
@@ -44,11 +40,7 @@ TEST(BodyContactThreads, giveTheSameBitsOnMeshesAndOnWhatIsRound) {
 TEST(BodyContactThreads, giveTheSameBitsWhenASolverResolvesTheContacts) {
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 4}) {
-    ClothMesh sheet = testing::sheet(50);
-    for (Vec3& position : sheet.positions) {
-      position += Vec3(-0.5, 0.304, -0.5);
-    }
-    ContactScene scene(buildClothModel(sheet, 0.15, MassLumping::Area, {}),
+    ContactScene scene(testing::freeSheet(50, 1.0, Vec3(0.0, 0.304, 0.0)),
                        {bodyAt(contact::BoxShape{Vec3(0.1, 0.3, 0.1)}, Vec3::Zero()),
                         bodyAt(contact::SphereShape{0.1}, Vec3(-0.4, 0.2, 0.3))},
                        "auto");

@@ -247,16 +247,12 @@ double SelfContact::thicknessOf(const ClothModel& model, const ContactParameters
 }
 
 void SelfContact::findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
-                                      const ContactParameters& contact, ClothState& state,
-                                      std::vector<SubstepContact>& found) {
+                                      const ContactParameters& contact, const std::vector<Vec3>& ahead,
+                                      ClothState& state, std::vector<SubstepContact>& found) {
   const double thickness = thicknessOf(model, contact);
   const double h = parameters.timeStep;
-  predicted_.resize(state.positions.size());
-  for (std::size_t v = 0; v < predicted_.size(); ++v) {
-    predicted_[v] = state.positions[v] + h * state.velocities[v];
-  }
-  copyPositions(predicted_, positions_);
-  if (!allFinite(positions_, predicted_.size())) {
+  copyPositions(ahead, positions_);
+  if (!allFinite(positions_, ahead.size())) {
     return;
   }
   if (!pairListIsValid(model, thickness, state)) {

@@ -36,9 +36,11 @@ class SelfContact {
  public:
   /// Finds the pairs that can come into contact in a step from `state`, for solvers that resolve contacts in their
   /// substeps. Searches anew if the list of pairs is not valid where the velocities move the cloth, and stores the list
-  /// in `state`. @param found the contacts are appended
+  /// in `state`.
+  /// @param ahead positions extrapolated by the velocities [m]  @param found the contacts are appended
   void findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
-                           const ContactParameters& contact, ClothState& state, std::vector<SubstepContact>& found);
+                           const ContactParameters& contact, const std::vector<Vec3>& ahead, ClothState& state,
+                           std::vector<SubstepContact>& found);
 
   /// Corrects the predicted state.
   /// @param start positions at the start of the step [m]  @param points the active contacts are appended
@@ -67,7 +69,6 @@ class SelfContact {
   std::vector<char> valid_;
   PointHash hash_;
   SelfResponse response_;
-  std::vector<Vec3> predicted_;               // by the velocities at the start of the step [m]
   PositionLanes positions_, startPositions_;  // at the end and the start of the step [m]
   PositionLanes sorted_;                      // at the end, patch by patch
   std::vector<LaneBox> boxes_;

@@ -41,15 +41,18 @@ class BodyContact {
                const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start, ClothState& state,
                ContactReport& report, std::vector<ContactPoint>& points);
 
-  /// Finds the contacts of vertices that can become active in a step from `state`, for solvers that resolve contacts in
-  /// their substeps. Vertices inside bodies get none: they must leave. @param found the contacts are appended
+  /// Finds the contacts that can become active in a step, for solvers that resolve contacts in their substeps. Vertices
+  /// inside bodies get none, since they must leave.
+  /// @param start positions at the start of the step [m]  @param ahead the same, extrapolated by the velocities [m]
+  /// @param found the contacts are appended
   void findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
                            const ContactParameters& contact, const std::vector<BodyStep>& bodies,
-                           const ClothState& state, std::vector<SubstepContact>& found);
+                           const std::vector<Vec3>& start, const std::vector<Vec3>& ahead,
+                           std::vector<SubstepContact>& found);
 
-  /// Reports contacts that acted in the substeps, unless `resolve` reported their vertices.
-  void addSubstepContacts(const std::vector<SubstepContact>& contacts, const ClothState& state, ContactReport& report,
-                          std::vector<ContactPoint>& points) const;
+  /// Reports contacts of vertices that acted in the substeps, unless `resolve` reported these vertices.
+  void reportSubstepContacts(const std::vector<SubstepContact>& contacts, const ClothState& state,
+                             ContactReport& report, std::vector<ContactPoint>& points) const;
 
   /// Whether cloth that moves from one box into another could come near any of the bodies.
   [[nodiscard]] bool couldReachAnyBody(const ContactParameters& contact, const std::vector<BodyStep>& bodies,

@@ -16,16 +16,12 @@ constexpr double restGapRatio = 0.002;  // distance within which a vertex rests 
 
 void BodyContact::findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
                                       const ContactParameters& contact, const std::vector<BodyStep>& bodies,
-                                      const ClothState& state, std::vector<SubstepContact>& found) {
-  const double h = parameters.timeStep;
-  const Cloth cloth{model, parameters, contact, state.positions, predicted_};
-  predicted_.resize(state.positions.size());
-  for (std::size_t v = 0; v < predicted_.size(); ++v) {
-    predicted_[v] = state.positions[v] + h * state.velocities[v];
-  }
-  const double fall = parameters.gravity * h * h;
+                                      const std::vector<Vec3>& start, const std::vector<Vec3>& ahead,
+                                      std::vector<SubstepContact>& found) {
+  const Cloth cloth{model, parameters, contact, start, ahead};
+  const double fall = parameters.gravity * parameters.timeStep * parameters.timeStep;
   nearCount_ = 0;
-  if (!chooseBodies(cloth, bodies, predicted_, inflated(boundsOf(predicted_), fall))) {
+  if (!chooseBodies(cloth, bodies, ahead, inflated(boundsOf(ahead), fall))) {
     return;
   }
   for (std::size_t b = 0; b < nearCount_; ++b) {
@@ -44,7 +40,7 @@ void BodyContact::findSubstepContacts(const ClothModel& model, const CommonParam
   }
   searchVertexContacts(cloth, false);
   if (hasMeshes()) {
-    transformSolved(cloth, predicted_);
+    transformSolved(cloth, ahead);
     searchSharpFeatures(cloth, false);
   }
   for (const ContactConstraint& each : candidates_.contacts) {
@@ -78,8 +74,8 @@ void BodyContact::addSubstepContact(const Cloth& cloth, const ContactConstraint&
   found.push_back(own);
 }
 
-void BodyContact::addSubstepContacts(const std::vector<SubstepContact>& contacts, const ClothState& state,
-                                     ContactReport& report, std::vector<ContactPoint>& points) const {
+void BodyContact::reportSubstepContacts(const std::vector<SubstepContact>& contacts, const ClothState& state,
+                                        ContactReport& report, std::vector<ContactPoint>& points) const {
   std::vector<bool> reported(state.positions.size());
   for (const ContactConstraint& contact : active_) {
     for (std::size_t c = 0; c < 3; ++c) {
