@@ -24,8 +24,9 @@ void ConstraintBuilder::addContact(const ClothInBody& cloth, std::size_t t, cons
     return;
   }
   ContactConstraint contact;
-  contact.vertices = cloth.triangles[t];
-  contact.weights = weights;
+  const auto& [a, b, c] = cloth.triangles[t];
+  contact.vertices = {a, b, c, c};
+  contact.weights = {weights[0], weights[1], weights[2], 0.0};
   contact.normal = step_.end.rotation * near.normal;
   contact.height = height + contact.normal.dot(step_.end.position);
   contact.offset = offset;

@@ -6,8 +6,8 @@ namespace drape::sim::contact {
 
 Vec3 pointOf(const ContactConstraint& contact, const std::vector<Vec3>& values) {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t c = 0; c < 3; ++c) {
-    sum += contact.weights[static_cast<Eigen::Index>(c)] * values[contact.vertices[c]];
+  for (std::size_t c = 0; c < contact.vertices.size(); ++c) {
+    sum += contact.weights[c] * values[contact.vertices[c]];
   }
   return sum;
 }

@@ -7,10 +7,11 @@
 
 namespace drape::sim::contact {
 
-/// A contact between a point of the cloth and a body, in the world frame at the end of the step.
+/// A contact between a point of the cloth and a body, in the world frame at the end of the step; or a contact between
+/// two points of the cloth, where "point" means the offset between them and the body is the origin.
 struct ContactConstraint {
-  std::array<int, 3> vertices{};         ///< vertices of the cloth; the point is their weighted sum
-  Vec3 weights = Vec3::Zero();           ///< their sum is 1
+  std::array<int, 4> vertices{};         ///< vertices of the cloth; the point is their weighted sum
+  std::array<double, 4> weights{};       ///< their sum is 1 with a body, 0 between two points of the cloth
   Vec3 normal = Vec3::UnitY();           ///< from the body to the point
   double height = 0.0;                   ///< normal . x at the closest point of the body [m]
   double offset = 0.0;                   ///< required distance of the point above that [m]

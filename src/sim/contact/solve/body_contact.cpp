@@ -15,14 +15,6 @@ constexpr int maxPartialPlaneSearches = 6;  // then planes are searched for all 
 constexpr int positionIterations = 6;
 constexpr int velocityIterations = 6;
 
-std::vector<double> inverseMassOf(const ClothModel& model) {
-  std::vector<double> inverse(model.vertexMass.size());
-  for (std::size_t v = 0; v < inverse.size(); ++v) {
-    inverse[v] = model.pinned[v] ? 0.0 : 1.0 / model.vertexMass[v];
-  }
-  return inverse;
-}
-
 /// The displacement of the closest point of a mesh in the body's frame [m], at any distance: a triangle can be stopped
 /// by a part of the mesh that is far from all of its vertices.
 Vec3 nearestDisplacement(const MeshInStep& mesh, const Vec3& position) {

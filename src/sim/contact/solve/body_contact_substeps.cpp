@@ -51,16 +51,15 @@ void BodyContact::findSubstepContacts(const ClothModel& model, const CommonParam
 void BodyContact::addSubstepContact(const Cloth& cloth, const ContactConstraint& contact,
                                     std::vector<SubstepContact>& found) {
   const NearBody& near = near_[contact.body];
-  Eigen::Index first = 0;
-  const bool isVertex = contact.weights.maxCoeff(&first) == 1.0;
-  if (contact.offset <= 0.0 ||
-      (isVertex && near.mesh != nullptr &&
-       near.meshSearch.isBehindFace(near.meshInStep(false), contact.vertices[static_cast<std::size_t>(first)]))) {
+  const auto largest = std::max_element(contact.weights.begin(), contact.weights.end());
+  const auto first = static_cast<std::size_t>(largest - contact.weights.begin());
+  const bool isVertex = *largest == 1.0;
+  if (contact.offset <= 0.0 || (isVertex && near.mesh != nullptr &&
+                                near.meshSearch.isBehindFace(near.meshInStep(false), contact.vertices[first]))) {
     return;
   }
-  const auto& [a, b, c] = contact.vertices;
-  SubstepContact own{.vertices = {a, b, c, c},
-                     .weights = {contact.weights.x(), contact.weights.y(), contact.weights.z(), 0.0},
+  SubstepContact own{.vertices = contact.vertices,
+                     .weights = contact.weights,
                      .normal = contact.normal,
                      .height = contact.height - contact.normal.dot(contact.bodyDisplacement) + contact.offset,
                      .restGap = restGapRatio * near.offsets.contactOffset,
@@ -68,7 +67,7 @@ void BodyContact::addSubstepContact(const Cloth& cloth, const ContactConstraint&
                      .staticFriction = contact.staticFriction,
                      .kineticFriction = contact.kineticFriction};
   if (isVertex) {
-    std::swap(own.vertices[0], own.vertices[static_cast<std::size_t>(first)]);
+    std::swap(own.vertices[0], own.vertices[first]);
     own.weights = {1.0, 0.0, 0.0, 0.0};
   }
   found.push_back(own);
@@ -78,8 +77,8 @@ void BodyContact::reportSubstepContacts(const std::vector<SubstepContact>& conta
                                         ContactReport& report, std::vector<ContactPoint>& points) const {
   std::vector<bool> reported(state.positions.size());
   for (const ContactConstraint& contact : active_) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (contact.weights[static_cast<Eigen::Index>(c)] == 1.0) {
+    for (std::size_t c = 0; c < contact.vertices.size(); ++c) {
+      if (contact.weights[c] == 1.0) {
         reported[contact.vertices[c]] = true;
       }
     }

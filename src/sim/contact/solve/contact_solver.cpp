@@ -10,6 +10,14 @@ constexpr double converged = 1e-9;  // relative change of an impulse below which
 
 }  // namespace
 
+std::vector<double> inverseMassOf(const ClothModel& model) {
+  std::vector<double> inverse(model.vertexMass.size());
+  for (std::size_t v = 0; v < inverse.size(); ++v) {
+    inverse[v] = model.pinned[v] ? 0.0 : 1.0 / model.vertexMass[v];
+  }
+  return inverse;
+}
+
 Vec3 ContactSolver::Point::valueIn(std::span<const Vec3> values) const {
   Vec3 sum = Vec3::Zero();
   for (std::size_t c = 0; c < count; ++c) {
@@ -28,9 +36,9 @@ void ContactSolver::prepare(std::span<const ContactConstraint> contacts, std::sp
   points_.clear();
   for (const ContactConstraint& contact : contacts) {
     Point& point = points_.emplace_back();
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < contact.vertices.size(); ++c) {
       const int v = contact.vertices[c];
-      const double weight = contact.weights[static_cast<Eigen::Index>(c)];
+      const double weight = contact.weights[c];
       if (weight != 0.0) {
         point.vertices[point.count] = v;
         point.weights[point.count] = weight;

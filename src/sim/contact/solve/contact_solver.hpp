@@ -1,11 +1,15 @@
 #pragma once
 
 #include "sim/contact/constraints/contact_constraint.hpp"
+#include "sim/model/cloth_model.hpp"
 
 #include <span>
 #include <vector>
 
 namespace drape::sim::contact {
+
+/// The inverse mass of each vertex [1/kg]; 0 if it is pinned.
+[[nodiscard]] std::vector<double> inverseMassOf(const ClothModel& model);
 
 /// The right-hand side of a contact. q is the weighted sum of the vertices' values (positions or velocities).
 struct ContactGoal {
@@ -31,9 +35,9 @@ class ContactSolver {
 
   /// A contact, reduced to the vertices with non-zero weights.
   struct Point {
-    std::array<std::size_t, 3> vertices{};
-    std::array<double, 3> weights{};
-    std::array<double, 3> responses{};  // weight / mass [1/kg]
+    std::array<std::size_t, 4> vertices{};
+    std::array<double, 4> weights{};
+    std::array<double, 4> responses{};  // weight / mass [1/kg]
     std::size_t count = 0;
     double inverseMass = 0.0;  // of the point [1/kg]
 

@@ -184,12 +184,11 @@ TEST(MeshSearch, contactsEachVertexAtTheClosestPointOfTheMesh) {
     Search search(shape, 14, 3);
     search.run(Vec3(0.0, -0.01, 0.0), 0.0);
     for (const ContactConstraint& contact : search.candidates.contacts) {
-      if (contact.weights.maxCoeff() < 1.0) {
+      const auto largest = std::max_element(contact.weights.begin(), contact.weights.end());
+      if (*largest < 1.0) {
         continue;
       }
-      Eigen::Index corner = 0;
-      contact.weights.maxCoeff(&corner);
-      const Vec3& point = search.start[contact.vertices[corner]];
+      const Vec3& point = search.start[contact.vertices[largest - contact.weights.begin()]];
       double smallest = 1e9;
       for (const Triangle& triangle : shape.triangles) {
         const Corners corners = cornersOf(shape.positions, triangle);
