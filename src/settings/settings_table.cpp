@@ -78,7 +78,12 @@ constexpr std::array selfCollisions{
     Word{sim::contact::SelfCollision::Hash,
          "hash",
          {"Hashed vertices",
-          "The paper's: keeps vertices apart. Costs about as much as the step. Sharp folds and loose meshes leak."}}};
+          "The paper's: keeps vertices apart. Costs about as much as the step. Sharp folds and loose meshes leak."}},
+    Word{sim::contact::SelfCollision::Exact,
+         "exact",
+         {"Exact",
+          "Vertices against triangles and edges against edges. Cloth that does not intersect itself at the start never "
+          "does. Costs more than the step where layers meet."}}};
 
 /// Metres per unit, as a number.
 bool isUnitFactor(std::string_view text) {
@@ -254,6 +259,10 @@ bool takesSubsteps(const Settings& settings) {
 
 bool collidesWithItself(const Settings& settings) {
   return settings.step.contact.self != sim::contact::SelfCollision::Off;
+}
+
+bool collidesByHash(const Settings& settings) {
+  return settings.step.contact.self == sim::contact::SelfCollision::Hash;
 }
 
 bool showsGhost(const Settings& settings) {
@@ -504,8 +513,8 @@ const std::array table{
     SettingInfo{"self_thickness", "Self thickness", "m", Contact, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.contact.selfThickness; }, 0.0, 1.0, false},
         "Distance between vertices of different layers. 0 uses three quarters of the mean edge length. At much "
-        "smaller values vertices slip through between others.",
-        {}, {}, SettingScope::Everywhere, collidesWithItself},
+        "smaller values vertices slip through between others. Counts while self_collision is hash.",
+        {}, {}, SettingScope::Everywhere, collidesByHash},
     SettingInfo{"self_friction", "Self friction", "-", Contact, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.contact.kineticFriction; }, 0.0, 2.0, false},
         "Friction of cloth that slides on cloth.",
@@ -542,7 +551,7 @@ const std::array table{
     SettingInfo{"cloth_thickness", "Thickness", "m", Contact, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.contact.thickness; }, 0.001, 0.05, true},
         "Thickness of the cloth in contact. The cloth keeps a distance of half of it, plus the body's own "
-        "thickness."},
+        "thickness. With exact self-collision its layers keep the whole of it."},
     SettingInfo{"view.contacts", "Draw contacts", "-", Contact, SettingEffect::View,
         FlagField{[](auto& s) -> auto& { return s.view.contacts; }},
         "Draws the contacts of the last step with their normals."},

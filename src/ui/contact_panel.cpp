@@ -126,6 +126,9 @@ void contactRows(PanelContext& context) {
     const sim::contact::ContactReport& contact = context.snapshot.stepReport.contact;
     valueRow(context, "Contacts with itself", text::formatCount(contact.selfContacts));
     valueRow(context, "Cost of self-collision", text::formatDuration(contact.selfSeconds));
+    if (contact.crossings > 0) {
+      valueRow(context, "Pairs that cross", text::formatCount(contact.crossings), palette().warning);
+    }
   }
   if (context.snapshot.scene->bodies->empty()) {
     mutedText("There are no bodies in this scene.");

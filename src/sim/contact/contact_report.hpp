@@ -11,6 +11,7 @@ struct ContactReport {
   int overlaps = 0;             ///< triangles of the cloth inside a body at the start of the step
   double deepestOverlap = 0.0;  ///< maximum depth of these [m]
   int infeasible = 0;           ///< vertices without a position that satisfies all their separating planes
+  int crossings = 0;            ///< pairs of features of the cloth that could not be separated (SelfCollision::Exact)
   double bodySeconds = 0.0;     ///< wall-clock time of body contact [s]
   double selfSeconds = 0.0;     ///< wall-clock time of self-collision [s]
 };

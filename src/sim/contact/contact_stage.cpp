@@ -2,6 +2,7 @@
 
 #include "sim/contact/bodies/body.hpp"
 #include "sim/contact/closest_features/mesh_in_step.hpp"
+#include "sim/contact/exact/exact_self_contact.hpp"
 #include "sim/contact/self/memory.hpp"
 #include "sim/contact/self/self_contact.hpp"
 #include "sim/contact/solve/body_contact.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace drape::sim::contact {
 
@@ -55,8 +57,13 @@ bool ContactStage::isNearBodies(const ClothModel& model, const CommonParameters&
          bodyContact().isNearAnyBody(model, contact, *inputs.bodies, state.positions, ahead_, fall);
 }
 
-bool ContactStage::isNearItself(const ContactParameters& contact, const ClothState& state) {
-  return contact.self != SelfCollision::Off && (state.selfContact == nullptr || state.selfContact->pairs.count() > 0);
+bool ContactStage::isNearItself(const ClothModel& model, const CommonParameters& parameters,
+                                const ContactParameters& contact, const ClothState& state) {
+  if (contact.self == SelfCollision::Exact && hasBoundedPositions(state.positions)) {
+    extrapolate(state, parameters.timeStep);
+    return exactSelfContact().isNear({model, parameters, contact, state.positions, state.isFreeOfItself}, ahead_);
+  }
+  return contact.self == SelfCollision::Hash && (state.selfContact == nullptr || state.selfContact->pairs.count() > 0);
 }
 
 void ContactStage::extrapolate(const ClothState& state, double timeStep) {
@@ -85,6 +92,12 @@ void ContactStage::findSubstepContacts(const ClothModel& model, const CommonPara
     selfContact().findSubstepContacts(model, parameters, contact, ahead_, state, found);
     selfSeconds_ = secondsSince(begin);
   }
+  if (contact.self == SelfCollision::Exact) {
+    const auto begin = std::chrono::steady_clock::now();
+    exactSelfContact().findSubstepContacts({model, parameters, contact, state.positions, state.isFreeOfItself}, ahead_,
+                                           found);
+    selfSeconds_ = secondsSince(begin);
+  }
   if (meetsBodies(contact, inputs)) {
     const auto begin = std::chrono::steady_clock::now();
     bodyContact().findSubstepContacts(model, parameters, contact, *inputs.bodies, state.positions, ahead_, found);
@@ -99,10 +112,31 @@ SelfContact& ContactStage::selfContact() {
   return *self_;
 }
 
+ExactSelfContact& ContactStage::exactSelfContact() {
+  if (!exact_) {
+    exact_ = std::make_unique<ExactSelfContact>();
+  }
+  return *exact_;
+}
+
+/// Keeps the cloth from passing through itself. Runs last, so that nothing else moves it into itself.
+void ContactStage::guardAgainstItself(const ExactStep& step, bool nearBodies, ClothState& state,
+                                      ContactReport& report) {
+  fallback_.clear();
+  if (nearBodies) {
+    fallback_ = start_;
+    bodyContact().carryAlong(fallback_);
+  }
+  report.crossings = exactSelfContact().guard(
+      step, {nearBodies ? bodyContact().planes() : std::span<const SeparatingPlane>(), fallback_}, state);
+}
+
 ContactReport ContactStage::resolve(const ClothModel& model, const CommonParameters& parameters,
                                     const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
                                     double stepFraction) {
   ContactReport report{.bodySeconds = bodySeconds_, .selfSeconds = selfSeconds_};
+  // Only exact self-collision keeps the cloth free of itself.
+  const bool wasFree = std::exchange(state.isFreeOfItself, false);
   if (!active_ || !hasBoundedPositions(start_) || !hasBoundedPositions(state.positions)) {
     return report;
   }
@@ -122,6 +156,11 @@ ContactReport ContactStage::resolve(const ClothModel& model, const CommonParamet
         selfContact().resolve(model, contact, parameters.timeStep, start_, state, points_, stepFraction);
     report.selfSeconds += secondsSince(begin);
   }
+  if (contact.self == SelfCollision::Exact) {
+    const auto begin = std::chrono::steady_clock::now();
+    report.selfContacts = exactSelfContact().resolve({model, parameters, contact, start_, wasFree}, state, points_);
+    report.selfSeconds += secondsSince(begin);
+  }
   if (meetsBodies(contact, inputs)) {
     const auto before = std::chrono::steady_clock::now();
     bodyContact().resolve(model, parameters, contact, *inputs.bodies, start_, state, report, points_);
@@ -129,6 +168,11 @@ ContactReport ContactStage::resolve(const ClothModel& model, const CommonParamet
       bodyContact().reportSubstepContacts(*inputs.contacts, state, report, points_);
     }
     report.bodySeconds += secondsSince(before);
+  }
+  if (contact.self == SelfCollision::Exact) {
+    const auto begin = std::chrono::steady_clock::now();
+    guardAgainstItself({model, parameters, contact, start_, wasFree}, nearBodies, state, report);
+    report.selfSeconds += secondsSince(begin);
   }
   changed_ = report.selfContacts > 0 || report.bodyContacts > 0;
   if (changed_) {

@@ -14,6 +14,8 @@
 namespace drape::sim::contact {
 
 class BodyContact;
+class ExactSelfContact;
+struct ExactStep;
 class SelfContact;
 
 /// Whether body contact is on and the scene has bodies.
@@ -43,9 +45,10 @@ class ContactStage {
   [[nodiscard]] bool isNearBodies(const ClothModel& model, const CommonParameters& parameters,
                                   const ContactParameters& contact, const StepInputs& inputs, const ClothState& state);
 
-  /// Whether the cloth may collide with itself in this step: self-collision is on, and there are near pairs or no
-  /// search was made yet.
-  [[nodiscard]] static bool isNearItself(const ContactParameters& contact, const ClothState& state);
+  /// Whether the cloth may collide with itself in this step. With the hash: there are near pairs, or no search was made
+  /// yet. With exact self-collision: features come into contact if the velocities do not change.
+  [[nodiscard]] bool isNearItself(const ClothModel& model, const CommonParameters& parameters,
+                                  const ContactParameters& contact, const ClothState& state);
 
   /// Finds the contacts, with bodies and of the cloth with itself, that a solver can resolve in its substeps, for a
   /// step from `state`. Stores the list of near pairs of the cloth in it.
@@ -70,6 +73,8 @@ class ContactStage {
   void extrapolate(const ClothState& state, double timeStep);
   BodyContact& bodyContact();
   SelfContact& selfContact();
+  ExactSelfContact& exactSelfContact();
+  void guardAgainstItself(const ExactStep& step, bool nearBodies, ClothState& state, ContactReport& report);
 
   bool active_ = false;
   bool changed_ = false;
@@ -78,9 +83,11 @@ class ContactStage {
   ClothState unresolved_;
   std::vector<Vec3> ahead_;  // positions extrapolated by the velocity [m]
   std::vector<ContactPoint> points_;
-  double bodySeconds_ = 0.0;           // of findSubstepContacts [s]
-  double selfSeconds_ = 0.0;           // likewise
-  std::unique_ptr<SelfContact> self_;  // created at first use
+  double bodySeconds_ = 0.0;                 // of findSubstepContacts [s]
+  double selfSeconds_ = 0.0;                 // likewise
+  std::unique_ptr<SelfContact> self_;        // created at first use
+  std::unique_ptr<ExactSelfContact> exact_;  // likewise
+  std::vector<Vec3> fallback_;               // positions at the start, carried along by the bodies [m]
 };
 
 }  // namespace drape::sim::contact

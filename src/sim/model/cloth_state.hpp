@@ -35,8 +35,10 @@ struct ClothState {
   std::vector<Vec3> velocities;                                        ///< [m/s], one a vertex
   double time = 0.0;                                                   ///< simulated time since the start [s]
   StepHistory history = {};                                            ///< used by multistep integrations only
-  std::shared_ptr<const contact::SelfContactMemory> selfContact = {};  ///< used by self-collision only
-  std::shared_ptr<const SolverMemory> memory = {};                     ///< used by `auto` only; null: there is none yet
+  std::shared_ptr<const contact::SelfContactMemory> selfContact = {};  ///< used by hashed self-collision only
+  /// Whether exact self-collision knows that no two triangles intersect. False: it checks at the next step.
+  bool isFreeOfItself = false;
+  std::shared_ptr<const SolverMemory> memory = {};  ///< used by `auto` only; null: there is none yet
 };
 
 /// A state at rest in the given positions at time 0.

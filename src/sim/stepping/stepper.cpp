@@ -109,7 +109,8 @@ void Stepper::dampFabric(const ClothModel& model, const StepParameters& paramete
 
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                const ClothState& state) {
-  const bool nearItself = info_->resolvesContacts && contact::ContactStage::isNearItself(parameters.contact, state);
+  const bool nearItself =
+      info_->resolvesContacts && contact_.isNearItself(model, parameters, parameters.contact, state);
   const bool nearBodies = contact::meetsBodies(parameters.contact, inputs) &&
                           contact_.isNearBodies(model, parameters, parameters.contact, inputs, state);
   constexpr double rounding = 1e-9;  // [-]

@@ -54,6 +54,13 @@ class BodyContact {
   void reportSubstepContacts(const std::vector<SubstepContact>& contacts, const ClothState& state,
                              ContactReport& report, std::vector<ContactPoint>& points) const;
 
+  /// The separating planes of the last pass of `resolve`.
+  [[nodiscard]] std::span<const SeparatingPlane> planes() const {
+    return nearCount_ > 0 ? std::span<const SeparatingPlane>(candidates_.planes) : std::span<const SeparatingPlane>();
+  }
+  /// Moves positions at the start of the step along with the bodies whose planes limit their vertices in `resolve` [m].
+  void carryAlong(std::vector<Vec3>& positions) const;
+
   /// Whether cloth that moves from one box into another could come near any of the bodies.
   [[nodiscard]] bool couldReachAnyBody(const ContactParameters& contact, const std::vector<BodyStep>& bodies,
                                        const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end);

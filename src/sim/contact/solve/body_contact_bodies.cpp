@@ -136,6 +136,17 @@ bool BodyContact::chooseBodies(const Cloth& cloth, const std::vector<BodyStep>& 
   return nearCount_ > before;
 }
 
+void BodyContact::carryAlong(std::vector<Vec3>& positions) const {
+  std::vector<int> bodyOf(positions.size(), -1);
+  for (const SeparatingPlane& plane : planes()) {
+    if (bodyOf[plane.vertex] < 0) {
+      bodyOf[plane.vertex] = plane.body;
+      const BodyStep& step = *near_[plane.body].step;
+      positions[plane.vertex] = step.end.toWorld(step.start.toLocal(positions[plane.vertex]));
+    }
+  }
+}
+
 bool BodyContact::couldReachAnyBody(const ContactParameters& contact, const std::vector<BodyStep>& bodies,
                                     const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end) {
   return std::any_of(bodies.begin(), bodies.end(), [&](const BodyStep& step) {

@@ -1,0 +1,65 @@
+#include "sim/contact/exact/entanglement.hpp"
+
+#include "sim/contact/closest_features/triangle_geometry.hpp"
+
+namespace drape::sim::contact {
+namespace {
+
+double tetrahedronVolume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return (b - a).cross(c - a).dot(d - a);
+}
+
+bool passesThrough(const Vec3& from, const Vec3& to, const Corners& triangle) {
+  const double before = tetrahedronVolume(triangle[0], triangle[1], triangle[2], from);
+  const double after = tetrahedronVolume(triangle[0], triangle[1], triangle[2], to);
+  if (!(before * after < 0.0)) {
+    return false;
+  }
+  const double first = tetrahedronVolume(from, to, triangle[0], triangle[1]);
+  const double second = tetrahedronVolume(from, to, triangle[1], triangle[2]);
+  const double third = tetrahedronVolume(from, to, triangle[2], triangle[0]);
+  return (first >= 0.0 && second >= 0.0 && third >= 0.0) || (first <= 0.0 && second <= 0.0 && third <= 0.0);
+}
+
+/// Marks the vertices if an edge that belongs to triangle a passes through triangle b.
+bool markPair(const FeatureMesh& mesh, std::span<const Vec3> positions, int a, int b, std::vector<char>& entangled) {
+  const FeatureMesh::Owned& owned = mesh.owned[a];
+  const Triangle& triangle = mesh.triangles[b];
+  bool any = false;
+  for (int i = 0; i < owned.edgeCount; ++i) {
+    const MeshEdge& edge = mesh.edges.edges[owned.edges[i]];
+    if (hasCorner(triangle, edge.a) || hasCorner(triangle, edge.b) ||
+        !passesThrough(positions[edge.a], positions[edge.b], cornersOf(positions, triangle))) {
+      continue;
+    }
+    any = true;
+    for (const int v : {edge.a, edge.b, triangle[0], triangle[1], triangle[2]}) {
+      entangled[v] = 1;
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+bool findEntangled(const FeatureMesh& mesh, MeshTree& tree, std::span<const Vec3> positions,
+                   std::vector<char>& entangled) {
+  entangled.assign(positions.size(), 0);
+  tree.refit(positions, positions, mesh.triangles);
+  bool any = false;
+  for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
+    for (const int a : tree.leaf(leaf)) {
+      const Eigen::AlignedBox3d box = boxAround(cornersOf(positions, mesh.triangles[a]));
+      tree.forEachLeafIn(box, [&](std::size_t other) {
+        for (const int b : tree.leaf(other)) {
+          if (a != b && box.intersects(boxAround(cornersOf(positions, mesh.triangles[b])))) {
+            any = markPair(mesh, positions, a, b, entangled) || any;
+          }
+        }
+      });
+    }
+  }
+  return any;
+}
+
+}  // namespace drape::sim::contact

@@ -1,0 +1,143 @@
+#include "sim/contact/exact/exact_self_contact.hpp"
+
+#include <algorithm>
+
+namespace drape::sim::contact {
+namespace {
+
+// In thicknesses:
+constexpr double reachRatio = 1.5;      // distance up to which pairs are searched
+constexpr double contactMargin = 0.5;   // excess over the thickness up to which predicted positions count
+constexpr double substepMargin = 0.05;  // the same in substeps, beyond what gravity moves
+constexpr double activeGap = 0.1;       // excess over the thickness up to which velocities are corrected
+
+constexpr double separationSpeed = 0.05;  // at which layers that are too close move apart [m/s]
+constexpr int impulseIterations = 10;
+
+}  // namespace
+
+const std::vector<double>& ExactSelfContact::inverseMass(const ClothModel& model) {
+  return inverseMass_.get(model, inverseMassOf);
+}
+
+void ExactSelfContact::findContacts(const ExactStep& step, double margin, double separationStep,
+                                    const std::vector<Vec3>& predicted, std::vector<SubstepContact>& found) {
+  const double thickness = step.contact.thickness;
+  const int threads = step.parameters.threads;
+  findEntangledAt(step);
+  search_.update(step.model, reachRatio * thickness, step.start, predicted, workers_, threads);
+  findPairContacts(step.model, search_,
+                   {.thickness = thickness,
+                    .margin = std::min(margin, contactMargin * thickness),
+                    .separationStep = separationStep,
+                    .staticFriction = step.contact.staticFriction,
+                    .kineticFriction = step.contact.kineticFriction,
+                    .entangled = entangled_},
+
+                   step.start, predicted, workers_, threads, found);
+}
+
+/// Finds the vertices of triangles that intersect at the start of the step.
+void ExactSelfContact::findEntangledAt(const ExactStep& step) {
+  if (step.isFreeOfItself || !search_.findEntangledVertices(step.model, step.start, entangled_)) {
+    entangled_.clear();
+  }
+}
+
+bool ExactSelfContact::isNear(const ExactStep& step, const std::vector<Vec3>& ahead) {
+  contacts_.clear();
+  findContacts(step, contactMargin * step.contact.thickness, 0.0, ahead, contacts_);
+  return !contacts_.empty();
+}
+
+void ExactSelfContact::findSubstepContacts(const ExactStep& step, const std::vector<Vec3>& ahead,
+                                           std::vector<SubstepContact>& found) {
+  const double h = step.parameters.timeStep;
+  findContacts(step, substepMargin * step.contact.thickness + step.parameters.gravity * h * h, 0.0, ahead, found);
+}
+
+void ExactSelfContact::solvePositions(const ExactStep& step, ClothState& state) {
+  constraints_.clear();
+  goals_.clear();
+  for (const SubstepContact& contact : contacts_) {
+    ContactConstraint constraint;
+    constraint.vertices = contact.vertices;
+    constraint.weights = contact.weights;
+    constraint.normal = contact.normal;
+    constraint.offset = contact.height;
+    constraint.staticFriction = contact.staticFriction;
+    constraint.kineticFriction = contact.kineticFriction;
+    goals_.push_back({contact.height, pointOf(constraint, step.start)});
+    constraints_.push_back(constraint);
+  }
+  solver_.solve(constraints_, goals_, inverseMass(step.model), impulseIterations, state.positions);
+}
+
+/// @returns number of active contacts
+int ExactSelfContact::solveVelocities(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points) {
+  const double h = step.parameters.timeStep;
+  active_.clear();
+  goals_.clear();
+  for (const ContactConstraint& constraint : constraints_) {
+    const double excess = constraint.normal.dot(pointOf(constraint, state.positions)) - constraint.offset;
+    if (excess < activeGap * step.contact.thickness) {
+      active_.push_back(constraint);
+      goals_.push_back({-std::max(0.0, excess) / h, Vec3::Zero()});
+      points.push_back({state.positions[constraint.vertices[0]], constraint.normal});
+    }
+  }
+  solver_.solve(active_, goals_, inverseMass(step.model), impulseIterations, state.velocities);
+  return static_cast<int>(active_.size());
+}
+
+int ExactSelfContact::resolve(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points) {
+  contacts_.clear();
+  findContacts(step, contactMargin * step.contact.thickness, separationSpeed * step.parameters.timeStep,
+               state.positions, contacts_);
+  if (contacts_.empty()) {
+    return 0;
+  }
+  solvePositions(step, state);
+  return solveVelocities(step, state, points);
+}
+
+int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state) {
+  before_ = state.positions;
+  Vec3 common = Vec3::Zero();
+  if (bodies.fallback.empty()) {
+    for (std::size_t v = 0; v < before_.size(); ++v) {
+      common += (before_[v] - step.start[v]) / static_cast<double>(before_.size());
+    }
+    fallback_ = step.start;
+    for (Vec3& position : fallback_) {
+      position += common;
+    }
+  } else {
+    fallback_.assign(bodies.fallback.begin(), bodies.fallback.end());
+  }
+  findEntangledAt(step);
+  const double thickness = step.contact.thickness;
+  const int crossing = guard_.apply({.model = step.model,
+                                     .inverseMass = inverseMass(step.model),
+                                     .start = step.start,
+                                     .fallback = fallback_,
+                                     .bodyPlanes = bodies.planes,
+                                     .entangled = entangled_,
+                                     .thickness = thickness,
+                                     .threads = step.parameters.threads},
+                                    reachRatio * thickness, search_, workers_, state.positions);
+  const double h = step.parameters.timeStep;
+  for (std::size_t v = 0; v < before_.size(); ++v) {
+    const Vec3 moved = state.positions[v] - before_[v];
+    const double distance = moved.norm();
+    if (distance > 0.0) {
+      const Vec3 normal = moved / distance;
+      const double approach = -normal.dot(state.velocities[v] - common / h);
+      state.velocities[v] += std::clamp(approach, 0.0, distance / h) * normal;
+    }
+  }
+  state.isFreeOfItself = crossing == 0 && entangled_.empty();
+  return crossing;
+}
+
+}  // namespace drape::sim::contact

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "sim/contact/contact_parameters.hpp"
+#include "sim/contact/contact_report.hpp"
+#include "sim/contact/exact/pair_contacts.hpp"
+#include "sim/contact/exact/pair_guard.hpp"
+#include "sim/contact/exact/pair_search.hpp"
+#include "sim/contact/solve/contact_solver.hpp"
+#include "sim/forces/common_parameters.hpp"
+#include "sim/forces/substep_contact.hpp"
+#include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
+#include "sim/model/model_cache.hpp"
+#include "sim/model/workers.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace drape::sim::contact {
+
+/// A step of the cloth with exact self-collision.
+struct ExactStep {
+  const ClothModel& model;
+  const CommonParameters& parameters;
+  const ContactParameters& contact;
+  const std::vector<Vec3>& start;  ///< positions at its start [m]
+  bool isFreeOfItself = false;     ///< whether nothing intersects there for certain, see ClothState
+};
+
+/// Self-collision by pairs of features: vertices with triangles, and edges with edges (docs/theory/contact.md). A step
+/// has these stages:
+///
+/// 1. PairSearch lists the pairs that come near each other.
+/// 2. findPairContacts chooses the contacts among them, which keep the thickness of the cloth.
+/// 3. ContactSolver solves for impulses with friction. `auto` resolves the contacts in its substeps before.
+/// 4. PairGuard keeps all other pairs from passing through each other, so that nothing intersects.
+class ExactSelfContact {
+ public:
+  /// What bodies require of the cloth.
+  struct BodyLimits {
+    std::span<const SeparatingPlane> planes;
+    std::span<const Vec3> fallback;  ///< positions outside the bodies [m]; empty: there are no bodies near
+  };
+
+  /// Whether features come into contact on the way to `ahead` [m].
+  [[nodiscard]] bool isNear(const ExactStep& step, const std::vector<Vec3>& ahead);
+
+  /// Finds the contacts on the way to `ahead` [m], for solvers that resolve contacts in their substeps.
+  /// @param found the contacts are appended
+  void findSubstepContacts(const ExactStep& step, const std::vector<Vec3>& ahead, std::vector<SubstepContact>& found);
+
+  /// Corrects the predicted positions and velocities by the impulses of contacts.
+  /// @param points the active contacts are appended  @returns their number
+  int resolve(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
+
+  /// Keeps features from passing through each other, and removes the velocity of vertices towards what stops them.
+  /// Stores in `state` whether the cloth is now free of intersections with itself.
+  /// @returns number of pairs that could not be separated; those that intersect at the start do not count
+  int guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state);
+
+ private:
+  void findContacts(const ExactStep& step, double margin, double separationStep, const std::vector<Vec3>& predicted,
+                    std::vector<SubstepContact>& found);
+  void solvePositions(const ExactStep& step, ClothState& state);
+  int solveVelocities(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
+  void findEntangledAt(const ExactStep& step);
+  const std::vector<double>& inverseMass(const ClothModel& model);
+
+  PairSearch search_;
+  PairGuard guard_;
+  ContactSolver solver_;
+  ModelCache<std::vector<double>> inverseMass_;
+  std::vector<SubstepContact> contacts_;
+  std::vector<ContactConstraint> constraints_;
+  std::vector<ContactConstraint> active_;
+  std::vector<ContactGoal> goals_;
+  std::vector<Vec3> before_;     // positions before the guard [m]
+  std::vector<Vec3> fallback_;   // [m]
+  std::vector<char> entangled_;  // vertices at the start; empty if nothing intersects
+  Workers workers_;
+};
+
+}  // namespace drape::sim::contact

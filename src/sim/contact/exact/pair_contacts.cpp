@@ -1,0 +1,146 @@
+#include "sim/contact/exact/pair_contacts.hpp"
+
+#include "sim/contact/closest_features/triangle_geometry.hpp"
+#include "sim/contact/constraints/collect_in_order.hpp"
+
+#include <algorithm>
+
+namespace drape::sim::contact {
+namespace {
+
+/// Excess over the thickness within which layers rest on each other, in thicknesses.
+constexpr double restExcess = 0.001;
+
+/// Fraction of the distance at rest that close features may use up before they are in contact [-].
+constexpr double fractionOfRest = 0.5;
+
+/// Largest sine of the angle between the offset of two edges and the normal of an adjacent face.
+constexpr double maxSlant = 0.3;
+
+/// Distances that differ by less than this fraction count as equal [-].
+constexpr double sameDistance = 1e-6;
+
+struct Places {
+  const ClothModel& model;
+  const FeatureMesh& mesh;
+  std::span<const Vec3> start;
+};
+
+/// Whether a triangle is at least as close to a vertex as `distance`, and comes first.
+bool comesFirst(const Places& at, int vertex, int triangle, int other, double distance) {
+  if (other == triangle) {
+    return false;
+  }
+  if (hasCorner(at.mesh.triangles[other], vertex)) {
+    return true;
+  }
+  const double its = gapOf(verticesOf(at.mesh, {vertex, other, false}), at.start).distance;
+  const double tie = sameDistance * distance;
+  return its < distance - tie || (its <= distance + tie && other < triangle);
+}
+
+/// Whether the closest point of a triangle is the closest one of the triangles around it.
+bool isNearestAround(const Places& at, const FeaturePair& pair, const PairGap& gap) {
+  const Triangle& corners = at.mesh.triangles[pair.second];
+  std::array<bool, 3> touched{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    touched[k] = -gap.weights[k + 1] > insideMargin;
+  }
+  const auto closer = [&](int other) { return comesFirst(at, pair.first, pair.second, other, gap.distance); };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    const std::size_t last = (k + 2) % 3;
+    if (touched[k] && !touched[next] && !touched[last]) {
+      const std::span<const int> around = at.model.vertexTriangles[corners[k]];
+      return std::none_of(around.begin(), around.end(), closer);
+    }
+    if (touched[k] && touched[next] && !touched[last]) {
+      const std::span<const TriangleSide> sides = at.mesh.edges.sides[at.mesh.edgesOfTriangle[pair.second][k]];
+      return std::none_of(sides.begin(), sides.end(), [&](const TriangleSide& side) { return closer(side.triangle); });
+    }
+  }
+  return true;
+}
+
+/// Whether the offset from an edge leads along one of its faces, so that a point of the face is closer.
+bool leadsAlongFace(const Places& at, int edge, const Vec3& offset) {
+  const MeshEdge& ends = at.mesh.edges.edges[edge];
+  const Vec3 along = at.start[ends.b] - at.start[ends.a];
+  const double squared = along.squaredNorm();
+  const std::span<const TriangleSide> sides = at.mesh.edges.sides[edge];
+  return std::any_of(sides.begin(), sides.end(), [&](const TriangleSide& side) {
+    const Triangle& corners = at.mesh.triangles[side.triangle];
+    const Vec3 out = at.start[corners[(side.corner + 2) % 3]] - at.start[ends.a];
+    const Vec3 across = squared > 0.0 ? Vec3(out - out.dot(along) / squared * along) : out;
+    return offset.dot(across) > maxSlant * across.norm();
+  });
+}
+
+bool isContact(const Places& at, const FeaturePair& pair, const PairGap& gap) {
+  if (!(gap.distance > 0.0)) {
+    return false;
+  }
+  if (!pair.edges) {
+    return isNearestAround(at, pair, gap);
+  }
+  return isInside(gap.weights[1]) && isInside(-gap.weights[3]) && !leadsAlongFace(at, pair.first, -gap.normal) &&
+         !leadsAlongFace(at, pair.second, gap.normal);
+}
+
+}  // namespace
+
+bool isEntangled(std::span<const char> entangled, const PairVertices& vertices) {
+  const auto any = [&](std::span<const int> part) {
+    return std::any_of(part.begin(), part.end(), [&](int v) { return entangled[v] != 0; });
+  };
+  return !entangled.empty() && any(vertices.first()) && any(vertices.second());
+}
+
+double thicknessOfPair(const ClothModel& model, const PairVertices& vertices, double thickness) {
+  return std::min(thickness, fractionOfRest * gapOf(vertices, model.restPositions).distance);
+}
+
+void findPairContacts(const ClothModel& model, const PairSearch& search, const PairContactRules& rules,
+                      std::span<const Vec3> start, std::span<const Vec3> predicted, Workers& workers, int threads,
+                      std::vector<SubstepContact>& found) {
+  const Places at{model, search.mesh(), start};
+  const auto consider = [&](const PairSearch::Listed& listed, std::vector<SubstepContact>& into) {
+    const double limit = rules.thickness + rules.margin;
+    if (search.minDistance(listed) >= limit) {
+      return;
+    }
+    const PairVertices vertices = verticesOf(at.mesh, listed.pair);
+    const PairGap gap = gapOf(vertices, start);
+    double predictedGap = 0.0;
+    for (std::size_t k = 1; k < 4; ++k) {
+      predictedGap += gap.weights[k] * gap.normal.dot(predicted[vertices.all[k]] - predicted[vertices.all[0]]);
+    }
+    if (std::min(predictedGap, gap.distance) >= limit || isEntangled(rules.entangled, vertices) ||
+        !isContact(at, listed.pair, gap)) {
+      return;
+    }
+    const double thickness = thicknessOfPair(model, vertices, rules.thickness);
+    const double height = std::min(thickness, gap.distance + rules.separationStep);
+    if (std::min(predictedGap, gap.distance) < height + rules.margin) {
+      into.push_back({.vertices = vertices.all,
+                      .weights = gap.weights,
+                      .normal = gap.normal,
+                      .height = height,
+                      .restGap = restExcess * rules.thickness,
+                      .staticFriction = rules.staticFriction,
+                      .kineticFriction = std::min(rules.kineticFriction, rules.staticFriction)});
+    }
+  };
+  const std::vector<PairSearch::Listed>& pairs = search.pairs();
+  const auto parts = collectInOrder<std::vector<SubstepContact>>(
+      workers, threads, static_cast<int>(pairs.size()), [&](int first, int last, std::vector<SubstepContact>& part) {
+        for (int i = first; i < last; ++i) {
+          consider(pairs[i], part);
+        }
+      });
+  for (const std::vector<SubstepContact>& part : parts) {
+    found.insert(found.end(), part.begin(), part.end());
+  }
+}
+
+}  // namespace drape::sim::contact

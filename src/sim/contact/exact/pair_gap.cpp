@@ -1,0 +1,53 @@
+#include "sim/contact/exact/pair_gap.hpp"
+
+#include "sim/contact/closest_features/closest_points.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace drape::sim::contact {
+
+PairVertices verticesOf(const FeatureMesh& mesh, const FeaturePair& pair) {
+  if (pair.edges) {
+    const MeshEdge& first = mesh.edges.edges[pair.first];
+    const MeshEdge& second = mesh.edges.edges[pair.second];
+    return {{first.a, first.b, second.a, second.b}, 2};
+  }
+  const Triangle& triangle = mesh.triangles[pair.second];
+  return {{pair.first, triangle[0], triangle[1], triangle[2]}, 1};
+}
+
+PairGap gapOf(const PairVertices& vertices, std::span<const Vec3> positions) {
+  const auto& [a, b, c, d] = vertices.all;
+  PairGap gap;
+  if (vertices.firstCount == 2) {
+    const SegmentPair nearest = nearestOfSegments({positions[a], positions[b]}, {positions[c], positions[d]});
+    gap.weights = {1.0 - nearest.first, nearest.first, nearest.second - 1.0, -nearest.second};
+  } else {
+    const Vec3 nearest = nearestOnTriangle(positions[a], {positions[b], positions[c], positions[d]});
+    gap.weights = {1.0, -nearest[0], -nearest[1], -nearest[2]};
+  }
+  // Offsets from the first vertex keep the digits of cloth far from the origin.
+  const Vec3 offset = gap.weights[1] * (positions[b] - positions[a]) + gap.weights[2] * (positions[c] - positions[a]) +
+                      gap.weights[3] * (positions[d] - positions[a]);
+  gap.distance = offset.norm();
+  if (gap.distance > 0.0) {
+    gap.normal = offset / gap.distance;
+  }
+  return gap;
+}
+
+double separationAlong(const Vec3& normal, const PairVertices& vertices, std::span<const Vec3> positions) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  const Vec3& origin = positions[vertices.all[0]];
+  for (const int v : vertices.first()) {
+    low = std::min(low, normal.dot(positions[v] - origin));
+  }
+  for (const int v : vertices.second()) {
+    high = std::max(high, normal.dot(positions[v] - origin));
+  }
+  return low - high;
+}
+
+}  // namespace drape::sim::contact

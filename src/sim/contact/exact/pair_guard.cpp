@@ -1,0 +1,184 @@
+#include "sim/contact/exact/pair_guard.hpp"
+
+#include "sim/contact/constraints/collect_in_order.hpp"
+#include "sim/contact/exact/pair_contacts.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace drape::sim::contact {
+namespace {
+
+constexpr double guardedSeparation = 0.1;  // that pairs keep, in their thicknesses
+constexpr double closingPerStep = 1e-9;    // fraction of its separation that a close pair may lose in a step
+constexpr int maxSweepRounds = 6;
+constexpr int sweepsOfRound = 8;
+constexpr int maxPlaneRounds = 40;
+constexpr double sweepMargin = 1.1;  // ratio to the separation that sweeps aim at
+
+std::uint64_t keyOf(const FeaturePair& pair) {
+  return (static_cast<std::uint64_t>(pair.first) << 33U) | (static_cast<std::uint64_t>(pair.second) << 1U) |
+         (pair.edges ? 1U : 0U);
+}
+
+double meanAt(std::span<const double> values, std::span<const int> indices) {
+  double sum = 0.0;
+  for (const int i : indices) {
+    sum += values[i];
+  }
+  return sum / static_cast<double>(indices.size());
+}
+
+}  // namespace
+
+/// Finds the pairs that are not separated.
+void PairGuard::findCrossing(const Inputs& inputs, const PairSearch& search, Workers& workers,
+                             std::span<const Vec3> positions) {
+  const double required = guardedSeparation * inputs.thickness;
+  const auto check = [&](const PairSearch::Listed& listed, std::vector<Guarded>& found) {
+    if (search.minDistance(listed) >= required) {
+      return;
+    }
+    const PairVertices vertices = verticesOf(search.mesh(), listed.pair);
+    const PairGap gap = gapOf(vertices, inputs.start);
+    if (separationAlong(gap.normal, vertices, positions) >= required || !(gap.distance > 0.0) ||
+        isEntangled(inputs.entangled, vertices)) {
+      return;
+    }
+    const double wanted = std::min(guardedSeparation * thicknessOfPair(inputs.model, vertices, inputs.thickness),
+                                   (1.0 - closingPerStep) * gap.distance);
+    if (separationAlong(gap.normal, vertices, positions) >= wanted) {
+      return;
+    }
+    const Vec3 other = gapOf(vertices, positions).normal;
+    if (separationAlong(other, vertices, positions) < wanted ||
+        separationAlong(other, vertices, inputs.start) < wanted) {
+      found.push_back({vertices, gap.normal, wanted, keyOf(listed.pair)});
+    }
+  };
+  const std::vector<PairSearch::Listed>& pairs = search.pairs();
+  const auto parts = collectInOrder<std::vector<Guarded>>(workers, inputs.threads, static_cast<int>(pairs.size()),
+                                                          [&](int first, int last, std::vector<Guarded>& part) {
+                                                            for (int i = first; i < last; ++i) {
+                                                              check(pairs[i], part);
+                                                            }
+                                                          });
+  found_.clear();
+  for (const std::vector<Guarded>& part : parts) {
+    found_.insert(found_.end(), part.begin(), part.end());
+  }
+}
+
+/// Adds the pairs that were found to the guarded ones, each once.
+void PairGuard::guardFound() {
+  for (const Guarded& each : found_) {
+    if (keys_.insert(each.key).second) {
+      guarded_.push_back(each);
+    }
+  }
+}
+
+/// Moves the features of all guarded pairs apart that are too close, one pair after the other.
+void PairGuard::moveApart(const Inputs& inputs, std::span<Vec3> positions) const {
+  for (const Guarded& pair : guarded_) {
+    const double missing = sweepMargin * pair.separation - separationAlong(pair.normal, pair.vertices, positions);
+    const double first = meanAt(inputs.inverseMass, pair.vertices.first());
+    const double second = meanAt(inputs.inverseMass, pair.vertices.second());
+    if (missing <= 0.0 || first + second <= 0.0) {
+      continue;
+    }
+    const Vec3 origin = positions[pair.vertices.all[0]];
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const int v : pair.vertices.first()) {
+      low = std::min(low, pair.normal.dot(positions[v] - origin));
+    }
+    for (const int v : pair.vertices.second()) {
+      high = std::max(high, pair.normal.dot(positions[v] - origin));
+    }
+    low += missing * first / (first + second);
+    high -= missing * second / (first + second);
+    for (const int v : pair.vertices.first()) {
+      const double below = low - pair.normal.dot(positions[v] - origin);
+      positions[v] += (inputs.inverseMass[v] > 0.0 ? std::max(0.0, below) : 0.0) * pair.normal;
+    }
+    for (const int v : pair.vertices.second()) {
+      const double above = pair.normal.dot(positions[v] - origin) - high;
+      positions[v] -= (inputs.inverseMass[v] > 0.0 ? std::max(0.0, above) : 0.0) * pair.normal;
+    }
+  }
+  for (const SeparatingPlane& plane : inputs.bodyPlanes) {
+    const double below = plane.height - plane.normal.dot(positions[plane.vertex]);
+    if (below > 0.0 && inputs.inverseMass[plane.vertex] > 0.0) {
+      positions[plane.vertex] += below * plane.normal;
+    }
+  }
+}
+
+/// Adds the planes of the guarded pairs from index `first`. They lie between the fallback positions, where the motion
+/// to the wanted positions needs most of the space.
+void PairGuard::addPlanes(const Inputs& inputs, std::size_t first) {
+  for (std::size_t i = first; i < guarded_.size(); ++i) {
+    const Guarded& pair = guarded_[i];
+    double firstStart = std::numeric_limits<double>::infinity();
+    double firstEnd = firstStart;
+    double secondStart = -firstStart;
+    double secondEnd = -firstStart;
+    for (const int v : pair.vertices.first()) {
+      firstStart = std::min(firstStart, pair.normal.dot(inputs.fallback[v]));
+      firstEnd = std::min(firstEnd, pair.normal.dot(wanted_[v]));
+    }
+    for (const int v : pair.vertices.second()) {
+      secondStart = std::max(secondStart, pair.normal.dot(inputs.fallback[v]));
+      secondEnd = std::max(secondEnd, pair.normal.dot(wanted_[v]));
+    }
+    const double space = std::max(0.0, firstStart - secondStart - pair.separation);
+    const double down = std::max(0.0, firstStart - firstEnd);
+    const double up = std::max(0.0, secondEnd - secondStart);
+    const double high = secondStart + (down + up > 0.0 ? space * up / (down + up) : 0.5 * space);
+    const double low = firstStart - (down + up > 0.0 ? space * down / (down + up) : 0.5 * space);
+    for (const int v : pair.vertices.first()) {
+      planes_.push_back({v, 0, pair.normal, low});
+    }
+    for (const int v : pair.vertices.second()) {
+      planes_.push_back({v, 0, -pair.normal, -high});
+    }
+  }
+}
+
+int PairGuard::apply(const Inputs& inputs, double searchDistance, PairSearch& search, Workers& workers,
+                     std::span<Vec3> positions) {
+  guarded_.clear();
+  keys_.clear();
+  const auto find = [&]() {
+    search.update(inputs.model, searchDistance, inputs.start, positions, workers, inputs.threads);
+    findCrossing(inputs, search, workers, positions);
+    guardFound();
+    return !found_.empty();
+  };
+  for (int round = 0; find() && round < maxSweepRounds; ++round) {
+    for (int sweep = 0; sweep < sweepsOfRound; ++sweep) {
+      moveApart(inputs, positions);
+    }
+  }
+  if (found_.empty()) {
+    return 0;
+  }
+  wanted_.assign(positions.begin(), positions.end());
+  bounds_.assign(positions.size(), std::numeric_limits<double>::infinity());
+  planes_.assign(inputs.bodyPlanes.begin(), inputs.bodyPlanes.end());
+  const auto fallbackOf = [&](int, int vertex) {
+    return SeparatingPlaneFilter::Fallback{inputs.fallback[vertex], inputs.fallback[vertex]};
+  };
+  std::size_t planned = 0;
+  for (int round = 0; round < maxPlaneRounds && !found_.empty() && planned < guarded_.size(); ++round) {
+    addPlanes(inputs, planned);
+    planned = guarded_.size();
+    std::copy(wanted_.begin(), wanted_.end(), positions.begin());
+    filter_.apply(planes_, inputs.inverseMass, bounds_, 1, fallbackOf, wanted_, positions);
+    find();
+  }
+  return static_cast<int>(found_.size());
+}
+
+}  // namespace drape::sim::contact

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "sim/contact/constraints/contact_constraint.hpp"
+#include "sim/contact/exact/pair_search.hpp"
+#include "sim/contact/separating_planes/separating_plane_filter.hpp"
+
+#include <cstdint>
+#include <span>
+#include <unordered_set>
+#include <vector>
+
+namespace drape::sim::contact {
+
+/// Keeps the features of a cloth from passing through each other in a step.
+///
+/// A pair of features is separated if one normal exists along which the first lies above the second at the start and at
+/// the end of the step. Since all vertices move on straight lines, the pair then does not meet on the way either. The
+/// guard tries the normal of the closest points at the start, then that at the end.
+///
+/// Where a pair is not separated, its vertices are moved:
+/// 1. Sweeps move the features of each such pair apart, weighted by their masses.
+/// 2. If pairs remain, each gets two parallel planes between its fallback positions, one for each feature. Every vertex
+///    is projected onto its planes, or moves back towards its fallback position. Other pairs that this violates get
+///    planes too. In the end all pairs are separated, since the fallback positions satisfy all planes.
+class PairGuard {
+ public:
+  struct Inputs {
+    const ClothModel& model;
+    std::span<const double> inverseMass;          ///< 0: the vertex does not move [1/kg]
+    std::span<const Vec3> start;                  ///< positions at the start of the step [m]
+    std::span<const Vec3> fallback;               ///< positions in which nothing intersects [m]
+    std::span<const SeparatingPlane> bodyPlanes;  ///< planes of bodies, which hold too
+    std::span<const char> entangled;              ///< vertices of triangles that intersect at the start; may be empty
+    double thickness = 0.0;                       ///< of the cloth [m]
+    int threads = 1;
+  };
+
+  /// Changes `positions`, the end of the step.
+  /// @param searchDistance see PairSearch::update [m]
+  /// @return number of pairs that are not separated; those that intersect at the start do not count
+  int apply(const Inputs& inputs, double searchDistance, PairSearch& search, Workers& workers,
+            std::span<Vec3> positions);
+
+ private:
+  struct Guarded {
+    PairVertices vertices;
+    Vec3 normal = Vec3::UnitY();  // from the second feature to the first
+    double separation = 0.0;      // that the pair must keep along the normal [m]
+    std::uint64_t key = 0;
+  };
+
+  void findCrossing(const Inputs& inputs, const PairSearch& search, Workers& workers, std::span<const Vec3> positions);
+  void guardFound();
+  void moveApart(const Inputs& inputs, std::span<Vec3> positions) const;
+  void addPlanes(const Inputs& inputs, std::size_t first);
+
+  std::vector<Guarded> found_;              // pairs that are not separated now
+  std::vector<Guarded> guarded_;            // all pairs that were found in this step
+  std::unordered_set<std::uint64_t> keys_;  // of these; never iterated over
+  std::vector<SeparatingPlane> planes_;
+  std::vector<Vec3> wanted_;  // positions before planes [m]
+  std::vector<double> bounds_;
+  SeparatingPlaneFilter filter_;
+};
+
+}  // namespace drape::sim::contact

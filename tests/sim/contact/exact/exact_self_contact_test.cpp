@@ -1,0 +1,146 @@
+#include "sim/contact/exact/exact_self_contact.hpp"
+
+#include "contact/contact_scene.hpp"
+#include "intersection/intersections.hpp"
+#include "sim/forces/diagnostics.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace drape::sim::contact {
+namespace {
+
+std::size_t pairsWithItself(const testing::ContactScene& scene) {
+  return intersection::intersectingPairs({scene.state.positions, scene.model().triangles}).size();
+}
+
+/// A sheet that falls on its edge and folds.
+testing::ContactScene sheetOnItsEdge(const std::string& solver, int n, double timeStep, double stiffness) {
+  const Eigen::Quaterniond upright(Eigen::AngleAxisd(93.0 * std::numbers::pi / 180.0, Vec3::UnitX()));
+  testing::ContactScene scene(testing::freeSheet(n, 0.8, Vec3(0.0, 0.45, 0.0), upright),
+                              {testing::bodyAt(PlaneShape{2.0}, Vec3::Zero())}, solver);
+  scene.parameters.contact.self = SelfCollision::Exact;
+  scene.parameters.material.stiffness = stiffness;
+  scene.parameters.material.damping = 0.01;
+  scene.parameters.timeStep = timeStep;
+  scene.parameters.substeps = solver == "verlet" ? 32 : 1;
+  return scene;
+}
+
+/// A free sheet without gravity whose halves move towards each other.
+testing::ContactScene closingBook(const std::string& solver, double speed, double timeStep) {
+  testing::ContactScene scene(testing::freeSheet(13, 1.0, Vec3::Zero()), {}, solver);
+  scene.parameters.contact.self = SelfCollision::Exact;
+  scene.parameters.gravity = 0.0;
+  scene.parameters.material.stiffness = 300.0;
+  scene.parameters.timeStep = timeStep;
+  scene.parameters.substeps = solver == "verlet" ? 64 : 1;
+  for (std::size_t v = 0; v < scene.state.positions.size(); ++v) {
+    const double x = scene.state.positions[v].x();
+    scene.state.positions[v] = Vec3(0.1 * x, std::abs(x), scene.state.positions[v].z());
+    scene.state.velocities[v] = Vec3(x > 0.0 ? -speed : speed, 0.0, 0.0) * std::abs(x);
+  }
+  return scene;
+}
+
+class ExactSelfContactWithSolver : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ExactSelfContactWithSolver, letsNoTrianglesIntersectWhenASheetFallsOnItsEdge) {
+  testing::ContactScene scene = sheetOnItsEdge(GetParam(), 13, 1.0 / 150.0, 60.0);
+  int contacts = 0;
+  std::size_t pairs = 0;
+  scene.run(0.8, [&](const StepReport& report) {
+    contacts = std::max(contacts, report.contact.selfContacts);
+    pairs = std::max(pairs, pairsWithItself(scene));
+    EXPECT_EQ(report.contact.crossings, 0);
+  });
+  EXPECT_GT(contacts, 3);
+  EXPECT_EQ(pairs, 0U);
+}
+
+TEST_P(ExactSelfContactWithSolver, letsNoTrianglesIntersectWhenHalvesMeetAtHighSpeed) {
+  for (const double speed : {20.0, 200.0}) {  // 0.17 m and 1.7 m in a step at the border
+    testing::ContactScene scene = closingBook(GetParam(), speed, 1.0 / 60.0);
+    for (int i = 0; i < 20; ++i) {
+      scene.step();
+      ASSERT_EQ(pairsWithItself(scene), 0U) << speed << " m/s, step " << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, ExactSelfContactWithSolver,
+                         ::testing::Values("one_iteration", "verlet", "auto", "newton"),
+                         [](const auto& instance) { return std::string(instance.param); });
+
+TEST(ExactSelfContact, letsNoTrianglesIntersectInSoftAndStiffClothAtLargeSteps) {
+  for (const double stiffness : {10.0, 1e5}) {
+    testing::ContactScene scene = sheetOnItsEdge("one_iteration", 17, 1.0 / 60.0, stiffness);
+    std::size_t pairs = 0;
+    scene.run(0.8, [&](const StepReport&) { pairs = std::max(pairs, pairsWithItself(scene)); });
+    EXPECT_EQ(pairs, 0U) << stiffness;
+  }
+}
+
+TEST(ExactSelfContact, hasTheSameBitsForAnyNumberOfThreadsAndFromACopiedState) {
+  testing::ContactScene one = sheetOnItsEdge("auto", 25, 1.0 / 150.0, 60.0);
+  testing::ContactScene three = sheetOnItsEdge("auto", 25, 1.0 / 150.0, 60.0);
+  three.parameters.threads = 3;
+  one.run(0.5);
+  three.run(0.5);
+  EXPECT_EQ(one.state.positions, three.state.positions);
+  testing::ContactScene later = sheetOnItsEdge("auto", 25, 1.0 / 150.0, 60.0);  // with an unused stepper
+  later.state = one.state;
+  one.run(0.1);
+  later.run(0.1);
+  EXPECT_EQ(one.state.positions, later.state.positions);
+}
+
+TEST(ExactSelfContact, changesNothingWhereNothingIsNear) {
+  testing::ContactScene exact(testing::freeSheet(13, 1.0, Vec3(0.0, 5.0, 0.0)), {}, "auto");
+  testing::ContactScene off(testing::freeSheet(13, 1.0, Vec3(0.0, 5.0, 0.0)), {}, "auto");
+  exact.parameters.contact.self = SelfCollision::Exact;
+  off.parameters.contact.self = SelfCollision::Off;
+  exact.run(0.2);
+  off.run(0.2);
+  EXPECT_EQ(exact.state.positions, off.state.positions);
+}
+
+TEST(ExactSelfContact, conservesMomentumInContact) {
+  testing::ContactScene scene = closingBook("verlet", 2.0, 1.0 / 1000.0);
+  const auto momentumOf = [&]() {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t v = 0; v < scene.state.velocities.size(); ++v) {
+      sum += scene.model().vertexMass[v] * scene.state.velocities[v];
+    }
+    return sum;
+  };
+  const Vec3 before = momentumOf();
+  int contacts = 0;
+  scene.run(0.3, [&](const StepReport& report) { contacts = std::max(contacts, report.contact.selfContacts); });
+  EXPECT_GT(contacts, 3);
+  EXPECT_LT((momentumOf() - before).norm(), 1e-6 * scene.model().totalMass());
+}
+
+TEST(ExactSelfContact, movesOnWithAStartThatIntersects) {
+  // Every second column lies on the other side of the folded sheet, so that its halves intersect.
+  testing::ContactScene scene = closingBook("auto", 0.0, 1.0 / 150.0);
+  for (std::size_t v = 0; v < scene.state.positions.size(); ++v) {
+    scene.state.positions[v].x() -=
+        scene.state.positions[v].z() > 0.1 && scene.state.positions[v].x() > 0.02 ? 0.12 : 0;
+  }
+  ASSERT_GT(pairsWithItself(scene), 0U);
+  scene.parameters.gravity = 9.81;
+  const double start = energyOf(scene.model(), scene.parameters, scene.state).total();
+  const double height = scene.state.positions[0].y();
+  scene.run(0.4);
+  EXPECT_TRUE(isFinite(scene.state));
+  EXPECT_LT(scene.state.positions[0].y(), height - 0.3);  // it falls
+  EXPECT_LT(energyOf(scene.model(), scene.parameters, scene.state).total(), start + 0.05);
+}
+
+}  // namespace
+}  // namespace drape::sim::contact

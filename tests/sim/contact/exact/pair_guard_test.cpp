@@ -1,0 +1,140 @@
+#include "sim/contact/exact/pair_guard.hpp"
+
+#include "intersection/intersections.hpp"
+#include "sim/contact/exact/entanglement.hpp"
+#include "test_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace drape::sim::contact {
+namespace {
+
+/// Separate triangles at random places, with random sizes down to slivers, of which some lie in one plane.
+ClothMesh triangleSoup(int count, std::mt19937& random) {
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  ClothMesh mesh;
+  for (int t = 0; t < count; ++t) {
+    const Vec3 centre(place(random), place(random), place(random));
+    const double size = 0.02 * std::pow(10.0, 1.5 * place(random));
+    const bool flat = t % 3 == 0;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 offset(place(random), flat ? 0.0 : place(random), t % 5 == 0 ? 1e-6 * place(random) : place(random));
+      mesh.positions.push_back(centre + size * offset);
+    }
+    mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  return mesh;
+}
+
+TEST(PairGuard, letsNoTrianglesOfARandomSoupIntersect) {
+  int moved = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    std::mt19937 random(seed);
+    const auto model = buildClothModel(triangleSoup(30, random), 1.0, MassLumping::Uniform, {});
+    const std::vector<Vec3>& start = model->restPositions;
+    if (!intersection::intersectingPairs({start, model->triangles}).empty()) {
+      continue;
+    }
+    std::normal_distribution<double> step(0.0, 0.3);
+    std::vector<Vec3> end = start;
+    for (Vec3& position : end) {
+      position += Vec3(step(random), step(random), step(random));
+    }
+    const std::vector<Vec3> wanted = end;
+    PairSearch search;
+    PairGuard guard;
+    Workers workers;
+    const std::vector<double> inverseMass(start.size(), 1.0);
+    const int crossings = guard.apply({.model = *model,
+                                       .inverseMass = inverseMass,
+                                       .start = start,
+                                       .fallback = start,
+                                       .bodyPlanes = {},
+                                       .entangled = {},
+                                       .thickness = 0.004},
+                                      0.006, search, workers, end);
+    EXPECT_EQ(crossings, 0) << seed;
+    EXPECT_TRUE(intersection::intersectingPairs({end, model->triangles}).empty()) << seed;
+    moved += end != wanted ? 1 : 0;
+  }
+  EXPECT_GT(moved, 10);
+}
+
+TEST(PairSearch, listsAllPairsWithinReachOnTheWholeWay) {
+  std::mt19937 random(7);
+  const auto model = buildClothModel(triangleSoup(90, random), 1.0, MassLumping::Uniform, {});
+  const std::vector<Vec3>& start = model->restPositions;
+  std::normal_distribution<double> step(0.0, 0.05);
+  std::vector<Vec3> end = start;
+  for (Vec3& position : end) {
+    position += Vec3(3.0 + step(random), step(random), step(random));
+  }
+  PairSearch search;
+  Workers workers;
+  constexpr double reach = 0.08;
+  search.update(*model, reach, start, end, workers, 1);
+  const auto isListed = [&](const FeaturePair& pair) {
+    return std::any_of(search.pairs().begin(), search.pairs().end(), [&](const PairSearch::Listed& each) {
+      const FeaturePair& other = each.pair;
+      return other.edges == pair.edges && ((other.first == pair.first && other.second == pair.second) ||
+                                           (pair.edges && other.first == pair.second && other.second == pair.first));
+    });
+  };
+  int near = 0;
+  for (const double time : {0.0, 0.3, 0.7, 1.0}) {
+    std::vector<Vec3> positions = start;
+    for (std::size_t v = 0; v < start.size(); ++v) {
+      positions[v] += time * (end[v] - start[v]);
+    }
+    const FeatureMesh& mesh = search.mesh();
+    for (int v = 0; v < model->vertexCount(); ++v) {
+      for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        const FeaturePair pair{v, t, false};
+        if (!hasCorner(mesh.triangles[t], v) && gapOf(verticesOf(mesh, pair), positions).distance < reach) {
+          ++near;
+          EXPECT_TRUE(isListed(pair));
+        }
+      }
+    }
+    for (int a = 0; a < static_cast<int>(mesh.edges.edges.size()); ++a) {
+      for (int b = a + 1; b < static_cast<int>(mesh.edges.edges.size()); ++b) {
+        const FeaturePair pair{a, b, true};
+        if (!shareEnd(mesh.edges.edges[a], mesh.edges.edges[b]) &&
+            gapOf(verticesOf(mesh, pair), positions).distance < reach) {
+          ++near;
+          EXPECT_TRUE(isListed(pair));
+        }
+      }
+    }
+  }
+  EXPECT_GT(near, 100);
+}
+
+TEST(Entanglement, agreesWithTheExactIntersectionTest) {
+  int intersecting = 0;
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    std::mt19937 random(seed);
+    const auto model = buildClothModel(triangleSoup(100, random), 1.0, MassLumping::Uniform, {});
+    const FeatureMesh mesh = featureMeshOf(*model);
+    MeshTree tree(model->restPositions, model->triangles, 8);
+    std::vector<char> entangled;
+    const bool any = findEntangled(mesh, tree, model->restPositions, entangled);
+    const auto pairs = intersection::intersectingPairs({model->restPositions, model->triangles});
+    EXPECT_EQ(any, !pairs.empty()) << seed;
+    intersecting += any ? 1 : 0;
+    std::vector<char> expected(model->restPositions.size(), 0);
+    for (const intersection::TrianglePair& pair : pairs) {
+      for (int k = 0; k < 3; ++k) {
+        expected[3 * pair.first + k] = expected[3 * pair.second + k] = 1;
+      }
+    }
+    for (std::size_t v = 0; v < expected.size(); ++v) {
+      EXPECT_LE(entangled[v], expected[v]) << seed;
+    }
+  }
+  EXPECT_GT(intersecting, 3);
+}
+
+}  // namespace
+}  // namespace drape::sim::contact
