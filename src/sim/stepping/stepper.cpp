@@ -28,6 +28,7 @@ void addLater(const contact::ContactReport& next, contact::ContactReport& total)
   total.bodyContacts = std::max(total.bodyContacts, next.bodyContacts);
   total.selfContacts = std::max(total.selfContacts, next.selfContacts);
   total.infeasible += next.infeasible;
+  total.crossings += next.crossings;
   total.bodySeconds += next.bodySeconds;
   total.selfSeconds += next.selfSeconds;
 }
