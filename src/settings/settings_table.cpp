@@ -79,11 +79,12 @@ constexpr std::array selfCollisions{
          "hash",
          {"Hashed vertices",
           "The paper's: keeps vertices apart. Costs about as much as the step. Sharp folds and loose meshes leak."}},
-    Word{sim::contact::SelfCollision::Exact,
-         "exact",
-         {"Exact",
-          "Vertices against triangles and edges against edges. Cloth that does not intersect itself at the start never "
-          "does. Costs more than the step where layers meet."}}};
+    Word{
+        sim::contact::SelfCollision::Exact,
+        "exact",
+        {"Exact",
+         "Vertices against triangles and edges against edges. Prevents intersections unless pins or bodies force them. "
+         "Costs more than the step where layers meet."}}};
 
 /// Metres per unit, as a number.
 bool isUnitFactor(std::string_view text) {

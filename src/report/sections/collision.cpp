@@ -43,11 +43,11 @@ const std::vector<ContactScene>& contactScenes(bool quick) {
 
 /// The kinds of contact of a scene with its settings, without the ground and the stand, which most scenes have.
 std::string modeOf(const scene::Scene& scene) {
-  const sim::contact::ContactParameters& contact = scene.settings.step.contact;
-  std::string mode = contact.self == sim::contact::SelfCollision::Hash    ? "hash"
-                     : contact.self == sim::contact::SelfCollision::Exact ? "exact"
-                                                                          : "";
-  if (contact.bodies && !scene.description.bodies.empty()) {
+  auto mode = std::get<std::string>(settings::settingValue(scene.settings, settings::requireSetting("self_collision")));
+  if (mode == "off") {
+    mode.clear();
+  }
+  if (scene.settings.step.contact.bodies && !scene.description.bodies.empty()) {
     mode = mode.empty() ? "bodies" : "bodies+" + mode;
   }
   return mode.empty() ? "off" : mode;

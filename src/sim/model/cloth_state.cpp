@@ -48,7 +48,7 @@ bool isFinite(const ClothState& state) {
 }
 
 void movePins(const std::vector<bool>& pinned, const Vec3& by, ClothState& state) {
-  state.isFreeOfItself = false;
+  state.hasNoSelfIntersection = false;
   for (std::size_t v = 0; v < pinned.size(); ++v) {
     if (pinned[v]) {
       state.positions[v] += by;

@@ -36,8 +36,8 @@ struct ClothState {
   double time = 0.0;                                                   ///< simulated time since the start [s]
   StepHistory history = {};                                            ///< used by multistep integrations only
   std::shared_ptr<const contact::SelfContactMemory> selfContact = {};  ///< used by hashed self-collision only
-  /// Whether exact self-collision knows that no two triangles intersect. False: it checks at the next step.
-  bool isFreeOfItself = false;
+  /// Whether no two triangles intersect, as exact self-collision found in the last step. False: the next step checks.
+  bool hasNoSelfIntersection = false;
   std::shared_ptr<const SolverMemory> memory = {};  ///< used by `auto` only; null: there is none yet
 };
 

@@ -29,4 +29,19 @@ template <typename Found, typename Visit>
   return all;
 }
 
+/// The same for vectors: calls visit(i, found) for each index and stores all elements in `all`, in the order of the
+/// indices.
+template <typename T, typename Visit>
+void collectInOrder(Workers& workers, int threads, int count, std::vector<T>& all, Visit&& visit) {
+  const auto parts =
+      collectInOrder<std::vector<T>>(workers, threads, count, [&](int begin, int end, std::vector<T>& found) {
+        for (int i = begin; i < end; ++i) {
+          visit(i, found);
+        }
+      });
+  for (const std::vector<T>& part : parts) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+}
+
 }  // namespace drape::sim::contact

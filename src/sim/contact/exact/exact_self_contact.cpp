@@ -33,13 +33,12 @@ void ExactSelfContact::findContacts(const ExactStep& step, double margin, double
                     .staticFriction = step.contact.staticFriction,
                     .kineticFriction = step.contact.kineticFriction,
                     .entangled = entangled_},
-
                    step.start, predicted, workers_, threads, found);
 }
 
 /// Finds the vertices of triangles that intersect at the start of the step.
 void ExactSelfContact::findEntangledAt(const ExactStep& step) {
-  if (step.isFreeOfItself || !search_.findEntangledVertices(step.model, step.start, entangled_)) {
+  if (step.hasNoSelfIntersection || !search_.findEntangledVertices(step.model, step.start, entangled_)) {
     entangled_.clear();
   }
 }
@@ -103,24 +102,19 @@ int ExactSelfContact::resolve(const ExactStep& step, ClothState& state, std::vec
 
 int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state) {
   before_ = state.positions;
-  Vec3 common = Vec3::Zero();
-  if (bodies.fallback.empty()) {
-    for (std::size_t v = 0; v < before_.size(); ++v) {
-      common += (before_[v] - step.start[v]) / static_cast<double>(before_.size());
-    }
+  const bool nearBodies = !bodies.fallback.empty();
+  const Vec3 common = nearBodies ? Vec3(Vec3::Zero()) : meanDisplacement(step.start, before_);
+  if (!nearBodies) {
     fallback_ = step.start;
     for (Vec3& position : fallback_) {
       position += common;
     }
-  } else {
-    fallback_.assign(bodies.fallback.begin(), bodies.fallback.end());
   }
-  findEntangledAt(step);
   const double thickness = step.contact.thickness;
   const int crossing = guard_.apply({.model = step.model,
                                      .inverseMass = inverseMass(step.model),
                                      .start = step.start,
-                                     .fallback = fallback_,
+                                     .fallback = nearBodies ? bodies.fallback : std::span<const Vec3>(fallback_),
                                      .bodyPlanes = bodies.planes,
                                      .entangled = entangled_,
                                      .thickness = thickness,
@@ -136,7 +130,7 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
       state.velocities[v] += std::clamp(approach, 0.0, distance / h) * normal;
     }
   }
-  state.isFreeOfItself = crossing == 0 && entangled_.empty();
+  state.hasNoSelfIntersection = crossing == 0 && entangled_.empty();
   return crossing;
 }
 

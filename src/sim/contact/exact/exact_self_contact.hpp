@@ -23,8 +23,8 @@ struct ExactStep {
   const ClothModel& model;
   const CommonParameters& parameters;
   const ContactParameters& contact;
-  const std::vector<Vec3>& start;  ///< positions at its start [m]
-  bool isFreeOfItself = false;     ///< whether nothing intersects there for certain, see ClothState
+  const std::vector<Vec3>& start;      ///< positions at its start [m]
+  bool hasNoSelfIntersection = false;  ///< whether nothing intersects there for certain, see ClothState
 };
 
 /// Self-collision by pairs of features: vertices with triangles, and edges with edges (docs/theory/contact.md). A step
@@ -53,8 +53,9 @@ class ExactSelfContact {
   /// @param points the active contacts are appended  @returns their number
   int resolve(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
 
-  /// Keeps features from passing through each other, and removes the velocity of vertices towards what stops them.
-  /// Stores in `state` whether the cloth is now free of intersections with itself.
+  /// Requires a call of `resolve` for the same step. Keeps features from passing through each other, and removes the
+  /// velocity of vertices towards what stops them. Stores in `state` whether the cloth is now free of intersections
+  /// with itself.
   /// @returns number of pairs that could not be separated; those that intersect at the start do not count
   int guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state);
 

@@ -20,14 +20,16 @@ constexpr double maxSlant = 0.3;
 /// Distances that differ by less than this fraction count as equal [-].
 constexpr double sameDistance = 1e-6;
 
-struct Places {
+/// The cloth at the start of the step.
+struct StartOfStep {
   const ClothModel& model;
   const FeatureMesh& mesh;
   std::span<const Vec3> start;
 };
 
-/// Whether a triangle is at least as close to a vertex as `distance`, and comes first.
-bool comesFirst(const Places& at, int vertex, int triangle, int other, double distance) {
+/// Whether the contact of a vertex with triangle `other` replaces that with `triangle`: `other` is closer than
+/// `distance`, or as close and listed before. A triangle that contains the vertex is closer than any other.
+bool replaces(const StartOfStep& at, int vertex, int triangle, int other, double distance) {
   if (other == triangle) {
     return false;
   }
@@ -40,13 +42,13 @@ bool comesFirst(const Places& at, int vertex, int triangle, int other, double di
 }
 
 /// Whether the closest point of a triangle is the closest one of the triangles around it.
-bool isNearestAround(const Places& at, const FeaturePair& pair, const PairGap& gap) {
+bool isNearestAround(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
   const Triangle& corners = at.mesh.triangles[pair.second];
   std::array<bool, 3> touched{};
   for (std::size_t k = 0; k < 3; ++k) {
     touched[k] = -gap.weights[k + 1] > insideMargin;
   }
-  const auto closer = [&](int other) { return comesFirst(at, pair.first, pair.second, other, gap.distance); };
+  const auto closer = [&](int other) { return replaces(at, pair.first, pair.second, other, gap.distance); };
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     const std::size_t last = (k + 2) % 3;
@@ -54,8 +56,9 @@ bool isNearestAround(const Places& at, const FeaturePair& pair, const PairGap& g
       const std::span<const int> around = at.model.vertexTriangles[corners[k]];
       return std::none_of(around.begin(), around.end(), closer);
     }
-    if (touched[k] && touched[next] && !touched[last]) {
-      const std::span<const TriangleSide> sides = at.mesh.edges.sides[at.mesh.edgesOfTriangle[pair.second][k]];
+    const int edge = at.mesh.edgesOfTriangle[pair.second][k];
+    if (touched[k] && touched[next] && !touched[last] && edge >= 0) {
+      const std::span<const TriangleSide> sides = at.mesh.edges.sides[edge];
       return std::none_of(sides.begin(), sides.end(), [&](const TriangleSide& side) { return closer(side.triangle); });
     }
   }
@@ -63,7 +66,7 @@ bool isNearestAround(const Places& at, const FeaturePair& pair, const PairGap& g
 }
 
 /// Whether the offset from an edge leads along one of its faces, so that a point of the face is closer.
-bool leadsAlongFace(const Places& at, int edge, const Vec3& offset) {
+bool leadsAlongFace(const StartOfStep& at, int edge, const Vec3& offset) {
   const MeshEdge& ends = at.mesh.edges.edges[edge];
   const Vec3 along = at.start[ends.b] - at.start[ends.a];
   const double squared = along.squaredNorm();
@@ -76,7 +79,7 @@ bool leadsAlongFace(const Places& at, int edge, const Vec3& offset) {
   });
 }
 
-bool isContact(const Places& at, const FeaturePair& pair, const PairGap& gap) {
+bool isContact(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
   if (!(gap.distance > 0.0)) {
     return false;
   }
@@ -103,7 +106,7 @@ double thicknessOfPair(const ClothModel& model, const PairVertices& vertices, do
 void findPairContacts(const ClothModel& model, const PairSearch& search, const PairContactRules& rules,
                       std::span<const Vec3> start, std::span<const Vec3> predicted, Workers& workers, int threads,
                       std::vector<SubstepContact>& found) {
-  const Places at{model, search.mesh(), start};
+  const StartOfStep at{model, search.mesh(), start};
   const auto consider = [&](const PairSearch::Listed& listed, std::vector<SubstepContact>& into) {
     const double limit = rules.thickness + rules.margin;
     if (search.minDistance(listed) >= limit) {
@@ -132,15 +135,8 @@ void findPairContacts(const ClothModel& model, const PairSearch& search, const P
     }
   };
   const std::vector<PairSearch::Listed>& pairs = search.pairs();
-  const auto parts = collectInOrder<std::vector<SubstepContact>>(
-      workers, threads, static_cast<int>(pairs.size()), [&](int first, int last, std::vector<SubstepContact>& part) {
-        for (int i = first; i < last; ++i) {
-          consider(pairs[i], part);
-        }
-      });
-  for (const std::vector<SubstepContact>& part : parts) {
-    found.insert(found.end(), part.begin(), part.end());
-  }
+  collectInOrder(workers, threads, static_cast<int>(pairs.size()), found,
+                 [&](int i, std::vector<SubstepContact>& into) { consider(pairs[i], into); });
 }
 
 }  // namespace drape::sim::contact

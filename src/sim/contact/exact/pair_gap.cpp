@@ -37,17 +37,21 @@ PairGap gapOf(const PairVertices& vertices, std::span<const Vec3> positions) {
   return gap;
 }
 
-double separationAlong(const Vec3& normal, const PairVertices& vertices, std::span<const Vec3> positions) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  const Vec3& origin = positions[vertices.all[0]];
+PairExtents extentsOf(const PairVertices& vertices, const Vec3& normal, const Vec3& origin,
+                      std::span<const Vec3> positions) {
+  PairExtents extents{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const int v : vertices.first()) {
-    low = std::min(low, normal.dot(positions[v] - origin));
+    extents.firstLow = std::min(extents.firstLow, normal.dot(positions[v] - origin));
   }
   for (const int v : vertices.second()) {
-    high = std::max(high, normal.dot(positions[v] - origin));
+    extents.secondHigh = std::max(extents.secondHigh, normal.dot(positions[v] - origin));
   }
-  return low - high;
+  return extents;
+}
+
+double separationAlong(const Vec3& normal, const PairVertices& vertices, std::span<const Vec3> positions) {
+  const PairExtents extents = extentsOf(vertices, normal, positions[vertices.all[0]], positions);
+  return extents.firstLow - extents.secondHigh;
 }
 
 }  // namespace drape::sim::contact

@@ -38,6 +38,15 @@ struct PairGap {
 
 [[nodiscard]] PairGap gapOf(const PairVertices& vertices, std::span<const Vec3> positions);
 
+/// The extents of a pair along a direction, relative to an origin [m].
+struct PairExtents {
+  double firstLow = 0.0;    ///< minimum of the first feature
+  double secondHigh = 0.0;  ///< maximum of the second feature
+};
+
+[[nodiscard]] PairExtents extentsOf(const PairVertices& vertices, const Vec3& normal, const Vec3& origin,
+                                    std::span<const Vec3> positions);
+
 /// The distance of the features along a unit normal: the minimum of the first minus the maximum of the second [m]. If
 /// it is positive, a plane with this normal separates them.
 [[nodiscard]] double separationAlong(const Vec3& normal, const PairVertices& vertices, std::span<const Vec3> positions);

@@ -57,16 +57,9 @@ void PairGuard::findCrossing(const Inputs& inputs, const PairSearch& search, Wor
     }
   };
   const std::vector<PairSearch::Listed>& pairs = search.pairs();
-  const auto parts = collectInOrder<std::vector<Guarded>>(workers, inputs.threads, static_cast<int>(pairs.size()),
-                                                          [&](int first, int last, std::vector<Guarded>& part) {
-                                                            for (int i = first; i < last; ++i) {
-                                                              check(pairs[i], part);
-                                                            }
-                                                          });
   found_.clear();
-  for (const std::vector<Guarded>& part : parts) {
-    found_.insert(found_.end(), part.begin(), part.end());
-  }
+  collectInOrder(workers, inputs.threads, static_cast<int>(pairs.size()), found_,
+                 [&](int i, std::vector<Guarded>& found) { check(pairs[i], found); });
 }
 
 /// Adds the pairs that were found to the guarded ones, each once.
@@ -81,23 +74,16 @@ void PairGuard::guardFound() {
 /// Moves the features of all guarded pairs apart that are too close, one pair after the other.
 void PairGuard::moveApart(const Inputs& inputs, std::span<Vec3> positions) const {
   for (const Guarded& pair : guarded_) {
-    const double missing = sweepMargin * pair.separation - separationAlong(pair.normal, pair.vertices, positions);
+    const Vec3 origin = positions[pair.vertices.all[0]];
+    const PairExtents extents = extentsOf(pair.vertices, pair.normal, origin, positions);
+    const double missing = sweepMargin * pair.separation - (extents.firstLow - extents.secondHigh);
     const double first = meanAt(inputs.inverseMass, pair.vertices.first());
     const double second = meanAt(inputs.inverseMass, pair.vertices.second());
     if (missing <= 0.0 || first + second <= 0.0) {
       continue;
     }
-    const Vec3 origin = positions[pair.vertices.all[0]];
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const int v : pair.vertices.first()) {
-      low = std::min(low, pair.normal.dot(positions[v] - origin));
-    }
-    for (const int v : pair.vertices.second()) {
-      high = std::max(high, pair.normal.dot(positions[v] - origin));
-    }
-    low += missing * first / (first + second);
-    high -= missing * second / (first + second);
+    const double low = extents.firstLow + missing * first / (first + second);
+    const double high = extents.secondHigh - missing * second / (first + second);
     for (const int v : pair.vertices.first()) {
       const double below = low - pair.normal.dot(positions[v] - origin);
       positions[v] += (inputs.inverseMass[v] > 0.0 ? std::max(0.0, below) : 0.0) * pair.normal;
@@ -120,23 +106,13 @@ void PairGuard::moveApart(const Inputs& inputs, std::span<Vec3> positions) const
 void PairGuard::addPlanes(const Inputs& inputs, std::size_t first) {
   for (std::size_t i = first; i < guarded_.size(); ++i) {
     const Guarded& pair = guarded_[i];
-    double firstStart = std::numeric_limits<double>::infinity();
-    double firstEnd = firstStart;
-    double secondStart = -firstStart;
-    double secondEnd = -firstStart;
-    for (const int v : pair.vertices.first()) {
-      firstStart = std::min(firstStart, pair.normal.dot(inputs.fallback[v]));
-      firstEnd = std::min(firstEnd, pair.normal.dot(wanted_[v]));
-    }
-    for (const int v : pair.vertices.second()) {
-      secondStart = std::max(secondStart, pair.normal.dot(inputs.fallback[v]));
-      secondEnd = std::max(secondEnd, pair.normal.dot(wanted_[v]));
-    }
-    const double space = std::max(0.0, firstStart - secondStart - pair.separation);
-    const double down = std::max(0.0, firstStart - firstEnd);
-    const double up = std::max(0.0, secondEnd - secondStart);
-    const double high = secondStart + (down + up > 0.0 ? space * up / (down + up) : 0.5 * space);
-    const double low = firstStart - (down + up > 0.0 ? space * down / (down + up) : 0.5 * space);
+    const PairExtents start = extentsOf(pair.vertices, pair.normal, Vec3::Zero(), inputs.fallback);
+    const PairExtents end = extentsOf(pair.vertices, pair.normal, Vec3::Zero(), wanted_);
+    const double space = std::max(0.0, start.firstLow - start.secondHigh - pair.separation);
+    const double down = std::max(0.0, start.firstLow - end.firstLow);
+    const double up = std::max(0.0, end.secondHigh - start.secondHigh);
+    const double high = start.secondHigh + (down + up > 0.0 ? space * up / (down + up) : 0.5 * space);
+    const double low = start.firstLow - (down + up > 0.0 ? space * down / (down + up) : 0.5 * space);
     for (const int v : pair.vertices.first()) {
       planes_.push_back({v, 0, pair.normal, low});
     }

@@ -21,14 +21,14 @@ namespace drape::sim::contact {
 /// 1. Sweeps move the features of each such pair apart, weighted by their masses.
 /// 2. If pairs remain, each gets two parallel planes between its fallback positions, one for each feature. Every vertex
 ///    is projected onto its planes, or moves back towards its fallback position. Other pairs that this violates get
-///    planes too. In the end all pairs are separated, since the fallback positions satisfy all planes.
+///    planes too. If the fallback positions satisfy all planes and no pin violates one, all pairs are separated.
 class PairGuard {
  public:
   struct Inputs {
     const ClothModel& model;
     std::span<const double> inverseMass;          ///< 0: the vertex does not move [1/kg]
     std::span<const Vec3> start;                  ///< positions at the start of the step [m]
-    std::span<const Vec3> fallback;               ///< positions in which nothing intersects [m]
+    std::span<const Vec3> fallback;               ///< positions to which vertices move back [m]
     std::span<const SeparatingPlane> bodyPlanes;  ///< planes of bodies, which hold too
     std::span<const char> entangled;              ///< vertices of triangles that intersect at the start; may be empty
     double thickness = 0.0;                       ///< of the cloth [m]

@@ -21,15 +21,15 @@ constexpr double maxBallMargin = 1.0;
 /// Rounding of the listed distances, relative to them [-].
 constexpr double distanceRounding = 1e-6;
 
-Vec3 meanOffset(std::span<const Vec3> from, std::span<const Vec3> to) {
+}  // namespace
+
+Vec3 meanDisplacement(std::span<const Vec3> from, std::span<const Vec3> to) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t v = 0; v < from.size(); ++v) {
     sum += to[v] - from[v];
   }
   return from.empty() ? sum : Vec3(sum / static_cast<double>(from.size()));
 }
-
-}  // namespace
 
 PairSearch::Tree& PairSearch::treeOf(const ClothModel& model) {
   return trees_.get(model, [this](const ClothModel& m) {
@@ -57,8 +57,8 @@ void PairSearch::update(const ClothModel& model, double searchDistance, std::spa
 /// Measures how far the vertices leave the centres of their balls.
 /// @return whether they stay inside
 bool PairSearch::measureMoves(std::span<const Vec3> start, std::span<const Vec3> end) {
-  const Vec3 before = meanOffset(positions_, start);
-  shift_ = meanOffset(positions_, end);
+  const Vec3 before = meanDisplacement(positions_, start);
+  shift_ = meanDisplacement(positions_, end);
   moves_.resize(start.size());
   bool inside = true;
   for (std::size_t v = 0; v < start.size(); ++v) {
@@ -67,10 +67,6 @@ bool PairSearch::measureMoves(std::span<const Vec3> start, std::span<const Vec3>
     inside = inside && moves_[v] <= radii_[v];
   }
   return inside;
-}
-
-bool PairSearch::covers(int vertex, const Vec3& position) const {
-  return (position - positions_[vertex] - shift_).norm() <= radii_[vertex];
 }
 
 void PairSearch::search(std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers, int threads) {
@@ -82,16 +78,8 @@ void PairSearch::search(std::span<const Vec3> start, std::span<const Vec3> end, 
   }
   fitBoxes();
   pairs_.clear();
-  const auto leaves = static_cast<int>(tree_->tree.leafCount());
-  const auto parts = collectInOrder<std::vector<Listed>>(workers, threads, leaves,
-                                                         [&](int first, int last, std::vector<Listed>& found) {
-                                                           for (int leaf = first; leaf < last; ++leaf) {
-                                                             collectPairs(static_cast<std::size_t>(leaf), found);
-                                                           }
-                                                         });
-  for (const std::vector<Listed>& part : parts) {
-    pairs_.insert(pairs_.end(), part.begin(), part.end());
-  }
+  collectInOrder(workers, threads, static_cast<int>(tree_->tree.leafCount()), pairs_,
+                 [&](int leaf, std::vector<Listed>& found) { collectPairs(static_cast<std::size_t>(leaf), found); });
 }
 
 void PairSearch::fitBoxes() {

@@ -12,6 +12,9 @@
 
 namespace drape::sim::contact {
 
+/// The mean displacement between two sets of positions of the same vertices [m].
+[[nodiscard]] Vec3 meanDisplacement(std::span<const Vec3> from, std::span<const Vec3> to);
+
 /// Finds the pairs of features of a cloth that can come near each other in a step.
 ///
 /// A search places a ball around each vertex, with its displacement in the step and a margin as the radius, and lists
@@ -45,9 +48,6 @@ class PairSearch {
     return pair.edges ? apart - edgeMove(pair.first) - edgeMove(pair.second)
                       : apart - moves_[pair.first] - triangleMove(pair.second);
   }
-
-  /// Whether the list is valid at a position of a vertex [m].
-  [[nodiscard]] bool covers(int vertex, const Vec3& position) const;
 
  private:
   struct Tree {
