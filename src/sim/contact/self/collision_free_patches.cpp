@@ -81,7 +81,7 @@ bool BorderCheck::simple(const int* border, int count, const PositionLanes& posi
   }
   x_[count] = x_[0];
   y_[count] = y_[0];
-  return isSimplePolygon(x_.data(), y_.data(), count);
+  return isSimplePolygon(x_.data(), y_.data(), count, margin);
 }
 
 void PatchGrower::begin(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches) {

@@ -50,6 +50,9 @@ struct PatchMesh {
 /// Checks whether the projection of a patch's border along its axis is a simple polygon.
 class BorderCheck {
  public:
+  /// Sides that come closer to each other than this may count as touching [m].
+  float margin = 0.0F;
+
   bool simple(const int* border, int count, const PositionLanes& positions, const std::array<float, 3>& axis);
 
  private:
@@ -70,6 +73,9 @@ class BorderCheck {
 class PatchGrower {
  public:
   static constexpr double growthAngle = 60.0;  ///< [degrees]
+
+  /// See BorderCheck; initially 0 [m].
+  void setBorderMargin(float margin) { check_.margin = margin; }
 
   /// @param positions per vertex [m]
   void grow(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches);
@@ -111,6 +117,9 @@ class PatchGrower {
 class PatchCheck {
  public:
   static constexpr double holdAngle = 85.0;  ///< [degrees]
+
+  /// See BorderCheck; initially 0 [m].
+  void setBorderMargin(float margin) { border_.margin = margin; }
 
   /// Checks that normals are within `holdAngle` of the axes and that borders do not intersect themselves.
   /// @param valid 1 or 0 for each patch  @returns number of invalid patches

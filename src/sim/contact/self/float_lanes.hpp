@@ -63,8 +63,9 @@ bool normalsWithin(const PositionLanes& positions, const CornerLanes& corners, i
 void normalsOf(const PositionLanes& positions, const CornerLanes& corners, int count, PositionLanes& normals);
 
 /// Whether a closed polygon in the plane is simple: no two sides touch that are not adjacent.
-/// @param x, y its corners, then the first corner again and padding
-bool isSimplePolygon(const float* x, const float* y, int corners);
+/// @param x, y its corners, then the first corner again and padding [m]
+/// @param margin sides that come closer to each other than this may count as touching [m]
+bool isSimplePolygon(const float* x, const float* y, int corners, float margin);
 
 /// Distance up to which the response considers pairs, over the thickness: corrections of other pairs may move them
 /// closer.

@@ -1,26 +1,23 @@
 #pragma once
 
-#include "sim/contact/self/collision_free_patches.hpp"
 #include "sim/contact/self/float_lanes.hpp"
+#include "sim/contact/self/patch_updater.hpp"
 #include "sim/contact/self/response.hpp"
-
-#include <memory>
 
 namespace drape::sim::contact {
 
 /// Data that self-collision keeps between steps. It is part of the state of a cloth, since later results depend on it:
-/// a copied state continues with the same steps. It does not change once it belongs to a state.
+/// a copied state continues with the same steps. It does not change once it belongs to a state. Exact self-collision
+/// uses only the patches and the sizes of the mesh.
 struct SelfContactMemory {
-  std::shared_ptr<const CollisionFreePatches> patches;
+  PatchHistory patches;
   PositionLanes positions;  ///< positions at the last search for pairs [m]
   ColouredPairs pairs;      ///< pairs within `reach` then
   double thickness = 0.0;   ///< [m]
   double reach = 0.0;       ///< thickness plus the relative displacement that requires the next search [m]
   int vertices = 0;
   int triangles = 0;
-  int searches = 0;             ///< number of searches so far
-  int searchesSinceGrowth = 0;  ///< since all patches were grown anew
-  int patchesGrown = 0;         ///< number of patches then
+  int searches = 0;  ///< number of searches so far
 };
 
 }  // namespace drape::sim::contact

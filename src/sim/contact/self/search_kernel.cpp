@@ -172,25 +172,39 @@ HWY_INLINE FloatLanes turn(FloatLanes ax, FloatLanes ay, FloatLanes bx, FloatLan
   return hn::NegMulAdd(hn::Sub(by, ay), hn::Sub(cx, ax), hn::Mul(hn::Sub(bx, ax), hn::Sub(cy, ay)));
 }
 
+/// Whether two points lie on the same side of a line and farther from it than a margin.
+/// @param first, second the products of their distances with a length  @param limit product of the margin with at least
+/// that length [m^2]
+HWY_INLINE FloatMask onSameSide(FloatLanes first, FloatLanes second, FloatLanes limit) {
+  const auto above = hn::And(hn::Gt(first, limit), hn::Gt(second, limit));
+  const auto below = hn::And(hn::Lt(first, hn::Neg(limit)), hn::Lt(second, hn::Neg(limit)));
+  return hn::Or(above, below);
+}
+
 /// Which of the sides from corner j on touch the side from a to b: the ends of each lie on different sides of the
-/// other's line, or on it, and their bounding boxes intersect.
-HWY_INLINE FloatMask touching(const std::array<FloatLanes, 4>& side, const float* x, const float* y, int j) {
+/// other's line, or within the margin of it, and their bounding boxes intersect.
+HWY_INLINE FloatMask touching(const std::array<FloatLanes, 4>& side, const float* x, const float* y, int j,
+                              FloatLanes margin) {
   const Floats d;
   const auto& [ax, ay, bx, by] = side;
   const auto cx = hn::LoadU(d, x + j);
   const auto cy = hn::LoadU(d, y + j);
   const auto ex = hn::LoadU(d, x + j + 1);
   const auto ey = hn::LoadU(d, y + j + 1);
-  const auto zero = hn::Zero(d);
-  const auto apart = hn::Gt(hn::Mul(turn(ax, ay, bx, by, cx, cy), turn(ax, ay, bx, by, ex, ey)), zero);
-  const auto apartToo = hn::Gt(hn::Mul(turn(cx, cy, ex, ey, ax, ay), turn(cx, cy, ex, ey, bx, by)), zero);
-  const auto boxes =
-      hn::And(hn::And(hn::Le(hn::Min(cx, ex), hn::Max(ax, bx)), hn::Ge(hn::Max(cx, ex), hn::Min(ax, bx))),
-              hn::And(hn::Le(hn::Min(cy, ey), hn::Max(ay, by)), hn::Ge(hn::Max(cy, ey), hn::Min(ay, by))));
+  const auto limitOf = [&](FloatLanes dx, FloatLanes dy) { return hn::Mul(margin, hn::Add(hn::Abs(dx), hn::Abs(dy))); };
+  const auto apart =
+      onSameSide(turn(ax, ay, bx, by, cx, cy), turn(ax, ay, bx, by, ex, ey), limitOf(hn::Sub(bx, ax), hn::Sub(by, ay)));
+  const auto apartToo =
+      onSameSide(turn(cx, cy, ex, ey, ax, ay), turn(cx, cy, ex, ey, bx, by), limitOf(hn::Sub(ex, cx), hn::Sub(ey, cy)));
+  const auto overlap = [&](FloatLanes c, FloatLanes e, FloatLanes a, FloatLanes b) {
+    return hn::And(hn::Le(hn::Sub(hn::Min(c, e), margin), hn::Max(a, b)),
+                   hn::Ge(hn::Add(hn::Max(c, e), margin), hn::Min(a, b)));
+  };
+  const auto boxes = hn::And(overlap(cx, ex, ax, bx), overlap(cy, ey, ay, by));
   return hn::AndNot(hn::Or(apart, apartToo), boxes);
 }
 
-bool isSimple(const float* x, const float* y, int corners) {
+bool isSimple(const float* x, const float* y, int corners, float margin) {
   const Floats d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int i = 0; i + 2 < corners; ++i) {
@@ -198,7 +212,7 @@ bool isSimple(const float* x, const float* y, int corners) {
                                             hn::Set(d, y[i + 1])};
     const int end = i == 0 ? corners - 1 : corners;  // the last side is adjacent to the first
     for (int j = i + 2; j < end; j += lanes) {
-      if (!hn::AllFalse(d, hn::And(touching(side, x, y, j), firstLanes(end - j)))) {
+      if (!hn::AllFalse(d, hn::And(touching(side, x, y, j, hn::Set(d, margin)), firstLanes(end - j)))) {
         return false;
       }
     }
@@ -308,8 +322,8 @@ void normalsOf(const PositionLanes& positions, const CornerLanes& corners, int c
   HWY_DYNAMIC_DISPATCH(normals)(positions, corners, count, result);
 }
 
-bool isSimplePolygon(const float* x, const float* y, int corners) {
-  return HWY_DYNAMIC_DISPATCH(isSimple)(x, y, corners);
+bool isSimplePolygon(const float* x, const float* y, int corners, float margin) {
+  return HWY_DYNAMIC_DISPATCH(isSimple)(x, y, corners, margin);
 }
 
 void bucketsOf(const PositionLanes& positions, int count, const HashGrid& grid, std::int32_t* buckets) {

@@ -24,10 +24,7 @@ constexpr double stepsOfMargin = 4.0;
 constexpr double listMargin = 0.05;
 constexpr double restGap = 0.001;
 
-/// All patches are grown anew after so many searches even if they are valid, since cloth that has become flat needs
-/// fewer. They are also grown anew when repairs have more than doubled their number, plus `extraRepairedPatches`.
-constexpr int maxSearchesPerGrowth = 64;
-constexpr int extraRepairedPatches = 4;
+constexpr int maxSearchesPerGrowth = 64;  // see PatchUpdater
 
 /// With more patches than this, points are not culled by the bounding boxes of patches.
 constexpr int maxBoxes = 64;
@@ -116,30 +113,6 @@ std::shared_ptr<SelfContactMemory> SelfContact::unusedMemory() {
   return std::make_shared<SelfContactMemory>();  // all are in use, since many states are kept
 }
 
-std::shared_ptr<const CollisionFreePatches> SelfContact::patchesFor(const ClothModel& model,
-                                                                    const SelfContactMemory* old,
-                                                                    SelfContactMemory& next) {
-  const PatchMesh& mesh = mesh_.get(model, patchMeshOf);
-  const bool aged = old != nullptr && old->searchesSinceGrowth >= maxSearchesPerGrowth && old->patches->count() > 1;
-  if (old != nullptr && !aged) {
-    next.searchesSinceGrowth = old->searchesSinceGrowth + 1;
-    next.patchesGrown = old->patchesGrown;
-    if (check_.failures(*old->patches, positions_, valid_) == 0) {
-      return old->patches;
-    }
-    auto repaired = std::make_shared<CollisionFreePatches>();
-    grower_.repair(mesh, positions_, *old->patches, valid_, *repaired);
-    if (repaired->count() <= 2 * next.patchesGrown + extraRepairedPatches) {
-      return repaired;
-    }
-  }
-  auto patches = std::make_shared<CollisionFreePatches>();
-  grower_.grow(mesh, positions_, *patches);
-  next.searchesSinceGrowth = 0;
-  next.patchesGrown = patches->count();
-  return patches;
-}
-
 void SelfContact::gatherPointsNearOtherPatches(const CollisionFreePatches& patches, float reach) {
   const std::size_t vertices = patches.vertices.size();
   sorted_.resize(vertices);
@@ -220,11 +193,13 @@ void SelfContact::updatePairs(const ClothModel& model, double thickness, const s
   memory->vertices = model.vertexCount();
   memory->triangles = static_cast<int>(model.triangles.size());
   memory->searches = old != nullptr ? old->searches + 1 : 0;
-  memory->patches = patchesFor(model, old, *memory);
+  memory->patches = patches_.update(mesh_.get(model, patchMeshOf), positions_,
+                                    old != nullptr ? old->patches : PatchHistory{}, maxSearchesPerGrowth);
   memory->positions = positions_;
   found_.clear();
-  if (memory->patches->count() > 1) {
-    gatherPointsNearOtherPatches(*memory->patches, static_cast<float>(memory->reach));
+  const CollisionFreePatches& patches = *memory->patches.patches;
+  if (patches.count() > 1) {
+    gatherPointsNearOtherPatches(patches, static_cast<float>(memory->reach));
     std::array<float, 3> phase{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double all = phaseSteps[axis] * memory->searches;
@@ -233,7 +208,7 @@ void SelfContact::updatePairs(const ClothModel& model, double thickness, const s
     hash_.findPairs(points_, static_cast<float>(memory->reach), phase, found_);
     removeConnectedPairs(model, thickness, found_);
     if (old != nullptr && old->thickness == thickness) {
-      keepKnownPairs(*old, *memory->patches, memory->reach, found_);
+      keepKnownPairs(*old, patches, memory->reach, found_);
     }
   }
   colourPairs(model.vertexCount(), found_, colours_, memory->pairs);

@@ -4,6 +4,7 @@
 #include "sim/contact/contact_report.hpp"
 #include "sim/contact/self/collision_free_patches.hpp"
 #include "sim/contact/self/memory.hpp"
+#include "sim/contact/self/patch_updater.hpp"
 #include "sim/contact/self/point_hash.hpp"
 #include "sim/contact/self/response.hpp"
 #include "sim/forces/common_parameters.hpp"
@@ -55,8 +56,6 @@ class SelfContact {
   [[nodiscard]] bool pairListIsValid(const ClothModel& model, double thickness, const ClothState& state) const;
   void updatePairs(const ClothModel& model, double thickness, const std::vector<Vec3>& start, ClothState& state);
   std::shared_ptr<SelfContactMemory> unusedMemory();
-  std::shared_ptr<const CollisionFreePatches> patchesFor(const ClothModel& model, const SelfContactMemory* old,
-                                                         SelfContactMemory& next);
   void gatherPointsNearOtherPatches(const CollisionFreePatches& patches, float reach);
   void keepKnownPairs(const SelfContactMemory& old, const CollisionFreePatches& patches, double reach,
                       std::vector<VertexPair>& pairs) const;
@@ -64,9 +63,7 @@ class SelfContact {
 
   ModelCache<PatchMesh> mesh_;
   ModelCache<double> edge_;
-  PatchGrower grower_;
-  PatchCheck check_;
-  std::vector<char> valid_;
+  PatchUpdater patches_;
   PointHash hash_;
   SelfResponse response_;
   PositionLanes positions_, startPositions_;  // at the end and the start of the step [m]

@@ -287,5 +287,20 @@ TEST(BorderCheck, DetectsSimplePolygons) {
   EXPECT_FALSE(simple(star));
 }
 
+TEST(BorderCheck, CountsSidesWithinTheMarginAsTouching) {
+  // A U whose arms are 0.01 apart, at a corner and along sides.
+  const std::vector<Vec3> positions = {{0, 0, 0},    {2.01, 0, 0}, {2.01, 3, 0}, {1.01, 3, 0},
+                                       {1.01, 1, 0}, {1, 1, 0},    {1, 3, 0},    {0, 3, 0}};
+  const std::vector<int> border = {0, 1, 2, 3, 4, 5, 6, 7};
+  BorderCheck check;
+  const auto simple = [&](float margin) {
+    check.margin = margin;
+    return check.simple(border.data(), static_cast<int>(border.size()), lanesOf(positions), {0.0F, 0.0F, 1.0F});
+  };
+  EXPECT_TRUE(simple(0.0F));
+  EXPECT_TRUE(simple(0.001F));
+  EXPECT_FALSE(simple(0.02F));
+}
+
 }  // namespace
 }  // namespace drape::sim::contact

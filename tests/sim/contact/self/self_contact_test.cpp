@@ -227,7 +227,7 @@ TEST(SelfContact, RarelyMissesAPairOfDifferentPatchesThatIsTooClose) {
       known.insert({memory.pairs.pairs[p].a, memory.pairs.pairs[p].b});
     }
     for (const auto& [a, b] : known) {
-      EXPECT_NE(memory.patches->patchOfVertex[a], memory.patches->patchOfVertex[b]);
+      EXPECT_NE(memory.patches.patches->patchOfVertex[a], memory.patches.patches->patchOfVertex[b]);
     }
     const std::vector<Vec3>& x = fold.state.positions;
     for (int a = 0; a < fold.model->vertexCount(); ++a) {
@@ -235,7 +235,7 @@ TEST(SelfContact, RarelyMissesAPairOfDifferentPatchesThatIsTooClose) {
         const auto i1 = static_cast<std::size_t>(a);
         const auto i2 = static_cast<std::size_t>(b);
         const bool connected = (fold.model->restPositions[i2] - fold.model->restPositions[i1]).norm() < 0.09;
-        if (!connected && memory.patches->patchOfVertex[i1] != memory.patches->patchOfVertex[i2] &&
+        if (!connected && memory.patches.patches->patchOfVertex[i1] != memory.patches.patches->patchOfVertex[i2] &&
             (x[i2] - x[i1]).norm() < 1.01 * thickness) {
           ++near;
           missed += known.count({a, b}) == 0 ? 1 : 0;
@@ -279,7 +279,7 @@ TEST(SelfContact, PairsConnectedAtRestNeverCount) {
   }
   Stepper stepper("one_iteration");
   stepper.step(*model, parameters, {}, state);
-  EXPECT_GT(state.selfContact->patches->count(), 1);
+  EXPECT_GT(state.selfContact->patches.patches->count(), 1);
   const ColouredPairs& pairs = state.selfContact->pairs;
   EXPECT_GT(pairs.count(), 0);
   for (std::size_t i = 0; i < static_cast<std::size_t>(pairs.count()); ++i) {
