@@ -61,8 +61,8 @@ bool ContactStage::isNearItself(const ClothModel& model, const CommonParameters&
                                 const ContactParameters& contact, const ClothState& state) {
   if (contact.self == SelfCollision::Exact && hasBoundedPositions(state.positions)) {
     extrapolate(state, parameters.timeStep);
-    return exactSelfContact().isNear({model, parameters, contact, state.positions, state.hasNoSelfIntersection},
-                                     ahead_);
+    return exactSelfContact().isNear(
+        {model, parameters, contact, state.positions, state.hasNoSelfIntersection, state.selfContact}, ahead_);
   }
   return contact.self == SelfCollision::Hash && (state.selfContact == nullptr || state.selfContact->pairs.count() > 0);
 }
@@ -95,8 +95,8 @@ void ContactStage::findSubstepContacts(const ClothModel& model, const CommonPara
   }
   if (contact.self == SelfCollision::Exact) {
     const auto begin = std::chrono::steady_clock::now();
-    exactSelfContact().findSubstepContacts({model, parameters, contact, state.positions, state.hasNoSelfIntersection},
-                                           ahead_, found);
+    exactSelfContact().findSubstepContacts(
+        {model, parameters, contact, state.positions, state.hasNoSelfIntersection, state.selfContact}, ahead_, found);
     selfSeconds_ = secondsSince(begin);
   }
   if (meetsBodies(contact, inputs)) {
@@ -159,8 +159,8 @@ ContactReport ContactStage::resolve(const ClothModel& model, const CommonParamet
   }
   if (contact.self == SelfCollision::Exact) {
     const auto begin = std::chrono::steady_clock::now();
-    report.selfContacts =
-        exactSelfContact().resolve({model, parameters, contact, start_, hadNoIntersection}, state, points_);
+    report.selfContacts = exactSelfContact().resolve(
+        {model, parameters, contact, start_, hadNoIntersection, state.selfContact}, state, points_);
     report.selfSeconds += secondsSince(begin);
   }
   if (meetsBodies(contact, inputs)) {
@@ -173,7 +173,8 @@ ContactReport ContactStage::resolve(const ClothModel& model, const CommonParamet
   }
   if (contact.self == SelfCollision::Exact) {
     const auto begin = std::chrono::steady_clock::now();
-    guardAgainstItself({model, parameters, contact, start_, hadNoIntersection}, nearBodies, state, report);
+    guardAgainstItself({model, parameters, contact, start_, hadNoIntersection, state.selfContact}, nearBodies, state,
+                       report);
     report.selfSeconds += secondsSince(begin);
   }
   changed_ = report.selfContacts > 0 || report.bodyContacts > 0;

@@ -35,7 +35,7 @@ struct ClothState {
   std::vector<Vec3> velocities;                                        ///< [m/s], one a vertex
   double time = 0.0;                                                   ///< simulated time since the start [s]
   StepHistory history = {};                                            ///< used by multistep integrations only
-  std::shared_ptr<const contact::SelfContactMemory> selfContact = {};  ///< used by hashed self-collision only
+  std::shared_ptr<const contact::SelfContactMemory> selfContact = {};  ///< used by self-collision only
   /// Whether no two triangles intersect, as exact self-collision found in the last step. False: the next step checks.
   bool hasNoSelfIntersection = false;
   std::shared_ptr<const SolverMemory> memory = {};  ///< used by `auto` only; null: there is none yet

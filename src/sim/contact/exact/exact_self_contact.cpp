@@ -6,13 +6,16 @@ namespace drape::sim::contact {
 namespace {
 
 // In thicknesses:
-constexpr double reachRatio = 1.5;      // distance up to which pairs are searched
-constexpr double contactMargin = 0.5;   // excess over the thickness up to which predicted positions count
+constexpr double contactMargin = 0.25;  // excess over the thickness up to which predicted positions count
 constexpr double substepMargin = 0.05;  // the same in substeps, beyond what gravity moves
 constexpr double activeGap = 0.1;       // excess over the thickness up to which velocities are corrected
+constexpr double reachRatio = approachSlack * (1.0 + contactMargin);  // distance up to which pairs are searched
 
 constexpr double separationSpeed = 0.05;  // at which layers that are too close move apart [m/s]
 constexpr int impulseIterations = 10;
+
+/// After so many rounds of the guard in which patches became invalid, all pairs are checked.
+constexpr int maxPatchRounds = 3;
 
 }  // namespace
 
@@ -25,7 +28,8 @@ void ExactSelfContact::findContacts(const ExactStep& step, double margin, double
   const double thickness = step.contact.thickness;
   const int threads = step.parameters.threads;
   findEntangledAt(step);
-  search_.update(step.model, reachRatio * thickness, step.start, predicted, workers_, threads);
+  search_.update({step.model, reachRatio * thickness, reachRatio * thickness, patchesAtStart(step), threads},
+                 step.start, predicted, workers_);
   findPairContacts(step.model, search_,
                    {.thickness = thickness,
                     .margin = std::min(margin, contactMargin * thickness),
@@ -34,6 +38,14 @@ void ExactSelfContact::findContacts(const ExactStep& step, double margin, double
                     .kineticFriction = step.contact.kineticFriction,
                     .entangled = entangled_},
                    step.start, predicted, workers_, threads, found);
+}
+
+/// The patches that the last step has left, or new ones.
+SharedFeaturePatches ExactSelfContact::patchesAtStart(const ExactStep& step) {
+  const FeatureMesh& mesh = search_.meshOf(step.model);
+  const bool known = step.memory != nullptr && step.memory->vertices == step.model.vertexCount() &&
+                     step.memory->triangles == static_cast<int>(step.model.triangles.size());
+  return patches_.ofFeatures(mesh, known ? step.memory->patches : patches_.update(step.model, step.start, {}));
 }
 
 /// Finds the vertices of triangles that intersect at the start of the step.
@@ -100,6 +112,42 @@ int ExactSelfContact::resolve(const ExactStep& step, ClothState& state, std::vec
   return solveVelocities(step, state, points);
 }
 
+/// Guards pairs of different patches until all patches are collision-free.
+/// @param history the patches at the start; those at the end are stored here  @returns see `guard`
+int ExactSelfContact::keepApart(const ExactStep& step, PairGuard::Inputs inputs, std::vector<Vec3>& positions,
+                                PatchHistory& history) {
+  history = patches_.update(step.model, positions, history);
+  inputs.patches = patches_.ofFeatures(search_.meshOf(step.model), history);
+  bool wereRemoved = false;
+  for (int round = 0;; ++round) {
+    wanted_ = positions;
+    const int crossing = guard_.apply(inputs, search_, workers_, positions);
+    const bool areValid =
+        inputs.patches == nullptr || positions == wanted_ || !patches_.removeInvalid(positions, inputs.patches);
+    if (areValid) {
+      history = wereRemoved ? patches_.update(step.model, positions, history) : history;
+      return crossing;
+    }
+    wereRemoved = true;
+    if (round == maxPatchRounds) {
+      inputs.patches = nullptr;  // checks all pairs
+    }
+  }
+}
+
+/// Removes the velocity towards what stopped the vertices that the guard moved.
+void ExactSelfContact::removeApproach(const Vec3& commonVelocity, double timeStep, ClothState& state) const {
+  for (std::size_t v = 0; v < before_.size(); ++v) {
+    const Vec3 moved = state.positions[v] - before_[v];
+    const double distance = moved.norm();
+    if (distance > 0.0) {
+      const Vec3 normal = moved / distance;
+      const double approach = -normal.dot(state.velocities[v] - commonVelocity);
+      state.velocities[v] += std::clamp(approach, 0.0, distance / timeStep) * normal;
+    }
+  }
+}
+
 int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state) {
   before_ = state.positions;
   const bool nearBodies = !bodies.fallback.empty();
@@ -110,27 +158,25 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
       position += common;
     }
   }
-  const double thickness = step.contact.thickness;
-  const int crossing = guard_.apply({.model = step.model,
-                                     .inverseMass = inverseMass(step.model),
-                                     .start = step.start,
-                                     .fallback = nearBodies ? bodies.fallback : std::span<const Vec3>(fallback_),
-                                     .bodyPlanes = bodies.planes,
-                                     .entangled = entangled_,
-                                     .thickness = thickness,
-                                     .threads = step.parameters.threads},
-                                    reachRatio * thickness, search_, workers_, state.positions);
-  const double h = step.parameters.timeStep;
-  for (std::size_t v = 0; v < before_.size(); ++v) {
-    const Vec3 moved = state.positions[v] - before_[v];
-    const double distance = moved.norm();
-    if (distance > 0.0) {
-      const Vec3 normal = moved / distance;
-      const double approach = -normal.dot(state.velocities[v] - common / h);
-      state.velocities[v] += std::clamp(approach, 0.0, distance / h) * normal;
-    }
-  }
+  const auto memory = std::make_shared<SelfContactMemory>();
+  memory->vertices = step.model.vertexCount();
+  memory->triangles = static_cast<int>(step.model.triangles.size());
+  memory->patches = step.memory != nullptr ? step.memory->patches : PatchHistory{};
+  const int crossing = keepApart(step,
+                                 {.model = step.model,
+                                  .inverseMass = inverseMass(step.model),
+                                  .start = step.start,
+                                  .fallback = nearBodies ? bodies.fallback : std::span<const Vec3>(fallback_),
+                                  .bodyPlanes = bodies.planes,
+                                  .entangled = entangled_,
+                                  .patches = nullptr,
+                                  .thickness = step.contact.thickness,
+                                  .reach = reachRatio * step.contact.thickness,
+                                  .threads = step.parameters.threads},
+                                 state.positions, memory->patches);
+  removeApproach(common / step.parameters.timeStep, step.parameters.timeStep, state);
   state.hasNoSelfIntersection = crossing == 0 && entangled_.empty();
+  state.selfContact = memory;
   return crossing;
 }
 

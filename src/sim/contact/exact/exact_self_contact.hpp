@@ -2,9 +2,11 @@
 
 #include "sim/contact/contact_parameters.hpp"
 #include "sim/contact/contact_report.hpp"
+#include "sim/contact/exact/feature_patches.hpp"
 #include "sim/contact/exact/pair_contacts.hpp"
 #include "sim/contact/exact/pair_guard.hpp"
 #include "sim/contact/exact/pair_search.hpp"
+#include "sim/contact/self/memory.hpp"
 #include "sim/contact/solve/contact_solver.hpp"
 #include "sim/forces/common_parameters.hpp"
 #include "sim/forces/substep_contact.hpp"
@@ -23,17 +25,19 @@ struct ExactStep {
   const ClothModel& model;
   const CommonParameters& parameters;
   const ContactParameters& contact;
-  const std::vector<Vec3>& start;      ///< positions at its start [m]
-  bool hasNoSelfIntersection = false;  ///< whether nothing intersects there for certain, see ClothState
+  const std::vector<Vec3>& start;                   ///< positions at its start [m]
+  bool hasNoSelfIntersection = false;               ///< whether nothing intersects there for certain, see ClothState
+  std::shared_ptr<const SelfContactMemory> memory;  ///< that of the state there; may be null
 };
 
 /// Self-collision by pairs of features: vertices with triangles, and edges with edges (docs/theory/contact.md). A step
 /// has these stages:
 ///
-/// 1. PairSearch lists the pairs that come near each other.
+/// 1. PairSearch lists the pairs that come near each other. It omits pairs of one collision-free patch.
 /// 2. findPairContacts chooses the contacts among them, which keep the thickness of the cloth.
 /// 3. ContactSolver solves for impulses with friction. `auto` resolves the contacts in its substeps before.
-/// 4. PairGuard keeps all other pairs from passing through each other, so that nothing intersects.
+/// 4. PairGuard keeps pairs of different patches from passing through each other, so that nothing intersects. Patches
+///    that are not collision-free at the end of the step are replaced by smaller ones before.
 class ExactSelfContact {
  public:
   /// What bodies require of the cloth.
@@ -55,7 +59,7 @@ class ExactSelfContact {
 
   /// Requires a call of `resolve` for the same step. Keeps features from passing through each other, and removes the
   /// velocity of vertices towards what stops them. Stores in `state` whether the cloth is now free of intersections
-  /// with itself.
+  /// with itself, and its collision-free patches.
   /// @returns number of pairs that could not be separated; those that intersect at the start do not count
   int guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state);
 
@@ -65,8 +69,12 @@ class ExactSelfContact {
   void solvePositions(const ExactStep& step, ClothState& state);
   int solveVelocities(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
   void findEntangledAt(const ExactStep& step);
+  SharedFeaturePatches patchesAtStart(const ExactStep& step);
+  int keepApart(const ExactStep& step, PairGuard::Inputs inputs, std::vector<Vec3>& positions, PatchHistory& history);
+  void removeApproach(const Vec3& commonVelocity, double timeStep, ClothState& state) const;
   const std::vector<double>& inverseMass(const ClothModel& model);
 
+  PatchFinder patches_;
   PairSearch search_;
   PairGuard guard_;
   ContactSolver solver_;
@@ -76,6 +84,7 @@ class ExactSelfContact {
   std::vector<ContactConstraint> active_;
   std::vector<ContactGoal> goals_;
   std::vector<Vec3> before_;     // positions before the guard [m]
+  std::vector<Vec3> wanted_;     // positions before a round of the guard [m]
   std::vector<Vec3> fallback_;   // [m]
   std::vector<char> entangled_;  // vertices at the start; empty if nothing intersects
   Workers workers_;

@@ -1,7 +1,7 @@
 #include "sim/contact/exact/pair_contacts.hpp"
 
 #include "sim/contact/closest_features/triangle_geometry.hpp"
-#include "sim/contact/constraints/collect_in_order.hpp"
+#include "sim/contact/exact/near_pairs.hpp"
 
 #include <algorithm>
 
@@ -100,26 +100,32 @@ bool isEntangled(std::span<const char> entangled, const PairVertices& vertices) 
 }
 
 double thicknessOfPair(const ClothModel& model, const PairVertices& vertices, double thickness) {
-  return std::min(thickness, fractionOfRest * gapOf(vertices, model.restPositions).distance);
+  const std::vector<Vec3>& rest = model.restPositions;
+  const auto& [a, b, c, d] = vertices.all;
+  // A lower bound of the distance at rest decides for most pairs.
+  const double sizes = vertices.firstCount == 2 ? (rest[b] - rest[a]).norm() + (rest[d] - rest[c]).norm()
+                                                : std::max((rest[c] - rest[b]).norm(), (rest[d] - rest[b]).norm());
+  const double between = (rest[vertices.second()[0]] - rest[a]).norm();
+  if (fractionOfRest * (between - sizes) >= thickness) {
+    return thickness;
+  }
+  return std::min(thickness, fractionOfRest * gapOf(vertices, rest).distance);
 }
 
 void findPairContacts(const ClothModel& model, const PairSearch& search, const PairContactRules& rules,
                       std::span<const Vec3> start, std::span<const Vec3> predicted, Workers& workers, int threads,
                       std::vector<SubstepContact>& found) {
   const StartOfStep at{model, search.mesh(), start};
-  const auto consider = [&](const PairSearch::Listed& listed, std::vector<SubstepContact>& into) {
-    const double limit = rules.thickness + rules.margin;
-    if (search.minDistance(listed) >= limit) {
-      return;
-    }
-    const PairVertices vertices = verticesOf(at.mesh, listed.pair);
+  const double limit = rules.thickness + rules.margin;
+  const auto consider = [&](const FeaturePair& pair, std::vector<SubstepContact>& into) {
+    const PairVertices vertices = verticesOf(at.mesh, pair);
     const PairGap gap = gapOf(vertices, start);
     double predictedGap = 0.0;
     for (std::size_t k = 1; k < 4; ++k) {
       predictedGap += gap.weights[k] * gap.normal.dot(predicted[vertices.all[k]] - predicted[vertices.all[0]]);
     }
     if (std::min(predictedGap, gap.distance) >= limit || isEntangled(rules.entangled, vertices) ||
-        !isContact(at, listed.pair, gap)) {
+        !isContact(at, pair, gap) || (gap.distance >= limit && !comesWithin(limit, vertices, start, predicted))) {
       return;
     }
     const double thickness = thicknessOfPair(model, vertices, rules.thickness);
@@ -134,9 +140,7 @@ void findPairContacts(const ClothModel& model, const PairSearch& search, const P
                       .kineticFriction = std::min(rules.kineticFriction, rules.staticFriction)});
     }
   };
-  const std::vector<PairSearch::Listed>& pairs = search.pairs();
-  collectInOrder(workers, threads, static_cast<int>(pairs.size()), found,
-                 [&](int i, std::vector<SubstepContact>& into) { consider(pairs[i], into); });
+  collectFromNearPairs(search, {start, predicted, approachSlack * limit}, workers, threads, found, consider);
 }
 
 }  // namespace drape::sim::contact

@@ -37,6 +37,42 @@ PairGap gapOf(const PairVertices& vertices, std::span<const Vec3> positions) {
   return gap;
 }
 
+bool comesWithin(double distance, const PairVertices& vertices, std::span<const Vec3> start,
+                 std::span<const Vec3> end) {
+  std::array<Vec3, 4> from, move, at;
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t k = 0; k < 4; ++k) {
+    from[k] = start[vertices.all[k]] - start[vertices.all[0]];
+    move[k] = end[vertices.all[k]] - start[vertices.all[k]];
+    mean += 0.25 * move[k];
+  }
+  double first = 0.0;
+  double second = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    double& speed = k < vertices.firstCount ? first : second;
+    speed = std::max(speed, (move[k] - mean).norm());
+  }
+  // The distance changes by at most `speed` in the whole step.
+  const double speed = first + second;
+  const double maxSteps = speed / ((approachSlack - 1.0) * distance) + 2.0;
+  const PairVertices local{{0, 1, 2, 3}, vertices.firstCount};
+  double time = 0.0;  // in steps
+  for (double steps = 0.0; steps < maxSteps; steps += 1.0) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      at[k] = from[k] + time * (move[k] - mean);
+    }
+    const double excess = gapOf(local, at).distance - distance;
+    if (excess <= 0.0) {
+      return true;
+    }
+    time += excess / speed;
+    if (time >= 1.0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 PairExtents extentsOf(const PairVertices& vertices, const Vec3& normal, const Vec3& origin,
                       std::span<const Vec3> positions) {
   PairExtents extents{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};

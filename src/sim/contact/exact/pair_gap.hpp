@@ -38,6 +38,15 @@ struct PairGap {
 
 [[nodiscard]] PairGap gapOf(const PairVertices& vertices, std::span<const Vec3> positions);
 
+/// Slack of comesWithin [-].
+inline constexpr double approachSlack = 1.1;
+
+/// Whether the features of a pair may come closer than `distance` on straight ways from `start` to `end` [m], by
+/// conservative advancement. False is certain. The result is false if they stay farther apart than `approachSlack`
+/// times `distance`.
+[[nodiscard]] bool comesWithin(double distance, const PairVertices& vertices, std::span<const Vec3> start,
+                               std::span<const Vec3> end);
+
 /// The extents of a pair along a direction, relative to an origin [m].
 struct PairExtents {
   double firstLow = 0.0;    ///< minimum of the first feature

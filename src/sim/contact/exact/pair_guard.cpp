@@ -1,6 +1,6 @@
 #include "sim/contact/exact/pair_guard.hpp"
 
-#include "sim/contact/constraints/collect_in_order.hpp"
+#include "sim/contact/exact/near_pairs.hpp"
 #include "sim/contact/exact/pair_contacts.hpp"
 
 #include <algorithm>
@@ -35,31 +35,30 @@ double meanAt(std::span<const double> values, std::span<const int> indices) {
 void PairGuard::findCrossing(const Inputs& inputs, const PairSearch& search, Workers& workers,
                              std::span<const Vec3> positions) {
   const double required = guardedSeparation * inputs.thickness;
-  const auto check = [&](const PairSearch::Listed& listed, std::vector<Guarded>& found) {
-    if (search.minDistance(listed) >= required) {
+  const auto check = [&](const FeaturePair& pair, std::vector<Guarded>& found) {
+    const PairVertices vertices = verticesOf(search.mesh(), pair);
+    const PairGap gap = gapOf(vertices, inputs.start);
+    if (!(gap.distance > 0.0) || isEntangled(inputs.entangled, vertices)) {
       return;
     }
-    const PairVertices vertices = verticesOf(search.mesh(), listed.pair);
-    const PairGap gap = gapOf(vertices, inputs.start);
-    if (separationAlong(gap.normal, vertices, positions) >= required || !(gap.distance > 0.0) ||
-        isEntangled(inputs.entangled, vertices)) {
+    const double separation = separationAlong(gap.normal, vertices, positions);
+    if (separation >= required) {
       return;
     }
     const double wanted = std::min(guardedSeparation * thicknessOfPair(inputs.model, vertices, inputs.thickness),
                                    (1.0 - closingPerStep) * gap.distance);
-    if (separationAlong(gap.normal, vertices, positions) >= wanted) {
+    if (separation >= wanted) {
       return;
     }
     const Vec3 other = gapOf(vertices, positions).normal;
-    if (separationAlong(other, vertices, positions) < wanted ||
-        separationAlong(other, vertices, inputs.start) < wanted) {
-      found.push_back({vertices, gap.normal, wanted, keyOf(listed.pair)});
+    const bool isSeparated = separationAlong(other, vertices, positions) >= wanted &&
+                             separationAlong(other, vertices, inputs.start) >= wanted;
+    if (!isSeparated && comesWithin(required / approachSlack, vertices, inputs.start, positions)) {
+      found.push_back({vertices, gap.normal, wanted, keyOf(pair)});
     }
   };
-  const std::vector<PairSearch::Listed>& pairs = search.pairs();
   found_.clear();
-  collectInOrder(workers, inputs.threads, static_cast<int>(pairs.size()), found_,
-                 [&](int i, std::vector<Guarded>& found) { check(pairs[i], found); });
+  collectFromNearPairs(search, {inputs.start, positions, required}, workers, inputs.threads, found_, check);
 }
 
 /// Adds the pairs that were found to the guarded ones, each once.
@@ -122,12 +121,13 @@ void PairGuard::addPlanes(const Inputs& inputs, std::size_t first) {
   }
 }
 
-int PairGuard::apply(const Inputs& inputs, double searchDistance, PairSearch& search, Workers& workers,
-                     std::span<Vec3> positions) {
+int PairGuard::apply(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions) {
+  const double required = guardedSeparation * inputs.thickness;
   guarded_.clear();
   keys_.clear();
   const auto find = [&]() {
-    search.update(inputs.model, searchDistance, inputs.start, positions, workers, inputs.threads);
+    search.update({inputs.model, required, inputs.reach, inputs.patches, inputs.threads}, inputs.start, positions,
+                  workers);
     findCrossing(inputs, search, workers, positions);
     guardFound();
     return !found_.empty();

@@ -15,7 +15,8 @@ namespace drape::sim::contact {
 ///
 /// A pair of features is separated if one normal exists along which the first lies above the second at the start and at
 /// the end of the step. Since all vertices move on straight lines, the pair then does not meet on the way either. The
-/// guard tries the normal of the closest points at the start, then that at the end.
+/// guard tries the normal of the closest points at the start, then that at the end. A pair that stays farther apart
+/// than about a tenth of the thickness is separated too.
 ///
 /// Where a pair is not separated, its vertices are moved:
 /// 1. Sweeps move the features of each such pair apart, weighted by their masses.
@@ -31,15 +32,15 @@ class PairGuard {
     std::span<const Vec3> fallback;               ///< positions to which vertices move back [m]
     std::span<const SeparatingPlane> bodyPlanes;  ///< planes of bodies, which hold too
     std::span<const char> entangled;              ///< vertices of triangles that intersect at the start; may be empty
+    SharedFeaturePatches patches;                 ///< pairs of one patch are not checked; null: all pairs are
     double thickness = 0.0;                       ///< of the cloth [m]
+    double reach = 0.0;                           ///< of a new search [m]
     int threads = 1;
   };
 
   /// Changes `positions`, the end of the step.
-  /// @param searchDistance see PairSearch::update [m]
   /// @return number of pairs that are not separated; those that intersect at the start do not count
-  int apply(const Inputs& inputs, double searchDistance, PairSearch& search, Workers& workers,
-            std::span<Vec3> positions);
+  int apply(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions);
 
  private:
   struct Guarded {

@@ -1,6 +1,5 @@
 #include "sim/contact/exact/pair_search.hpp"
 
-#include "sim/contact/closest_features/closest_points.hpp"
 #include "sim/contact/constraints/collect_in_order.hpp"
 #include "sim/contact/exact/entanglement.hpp"
 
@@ -12,11 +11,12 @@ namespace {
 
 constexpr std::size_t trianglesOfLeaf = 8;
 
-/// The radius of a ball is the displacement in the step plus a margin, so that the list lasts for several steps. The
-/// margin is this number of displacements, between these numbers of reaches.
+/// The margin of a vertex's box is this number of its displacements, between these numbers of reaches, so that the list
+/// lasts for several steps. If the largest displacement exceeds the largest margin, the list can last for one step
+/// only, and all margins are the smallest.
 constexpr double marginOfMove = 4.0;
-constexpr double minBallMargin = 0.1;
-constexpr double maxBallMargin = 1.0;
+constexpr double minMargin = 0.1;
+constexpr double maxMargin = 1.0;
 
 /// Rounding of the listed distances, relative to them [-].
 constexpr double distanceRounding = 1e-6;
@@ -31,10 +31,23 @@ Vec3 meanDisplacement(std::span<const Vec3> from, std::span<const Vec3> to) {
   return from.empty() ? sum : Vec3(sum / static_cast<double>(from.size()));
 }
 
+void FeatureBounds::spread(const FeatureMesh& mesh) {
+  ofEdge.resize(mesh.edges.edges.size());
+  std::transform(mesh.edges.edges.begin(), mesh.edges.edges.end(), ofEdge.begin(),
+                 [&](const MeshEdge& edge) { return std::max(ofVertex[edge.a], ofVertex[edge.b]); });
+  ofTriangle.resize(mesh.triangles.size());
+  std::transform(mesh.triangles.begin(), mesh.triangles.end(), ofTriangle.begin(), [&](const Triangle& triangle) {
+    return std::max({ofVertex[triangle[0]], ofVertex[triangle[1]], ofVertex[triangle[2]]});
+  });
+}
+
 PairSearch::Tree& PairSearch::treeOf(const ClothModel& model) {
   return trees_.get(model, [this](const ClothModel& m) {
     positions_.clear();  // the list belongs to another model
-    return Tree{featureMeshOf(m), MeshTree(m.restPositions, m.triangles, trianglesOfLeaf)};
+    FeatureMesh mesh = featureMeshOf(m);
+    MeshTree tree(m.restPositions, m.triangles, trianglesOfLeaf);
+    LeafBoxes boxes(mesh, tree);
+    return Tree{std::move(mesh), std::move(tree), std::move(boxes)};
   });
 }
 
@@ -44,132 +57,162 @@ bool PairSearch::findEntangledVertices(const ClothModel& model, std::span<const 
   return findEntangled(tree.mesh, tree.tree, positions, entangled);
 }
 
-void PairSearch::update(const ClothModel& model, double searchDistance, std::span<const Vec3> start,
-                        std::span<const Vec3> end, Workers& workers, int threads) {
-  tree_ = &treeOf(model);
+void PairSearch::update(const Scope& scope, std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers) {
+  tree_ = &treeOf(scope.model);
   mesh_ = &tree_->mesh;
-  if (positions_.size() != start.size() || reach_ != searchDistance || !measureMoves(start, end)) {
-    reach_ = searchDistance;
-    search(start, end, workers, threads);
+  // The list was made for all pairs within `reach_`. Pairs within a smaller distance are all listed while vertices are
+  // outside their boxes by at most half the difference.
+  const double slack = 0.5 * (reach_ - scope.distance);
+  if (positions_.size() != start.size() || slack < 0.0 || patches_ != scope.patches ||
+      measureMoves(start, end) > slack * (1.0 - distanceRounding)) {
+    reach_ = std::max(scope.reach, scope.distance);
+    patches_ = scope.patches;
+    search(start, end, workers, scope.threads);
   }
 }
 
-/// Measures how far the vertices leave the centres of their balls.
-/// @return whether they stay inside
-bool PairSearch::measureMoves(std::span<const Vec3> start, std::span<const Vec3> end) {
+/// Measures how far the vertices are from the centres of their boxes.
+/// @return the maximum distance from the boxes [m]
+double PairSearch::measureMoves(std::span<const Vec3> start, std::span<const Vec3> end) {
   const Vec3 before = meanDisplacement(positions_, start);
   shift_ = meanDisplacement(positions_, end);
-  moves_.resize(start.size());
-  bool inside = true;
+  moves_.ofVertex.resize(start.size());
+  double outside = 0.0;  // squared
   for (std::size_t v = 0; v < start.size(); ++v) {
-    const Vec3 centre = positions_[v] + before;
-    moves_[v] = std::sqrt(std::max((start[v] - centre).squaredNorm(), (end[v] - positions_[v] - shift_).squaredNorm()));
-    inside = inside && moves_[v] <= radii_[v];
+    const Vec3 first = start[v] - positions_[v] - before;
+    const Vec3 last = end[v] - positions_[v] - shift_;
+    moves_.ofVertex[v] = std::sqrt(std::max(first.squaredNorm(), last.squaredNorm()));
+    const Vec3 excess = first.cwiseAbs().cwiseMax(last.cwiseAbs()) - halfSizes_[v];
+    outside = std::max(outside, excess.cwiseMax(0.0).squaredNorm());
   }
-  return inside;
+  moves_.spread(*mesh_);
+  return std::sqrt(outside);
+}
+
+/// Places a box around each vertex's way.
+void PairSearch::placeBoxes(std::span<const Vec3> start, std::span<const Vec3> end) {
+  const std::size_t count = start.size();
+  const Vec3 common = meanDisplacement(start, end);
+  positions_.resize(count);
+  halfSizes_.resize(count);
+  radii_.ofVertex.resize(count);
+  double largest = 0.0;
+  for (std::size_t v = 0; v < count; ++v) {
+    const Vec3 half = 0.5 * (end[v] - start[v] - common);
+    positions_[v] = start[v] + half;
+    halfSizes_[v] = half.cwiseAbs();
+    largest = std::max(largest, 2.0 * half.norm());
+  }
+  const double factor = largest > maxMargin * reach_ ? 0.0 : marginOfMove;
+  for (Vec3& size : halfSizes_) {
+    const double margin = std::clamp(2.0 * factor * size.norm(), minMargin * reach_, maxMargin * reach_);
+    size.array() += margin;
+  }
+  std::transform(halfSizes_.begin(), halfSizes_.end(), radii_.ofVertex.begin(),
+                 [](const Vec3& size) { return size.norm(); });
+  radii_.spread(*mesh_);
 }
 
 void PairSearch::search(std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers, int threads) {
-  positions_.assign(start.begin(), start.end());
-  radii_.assign(start.size(), 0.0);
+  placeBoxes(start, end);
   measureMoves(start, end);
-  for (std::size_t v = 0; v < start.size(); ++v) {
-    radii_[v] = moves_[v] + std::clamp(marginOfMove * moves_[v], minBallMargin * reach_, maxBallMargin * reach_);
-  }
   fitBoxes();
+  findPatchesOfLeaves();
+  const auto parts =
+      collectInOrder<std::vector<Listed>>(workers, threads, static_cast<int>(tree_->tree.leafCount()),
+                                          [&](int begin, int last, std::vector<Listed>& found) {
+                                            Candidates candidates;
+                                            for (int leaf = begin; leaf < last; ++leaf) {
+                                              collectCandidates(static_cast<std::size_t>(leaf), candidates);
+                                              listNear(false, candidates.vertices, found);
+                                              listNear(true, candidates.edges, found);
+                                            }
+                                          });
   pairs_.clear();
-  collectInOrder(workers, threads, static_cast<int>(tree_->tree.leafCount()), pairs_,
-                 [&](int leaf, std::vector<Listed>& found) { collectPairs(static_cast<std::size_t>(leaf), found); });
+  for (const std::vector<Listed>& part : parts) {
+    pairs_.insert(pairs_.end(), part.begin(), part.end());
+  }
 }
 
 void PairSearch::fitBoxes() {
   low_.resize(positions_.size());
   high_.resize(positions_.size());
   for (std::size_t v = 0; v < positions_.size(); ++v) {
-    const double by = radii_[v] + 0.5 * reach_;
-    low_[v] = (positions_[v].array() - by).matrix();
-    high_[v] = (positions_[v].array() + by).matrix();
+    const Vec3 size = (halfSizes_[v].array() + 0.5 * reach_).matrix();
+    low_[v] = positions_[v] - size;
+    high_[v] = positions_[v] + size;
   }
   tree_->tree.refit(low_, high_, mesh_->triangles);
-  boxes_.resize(mesh_->triangles.size());
-  for (std::size_t t = 0; t < boxes_.size(); ++t) {
-    const auto& [a, b, c] = mesh_->triangles[t];
-    boxes_[t] = {low_[a].cwiseMin(low_[b]).cwiseMin(low_[c]), high_[a].cwiseMax(high_[b]).cwiseMax(high_[c])};
+  tree_->boxes.fit(*mesh_, low_, high_);
+}
+
+/// Finds the patches to which all vertices of leaves belong.
+void PairSearch::findPatchesOfLeaves() {
+  patchOfLeaf_.assign(tree_->tree.leafCount(), -1);
+  if (patches_ == nullptr) {
+    return;
   }
-  edgeBoxes_.resize(mesh_->edges.edges.size());
-  for (std::size_t e = 0; e < edgeBoxes_.size(); ++e) {
-    const auto& [a, b] = mesh_->edges.edges[e];
-    edgeBoxes_[e] = {low_[a].cwiseMin(low_[b]), high_[a].cwiseMax(high_[b])};
+  for (std::size_t leaf = 0; leaf < patchOfLeaf_.size(); ++leaf) {
+    const std::span<const int> triangles = tree_->tree.leaf(leaf);
+    const int first = patches_->ofTriangle[triangles.front()];
+    const bool same = std::all_of(triangles.begin(), triangles.end(), [&](int t) {
+      const auto& [a, b, c] = mesh_->triangles[t];
+      return patches_->ofVertex[a] == first && patches_->ofVertex[b] == first && patches_->ofVertex[c] == first;
+    });
+    patchOfLeaf_[leaf] = same ? first : -1;
   }
 }
 
-/// Lists the pairs of a leaf's triangles with those of the same leaf and of later leaves.
-void PairSearch::collectPairs(std::size_t leaf, std::vector<Listed>& found) const {
-  const MeshTree& tree = tree_->tree;
-  const std::span<const int> own = tree.leaf(leaf);
-  tree.forEachLeafIn(tree.leafBox(leaf), [&](std::size_t other) {
-    if (other < leaf) {
+/// Collects the pairs of a leaf's features with those of the same leaf and of later leaves.
+void PairSearch::collectCandidates(std::size_t leaf, Candidates& candidates) const {
+  for (Batch* batch : {&candidates.vertices, &candidates.edges}) {
+    batch->pairs.clear();
+    batch->lanes.clear();
+  }
+  tree_->tree.forEachLeafIn(tree_->tree.leafBox(leaf), [&](std::size_t other) {
+    if (other < leaf || (patchOfLeaf_[leaf] >= 0 && patchOfLeaf_[leaf] == patchOfLeaf_[other])) {
       return;
     }
-    const std::span<const int> others = tree.leaf(other);
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      const Eigen::AlignedBox3d& box = boxes_[own[i]];
-      if (!box.intersects(tree.leafBox(other))) {
-        continue;
-      }
-      for (std::size_t k = other == leaf ? i + 1 : 0; k < others.size(); ++k) {
-        if (box.intersects(boxes_[others[k]])) {
-          comparePair(own[i], others[k], found);
-        }
-      }
+    compareVertices(leaf, other, candidates);
+    if (other != leaf) {
+      compareVertices(other, leaf, candidates);
     }
+    compareEdges(leaf, other, candidates);
   });
 }
 
-/// Lists the pairs of the features that belong to two triangles.
-void PairSearch::comparePair(int a, int b, std::vector<Listed>& found) const {
-  compareVertices(a, b, found);
-  compareVertices(b, a, found);
-  compareEdges(a, b, found);
-}
-
-void PairSearch::compareVertices(int a, int b, std::vector<Listed>& found) const {
-  const FeatureMesh::Owned& owned = mesh_->owned[a];
-  const Triangle& triangle = mesh_->triangles[b];
-  const double radius = std::max({radii_[triangle[0]], radii_[triangle[1]], radii_[triangle[2]]});
-  for (int i = 0; i < owned.vertexCount; ++i) {
-    const int v = owned.vertices[i];
-    if (hasCorner(triangle, v) || !Eigen::AlignedBox3d(low_[v], high_[v]).intersects(boxes_[b])) {
-      continue;
-    }
-    const FeaturePair pair{v, b, false};
-    const double distance = gapOf(verticesOf(*mesh_, pair), positions_).distance;
-    if (distance < (reach_ + radii_[v] + radius) * (1.0 + distanceRounding)) {
-      found.push_back({pair, static_cast<float>(distance * (1.0 - distanceRounding))});
+void PairSearch::compareVertices(std::size_t leaf, std::size_t leafOfTriangles, Candidates& candidates) const {
+  findOverlaps(tree_->boxes.vertices(), leaf, tree_->boxes.triangles(), leafOfTriangles, candidates.overlaps);
+  for (const auto& [v, t] : candidates.overlaps) {
+    const FeaturePair pair{v, t, false};
+    const Triangle& triangle = mesh_->triangles[t];
+    if (!hasCorner(triangle, v) && !isOmitted(pair)) {
+      candidates.vertices.pairs.push_back(pair);
+      candidates.vertices.lanes.add({v, triangle[0], triangle[1], triangle[2]});
     }
   }
 }
 
-void PairSearch::compareEdges(int a, int b, std::vector<Listed>& found) const {
-  const FeatureMesh::Owned& first = mesh_->owned[a];
-  const FeatureMesh::Owned& second = mesh_->owned[b];
-  for (int i = 0; i < first.edgeCount; ++i) {
-    const MeshEdge& one = mesh_->edges.edges[first.edges[i]];
-    const Eigen::AlignedBox3d& box = edgeBoxes_[first.edges[i]];
-    if (!box.intersects(boxes_[b])) {
-      continue;
+void PairSearch::compareEdges(std::size_t first, std::size_t second, Candidates& candidates) const {
+  findOverlaps(tree_->boxes.edges(), first, tree_->boxes.edges(), second, candidates.overlaps);
+  for (const auto& [e, f] : candidates.overlaps) {
+    const FeaturePair pair{e, f, true};
+    const MeshEdge& one = mesh_->edges.edges[e];
+    const MeshEdge& other = mesh_->edges.edges[f];
+    if (!shareEnd(one, other) && !isOmitted(pair)) {
+      candidates.edges.pairs.push_back(pair);
+      candidates.edges.lanes.add({one.a, one.b, other.a, other.b});
     }
-    for (int k = 0; k < second.edgeCount; ++k) {
-      const MeshEdge& other = mesh_->edges.edges[second.edges[k]];
-      if (shareEnd(one, other) || !box.intersects(edgeBoxes_[second.edges[k]])) {
-        continue;
-      }
-      const FeaturePair pair{first.edges[i], second.edges[k], true};
-      const double radius = std::max(radii_[one.a], radii_[one.b]) + std::max(radii_[other.a], radii_[other.b]);
-      const double distance = gapOf(verticesOf(*mesh_, pair), positions_).distance;
-      if (distance < (reach_ + radius) * (1.0 + distanceRounding)) {
-        found.push_back({pair, static_cast<float>(distance * (1.0 - distanceRounding))});
-      }
+  }
+}
+
+/// Lists the pairs of a batch that can come within reach.
+void PairSearch::listNear(bool edges, Batch& batch, std::vector<Listed>& found) const {
+  measureDistances(edges, batch.lanes, positions_.data(), batch.distances);
+  for (std::size_t i = 0; i < batch.pairs.size(); ++i) {
+    const double distance = batch.distances[i];
+    if (distance < (reach_ + radii_.ofPair(batch.pairs[i])) * (1.0 + distanceRounding)) {
+      found.push_back({batch.pairs[i], static_cast<float>(distance * (1.0 - distanceRounding))});
     }
   }
 }

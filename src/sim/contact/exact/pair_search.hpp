@@ -2,6 +2,9 @@
 
 #include "sim/contact/broad_phase/mesh_lanes.hpp"
 #include "sim/contact/broad_phase/mesh_tree.hpp"
+#include "sim/contact/exact/feature_boxes.hpp"
+#include "sim/contact/exact/feature_patches.hpp"
+#include "sim/contact/exact/pair_distances.hpp"
 #include "sim/contact/exact/pair_gap.hpp"
 #include "sim/model/model_cache.hpp"
 #include "sim/model/workers.hpp"
@@ -15,13 +18,26 @@ namespace drape::sim::contact {
 /// The mean displacement between two sets of positions of the same vertices [m].
 [[nodiscard]] Vec3 meanDisplacement(std::span<const Vec3> from, std::span<const Vec3> to);
 
+/// A bound for each vertex [m], and the largest one of the vertices of each edge and triangle.
+struct FeatureBounds {
+  std::vector<double> ofVertex, ofEdge, ofTriangle;
+
+  /// Sets the bounds of edges and triangles by those of vertices.
+  void spread(const FeatureMesh& mesh);
+
+  /// The sum of the bounds of both features.
+  [[nodiscard]] double ofPair(const FeaturePair& pair) const {
+    return pair.edges ? ofEdge[pair.first] + ofEdge[pair.second] : ofVertex[pair.first] + ofTriangle[pair.second];
+  }
+};
+
 /// Finds the pairs of features of a cloth that can come near each other in a step.
 ///
-/// A search places a ball around each vertex, with its displacement in the step and a margin as the radius, and lists
-/// the pairs whose distance is less than `reach` plus the radii of both features. The list stays valid while all
-/// vertices stay in their balls, which move with the mean displacement of the cloth. A pair that is not in a valid list
-/// is farther apart than `reach`. So callers that only use pairs within `reach` get the same result with any valid
-/// list, and the list need not belong to the state.
+/// A search places a box around each vertex's way in the step, with a margin. It lists the pairs that can come closer
+/// than `reach` while all vertices are in their boxes, except pairs of one collision-free patch. The list stays valid
+/// for the same patches while all vertices stay in their boxes, which move with the mean displacement of the cloth.
+/// Pairs of two patches that are not in a valid list stay farther apart than `reach`. So callers that only use pairs
+/// within `reach` get the same result with any valid list, and the list need not belong to the state.
 class PairSearch {
  public:
   /// A pair of the list.
@@ -30,59 +46,77 @@ class PairSearch {
     float distance = 0.0F;  ///< at most its distance when it was listed [m]
   };
 
+  /// What to search for.
+  struct Scope {
+    const ClothModel& model;
+    double distance = 0.0;         ///< pairs that come closer than this are listed [m]
+    double reach = 0.0;            ///< that distance of a new search, at least `distance` [m]
+    SharedFeaturePatches patches;  ///< null: pairs of all features are listed
+    int threads = 1;
+  };
+
   /// Makes the list valid for all vertices on the way from `start` to `end` [m].
-  /// @param searchDistance the reach: pairs that come closer than this are listed [m]
-  void update(const ClothModel& model, double searchDistance, std::span<const Vec3> start, std::span<const Vec3> end,
-              Workers& workers, int threads);
+  void update(const Scope& scope, std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers);
 
   /// Marks the vertices of triangles that intersect others, see findEntangled. @returns whether there are any
   bool findEntangledVertices(const ClothModel& model, std::span<const Vec3> positions, std::vector<char>& entangled);
 
+  [[nodiscard]] const FeatureMesh& meshOf(const ClothModel& model) { return treeOf(model).mesh; }
+
+  /// The mesh of the last `update`.
   [[nodiscard]] const FeatureMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const std::vector<Listed>& pairs() const { return pairs_; }
 
   /// A lower bound of a pair's distance on the way of the last `update` [m].
   [[nodiscard]] double minDistance(const Listed& listed) const {
-    const FeaturePair& pair = listed.pair;
-    const auto apart = static_cast<double>(listed.distance);
-    return pair.edges ? apart - edgeMove(pair.first) - edgeMove(pair.second)
-                      : apart - moves_[pair.first] - triangleMove(pair.second);
+    return static_cast<double>(listed.distance) - moves_.ofPair(listed.pair);
   }
 
  private:
+  /// Pairs of one kind whose boxes overlap.
+  struct Batch {
+    std::vector<FeaturePair> pairs;
+    PairLanes lanes;
+    std::vector<double> distances;
+  };
+
+  struct Candidates {
+    Batch vertices, edges;
+    std::vector<OverlappingBoxes> overlaps;
+  };
+
   struct Tree {
     FeatureMesh mesh;
     MeshTree tree;
+    LeafBoxes boxes;
   };
 
-  bool measureMoves(std::span<const Vec3> start, std::span<const Vec3> end);
+  double measureMoves(std::span<const Vec3> start, std::span<const Vec3> end);
   Tree& treeOf(const ClothModel& model);
   void search(std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers, int threads);
+  void placeBoxes(std::span<const Vec3> start, std::span<const Vec3> end);
   void fitBoxes();
-  void collectPairs(std::size_t leaf, std::vector<Listed>& found) const;
-  void comparePair(int a, int b, std::vector<Listed>& found) const;
-  void compareVertices(int a, int b, std::vector<Listed>& found) const;
-  void compareEdges(int a, int b, std::vector<Listed>& found) const;
-  [[nodiscard]] double edgeMove(int edge) const {
-    const MeshEdge& ends = mesh_->edges.edges[edge];
-    return std::max(moves_[ends.a], moves_[ends.b]);
-  }
-  [[nodiscard]] double triangleMove(int triangle) const {
-    const Triangle& corners = mesh_->triangles[triangle];
-    return std::max({moves_[corners[0]], moves_[corners[1]], moves_[corners[2]]});
+  void findPatchesOfLeaves();
+  void collectCandidates(std::size_t leaf, Candidates& candidates) const;
+  void compareVertices(std::size_t leaf, std::size_t leafOfTriangles, Candidates& candidates) const;
+  void compareEdges(std::size_t first, std::size_t second, Candidates& candidates) const;
+  void listNear(bool edges, Batch& batch, std::vector<Listed>& found) const;
+  [[nodiscard]] bool isOmitted(const FeaturePair& pair) const {
+    return patches_ != nullptr && patches_->areInOnePatch(pair);
   }
 
   ModelCache<Tree> trees_;
   Tree* tree_ = nullptr;
   const FeatureMesh* mesh_ = nullptr;
+  SharedFeaturePatches patches_;
+  std::vector<int> patchOfLeaf_;  // that of all its vertices, or -1
   double reach_ = 0.0;            // [m]
-  std::vector<Vec3> positions_;   // at the search [m]
-  std::vector<double> radii_;     // of the balls [m]
+  std::vector<Vec3> positions_;   // of the boxes' centres [m]
+  std::vector<Vec3> halfSizes_;   // of the boxes [m]
+  FeatureBounds radii_;           // half diagonals of the boxes [m]
   Vec3 shift_ = Vec3::Zero();     // mean displacement since the search, at the end of the last update [m]
-  std::vector<double> moves_;     // maximum distance from the ball's centre, on the way of the last update [m]
-  std::vector<Vec3> low_, high_;  // of each vertex's ball, extended by half the reach [m]
-  std::vector<Eigen::AlignedBox3d> boxes_;      // of the triangles
-  std::vector<Eigen::AlignedBox3d> edgeBoxes_;  // of the edges
+  FeatureBounds moves_;           // maximum distances from the boxes' centres, on the way of the last update [m]
+  std::vector<Vec3> low_, high_;  // corners of each vertex's box, extended by half the reach [m]
   std::vector<Listed> pairs_;
 };
 

@@ -52,8 +52,9 @@ TEST(PairGuard, letsNoTrianglesOfARandomSoupIntersect) {
                                        .fallback = start,
                                        .bodyPlanes = {},
                                        .entangled = {},
+                                       .patches = nullptr,
                                        .thickness = 0.004},
-                                      0.006, search, workers, end);
+                                      search, workers, end);
     EXPECT_EQ(crossings, 0) << seed;
     EXPECT_TRUE(intersection::intersectingPairs({end, model->triangles}).empty()) << seed;
     moved += end != wanted ? 1 : 0;
@@ -73,7 +74,7 @@ TEST(PairSearch, listsAllPairsWithinReachOnTheWholeWay) {
   PairSearch search;
   Workers workers;
   constexpr double reach = 0.08;
-  search.update(*model, reach, start, end, workers, 1);
+  search.update({.model = *model, .distance = reach, .reach = reach, .patches = nullptr}, start, end, workers);
   const auto isListed = [&](const FeaturePair& pair) {
     return std::any_of(search.pairs().begin(), search.pairs().end(), [&](const PairSearch::Listed& each) {
       const FeaturePair& other = each.pair;

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "sim/contact/broad_phase/mesh_tree.hpp"
+#include "sim/contact/exact/feature_mesh.hpp"
+#include "sim/contact/self/float_lanes.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace drape::sim::contact {
+
+/// The bounding boxes of the features of one kind, leaf after leaf of a tree, one array per coordinate. Each leaf is
+/// padded to whole vectors by empty boxes.
+struct FeatureBoxes {
+  std::vector<std::int32_t> features;      ///< vertex, edge or triangle; -1: padding
+  std::vector<int> begin;                  ///< of each leaf, and the end
+  std::vector<int> count;                  ///< of each leaf, without padding
+  std::array<std::vector<float>, 3> low;   ///< relative to an origin, rounded down [m]
+  std::array<std::vector<float>, 3> high;  ///< rounded up [m]
+};
+
+/// The boxes of the vertices, edges and triangles of a cloth in the leaves of a tree. A vertex or an edge of several
+/// triangles is in the leaf of the triangle that owns it.
+class LeafBoxes {
+ public:
+  LeafBoxes(const FeatureMesh& mesh, const MeshTree& tree);
+
+  /// Fits the boxes to those of the vertices.
+  /// @param low, high corners of the box of each vertex [m]
+  void fit(const FeatureMesh& mesh, std::span<const Vec3> low, std::span<const Vec3> high);
+
+  [[nodiscard]] const FeatureBoxes& vertices() const { return vertices_; }
+  [[nodiscard]] const FeatureBoxes& edges() const { return edges_; }
+  [[nodiscard]] const FeatureBoxes& triangles() const { return triangles_; }
+
+ private:
+  FeatureBoxes vertices_, edges_, triangles_;
+};
+
+/// Two features whose boxes overlap.
+struct OverlappingBoxes {
+  std::int32_t first = 0;
+  std::int32_t second = 0;
+};
+
+/// Finds the pairs of a feature of one leaf and a feature of another whose boxes overlap, in ascending order of their
+/// indices in the leaves. For the same boxes and the same leaf, each pair once. Uses the widest vector instructions of
+/// the machine; the result is the same with any.
+/// @param found replaced
+void findOverlaps(const FeatureBoxes& first, std::size_t firstLeaf, const FeatureBoxes& second, std::size_t secondLeaf,
+                  std::vector<OverlappingBoxes>& found);
+
+}  // namespace drape::sim::contact
