@@ -7,6 +7,25 @@
 
 namespace drape::sim::contact {
 
+namespace {
+
+/// The time for which the separation of a pair along a normal stays at least `distance`. Infinity: for ever.
+double timeToSeparation(double distance, const Vec3& normal, const PairVertices& vertices, std::span<const Vec3> at,
+                        std::span<const Vec3> velocities) {
+  double time = std::numeric_limits<double>::infinity();
+  for (const int i : vertices.first()) {
+    for (const int k : vertices.second()) {
+      const double closing = normal.dot(velocities[k] - velocities[i]);
+      if (closing > 0.0) {
+        time = std::min(time, (normal.dot(at[i] - at[k]) - distance) / closing);
+      }
+    }
+  }
+  return time;
+}
+
+}  // namespace
+
 PairVertices verticesOf(const FeatureMesh& mesh, const FeaturePair& pair) {
   if (pair.edges) {
     const MeshEdge& first = mesh.edges.edges[pair.first];
@@ -49,23 +68,24 @@ bool comesWithin(double distance, const PairVertices& vertices, std::span<const 
   double first = 0.0;
   double second = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
+    move[k] -= mean;
     double& speed = k < vertices.firstCount ? first : second;
-    speed = std::max(speed, (move[k] - mean).norm());
+    speed = std::max(speed, move[k].norm());
   }
-  // The distance changes by at most `speed` in the whole step.
-  const double speed = first + second;
-  const double maxSteps = speed / ((approachSlack - 1.0) * distance) + 2.0;
+  const double speed = first + second;  // the distance changes by at most this in the whole step
+  const double near = 0.5 * (1.0 + approachSlack) * distance;
+  const double maxRounds = speed / (near - distance) + 2.0;
   const PairVertices local{{0, 1, 2, 3}, vertices.firstCount};
   double time = 0.0;  // in steps
-  for (double steps = 0.0; steps < maxSteps; steps += 1.0) {
+  for (double round = 0.0; round < maxRounds; round += 1.0) {
     for (std::size_t k = 0; k < 4; ++k) {
-      at[k] = from[k] + time * (move[k] - mean);
+      at[k] = from[k] + time * move[k];
     }
-    const double excess = gapOf(local, at).distance - distance;
-    if (excess <= 0.0) {
+    const PairGap gap = gapOf(local, at);
+    if (gap.distance <= near) {
       return true;
     }
-    time += excess / speed;
+    time += std::max((gap.distance - distance) / speed, timeToSeparation(distance, gap.normal, local, at, move));
     if (time >= 1.0) {
       return false;
     }
