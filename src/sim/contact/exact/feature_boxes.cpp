@@ -25,6 +25,8 @@ void endBoxes(FeatureBoxes& boxes) {
     boxes.low[axis].assign(boxes.features.size(), farAway);
     boxes.high[axis].assign(boxes.features.size(), -farAway);
   }
+  boxes.patches.assign(boxes.features.size(), -1);
+  boxes.patchOfLeaf.assign(boxes.count.size(), -1);
 }
 
 void setBox(FeatureBoxes& boxes, std::size_t i, const Vec3& low, const Vec3& high) {
@@ -36,7 +38,35 @@ void setBox(FeatureBoxes& boxes, std::size_t i, const Vec3& low, const Vec3& hig
   }
 }
 
+void setPatchesOf(FeatureBoxes& boxes, const std::vector<int>* patches) {
+  for (std::size_t leaf = 0; leaf < boxes.count.size(); ++leaf) {
+    const int begin = boxes.begin[leaf];
+    const int end = begin + boxes.count[leaf];
+    bool isPure = begin < end;
+    for (int i = begin; i < end; ++i) {
+      boxes.patches[i] = patches != nullptr ? (*patches)[boxes.features[i]] : -1;
+      isPure = isPure && boxes.patches[i] == boxes.patches[begin];
+    }
+    boxes.patchOfLeaf[leaf] = isPure ? boxes.patches[begin] : -1;
+  }
+}
+
 }  // namespace
+
+void LeafBoxes::setPatches(const FeaturePatches* patches) {
+  setPatchesOf(vertices_, patches != nullptr ? &patches->ofVertex : nullptr);
+  setPatchesOf(edges_, patches != nullptr ? &patches->ofEdge : nullptr);
+  setPatchesOf(triangles_, patches != nullptr ? &patches->ofTriangle : nullptr);
+}
+
+bool LeafBoxes::areInOnePatch(std::size_t first, std::size_t second) const {
+  const int patch = triangles_.patchOfLeaf[first];
+  const auto isOfPatch = [&](const FeatureBoxes& boxes, std::size_t leaf) {
+    return boxes.count[leaf] == 0 || boxes.patchOfLeaf[leaf] == patch;
+  };
+  return patch >= 0 && isOfPatch(triangles_, second) && isOfPatch(vertices_, first) && isOfPatch(vertices_, second) &&
+         isOfPatch(edges_, first) && isOfPatch(edges_, second);
+}
 
 LeafBoxes::LeafBoxes(const FeatureMesh& mesh, const MeshTree& tree) {
   for (FeatureBoxes* boxes : {&vertices_, &edges_, &triangles_}) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/contact/broad_phase/mesh_tree.hpp"
-#include "sim/contact/exact/feature_mesh.hpp"
+#include "sim/contact/exact/feature_patches.hpp"
 #include "sim/contact/self/float_lanes.hpp"
 
 #include <array>
@@ -11,10 +11,12 @@
 
 namespace drape::sim::contact {
 
-/// The bounding boxes of the features of one kind, leaf after leaf of a tree, one array per coordinate. Each leaf is
-/// padded to whole vectors by empty boxes.
+/// The bounding boxes and patches of the features of one kind, leaf after leaf of a tree, one array per coordinate.
+/// Each leaf is padded to whole vectors by empty boxes.
 struct FeatureBoxes {
   std::vector<std::int32_t> features;      ///< vertex, edge or triangle; -1: padding
+  std::vector<std::int32_t> patches;       ///< see FeaturePatches
+  std::vector<std::int32_t> patchOfLeaf;   ///< that of all features of a leaf; -1: there is no such patch
   std::vector<int> begin;                  ///< of each leaf, and the end
   std::vector<int> count;                  ///< of each leaf, without padding
   std::array<std::vector<float>, 3> low;   ///< relative to an origin, rounded down [m]
@@ -31,6 +33,12 @@ class LeafBoxes {
   /// @param low, high corners of the box of each vertex [m]
   void fit(const FeatureMesh& mesh, std::span<const Vec3> low, std::span<const Vec3> high);
 
+  /// Stores the patches of the features. @param patches null: the features belong to no patch
+  void setPatches(const FeaturePatches* patches);
+
+  /// Whether all features of two leaves belong to one patch.
+  [[nodiscard]] bool areInOnePatch(std::size_t first, std::size_t second) const;
+
   [[nodiscard]] const FeatureBoxes& vertices() const { return vertices_; }
   [[nodiscard]] const FeatureBoxes& edges() const { return edges_; }
   [[nodiscard]] const FeatureBoxes& triangles() const { return triangles_; }
@@ -45,9 +53,9 @@ struct OverlappingBoxes {
   std::int32_t second = 0;
 };
 
-/// Finds the pairs of a feature of one leaf and a feature of another whose boxes overlap, in ascending order of their
-/// indices in the leaves. For the same boxes and the same leaf, each pair once. Uses the widest vector instructions of
-/// the machine; the result is the same with any.
+/// Finds the pairs of a feature of one leaf and a feature of another whose boxes overlap, except pairs of one patch.
+/// For the same boxes and the same leaf, each pair once. The order depends only on the leaves and the patches. Uses the
+/// widest vector instructions of the machine; the result is the same with any.
 /// @param found replaced
 void findOverlaps(const FeatureBoxes& first, std::size_t firstLeaf, const FeatureBoxes& second, std::size_t secondLeaf,
                   std::vector<OverlappingBoxes>& found);

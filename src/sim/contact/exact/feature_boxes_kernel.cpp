@@ -17,10 +17,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using BoxFloats = hn::CappedTag<float, maxLanes>;
 
-/// Which boxes of a vector from index `at` on overlap box i.
+/// Which boxes of a vector from index `at` on overlap box i and are not of its patch.
 HWY_INLINE std::uint32_t overlapsOf(const FeatureBoxes& first, int i, const FeatureBoxes& second, int at) {
   const BoxFloats d;
-  auto overlap = hn::FirstN(d, hn::Lanes(d));
+  const hn::RebindToSigned<BoxFloats> di;
+  const std::int32_t patch = first.patches[i];
+  const auto ofPatch = hn::Eq(hn::LoadU(di, second.patches.data() + at), hn::Set(di, patch >= 0 ? patch : -2));
+  auto overlap = hn::Not(hn::RebindMask(d, ofPatch));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto low = hn::LoadU(d, second.low[axis].data() + at);
     const auto high = hn::LoadU(d, second.high[axis].data() + at);
@@ -32,21 +35,48 @@ HWY_INLINE std::uint32_t overlapsOf(const FeatureBoxes& first, int i, const Feat
   return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U;
 }
 
-void overlaps(const FeatureBoxes& first, std::size_t firstLeaf, const FeatureBoxes& second, std::size_t secondLeaf,
-              std::vector<OverlappingBoxes>& found) {
+/// A leaf of features.
+struct Leaf {
+  const FeatureBoxes& boxes;
+  std::size_t index;
+
+  [[nodiscard]] int begin() const { return boxes.begin[index]; }
+  [[nodiscard]] int end() const { return boxes.begin[index] + boxes.count[index]; }
+  [[nodiscard]] int patch() const { return boxes.patchOfLeaf[index]; }
+};
+
+/// Calls take(i, k) for the overlapping boxes of different patches.
+template <typename Take>
+HWY_INLINE void forEachOverlap(const Leaf& outer, const Leaf& inner, Take&& take) {
   const int lanes = static_cast<int>(hn::Lanes(BoxFloats()));
-  const bool same = &first == &second && firstLeaf == secondLeaf;
-  const int end = first.begin[firstLeaf] + first.count[firstLeaf];
-  const int secondEnd = second.begin[secondLeaf] + second.count[secondLeaf];
-  for (int i = first.begin[firstLeaf]; i < end; ++i) {
-    for (int k = second.begin[secondLeaf]; k < secondEnd; k += lanes) {
-      for (std::uint32_t bits = overlapsOf(first, i, second, k); bits != 0; bits &= bits - 1) {
-        const int other = k + std::countr_zero(bits);
-        if (!same || other > i) {
-          found.push_back({first.features[i], second.features[other]});
-        }
+  for (int i = outer.begin(); i < outer.end(); ++i) {
+    if (inner.patch() >= 0 && outer.boxes.patches[i] == inner.patch()) {
+      continue;
+    }
+    for (int k = inner.begin(); k < inner.end(); k += lanes) {
+      for (std::uint32_t bits = overlapsOf(outer.boxes, i, inner.boxes, k); bits != 0; bits &= bits - 1) {
+        take(i, k + std::countr_zero(bits));
       }
     }
+  }
+}
+
+void overlaps(const FeatureBoxes& first, std::size_t firstLeaf, const FeatureBoxes& second, std::size_t secondLeaf,
+              std::vector<OverlappingBoxes>& found) {
+  const Leaf one{first, firstLeaf};
+  const Leaf other{second, secondLeaf};
+  const auto add = [&](int i, int k) { found.push_back({first.features[i], second.features[k]}); };
+  if (&first == &second && firstLeaf == secondLeaf) {
+    forEachOverlap(one, other, [&](int i, int k) {
+      if (k > i) {
+        add(i, k);
+      }
+    });
+  } else if (one.patch() >= 0 && other.patch() < 0) {
+    // The inner leaf of one patch skips many features of the outer one.
+    forEachOverlap(other, one, [&](int k, int i) { add(i, k); });
+  } else {
+    forEachOverlap(one, other, add);
   }
 }
 

@@ -16,12 +16,6 @@ struct FeaturePatches {
   std::shared_ptr<const CollisionFreePatches> patches;
   /// The patch of all triangles around a vertex or an edge, and that of a triangle; -1: there is no such patch.
   std::vector<int> ofVertex, ofEdge, ofTriangle;
-
-  /// Whether both features of a pair belong to one patch.
-  [[nodiscard]] bool areInOnePatch(const FeaturePair& pair) const {
-    const int first = pair.edges ? ofEdge[pair.first] : ofVertex[pair.first];
-    return first >= 0 && first == (pair.edges ? ofEdge[pair.second] : ofTriangle[pair.second]);
-  }
 };
 
 using SharedFeaturePatches = std::shared_ptr<const FeaturePatches>;

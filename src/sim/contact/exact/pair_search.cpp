@@ -11,12 +11,19 @@ namespace {
 
 constexpr std::size_t trianglesOfLeaf = 8;
 
-/// The margin of a vertex's box is this number of its displacements, between these numbers of reaches, so that the list
-/// lasts for several steps. If the largest displacement exceeds the largest margin, the list can last for one step
-/// only, and all margins are the smallest.
+/// The margin of a vertex's box is this number of its displacements, between the minimum margin and the largest one, so
+/// that the list lasts for several steps. Margins are in reaches. If the largest displacement exceeds the largest
+/// margin, the list can last for one step only, and all margins are the smallest.
 constexpr double marginOfMove = 4.0;
 constexpr double minMargin = 0.1;
 constexpr double maxMargin = 1.0;
+constexpr double maxMarginOfShortLists = 5.0;  // of lists with fewer pairs than half the number of vertices
+
+/// The minimum margin grows after a list that lasted for fewer updates than the first number, and shrinks after one
+/// that lasted for more than the second.
+constexpr int fewUpdates = 6;
+constexpr int manyUpdates = 24;
+constexpr double marginGrowth = 1.5;
 
 /// Rounding of the listed distances, relative to them [-].
 constexpr double distanceRounding = 1e-6;
@@ -63,12 +70,28 @@ void PairSearch::update(const Scope& scope, std::span<const Vec3> start, std::sp
   // The list was made for all pairs within `reach_`. Pairs within a smaller distance are all listed while vertices are
   // outside their boxes by at most half the difference.
   const double slack = 0.5 * (reach_ - scope.distance);
-  if (positions_.size() != start.size() || slack < 0.0 || patches_ != scope.patches ||
-      measureMoves(start, end) > slack * (1.0 - distanceRounding)) {
+  const bool isForOthers = positions_.size() != start.size() || slack < 0.0 || patches_ != scope.patches;
+  if (isForOthers || measureMoves(start, end) > slack * (1.0 - distanceRounding)) {
+    if (!isForOthers) {
+      adaptMargin();
+    }
+    updates_ = 0;
     reach_ = std::max(scope.reach, scope.distance);
     patches_ = scope.patches;
     search(start, end, workers, scope.threads);
   }
+  ++updates_;
+}
+
+/// Adapts the minimum margin to the number of updates for which the last list was valid.
+void PairSearch::adaptMargin() {
+  const double factor = updates_ < fewUpdates ? marginGrowth : updates_ > manyUpdates ? 1.0 / marginGrowth : 1.0;
+  margin_ = std::clamp(factor * margin_, minMargin, largestMargin());
+}
+
+/// The largest margin, in reaches. Where few pairs are near, larger boxes add few pairs.
+double PairSearch::largestMargin() const {
+  return 2 * pairs_.size() < positions_.size() ? maxMarginOfShortLists : maxMargin;
 }
 
 /// Measures how far the vertices are from the centres of their boxes.
@@ -103,10 +126,12 @@ void PairSearch::placeBoxes(std::span<const Vec3> start, std::span<const Vec3> e
     halfSizes_[v] = half.cwiseAbs();
     largest = std::max(largest, 2.0 * half.norm());
   }
-  const double factor = largest > maxMargin * reach_ ? 0.0 : marginOfMove;
+  const double limit = largestMargin();
+  const double minimum = std::min(margin_, limit);
+  const bool isFast = largest > limit * reach_;
   for (Vec3& size : halfSizes_) {
-    const double margin = std::clamp(2.0 * factor * size.norm(), minMargin * reach_, maxMargin * reach_);
-    size.array() += margin;
+    const double wanted = std::clamp(2.0 * marginOfMove * size.norm(), minimum * reach_, limit * reach_);
+    size.array() += isFast ? minMargin * reach_ : wanted;
   }
   std::transform(halfSizes_.begin(), halfSizes_.end(), radii_.ofVertex.begin(),
                  [](const Vec3& size) { return size.norm(); });
@@ -117,7 +142,7 @@ void PairSearch::search(std::span<const Vec3> start, std::span<const Vec3> end, 
   placeBoxes(start, end);
   measureMoves(start, end);
   fitBoxes();
-  findPatchesOfLeaves();
+  tree_->boxes.setPatches(patches_.get());
   const auto parts =
       collectInOrder<std::vector<Listed>>(workers, threads, static_cast<int>(tree_->tree.leafCount()),
                                           [&](int begin, int last, std::vector<Listed>& found) {
@@ -146,23 +171,6 @@ void PairSearch::fitBoxes() {
   tree_->boxes.fit(*mesh_, low_, high_);
 }
 
-/// Finds the patches to which all vertices of leaves belong.
-void PairSearch::findPatchesOfLeaves() {
-  patchOfLeaf_.assign(tree_->tree.leafCount(), -1);
-  if (patches_ == nullptr) {
-    return;
-  }
-  for (std::size_t leaf = 0; leaf < patchOfLeaf_.size(); ++leaf) {
-    const std::span<const int> triangles = tree_->tree.leaf(leaf);
-    const int first = patches_->ofTriangle[triangles.front()];
-    const bool same = std::all_of(triangles.begin(), triangles.end(), [&](int t) {
-      const auto& [a, b, c] = mesh_->triangles[t];
-      return patches_->ofVertex[a] == first && patches_->ofVertex[b] == first && patches_->ofVertex[c] == first;
-    });
-    patchOfLeaf_[leaf] = same ? first : -1;
-  }
-}
-
 /// Collects the pairs of a leaf's features with those of the same leaf and of later leaves.
 void PairSearch::collectCandidates(std::size_t leaf, Candidates& candidates) const {
   for (Batch* batch : {&candidates.vertices, &candidates.edges}) {
@@ -170,7 +178,7 @@ void PairSearch::collectCandidates(std::size_t leaf, Candidates& candidates) con
     batch->lanes.clear();
   }
   tree_->tree.forEachLeafIn(tree_->tree.leafBox(leaf), [&](std::size_t other) {
-    if (other < leaf || (patchOfLeaf_[leaf] >= 0 && patchOfLeaf_[leaf] == patchOfLeaf_[other])) {
+    if (other < leaf || tree_->boxes.areInOnePatch(leaf, other)) {
       return;
     }
     compareVertices(leaf, other, candidates);
@@ -186,7 +194,7 @@ void PairSearch::compareVertices(std::size_t leaf, std::size_t leafOfTriangles, 
   for (const auto& [v, t] : candidates.overlaps) {
     const FeaturePair pair{v, t, false};
     const Triangle& triangle = mesh_->triangles[t];
-    if (!hasCorner(triangle, v) && !isOmitted(pair)) {
+    if (!hasCorner(triangle, v)) {
       candidates.vertices.pairs.push_back(pair);
       candidates.vertices.lanes.add({v, triangle[0], triangle[1], triangle[2]});
     }
@@ -199,7 +207,7 @@ void PairSearch::compareEdges(std::size_t first, std::size_t second, Candidates&
     const FeaturePair pair{e, f, true};
     const MeshEdge& one = mesh_->edges.edges[e];
     const MeshEdge& other = mesh_->edges.edges[f];
-    if (!shareEnd(one, other) && !isOmitted(pair)) {
+    if (!shareEnd(one, other)) {
       candidates.edges.pairs.push_back(pair);
       candidates.edges.lanes.add({one.a, one.b, other.a, other.b});
     }

@@ -91,26 +91,25 @@ class PairSearch {
     LeafBoxes boxes;
   };
 
+  void adaptMargin();
+  [[nodiscard]] double largestMargin() const;
   double measureMoves(std::span<const Vec3> start, std::span<const Vec3> end);
   Tree& treeOf(const ClothModel& model);
   void search(std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers, int threads);
   void placeBoxes(std::span<const Vec3> start, std::span<const Vec3> end);
   void fitBoxes();
-  void findPatchesOfLeaves();
   void collectCandidates(std::size_t leaf, Candidates& candidates) const;
   void compareVertices(std::size_t leaf, std::size_t leafOfTriangles, Candidates& candidates) const;
   void compareEdges(std::size_t first, std::size_t second, Candidates& candidates) const;
   void listNear(bool edges, Batch& batch, std::vector<Listed>& found) const;
-  [[nodiscard]] bool isOmitted(const FeaturePair& pair) const {
-    return patches_ != nullptr && patches_->areInOnePatch(pair);
-  }
 
   ModelCache<Tree> trees_;
   Tree* tree_ = nullptr;
   const FeatureMesh* mesh_ = nullptr;
   SharedFeaturePatches patches_;
-  std::vector<int> patchOfLeaf_;  // that of all its vertices, or -1
   double reach_ = 0.0;            // [m]
+  double margin_ = 0.1;           // minimum margin of the boxes, in reaches
+  int updates_ = 0;               // since the search
   std::vector<Vec3> positions_;   // of the boxes' centres [m]
   std::vector<Vec3> halfSizes_;   // of the boxes [m]
   FeatureBounds radii_;           // half diagonals of the boxes [m]
