@@ -42,22 +42,26 @@ bool markPair(const FeatureMesh& mesh, std::span<const Vec3> positions, int a, i
 
 }  // namespace
 
-bool findEntangled(const FeatureMesh& mesh, MeshTree& tree, std::span<const Vec3> positions,
+bool findEntangled(const FeatureMesh& mesh, MeshTree& tree, LeafBoxes& boxes, std::span<const Vec3> positions,
                    std::vector<char>& entangled) {
   entangled.assign(positions.size(), 0);
   tree.refit(positions, positions, mesh.triangles);
+  boxes.fit(mesh, positions, positions);
+  boxes.setPatches(nullptr);
+  std::vector<OverlappingBoxes> overlaps;
   bool any = false;
   for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
-    for (const int a : tree.leaf(leaf)) {
-      const Eigen::AlignedBox3d box = boxAround(cornersOf(positions, mesh.triangles[a]));
-      tree.forEachLeafIn(box, [&](std::size_t other) {
-        for (const int b : tree.leaf(other)) {
-          if (a != b && box.intersects(boxAround(cornersOf(positions, mesh.triangles[b])))) {
-            any = markPair(mesh, positions, a, b, entangled) || any;
-          }
-        }
-      });
-    }
+    tree.forEachLeafIn(tree.leafBox(leaf), [&](std::size_t other) {
+      if (other < leaf) {
+        return;
+      }
+      findOverlaps(boxes.triangles(), leaf, boxes.triangles(), other, overlaps);
+      for (const auto& [a, b] : overlaps) {
+        const bool first = markPair(mesh, positions, a, b, entangled);
+        const bool second = markPair(mesh, positions, b, a, entangled);
+        any = any || first || second;
+      }
+    });
   }
   return any;
 }

@@ -50,8 +50,10 @@ SharedFeaturePatches ExactSelfContact::patchesAtStart(const ExactStep& step) {
 
 /// Finds the vertices of triangles that intersect at the start of the step.
 void ExactSelfContact::findEntangledAt(const ExactStep& step) {
-  if (step.hasNoSelfIntersection || !search_.findEntangledVertices(step.model, step.start, entangled_)) {
+  if (step.hasNoSelfIntersection) {
     entangled_.clear();
+  } else {
+    entangled_ = search_.entangledVertices(step.model, step.start);
   }
 }
 

@@ -14,8 +14,11 @@ constexpr double restExcess = 0.001;
 /// Fraction of the distance at rest that close features may use up before they are in contact [-].
 constexpr double fractionOfRest = 0.5;
 
-/// Largest sine of the angle between the offset of two edges and the normal of an adjacent face.
+/// Largest sine of the angle between the offset of two edges and the normal of an adjacent face: in a contact, and in a
+/// contact that moves the edges apart. The motion increases the angle. With one limit for both, it would end the
+/// contact, the edges would fall back, and cloth in a sharp fold would never come to rest.
 constexpr double maxSlant = 0.3;
+constexpr double maxSlantOfSeparation = 0.15;
 
 /// Distances that differ by less than this fraction count as equal [-].
 constexpr double sameDistance = 1e-6;
@@ -66,7 +69,8 @@ bool isNearestAround(const StartOfStep& at, const FeaturePair& pair, const PairG
 }
 
 /// Whether the offset from an edge leads along one of its faces, so that a point of the face is closer.
-bool leadsAlongFace(const StartOfStep& at, int edge, const Vec3& offset) {
+/// @param limit sine of the angle up to which it does not
+bool leadsAlongFace(const StartOfStep& at, int edge, const Vec3& offset, double limit) {
   const MeshEdge& ends = at.mesh.edges.edges[edge];
   const Vec3 along = at.start[ends.b] - at.start[ends.a];
   const double squared = along.squaredNorm();
@@ -75,8 +79,13 @@ bool leadsAlongFace(const StartOfStep& at, int edge, const Vec3& offset) {
     const Triangle& corners = at.mesh.triangles[side.triangle];
     const Vec3 out = at.start[corners[(side.corner + 2) % 3]] - at.start[ends.a];
     const Vec3 across = squared > 0.0 ? Vec3(out - out.dot(along) / squared * along) : out;
-    return offset.dot(across) > maxSlant * across.norm();
+    return offset.dot(across) > limit * across.norm();
   });
+}
+
+/// Whether the offset between two edges leads along a face of one of them.
+bool isSlanted(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap, double limit) {
+  return leadsAlongFace(at, pair.first, -gap.normal, limit) || leadsAlongFace(at, pair.second, gap.normal, limit);
 }
 
 bool isContact(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
@@ -86,8 +95,7 @@ bool isContact(const StartOfStep& at, const FeaturePair& pair, const PairGap& ga
   if (!pair.edges) {
     return isNearestAround(at, pair, gap);
   }
-  return isInside(gap.weights[1]) && isInside(-gap.weights[3]) && !leadsAlongFace(at, pair.first, -gap.normal) &&
-         !leadsAlongFace(at, pair.second, gap.normal);
+  return isInside(gap.weights[1]) && isInside(-gap.weights[3]) && !isSlanted(at, pair, gap, maxSlant);
 }
 
 }  // namespace
@@ -129,7 +137,9 @@ void findPairContacts(const ClothModel& model, const PairSearch& search, const P
       return;
     }
     const double thickness = thicknessOfPair(model, vertices, rules.thickness);
-    const double height = std::min(thickness, gap.distance + rules.separationStep);
+    const bool separates = rules.separationStep > 0.0 && gap.distance < thickness &&
+                           !(pair.edges && isSlanted(at, pair, gap, maxSlantOfSeparation));
+    const double height = std::min(thickness, gap.distance + (separates ? rules.separationStep : 0.0));
     if (std::min(predictedGap, gap.distance) < height + rules.margin) {
       into.push_back({.vertices = vertices.all,
                       .weights = gap.weights,

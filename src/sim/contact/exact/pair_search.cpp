@@ -50,7 +50,9 @@ void FeatureBounds::spread(const FeatureMesh& mesh) {
 
 PairSearch::Tree& PairSearch::treeOf(const ClothModel& model) {
   return trees_.get(model, [this](const ClothModel& m) {
-    positions_.clear();  // the list belongs to another model
+    // The list and the check belong to another model.
+    positions_.clear();
+    checked_.clear();
     FeatureMesh mesh = featureMeshOf(m);
     MeshTree tree(m.restPositions, m.triangles, trianglesOfLeaf);
     LeafBoxes boxes(mesh, tree);
@@ -58,10 +60,15 @@ PairSearch::Tree& PairSearch::treeOf(const ClothModel& model) {
   });
 }
 
-bool PairSearch::findEntangledVertices(const ClothModel& model, std::span<const Vec3> positions,
-                                       std::vector<char>& entangled) {
+const std::vector<char>& PairSearch::entangledVertices(const ClothModel& model, std::span<const Vec3> positions) {
   Tree& tree = treeOf(model);
-  return findEntangled(tree.mesh, tree.tree, positions, entangled);
+  if (!std::equal(positions.begin(), positions.end(), checked_.begin(), checked_.end())) {
+    checked_.assign(positions.begin(), positions.end());
+    if (!findEntangled(tree.mesh, tree.tree, tree.boxes, positions, entangled_)) {
+      entangled_.clear();
+    }
+  }
+  return entangled_;
 }
 
 void PairSearch::update(const Scope& scope, std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers) {

@@ -119,8 +119,9 @@ TEST(Entanglement, agreesWithTheExactIntersectionTest) {
     const auto model = buildClothModel(triangleSoup(100, random), 1.0, MassLumping::Uniform, {});
     const FeatureMesh mesh = featureMeshOf(*model);
     MeshTree tree(model->restPositions, model->triangles, 8);
+    LeafBoxes boxes(mesh, tree);
     std::vector<char> entangled;
-    const bool any = findEntangled(mesh, tree, model->restPositions, entangled);
+    const bool any = findEntangled(mesh, tree, boxes, model->restPositions, entangled);
     const auto pairs = intersection::intersectingPairs({model->restPositions, model->triangles});
     EXPECT_EQ(any, !pairs.empty()) << seed;
     intersecting += any ? 1 : 0;
