@@ -11,7 +11,7 @@ settings::Settings openedMeshSettings() {
   settings.step.material.damping = 0.005;
   settings.step.air.drag = 1.0;  // about that of a flat plate perpendicular to the wind
   settings.step.air.lift = 0.4;
-  settings.step.contact.self = sim::contact::SelfCollision::Hash;
+  settings.step.contact.self = sim::contact::SelfCollision::Exact;
   return settings;
 }
 

@@ -141,7 +141,7 @@ TEST(Scenes, giveAnOpenedMeshAirDampingSelfCollisionAndASolidGroundBelowIt) {
   EXPECT_GT(step.air.drag, 0.0);
   EXPECT_GT(step.air.lift, 0.0);
   EXPECT_GT(step.material.damping, 0.0);
-  EXPECT_EQ(step.contact.self, sim::contact::SelfCollision::Hash);
+  EXPECT_EQ(step.contact.self, sim::contact::SelfCollision::Exact);
   EXPECT_NE(bodyNamed(*scene, "ground"), nullptr);
   EXPECT_LT(scene->groundHeight, -0.2);
   // A scene file starts from the defaults of the table.
