@@ -14,11 +14,12 @@ constexpr double restExcess = 0.001;
 /// Fraction of the distance at rest that close features may use up before they are in contact [-].
 constexpr double fractionOfRest = 0.5;
 
-/// Largest sine of the angle between the offset of two edges and the normal of an adjacent face: in a contact, and in a
-/// contact that moves the edges apart. The motion increases the angle. With one limit for both, it would end the
-/// contact, the edges would fall back, and cloth in a sharp fold would never come to rest.
+/// Largest sine of the angle between the offset of two edges and the normal of an adjacent face. Edges that are too
+/// close move apart more slowly from the second angle on, and not at all at the largest: the motion increases the
+/// angle. Otherwise it would end the contact, the edges would fall back, and cloth in a sharp fold would never come to
+/// rest.
 constexpr double maxSlant = 0.3;
-constexpr double maxSlantOfSeparation = 0.15;
+constexpr double slowingSlant = 0.15;
 
 /// Distances that differ by less than this fraction count as equal [-].
 constexpr double sameDistance = 1e-6;
@@ -68,24 +69,31 @@ bool isNearestAround(const StartOfStep& at, const FeaturePair& pair, const PairG
   return true;
 }
 
-/// Whether the offset from an edge leads along one of its faces, so that a point of the face is closer.
-/// @param limit sine of the angle up to which it does not
-bool leadsAlongFace(const StartOfStep& at, int edge, const Vec3& offset, double limit) {
+/// The sine of the angle between the offset from an edge and the normal of an adjacent face, towards the face. If it is
+/// large, a point of the face is closer than the edge. The maximum of the faces; negative: it leads away from all.
+double slantOf(const StartOfStep& at, int edge, const Vec3& offset) {
   const MeshEdge& ends = at.mesh.edges.edges[edge];
   const Vec3 along = at.start[ends.b] - at.start[ends.a];
   const double squared = along.squaredNorm();
-  const std::span<const TriangleSide> sides = at.mesh.edges.sides[edge];
-  return std::any_of(sides.begin(), sides.end(), [&](const TriangleSide& side) {
+  double slant = -1.0;
+  for (const TriangleSide& side : at.mesh.edges.sides[edge]) {
     const Triangle& corners = at.mesh.triangles[side.triangle];
     const Vec3 out = at.start[corners[(side.corner + 2) % 3]] - at.start[ends.a];
     const Vec3 across = squared > 0.0 ? Vec3(out - out.dot(along) / squared * along) : out;
-    return offset.dot(across) > limit * across.norm();
-  });
+    const double length = across.norm();
+    slant = std::max(slant, length > 0.0 ? offset.dot(across) / length : 0.0);
+  }
+  return slant;
 }
 
-/// Whether the offset between two edges leads along a face of one of them.
-bool isSlanted(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap, double limit) {
-  return leadsAlongFace(at, pair.first, -gap.normal, limit) || leadsAlongFace(at, pair.second, gap.normal, limit);
+/// The larger slant of the offset between two edges.
+double slantOf(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
+  return std::max(slantOf(at, pair.first, -gap.normal), slantOf(at, pair.second, gap.normal));
+}
+
+/// How fast the features of a contact that are too close move apart, relative to the full speed [-].
+double separationRatio(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
+  return pair.edges ? std::clamp((maxSlant - slantOf(at, pair, gap)) / (maxSlant - slowingSlant), 0.0, 1.0) : 1.0;
 }
 
 bool isContact(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
@@ -95,7 +103,7 @@ bool isContact(const StartOfStep& at, const FeaturePair& pair, const PairGap& ga
   if (!pair.edges) {
     return isNearestAround(at, pair, gap);
   }
-  return isInside(gap.weights[1]) && isInside(-gap.weights[3]) && !isSlanted(at, pair, gap, maxSlant);
+  return isInside(gap.weights[1]) && isInside(-gap.weights[3]) && slantOf(at, pair, gap) <= maxSlant;
 }
 
 }  // namespace
@@ -137,9 +145,9 @@ void findPairContacts(const ClothModel& model, const PairSearch& search, const P
       return;
     }
     const double thickness = thicknessOfPair(model, vertices, rules.thickness);
-    const bool separates = rules.separationStep > 0.0 && gap.distance < thickness &&
-                           !(pair.edges && isSlanted(at, pair, gap, maxSlantOfSeparation));
-    const double height = std::min(thickness, gap.distance + (separates ? rules.separationStep : 0.0));
+    const bool isTooClose = rules.separationStep > 0.0 && gap.distance < thickness;
+    const double apart = isTooClose ? separationRatio(at, pair, gap) * rules.separationStep : 0.0;
+    const double height = std::min(thickness, gap.distance + apart);
     if (std::min(predictedGap, gap.distance) < height + rules.margin) {
       into.push_back({.vertices = vertices.all,
                       .weights = gap.weights,
