@@ -25,6 +25,7 @@ TEST(Run, writesTheFiguresOfThePapersSheet) {
   EXPECT_EQ(stats["steps"], 75);
   EXPECT_GT(stats["step_us"]["median"], 0.0);
   EXPECT_GE(stats["step_us"]["p99"], stats["step_us"]["median"]);
+  EXPECT_GT(stats["step_us"]["mean"], 0.0);
   EXPECT_TRUE(stats["energy"].is_number());
   EXPECT_GT(stats["max_stretch"], 0.0);
   EXPECT_EQ(stats["finite"], true);

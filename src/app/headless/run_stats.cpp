@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace drape::app {
 namespace {
@@ -30,7 +31,11 @@ double quantile(const std::vector<float>& sorted, double share) {
 nlohmann::ordered_json quantiles(std::vector<float> seconds) {
   constexpr double microseconds = 1e6;
   std::sort(seconds.begin(), seconds.end());
-  return {{"median", quantile(seconds, 0.5) * microseconds}, {"p99", quantile(seconds, 0.99) * microseconds}};
+  const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  const double mean = seconds.empty() ? 0.0 : sum / static_cast<double>(seconds.size());
+  return {{"mean", mean * microseconds},
+          {"median", quantile(seconds, 0.5) * microseconds},
+          {"p99", quantile(seconds, 0.99) * microseconds}};
 }
 
 /// The longest stable substep [s], or null when the solver has no such limit on this cloth.
@@ -111,13 +116,15 @@ void RunStats::add(const session::Simulation& simulation) {
   maxOverlaps_ = std::max(maxOverlaps_, contact.overlaps);
   deepestOverlap_ = std::max(deepestOverlap_, contact.deepestOverlap);
   maxInfeasible_ = std::max(maxInfeasible_, contact.infeasible);
+  maxCrossings_ = std::max(maxCrossings_, contact.crossings);
 }
 
 nlohmann::ordered_json RunStats::contactJson(const sim::contact::ContactReport& last) const {
   return {{"bodies_us", quantiles(bodySeconds_)}, {"self_us", quantiles(selfSeconds_)},
           {"body_contacts", last.bodyContacts},   {"self_contacts", last.selfContacts},
           {"overlaps_max", maxOverlaps_},         {"overlaps_final", last.overlaps},
-          {"deepest_overlap", deepestOverlap_},   {"infeasible_max", maxInfeasible_}};
+          {"deepest_overlap", deepestOverlap_},   {"infeasible_max", maxInfeasible_},
+          {"crossings_max", maxCrossings_},       {"crossings_final", last.crossings}};
 }
 
 nlohmann::ordered_json RunStats::choiceJson(const std::optional<sim::adaptive::StepChoice>& last) const {
