@@ -175,7 +175,12 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
       advanceSubstepContacts(part.timeStep);
     }
   }
-  total.contact = contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
+  // Exact self-collision would move layers apart that are closer than their thickness, and so wake sleeping cloth.
+  const bool isLeftAlone =
+      total.choice && total.choice->sleeping && parameters.contact.self == contact::SelfCollision::Exact;
+  if (!isLeftAlone) {
+    total.contact = contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
+  }
   earlierContactWork_ += total.contactWork;
   state.time = end;  // not the sum of the substeps, which has rounding errors
   return total;

@@ -15,11 +15,11 @@ constexpr double restExcess = 0.001;
 constexpr double fractionOfRest = 0.5;
 
 /// Largest sine of the angle between the offset of two edges and the normal of an adjacent face. Edges that are too
-/// close move apart more slowly from the second angle on, and not at all at the largest: the motion increases the
-/// angle. Otherwise it would end the contact, the edges would fall back, and cloth in a sharp fold would never come to
-/// rest.
+/// close move apart more slowly from a smaller angle on, and not at all from another: the motion increases the angle.
+/// Otherwise it would end the contact, the edges would fall back, and cloth in a sharp fold would never come to rest.
 constexpr double maxSlant = 0.3;
 constexpr double slowingSlant = 0.15;
+constexpr double stoppingSlant = 0.25;
 
 /// Distances that differ by less than this fraction count as equal [-].
 constexpr double sameDistance = 1e-6;
@@ -93,7 +93,8 @@ double slantOf(const StartOfStep& at, const FeaturePair& pair, const PairGap& ga
 
 /// How fast the features of a contact that are too close move apart, relative to the full speed [-].
 double separationRatio(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
-  return pair.edges ? std::clamp((maxSlant - slantOf(at, pair, gap)) / (maxSlant - slowingSlant), 0.0, 1.0) : 1.0;
+  return pair.edges ? std::clamp((stoppingSlant - slantOf(at, pair, gap)) / (stoppingSlant - slowingSlant), 0.0, 1.0)
+                    : 1.0;
 }
 
 bool isContact(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
