@@ -1,5 +1,7 @@
 #include "sim/contact/exact/exact_self_contact.hpp"
 
+#include "sim/contact/exact/crossing_recovery.hpp"
+
 #include <algorithm>
 
 namespace drape::sim::contact {
@@ -9,6 +11,7 @@ namespace {
 constexpr double contactMargin = 0.25;  // excess over the thickness up to which predicted positions count
 constexpr double substepMargin = 0.05;  // the same in substeps, beyond what gravity moves
 constexpr double activeGap = 0.1;       // excess over the thickness up to which velocities are corrected
+constexpr double recoveryMargin = 0.1;  // distance at which crossing features count as separate
 constexpr double reachRatio = approachSlack * (1.0 + contactMargin);  // distance up to which pairs are searched
 
 constexpr double separationSpeed = 0.05;  // at which layers that are too close move apart [m/s]
@@ -50,11 +53,11 @@ SharedFeaturePatches ExactSelfContact::patchesAtStart(const ExactStep& step) {
 
 /// Finds the vertices of triangles that intersect at the start of the step.
 void ExactSelfContact::findEntangledAt(const ExactStep& step) {
-  if (step.hasNoSelfIntersection) {
-    entangled_.clear();
-  } else {
-    entangled_ = search_.entangledVertices(step.model, step.start);
+  crossings_.clear();
+  if (!step.hasNoSelfIntersection) {
+    crossings_ = search_.crossingsAt(step.model, step.start);
   }
+  markEntangled(search_.meshOf(step.model), crossings_, step.start.size(), entangled_);
 }
 
 bool ExactSelfContact::isNear(const ExactStep& step, const std::vector<Vec3>& ahead) {
@@ -107,11 +110,31 @@ int ExactSelfContact::resolve(const ExactStep& step, ClothState& state, std::vec
   contacts_.clear();
   findContacts(step, contactMargin * step.contact.thickness, separationSpeed * step.parameters.timeStep,
                state.positions, contacts_);
-  if (contacts_.empty()) {
-    return 0;
+  int active = 0;
+  if (!contacts_.empty()) {
+    solvePositions(step, state);
+    active = solveVelocities(step, state, points);
   }
-  solvePositions(step, state);
-  return solveVelocities(step, state, points);
+  if (!crossings_.empty()) {
+    recover(step, state);
+  }
+  return active;
+}
+
+/// Moves features apart that intersect at the start of the step.
+void ExactSelfContact::recover(const ExactStep& step, ClothState& state) {
+  const auto makeField = [&](const ClothModel& model) {
+    return std::make_unique<CrossingField>(search_.mesh(), model.vertexMass);
+  };
+  recoverFromCrossings({.model = step.model,
+                        .mesh = search_.mesh(),
+                        .field = *crossingField_.get(step.model, makeField),
+                        .inverseMass = inverseMass(step.model),
+                        .crossings = crossings_,
+                        .start = step.start,
+                        .margin = recoveryMargin * step.contact.thickness,
+                        .timeStep = step.parameters.timeStep},
+                       state);
 }
 
 /// Guards pairs of different patches until all patches are collision-free.

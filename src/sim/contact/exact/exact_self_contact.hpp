@@ -3,6 +3,7 @@
 #include "sim/contact/contact_parameters.hpp"
 #include "sim/contact/contact_report.hpp"
 #include "sim/contact/exact/feature_patches.hpp"
+#include "sim/contact/exact/intersection_contours.hpp"
 #include "sim/contact/exact/pair_contacts.hpp"
 #include "sim/contact/exact/pair_guard.hpp"
 #include "sim/contact/exact/pair_search.hpp"
@@ -68,6 +69,7 @@ class ExactSelfContact {
                     std::vector<SubstepContact>& found);
   void solvePositions(const ExactStep& step, ClothState& state);
   int solveVelocities(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
+  void recover(const ExactStep& step, ClothState& state);
   void findEntangledAt(const ExactStep& step);
   SharedFeaturePatches patchesAtStart(const ExactStep& step);
   int keepApart(const ExactStep& step, PairGuard::Inputs inputs, std::vector<Vec3>& positions, PatchHistory& history);
@@ -79,14 +81,16 @@ class ExactSelfContact {
   PairGuard guard_;
   ContactSolver solver_;
   ModelCache<std::vector<double>> inverseMass_;
+  ModelCache<std::unique_ptr<CrossingField>> crossingField_;
   std::vector<SubstepContact> contacts_;
   std::vector<ContactConstraint> constraints_;
   std::vector<ContactConstraint> active_;
   std::vector<ContactGoal> goals_;
-  std::vector<Vec3> before_;     // positions before the guard [m]
-  std::vector<Vec3> wanted_;     // positions before a round of the guard [m]
-  std::vector<Vec3> fallback_;   // [m]
-  std::vector<char> entangled_;  // vertices at the start; empty if nothing intersects
+  std::vector<Vec3> before_;             // positions before the guard [m]
+  std::vector<Vec3> wanted_;             // positions before a round of the guard [m]
+  std::vector<Vec3> fallback_;           // [m]
+  std::vector<EdgeCrossing> crossings_;  // at the start
+  std::vector<char> entangled_;          // vertices of these; empty if there are none
   Workers workers_;
 };
 

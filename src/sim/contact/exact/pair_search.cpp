@@ -1,7 +1,6 @@
 #include "sim/contact/exact/pair_search.hpp"
 
 #include "sim/contact/constraints/collect_in_order.hpp"
-#include "sim/contact/exact/entanglement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,15 +59,13 @@ PairSearch::Tree& PairSearch::treeOf(const ClothModel& model) {
   });
 }
 
-const std::vector<char>& PairSearch::entangledVertices(const ClothModel& model, std::span<const Vec3> positions) {
+const std::vector<EdgeCrossing>& PairSearch::crossingsAt(const ClothModel& model, std::span<const Vec3> positions) {
   Tree& tree = treeOf(model);
   if (!std::equal(positions.begin(), positions.end(), checked_.begin(), checked_.end())) {
     checked_.assign(positions.begin(), positions.end());
-    if (!findEntangled(tree.mesh, tree.tree, tree.boxes, positions, entangled_)) {
-      entangled_.clear();
-    }
+    findCrossings(tree.mesh, tree.tree, tree.boxes, positions, crossings_);
   }
-  return entangled_;
+  return crossings_;
 }
 
 void PairSearch::update(const Scope& scope, std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers) {

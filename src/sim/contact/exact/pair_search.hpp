@@ -2,6 +2,7 @@
 
 #include "sim/contact/broad_phase/mesh_lanes.hpp"
 #include "sim/contact/broad_phase/mesh_tree.hpp"
+#include "sim/contact/exact/edge_crossings.hpp"
 #include "sim/contact/exact/feature_boxes.hpp"
 #include "sim/contact/exact/feature_patches.hpp"
 #include "sim/contact/exact/pair_distances.hpp"
@@ -58,8 +59,8 @@ class PairSearch {
   /// Makes the list valid for all vertices on the way from `start` to `end` [m].
   void update(const Scope& scope, std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers);
 
-  /// The vertices of triangles that intersect others, see findEntangled: nonzero entries. Empty: there are none.
-  const std::vector<char>& entangledVertices(const ClothModel& model, std::span<const Vec3> positions);
+  /// The crossings of the cloth, see findCrossings.
+  const std::vector<EdgeCrossing>& crossingsAt(const ClothModel& model, std::span<const Vec3> positions);
 
   [[nodiscard]] const FeatureMesh& meshOf(const ClothModel& model) { return treeOf(model).mesh; }
 
@@ -117,8 +118,8 @@ class PairSearch {
   FeatureBounds moves_;           // maximum distances from the boxes' centres, on the way of the last update [m]
   std::vector<Vec3> low_, high_;  // corners of each vertex's box, extended by half the reach [m]
   std::vector<Listed> pairs_;
-  std::vector<Vec3> checked_;  // positions of the last call of entangledVertices [m]
-  std::vector<char> entangled_;
+  std::vector<Vec3> checked_;  // positions of the last call of crossingsAt [m]
+  std::vector<EdgeCrossing> crossings_;
 };
 
 }  // namespace drape::sim::contact

@@ -1,4 +1,4 @@
-#include "sim/contact/exact/entanglement.hpp"
+#include "sim/contact/exact/edge_crossings.hpp"
 
 #include "sim/contact/closest_features/triangle_geometry.hpp"
 
@@ -21,35 +21,29 @@ bool passesThrough(const Vec3& from, const Vec3& to, const Corners& triangle) {
   return (first >= 0.0 && second >= 0.0 && third >= 0.0) || (first <= 0.0 && second <= 0.0 && third <= 0.0);
 }
 
-/// Marks the vertices if an edge that belongs to triangle a passes through triangle b.
-bool markPair(const FeatureMesh& mesh, std::span<const Vec3> positions, int a, int b, std::vector<char>& entangled) {
+/// Adds the edges that belong to triangle a and pass through triangle b.
+void addCrossings(const FeatureMesh& mesh, std::span<const Vec3> positions, int a, int b,
+                  std::vector<EdgeCrossing>& crossings) {
   const FeatureMesh::Owned& owned = mesh.owned[a];
   const Triangle& triangle = mesh.triangles[b];
-  bool any = false;
   for (int i = 0; i < owned.edgeCount; ++i) {
     const MeshEdge& edge = mesh.edges.edges[owned.edges[i]];
-    if (hasCorner(triangle, edge.a) || hasCorner(triangle, edge.b) ||
-        !passesThrough(positions[edge.a], positions[edge.b], cornersOf(positions, triangle))) {
-      continue;
-    }
-    any = true;
-    for (const int v : {edge.a, edge.b, triangle[0], triangle[1], triangle[2]}) {
-      entangled[v] = 1;
+    if (!hasCorner(triangle, edge.a) && !hasCorner(triangle, edge.b) &&
+        passesThrough(positions[edge.a], positions[edge.b], cornersOf(positions, triangle))) {
+      crossings.push_back({owned.edges[i], b});
     }
   }
-  return any;
 }
 
 }  // namespace
 
-bool findEntangled(const FeatureMesh& mesh, MeshTree& tree, LeafBoxes& boxes, std::span<const Vec3> positions,
-                   std::vector<char>& entangled) {
-  entangled.assign(positions.size(), 0);
+void findCrossings(const FeatureMesh& mesh, MeshTree& tree, LeafBoxes& boxes, std::span<const Vec3> positions,
+                   std::vector<EdgeCrossing>& crossings) {
+  crossings.clear();
   tree.refit(positions, positions, mesh.triangles);
   boxes.fit(mesh, positions, positions);
   boxes.setPatches(nullptr);
   std::vector<OverlappingBoxes> overlaps;
-  bool any = false;
   for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
     tree.forEachLeafIn(tree.leafBox(leaf), [&](std::size_t other) {
       if (other < leaf) {
@@ -57,13 +51,23 @@ bool findEntangled(const FeatureMesh& mesh, MeshTree& tree, LeafBoxes& boxes, st
       }
       findOverlaps(boxes.triangles(), leaf, boxes.triangles(), other, overlaps);
       for (const auto& [a, b] : overlaps) {
-        const bool first = markPair(mesh, positions, a, b, entangled);
-        const bool second = markPair(mesh, positions, b, a, entangled);
-        any = any || first || second;
+        addCrossings(mesh, positions, a, b, crossings);
+        addCrossings(mesh, positions, b, a, crossings);
       }
     });
   }
-  return any;
+}
+
+void markEntangled(const FeatureMesh& mesh, std::span<const EdgeCrossing> crossings, std::size_t vertexCount,
+                   std::vector<char>& entangled) {
+  entangled.assign(crossings.empty() ? 0 : vertexCount, 0);
+  for (const EdgeCrossing& crossing : crossings) {
+    const MeshEdge& edge = mesh.edges.edges[crossing.edge];
+    const Triangle& triangle = mesh.triangles[crossing.triangle];
+    for (const int v : {edge.a, edge.b, triangle[0], triangle[1], triangle[2]}) {
+      entangled[v] = 1;
+    }
+  }
 }
 
 }  // namespace drape::sim::contact
