@@ -1,8 +1,9 @@
 // A straight line between two points, as a strip of constant width on the screen.
 #include "frame.glsl"
 
-uniform vec3 from;    // [m]
-uniform vec3 to;      // [m]
+layout(location = 0) in vec3 from;  // [m]
+layout(location = 1) in vec3 to;    // [m]
+
 uniform float width;  // [pixels]
 
 out float across;  // from the middle [pixels]

@@ -48,6 +48,9 @@ constexpr std::string_view nameOf(const session::TogglePinCommand& /*command*/) 
 constexpr std::string_view nameOf(const session::MovePinsCommand& /*command*/) {
   return "move_pins";
 }
+constexpr std::string_view nameOf(const session::UntangleCommand& /*command*/) {
+  return "untangle";
+}
 constexpr std::string_view nameOf(const session::SwitchBodyCommand& /*command*/) {
   return "switch_body";
 }

@@ -59,7 +59,10 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(const nlohmann::ordered_json& figures) {
-  const std::string text = jsonText(figures, 2) + '\n';
+  writeText(jsonText(figures, 2) + '\n');
+}
+
+void OutputFile::writeText(std::string_view text) {
   written_ = true;
   const bool complete = makeEmpty(file_) && writeAll(file_, text);
   const int reason = errno;

@@ -23,6 +23,8 @@ class OutputFile {
   /// Writes the results and closes the file; call it once. Each byte that is not valid UTF-8 (as in file names) becomes
   /// the replacement character U+FFFD. Throws InputError when the file could not be written completely.
   void write(const nlohmann::ordered_json& figures);
+  /// The same with text of any format, unchanged.
+  void writeText(std::string_view text);
 
  private:
   std::string name_;

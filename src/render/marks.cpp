@@ -18,6 +18,8 @@ const Eigen::Vector4f contactColour(0.86F, 0.16F, 0.36F, 1.0F);
 constexpr double contactLength = 0.03;  // of a drawn normal [m]
 constexpr float contactSize = 6.5F;     // [units of a mark]; the rim takes two
 constexpr float threadWidth = 2.5F;
+const Eigen::Vector4f intersectionColour(0.90F, 0.08F, 0.10F, 1.0F);
+constexpr float intersectionWidth = 3.0F;
 
 float sizeOfPins(std::size_t count) {
   constexpr float few = 6.0F;
@@ -53,6 +55,39 @@ Marks::Marks()
   glBindBuffer(GL_ARRAY_BUFFER, contactBuffer_.name());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(intersectionArray_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, intersectionBuffer_.name());
+  for (const GLuint end : {0U, 1U}) {
+    glEnableVertexAttribArray(end);
+    const std::size_t offset = end * sizeof(Eigen::Vector3f);
+    glVertexAttribPointer(end, 3, GL_FLOAT, GL_FALSE, 2 * sizeof(Eigen::Vector3f),
+                          reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
+    glVertexAttribDivisor(end, 1);
+  }
+  glBindVertexArray(0);
+}
+
+void Marks::setIntersections(const session::Snapshot& snapshot) {
+  std::vector<Eigen::Vector3f> ends;
+  for (const sim::contact::IntersectionSegment& segment : snapshot.intersections) {
+    ends.emplace_back(segment.from.cast<float>());
+    ends.emplace_back(segment.to.cast<float>());
+  }
+  intersections_ = static_cast<GLsizei>(snapshot.intersections.size());
+  glBindBuffer(GL_ARRAY_BUFFER, intersectionBuffer_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(ends.size() * sizeof(Eigen::Vector3f)), ends.data(),
+               GL_STREAM_DRAW);
+}
+
+void Marks::drawIntersections(float scale) const {
+  if (intersections_ == 0) {
+    return;
+  }
+  thread_.use();
+  thread_.set("width", intersectionWidth * scale);
+  thread_.set("colour", intersectionColour);
+  glBindVertexArray(intersectionArray_.name());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, intersections_);
   glBindVertexArray(0);
 }
 
@@ -123,11 +158,11 @@ void Marks::drawAttachment(const session::AttachmentStatus& attachment, float sc
   const Eigen::Vector3f attached = attachment.point.cast<float>();
   const Eigen::Vector3f target = attachment.target.cast<float>();
   thread_.use();
-  thread_.set("from", attached);
-  thread_.set("to", target);
   thread_.set("width", threadWidth * scale);
   thread_.set("colour", attachmentColour);
   glBindVertexArray(nothing_.name());
+  glVertexAttrib3fv(0, attached.data());
+  glVertexAttrib3fv(1, target.data());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   drawDot(target, targetSize * scale, attachmentColour);
   drawDot(attached, attachedSize * scale, attachment.pinned ? pinColour : Eigen::Vector4f(1.0F, 1.0F, 1.0F, 1.0F));

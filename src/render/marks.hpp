@@ -10,8 +10,8 @@
 
 namespace drape::render {
 
-/// Draws aids for the user: pins as dots, the attachment as a thread from the attached point to the mouse, and contacts
-/// as dots with their normals. All except the normals have a constant size on the screen.
+/// Draws aids for the user: pins as dots, the attachment as a thread from the attached point to the mouse, contacts as
+/// dots with their normals, and intersections as lines. All except the normals have a constant size on the screen.
 class Marks {
  public:
   Marks();
@@ -20,11 +20,14 @@ class Marks {
   void setPins(const session::Snapshot& snapshot);
   /// Takes over the contacts: each becomes a dot and a line along its normal.
   void setContacts(const session::Snapshot& snapshot);
+  /// Takes over the lines along which the cloth intersects itself.
+  void setIntersections(const session::Snapshot& snapshot);
 
   /// `scale` is the size of a mark's unit [pixels]. Dense pins get smaller dots.
   /// @param pixelsPerMetre of the picture, at the depth of the pins
   void drawPins(float scale, float pixelsPerMetre) const;
   void drawContacts(float scale) const;
+  void drawIntersections(float scale) const;
   void drawAttachment(const session::AttachmentStatus& attachment, float scale) const;
 
  private:
@@ -41,6 +44,9 @@ class Marks {
   ShaderProgram lines_;
   GlVertexArray contactArray_;
   GlBuffer contactBuffer_;
+  GlVertexArray intersectionArray_;
+  GlBuffer intersectionBuffer_;
+  GLsizei intersections_ = 0;
   std::vector<Eigen::Vector3f> contacts_;  // two per contact: its foot and the end of its normal
 };
 

@@ -132,6 +132,7 @@ void Renderer::Parts::take(const session::Snapshot& snapshot) {
     takeGhost(snapshot);
     marks.setPins(snapshot);
     marks.setContacts(snapshot);
+    marks.setIntersections(snapshot);
     bodies.take(snapshot);
     shadowsAreCurrent = false;
   }
@@ -301,9 +302,10 @@ void Renderer::Parts::drawMarks(const session::Snapshot& snapshot, const Camera&
     marks.drawPins(markScale(height), pixelsPerMetre(camera, height));
   }
   marks.drawContacts(markScale(height));
+  // Intersections and the attachment are drawn over the cloth, so that they are always visible.
+  glDisable(GL_DEPTH_TEST);
+  marks.drawIntersections(markScale(height));
   if (snapshot.attachment) {
-    // The attachment is drawn over the cloth, so that it is always visible.
-    glDisable(GL_DEPTH_TEST);
     marks.drawAttachment(*snapshot.attachment, markScale(height));
   }
   glDepthMask(GL_TRUE);

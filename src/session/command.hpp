@@ -40,6 +40,8 @@ struct TogglePinCommand {};
 struct MovePinsCommand {
   Vec3 by = Vec3::Zero();  ///< [m]
 };
+/// Moves the cloth until it no longer intersects itself, and brings it to rest there. Pins stay where they are.
+struct UntangleCommand {};
 /// Switches contact with a body on or off.
 struct SwitchBodyCommand {
   int body = 0;  ///< index into the scene's bodies
@@ -65,10 +67,10 @@ struct LoadSceneCommand {
 };
 
 /// All commands to a running simulation.
-using Command =
-    std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
-                 ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand, MovePinsCommand,
-                 SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand, SetCostBudgetCommand, LoadSceneCommand>;
+using Command = std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
+                             ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand,
+                             MovePinsCommand, UntangleCommand, SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand,
+                             SetCostBudgetCommand, LoadSceneCommand>;
 
 /// A command, and the number of steps before it took effect. A log of these reproduces a session.
 struct LoggedCommand {

@@ -7,6 +7,7 @@
 #include "settings/surface_fields.hpp"
 #include "sim/forces/attachment_limit.hpp"
 #include "sim/motion/unfolding.hpp"
+#include "sim/stepping/untangling.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -156,6 +157,7 @@ void Simulation::capture(Snapshot& snapshot) const {
     ghost_->capture(state_, snapshot.ghost ? *snapshot.ghost : snapshot.ghost.emplace());
   }
   captureBodies(snapshot);
+  captureContact(snapshot);
   snapshot.attachment.reset();
   if (inputs_.attachment) {
     const sim::AttachedCorners corners = sim::attachedCorners(*model_, *inputs_.attachment);
@@ -179,10 +181,17 @@ void Simulation::captureBodies(Snapshot& snapshot) const {
       status.vertices.assign(vertices.begin(), vertices.end());
     }
   }
+}
+
+void Simulation::captureContact(Snapshot& snapshot) const {
   snapshot.contactPoints.clear();
   if (settings_.view.contacts) {
     const auto points = stepper_->contact().points();
     snapshot.contactPoints.assign(points.begin(), points.end());
+  }
+  snapshot.intersections.clear();
+  if (settings_.view.intersections && !state_.hasNoSelfIntersection && sim::isFinite(state_)) {
+    intersections_->find(*model_, state_.positions, snapshot.intersections);
   }
 }
 
@@ -247,6 +256,28 @@ void Simulation::on(const ResetCommand&) {
   inputs_.attachment.reset();
   message_ =
       unfolded ? "The cloth starts folded flat. Drape added a millionth of its rest shape, so that it can unfold." : "";
+}
+
+/// Stops after a limited time: parts that pins hold in each other stay as they are.
+void Simulation::on(const UntangleCommand&) {
+  constexpr double maxSeconds = 4.0;
+  sim::Untangling untangling(model_, state_.positions, settings_.step);
+  while (!untangling.isDone() && untangling.time() < maxSeconds) {
+    untangling.step();
+    sim::checkStop(inputs_);
+  }
+  const double time = state_.time;
+  state_ = sim::stateAtRest(untangling.positions());
+  state_.time = time;
+  if (ghost_) {
+    ghost_->reset(state_);
+  }
+  if (balance_) {
+    balance_.emplace();
+  }
+  stepReport_ = {};
+  message_ =
+      untangling.isDone() ? "" : "Untangling did not remove all intersections. Pins may hold parts in each other.";
 }
 
 void Simulation::on(const AttachCommand& command) {

@@ -5,6 +5,7 @@
 #include "session/ghost.hpp"
 #include "session/snapshot.hpp"
 #include "sim/contact/bodies/world.hpp"
+#include "sim/contact/exact/intersection_search.hpp"
 #include "sim/stepping/stepper.hpp"
 
 #include <cstdint>
@@ -84,6 +85,7 @@ class Simulation {
   void on(const DetachCommand& command);
   void on(const TogglePinCommand& command);
   void on(const MovePinsCommand& command);
+  void on(const UntangleCommand& command);
   void on(const SwitchBodyCommand& command);
   void on(const SetSurfaceCommand& command);
   void on(const MoveBodyCommand& command);
@@ -99,12 +101,15 @@ class Simulation {
   void limitAttachment();
   [[nodiscard]] std::size_t requireBody(int body) const;
   void captureBodies(Snapshot& snapshot) const;
+  void captureContact(Snapshot& snapshot) const;
   void reportOverlap();
 
   std::shared_ptr<const scene::Scene> scene_;
   std::shared_ptr<const sim::ClothModel> model_;
   settings::Settings settings_;
   std::unique_ptr<sim::Stepper> stepper_;
+  std::unique_ptr<sim::contact::IntersectionSearch> intersections_ =  // for drawing; never null
+      std::make_unique<sim::contact::IntersectionSearch>();
   sim::StepReport stepReport_;
   sim::ClothState state_;
   sim::ClothState lastFinite_;

@@ -2,6 +2,7 @@
 
 #include "scene/scene.hpp"
 #include "session/stretch_cause.hpp"
+#include "sim/contact/exact/intersection_contours.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/measures/energy_balance.hpp"
 #include "sim/solvers/solver.hpp"
@@ -58,6 +59,8 @@ struct Snapshot {
   std::optional<GhostStatus> ghost;
   std::vector<BodyStatus> bodies;                         ///< one per body of the scene
   std::vector<sim::contact::ContactPoint> contactPoints;  ///< of the last step; only with view.contacts
+  /// Where the cloth intersects itself; only with view.intersections.
+  std::vector<sim::contact::IntersectionSegment> intersections;
   std::string message;  ///< for the status line, when something went wrong; otherwise empty
 };
 

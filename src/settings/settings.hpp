@@ -85,6 +85,7 @@ struct Settings {
     bool ground = true;
     bool shadows = true;
     bool contacts = false;
+    bool intersections = false;
     bool pins = true;
     double fontScale = 0.0;  ///< 0: from the monitor's scale
   } view;

@@ -556,6 +556,9 @@ const std::array table{
     SettingInfo{"view.contacts", "Draw contacts", "-", Contact, SettingEffect::View,
         FlagField{[](auto& s) -> auto& { return s.view.contacts; }},
         "Draws the contacts of the last step with their normals."},
+    SettingInfo{"view.intersections", "Draw intersections", "-", Contact, SettingEffect::View,
+        FlagField{[](auto& s) -> auto& { return s.view.intersections; }},
+        "Draws the lines along which the cloth intersects itself, in red."},
 
     SettingInfo{"unit", "Mesh unit", "-", Scene, SettingEffect::Scene,
         textOf<[](auto& s) -> auto& { return s.mesh.unit; }>(

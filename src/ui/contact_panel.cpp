@@ -112,7 +112,20 @@ void reportRows(PanelContext& context) {
   }
 }
 
+void untangleButton(PanelContext& context) {
+  if (ImGui::Button("Untangle", {ImGui::GetContentRegionAvail().x, 0.0F})) {
+    context.output.commands.emplace_back(session::UntangleCommand{});
+  }
+  context.buttons["untangle"] = lastItemRect();
+  explainItem(context, "untangle",
+              "Moves the cloth until it no longer intersects itself, and brings it to rest there. Pins stay in place.");
+}
+
 }  // namespace
+
+int intersectingPairsOf(const session::Snapshot& snapshot) {
+  return std::max(snapshot.stepReport.contact.intersections, static_cast<int>(snapshot.intersections.size()));
+}
 
 bool contactMatters(const PanelContext& context) {
   // Every scene has a ground. A ground or stand alone does not make contact the main subject of a scene.
@@ -129,6 +142,10 @@ void contactRows(PanelContext& context) {
     if (contact.crossings > 0) {
       valueRow(context, "Pairs that cross", text::formatCount(contact.crossings), palette().warning);
     }
+  }
+  if (const int pairs = intersectingPairsOf(context.snapshot); pairs > 0) {
+    valueRow(context, "Triangle pairs that intersect", text::formatCount(pairs), palette().warning);
+    untangleButton(context);
   }
   if (context.snapshot.scene->bodies->empty()) {
     mutedText("There are no bodies in this scene.");

@@ -16,6 +16,9 @@ void materialRows(PanelContext& context);
 void contactRows(PanelContext& context);
 [[nodiscard]] bool contactMatters(const PanelContext& context);
 
+/// The number of pairs of triangles of the cloth that are known to intersect.
+[[nodiscard]] int intersectingPairsOf(const session::Snapshot& snapshot);
+
 /// Rows of the section Scene: above its settings a field for a file and the scene's help, below them facts of the mesh.
 void sceneRows(PanelContext& context);
 void meshRows(PanelContext& context);

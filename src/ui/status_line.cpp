@@ -22,7 +22,7 @@ namespace {
 constexpr const char* detailsName = "Solver details";
 
 /// The change that one click offers.
-enum class Remedy { None, Auto, Soften };
+enum class Remedy { None, Auto, Soften, Untangle };
 
 struct Message {
   std::string text;
@@ -41,6 +41,8 @@ bool isOffered(Remedy remedy, const settings::Settings& settings) {
       return !chooses && sim::findSolver(choosingSolver) != nullptr;
     case Remedy::Soften:
       return chooses && !settings.step.automatic.soften;
+    case Remedy::Untangle:
+      return true;
     case Remedy::None:
       break;
   }
@@ -51,6 +53,17 @@ bool isOffered(Remedy remedy, const settings::Settings& settings) {
 double timeForStep(const settings::Settings& settings) {
   const double share = settings.automatic.budget * 1e-3 / session::budgetedTime;
   return (share > 0.0 ? share : 1.0) * settings.step.timeStep;
+}
+
+/// A message about intersections, which take long to disappear while the cloth moves.
+std::optional<Message> intersectionMessage(const session::Snapshot& snapshot) {
+  const int pairs = intersectingPairsOf(snapshot);
+  if (pairs == 0) {
+    return std::nullopt;
+  }
+  return Message{fmt::format("The cloth intersects itself in {} {} of triangles", text::formatCount(pairs),
+                             pairs == 1 ? "pair" : "pairs"),
+                 palette().warning, Remedy::Untangle};
 }
 
 /// A message about the speed of the simulation: why it is slow, or that the cloth is at rest.
@@ -77,6 +90,9 @@ Message messageOf(const PanelContext& context) {
   if (!context.stats.notice.empty()) {
     return {context.stats.notice, palette().text};
   }
+  if (std::optional<Message> intersections = intersectionMessage(snapshot)) {
+    return *intersections;
+  }
   if (std::optional<Message> pace = paceMessage(snapshot)) {
     return *pace;
   }
@@ -102,22 +118,53 @@ std::vector<std::pair<std::string, ImVec4>> factsOf(const session::Snapshot& sna
           {describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text}};
 }
 
-void remedyButton(PanelContext& context, Remedy remedy) {
-  const bool toAuto = remedy == Remedy::Auto;
-  ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
-  if (ImGui::SmallButton(toAuto ? "Use auto" : "Soften")) {
-    if (toAuto) {
-      changeSetting(context, settings::requireSetting("solver"), std::string(choosingSolver));
-    } else {
+/// The button of a remedy.
+struct RemedyButton {
+  const char* word;
+  const char* name;
+  const char* help;
+};
+
+RemedyButton buttonOf(Remedy remedy) {
+  switch (remedy) {
+    case Remedy::Untangle:
+      return {"Untangle", "button.untangle",
+              "Moves the cloth until it no longer intersects itself, and brings it to rest there. Pins stay in place."};
+    case Remedy::Soften:
+      return {"Soften", "button.soften",
+              "Softens the springs so that the steps fit the cost budget and the simulation keeps real time."};
+    case Remedy::Auto:
+    case Remedy::None:
+      break;
+  }
+  return {"Use auto", "button.auto", "Changes the solver to auto, which chooses suitable steps for this cloth."};
+}
+
+void apply(PanelContext& context, Remedy remedy) {
+  switch (remedy) {
+    case Remedy::Untangle:
+      context.output.commands.emplace_back(session::UntangleCommand{});
+      break;
+    case Remedy::Soften:
       changeSetting(context, settings::requireSetting("auto.soften"), true);
-    }
+      break;
+    case Remedy::Auto:
+      changeSetting(context, settings::requireSetting("solver"), std::string(choosingSolver));
+      break;
+    case Remedy::None:
+      break;
+  }
+}
+
+void remedyButton(PanelContext& context, Remedy remedy) {
+  const RemedyButton button = buttonOf(remedy);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
+  if (ImGui::SmallButton(button.word)) {
+    apply(context, remedy);
   }
   ImGui::PopStyleColor();
-  const char* const name = toAuto ? "button.auto" : "button.soften";
-  context.buttons[name] = lastItemRect();
-  explainItem(context, name,
-              toAuto ? "Changes the solver to auto, which chooses suitable steps for this cloth."
-                     : "Softens the springs so that the steps fit the cost budget and the simulation keeps real time.");
+  context.buttons[button.name] = lastItemRect();
+  explainItem(context, button.name, button.help);
 }
 
 /// The details behind a click on the line: the solver, its cost and its choices.
@@ -196,8 +243,7 @@ Layout layOut(const std::string& facts, const Message& message, const UiRect& pl
   const float width = static_cast<float>(place.width) - 2.0F * style.WindowPadding.x;
   Layout layout{.factsWidth = std::min(width, widthOf(facts))};
   if (message.remedy != Remedy::None) {
-    const float word = std::max(widthOf("Use auto"), widthOf("Soften"));
-    layout.buttonWidth = word + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+    layout.buttonWidth = widthOf(buttonOf(message.remedy).word) + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
   }
   layout.messageWidth = widthOf(message.text);
   const bool breaks = message.text.find('\n') != std::string::npos;

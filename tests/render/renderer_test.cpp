@@ -282,6 +282,21 @@ TEST_F(RendererTest, ThingsThatStandThereAreDrawn) {
   EXPECT_GT(distanceOf(pixelAt(picture(withStand), x, y), pixelAt(without, x, y)), 15);
 }
 
+TEST_F(RendererTest, IntersectionsAreDrawnInRedOverTheCloth) {
+  const session::Snapshot snapshot = wavySheet(0.0);
+  const Image without = picture(snapshot);
+  session::Snapshot crossing = snapshot;
+  const Vec3 behind(0.0, 0.8, -0.2);  // behind the sheet
+  crossing.intersections = {{behind - 0.1 * Vec3::UnitX(), behind + 0.1 * Vec3::UnitX()}};
+  ++crossing.version;
+  const Image with = picture(crossing);
+  const Vec2 place = cameraInFront().project(behind, width, height);
+  const Pixel line = pixelAt(with, static_cast<int>(place.x()), static_cast<int>(place.y()));
+  EXPECT_GT(line[0], line[1] + 120);
+  EXPECT_GT(compareImages(without, with, 8).pixels, 10);
+  EXPECT_LT(compareImages(without, with, 8).pixels, 400);
+}
+
 TEST_F(RendererTest, ContactsAreDrawnWithTheirNormals) {
   const session::Snapshot snapshot = wavySheet(0.0);
   const Image without = picture(snapshot);

@@ -107,6 +107,27 @@ TEST_F(ContactPanelTest, ChangesTheSurfaceOfOneBody) {
   EXPECT_EQ(simulation_.bodies().surface(0), simulation_.scene().bodies->at(0).surface) << "the other one's is its own";
 }
 
+TEST_F(ContactPanelTest, OffersToUntangleWhileTheClothIntersectsItself) {
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("untangle"));
+  EXPECT_FALSE(panels_.buttons().contains("button.untangle"));
+  // The right half of the sheet is folded over the left one, and passes through it.
+  auto tangled = std::make_shared<scene::Scene>(simulation_.scene());
+  for (Vec3& position : tangled->start.positions) {
+    const double x = position.x();
+    position = x > 0.0 ? Vec3(0.013 - x, position.y() + 0.02 - 0.1 * x, position.z() + 0.017) : position;
+  }
+  simulation_.apply(session::LoadSceneCommand{tangled});
+  simulation_.apply(session::SetSettingCommand{"view.intersections", true});
+  settle();
+  EXPECT_NE(panels_.status().find("The cloth intersects itself in"), std::string::npos) << panels_.status();
+  for (const char* name : {"untangle", "button.untangle"}) {
+    const UiOutput output = click(button(name));
+    ASSERT_EQ(output.commands.size(), 1U) << name;
+    EXPECT_TRUE(std::holds_alternative<session::UntangleCommand>(output.commands.front()));
+  }
+}
+
 TEST_F(ContactPanelTest, DrawsContactsOnDemand) {
   settle();
   EXPECT_TRUE(std::get<bool>(lastValue(click(widget("view.contacts"), 0.02), "view.contacts")));

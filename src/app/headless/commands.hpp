@@ -10,6 +10,7 @@ void addCaptureCommand(CLI::App& app);
 void addMeasureCommand(CLI::App& app);
 void addHardCasesCommand(CLI::App& app);
 void addValidateCommand(CLI::App& app);
+void addUntangleCommand(CLI::App& app);
 void addListCommand(CLI::App& app);
 
 }  // namespace drape::app

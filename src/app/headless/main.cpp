@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
   drape::app::addMeasureCommand(app);
   drape::app::addHardCasesCommand(app);
   drape::app::addValidateCommand(app);
+  drape::app::addUntangleCommand(app);
   drape::app::addListCommand(app);
   return drape::app::runProgram(app, argc, argv, [] {});
 }

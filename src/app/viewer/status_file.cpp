@@ -72,10 +72,9 @@ Json toJson(const std::optional<session::GhostStatus>& ghost) {
 
 Json contactsOf(const session::Snapshot& snapshot) {
   const sim::contact::ContactReport& contact = snapshot.stepReport.contact;
-  return {{"bodies", contact.bodyContacts},
-          {"itself", contact.selfContacts},
-          {"overlaps", contact.overlaps},
-          {"drawn", snapshot.contactPoints.size()}};
+  return {{"bodies", contact.bodyContacts},         {"itself", contact.selfContacts},
+          {"overlaps", contact.overlaps},           {"intersections", contact.intersections},
+          {"drawn", snapshot.contactPoints.size()}, {"drawn_intersections", snapshot.intersections.size()}};
 }
 
 /// The centre of a body as it is drawn [m].

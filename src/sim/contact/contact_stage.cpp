@@ -161,6 +161,7 @@ ContactReport ContactStage::resolve(const ClothModel& model, const CommonParamet
     const auto begin = std::chrono::steady_clock::now();
     report.selfContacts = exactSelfContact().resolve(
         {model, parameters, contact, start_, hadNoIntersection, state.selfContact}, state, points_);
+    report.intersections = exactSelfContact().intersectionsAtStart();
     report.selfSeconds += secondsSince(begin);
   }
   if (meetsBodies(contact, inputs)) {

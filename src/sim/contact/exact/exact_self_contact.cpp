@@ -121,6 +121,10 @@ int ExactSelfContact::resolve(const ExactStep& step, ClothState& state, std::vec
   return active;
 }
 
+int ExactSelfContact::intersectionsAtStart() const {
+  return crossings_.empty() ? 0 : intersectingPairCount(search_.mesh(), crossings_);
+}
+
 /// Moves features apart that intersect at the start of the step.
 void ExactSelfContact::recover(const ExactStep& step, ClothState& state) {
   const auto makeField = [&](const ClothModel& model) {

@@ -58,6 +58,9 @@ class ExactSelfContact {
   /// @param points the active contacts are appended  @returns their number
   int resolve(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
 
+  /// The number of pairs of triangles that intersect at the start of the step of the last `resolve`.
+  [[nodiscard]] int intersectionsAtStart() const;
+
   /// Requires a call of `resolve` for the same step. Keeps features from passing through each other, and removes the
   /// velocity of vertices towards what stops them. Stores in `state` whether the cloth is now free of intersections
   /// with itself, and its collision-free patches.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace drape::sim::contact {
@@ -87,7 +88,40 @@ void forEachSegment(const FeatureMesh& mesh, std::span<const EdgeCrossing> cross
   }
 }
 
+/// The vertex that the triangles of a segment have in common.
+std::optional<int> commonVertexOf(const FeatureMesh& mesh, std::uint64_t triangles) {
+  const Triangle& lower = mesh.triangles[triangles >> 32U];
+  const Triangle& upper = mesh.triangles[triangles & 0xffffffffU];
+  const auto common = std::find_if(lower.begin(), lower.end(), [&](int v) { return hasCorner(upper, v); });
+  return common != lower.end() ? std::optional(*common) : std::nullopt;
+}
+
 }  // namespace
+
+std::vector<IntersectionSegment> segmentsOf(const FeatureMesh& mesh, std::span<const EdgeCrossing> crossings,
+                                            std::span<const Vec3> positions) {
+  const std::vector<SegmentEnd> ends = segmentEndsOf(mesh, crossings);
+  std::vector<IntersectionSegment> segments;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Vec3 point = pointOf(mesh, crossings[ends[i].crossing], positions);
+    if (i > 0 && ends[i].triangles == ends[i - 1].triangles) {
+      segments.back().to = point;
+      continue;
+    }
+    const std::optional<int> common = commonVertexOf(mesh, ends[i].triangles);
+    segments.push_back({point, common ? positions[*common] : point});
+  }
+  return segments;
+}
+
+int intersectingPairCount(const FeatureMesh& mesh, std::span<const EdgeCrossing> crossings) {
+  const std::vector<SegmentEnd> ends = segmentEndsOf(mesh, crossings);
+  int pairs = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    pairs += i == 0 || ends[i].triangles != ends[i - 1].triangles ? 1 : 0;
+  }
+  return pairs;
+}
 
 IntersectionContours contoursOf(const FeatureMesh& mesh, std::span<const EdgeCrossing> crossings) {
   const std::vector<SegmentEnd> ends = segmentEndsOf(mesh, crossings);

@@ -10,6 +10,20 @@
 
 namespace drape::sim::contact {
 
+/// The line along which two triangles of a cloth intersect [m].
+struct IntersectionSegment {
+  Vec3 from = Vec3::Zero();
+  Vec3 to = Vec3::Zero();
+};
+
+/// One segment per intersecting pair of triangles. For two triangles with a common vertex it begins there.
+[[nodiscard]] std::vector<IntersectionSegment> segmentsOf(const FeatureMesh& mesh,
+                                                          std::span<const EdgeCrossing> crossings,
+                                                          std::span<const Vec3> positions);
+
+/// The number of intersecting pairs of triangles.
+[[nodiscard]] int intersectingPairCount(const FeatureMesh& mesh, std::span<const EdgeCrossing> crossings);
+
 /// The contours along which a cloth intersects itself. A contour is a chain of segments, each the intersection of two
 /// triangles; its points are crossings. It lies on two parts of the cloth, as a curve on each: the crossings of a curve
 /// have their edges on the same part.

@@ -8,8 +8,6 @@
 namespace drape::sim::contact {
 namespace {
 
-constexpr std::size_t trianglesOfLeaf = 8;
-
 /// The margin of a vertex's box is this number of its displacements, between the minimum margin and the largest one, so
 /// that the list lasts for several steps. Margins are in reaches. If the largest displacement exceeds the largest
 /// margin, the list can last for one step only, and all margins are the smallest.
@@ -47,20 +45,17 @@ void FeatureBounds::spread(const FeatureMesh& mesh) {
   });
 }
 
-PairSearch::Tree& PairSearch::treeOf(const ClothModel& model) {
+FeatureTree& PairSearch::treeOf(const ClothModel& model) {
   return trees_.get(model, [this](const ClothModel& m) {
     // The list and the check belong to another model.
     positions_.clear();
     checked_.clear();
-    FeatureMesh mesh = featureMeshOf(m);
-    MeshTree tree(m.restPositions, m.triangles, trianglesOfLeaf);
-    LeafBoxes boxes(mesh, tree);
-    return Tree{std::move(mesh), std::move(tree), std::move(boxes)};
+    return featureTreeOf(m);
   });
 }
 
 const std::vector<EdgeCrossing>& PairSearch::crossingsAt(const ClothModel& model, std::span<const Vec3> positions) {
-  Tree& tree = treeOf(model);
+  FeatureTree& tree = treeOf(model);
   if (!std::equal(positions.begin(), positions.end(), checked_.begin(), checked_.end())) {
     checked_.assign(positions.begin(), positions.end());
     findCrossings(tree.mesh, tree.tree, tree.boxes, positions, crossings_);

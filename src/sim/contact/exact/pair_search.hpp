@@ -1,10 +1,8 @@
 #pragma once
 
 #include "sim/contact/broad_phase/mesh_lanes.hpp"
-#include "sim/contact/broad_phase/mesh_tree.hpp"
 #include "sim/contact/exact/edge_crossings.hpp"
-#include "sim/contact/exact/feature_boxes.hpp"
-#include "sim/contact/exact/feature_patches.hpp"
+#include "sim/contact/exact/feature_tree.hpp"
 #include "sim/contact/exact/pair_distances.hpp"
 #include "sim/contact/exact/pair_gap.hpp"
 #include "sim/model/model_cache.hpp"
@@ -86,16 +84,10 @@ class PairSearch {
     std::vector<OverlappingBoxes> overlaps;
   };
 
-  struct Tree {
-    FeatureMesh mesh;
-    MeshTree tree;
-    LeafBoxes boxes;
-  };
-
   void adaptMargin();
   [[nodiscard]] double largestMargin() const;
   double measureMoves(std::span<const Vec3> start, std::span<const Vec3> end);
-  Tree& treeOf(const ClothModel& model);
+  FeatureTree& treeOf(const ClothModel& model);
   void search(std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers, int threads);
   void placeBoxes(std::span<const Vec3> start, std::span<const Vec3> end);
   void fitBoxes();
@@ -104,8 +96,8 @@ class PairSearch {
   void compareEdges(std::size_t first, std::size_t second, Candidates& candidates) const;
   void listNear(bool edges, Batch& batch, std::vector<Listed>& found) const;
 
-  ModelCache<Tree> trees_;
-  Tree* tree_ = nullptr;
+  ModelCache<FeatureTree> trees_;
+  FeatureTree* tree_ = nullptr;
   const FeatureMesh* mesh_ = nullptr;
   SharedFeaturePatches patches_;
   double reach_ = 0.0;            // [m]
