@@ -45,9 +45,15 @@ std::string inWords(const sim::ClothModelError& error) {
       return wrongCount(numbers, "stiffnesses", "springs");
     case Fault::PinCount:
       return wrongCount(numbers, "pins", "vertices");
+    case Fault::ClothCount:
+      return wrongCount(numbers, "numbers of cloths", "vertices");
     case Fault::Material:
       return "the fabric is not stable: every stretch and shear modulus must be positive, no bending modulus negative, "
              "the bias bending at least a quarter of warp plus weft, and poisson between -1 and 1";
+    case Fault::MaterialsMeet:
+      return fmt::format(
+          "vertex {} has triangles of different materials; only cloths that are not connected can differ",
+          numbers.index);
     case Fault::WarpCount:
       return wrongCount(numbers, "warp directions", "triangles");
     case Fault::PatternCount:

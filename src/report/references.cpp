@@ -54,7 +54,7 @@ Reference runOnce(ReferenceKind kind, const scene::Scene& scene, const settings:
 /// often. The damping of a fabric acts once in a step, so its error shrinks only if the steps themselves are short.
 settings::Settings inLongSteps(const scene::Scene& scene, settings::Settings settings) {
   constexpr int longest = 64;
-  if (scene.model->fabric && scene.model->fabric->material.damps()) {
+  if (scene.model->fabric && scene.model->fabric->materials.damp()) {
     return settings;
   }
   int steps = stepsPerCheckpoint(settings.step.timeStep);

@@ -108,8 +108,8 @@ TEST(HardCases, withAFabricUseItsModuliAndItsDensity) {
   const auto model = hardcases::modelOf(
       hardcases::sheetCloth(trial.fabricSettings("denim", {"fabric.shear=7"}), 9, hardcases::Pinned::TwoCorners));
   ASSERT_TRUE(model->fabric);
-  EXPECT_EQ(model->fabric->material.stretchWeft, 1014.0);
-  EXPECT_EQ(model->fabric->material.shear, 7.0);
+  EXPECT_EQ(model->fabric->materials[0].stretchWeft, 1014.0);
+  EXPECT_EQ(model->fabric->materials[0].shear, 7.0);
   EXPECT_NEAR(model->totalMass(), 0.324, 1e-9);
 }
 

@@ -21,7 +21,7 @@ TEST(Fabric, isPartOfTheModelThatTheSceneBuilds) {
   EXPECT_EQ(smallGrid()->model->fabric, nullptr);
   const auto scene = smallGrid(9, {"material.model=fabric", "material.preset=denim"});
   ASSERT_NE(scene->model->fabric, nullptr);
-  EXPECT_EQ(scene->model->fabric->material, sim::fabric::findPreset("denim")->material);
+  EXPECT_EQ(scene->model->fabric->materials[0], sim::fabric::findPreset("denim")->material);
   EXPECT_NEAR(scene->model->totalMass(), 0.1, 1e-12) << "the scene gives the mass";
   const auto own = smallGrid(9, {"material.model=fabric", "material.preset=denim", "fabric.own_density=on"});
   EXPECT_NEAR(own->model->totalMass(), 0.324, 1e-12) << "the sheet has one square metre";
@@ -32,9 +32,9 @@ TEST(Fabric, isChangedByItsSettingsWhileTheClothMoves) {
   set(simulation, "material.model", std::string("fabric"));
   ASSERT_NE(simulation.model().fabric, nullptr) << simulation.message();
   set(simulation, "material.preset", std::string("jersey"));
-  EXPECT_EQ(simulation.model().fabric->material.stretchWarp, 17.0);
+  EXPECT_EQ(simulation.model().fabric->materials[0].stretchWarp, 17.0);
   set(simulation, "fabric.stretch_warp", 18.0);
-  EXPECT_EQ(simulation.model().fabric->material.stretchWarp, 18.0);
+  EXPECT_EQ(simulation.model().fabric->materials[0].stretchWarp, 18.0);
   set(simulation, "fabric.own_density", true);
   EXPECT_NEAR(simulation.model().totalMass(), 0.187, 1e-12);
   set(simulation, "material.preset", std::string("silk"));
@@ -43,7 +43,7 @@ TEST(Fabric, isChangedByItsSettingsWhileTheClothMoves) {
   EXPECT_NEAR(simulation.model().totalMass(), 0.2, 1e-12);
   set(simulation, "density", 0.3);
   EXPECT_NEAR(simulation.model().totalMass(), 0.3, 1e-12);
-  EXPECT_EQ(simulation.model().fabric->material.stretchWarp, 1030.0) << "another mass keeps the fabric";
+  EXPECT_EQ(simulation.model().fabric->materials[0].stretchWarp, 1030.0) << "another mass keeps the fabric";
 }
 
 TEST(Fabric, leavesNoTraceWhenTheClothIsSpringsAgain) {
@@ -74,12 +74,12 @@ TEST(Fabric, doesNotTouchTheModelOfSprings) {
 
 TEST(Fabric, refusesABadValueWithAMessageAndKeepsTheOldOne) {
   Simulation simulation(smallGrid(9, {"solver=auto", "material.model=fabric"}));
-  const sim::fabric::Material before = simulation.model().fabric->material;
+  const sim::fabric::Material before = simulation.model().fabric->materials[0];
   for (const auto& [key, value] : {std::pair("fabric.shear", -1.0), std::pair("fabric.stretch_warp", std::nan("")),
                                    std::pair("fabric.bend_bias", 1e-9)}) {
     set(simulation, key, value);
     EXPECT_NE(simulation.message().find(key), std::string::npos) << simulation.message();
-    EXPECT_EQ(simulation.model().fabric->material, before) << key;
+    EXPECT_EQ(simulation.model().fabric->materials[0], before) << key;
     EXPECT_EQ(simulation.settings().fabric.moduli, before) << key;
   }
 }
@@ -130,19 +130,19 @@ TEST(Fabric, changesAllValuesTogetherWhereOneByOneWouldBeRefused) {
   simulation.apply(SetOwnFabricsCommand{settings::withOwnFabric({}, stiff)});
   simulation.apply(UseFabricCommand{stiff});
   EXPECT_TRUE(simulation.message().empty()) << simulation.message();
-  EXPECT_EQ(simulation.model().fabric->material, stiff.material);
+  EXPECT_EQ(simulation.model().fabric->materials[0], stiff.material);
   EXPECT_EQ(settings::fabricTitle(simulation.settings()), "stiff");
   set(simulation, "material.preset", std::string("silk"));
   set(simulation, "material.preset", std::string("stiff"));
-  EXPECT_EQ(simulation.model().fabric->material, stiff.material);
+  EXPECT_EQ(simulation.model().fabric->materials[0], stiff.material);
 }
 
 TEST(Fabric, refusesAnOwnFabricOutOfRangeAndKeepsTheOldOne) {
   Simulation simulation(smallGrid(9, {"solver=auto", "material.model=fabric"}));
-  const sim::fabric::Material before = simulation.model().fabric->material;
+  const sim::fabric::Material before = simulation.model().fabric->materials[0];
   simulation.apply(UseFabricCommand{fabricNamed("bad", "denim", -1.0)});
   EXPECT_NE(simulation.message().find("fabric.bend_warp must be"), std::string::npos) << simulation.message();
-  EXPECT_EQ(simulation.model().fabric->material, before);
+  EXPECT_EQ(simulation.model().fabric->materials[0], before);
   EXPECT_EQ(settings::fabricTitle(simulation.settings()), "Cotton");
 }
 

@@ -58,13 +58,25 @@ double scaleOf(double quality) {
   return std::pow(std::min(1.0, quality / sliverQuality), 1.5);
 }
 
+/// The moments D of each triangle [N m].
+class TriangleMoments {
+ public:
+  explicit TriangleMoments(const TriangleMaterials& materials) : materials_(materials) {
+    std::ranges::transform(materials.list(), std::back_inserter(moments_), bendMatrix);
+  }
+
+  [[nodiscard]] const Mat3& operator[](std::size_t triangle) const { return moments_[materials_.indexOf(triangle)]; }
+
+ private:
+  const TriangleMaterials& materials_;
+  std::vector<Mat3> moments_;  // of each material
+};
+
 /// Finds the curvatures of the triangles as linear functions of the bend vectors of the hinges.
 class CurvatureBuilder {
  public:
-  CurvatureBuilder(const RestShape& shape, const Mat3& moments)
+  CurvatureBuilder(const RestShape& shape, const TriangleMoments& moments)
       : shape_(shape), hingesOf_(shape.triangles.size(), {-1, -1, -1}), fits_(shape.triangles.size(), Mat3::Zero()) {
-    const double min = minMomentRatio * moments.diagonal().maxCoeff();
-    compliance_ = moments.diagonal().cwiseMax(min).cwiseInverse().asDiagonal();
     for (std::size_t h = 0; h < shape.hinges.size(); ++h) {
       const Hinge& hinge = shape.hinges[h];
       scales_.push_back(scaleOf(std::min(qualityOf(triangleOf(hinge, 0)), qualityOf(triangleOf(hinge, 1)))));
@@ -74,7 +86,7 @@ class CurvatureBuilder {
     }
     for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
       if (shape.triangles[t].area > 0.0) {
-        fit(t);
+        fit(t, complianceFor(moments[t]));
       }
     }
   }
@@ -110,9 +122,16 @@ class CurvatureBuilder {
     return perDerivative * secondDerivatives(hinge, of);
   }
 
+  /// The inverse of the moments for a fit [1/(N m)]. Without moments any positive matrix serves.
+  [[nodiscard]] static Mat3 complianceFor(const Mat3& moments) {
+    const double largest = moments.diagonal().maxCoeff();
+    return largest > 0.0 ? Mat3(moments.diagonal().cwiseMax(minMomentRatio * largest).cwiseInverse().asDiagonal())
+                         : Mat3(Mat3::Identity());
+  }
+
   /// Finds the curvature of the quadratic field through the corners of a triangle and of its neighbours. Where hinges
   /// are missing or do not determine it, the field is the one of least energy: its moments across free edges vanish.
-  void fit(std::size_t t) {
+  void fit(std::size_t t, const Mat3& compliance) {
     Mat3 bends = Mat3::Zero();  // one row a hinge [m]
     for (Eigen::Index side = 0; side < 3; ++side) {
       if (const int h = hingesOf_[t][static_cast<std::size_t>(side)]; h >= 0) {
@@ -120,12 +139,12 @@ class CurvatureBuilder {
         bends.row(side) = bendPerCurvature(hinge, hinge.triangles[0] == static_cast<int>(t) ? 0 : 1);
       }
     }
-    const Mat3 gram = bends * compliance_ * bends.transpose();
+    const Mat3 gram = bends * compliance * bends.transpose();
     const Vec3 scale = gram.diagonal().unaryExpr([](double d) { return d > 0.0 ? 1.0 / std::sqrt(d) : 0.0; });
     const Eigen::SelfAdjointEigenSolver<Mat3> correlation(Mat3(scale.asDiagonal() * gram * scale.asDiagonal()));
     const Vec3 inverse = correlation.eigenvalues().cwiseMax(minCorrelation).cwiseInverse();
     const Mat3& modes = correlation.eigenvectors();
-    fits_[t] = compliance_ * bends.transpose() * scale.asDiagonal() * modes * inverse.asDiagonal() * modes.transpose() *
+    fits_[t] = compliance * bends.transpose() * scale.asDiagonal() * modes * inverse.asDiagonal() * modes.transpose() *
                scale.asDiagonal();
   }
 
@@ -182,7 +201,6 @@ class CurvatureBuilder {
   const RestShape& shape_;
   std::vector<std::array<int, 3>> hingesOf_;  // of each triangle's sides; -1 if there is none
   std::vector<double> scales_;                // of each hinge [-]
-  Mat3 compliance_;                           // the inverse of the moments [1/(N m)]
   // Of each triangle: column k is the curvature per minus the bend vector of the hinge of side k [1/m].
   std::vector<Mat3> fits_;
   std::vector<Eigen::Triplet<double>> entries_;
@@ -203,19 +221,19 @@ RowMatrix bendVectors(const RestShape& shape, std::size_t vertexCount) {
 }
 
 /// The curvatures of the triangles as a function of the vertices [1/m^2]: three rows a triangle.
-RowMatrix curvatureMatrix(const RestShape& shape, const Mat3& moments, std::size_t vertexCount) {
+RowMatrix curvatureMatrix(const RestShape& shape, const TriangleMoments& moments, std::size_t vertexCount) {
   return (CurvatureBuilder(shape, moments).build() * bendVectors(shape, vertexCount)).pruned(0.0);
 }
 
 /// A D for each triangle, on the diagonal. @param scales factor of each triangle; empty: 1
-RowMatrix momentsOf(const RestShape& shape, const Mat3& moments, std::span<const double> scales) {
+RowMatrix momentsOf(const RestShape& shape, const TriangleMoments& moments, std::span<const double> scales) {
   const auto size = static_cast<Eigen::Index>(3 * shape.triangles.size());
   RowMatrix matrix(size, size);
   matrix.reserve(Eigen::VectorXi::Constant(size, 1));
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto t = static_cast<std::size_t>(i / 3);
     const double scale = scales.empty() ? 1.0 : scales[t];
-    matrix.insert(i, i) = scale * shape.triangles[t].area * moments(i % 3, i % 3);
+    matrix.insert(i, i) = scale * shape.triangles[t].area * moments[t](i % 3, i % 3);
   }
   return matrix;
 }
@@ -231,7 +249,7 @@ VertexMatrix withoutRounding(const VertexMatrix& matrix) {
   return symmetric;
 }
 
-VertexMatrix matrixOf(const RestShape& shape, const Mat3& moments, const RowMatrix& curvatures,
+VertexMatrix matrixOf(const RestShape& shape, const TriangleMoments& moments, const RowMatrix& curvatures,
                       std::span<const double> scales) {
   return withoutRounding(RowMatrix(curvatures.transpose()) * momentsOf(shape, moments, scales) * curvatures);
 }
@@ -259,8 +277,8 @@ double bendingScaleOf(std::size_t triangle, const RestShape& shape, const Mat3& 
 
 }  // namespace
 
-VertexMatrix bendingMatrix(const RestShape& shape, const Material& material, std::size_t vertexCount) {
-  const Mat3 moments = bendMatrix(material);
+VertexMatrix bendingMatrix(const RestShape& shape, const TriangleMaterials& materials, std::size_t vertexCount) {
+  const TriangleMoments moments(materials);
   return matrixOf(shape, moments, curvatureMatrix(shape, moments, vertexCount), {});
 }
 
@@ -275,14 +293,15 @@ std::vector<double> halfRowSums(const VertexMatrix& bending) {
   return sums;
 }
 
-ClampedBending clampedBendingMatrix(const RestShape& shape, const Material& material,
-                                    std::span<const double> vertexAreas, double maxRatio) {
-  const Mat3 moments = bendMatrix(material);
+ClampedBending clampedBendingMatrix(const RestShape& shape, const TriangleMaterials& materials,
+                                    std::span<const double> vertexAreas, double maxRatio,
+                                    std::span<const int> clothOf) {
+  const TriangleMoments moments(materials);
   const RowMatrix curvatures = curvatureMatrix(shape, moments, vertexAreas.size());
   ClampedBending clamped{matrixOf(shape, moments, curvatures, {}), {}};
-  const RateLimit limit(halfRowSums(clamped.matrix), vertexAreas, maxRatio);
+  const RateLimit limit(halfRowSums(clamped.matrix), vertexAreas, maxRatio, clothOf);
   for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
-    clamped.scales.push_back(bendingScaleOf(t, shape, moments, curvatures, limit));
+    clamped.scales.push_back(bendingScaleOf(t, shape, moments[t], curvatures, limit));
   }
   if (std::ranges::any_of(clamped.scales, [](double scale) { return scale < 1.0; })) {
     clamped.matrix = matrixOf(shape, moments, curvatures, clamped.scales);

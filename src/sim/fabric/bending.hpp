@@ -39,7 +39,8 @@ using VertexMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 ///
 /// The bend vectors at slivers (sliverQuality) are scaled down, so that they do not determine the time step.
 /// Edges on the boundary are free of moments. Edges of three or more triangles bend freely.
-[[nodiscard]] VertexMatrix bendingMatrix(const RestShape& shape, const Material& material, std::size_t vertexCount);
+[[nodiscard]] VertexMatrix bendingMatrix(const RestShape& shape, const TriangleMaterials& materials,
+                                         std::size_t vertexCount);
 
 /// Half the sum of |L_ij| over each row [N/m]. By Gershgorin's theorem the highest frequency of bending has
 /// omega^2 <= 2 max_i(half sum_i / m_i).
@@ -53,8 +54,9 @@ struct ClampedBending {
 
 /// The same matrix, with the energy of the stiffest triangles scaled down to the RateLimit of the mesh. Each triangle's
 /// energy stays free of rigid motion and positive, so the matrix is semidefinite too.
-/// @param vertexAreas of all vertices [m^2]  @param maxRatio as in RateLimit [-]
-[[nodiscard]] ClampedBending clampedBendingMatrix(const RestShape& shape, const Material& material,
-                                                  std::span<const double> vertexAreas, double maxRatio);
+/// @param vertexAreas of all vertices [m^2]  @param maxRatio, clothOf as in RateLimit
+[[nodiscard]] ClampedBending clampedBendingMatrix(const RestShape& shape, const TriangleMaterials& materials,
+                                                  std::span<const double> vertexAreas, double maxRatio,
+                                                  std::span<const int> clothOf = {});
 
 }  // namespace drape::sim::fabric

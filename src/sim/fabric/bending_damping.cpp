@@ -17,17 +17,25 @@ constexpr double flatRadius = 1.0;
 /// `maxRatio` of the RateLimit [-]. In small triangles vibration may last longer, because nobody sees it there.
 constexpr double dampingRatio = 4.0;
 
+/// The square root of a material's damping time over the longest one of the cloth [-]. Delta contains it, so that Z is
+/// proportional to the damping time. 1 if none damps.
+double relativeDamping(const TriangleMaterials& materials, const Material& material) {
+  const double longest = materials.maxBendDamping();
+  return longest > 0.0 ? std::sqrt(material.bendDamping / longest) : 1.0;
+}
+
 std::vector<double> weightsOf(const ClothModel& model) {
-  const Material& material = model.fabric->material;
-  const double warp = std::sqrt(material.bendWarp);
-  const double weft = std::sqrt(material.bendWeft);
+  const TriangleMaterials& materials = model.fabric->materials;
   std::vector<double> weights(model.springs.size(), 0.0);
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     const RestTriangle& rest = model.fabric->shape.triangles[t];
     if (!(rest.area > 0.0)) {
       continue;
     }
-    const double scale = std::min(1.0, qualityOf(rest) / sliverQuality);
+    const Material& material = materials[t];
+    const double warp = std::sqrt(material.bendWarp);
+    const double weft = std::sqrt(material.bendWeft);
+    const double scale = relativeDamping(materials, material) * std::min(1.0, qualityOf(rest) / sliverQuality);
     for (std::size_t k = 0; k < 3; ++k) {
       // The gradient of a corner's shape function is its opposite side, turned by a right angle, over twice the area.
       const Vec2& first = rest.sides[(k + 1) % 3];
@@ -82,7 +90,7 @@ RowSums rowSumsOf(const ClothModel& model, const BendingDamping& damping) {
 /// number of stages.
 void clampTerms(const ClothModel& model, BendingDamping& damping) {
   const RowSums sums = rowSumsOf(model, damping);
-  const RateLimit limit(sums.total, model.vertexArea, maxBendingRatio(dampingRatio));
+  const RateLimit limit(sums.total, model.vertexArea, maxBendingRatio(dampingRatio), model.clothOf);
   for (std::size_t v = 0; v < sums.own.size(); ++v) {
     damping.inverseAreas[v] *= limit.scaleOf(sums.own[v], v);
   }
@@ -138,8 +146,7 @@ std::vector<Vec3> weightedLaplacian(const ClothModel& model, const BendingDampin
 
 std::vector<Vec3> bendingDirections(const ClothModel& model, const BendingDamping& damping,
                                     std::span<const Vec3> positions) {
-  const Material& material = model.fabric->material;
-  const double unit = std::sqrt(std::max(material.bendWarp, material.bendWeft));
+  const TriangleMaterials& materials = model.fabric->materials;
   const std::vector<Vec3> curvatures = weightedLaplacian(model, damping, positions);
   std::vector<Vec3> directions = vertexNormals(model, positions);
   for (std::size_t v = 0; v < directions.size(); ++v) {
@@ -149,6 +156,12 @@ std::vector<Vec3> bendingDirections(const ClothModel& model, const BendingDampin
       continue;
     }
     direction.normalize();
+    const Material& material = materials[model.vertexTriangles[v].front()];
+    const double unit =
+        relativeDamping(materials, material) * std::sqrt(std::max(material.bendWarp, material.bendWeft));
+    if (!(unit > 0.0)) {
+      continue;
+    }
     const Vec3 curvature = flatRadius * damping.inverseAreas[v] / unit * curvatures[v];
     direction += curvature.dot(direction) < 0.0 ? Vec3(-curvature) : curvature;
     direction.normalize();

@@ -24,13 +24,13 @@ double stiffnessScaleOf(const RestTriangle& triangle) {
   return std::min(1.0, qualityOf(triangle) / sliverQuality);
 }
 
-/// The material with the slopes that it has beyond the strain at which it stiffens.
-Material stiffened(const Material& material) {
-  Material steep = material;
-  steep.stretchWarp += material.stiffeningWarp;
-  steep.stretchWeft += material.stiffeningWeft;
-  steep.stiffeningWarp = steep.stiffeningWeft = 0.0;
-  return steep;
+/// The materials with the slopes that they have beyond the strain at which they stiffen.
+TriangleMaterials stiffened(const TriangleMaterials& materials) {
+  return materials.with([](Material& material) {
+    material.stretchWarp += material.stiffeningWarp;
+    material.stretchWeft += material.stiffeningWeft;
+    material.stiffeningWarp = material.stiffeningWeft = 0.0;
+  });
 }
 
 /// The ratio of the estimated highest frequency to that of the power iteration, which comes from below [-]. Cloth in
@@ -41,7 +41,7 @@ using CornerBlocks = std::array<Mat3, 3>;
 
 /// The second derivative of the membrane's energy of each triangle at rest [N/m].
 /// @param maxStretch in a mesh that differs from its pattern, see placedInSpace; 1: at rest
-std::vector<Mat9> membraneAtRest(const Fabric& fabric, const Material& material, const ClothModel& model,
+std::vector<Mat9> membraneAtRest(const Fabric& fabric, const TriangleMaterials& materials, const ClothModel& model,
                                  double maxStretch = 1.0) {
   const ForceDerivative variant = model.hasPattern ? ForceDerivative::Stabilised : ForceDerivative::Exact;
   std::vector<Mat9> stiffness;
@@ -49,7 +49,7 @@ std::vector<Mat9> membraneAtRest(const Fabric& fabric, const Material& material,
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     const RestTriangle& rest = fabric.shape.triangles[t];
     const Corners mesh = cornersOf(model.triangles[t], model.restPositions);
-    stiffness.push_back(MembraneTriangle(rest, material, fabric.membraneScales[t])
+    stiffness.push_back(MembraneTriangle(rest, materials[t], fabric.membraneScales[t])
                             .derivative(model.hasPattern ? placedInSpace(rest, mesh, maxStretch) : mesh, variant));
   }
   return stiffness;
@@ -85,8 +85,8 @@ std::vector<double> sumAtVertices(const ClothModel& model, std::span<const Corne
 
 /// Scales the stiffest triangles down to the RateLimit of the mesh.
 void clampMembrane(const ClothModel& model, Fabric& fabric) {
-  const std::vector<CornerBlocks> blocks = cornerBlocks(membraneAtRest(fabric, stiffened(fabric.material), model));
-  const RateLimit limit(sumAtVertices(model, blocks), model.vertexArea, fabric.maxRatio);
+  const std::vector<CornerBlocks> blocks = cornerBlocks(membraneAtRest(fabric, stiffened(fabric.materials), model));
+  const RateLimit limit(sumAtVertices(model, blocks), model.vertexArea, fabric.maxRatio, model.clothOf);
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     double scale = 1.0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -104,7 +104,7 @@ void clampMembrane(const ClothModel& model, Fabric& fabric) {
 /// is: the cloth starts from it.
 std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& model) {
   constexpr double asInMesh = std::numeric_limits<double>::infinity();
-  const std::vector<Mat9> membrane = membraneAtRest(fabric, stiffened(fabric.material), model, asInMesh);
+  const std::vector<Mat9> membrane = membraneAtRest(fabric, stiffened(fabric.materials), model, asInMesh);
   std::vector<double> largest = sumAtVertices(model, cornerBlocks(membrane));
   if (fabric.bends()) {
     std::ranges::transform(largest, fabric.bendingHalfSums, largest.begin(), std::plus<>());
@@ -152,8 +152,14 @@ void findPairs(const ClothModel& model, Fabric& fabric) {
 std::uint64_t fingerprintOf(const Fabric& fabric) {
   static_assert(sizeof(Material) % sizeof(double) == 0);
   Fingerprint fingerprint;
-  for (const double modulus : std::bit_cast<std::array<double, sizeof(Material) / sizeof(double)>>(fabric.material)) {
-    fingerprint.add(modulus);
+  const auto addMaterial = [&](const Material& material) {
+    for (const double modulus : std::bit_cast<std::array<double, sizeof(Material) / sizeof(double)>>(material)) {
+      fingerprint.add(modulus);
+    }
+  };
+  std::ranges::for_each(fabric.materials.list(), addMaterial);
+  for (std::size_t t = 0; t < fabric.shape.triangles.size() && fabric.materials.list().size() > 1; ++t) {
+    fingerprint.add(static_cast<std::uint64_t>(fabric.materials.indexOf(t)));
   }
   for (const RestTriangle& triangle : fabric.shape.triangles) {
     for (const Vec2& side : triangle.sides) {
@@ -168,16 +174,16 @@ std::uint64_t fingerprintOf(const Fabric& fabric) {
 void buildMembrane(Fabric& fabric) {
   fabric.membrane.clear();
   for (std::size_t t = 0; t < fabric.shape.triangles.size(); ++t) {
-    fabric.membrane.emplace_back(fabric.shape.triangles[t], fabric.material, fabric.membraneScales[t]);
+    fabric.membrane.emplace_back(fabric.shape.triangles[t], fabric.materials[t], fabric.membraneScales[t]);
   }
 }
 
 void buildBending(const ClothModel& model, Fabric& fabric) {
-  if (!resistsBending(fabric.material)) {
+  if (!resistBending(fabric.materials)) {
     return;
   }
-  ClampedBending bending =
-      clampedBendingMatrix(fabric.shape, fabric.material, model.vertexArea, maxBendingRatio(fabric.maxRatio));
+  ClampedBending bending = clampedBendingMatrix(fabric.shape, fabric.materials, model.vertexArea,
+                                                maxBendingRatio(fabric.maxRatio), model.clothOf);
   fabric.bending = std::move(bending.matrix);
   fabric.bendingHalfSums = halfRowSums(fabric.bending);
   fabric.bendingScales = std::move(bending.scales);
@@ -203,14 +209,26 @@ std::shared_ptr<const ClothModel> withBuilt(const ClothModel& model, std::shared
   return sim::withFabric(model, std::move(fabric), std::move(stiffness));
 }
 
+/// The loops over vertices take the material of one triangle for all of a vertex.
+void requireOneMaterialPerVertex(const ClothModel& model, const TriangleMaterials& materials) {
+  for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+    for (const int t : model.vertexTriangles[v]) {
+      if (materials.indexOf(t) != materials.indexOf(model.vertexTriangles[v].front())) {
+        throw ClothModelError(ClothModelError::Fault::MaterialsMeet, {.index = static_cast<std::int64_t>(v)});
+      }
+    }
+  }
+}
+
 /// @param model with the rest lengths and areas of the triangles at rest
-std::shared_ptr<const ClothModel> withTriangles(const ClothModel& model, const Material& material,
+std::shared_ptr<const ClothModel> withTriangles(const ClothModel& model, const TriangleMaterials& materials,
                                                 std::vector<RestTriangle> rest) {
-  if (!isStable(material)) {
+  if (!std::ranges::all_of(materials.list(), isStable)) {
     throw ClothModelError(ClothModelError::Fault::Material, {});
   }
+  requireOneMaterialPerVertex(model, materials);
   auto fabric = std::make_shared<Fabric>();
-  fabric->material = material;
+  fabric->materials = materials;
   fabric->shape = restShapeOf(std::move(rest), model.triangles, edgesOf(model.triangles, model.restPositions.size()));
   if (model.hasPattern) {
     fabric->meshStrain = meshStrain(model, fabric->shape.triangles);
@@ -222,29 +240,30 @@ std::shared_ptr<const ClothModel> withTriangles(const ClothModel& model, const M
 
 }  // namespace
 
-std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Material& material,
+std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const TriangleMaterials& materials,
                                              std::span<const Vec3> warp) {
   if (warp.size() != model.triangles.size()) {
     throw ClothModelError(
         ClothModelError::Fault::WarpCount,
         {.found = static_cast<std::int64_t>(warp.size()), .count = static_cast<std::int64_t>(model.triangles.size())});
   }
-  return withTriangles(*withMeshSizes(model), material, restTrianglesOf(model.restPositions, model.triangles, warp));
+  return withTriangles(*withMeshSizes(model), materials, restTrianglesOf(model.restPositions, model.triangles, warp));
 }
 
-std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model, const Material& material,
+std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model, const TriangleMaterials& materials,
                                                     std::vector<RestTriangle> pattern) {
   const std::shared_ptr<const ClothModel> sized = withPattern(model, pattern);
-  return withTriangles(*sized, material, std::move(pattern));
+  return withTriangles(*sized, materials, std::move(pattern));
 }
 
 std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, double scale) {
   auto fabric = std::make_shared<Fabric>(*model.fabric);
-  Material& material = fabric->material;
-  for (double* modulus :
-       {&material.stretchWarp, &material.stretchWeft, &material.stiffeningWarp, &material.stiffeningWeft}) {
-    *modulus *= scale;
-  }
+  fabric->materials = fabric->materials.with([&](Material& material) {
+    for (double* modulus :
+         {&material.stretchWarp, &material.stretchWeft, &material.stiffeningWarp, &material.stiffeningWeft}) {
+      *modulus *= scale;
+    }
+  });
   buildMembrane(*fabric);
   fabric->fingerprint = fingerprintOf(*fabric);
   return withBuilt(model, std::move(fabric));
@@ -271,7 +290,24 @@ double strainAlongYarns(const ClothModel& model, std::span<const Vec3> positions
 }
 
 std::vector<double> membraneStiffness(const ClothModel& model) {
-  return sumAtVertices(model, cornerBlocks(membraneAtRest(*model.fabric, model.fabric->material, model)));
+  return sumAtVertices(model, cornerBlocks(membraneAtRest(*model.fabric, model.fabric->materials, model)));
+}
+
+std::vector<double> relativeStretchDamping(const ClothModel& model) {
+  const TriangleMaterials& materials = model.fabric->materials;
+  const double longest = materials.maxStretchDamping();
+  std::vector<double> relative(model.restPositions.size(), 1.0);
+  for (std::size_t v = 0; v < relative.size() && longest > 0.0; ++v) {
+    if (!model.vertexTriangles[v].empty()) {
+      relative[v] = materials[model.vertexTriangles[v].front()].stretchDamping / longest;
+    }
+  }
+  return relative;
+}
+
+double minStretchModulus(const ClothModel& model) {
+  const auto softer = [](const Material& material) { return std::min(material.stretchWarp, material.stretchWeft); };
+  return softer(std::ranges::min(model.fabric->materials.list(), {}, softer));
 }
 
 double elasticEnergy(const ClothModel& model, std::span<const Vec3> positions) {

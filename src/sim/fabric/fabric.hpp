@@ -24,9 +24,10 @@ struct VertexPair {
   double bending = 0.0;  ///< their entry of the bending matrix [N/m]
 };
 
-/// What a cloth's fabric consists of: the material, and what follows from it and from the rest shape. Constant.
+/// What a cloth's fabric consists of: the materials, and what follows from it and from the rest shape. Constant.
 struct Fabric {
-  Material material;
+  /// Triangles with a common vertex have the same material.
+  TriangleMaterials materials{Material{}};
   RestShape shape;
   std::vector<MembraneTriangle> membrane;  ///< one a triangle
   std::vector<double> membraneScales;      ///< the factor on the moduli of each triangle [-]; below 1 where clamped
@@ -43,7 +44,7 @@ struct Fabric {
   double maxRatio = maxMembraneRatio;  ///< of the RateLimit of the membrane; that of bending is its square [-]
   int slivers = 0;                     ///< triangles whose stiffness is clamped, see sliverQuality and RateLimit
 
-  /// A hash of the material, the rest shape and the limit. It differs for fabrics that differ in a modulus or in the
+  /// A hash of the materials, the rest shape and the limit. It differs for fabrics that differ in a modulus or in the
   /// direction of warp, even if their stiffness at rest is the same.
   std::uint64_t fingerprint = 0;
 
@@ -53,14 +54,16 @@ struct Fabric {
 /// The same cloth with a fabric instead of springs, whose rest shape is the mesh. The rest shape is flat for bending:
 /// the fabric tends to unroll, as woven cloth does, whatever the shape of the mesh.
 /// @param warp a unit vector in the plane of each triangle at rest, see warpAlong
-/// Throws ClothModelError if the material is not stable (isStable) or if there is not one direction a triangle.
-[[nodiscard]] std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Material& material,
+/// Throws ClothModelError if a material is not stable (isStable), if triangles of different materials have a common
+/// vertex, or if there is not one direction a triangle.
+[[nodiscard]] std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const TriangleMaterials& materials,
                                                            std::span<const Vec3> warp);
 
 /// The same cloth with a fabric whose rest shape is a flat sewing pattern instead of the mesh. Rest lengths and areas
 /// become those of the pattern (withPattern). Masses do not change. @param pattern one for each triangle of the cloth
-/// Throws ClothModelError if the material is not stable or if there are more or fewer triangles.
-[[nodiscard]] std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model, const Material& material,
+/// Throws ClothModelError as withFabric does, and if there are more or fewer triangles.
+[[nodiscard]] std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model,
+                                                                  const TriangleMaterials& materials,
                                                                   std::vector<RestTriangle> pattern);
 
 /// The same cloth with its stretch moduli and their stiffening multiplied by a factor. Shear, bending and mass are the
@@ -80,6 +83,14 @@ struct Fabric {
 /// The largest stiffness of the membrane at each vertex at rest, without stiffening [N/m].
 /// @param model must have a fabric
 [[nodiscard]] std::vector<double> membraneStiffness(const ClothModel& model);
+
+/// The stretch damping of each vertex's material over the largest one of the cloth [-]; 1 if none damps.
+/// @param model must have a fabric
+[[nodiscard]] std::vector<double> relativeStretchDamping(const ClothModel& model);
+
+/// The smaller one of the stretch moduli along warp and weft, of the softest material [N/m].
+/// @param model must have a fabric
+[[nodiscard]] double minStretchModulus(const ClothModel& model);
 
 /// The elastic energy [J] of a cloth whose material is a fabric.
 [[nodiscard]] double elasticEnergy(const ClothModel& model, std::span<const Vec3> positions);

@@ -1,5 +1,6 @@
 #include "sim/fabric/material.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drape::sim::fabric {
@@ -18,8 +19,26 @@ Mat3 bendMatrix(const Material& material) {
       .asDiagonal();
 }
 
-bool resistsBending(const Material& material) {
-  return material.bendWarp > 0.0 || material.bendWeft > 0.0 || material.bendBias > 0.0;
+bool TriangleMaterials::stiffen() const {
+  return std::ranges::any_of(list_, &Material::stiffens);
+}
+
+bool TriangleMaterials::damp() const {
+  return std::ranges::any_of(list_, &Material::damps);
+}
+
+double TriangleMaterials::maxStretchDamping() const {
+  return std::ranges::max(list_, {}, &Material::stretchDamping).stretchDamping;
+}
+
+double TriangleMaterials::maxBendDamping() const {
+  return std::ranges::max(list_, {}, &Material::bendDamping).bendDamping;
+}
+
+bool resistBending(const TriangleMaterials& materials) {
+  return std::ranges::any_of(materials.list(), [](const Material& material) {
+    return material.bendWarp > 0.0 || material.bendWeft > 0.0 || material.bendBias > 0.0;
+  });
 }
 
 bool isStable(const Material& material) {

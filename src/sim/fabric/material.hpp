@@ -2,6 +2,10 @@
 
 #include "sim/model/vector.hpp"
 
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 namespace drape::sim::fabric {
 
 /// The elastic moduli and the damping of a fabric, an orthotropic sheet whose axes are warp and weft. The moduli are
@@ -34,6 +38,42 @@ struct Material {
   friend bool operator==(const Material&, const Material&) = default;
 };
 
+/// The material of each triangle of a cloth.
+class TriangleMaterials {
+ public:
+  /// All triangles have the same material. Implicit, so that a cloth of one material needs no list.
+  TriangleMaterials(const Material& material) : list_{material} {}  // NOLINT(google-explicit-constructor)
+  /// @param list at least one  @param indices of each triangle: an index into `list`
+  TriangleMaterials(std::vector<Material> list, std::vector<int> indices)
+      : list_(std::move(list)), indices_(std::move(indices)) {}
+
+  [[nodiscard]] const Material& operator[](std::size_t triangle) const { return list_[indexOf(triangle)]; }
+  /// The index of a triangle's material in `list`.
+  [[nodiscard]] int indexOf(std::size_t triangle) const { return indices_.empty() ? 0 : indices_[triangle]; }
+  [[nodiscard]] const std::vector<Material>& list() const { return list_; }
+
+  /// The same with each material changed. @param change called with each Material
+  template <typename Change>
+  [[nodiscard]] TriangleMaterials with(const Change& change) const {
+    TriangleMaterials changed = *this;
+    for (Material& material : changed.list_) {
+      change(material);
+    }
+    return changed;
+  }
+
+  [[nodiscard]] bool stiffen() const;              ///< whether any of them stiffens
+  [[nodiscard]] bool damp() const;                 ///< whether any of them damps
+  [[nodiscard]] double maxStretchDamping() const;  ///< [s]
+  [[nodiscard]] double maxBendDamping() const;     ///< [s]
+
+  friend bool operator==(const TriangleMaterials&, const TriangleMaterials&) = default;
+
+ private:
+  std::vector<Material> list_;
+  std::vector<int> indices_;  // empty: all triangles have the first material
+};
+
 /// The matrix C of the stress per width, sigma = C epsilon, with epsilon = (e_11, e_22, 2 e_12) [N/m].
 [[nodiscard]] Mat3 stretchMatrix(const Material& material);
 
@@ -43,8 +83,8 @@ struct Material {
 /// / 4.
 [[nodiscard]] Mat3 bendMatrix(const Material& material);
 
-/// Whether the fabric resists bending.
-[[nodiscard]] bool resistsBending(const Material& material);
+/// Whether a fabric resists bending in some of its triangles.
+[[nodiscard]] bool resistBending(const TriangleMaterials& materials);
 
 /// Whether the energy is positive for every strain, and damping takes energy: C is positive definite, D is positive
 /// semidefinite, and no stiffening slope or damping time is negative. False if one of them is not a finite number.

@@ -3,8 +3,6 @@
 #include "sim/fabric/fabric.hpp"
 #include "sim/forces/kernels.hpp"
 
-#include <algorithm>
-
 namespace drape::sim {
 
 Vec3 internalForceOn(const ClothModel& model, const CommonParameters& parameters, const ClothState& state,
@@ -24,8 +22,7 @@ Vec3 internalForceOn(const ClothModel& model, const CommonParameters& parameters
 }
 
 double stretchStiffness(const ClothModel& model, const CommonParameters& parameters) {
-  return model.fabric ? std::min(model.fabric->material.stretchWarp, model.fabric->material.stretchWeft)
-                      : parameters.material.stiffness;
+  return model.fabric ? fabric::minStretchModulus(model) : parameters.material.stiffness;
 }
 
 }  // namespace drape::sim

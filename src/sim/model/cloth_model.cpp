@@ -63,23 +63,6 @@ std::vector<double> vertexAreasOf(const ClothMesh& mesh) {
 /// have almost no mass and make the system arbitrarily stiff.
 constexpr double minMassFraction = 0.05;
 
-std::vector<double> massesOf(const ClothModel& model, double totalMass, MassLumping lumping) {
-  if (!(totalMass > 0.0) || !std::isfinite(totalMass)) {
-    throw ClothModelError(Fault::Mass, {.value = totalMass});
-  }
-  const auto count = static_cast<double>(model.vertexCount());
-  std::vector<double> masses(model.restPositions.size(), totalMass / count);
-  const double area = std::accumulate(model.vertexArea.begin(), model.vertexArea.end(), 0.0);
-  if (lumping == MassLumping::Uniform || !(area > 0.0)) {
-    return masses;
-  }
-  std::transform(model.vertexArea.begin(), model.vertexArea.end(), masses.begin(),
-                 [&](double vertexArea) { return std::max(vertexArea, minMassFraction * area / count); });
-  const double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
-  std::for_each(masses.begin(), masses.end(), [&](double& mass) { mass *= totalMass / sum; });
-  return masses;
-}
-
 /// Computes the largest local frequency and damping rate of the free vertices in the rest shape.
 void findRates(ClothModel& model) {
   model.unitFrequency = 0.0;
@@ -105,6 +88,23 @@ void requireSize(std::size_t given, std::size_t needed, Fault fault) {
 }
 
 }  // namespace
+
+std::vector<double> lumpedMasses(std::span<const double> vertexAreas, double totalMass, MassLumping lumping) {
+  if (!(totalMass > 0.0) || !std::isfinite(totalMass)) {
+    throw ClothModelError(Fault::Mass, {.value = totalMass});
+  }
+  const auto count = static_cast<double>(vertexAreas.size());
+  std::vector<double> masses(vertexAreas.size(), totalMass / count);
+  const double area = std::accumulate(vertexAreas.begin(), vertexAreas.end(), 0.0);
+  if (lumping == MassLumping::Uniform || !(area > 0.0)) {
+    return masses;
+  }
+  std::transform(vertexAreas.begin(), vertexAreas.end(), masses.begin(),
+                 [&](double vertexArea) { return std::max(vertexArea, minMassFraction * area / count); });
+  const double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
+  std::for_each(masses.begin(), masses.end(), [&](double& mass) { mass *= totalMass / sum; });
+  return masses;
+}
 
 RaggedRows<SpringEnd> springEndsOf(const std::vector<Spring>& springs, std::size_t vertexCount) {
   auto ends = RaggedRows<SpringEnd>::collect(vertexCount, [&](const auto& add) {
@@ -159,7 +159,7 @@ std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double 
   model->springEnds = springEndsOf(model->springs, mesh.positions.size());
   model->vertexTriangles = trianglesOfVertices(mesh.triangles, mesh.positions.size());
   model->vertexArea = vertexAreasOf(mesh);
-  model->vertexMass = massesOf(*model, totalMass, lumping);
+  model->vertexMass = lumpedMasses(model->vertexArea, totalMass, lumping);
   model->pinned.assign(mesh.positions.size(), false);
   for (const int pin : pins) {
     if (pin < 0 || pin >= count) {
@@ -173,7 +173,7 @@ std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double 
 
 std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double totalMass, MassLumping lumping) {
   auto changed = std::make_shared<ClothModel>(model);
-  changed->vertexMass = massesOf(model, totalMass, lumping);
+  changed->vertexMass = lumpedMasses(model.vertexArea, totalMass, lumping);
   findRates(*changed);
   return changed;
 }
@@ -245,6 +245,13 @@ std::shared_ptr<const ClothModel> withSprings(const ClothModel& model) {
   changed->fabric.reset();
   changed->fabricStiffness.clear();
   findRates(*changed);
+  return changed;
+}
+
+std::shared_ptr<const ClothModel> withCloths(const ClothModel& model, std::vector<int> clothOf) {
+  requireSize(clothOf.size(), model.restPositions.size(), Fault::ClothCount);
+  auto changed = std::make_shared<ClothModel>(model);
+  changed->clothOf = std::move(clothOf);
   return changed;
 }
 

@@ -51,6 +51,7 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
   std::vector<double> vertexArea;    ///< a third of the adjacent triangles' rest area [m^2]
   std::vector<double> vertexMass;    ///< [kg]
   std::vector<bool> pinned;          ///< true for fixed vertices
+  std::vector<int> clothOf;          ///< which cloth each vertex belongs to; empty: there is one cloth
   double unitFrequency = 0.0;  ///< largest local angular frequency [1/s], for springs of 1 N/m; see local_frequency.hpp
   double unitDampingRate = 0.0;  ///< largest 2 n_i / m_i, for a damping of 1 N s/m [1/s]
   double stiffestSpring = 1.0;   ///< largest relativeStiffness [-]; 1 without springs
@@ -61,6 +62,8 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
   /// Largest stiffness of the fabric at each vertex [N/m], with stiffening. Empty: springs.
   std::vector<double> fabricStiffness;
 
+  /// Whether two vertices belong to the same cloth. Only then does their distance at rest mean anything.
+  [[nodiscard]] bool areInOneCloth(int a, int b) const { return clothOf.empty() || clothOf[a] == clothOf[b]; }
   [[nodiscard]] int vertexCount() const { return static_cast<int>(restPositions.size()); }
   /// True if all springs are equally stiff.
   [[nodiscard]] bool evenlyStiff() const;
@@ -85,6 +88,11 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
 /// positive.
 [[nodiscard]] std::shared_ptr<const ClothModel> buildClothModel(const ClothMesh& mesh, double totalMass,
                                                                 MassLumping lumping, const std::vector<int>& pins);
+
+/// The masses [kg] of vertices with these areas [m^2], for a total mass [kg]. Throws ClothModelError if it is not
+/// positive and finite.
+[[nodiscard]] std::vector<double> lumpedMasses(std::span<const double> vertexAreas, double totalMass,
+                                               MassLumping lumping);
 
 /// The same cloth with another mass [kg]. Throws ClothModelError if it is not positive.
 [[nodiscard]] std::shared_ptr<const ClothModel> withMass(const ClothModel& model, double totalMass,
@@ -114,6 +122,9 @@ struct ClothModel : std::enable_shared_from_this<ClothModel> {
 
 /// The same cloth with springs instead of a fabric, of the lengths in the mesh.
 [[nodiscard]] std::shared_ptr<const ClothModel> withSprings(const ClothModel& model);
+
+/// The same model as several cloths that are not connected. `clothOf` has the cloth of each vertex.
+[[nodiscard]] std::shared_ptr<const ClothModel> withCloths(const ClothModel& model, std::vector<int> clothOf);
 
 /// The same cloth with other pins. `pinned` has one entry a vertex.
 [[nodiscard]] std::shared_ptr<const ClothModel> withPins(const ClothModel& model, std::vector<bool> pinned);

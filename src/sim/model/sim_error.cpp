@@ -6,10 +6,10 @@ namespace drape::sim {
 namespace {
 
 /// In the order of ClothModelError::Fault.
-constexpr std::array<std::string_view, 16> faultNames{
-    "NoTriangle",   "VertexNotFinite", "NoSuchVertex",   "NoSuchPin",     "Mass",     "VertexMass",
-    "Stiffness",    "MassCount",       "StiffnessCount", "PinCount",      "Material", "WarpCount",
-    "PatternCount", "LengthCount",     "AreaCount",      "TooManySprings"};
+constexpr std::array<std::string_view, 18> faultNames{
+    "NoTriangle",    "VertexNotFinite", "NoSuchVertex",   "NoSuchPin",   "Mass",       "VertexMass",
+    "Stiffness",     "MassCount",       "StiffnessCount", "PinCount",    "ClothCount", "Material",
+    "MaterialsMeet", "WarpCount",       "PatternCount",   "LengthCount", "AreaCount",  "TooManySprings"};
 
 std::string listed(ClothModelError::Fault fault, const ClothModelError::Numbers& numbers) {
   return "ClothModelError::" + std::string(faultNames[static_cast<std::size_t>(fault)]) +

@@ -27,7 +27,9 @@ class ClothModelError : public SimError {
     MassCount,        ///< there are `found` masses for `count` vertices
     StiffnessCount,   ///< there are `found` stiffnesses for `count` springs
     PinCount,         ///< there are `found` pins for `count` vertices
+    ClothCount,       ///< there are `found` numbers of cloths for `count` vertices
     Material,         ///< the fabric's moduli are negative, not finite, or not positive definite
+    MaterialsMeet,    ///< vertex `index` has triangles of different materials
     WarpCount,        ///< there are `found` directions of warp for `count` triangles
     PatternCount,     ///< there are `found` triangles of a pattern for `count` triangles
     LengthCount,      ///< there are `found` rest lengths for `count` springs

@@ -120,7 +120,7 @@ template <class D, typename T>
 HWY_INLINE void addFans(D d, const SlicedCloth<T>& cloth, int slice, int lane, const Lanes3<D>& x, bool wantsEnergy,
                         Lanes3<D>& force, hn::Vec<D>& energy, Lanes3<D>& area) {
   const SlicedFabric<T>& fabric = *cloth.fabric;
-  const auto& moduli = fabric.moduli;
+  const auto& moduli = fabric.moduliOf(slice);
   const auto one = hn::Set(d, T(1));
   const auto half = hn::Set(d, T(0.5));
   const auto spoke = [&](int at) HWY_ATTR {
@@ -149,20 +149,20 @@ HWY_INLINE void addFans(D d, const SlicedCloth<T>& cloth, int slice, int lane, c
     const auto e1 = hn::Mul(half, hn::Sub(dot(f1, f1), one));
     const auto e2 = hn::Mul(half, hn::Sub(dot(f2, f2), one));
     const auto e12 = dot(f1, f2);
-    const auto across = hn::Set(d, moduli.across);
-    auto s1 = hn::MulAdd(hn::Set(d, moduli.warp), e1, hn::Mul(across, e2));
-    auto s2 = hn::MulAdd(hn::Set(d, moduli.weft), e2, hn::Mul(across, e1));
-    const auto s12 = hn::Mul(hn::Set(d, moduli.shear), e12);
+    const auto across = hn::LoadU(d, moduli.across.data() + lane);
+    auto s1 = hn::MulAdd(hn::LoadU(d, moduli.warp.data() + lane), e1, hn::Mul(across, e2));
+    auto s2 = hn::MulAdd(hn::LoadU(d, moduli.weft.data() + lane), e2, hn::Mul(across, e1));
+    const auto s12 = hn::Mul(hn::LoadU(d, moduli.shear.data() + lane), e12);
     auto twice = hn::Zero(d);  // twice the energy per area [J/m^2]
     if (HWY_UNLIKELY(wantsEnergy)) {
       twice = hn::MulAdd(s1, e1, hn::MulAdd(s2, e2, hn::Mul(s12, e12)));
     }
     if (moduli.stiffens) {
-      const auto limit = hn::Set(d, moduli.stiffeningStrain);
+      const auto limit = hn::LoadU(d, moduli.stiffeningStrain.data() + lane);
       const auto beyond1 = hn::Max(hn::Zero(d), hn::Sub(e1, limit));
       const auto beyond2 = hn::Max(hn::Zero(d), hn::Sub(e2, limit));
-      const auto more1 = hn::Mul(hn::Set(d, moduli.stiffeningWarp), beyond1);
-      const auto more2 = hn::Mul(hn::Set(d, moduli.stiffeningWeft), beyond2);
+      const auto more1 = hn::Mul(hn::LoadU(d, moduli.stiffeningWarp.data() + lane), beyond1);
+      const auto more2 = hn::Mul(hn::LoadU(d, moduli.stiffeningWeft.data() + lane), beyond2);
       s1 = hn::Add(s1, more1);
       s2 = hn::Add(s2, more2);
       twice = hn::MulAdd(more1, beyond1, hn::MulAdd(more2, beyond2, twice));

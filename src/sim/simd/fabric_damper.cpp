@@ -4,6 +4,7 @@
 #include "sim/forces/diagnostics.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace drape::sim::simd {
 namespace {
@@ -23,12 +24,20 @@ bool isAtRest(std::span<const PinVelocity> pins, const ClothState& state) {
 }
 
 /// Largest 2 k_i / m_i of the free vertices [1/s^2]: an upper estimate of the highest frequency squared.
+/// @param stiffness of each vertex, times its relative damping [N/m]
 double highestRate(const ClothModel& model, std::span<const double> stiffness) {
   double highest = 0.0;
   for (std::size_t v = 0; v < stiffness.size(); ++v) {
     highest = std::max(highest, model.pinned[v] ? 0.0 : 2.0 * stiffness[v] / model.vertexMass[v]);
   }
   return highest;
+}
+
+/// The stiffness of the membrane at each vertex times the relative damping [N/m].
+std::vector<double> dampedStiffness(const ClothModel& model) {
+  std::vector<double> stiffness = fabric::membraneStiffness(model);
+  std::ranges::transform(stiffness, fabric::relativeStretchDamping(model), stiffness.begin(), std::multiplies<>());
+  return stiffness;
 }
 
 /// The stages for a damping time over a time step, and the time that they allow.
@@ -111,8 +120,8 @@ void setDirections(const SliceLayout& layout, std::span<const Vec3> directions, 
 }  // namespace
 
 FabricDamper::Constants FabricDamper::constantsOf(const ClothModel& model) {
-  Constants constants{.membraneRate = highestRate(model, fabric::membraneStiffness(model)), .bending = std::nullopt};
-  if (model.fabric->bends() && model.fabric->material.bendDamping > 0.0) {
+  Constants constants{.membraneRate = highestRate(model, dampedStiffness(model)), .bending = std::nullopt};
+  if (model.fabric->bends() && model.fabric->materials.maxBendDamping() > 0.0) {
     constants.bending = fabric::bendingDampingOf(model);
   }
   return constants;
@@ -121,10 +130,10 @@ FabricDamper::Constants FabricDamper::constantsOf(const ClothModel& model) {
 template <typename T>
 std::vector<DampingRun<T>> FabricDamper::runsOf(const ClothModel& model, const Constants& constants, double timeStep,
                                                 const ClothState& state, Sliced<T>& sliced) {
-  const fabric::Material& material = model.fabric->material;
+  const fabric::TriangleMaterials& materials = model.fabric->materials;
   std::vector<DampingRun<T>> runs;
-  if (material.stretchDamping > 0.0) {
-    runs.push_back(runOf<T>(DampedPart::Membrane, timeStep, material.stretchDamping, constants.membraneRate));
+  if (const double time = materials.maxStretchDamping(); time > 0.0) {
+    runs.push_back(runOf<T>(DampedPart::Membrane, timeStep, time, constants.membraneRate));
   }
   if (constants.bending) {
     const SlicedCloth<T>& cloth = sliced.cloths.get(model);
@@ -132,7 +141,7 @@ std::vector<DampingRun<T>> FabricDamper::runsOf(const ClothModel& model, const C
         sliced.bending.get(model, [&](const ClothModel& own) { return slicedBending(own, *constants.bending, cloth); });
     setDirections(cloth.layout, fabric::bendingDirections(model, *constants.bending, state.positions),
                   bending.directions);
-    runs.push_back(runOf<T>(DampedPart::Bending, timeStep, material.bendDamping, constants.bending->highestRate));
+    runs.push_back(runOf<T>(DampedPart::Bending, timeStep, materials.maxBendDamping(), constants.bending->highestRate));
     runs.back().bending = &bending;
   }
   return runs;
@@ -140,7 +149,7 @@ std::vector<DampingRun<T>> FabricDamper::runsOf(const ClothModel& model, const C
 
 double FabricDamper::damp(const ClothModel& model, const CommonParameters& parameters,
                           std::span<const PinVelocity> pins, ClothState& state) {
-  if (!model.fabric->material.damps() || isAtRest(pins, state)) {
+  if (!model.fabric->materials.damp() || isAtRest(pins, state)) {
     return 0.0;
   }
   const double energy = kineticEnergy(model, state);

@@ -84,7 +84,7 @@ HWY_INLINE Lanes3<D> commonCornerDamping(D d, const SlicedCloth<T>& cloth, const
 /// The same in all other slices, from the fans of the vertices (SlicedFabric::Sector).
 template <class D, typename T>
 HWY_INLINE Lanes3<D> fanDamping(D d, const SlicedFabric<T>& fabric, const MovingSides<D>& sides, int slice, int lane) {
-  const auto& moduli = fabric.moduli;
+  const auto& moduli = fabric.moduliOf(slice);
   const auto spoke = [&](int at) HWY_ATTR {
     return sides.to(Neighbours<D>(fabric.spokes[static_cast<std::size_t>(at)], fabric.spokeTables, lane));
   };
@@ -111,10 +111,10 @@ HWY_INLINE Lanes3<D> fanDamping(D d, const SlicedFabric<T>& fabric, const Moving
     const auto e1 = dot(f1, rate1);
     const auto e2 = dot(f2, rate2);
     const auto e12 = hn::Add(dot(f1, rate2), dot(f2, rate1));
-    const auto across = hn::Set(d, moduli.across);
-    const auto s1 = hn::MulAdd(hn::Set(d, moduli.warp), e1, hn::Mul(across, e2));
-    const auto s2 = hn::MulAdd(hn::Set(d, moduli.weft), e2, hn::Mul(across, e1));
-    const auto s12 = hn::Mul(hn::Set(d, moduli.shear), e12);
+    const auto across = hn::LoadU(d, moduli.across.data() + lane);
+    const auto s1 = hn::MulAdd(hn::LoadU(d, moduli.warp.data() + lane), e1, hn::Mul(across, e2));
+    const auto s2 = hn::MulAdd(hn::LoadU(d, moduli.weft.data() + lane), e2, hn::Mul(across, e1));
+    const auto s12 = hn::Mul(hn::LoadU(d, moduli.shear.data() + lane), e12);
     const auto g1 = hn::Mul(area, hn::Add(a1, b1));
     const auto g2 = hn::Mul(area, hn::Add(a2, b2));
     sum = multiplyAdd(f1, hn::MulAdd(s1, g1, hn::Mul(s12, g2)), sum);
@@ -123,13 +123,16 @@ HWY_INLINE Lanes3<D> fanDamping(D d, const SlicedFabric<T>& fabric, const Moving
   return sum;
 }
 
-/// The damping of stretch and shear at some lanes of a slice, per damping time [N/s].
+/// The damping of stretch and shear at some lanes of a slice, per largest damping time of the cloth [N/s].
 template <class D, typename T>
 HWY_INLINE Lanes3<D> membraneDamping(D d, const SlicedCloth<T>& cloth, const LaneVectors<T>& velocities, int slice,
                                      int lane) {
   const MovingSides<D> sides(cloth.position, velocities, slice * sliceLanes + lane);
-  return cloth.fabric->hasCommonCorners[slice] != 0 ? commonCornerDamping(d, cloth, sides, slice, lane)
-                                                    : fanDamping(d, *cloth.fabric, sides, slice, lane);
+  const Lanes3<D> damping = cloth.fabric->hasCommonCorners[slice] != 0
+                                ? commonCornerDamping(d, cloth, sides, slice, lane)
+                                : fanDamping(d, *cloth.fabric, sides, slice, lane);
+  const auto& relative = cloth.fabric->relativeDamping;
+  return relative.empty() ? damping : scaled(damping, hn::LoadU(d, relative[slice].data() + lane));
 }
 
 /// Delta of fabric::BendingDamping, applied to vectors, at some lanes of a slice.

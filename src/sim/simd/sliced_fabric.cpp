@@ -109,16 +109,47 @@ bool hasCommonCorners(const SliceLayout& layout, const std::vector<bool>& fit, i
 }
 
 template <typename T>
-typename SlicedFabric<T>::Moduli moduliOf(const fabric::Material& material) {
+void setModuli(const fabric::Material& material, std::size_t lane, typename SlicedFabric<T>::Moduli& moduli) {
   const Mat3 stretch = fabric::stretchMatrix(material);
-  return {.warp = static_cast<T>(stretch(0, 0)),
-          .weft = static_cast<T>(stretch(1, 1)),
-          .across = static_cast<T>(stretch(0, 1)),
-          .shear = static_cast<T>(stretch(2, 2)),
-          .stiffeningStrain = static_cast<T>(material.stiffeningStrain),
-          .stiffeningWarp = static_cast<T>(material.stiffeningWarp),
-          .stiffeningWeft = static_cast<T>(material.stiffeningWeft),
-          .stiffens = material.stiffens()};
+  moduli.warp[lane] = static_cast<T>(stretch(0, 0));
+  moduli.weft[lane] = static_cast<T>(stretch(1, 1));
+  moduli.across[lane] = static_cast<T>(stretch(0, 1));
+  moduli.shear[lane] = static_cast<T>(stretch(2, 2));
+  moduli.stiffeningStrain[lane] = static_cast<T>(material.stiffeningStrain);
+  moduli.stiffeningWarp[lane] = static_cast<T>(material.stiffeningWarp);
+  moduli.stiffeningWeft[lane] = static_cast<T>(material.stiffeningWeft);
+  moduli.stiffens = moduli.stiffens || material.stiffens();
+}
+
+/// The moduli of all slices. A lane without a vertex, or with one that has no triangle, has the first material.
+template <typename T>
+std::vector<typename SlicedFabric<T>::Moduli> moduliOfSlices(const ClothModel& model, const SliceLayout& layout) {
+  const fabric::TriangleMaterials& materials = model.fabric->materials;
+  const bool isOne = materials.list().size() == 1;
+  std::vector<typename SlicedFabric<T>::Moduli> moduli(isOne ? 1 : static_cast<std::size_t>(layout.slices()));
+  for (std::size_t slice = 0; slice < moduli.size(); ++slice) {
+    for (std::size_t lane = 0; lane < sliceLanes; ++lane) {
+      const std::size_t index = slice * sliceLanes + lane;
+      const bool hasVertex = !isOne && index < static_cast<std::size_t>(layout.vertices);
+      const auto triangles = hasVertex ? model.vertexTriangles[layout.order[index]] : std::span<const int>();
+      setModuli<T>(triangles.empty() ? materials.list().front() : materials[triangles.front()], lane, moduli[slice]);
+    }
+  }
+  return moduli;
+}
+
+/// The relative damping of stretch in the lanes of a layout. Empty if all are 1.
+template <typename T>
+std::vector<SliceNumbers<T>> relativeDampings(const ClothModel& model, const SliceLayout& layout) {
+  const std::vector<double> dampings = fabric::relativeStretchDamping(model);
+  if (std::ranges::all_of(dampings, [](double damping) { return damping == 1.0; })) {
+    return {};
+  }
+  std::vector<SliceNumbers<T>> lanes(static_cast<std::size_t>(layout.slices()));
+  for (int index = 0; index < layout.vertices; ++index) {
+    lanes[index / sliceLanes][index % sliceLanes] = static_cast<T>(dampings[layout.order[index]]);
+  }
+  return lanes;
 }
 
 /// Sets the numbers of the corners in the slices that have common ones.
@@ -144,7 +175,7 @@ void setCommonCorners(const ClothModel& model, const SliceLayout& layout, Sliced
   sliced.cornerOf = shareEqual(numbers);
   for (const auto& [corner, stiffening] : numbers) {
     sliced.corners.push_back(corner);
-    if (fabric.material.stiffens()) {
+    if (fabric.materials.stiffen()) {
       sliced.stiffening.push_back(stiffening);
     }
   }
@@ -241,7 +272,8 @@ std::size_t SlicedFabric<T>::bytes() const {
   std::size_t sum = hasCommonCorners.capacity() + cornerOf.capacity() * sizeof(int) +
                     corners.capacity() * sizeof(Corner) + stiffening.capacity() * sizeof(std::array<Stiffening, 2>) +
                     spokeBegin.capacity() * sizeof(int) + spokes.capacity() * sizeof(SliceLayout::Slot) +
-                    spokeTables.capacity() * sizeof(SliceLayout::NeighbourTable) + sectors.capacity() * sizeof(Sector);
+                    spokeTables.capacity() * sizeof(SliceLayout::NeighbourTable) + sectors.capacity() * sizeof(Sector) +
+                    moduli.capacity() * sizeof(Moduli) + relativeDamping.capacity() * sizeof(SliceNumbers<T>);
   if (bending) {
     sum += (bending->slotBegin.capacity() + bending->entriesOf.capacity()) * sizeof(int) +
            bending->slots.capacity() * sizeof(SliceLayout::Slot) +
@@ -255,7 +287,8 @@ template <typename T>
 SlicedFabric<T> buildSlicedFabric(const ClothModel& model, SliceLayout& layout) {
   const fabric::Fabric& fabric = *model.fabric;
   SlicedFabric<T> sliced;
-  sliced.moduli = moduliOf<T>(fabric.material);
+  sliced.moduli = moduliOfSlices<T>(model, layout);
+  sliced.relativeDamping = relativeDampings<T>(model, layout);
   const std::vector<bool> fit = fittingCorners(model, layout);
   sliced.spokeBegin.push_back(0);
   for (int slice = 0; slice < layout.slices(); ++slice) {

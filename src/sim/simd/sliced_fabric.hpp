@@ -61,12 +61,12 @@ struct SlicedFabric {
     SliceNumbers<T> a1{}, a2{}, b1{}, b2{};  ///< the inverse of the sides at rest [1/m]
     SliceNumbers<T> area{};  ///< of the triangle at rest times its clamping [m^2]; negative if its order is b, a
   };
-  /// The same for all triangles.
+  /// The moduli of the lanes of a slice. All triangles of a vertex have the same.
   struct Moduli {
-    T warp = 0, weft = 0, across = 0, shear = 0;  ///< C_11, C_22, C_12, C_33 [N/m]
-    T stiffeningStrain = 0;                       ///< [-]
-    T stiffeningWarp = 0, stiffeningWeft = 0;     ///< [N/m]
-    bool stiffens = false;
+    SliceNumbers<T> warp{}, weft{}, across{}, shear{};   ///< C_11, C_22, C_12, C_33 [N/m]
+    SliceNumbers<T> stiffeningStrain{};                  ///< [-]
+    SliceNumbers<T> stiffeningWarp{}, stiffeningWeft{};  ///< [N/m]
+    bool stiffens = false;                               ///< some of the lanes
   };
   /// Bending: slots of neighbours with an entry of the matrix each, as the slots of springs.
   struct Bending {
@@ -84,12 +84,16 @@ struct SlicedFabric {
   std::vector<Corner> corners;                 ///< shared by the regular parts of a mesh
   /// Along warp and weft, in the order of `corners`; empty if the fabric does not stiffen.
   std::vector<std::array<Stiffening, 2>> stiffening;
-  Moduli moduli;
+  std::vector<Moduli> moduli;  ///< one if the cloth has one material, else one a slice
+  /// The damping of stretch of each lane over the largest one of the cloth [-]; empty if all are 1.
+  std::vector<SliceNumbers<T>> relativeDamping;
   std::vector<int> spokeBegin;            ///< slices + 1 entries
   std::vector<SliceLayout::Slot> spokes;  ///< a lane without one has its own vertex
   std::vector<SliceLayout::NeighbourTable> spokeTables;
   std::vector<Sector> sectors;     ///< between each spoke and the one before it; 0 at the first spoke of a part
   std::optional<Bending> bending;  ///< nothing if the fabric does not resist bending
+
+  [[nodiscard]] const Moduli& moduliOf(int slice) const { return moduli[moduli.size() == 1 ? 0 : slice]; }
 
   /// The memory that it takes [bytes].
   [[nodiscard]] std::size_t bytes() const;

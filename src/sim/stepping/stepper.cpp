@@ -87,7 +87,7 @@ StepReport Stepper::advance(const ClothModel& model, const StepParameters& param
                             ClothState& state) {
   earlierContactWork_ = 0.0;
   fabricDampingWork_ = 0.0;
-  if (model.fabric && model.fabric->material.damps()) {
+  if (model.fabric && model.fabric->materials.damp()) {
     dampFabric(model, parameters, inputs, state);
   }
   contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state);

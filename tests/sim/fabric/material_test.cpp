@@ -49,10 +49,10 @@ TEST(FabricMaterial, withOneBendingStiffnessBendsEquallyInAllDirections) {
 }
 
 TEST(FabricMaterial, resistsBendingIfOneStiffnessIsNotZero) {
-  EXPECT_FALSE(resistsBending(Material{}));
-  EXPECT_TRUE(resistsBending({.bendWarp = 1e-6}));
-  EXPECT_TRUE(resistsBending({.bendWeft = 1e-6}));
-  EXPECT_TRUE(resistsBending({.bendBias = 1e-6}));
+  EXPECT_FALSE(resistBending(Material{}));
+  EXPECT_TRUE(resistBending(Material{.bendWarp = 1e-6}));
+  EXPECT_TRUE(resistBending(Material{.bendWeft = 1e-6}));
+  EXPECT_TRUE(resistBending(Material{.bendBias = 1e-6}));
 }
 
 TEST(FabricMaterial, isStableIfItsEnergyIsPositive) {

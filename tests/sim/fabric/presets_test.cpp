@@ -15,7 +15,7 @@ TEST(MaterialPresets, areStableAndNamedOnceWithTheirSource) {
     EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
     EXPECT_TRUE(titles.insert(preset.title).second) << preset.name;
     EXPECT_TRUE(isStable(preset.material)) << preset.name;
-    EXPECT_TRUE(resistsBending(preset.material)) << preset.name;
+    EXPECT_TRUE(resistBending(preset.material)) << preset.name;
     EXPECT_GT(preset.source.size(), 20U) << preset.name;
   }
   for (const char* name : {"silk", "cotton", "denim", "canvas", "wool", "linen", "jersey", "nylon", "polyester", "felt",

@@ -33,7 +33,7 @@ CommonParameters stepOf(Precision precision) {
 /// -Z v of docs/theory/fabric.md, by the derivatives of the energy.
 std::vector<Vec3> dampingForces(const ClothModel& model, const ClothState& state) {
   const fabric::Fabric& fabric = *model.fabric;
-  fabric::Material linear = fabric.material;
+  fabric::Material linear = fabric.materials[0];
   linear.stiffeningWarp = linear.stiffeningWeft = 0.0;
   std::vector<Vec3> forces(state.positions.size(), Vec3::Zero());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
@@ -45,7 +45,7 @@ std::vector<Vec3> dampingForces(const ClothModel& model, const ClothState& state
             .derivative(fabric::cornersOf(triangle, state.positions), ForceDerivative::Axial) *
         velocities;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      forces[triangle[corner]] -= fabric.material.stretchDamping * own.segment<3>(3 * static_cast<int>(corner));
+      forces[triangle[corner]] -= fabric.materials[0].stretchDamping * own.segment<3>(3 * static_cast<int>(corner));
     }
   }
   if (fabric.bends()) {
@@ -57,7 +57,7 @@ std::vector<Vec3> dampingForces(const ClothModel& model, const ClothState& state
     }
     const std::vector<Vec3> sums = fabric::weightedLaplacian(model, damping, rates);
     for (std::size_t v = 0; v < sums.size(); ++v) {
-      forces[v] -= fabric.material.bendDamping * sums[v];
+      forces[v] -= fabric.materials[0].bendDamping * sums[v];
     }
   }
   return forces;

@@ -119,6 +119,9 @@ bool isEntangled(std::span<const char> entangled, const PairVertices& vertices) 
 double thicknessOfPair(const ClothModel& model, const PairVertices& vertices, double thickness) {
   const std::vector<Vec3>& rest = model.restPositions;
   const auto& [a, b, c, d] = vertices.all;
+  if (!model.areInOneCloth(a, vertices.second()[0])) {
+    return thickness;
+  }
   // A lower bound of the distance at rest decides for most pairs.
   const double sizes = vertices.firstCount == 2 ? (rest[b] - rest[a]).norm() + (rest[d] - rest[c]).norm()
                                                 : std::max((rest[c] - rest[b]).norm(), (rest[d] - rest[b]).norm());

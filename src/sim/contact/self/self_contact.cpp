@@ -174,7 +174,8 @@ void SelfContact::keepKnownPairs(const SelfContactMemory& old, const CollisionFr
 void SelfContact::removeConnectedPairs(const ClothModel& model, double thickness, std::vector<VertexPair>& pairs) {
   const auto joined = [&](const VertexPair& pair) {
     const Vec3 atRest = model.restPositions[pair.b] - model.restPositions[pair.a];
-    return atRest.squaredNorm() < thickness * thickness || connected(model, pair);
+    const bool restNear = atRest.squaredNorm() < thickness * thickness && model.areInOneCloth(pair.a, pair.b);
+    return restNear || connected(model, pair);
   };
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(), joined), pairs.end());
 }
