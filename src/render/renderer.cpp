@@ -67,6 +67,15 @@ void setFabric(const ShaderProgram& program, const FabricLook& look, double warp
   program.set("translucency", look.translucency);
 }
 
+/// Whether warp runs along the texture coordinates, for each cloth.
+std::vector<bool> clothsWithWarpAlongUvs(const scene::Scene& scene, const settings::Settings& settings) {
+  std::vector<bool> along;
+  for (const scene::ClothPart& cloth : scene.cloths) {
+    along.push_back(scene::warpsAlongUvs(cloth.uvs, scene::settingsOf(cloth.own, settings)));
+  }
+  return along;
+}
+
 }  // namespace
 
 struct Renderer::Parts {
@@ -80,6 +89,7 @@ struct Renderer::Parts {
   void drawStand() const;
   void drawBodies() const;
   void setPattern(const ShaderProgram& program, const settings::Settings& settings) const;
+  void drawFabrics(const settings::Settings& settings) const;
   void drawCloth(const settings::Settings& settings) const;
   void drawGhost(const settings::Settings& settings) const;
   void drawGround() const;
@@ -104,7 +114,7 @@ struct Renderer::Parts {
   GroundShadow groundShadow;
 
   std::shared_ptr<const scene::Scene> scene;
-  bool warpsAlongUvs = false;  // of the yarns that are shown
+  std::vector<bool> warpsAlongUvs;  // of the yarns of each cloth that are shown
   std::shared_ptr<const sim::ClothModel> model;
   std::int64_t version = -1;
   double checkSize = 0.1;                       // [m]
@@ -120,7 +130,7 @@ struct Renderer::Parts {
 /// Uploads the changes since the last picture.
 void Renderer::Parts::take(const session::Snapshot& snapshot) {
   const bool newScene =
-      snapshot.scene != scene || scene::warpsAlongUvs(snapshot.scene->uvs, snapshot.settings) != warpsAlongUvs;
+      snapshot.scene != scene || clothsWithWarpAlongUvs(*snapshot.scene, snapshot.settings) != warpsAlongUvs;
   if (newScene) {
     scene = snapshot.scene;
     takeScene(*scene, snapshot.settings);
@@ -153,12 +163,12 @@ void Renderer::Parts::takeGhost(const session::Snapshot& snapshot) {
 }
 
 void Renderer::Parts::takeScene(const scene::Scene& newScene, const settings::Settings& settings) {
-  warpsAlongUvs = scene::warpsAlongUvs(newScene.uvs, settings);
+  warpsAlongUvs = clothsWithWarpAlongUvs(newScene, settings);
   const io::RenderMesh& mesh = newScene.renderMesh;
-  const SurfaceCoordinates coordinates = surfaceCoordinates(mesh, newScene.model->restPositions);
+  const SurfaceCoordinates coordinates = surfaceCoordinates(mesh, newScene.cloths, newScene.model->restPositions);
   checkSize = coordinates.checkSize;
   const std::vector<Vec2> yarns = yarnCoordinates(mesh, newScene.model->restPositions,
-                                                  scene::warpDirections(*newScene.model, newScene.uvs, settings));
+                                                  scene::warpDirections(*newScene.model, newScene.cloths, settings));
   const MeshTopology topology{newScene.model->triangles, mesh.triangles, mesh.particle, coordinates.metres, yarns};
   cloth.setTopology(topology);
   ghost.setTopology(topology);
@@ -238,13 +248,21 @@ void Renderer::Parts::setPattern(const ShaderProgram& program, const settings::S
   program.set("checkered", surfaceOf(settings) == Surface::Checker ? 1.0F : 0.0F);
 }
 
+/// Draws each cloth as its fabric, with the current program.
+void Renderer::Parts::drawFabrics(const settings::Settings& settings) const {
+  for (const scene::ClothPart& part : scene->cloths) {
+    const settings::Settings own = scene::settingsOf(part.own, settings);
+    setFabric(fabricProgram, lookOf(own), own.fabric.warpAngle);
+    cloth.draw(part.firstTriangle, part.triangleCount);
+  }
+}
+
 void Renderer::Parts::drawCloth(const settings::Settings& settings) const {
   // The wireframe keeps its own colours, on which the edges can be read.
   if (surfaceOf(settings) == Surface::Fabric && !settings.view.wireframe) {
     fabricProgram.use();
     fabricProgram.set("shadowMap", static_cast<int>(shadowUnit));
-    setFabric(fabricProgram, lookOf(settings), settings.fabric.warpAngle);
-    cloth.draw();
+    drawFabrics(settings);
     return;
   }
   const ShaderProgram& program = settings.view.wireframe ? wireframeProgram : clothProgram;

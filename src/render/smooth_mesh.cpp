@@ -104,8 +104,14 @@ void SmoothMesh::setPositions(std::span<const Vec3> positions) {
 }
 
 void SmoothMesh::draw() const {
+  draw(0, indexCount_ / 3);
+}
+
+void SmoothMesh::draw(int first, int count) const {
+  const std::size_t offset = std::size_t{3} * first * sizeof(GLuint);
   glBindVertexArray(vertexArray_.name());
-  glDrawElements(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr);
+  // OpenGL takes an offset in bytes as a pointer.
+  glDrawElements(GL_TRIANGLES, 3 * count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));  // NOLINT
   glBindVertexArray(0);
 }
 

@@ -34,6 +34,8 @@ class SmoothMesh {
 
   /// Draws the triangles with the current program.
   void draw() const;
+  /// Draws some of them. @param first the first triangle
+  void draw(int first, int count) const;
 
   /// The box around the last positions.
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return bounds_; }

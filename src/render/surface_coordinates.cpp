@@ -48,7 +48,36 @@ double roundLength(double length) {
   return rounded * decade;
 }
 
+/// The mesh of one cloth, whose particles keep their numbers.
+io::RenderMesh meshOf(const scene::ClothPart& cloth, const io::RenderMesh& all) {
+  io::RenderMesh mesh;
+  const auto particles = all.particle.begin() + cloth.firstRenderVertex;
+  mesh.particle.assign(particles, particles + cloth.renderVertexCount);
+  const auto uvs = all.uvs.begin() + cloth.firstRenderVertex;
+  mesh.uvs.assign(uvs, uvs + cloth.renderVertexCount);
+  for (int t = cloth.firstTriangle; t < cloth.firstTriangle + cloth.triangleCount; ++t) {
+    const auto& [a, b, c] = all.triangles[t];
+    mesh.triangles.push_back({a - cloth.firstRenderVertex, b - cloth.firstRenderVertex, c - cloth.firstRenderVertex});
+  }
+  return mesh;
+}
+
 }  // namespace
+
+SurfaceCoordinates surfaceCoordinates(const io::RenderMesh& mesh, std::span<const scene::ClothPart> cloths,
+                                      std::span<const Vec3> restPositions) {
+  if (cloths.size() == 1 || mesh.uvs.size() != mesh.particle.size()) {
+    return surfaceCoordinates(mesh, restPositions);
+  }
+  SurfaceCoordinates all{.metres = {}, .checkSize = 0.0};
+  for (const scene::ClothPart& cloth : cloths) {
+    SurfaceCoordinates own = surfaceCoordinates(meshOf(cloth, mesh), restPositions);
+    own.metres.resize(static_cast<std::size_t>(cloth.renderVertexCount), Vec2::Zero());
+    all.metres.insert(all.metres.end(), own.metres.begin(), own.metres.end());
+    all.checkSize = std::max(all.checkSize, own.checkSize);
+  }
+  return all;
+}
 
 SurfaceCoordinates surfaceCoordinates(const io::RenderMesh& mesh, std::span<const Vec3> restPositions) {
   SurfaceCoordinates result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/mesh_import.hpp"
+#include "scene/cloth_part.hpp"
 #include "sim/model/vector.hpp"
 
 #include <span>
@@ -18,5 +19,10 @@ struct SurfaceCoordinates {
 /// Scales the texture coordinates of a mesh so that one unit along u and along v is one metre of the rest shape on
 /// average.
 [[nodiscard]] SurfaceCoordinates surfaceCoordinates(const io::RenderMesh& mesh, std::span<const Vec3> restPositions);
+
+/// The same for each cloth of a mesh on its own. The checks have the size of those of the largest cloth.
+[[nodiscard]] SurfaceCoordinates surfaceCoordinates(const io::RenderMesh& mesh,
+                                                    std::span<const scene::ClothPart> cloths,
+                                                    std::span<const Vec3> restPositions);
 
 }  // namespace drape::render

@@ -6,30 +6,98 @@
 #include "sim/fabric/fabric.hpp"
 #include "text/number_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace drape::scene {
 namespace {
 
-/// The direction of warp in each triangle with fabric.warp_angle.
-std::vector<Vec3> turnedWarp(const sim::ClothModel& model, const PatternUvs& uvs, const settings::Settings& settings) {
+/// Turns the directions of warp by fabric.warp_angle, each in the plane of its triangle.
+void turnWarp(std::span<const Vec3> rest, std::span<const Triangle> triangles, double degrees, std::span<Vec3> warp) {
+  const double angle = degrees * std::numbers::pi / 180.0;
+  if (angle == 0.0) {
+    return;
+  }
+  for (std::size_t t = 0; t < warp.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    const Vec3 origin = rest[a];
+    const Vec3 normal = (rest[b] - origin).cross(rest[c] - origin).normalized();
+    warp[t] = std::cos(angle) * warp[t] + std::sin(angle) * normal.cross(warp[t]);
+  }
+}
+
+std::span<const Triangle> trianglesOf(const ClothPart& cloth, const sim::ClothModel& model) {
+  return std::span(model.triangles).subspan(cloth.firstTriangle, cloth.triangleCount);
+}
+
+std::vector<Vec3> warpOf(const ClothPart& cloth, const sim::ClothModel& model, const settings::Settings& settings) {
+  const std::span<const Triangle> triangles = trianglesOf(cloth, model);
+  return warpsAlongUvs(cloth.uvs, settings) && cloth.uvs.usable()
+             ? warpAlongV(cloth.uvs, model.restPositions, triangles)
+             : sim::fabric::warpAlong(Vec3::UnitY(), model.restPositions, triangles);
+}
+
+void requireWarp(const PatternUvs& uvs, const settings::Settings& settings) {
   if (warpsAlongUvs(uvs, settings) && !uvs.usable()) {
     throw messages::InputError("fabric.warp_from = uv cannot be used: " + problemOf(uvs) +
                                ". Correct the UVs in the file, or use fabric.warp_from = vertical");
   }
-  std::vector<Vec3> warp = warpDirections(model, uvs, settings);
-  const double angle = settings.fabric.warpAngle * std::numbers::pi / 180.0;
-  if (angle == 0.0) {
-    return warp;
+}
+
+/// The direction of warp in each triangle with fabric.warp_angle.
+std::vector<Vec3> turnedWarp(const sim::ClothModel& model, std::span<const ClothPart> cloths,
+                             const settings::Settings& settings) {
+  std::vector<Vec3> all;
+  all.reserve(model.triangles.size());
+  for (const ClothPart& cloth : cloths) {
+    const settings::Settings own = settingsOf(cloth.own, settings);
+    requireWarp(cloth.uvs, own);
+    std::vector<Vec3> warp = warpOf(cloth, model, own);
+    turnWarp(model.restPositions, trianglesOf(cloth, model), own.fabric.warpAngle, warp);
+    all.insert(all.end(), warp.begin(), warp.end());
   }
-  for (std::size_t t = 0; t < warp.size(); ++t) {
-    const auto& [a, b, c] = model.triangles[t];
-    const Vec3 origin = model.restPositions[a];
-    const Vec3 normal = (model.restPositions[b] - origin).cross(model.restPositions[c] - origin).normalized();
-    warp[t] = std::cos(angle) * warp[t] + std::sin(angle) * normal.cross(warp[t]);
+  return all;
+}
+
+/// The triangles of the patterns of all cloths.
+std::vector<sim::fabric::RestTriangle> patternsOf(std::span<const ClothPart> cloths,
+                                                  const settings::Settings& settings) {
+  std::vector<sim::fabric::RestTriangle> all;
+  for (const ClothPart& cloth : cloths) {
+    const auto pattern = patternOf(cloth.uvs, settingsOf(cloth.own, settings));
+    all.insert(all.end(), pattern.begin(), pattern.end());
   }
-  return warp;
+  return all;
+}
+
+/// The material of each triangle. Cloths with equal moduli share one.
+sim::fabric::TriangleMaterials materialsOf(const sim::ClothModel& model, std::span<const ClothPart> cloths,
+                                           const settings::Settings& settings) {
+  std::vector<sim::fabric::Material> list;
+  std::vector<int> indices(model.triangles.size(), 0);
+  for (const ClothPart& cloth : cloths) {
+    const sim::fabric::Material moduli = settingsOf(cloth.own, settings).fabric.moduli;
+    const auto found = std::find(list.begin(), list.end(), moduli);
+    const auto index = static_cast<int>(found - list.begin());
+    if (found == list.end()) {
+      list.push_back(moduli);
+    }
+    std::fill_n(indices.begin() + cloth.firstTriangle, cloth.triangleCount, index);
+  }
+  return list.size() == 1 ? sim::fabric::TriangleMaterials(list.front())
+                          : sim::fabric::TriangleMaterials(std::move(list), std::move(indices));
+}
+
+/// The text for each cloth, after its name if there are several.
+template <typename TextOf>
+std::string ofEachCloth(std::span<const ClothPart> cloths, const TextOf& textOf) {
+  std::string all;
+  for (const ClothPart& cloth : cloths) {
+    all += (all.empty() ? "" : "; ") + (cloth.name.empty() ? "" : cloth.name + ": ") + textOf(cloth);
+  }
+  return all;
 }
 
 }  // namespace
@@ -56,33 +124,55 @@ std::string warpNote(const PatternUvs& uvs, const settings::Settings& settings) 
   return "warp is vertical, because " + problemOf(uvs);
 }
 
-std::vector<Vec3> warpDirections(const sim::ClothModel& model, const PatternUvs& uvs,
-                                 const settings::Settings& settings) {
-  return warpsAlongUvs(uvs, settings) && uvs.usable()
-             ? warpAlongV(uvs, model.restPositions, model.triangles)
-             : sim::fabric::warpAlong(Vec3::UnitY(), model.restPositions, model.triangles);
+std::string fabricsInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {
+  return ofEachCloth(cloths,
+                     [&](const ClothPart& cloth) { return settings::fabricTitle(settingsOf(cloth.own, settings)); });
 }
 
-std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& model, const settings::Settings& settings,
-                                                      const PatternUvs& uvs) {
+std::string warpInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {
+  return ofEachCloth(cloths,
+                     [&](const ClothPart& cloth) { return warpInWords(cloth.uvs, settingsOf(cloth.own, settings)); });
+}
+
+std::string warpNote(std::span<const ClothPart> cloths, const settings::Settings& settings) {
+  for (const ClothPart& cloth : cloths) {
+    if (std::string note = warpNote(cloth.uvs, settingsOf(cloth.own, settings)); !note.empty()) {
+      return cloth.name.empty() ? note : cloth.name + ": " + note;
+    }
+  }
+  return {};
+}
+
+std::vector<Vec3> warpDirections(const sim::ClothModel& model, std::span<const ClothPart> cloths,
+                                 const settings::Settings& settings) {
+  std::vector<Vec3> all;
+  all.reserve(model.triangles.size());
+  for (const ClothPart& cloth : cloths) {
+    const std::vector<Vec3> warp = warpOf(cloth, model, settingsOf(cloth.own, settings));
+    all.insert(all.end(), warp.begin(), warp.end());
+  }
+  return all;
+}
+
+std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& model, std::span<const ClothPart> cloths,
+                                                      const settings::Settings& settings) {
   if (settings::restsOnPattern(settings)) {
-    return sim::fabric::withPatternFabric(model, settings.fabric.moduli, patternOf(uvs, settings));
+    return sim::fabric::withPatternFabric(model, materialsOf(model, cloths, settings), patternsOf(cloths, settings));
   }
   if (settings::usesFabric(settings)) {
-    return sim::fabric::withFabric(model, settings.fabric.moduli, turnedWarp(model, uvs, settings));
+    return sim::fabric::withFabric(model, materialsOf(model, cloths, settings), turnedWarp(model, cloths, settings));
   }
   return model.fabric ? sim::withSprings(model) : model.shared_from_this();
 }
 
-std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model, const settings::Settings& settings,
-                                                    const PatternUvs& uvs) {
+std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model, std::span<const ClothPart> cloths,
+                                                    const settings::Settings& settings) {
   if (!settings::usesFabric(settings) && !model.fabric) {
     return model.shared_from_this();
   }
-  const auto sized = settings::restsOnPattern(settings) ? sim::fabric::withPattern(model, patternOf(uvs, settings))
+  const auto sized = settings::restsOnPattern(settings) ? sim::fabric::withPattern(model, patternsOf(cloths, settings))
                                                         : sim::withMeshSizes(model);
-  const auto weighed = sim::withMass(*sized, totalMassOf(settings, sized->restArea()), lumpingOf(settings));
-  return withElasticity(*weighed, settings, uvs);
+  return withElasticity(*withMasses(*sized, cloths, settings), cloths, settings);
 }
 
 }  // namespace drape::scene

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "scene/pattern_uvs.hpp"
+#include "scene/cloth_part.hpp"
 #include "settings/settings.hpp"
 #include "sim/model/cloth_model.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,23 +22,34 @@ namespace drape::scene {
 /// does, if there are none, or if they are sound but no pattern.
 [[nodiscard]] std::string warpNote(const PatternUvs& uvs, const settings::Settings& settings);
 
-/// The direction of warp in each triangle, a unit vector in its plane, without fabric.warp_angle. Zero for a degenerate
-/// triangle. Vertical, projected onto each triangle, where the texture coordinates cannot give it.
-[[nodiscard]] std::vector<Vec3> warpDirections(const sim::ClothModel& model, const PatternUvs& uvs,
+/// The fabric of each cloth: "Denim", or "shirt: Jersey; jacket: Denim". @param settings of the scene
+[[nodiscard]] std::string fabricsInWords(std::span<const ClothPart> cloths, const settings::Settings& settings);
+
+/// warpInWords of each cloth, in the same form.
+[[nodiscard]] std::string warpInWords(std::span<const ClothPart> cloths, const settings::Settings& settings);
+
+/// warpNote of the first cloth that has one.
+[[nodiscard]] std::string warpNote(std::span<const ClothPart> cloths, const settings::Settings& settings);
+
+/// The direction of warp in each triangle of the model, a unit vector in its plane, without fabric.warp_angle. Zero for
+/// a degenerate triangle. Vertical, projected onto each triangle, where the texture coordinates cannot give it.
+/// @param cloths of the model
+[[nodiscard]] std::vector<Vec3> warpDirections(const sim::ClothModel& model, std::span<const ClothPart> cloths,
                                                const settings::Settings& settings);
 
-/// The same cloth, elastic as the settings say: springs or a fabric, whose rest shape is the mesh or the pattern. Warp
+/// The same model, elastic as the settings say: springs or fabrics, whose rest shape is the mesh or the pattern. Warp
 /// has the direction of warpDirections, turned by fabric.warp_angle about the normal of each triangle. Throws
 /// InputError when fabric.warp_from = uv and the texture coordinates cannot give the warp, InputError as patternOf
 /// does, and ClothModelError as fabric::withFabric does.
+/// @param cloths of the model  @param settings of the scene
 [[nodiscard]] std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& model,
-                                                                    const settings::Settings& settings,
-                                                                    const PatternUvs& uvs = {});
+                                                                    std::span<const ClothPart> cloths,
+                                                                    const settings::Settings& settings);
 
-/// The same with the mass of the settings, for the area of the rest shape. A cloth of springs that stays one does not
+/// The same with the masses of the settings, for the area of the rest shape. Cloths of springs that stay springs do not
 /// change.
 [[nodiscard]] std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model,
-                                                                  const settings::Settings& settings,
-                                                                  const PatternUvs& uvs);
+                                                                  std::span<const ClothPart> cloths,
+                                                                  const settings::Settings& settings);
 
 }  // namespace drape::scene

@@ -1,5 +1,7 @@
 #include "scene/pin_advice.hpp"
 
+#include <algorithm>
+
 namespace drape::scene {
 namespace {
 
@@ -7,6 +9,17 @@ namespace {
 bool namesPins(const PinSelection& pins) {
   return !pins.vertices.empty() || !pins.nearest.empty() || !pins.boxes.empty() || pins.top || !pins.corners.empty() ||
          !pins.edges.empty();
+}
+
+/// The first table that defines pins; nullptr if there is none.
+const PinSelection* firstNamed(const SceneDescription& description) {
+  for (const ClothDescription& cloth : description.cloths) {
+    const auto found = std::find_if(cloth.pins.begin(), cloth.pins.end(), namesPins);
+    if (found != cloth.pins.end()) {
+      return &*found;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -23,8 +36,9 @@ std::optional<Advice> adviceOnPins(const SceneDescription& description, const se
   if (pinned > 0) {
     return std::nullopt;
   }
-  if (settings.mesh.pins == "scene" && namesPins(description.pins)) {
-    const std::string& where = description.pins.where;
+  const PinSelection* naming = firstNamed(description);
+  if (settings.mesh.pins == "scene" && naming != nullptr) {
+    const std::string& where = naming->where;
     return Advice{(where.empty() ? "" : where + ": ") + "[pins] contains no vertex of this cloth, so it falls.", "pins",
                   "shape", "Pin by shape"};
   }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "io/mesh_import.hpp"
+#include "scene/cloth_part.hpp"
 #include "scene/mesh_reading.hpp"
-#include "scene/pattern_uvs.hpp"
 #include "settings/settings.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/model/cloth_model.hpp"
@@ -46,7 +46,7 @@ struct Pleats {
 /// The share of the height that the pins `top` of a mesh without a scene cover [-].
 inline constexpr double topOfBareMesh = 0.03;
 
-/// The selection of the pinned vertices. All parts add up.
+/// A selection of pinned vertices. All parts add up.
 struct PinSelection {
   struct Box {
     Vec3 min = Vec3::Zero();  ///< [m]
@@ -92,18 +92,25 @@ struct SceneParts {
   std::vector<std::string> bodies = {};  ///< mesh files of additional bodies
 };
 
+/// A cloth as it is written in a scene file: the table [cloth], or one of the tables [[cloths]].
+struct ClothDescription {
+  std::string name;  ///< unique in the scene; empty for [cloth]
+  std::variant<GridSource, MeshFileSource> source;
+  Vec3 position = Vec3::Zero();  ///< added to the mesh [m]
+  Vec3 rotation = Vec3::Zero();  ///< applied to the mesh first, about its own origin: axis times angle [rad]
+  std::optional<Pleats> pleats;
+  std::vector<PinSelection> pins;  ///< one per table of pins; a vertex belongs to the first one that selects it
+  std::vector<OwnSetting> own;     ///< settings of this cloth, in the order in which they are assigned
+};
+
 /// A scene as it is written in its file (docs/guide/scenes.md), before anything is built.
 struct SceneDescription {
   SceneParts parts;   ///< what it was opened from
   std::string name;   ///< "flag", or the file's name
   std::string title;  ///< "A flag in the wind"
   std::string help;
-  std::variant<GridSource, MeshFileSource> source;
-  Vec3 position = Vec3::Zero();  ///< added to the mesh [m]
-  Vec3 rotation = Vec3::Zero();  ///< applied to the mesh first, about its own origin: axis times angle [rad]
-  std::optional<Pleats> pleats;
-  PinSelection pins;
-  std::optional<CameraPose> camera;  ///< absent: the cloth fills the view
+  std::vector<ClothDescription> cloths = std::vector<ClothDescription>(1);  ///< at least one
+  std::optional<CameraPose> camera;                                         ///< absent: the cloth fills the view
   std::optional<StandDescription> stand;
   std::vector<BodyDescription> bodies;
   std::optional<double> groundHeight;                       ///< absent: groundHeightOf chooses it [m]
@@ -112,6 +119,10 @@ struct SceneDescription {
   bool opened = false;                                      ///< a mesh file that was opened without a scene
   settings::Settings settings;                              ///< the defaults with the scene's values
   std::vector<std::string> notes;                           ///< about the scene file, for the user
+
+  /// The first cloth, which is the only one of most scenes.
+  [[nodiscard]] ClothDescription& cloth() { return cloths.front(); }
+  [[nodiscard]] const ClothDescription& cloth() const { return cloths.front(); }
 };
 
 /// The surface of a stand.
@@ -135,9 +146,9 @@ struct Scene {
   std::shared_ptr<const sim::ClothModel> model;
   sim::ClothState start;
   io::RenderMesh renderMesh;
-  PatternUvs uvs;  ///< of the render mesh
+  std::vector<ClothPart> cloths = std::vector<ClothPart>(1);  ///< at least one, in the order of the description
   io::MeshSummary summary;
-  std::optional<MeshReading> reading;  ///< of a mesh file that is not built in
+  std::optional<MeshReading> reading;  ///< of the first cloth from a mesh file that is not built in
   std::optional<Advice> pinAdvice;     ///< when the pins fix all vertices or none
   std::optional<Decor> stand;
   std::shared_ptr<const std::vector<sim::contact::Body>> bodies =

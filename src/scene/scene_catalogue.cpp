@@ -43,8 +43,8 @@ SceneDescription sceneOfMesh(const std::filesystem::path& file, const settings::
   scene.name = file.filename().string();
   scene.title = scene.name;
   scene.help = "A mesh file without a scene.";
-  scene.source = MeshFileSource{file.string(), false};
-  scene.pins.top = topOfBareMesh;
+  scene.cloth().source = MeshFileSource{file.string(), false};
+  scene.cloth().pins.emplace_back().top = topOfBareMesh;
   scene.groundBelowCloth = true;
   scene.settings = openedMeshSettings();
   scene.settings.fabric.own = own;

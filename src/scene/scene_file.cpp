@@ -10,33 +10,37 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace drape::scene {
 namespace {
 
 constexpr double manyDegrees = 1e6;
+constexpr std::size_t maxCloths = 64;
 
-void readCloth(const TomlReader& cloth, const std::filesystem::path& folder, SceneDescription& scene) {
-  cloth.allowOnly({"mesh", "grid", "position", "rotation", "pleats"});
-  const bool mesh = cloth.has("mesh");
-  const auto plane = cloth.text("grid");
+/// Mesh, position and pleats of a cloth. @param table "[cloth]" or "[[cloths]]", for messages
+ClothDescription readCloth(const TomlReader& reader, const std::string& table, const std::filesystem::path& folder) {
+  ClothDescription cloth;
+  const bool mesh = reader.has("mesh");
+  const auto plane = reader.text("grid");
   if (mesh == plane.has_value()) {
-    cloth.fail("[cloth] needs either mesh = \"file.obj\" or grid = \"horizontal\" or \"vertical\"");
+    reader.fail(table + " needs either mesh = \"file.obj\" or grid = \"horizontal\" or \"vertical\"");
   }
   if (mesh) {
-    scene.source = meshSource(cloth, folder);
+    cloth.source = meshSource(reader, folder);
   } else if (*plane == "horizontal" || *plane == "vertical") {
-    scene.source = GridSource{*plane == "vertical" ? GridSource::Plane::Vertical : GridSource::Plane::Horizontal};
+    cloth.source = GridSource{*plane == "vertical" ? GridSource::Plane::Vertical : GridSource::Plane::Horizontal};
   } else {
-    cloth.fail("cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
+    reader.fail("cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
   }
-  scene.position = cloth.vector("position").value_or(Vec3::Zero());
-  scene.rotation = degree * cloth.vector("rotation", manyDegrees).value_or(Vec3::Zero());
-  if (const auto pleats = cloth.table("pleats")) {
+  cloth.position = reader.vector("position").value_or(Vec3::Zero());
+  cloth.rotation = degree * reader.vector("rotation", manyDegrees).value_or(Vec3::Zero());
+  if (const auto pleats = reader.table("pleats")) {
     pleats->allowOnly({"count", "gather"});
-    scene.pleats = Pleats{pleats->integer("count", 1, 1000).value_or(Pleats{}.count),
+    cloth.pleats = Pleats{pleats->integer("count", 1, 1000).value_or(Pleats{}.count),
                           pleats->number("gather", 0.1, 1.0).value_or(Pleats{}.gather)};
   }
+  return cloth;
 }
 
 PinSelection readPins(const TomlReader& reader) {
@@ -56,6 +60,56 @@ PinSelection readPins(const TomlReader& reader) {
   pins.every = reader.integer("every", 1, 1000).value_or(1);
   pins.body = reader.text("body").value_or("");
   return pins;
+}
+
+void readAllPins(const TomlReader& reader, std::vector<PinSelection>& pins) {
+  for (const TomlReader& table : reader.tableOrTables("pins")) {
+    pins.push_back(readPins(table));
+  }
+}
+
+std::string nameOfCloth(const TomlReader& reader, const std::vector<ClothDescription>& others) {
+  const std::string name = reader.text("name").value_or("");
+  if (name.empty()) {
+    reader.fail("every table of [[cloths]] needs a name");
+  }
+  if (std::ranges::any_of(others, [&](const ClothDescription& other) { return other.name == name; })) {
+    reader.fail("there are two cloths with the name \"" + name + "\"");
+  }
+  return name;
+}
+
+/// The cloths of a scene: the table [cloth] with its pins, or the tables [[cloths]]. Their own settings are not read.
+std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::string& file,
+                                         const std::filesystem::path& folder) {
+  const auto only = reader.table("cloth");
+  const std::vector<TomlReader> several = reader.tables("cloths");
+  if (only.has_value() != several.empty()) {
+    throw messages::InputError(file +
+                               ": a scene needs either a table [cloth] or tables [[cloths]], with a mesh or a "
+                               "grid");
+  }
+  std::vector<ClothDescription> cloths;
+  if (only) {
+    only->allowOnly({"mesh", "grid", "position", "rotation", "pleats"});
+    cloths.push_back(readCloth(*only, "[cloth]", folder));
+    readAllPins(reader, cloths.front().pins);
+    return cloths;
+  }
+  if (reader.has("pins")) {
+    throw messages::InputError(reader.place("pins") + ": with [[cloths]] each cloth has its own pins: [[cloths.pins]]");
+  }
+  if (several.size() > maxCloths) {
+    several[maxCloths].fail(fmt::format("a scene can have at most {} cloths", maxCloths));
+  }
+  for (const TomlReader& table : several) {
+    table.allowOnly({"name", "mesh", "grid", "position", "rotation", "pleats", "pins", "settings"});
+    const std::string name = nameOfCloth(table, cloths);
+    ClothDescription& cloth = cloths.emplace_back(readCloth(table, "[[cloths]]", folder));
+    cloth.name = name;
+    readAllPins(table, cloth.pins);
+  }
+  return cloths;
 }
 
 /// Reads whether an object has contact (`solid`, by default true), and its surface.
@@ -100,18 +154,23 @@ CameraPose readCamera(const TomlReader& reader) {
   return pose;
 }
 
-/// Checks that the pins' body exists.
-void requireCarrier(const TomlReader& scene, const SceneDescription& description) {
-  const std::string& name = description.pins.body;
+/// Checks that the bodies of the pins exist.
+void requireCarriers(const SceneDescription& description) {
   const auto& bodies = description.bodies;
-  if (!name.empty() &&
-      std::none_of(bodies.begin(), bodies.end(), [&](const BodyDescription& each) { return each.body.name == name; })) {
-    scene.table("pins")->fail("pins.body: there is no body with the name \"" + name + "\"");
+  for (const ClothDescription& cloth : description.cloths) {
+    for (const PinSelection& pins : cloth.pins) {
+      const auto isCarrier = [&](const BodyDescription& each) { return each.body.name == pins.body; };
+      if (!pins.body.empty() && std::none_of(bodies.begin(), bodies.end(), isCarrier)) {
+        throw messages::InputError(pins.where + ": pins.body: there is no body with the name \"" + pins.body + "\"");
+      }
+    }
   }
 }
 
-void readSettings(const TomlReader& reader, SceneDescription& scene) {
-  settings::Settings& settings = scene.settings;
+/// Assigns the settings of a table, and adds notes about former keys to those of the scene.
+/// @param onAssigned called with each setting and its value
+void readSettings(const TomlReader& reader, settings::Settings& settings, std::vector<std::string>& notes,
+                  const std::function<void(const settings::SettingInfo&)>& onAssigned = {}) {
   const auto assign = [&](const std::string& key, const toml::node& node, int depth) {
     try {
       const settings::SettingInfo& info = settings::requireSetting(key);
@@ -124,6 +183,9 @@ void readSettings(const TomlReader& reader, SceneDescription& scene) {
       } else {
         settings::assignSetting(settings, info, settingValueOf(node));
       }
+      if (onAssigned) {
+        onAssigned(info);
+      }
     } catch (const messages::UsageError& error) {
       reader.fail(node, error.what());
     }
@@ -133,7 +195,7 @@ void readSettings(const TomlReader& reader, SceneDescription& scene) {
     reader.forEachValue([&](const std::string& key, const toml::node& node) {
       const std::string note = settings::formerKeyNote(key);
       if (depth == 0 && !note.empty()) {
-        scene.notes.push_back(reader.placeOf(node) + ": " + note);
+        notes.push_back(reader.placeOf(node) + ": " + note);
       }
       assign(key, node, depth);
     });
@@ -145,25 +207,31 @@ void readSettings(const TomlReader& reader, SceneDescription& scene) {
   }
 }
 
+/// Reads the settings that a cloth has for itself.
+void readOwnSettings(const TomlReader& reader, SceneDescription& scene, ClothDescription& cloth) {
+  settings::Settings changed = scene.settings;
+  readSettings(reader, changed, scene.notes, [&](const settings::SettingInfo& info) {
+    if (!mayDifferByCloth(info)) {
+      throw messages::UsageError(std::string(info.key) +
+                                 " is the same for all cloths of a scene; set it under [settings]");
+    }
+    cloth.own.push_back({&info, settings::settingValue(changed, info)});
+  });
+}
+
 }  // namespace
 
 SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
                             const std::filesystem::path& folder, const settings::OwnFabrics& own) {
   const TomlReader reader(text, file);
-  reader.allowOnly({"title", "help", "cloth", "pins", "camera", "stand", "ground", "bodies", "settings", "fabrics"});
+  reader.allowOnly(
+      {"title", "help", "cloth", "cloths", "pins", "camera", "stand", "ground", "bodies", "settings", "fabrics"});
   SceneDescription scene;
   scene.settings.fabric.own = settings::joined(own, readFabrics(reader));
   scene.name = name;
   scene.title = reader.text("title").value_or(name);
   scene.help = reader.text("help").value_or("");
-  const auto cloth = reader.table("cloth");
-  if (!cloth) {
-    throw messages::InputError(file + ": a scene needs a table [cloth] with either mesh or grid");
-  }
-  readCloth(*cloth, folder, scene);
-  if (const auto pins = reader.table("pins")) {
-    scene.pins = readPins(*pins);
-  }
+  scene.cloths = readCloths(reader, file, folder);
   if (const auto camera = reader.table("camera")) {
     scene.camera = readCamera(*camera);
   }
@@ -174,9 +242,15 @@ SceneDescription parseScene(std::string_view text, const std::string& name, cons
     readGround(*ground, scene);
   }
   scene.bodies = readBodies(reader, folder);
-  requireCarrier(reader, scene);
+  requireCarriers(scene);
   if (const auto settings = reader.table("settings")) {
-    readSettings(*settings, scene);
+    readSettings(*settings, scene.settings, scene.notes);
+  }
+  const std::vector<TomlReader> cloths = reader.tables("cloths");
+  for (std::size_t i = 0; i < cloths.size(); ++i) {
+    if (const auto settings = cloths[i].table("settings")) {
+      readOwnSettings(*settings, scene, scene.cloths[i]);
+    }
   }
   return scene;
 }

@@ -25,17 +25,13 @@ std::string freeName(const std::vector<BodyDescription>& bodies, const std::stri
 
 void replaceCloth(SceneDescription& scene, const std::string& file) {
   SceneDescription cloth = openScene(file);
-  if (!std::holds_alternative<MeshFileSource>(cloth.source)) {
+  if (!std::holds_alternative<MeshFileSource>(cloth.cloth().source)) {
     throw messages::InputError(file + " is not a mesh; the cloth for a scene must be a mesh");
   }
   scene.name = cloth.name;
   scene.title = cloth.title;
-  scene.source = std::move(cloth.source);
-  scene.pins = std::move(cloth.pins);
+  scene.cloths = std::move(cloth.cloths);
   scene.settings.mesh = cloth.settings.mesh;
-  scene.position = Vec3::Zero();
-  scene.rotation = Vec3::Zero();
-  scene.pleats.reset();
   scene.stand.reset();
   scene.camera.reset();
 }

@@ -199,6 +199,13 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
   });
 }
 
+std::vector<TomlReader> TomlReader::tableOrTables(std::string_view key) const {
+  if (has(key) && table_->get(key)->is_table()) {
+    return {*table(key)};
+  }
+  return tables(key);
+}
+
 void TomlReader::visitBelow(const std::string& prefix, const toml::table& table,
                             const std::function<void(const std::string&, const toml::node&)>& visit) const {
   for (const auto& [key, node] : table) {

@@ -47,6 +47,8 @@ class TomlReader {
   [[nodiscard]] std::vector<int> integers(std::string_view key) const;
   [[nodiscard]] std::vector<Vec3> vectors(std::string_view key) const;
   [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
+  /// The same, where a single table counts as a list of one.
+  [[nodiscard]] std::vector<TomlReader> tableOrTables(std::string_view key) const;
 
   /// Visits every value below the table with its dotted key.
   void forEachValue(const std::function<void(const std::string& key, const toml::node& node)>& visit) const;

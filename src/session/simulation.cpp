@@ -218,11 +218,11 @@ void Simulation::on(const SetOwnFabricsCommand& command) {
 void Simulation::useSettings(settings::Settings changed, settings::SettingEffect effect) {
   requireSolversForMaterial(changed);
   if (effect == settings::SettingEffect::Mass) {
-    model_ = sim::withMass(*model_, scene::totalMassOf(changed, model_->restArea()), scene::lumpingOf(changed));
+    model_ = scene::withMasses(*model_, scene_->cloths, changed);
     // A fabric's highest frequency depends on the masses.
-    model_ = scene::withElasticity(*model_, changed, scene_->uvs);
+    model_ = scene::withElasticity(*model_, scene_->cloths, changed);
   } else if (effect == settings::SettingEffect::Fabric) {
-    model_ = scene::withMaterial(*model_, changed, scene_->uvs);
+    model_ = scene::withMaterial(*model_, scene_->cloths, changed);
   }
   settings_ = std::move(changed);
   useSolvers();

@@ -75,7 +75,7 @@ std::optional<StretchDiagnosis> findSlivers(const scene::Scene& scene, const sim
   const Vec3 size(scene.summary.size[0], scene.summary.size[1], scene.summary.size[2]);
   const double tolerance = 2.0 * sliverRatio * median / std::max(size.norm(), 1e-12);
   const auto& field = std::get<settings::NumberField>(settings::requireSetting("weld_tolerance").field);
-  if (std::holds_alternative<scene::MeshFileSource>(scene.description.source) && tolerance <= field.max) {
+  if (std::holds_alternative<scene::MeshFileSource>(scene.description.cloth().source) && tolerance <= field.max) {
     found.advice.key = "weld_tolerance";
     found.advice.value = text::roundedFigure(tolerance, 1);
     found.advice.button = "Merge them";
@@ -96,7 +96,7 @@ StretchDiagnosis explainByWeight(double strain, const scene::Scene& scene, const
   const double density = model.totalMass() / std::max(model.restArea(), 1e-12);
   const std::string weight = "Its weight of " + text::roundedFigure(model.totalMass()) + " kg alone stretches it by " +
                              text::roundedFigure(100.0 * strain) + " %";
-  const bool file = std::holds_alternative<scene::MeshFileSource>(scene.description.source);
+  const bool file = std::holds_alternative<scene::MeshFileSource>(scene.description.cloth().source);
   if (file && largest > 2.0 * scene::largestGarment && scene.reading) {
     const double inFile = largest / scene.reading->metresPerUnit;
     const std::string unit = scene::guessUnit(inFile).unit;

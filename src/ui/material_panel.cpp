@@ -44,13 +44,18 @@ void requestSave(PanelContext& context, Place place) {
 /// Where warp comes from, and the triangles whose stiffness is clamped.
 void fabricRows(PanelContext& context) {
   const session::Snapshot& snapshot = context.snapshot;
-  factRow(context, "Warp", scene::warpInWords(snapshot.scene->uvs, context.settings));
-  if (const std::string note = scene::warpNote(snapshot.scene->uvs, context.settings); !note.empty()) {
+  if (snapshot.scene->cloths.size() > 1) {
+    factRow(context, "Cloths", scene::fabricsInWords(snapshot.scene->cloths, context.settings));
+  }
+  factRow(context, "Warp", scene::warpInWords(snapshot.scene->cloths, context.settings));
+  if (const std::string note = scene::warpNote(snapshot.scene->cloths, context.settings); !note.empty()) {
     mutedText("Note: " + note + ".", palette().warning);
   }
   if (snapshot.model->fabric && snapshot.model->fabric->meshStrain) {
-    factRow(context, "Rest shape", scene::restShapeInWords(*snapshot.model, snapshot.scene->uvs, context.settings));
-    if (const std::string note = scene::restShapeNote(*snapshot.model, snapshot.scene->uvs, context.settings);
+    factRow(context, "Rest shape",
+            scene::restShapeInWords(*snapshot.model, snapshot.scene->cloths.front().uvs, context.settings));
+    if (const std::string note =
+            scene::restShapeNote(*snapshot.model, snapshot.scene->cloths.front().uvs, context.settings);
         !note.empty()) {
       mutedText("Warning: " + note + ".", palette().warning);
     }

@@ -178,8 +178,12 @@ void applyEdit(PanelContext& context, const settings::SettingInfo& info, const E
 }  // namespace
 
 bool settingApplies(const settings::SettingInfo& info, const settings::Settings& settings, const scene::Scene& scene) {
-  const bool isGrid = std::holds_alternative<scene::GridSource>(scene.description.source);
-  if (info.scope == (isGrid ? settings::SettingScope::MeshFile : settings::SettingScope::Grid)) {
+  const auto isGrid = [](const scene::ClothDescription& cloth) {
+    return std::holds_alternative<scene::GridSource>(cloth.source);
+  };
+  const std::vector<scene::ClothDescription>& cloths = scene.description.cloths;
+  if ((info.scope == settings::SettingScope::Grid && std::ranges::none_of(cloths, isGrid)) ||
+      (info.scope == settings::SettingScope::MeshFile && std::ranges::all_of(cloths, isGrid))) {
     return false;
   }
   if (!settings::isRelevant(info, settings)) {

@@ -45,6 +45,7 @@ session::Snapshot wavySheet(double waveHeight) {
 
   auto scene = std::make_shared<scene::Scene>();
   scene->model = model;
+  scene->cloths = {scene::wholeCloth(*model)};
   scene->renderMesh.particle.resize(model->restPositions.size());
   std::iota(scene->renderMesh.particle.begin(), scene->renderMesh.particle.end(), 0);
   for (const Vec3& position : model->restPositions) {

@@ -27,7 +27,7 @@ std::string square(const char* uvs) {
 
 /// The warp of a triangle, as the scene takes it.
 Vec3 warpOf(const Scene& scene, std::size_t triangle) {
-  return warpDirections(*scene.model, scene.uvs, scene.settings)[triangle];
+  return warpDirections(*scene.model, scene.cloths, scene.settings)[triangle];
 }
 
 TEST_F(UvMesh, GivesWarpAlongVHoweverThePatternLies) {
@@ -38,12 +38,12 @@ TEST_F(UvMesh, GivesWarpAlongVHoweverThePatternLies) {
     EXPECT_LT((warpOf(*turned, t) - Vec3(-1.0, 0.0, 0.0)).norm(), 1e-6);
     EXPECT_LT((warpOf(*mirrored, t) - Vec3(1.0, 0.0, 0.0)).norm(), 1e-6);
   }
-  EXPECT_EQ(warpInWords(turned->uvs, turned->settings), "along V of the UVs");
+  EXPECT_EQ(warpInWords(turned->cloths, turned->settings), "along V of the UVs");
   settings::Settings vertical = turned->settings;
   settings::assignSettingExpression(vertical, "fabric.warp_from=vertical");
   settings::assignSettingExpression(vertical, "fabric.warp_angle=30");
-  EXPECT_LT((warpDirections(*turned->model, turned->uvs, vertical)[0] - Vec3::UnitY()).norm(), 1e-12);
-  EXPECT_EQ(warpInWords(turned->uvs, vertical), "vertical, turned by 30 degrees");
+  EXPECT_LT((warpDirections(*turned->model, turned->cloths, vertical)[0] - Vec3::UnitY()).norm(), 1e-12);
+  EXPECT_EQ(warpInWords(turned->cloths, vertical), "vertical, turned by 30 degrees");
 }
 
 TEST_F(UvMesh, ShearedPatternHasWarpWhereUIsConstant) {
@@ -67,8 +67,9 @@ TEST_F(UvMesh, RefusesDegenerateTextureWithNumberAndPlace) {
   EXPECT_NE(message.find("use fabric.warp_from = vertical"), std::string::npos) << message;
   const auto scene = build(flat);
   EXPECT_LT((warpOf(*scene, 1) - Vec3::UnitY()).norm(), 1e-12);
-  EXPECT_NE(warpNote(scene->uvs, scene->settings).find("warp is vertical, because the texture coordinates"),
-            std::string::npos);
+  EXPECT_NE(
+      warpNote(scene->cloths.front().uvs, scene->settings).find("warp is vertical, because the texture coordinates"),
+      std::string::npos);
 }
 
 TEST_F(UvMesh, RefusesATriangleThatIsTurnedOverWithinItsPiece) {
@@ -76,23 +77,24 @@ TEST_F(UvMesh, RefusesATriangleThatIsTurnedOverWithinItsPiece) {
   const std::string folded = square("vt 0 0\nvt 1 0\nvt 1 1\nvt 0.9 0.1\n");
   const std::string message = refusal(folded, {"fabric.warp_from=uv"});
   EXPECT_NE(message.find("mirror 1 triangle (number 1) against"), std::string::npos) << message;
-  EXPECT_NE(warpNote(build(folded)->uvs, build(folded)->settings), "");
+  EXPECT_NE(warpNote(build(folded)->cloths, build(folded)->settings), "");
 }
 
 TEST_F(UvMesh, RefusesUvWithoutTextureAndSaysNothingInAuto) {
   const std::string bare = std::string(squareCorners) + "f 1 2 3\nf 1 3 4\n";
   EXPECT_NE(refusal(bare, {"fabric.warp_from=uv"}).find("no texture coordinates"), std::string::npos);
   const auto scene = build(bare);
-  EXPECT_FALSE(scene->uvs.present());
-  EXPECT_EQ(warpNote(scene->uvs, scene->settings), "");
+  EXPECT_FALSE(scene->cloths.front().uvs.present());
+  EXPECT_EQ(warpNote(scene->cloths.front().uvs, scene->settings), "");
 }
 
 TEST_F(UvMesh, IsNoPatternWhereTheTextureIsStretched) {
   const std::string wide = square("vt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\n");
   const auto scene = build(wide);
-  EXPECT_NEAR(scene->uvs.distorted, 1.0, 1e-12);
-  EXPECT_FALSE(warpsAlongUvs(scene->uvs, scene->settings));
-  EXPECT_TRUE(warpsAlongUvs(scene->uvs, build(wide, {"fabric.warp_from=uv"})->settings)) << "the user may know better";
+  EXPECT_NEAR(scene->cloths.front().uvs.distorted, 1.0, 1e-12);
+  EXPECT_FALSE(warpsAlongUvs(scene->cloths.front().uvs, scene->settings));
+  EXPECT_TRUE(warpsAlongUvs(scene->cloths.front().uvs, build(wide, {"fabric.warp_from=uv"})->settings))
+      << "the user may know better";
 }
 
 TEST(BuiltInMeshes, arePatternsExceptTheCape) {
@@ -100,19 +102,20 @@ TEST(BuiltInMeshes, arePatternsExceptTheCape) {
        {std::pair("tshirt", true), {"skirt", true}, {"poncho", true}, {"cape", false}, {"skater", false}}) {
     const SceneDescription description = [&, mesh = std::string(name)] {
       SceneDescription grid = openScene("grid");
-      grid.source = MeshFileSource{mesh + ".obj", true};
-      grid.pins = {};
+      grid.cloth().source = MeshFileSource{mesh + ".obj", true};
+      grid.cloth().pins = {};
       return grid;
     }();
     const auto scene = buildScene(description, description.settings);
-    EXPECT_EQ(scene->uvs.isPattern(), pattern) << name;
-    EXPECT_EQ(problemOf(scene->uvs).empty(), std::string(name) != "skater") << problemOf(scene->uvs);
+    EXPECT_EQ(scene->cloths.front().uvs.isPattern(), pattern) << name;
+    EXPECT_EQ(problemOf(scene->cloths.front().uvs).empty(), std::string(name) != "skater")
+        << problemOf(scene->cloths.front().uvs);
   }
 }
 
 TEST(GridWarp, isVerticalSinceItsTextureIsThatOfAChecker) {
   const SceneDescription grid = openScene("grid");
-  EXPECT_FALSE(buildScene(grid, grid.settings)->uvs.present());
+  EXPECT_FALSE(buildScene(grid, grid.settings)->cloths.front().uvs.present());
 }
 
 }  // namespace

@@ -32,14 +32,14 @@ Vec2 sideOf(const Scene& scene, std::size_t triangle, std::size_t side) {
 
 TEST_F(RestPattern, HasTheAreaOfTheMeshUnlessAScaleIsGiven) {
   const auto even = build(squareWith(halfSize));
-  EXPECT_NEAR(patternScale(even->uvs, even->settings), 2.0, 1e-12);
+  EXPECT_NEAR(patternScale(even->cloths.front().uvs, even->settings), 2.0, 1e-12);
   EXPECT_NEAR(even->model->restArea(), 1.0, 1e-12);
   EXPECT_NEAR(even->model->fabric->meshStrain->high, 0.0, 1e-12);
   const auto smaller = build(squareWith(halfSize), {"fabric.uv_scale=1.6"});
   EXPECT_NEAR(smaller->model->restArea(), 0.64, 1e-12);
   EXPECT_NEAR(smaller->model->fabric->meshStrain->median, 0.25, 1e-12);
-  EXPECT_EQ(restShapeNote(*smaller->model, smaller->uvs, smaller->settings), "");
-  EXPECT_EQ(restShapeInWords(*smaller->model, smaller->uvs, smaller->settings),
+  EXPECT_EQ(restShapeNote(*smaller->model, smaller->cloths.front().uvs, smaller->settings), "");
+  EXPECT_EQ(restShapeInWords(*smaller->model, smaller->cloths.front().uvs, smaller->settings),
             "the pattern in the UVs, 1.6 m a unit; the mesh is strained against it by 25.0 % (median), 25.0 % (99th "
             "percentile)");
 }
@@ -57,7 +57,7 @@ TEST_F(RestPattern, HasWarpAlongVOnEitherSideAndTurnsItByTheAngle) {
     const auto scene = build(squareWith(uvs));
     EXPECT_LT((sideOf(*scene, 0, 0) - Vec2(0.0, -1.0)).norm(), 1e-12);
     EXPECT_LT((sideOf(*scene, 0, 1) - Vec2(1.0, 0.0)).norm(), 1e-12);
-    EXPECT_EQ(warpInWords(scene->uvs, scene->settings), "along V of the UVs");
+    EXPECT_EQ(warpInWords(scene->cloths.front().uvs, scene->settings), "along V of the UVs");
     // The same as the mesh with its warp turned as far.
     const auto turned = build(squareWith(uvs), {"fabric.warp_angle=30"});
     const auto mesh = build(squareWith(uvs), {"fabric.warp_angle=30", "fabric.rest_shape=mesh", "fabric.warp_from=uv"});
@@ -72,11 +72,11 @@ TEST_F(RestPattern, DoesNotCountForSpringsAndIsNoticedByTheModelThatReturnsToThe
   const auto scene = build(squareWith(halfSize), {"fabric.uv_scale=1.6", "density=0.5"});
   settings::Settings changed = scene->settings;
   settings::assignSettingExpression(changed, "fabric.rest_shape=mesh");
-  const auto mesh = withMaterial(*scene->model, changed, scene->uvs);
+  const auto mesh = withMaterial(*scene->model, scene->cloths, changed);
   EXPECT_FALSE(mesh->fabric->meshStrain);
   EXPECT_NEAR(mesh->totalMass(), 0.5, 1e-12);
   settings::assignSettingExpression(changed, "material.model=springs");
-  const auto springs = withMaterial(*scene->model, changed, scene->uvs);
+  const auto springs = withMaterial(*scene->model, scene->cloths, changed);
   EXPECT_NEAR(springs->totalMass(), 0.5, 1e-12);
   EXPECT_EQ(springs->springs[0].restLength, 1.0);
 }
@@ -113,10 +113,10 @@ TEST_F(RestPattern, IsRefusedWithAVerticalWarpOrASenselessScale) {
 
 TEST_F(RestPattern, IsDoubtedWhereItHardlyFitsTheMesh) {
   const auto large = build(squareWith(halfSize), {"fabric.uv_scale=5"});
-  EXPECT_EQ(restShapeNote(*large->model, large->uvs, large->settings),
+  EXPECT_EQ(restShapeNote(*large->model, large->cloths.front().uvs, large->settings),
             "fabric.uv_scale gives the pattern 6.25 times the area of the mesh; with 2 they are equal");
   const auto wide = build(squareWith("vt 0 0\nvt 4 0\nvt 4 1\nvt 0 1\n"));
-  EXPECT_EQ(restShapeNote(*wide->model, wide->uvs, wide->settings),
+  EXPECT_EQ(restShapeNote(*wide->model, wide->cloths.front().uvs, wide->settings),
             "the UVs are unlikely to be the pattern of this mesh: it is strained against them by 100 % (median), 100 % "
             "(99th percentile), and more in one direction than in the other");
 }
@@ -124,14 +124,14 @@ TEST_F(RestPattern, IsDoubtedWhereItHardlyFitsTheMesh) {
 TEST(BuiltInPatterns, fitTheirMeshesExceptThatOfTheCape) {
   for (const auto& [name, fits] : {std::pair("tshirt", true), {"skirt", true}, {"poncho", true}, {"cape", false}}) {
     SceneDescription description = openScene("grid");
-    description.source = MeshFileSource{std::string(name) + ".obj", true};
-    description.pins = {};
+    description.cloth().source = MeshFileSource{std::string(name) + ".obj", true};
+    description.cloth().pins.clear();
     for (const char* const expression : {"material.model=fabric", "fabric.rest_shape=uv"}) {
       settings::assignSettingExpression(description.settings, expression);
     }
     const auto scene = buildScene(description, description.settings);
-    EXPECT_EQ(restShapeNote(*scene->model, scene->uvs, scene->settings).empty(), fits)
-        << name << ": " << restShapeInWords(*scene->model, scene->uvs, scene->settings);
+    EXPECT_EQ(restShapeNote(*scene->model, scene->cloths.front().uvs, scene->settings).empty(), fits)
+        << name << ": " << restShapeInWords(*scene->model, scene->cloths.front().uvs, scene->settings);
   }
 }
 

@@ -196,8 +196,8 @@ TEST(Scenes, areMovedByAutoUnlessTheyArePapersOrSayOtherwise) {
 
 TEST(Scenes, turnTheClothAboutItsOwnOriginBeforeTheyPlaceIt) {
   SceneDescription description = openScene("grid");
-  description.rotation = Vec3(0.0, 0.0, 0.5 * M_PI);
-  description.position = Vec3(3.0, 2.0, 1.0);
+  description.cloth().rotation = Vec3(0.0, 0.0, 0.5 * M_PI);
+  description.cloth().position = Vec3(3.0, 2.0, 1.0);
   description.settings.grid.resolution = 2;
   const auto scene = buildScene(description, description.settings);
   // x becomes y: the level sheet stands in the plane x = 3, with its top left corner below.

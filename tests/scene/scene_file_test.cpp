@@ -56,13 +56,13 @@ view.wireframe = true
 unit = "cm"
 )");
   EXPECT_EQ(scene.title, "A test");
-  EXPECT_EQ(std::get<GridSource>(scene.source).plane, GridSource::Plane::Vertical);
-  EXPECT_EQ(scene.position, Vec3(1, 2.5, -3));
-  EXPECT_NEAR(scene.rotation.z(), 0.5 * M_PI, 1e-15);
-  EXPECT_EQ(scene.pleats->count, 4);
-  EXPECT_EQ(scene.pins.vertices, (std::vector<int>{1, 2}));
-  EXPECT_EQ(scene.pins.boxes.front().max, Vec3(1, 1, 1));
-  EXPECT_EQ(scene.pins.every, 2);
+  EXPECT_EQ(std::get<GridSource>(scene.cloth().source).plane, GridSource::Plane::Vertical);
+  EXPECT_EQ(scene.cloth().position, Vec3(1, 2.5, -3));
+  EXPECT_NEAR(scene.cloth().rotation.z(), 0.5 * M_PI, 1e-15);
+  EXPECT_EQ(scene.cloth().pleats->count, 4);
+  EXPECT_EQ(scene.cloth().pins.at(0).vertices, (std::vector<int>{1, 2}));
+  EXPECT_EQ(scene.cloth().pins.at(0).boxes.front().max, Vec3(1, 1, 1));
+  EXPECT_EQ(scene.cloth().pins.at(0).every, 2);
   EXPECT_EQ(scene.camera->viewAngle, 50.0);
   EXPECT_EQ(scene.stand->mesh.path, "/folder/pole.obj");
   EXPECT_EQ(scene.groundHeight, -0.5);
@@ -116,8 +116,8 @@ TEST(SceneFile, refusesAFabricThatIsNoneWithFileLineAndSetting) {
 }
 
 TEST(SceneFile, findsMeshesBesideTheFileOrBuiltIn) {
-  EXPECT_EQ(std::get<MeshFileSource>(parse("[cloth]\nmesh = \"a/b.obj\"").source).path, "/folder/a/b.obj");
-  const auto builtin = std::get<MeshFileSource>(parse("[cloth]\nmesh = \"builtin:skirt.obj\"").source);
+  EXPECT_EQ(std::get<MeshFileSource>(parse("[cloth]\nmesh = \"a/b.obj\"").cloth().source).path, "/folder/a/b.obj");
+  const auto builtin = std::get<MeshFileSource>(parse("[cloth]\nmesh = \"builtin:skirt.obj\"").cloth().source);
   EXPECT_TRUE(builtin.builtIn);
   EXPECT_EQ(builtin.path, "skirt.obj");
 }
@@ -279,10 +279,25 @@ TEST(SceneFile, hasASolidStandUnlessItSaysOtherwise) {
   EXPECT_NE(noMesh.find("toml:3: mesh is missing"), std::string::npos) << noMesh;
 }
 
+TEST(SceneFile, takesSeveralTablesOfPinsEachWithItsOwnBody) {
+  const std::string bodies =
+      "[[bodies]]\nname = \"left\"\nshape = \"sphere\"\n[[bodies]]\nname = \"right\"\nshape = \"sphere\"\n";
+  const std::string pins =
+      "[[pins]]\ncorners = [\"top_left\"]\nbody = \"left\"\n[[pins]]\ncorners = [\"top_right\"]\nbody = ";
+  const std::string sheet = "[cloth]\ngrid = \"vertical\"\n";
+  const SceneDescription scene = parse(sheet + pins + "\"right\"\n" + bodies);
+  ASSERT_EQ(scene.cloth().pins.size(), 2U);
+  EXPECT_EQ(scene.cloth().pins[0].body, "left");
+  EXPECT_EQ(scene.cloth().pins[1].body, "right");
+  EXPECT_EQ(scene.cloth().pins[1].corners, std::vector<std::string>{"top_right"});
+  const std::string nobody = refusal(sheet + pins + "\"centre\"\n" + bodies);
+  EXPECT_NE(nobody.find("toml:6: pins.body: there is no body with the name \"centre\""), std::string::npos) << nobody;
+}
+
 TEST(SceneFile, takesAsCarrierOfThePinsOnlyABodyThatThereIs) {
   const std::string scene = "[cloth]\ngrid = \"vertical\"\n[pins]\ncorners = [\"top_left\"]\nbody = \"hero\"\n";
   const std::string hero = "[[bodies]]\nname = \"hero\"\nshape = \"sphere\"\n";
-  EXPECT_EQ(parse(scene + hero).pins.body, "hero");
+  EXPECT_EQ(parse(scene + hero).cloth().pins.at(0).body, "hero");
   EXPECT_NE(refusal(scene).find("no body with the name \"hero\""), std::string::npos) << refusal(scene);
 }
 

@@ -57,15 +57,15 @@ TEST_F(PartsOfAScene, ABodyIsTurnedUprightWithTheCloth) {
 
 TEST_F(PartsOfAScene, AMeshJoinsTheBodiesOfAScene) {
   const SceneDescription description = openParts({.scene = file("rail.toml"), .bodies = {file("torso.obj")}});
-  EXPECT_TRUE(std::holds_alternative<GridSource>(description.source)) << "the scene keeps its cloth";
+  EXPECT_TRUE(std::holds_alternative<GridSource>(description.cloth().source)) << "the scene keeps its cloth";
   ASSERT_EQ(description.bodies.size(), 2U);
   EXPECT_EQ(description.bodies[1].body.name, "torso 2") << "no two bodies have one name";
 }
 
 TEST_F(PartsOfAScene, AMeshTakesThePlaceOfAScenesCloth) {
   const SceneDescription description = openParts({.scene = file("rail.toml"), .cloth = file("shawl.obj")});
-  EXPECT_EQ(std::get<MeshFileSource>(description.source).path, file("shawl.obj"));
-  EXPECT_TRUE(description.pins.edges.empty()) << "they belong to a grid";
+  EXPECT_EQ(std::get<MeshFileSource>(description.cloth().source).path, file("shawl.obj"));
+  EXPECT_TRUE(description.cloth().pins.at(0).edges.empty()) << "they belong to a grid";
   EXPECT_EQ(description.bodies.size(), 1U) << "the scene keeps its bodies";
   EXPECT_NE(buildScene(description, description.settings), nullptr);
 }

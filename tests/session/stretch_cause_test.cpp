@@ -61,9 +61,9 @@ TEST(StretchCause, HeavyClothIsToldItsDensity) {
 
 TEST(StretchCause, TheStretchThatTheWeightImpliesIsNearTheOneThatComesOut) {
   scene::SceneDescription description = scene::openScene("grid");
-  description.source = scene::GridSource{scene::GridSource::Plane::Vertical};
-  description.pins.corners.clear();
-  description.pins.edges = {"top"};
+  description.cloth().source = scene::GridSource{scene::GridSource::Plane::Vertical};
+  description.cloth().pins.at(0).corners.clear();
+  description.cloth().pins.at(0).edges = {"top"};
   description.settings.grid.resolution = 9;
   for (const char* setting : {"solver=auto", "stiffness=2", "damping=0.1", "drag=1"}) {
     settings::assignSettingExpression(description.settings, setting);
@@ -144,7 +144,7 @@ TEST(StretchCause, SliversAreToldWithTheirPlace) {
 TEST(StretchCause, ClothOfTheWrongUnitIsToldTheUnit) {
   const auto grid = testing::smallGrid(9, {"solver=auto", "grid.width=75", "grid.height=75", "stiffness=50"});
   auto scene = std::make_shared<scene::Scene>(*grid);
-  scene->description.source = scene::MeshFileSource{"shirt.obj", false};
+  scene->description.cloth().source = scene::MeshFileSource{"shirt.obj", false};
   scene->reading = scene::MeshReading{};
   scene->summary.size = {75.0, 0.0, 75.0};
   scene->model = sim::withMass(*grid->model, 0.15 * 75.0 * 75.0, sim::MassLumping::Area);

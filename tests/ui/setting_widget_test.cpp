@@ -44,7 +44,7 @@ TEST_F(SettingWidget, DrawsExactlyTheSettingsThatApply) {
 
 TEST_F(SettingWidget, EverySettingOfTheTableAppliesSomewhere) {
   scene::Scene meshScene = simulation_.scene();
-  meshScene.description.source = scene::MeshFileSource{"shirt.obj", false};
+  meshScene.description.cloth().source = scene::MeshFileSource{"shirt.obj", false};
   const auto applies = [&](const settings::SettingInfo& info, const sim::SolverInfo& solver, const char* integration) {
     settings::Settings settings;
     settings.solver.name = solver.name;

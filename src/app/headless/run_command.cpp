@@ -50,9 +50,12 @@ std::int64_t stepsFor(double seconds, double timeStep) {
   return static_cast<std::int64_t>(steps);
 }
 
-/// Prints the contents of a mesh file and how it was repaired. Prints nothing for a grid.
+/// Prints the contents of a mesh file and how it was repaired. Prints nothing for grids.
 void printMesh(const scene::Scene& scene) {
-  if (std::holds_alternative<scene::MeshFileSource>(scene.description.source)) {
+  const auto isFile = [](const scene::ClothDescription& cloth) {
+    return std::holds_alternative<scene::MeshFileSource>(cloth.source);
+  };
+  if (std::ranges::any_of(scene.description.cloths, isFile)) {
     for (const std::string& line : io::describe(scene.summary)) {
       std::cout << line << '\n';
     }
@@ -73,15 +76,17 @@ void printFabric(const session::Simulation& simulation) {
     return;
   }
   const int slivers = simulation.model().fabric->slivers;
-  std::cout << "fabric: " << settings::fabricTitle(simulation.settings()) << "; warp "
-            << scene::warpInWords(simulation.scene().uvs, simulation.settings()) << "; "
+  std::cout << "fabric: " << scene::fabricsInWords(simulation.scene().cloths, simulation.settings()) << "; warp "
+            << scene::warpInWords(simulation.scene().cloths, simulation.settings()) << "; "
             << (slivers == 0 ? "no triangle has a lowered stiffness"
                              : fmt::format("slivers: the stiffness of {} of {} triangles is lowered", slivers,
                                            simulation.model().triangles.size()))
             << '\n';
   if (simulation.model().fabric->meshStrain) {
     std::cout << "rest shape: "
-              << scene::restShapeInWords(simulation.model(), simulation.scene().uvs, simulation.settings()) << '\n';
+              << scene::restShapeInWords(simulation.model(), simulation.scene().cloths.front().uvs,
+                                         simulation.settings())
+              << '\n';
   }
 }
 

@@ -56,7 +56,7 @@ nlohmann::ordered_json restShapeJson(const session::Simulation& simulation) {
   const auto& [median, high] = *model.fabric->meshStrain;
   return {{"from", "uv"},
           {"area", model.restArea()},
-          {"uv_scale", scene::patternScale(simulation.scene().uvs, simulation.settings())},
+          {"uv_scale", scene::patternScale(simulation.scene().cloths.front().uvs, simulation.settings())},
           {"mesh_strain", {{"median", median}, {"p99", high}}}};
 }
 
@@ -67,11 +67,30 @@ nlohmann::ordered_json fabricJson(const session::Simulation& simulation) {
     return nullptr;
   }
   const settings::Settings& settings = simulation.settings();
-  return {{"title", settings::fabricTitle(settings)},
-          {"warp", scene::warpInWords(simulation.scene().uvs, settings)},
-          {"warp_from", scene::warpsAlongUvs(simulation.scene().uvs, settings) ? "uv" : "vertical"},
+  return {{"title", scene::fabricsInWords(simulation.scene().cloths, settings)},
+          {"warp", scene::warpInWords(simulation.scene().cloths, settings)},
+          {"warp_from", scene::warpsAlongUvs(simulation.scene().cloths.front().uvs, settings) ? "uv" : "vertical"},
           {"rest_shape", restShapeJson(simulation)},
           {"slivers", simulation.model().fabric->slivers}};
+}
+
+/// The cloths of the scene: which vertices and triangles are theirs, their mass and, if they are fabrics, its name.
+nlohmann::ordered_json clothsJson(const session::Simulation& simulation) {
+  const sim::ClothModel& model = simulation.model();
+  nlohmann::ordered_json cloths = nlohmann::ordered_json::array();
+  for (const scene::ClothPart& cloth : simulation.scene().cloths) {
+    const auto masses = model.vertexMass.begin() + cloth.firstVertex;
+    nlohmann::ordered_json json = {{"name", cloth.name},
+                                   {"first_vertex", cloth.firstVertex},
+                                   {"vertices", cloth.vertexCount},
+                                   {"first_triangle", cloth.firstTriangle},
+                                   {"triangles", cloth.triangleCount},
+                                   {"mass", std::accumulate(masses, masses + cloth.vertexCount, 0.0)}};
+    const settings::Settings own = scene::settingsOf(cloth.own, simulation.settings());
+    json["fabric"] = model.fabric ? nlohmann::ordered_json(settings::fabricTitle(own)) : nlohmann::ordered_json();
+    cloths.push_back(std::move(json));
+  }
+  return cloths;
 }
 
 /// How a mesh file was read, or null for a grid.
@@ -150,6 +169,7 @@ nlohmann::ordered_json RunStats::toJson(const session::Simulation& simulation) c
   json["vertices"] = model.vertexCount();
   json["springs"] = model.springs.size();
   json["triangles"] = model.triangles.size();
+  json["cloths"] = clothsJson(simulation);
   json["fabric"] = fabricJson(simulation);
   json["pins"] = std::count(model.pinned.begin(), model.pinned.end(), true);
   json["mass"] = model.totalMass();

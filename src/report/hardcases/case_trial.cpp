@@ -112,7 +112,7 @@ std::shared_ptr<const sim::ClothModel> modelOf(const CaseCloth& cloth) {
   if (!cloth.stiffness.empty()) {
     model = sim::withSpringStiffness(*model, cloth.stiffness);
   }
-  return scene::withElasticity(*model, cloth.settings);
+  return scene::withElasticity(*model, std::array{scene::wholeCloth(*model)}, cloth.settings);
 }
 
 int stableSubsteps(const sim::ClothModel& model, const settings::Settings& settings) {

@@ -55,7 +55,7 @@ std::string modeOf(const scene::Scene& scene) {
 
 ReportRow rowOf(const ContactScene& contactScene, const scene::Scene& scene, const CollisionRun& run) {
   const double thousands = static_cast<double>(scene.model->triangles.size()) / 1000.0;
-  const bool grid = std::holds_alternative<scene::GridSource>(scene.description.source);
+  const bool grid = std::holds_alternative<scene::GridSource>(scene.description.cloth().source);
   return {{"scene", contactScene.scene},
           {"resolution", grid ? ReportRow(scene.settings.grid.resolution) : ReportRow(nullptr)},
           {"vertices", scene.model->vertexCount()},

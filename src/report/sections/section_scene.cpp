@@ -26,7 +26,7 @@ std::shared_ptr<const scene::Scene> inTheAir(scene::SceneDescription description
 
 scene::SceneDescription requireGrid(const std::string& name) {
   scene::SceneDescription description = scene::openScene(name);
-  if (!std::holds_alternative<scene::GridSource>(description.source)) {
+  if (!std::holds_alternative<scene::GridSource>(description.cloth().source)) {
     throw messages::InputError("the report refines its cloth, so it needs a scene with a grid; " + name +
                                " has a mesh file");
   }
@@ -37,7 +37,9 @@ std::shared_ptr<const scene::Scene> gridScene(const std::string& name, int resol
                                               const std::vector<std::string>& settings,
                                               const std::optional<scene::PinSelection>& pins) {
   scene::SceneDescription description = requireGrid(name);
-  description.pins = pins.value_or(description.pins);
+  if (pins) {
+    description.cloth().pins = {*pins};
+  }
   description.settings.grid.resolution = resolution;
   return inTheAir(std::move(description), settings);
 }
@@ -45,7 +47,7 @@ std::shared_ptr<const scene::Scene> gridScene(const std::string& name, int resol
 std::shared_ptr<const scene::Scene> meshScene(const std::string& name, const std::vector<std::string>& settings,
                                               const scene::PinSelection& pins) {
   scene::SceneDescription description = scene::openScene(name);
-  description.pins = pins;
+  description.cloth().pins = {pins};
   description.bodies.clear();
   return inTheAir(std::move(description), settings);
 }

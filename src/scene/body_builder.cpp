@@ -1,0 +1,147 @@
+#include "scene/body_builder.hpp"
+
+#include "messages/error.hpp"
+#include "scene/cloth_builder.hpp"
+#include "scene/mesh_file.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace drape::scene {
+namespace {
+
+/// Import options for the meshes of bodies and stands: in metres, without progress.
+io::ImportOptions bodyOptions(const settings::Settings& settings, const io::ImportWatch& watch) {
+  io::ImportOptions options;
+  options.use = io::MeshUse::Body;
+  options.outliers = outlierRule(settings);
+  options.watch.stop = watch.stop;
+  return options;
+}
+
+/// Reads the mesh of a body or a stand. Adds its warnings to `warnings`, except for built-in meshes.
+io::ImportedMesh readBodyMesh(const MeshFileSource& source, const io::ImportOptions& options,
+                              std::vector<std::string>& warnings) {
+  io::ImportedMesh mesh = readMesh(source, options);
+  for (const std::string& warning : mesh.summary.warnings) {
+    if (!source.builtIn) {
+      warnings.push_back(source.path + ": " + warning);
+    }
+  }
+  return mesh;
+}
+
+/// Reads one mesh from several files, which must have the same triangles.
+std::shared_ptr<const sim::contact::MeshShape> readMeshShape(const BodyDescription& description,
+                                                             const io::ImportOptions& options,
+                                                             std::vector<std::string>& warnings) {
+  auto shape = std::make_shared<sim::contact::MeshShape>();
+  for (const MeshFileSource& source : description.meshes) {
+    std::vector<std::string> others;  // warnings of later frames repeat those of the first
+    io::ImportedMesh mesh = readBodyMesh(source, options, shape->frames.empty() ? warnings : others);
+    for (Vec3& position : mesh.cloth.positions) {
+      position *= description.scale;
+    }
+    if (shape->triangles.empty()) {
+      shape->triangles = mesh.cloth.triangles;
+    } else if (shape->triangles != mesh.cloth.triangles ||
+               shape->frames.front().size() != mesh.cloth.positions.size()) {
+      throw messages::InputError(
+          placed(source.where, source.path + " does not have the same triangles as " + description.meshes.front().path +
+                                   "; the frames of a body must be one mesh with different positions"));
+    }
+    shape->frames.push_back(std::move(mesh.cloth.positions));
+  }
+  shape->positions = shape->frames.front();
+  if (shape->frames.size() == 1) {
+    shape->frames.clear();
+  }
+  shape->frameTime = description.frameTime;
+  shape->loop = description.frameLoop;
+  return shape;
+}
+
+/// Converts a body to metres with y up, when its files have the unit and axes of the cloth.
+BodyDescription inMetres(BodyDescription body, const std::optional<MeshReading>& reading) {
+  if (body.readLikeCloth && reading) {
+    body.scale *= reading->metresPerUnit;
+    body.body.motion.keyframes.front().rotation = rotationToY(reading->up);
+  }
+  return body;
+}
+
+sim::contact::Body bodyOf(const sim::contact::Body& stand, const Decor& surface) {
+  auto shape = std::make_shared<sim::contact::MeshShape>();
+  shape->positions = surface.positions;
+  shape->triangles = surface.triangles;
+  sim::contact::Body body = stand;
+  body.shape = std::move(shape);
+  return body;
+}
+
+/// The vertex of a deforming mesh that is nearest to a point at the start; -1 for other shapes.
+int anchorNear(const sim::contact::BodyShape& shape, const Vec3& place) {
+  const auto* mesh = std::get_if<std::shared_ptr<const sim::contact::MeshShape>>(&shape);
+  if (mesh == nullptr || (*mesh)->frames.empty()) {
+    return -1;
+  }
+  const std::vector<Vec3>& positions = (*mesh)->positions;
+  const auto nearest = std::min_element(positions.begin(), positions.end(), [&](const Vec3& left, const Vec3& right) {
+    return (left - place).squaredNorm() < (right - place).squaredNorm();
+  });
+  return static_cast<int>(nearest - positions.begin());
+}
+
+}  // namespace
+
+std::optional<Decor> readStand(const std::optional<StandDescription>& stand, const settings::Settings& settings,
+                               const io::ImportWatch& watch, std::vector<std::string>& warnings) {
+  if (!stand) {
+    return std::nullopt;
+  }
+  io::ImportedMesh mesh = readBodyMesh(stand->mesh, bodyOptions(settings, watch), warnings);
+  return Decor{std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles)};
+}
+
+std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(const SceneDescription& description,
+                                                             const std::optional<MeshReading>& reading,
+                                                             const std::optional<Decor>& stand, double groundHeight,
+                                                             const settings::Settings& settings,
+                                                             const io::ImportWatch& watch,
+                                                             std::vector<std::string>& warnings) {
+  const io::ImportOptions options = bodyOptions(settings, watch);
+  auto bodies = std::make_shared<std::vector<sim::contact::Body>>();
+  for (const BodyDescription& written : description.bodies) {
+    const BodyDescription each = inMetres(written, reading);
+    bodies->push_back(each.body);
+    if (!each.meshes.empty()) {
+      bodies->back().shape = readMeshShape(each, options, warnings);
+    }
+  }
+  if (stand && description.stand->body) {
+    bodies->push_back(bodyOf(*description.stand->body, *stand));
+  }
+  if (description.ground) {
+    bodies->push_back(*description.ground);
+    bodies->back().motion.keyframes = {{0.0, Vec3(0.0, groundHeight, 0.0), Vec3::Zero()}};
+  }
+  return bodies;
+}
+
+void carryPins(const SceneDescription& description, const PinGroup& group, const sim::ClothState& start,
+               std::vector<sim::contact::Body>& bodies) {
+  // Stand and ground come after the scene's bodies. They move no pins, and may share a name with a body.
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    sim::contact::Body& body = bodies[i];
+    if (body.name != group.body) {
+      continue;
+    }
+    const sim::contact::Pose pose = sim::contact::poseAt(body.motion, start.time);
+    for (const int vertex : group.vertices) {
+      const Vec3 place = pose.toLocal(start.positions[vertex]);
+      body.pins.push_back({vertex, anchorNear(body.shape, place)});
+    }
+  }
+}
+
+}  // namespace drape::scene

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "scene/mesh_reading.hpp"
+#include "scene/scene.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drape::scene {
+
+struct PinGroup;
+
+/// Reads the mesh of a stand. Adds its warnings to `warnings`, except for built-in meshes. Throws InputError.
+[[nodiscard]] std::optional<Decor> readStand(const std::optional<StandDescription>& stand,
+                                             const settings::Settings& settings, const io::ImportWatch& watch,
+                                             std::vector<std::string>& warnings);
+
+/// The bodies of the scene, then its stand, then its ground. Throws InputError.
+/// @param reading of the cloth's file, for bodies with the same unit and axes  @param groundHeight [m]
+/// @param warnings those of the bodies' meshes are appended
+[[nodiscard]] std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(
+    const SceneDescription& description, const std::optional<MeshReading>& reading, const std::optional<Decor>& stand,
+    double groundHeight, const settings::Settings& settings, const io::ImportWatch& watch,
+    std::vector<std::string>& warnings);
+
+/// Attaches a group of pins to its body. @param bodies of buildBodies
+void carryPins(const SceneDescription& description, const PinGroup& group, const sim::ClothState& start,
+               std::vector<sim::contact::Body>& bodies);
+
+}  // namespace drape::scene
