@@ -74,6 +74,9 @@ constexpr std::array precisions{
     Word{sim::Precision::Double, "double", {"Double", "Sixteen digits. For comparisons and very small steps."}}};
 
 constexpr std::array selfCollisions{
+    Word{sim::contact::SelfCollision::Auto,
+         "auto",
+         {"Automatic", "Exact with the solver auto, hashed vertices with all others."}},
     Word{sim::contact::SelfCollision::Off, "off", {"Off", "The cloth passes through itself. Costs nothing."}},
     Word{sim::contact::SelfCollision::Hash,
          "hash",
@@ -263,7 +266,10 @@ bool collidesWithItself(const Settings& settings) {
 }
 
 bool collidesByHash(const Settings& settings) {
-  return settings.step.contact.self == sim::contact::SelfCollision::Hash;
+  const sim::SolverInfo* solver = sim::findSolver(settings.solver.name);
+  const bool canBeHash = solver == nullptr || !solver->resolvesContacts;
+  return settings.step.contact.self == sim::contact::SelfCollision::Hash ||
+         (settings.step.contact.self == sim::contact::SelfCollision::Auto && canBeHash);
 }
 
 bool showsGhost(const Settings& settings) {
@@ -366,7 +372,8 @@ const std::array table{
         "programs and for very small steps. States are stored and written in double."},
     SettingInfo{"threads", "Threads", "-", Advanced, SettingEffect::Step,
         IntegerField{[](auto& s) -> auto& { return s.step.threads; }, 1, 64},
-        "Maximum number of threads of one step. Any number gives the same result to the last bit."},
+        "Maximum number of threads of one step. Any number gives the same result to the last bit. The window begins with "
+        "one less than the computer has."},
     SettingInfo{"speed", "Speed", "-", Simulation, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.playback.speed; }, 0.01, 4.0, true},
         "Simulated seconds per second of real time in the viewer. Below 1 is slow motion."},

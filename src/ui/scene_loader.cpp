@@ -7,6 +7,7 @@
 #include <cmath>
 #include <exception>
 #include <new>
+#include <thread>
 #include <utility>
 
 namespace drape::ui {
@@ -112,6 +113,10 @@ void useWindowDefaults(settings::Settings& settings) {
   constexpr double visibleStrain = 0.01;  // nobody sees less
   double& limit = settings.step.automatic.strainLimit;
   limit = limit > 0.0 ? limit : visibleStrain;
+  constexpr int maxThreads = 64;  // of the setting
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  int& threads = settings.step.threads;
+  threads = std::clamp(cores - 1, threads, maxThreads);  // one core draws
 }
 
 void carryViewSettings(const settings::Settings& current, const settings::Settings& own, settings::Settings& target) {

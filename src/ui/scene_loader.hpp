@@ -75,7 +75,8 @@ class SceneLoader {
 };
 
 /// Sets what begins differently in the window than in the other programs: a strain limit of 1 % (auto.strain) where a
-/// scene leaves it at 0, so that stiff fabrics keep real time.
+/// scene leaves it at 0, so that stiff fabrics keep real time, and as many threads as there are cores beside the one
+/// that draws, unless the scene sets more.
 void useWindowDefaults(settings::Settings& settings);
 
 /// Another scene keeps the user's changes of the view: `target`, the settings of the next scene, takes each view

@@ -103,8 +103,7 @@ Message messageOf(const PanelContext& context) {
     return {"Ghost: " + warning, palette().warning};
   }
   if (isTooSlow(snapshot)) {
-    return {"The simulation is slower than real time on this machine. Fewer vertices make it faster",
-            palette().warning};
+    return {slownessInWords(snapshot), palette().warning};
   }
   return {"F1: help", palette().muted};
 }

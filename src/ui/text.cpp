@@ -27,6 +27,18 @@ std::string describePace(const session::Snapshot& snapshot) {
   return factor + " \u00D7 real time" + (slow ? ": too slow" : "");
 }
 
+std::string slownessInWords(const session::Snapshot& snapshot) {
+  constexpr double mostOfAStep = 0.5;
+  const sim::contact::ContactReport& contact = snapshot.stepReport.contact;
+  const double seconds = contact.bodySeconds + contact.selfSeconds;
+  if (seconds > mostOfAStep * snapshot.stepSeconds) {
+    return std::string("The simulation is slower than real time, mostly because of contact ") +
+           (contact.selfSeconds > contact.bodySeconds ? "of the cloth with itself" : "with bodies") +
+           ". Fewer vertices make it faster";
+  }
+  return "The simulation is slower than real time on this machine. Fewer vertices make it faster";
+}
+
 int countPins(const sim::ClothModel& model) {
   return static_cast<int>(std::count(model.pinned.begin(), model.pinned.end(), true));
 }

@@ -14,6 +14,9 @@ namespace drape::ui {
 /// Whether the simulation is slower than the chosen speed.
 [[nodiscard]] bool isTooSlow(const session::Snapshot& snapshot);
 
+/// Why the simulation is slow and what helps, in words. Names contact if it takes more than half of the last step.
+[[nodiscard]] std::string slownessInWords(const session::Snapshot& snapshot);
+
 /// The number of pinned vertices.
 [[nodiscard]] int countPins(const sim::ClothModel& model);
 

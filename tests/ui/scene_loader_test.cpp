@@ -140,5 +140,15 @@ TEST(WindowDefaults, SetAStrainLimitOnlyWhereTheSceneHasNone) {
   EXPECT_EQ(own.step.automatic.strainLimit, 0.2);
 }
 
+TEST(WindowDefaults, TakeOneThreadLessThanThereAreCores) {
+  settings::Settings none;
+  useWindowDefaults(none);
+  EXPECT_EQ(none.step.threads, std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1));
+  settings::Settings own;
+  own.step.threads = 64;
+  useWindowDefaults(own);
+  EXPECT_EQ(own.step.threads, 64);
+}
+
 }  // namespace
 }  // namespace drape::ui

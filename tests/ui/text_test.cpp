@@ -22,6 +22,18 @@ TEST(Text, PaceIsInWords) {
   EXPECT_EQ(describePace(snapshot), "paused");
 }
 
+TEST(Slowness, NamesContactIfItTakesMoreThanHalfOfAStep) {
+  session::Snapshot snapshot;
+  snapshot.stepSeconds = 0.010;
+  snapshot.stepReport.contact.bodySeconds = 0.002;
+  snapshot.stepReport.contact.selfSeconds = 0.002;
+  EXPECT_EQ(slownessInWords(snapshot).find("contact"), std::string::npos);
+  snapshot.stepReport.contact.bodySeconds = 0.004;
+  EXPECT_NE(slownessInWords(snapshot).find("mostly because of contact with bodies"), std::string::npos);
+  snapshot.stepReport.contact.selfSeconds = 0.005;
+  EXPECT_NE(slownessInWords(snapshot).find("mostly because of contact of the cloth with itself"), std::string::npos);
+}
+
 TEST(Text, ShorteningNeverSplitsALetter) {
   EXPECT_EQ(shortened("short", 10), "short");
   EXPECT_EQ(shortened("\u00E4\u00F6\u00FC\u00DF", 2), "\u00E4\u00F6\u2026");

@@ -5,8 +5,9 @@ namespace drape::sim::contact {
 /// Self-collision methods.
 enum class SelfCollision {
   Off,
-  Hash,  ///< the paper's method (sec. 5.2): vertices against vertices, found by a spatial hash
-  Exact  ///< vertices against triangles and edges against edges, so that nothing intersects
+  Hash,   ///< the paper's method (sec. 5.2): vertices against vertices, found by a spatial hash
+  Exact,  ///< vertices against triangles and edges against edges, so that nothing intersects
+  Auto    ///< Exact with a solver that resolves contacts (SolverInfo::resolvesContacts), Hash with others
 };
 
 /// Parameters of contact. A kind of contact that is off costs nothing; without bodies, body contact costs nothing.

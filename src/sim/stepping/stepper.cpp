@@ -49,14 +49,17 @@ Stepper::Stepper(std::string_view solver) : info_(findSolver(solver)) {
 
 StepReport Stepper::step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                          ClothState& state) {
+  // So that nothing below needs to ask which self-collision and which material act.
+  StepParameters acting = parameters;
+  if (parameters.contact.self == contact::SelfCollision::Auto) {
+    acting.contact.self = info_->resolvesContacts ? contact::SelfCollision::Exact : contact::SelfCollision::Hash;
+  }
   if (!model.fabric) {
-    return advance(model, parameters, inputs, state);
+    return advance(model, acting, inputs, state);
   }
   if (!info_->takesFabric) {
     throw NoFabricSolver(info_->name);
   }
-  // So that no solver needs to ask which material acts.
-  StepParameters acting = parameters;
   acting.material = actingMaterial(model, parameters);
   return info_->choosesSubsteps && parameters.automatic.strainLimit > 0.0
              ? advanceWithChosenStretch(model, acting, inputs, state)
