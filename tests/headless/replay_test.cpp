@@ -150,6 +150,16 @@ TEST(Replay, refusesWhatIsNoCompleteLog) {
   EXPECT_NE(missing.errors.find("missing.json"), std::string::npos) << missing.errors;
 }
 
+TEST(Replay, refusesUnknownSettingsWithTheNameOfTheLog) {
+  SessionLog log = sessionLogOf(*busySession());
+  log.settings.emplace_back("softness", "1");
+  const std::string file = written(log);
+  const Outcome outcome = headless("run --replay " + file);
+  EXPECT_EQ(outcome.status, 1) << "the file is wrong, not the command line";
+  EXPECT_NE(outcome.errors.find(file + ": there is no setting"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(headless("run --threads 0 --replay " + file).status, 2);
+}
+
 TEST(Replay, refusesStepsThatDecreaseOrHaveNoEnd) {
   SessionLog log = sessionLogOf(*busySession());
   log.steps = 1;
