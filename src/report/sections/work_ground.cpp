@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "sim/measures/measures.hpp"
+#include "sim/model/sim_error.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -79,6 +80,8 @@ void WorkGround::findReference(const std::function<void()>& checkStop) {
   try {
     reference_ = convergedReference(scene(), settings, judgedCheckpoints, tolerance, watchOf(checkStop).progress);
   } catch (const messages::InputError&) {
+    reference_.reset();
+  } catch (const sim::SimError&) {
     reference_.reset();
   }
 }
