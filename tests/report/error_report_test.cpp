@@ -117,7 +117,7 @@ TEST(ErrorSummary, standsAtTheNearestCheckpointAndLeavesOutWhatIsBeyondTheRun) {
   EXPECT_NEAR(summaries[0].motionKept, std::hypot(15.0, 40.0) / std::hypot(12.5, 37.5), 1e-9);
 }
 
-TEST(Measurement, judgesAMethodAgainstAnotherAndWritesItDown) {
+TEST(Measurement, comparesAMethodWithAnotherAndWritesTheErrors) {
   const auto scene = testing::smallGrid();
   MeasurementPlan plan;
   plan.checkpoints = 3;

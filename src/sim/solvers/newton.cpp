@@ -100,7 +100,7 @@ class NewtonSolver final : public Solver {
   std::vector<Vec3> trial_;       // [m/s]
 };
 
-/// A step of 17 x 17 vertices takes milliseconds, of 33 x 33 tens and of 61 x 61 hundreds.
+/// Given where a step takes tens of milliseconds or more.
 std::optional<SolverWarning> newtonWarning(const ClothModel& model, const StepParameters& /*parameters*/) {
   constexpr int maxInteractive = 1000;  // vertices
   if (model.vertexCount() <= maxInteractive) {
