@@ -125,10 +125,9 @@ std::string inPlainWords(const ReportRows& rows) {
               : "So none of these conditions gives its values. ";
   return text +
          "From rest they are impossible: in the first interval the cloth falls freely, and backward Euler with five "
-         "steps falls (5 + 1) / 5 as far as the true motion. This is an eps of 0.04 for any cloth. pcg, which "
-         "solves the system of each step, shows the part of backward Euler. One sweep adds the "
-         "sluggishness "
-         "that docs/theory/method.md tells of.";
+         "steps falls (5 + 1) / 5 as far as the true motion. This is an eps of 0.04 for any cloth. pcg solves the "
+         "system of each step, so its error is that of backward Euler. One sweep is slower still "
+         "(docs/theory/method.md, Limits).";
 }
 
 std::string referenceText(const ReportRows& rows) {
