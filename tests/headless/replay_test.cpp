@@ -136,7 +136,7 @@ TEST(Replay, failsWhereTheEndDiffers) {
   EXPECT_NE(outcome.errors.find(log.stateHash), std::string::npos) << outcome.errors;
 }
 
-TEST(Replay, refusesWhatIsNoCompleteLog) {
+TEST(Replay, refusesAnIncompleteLog) {
   const std::string whole = readFile(written(sessionLogOf(*busySession())));
   const std::string file = (testFolder() / "damaged.json").string();
   for (const std::string& text : {std::string(), std::string("{}"), whole.substr(0, whole.size() / 2)}) {

@@ -22,7 +22,7 @@ TEST(MeshSummary, hasNothingToWarnAboutOnACleanGarment) {
   EXPECT_TRUE(weldMesh(square(1.0), "mesh.obj", {}).summary.warnings.empty());
 }
 
-TEST(MeshSummary, warnsOfWhatWasLeftOut) {
+TEST(MeshSummary, warnsOfDroppedParts) {
   RawMesh raw = square(1.0);
   raw.positions.emplace_back(0.3, 0.3, 0.0);
   raw.triangles.push_back({0, 0, 1});

@@ -49,7 +49,7 @@ TEST(SolverWarningText, saysHowFastEnergyDoubles) {
             "0.03 s. Use much shorter steps, add damping or choose another solver.");
 }
 
-TEST(SolverWarningText, saysWhatOneIterationSuffersFrom) {
+TEST(SolverWarningText, describesTheLimitsOfOneIteration) {
   EXPECT_EQ(
       warningOf("one_iteration", 33, with(1e3, 1.0 / 30.0)),
       "The time step is too long for this fine and stiff mesh: flat cloth gains energy and can blow up. Use 4 substeps "
@@ -115,7 +115,7 @@ TEST(SolverWarningText, saysThatNewtonIsSlowAndXpbdInexact) {
       "Substeps below 1/6000 s are too short for XPBD in float: velocities become inexact. Use double precision.");
 }
 
-TEST(SolverWarningText, saysWhatACostBudgetCosts) {
+TEST(SolverWarningText, describesSofteningAndSlowMotion) {
   sim::SolverWarning softened{
       .kind = Kind::Softened, .stiffnessScale = 0.00192, .neededCost = 1234567.0, .softenedByChoice = true};
   EXPECT_EQ(

@@ -40,7 +40,7 @@ TEST(ConvergedReference, halvesUntilTheDifferenceIsBelowTheToleranceAndIsThatNea
   EXPECT_LT(distance, 1.1 * last.difference);
 }
 
-TEST(ConvergedReference, takesWhatThereIsOnlyWhenItIsToldTo) {
+TEST(ConvergedReference, takesAnInaccurateReferenceOnlyOnRequest) {
   const auto scene = testing::smallGrid({"stiffness=10"});
   ConvergenceTolerance tolerance;
   tolerance.absolute = 1e-12;

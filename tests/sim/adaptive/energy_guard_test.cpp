@@ -137,7 +137,7 @@ TEST_F(DecidingOnAStep, refusesAnEnergyThatIsNotFinite) {
   EXPECT_FALSE(guard.hasGrown(growth(0.0, 0.0), 0.0, false, memory));
 }
 
-TEST_F(DecidingOnAStep, refusesALossOfMoreEnergyThanThereIs) {
+TEST_F(DecidingOnAStep, refusesALossAboveTheTotalEnergy) {
   EXPECT_TRUE(guard.hasGrown(growth(-1e277, 0.0), 0.0, false, memory));
   EXPECT_TRUE(guard.hasGrown(growth(-10.0 * fall, 0.0), 0.0, false, memory));
   EXPECT_FALSE(guard.hasGrown(growth(-0.5 * fall, 0.0), 0.0, false, memory));

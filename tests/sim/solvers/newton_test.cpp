@@ -94,7 +94,7 @@ TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
   }
 }
 
-TEST(Newton, saysWhenItDidNotGetThere) {
+TEST(Newton, reportsThatItDidNotConverge) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = stiffParameters();
   parameters.iteration.tolerance = 1e-10;
@@ -130,7 +130,7 @@ TEST(Newton, stopsBetweenItsIterationsWhenAStopIsRequested) {
   EXPECT_EQ(stateHash(state), before);
 }
 
-TEST(Newton, getsAsFarAsRoundingAllowsWhenItIsAskedForMore) {
+TEST(Newton, stopsAtRoundingForASmallerTolerance) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = stiffParameters();
   parameters.iteration.tolerance = 1e-30;
