@@ -1,4 +1,5 @@
-// What auto spends on looking after itself and on coarse levels: its steps against as many plain substeps of Verlet.
+// The cost of the energy guard, the error estimates and the coarse levels of `auto`: its steps compared with the same
+// number of plain substeps of Verlet.
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
 #include "sim/adaptive/step_plan.hpp"
@@ -10,7 +11,7 @@
 namespace drape::bench {
 namespace {
 
-/// Error estimates come once in so many steps.
+/// Number of steps between two error estimates.
 constexpr int cycle = 128;
 
 /// A cloth that starts to fall, with a budget of as many force evaluations as Verlet needs.
@@ -42,7 +43,7 @@ Batch byAuto(Task task) {
       run->solver->step(*run->task.model, run->task.parameters, {}, run->state);
     }
   };
-  advance();  // in which estimates come more often
+  advance();  // the first steps, in which estimates are more frequent
   return {cycle, [advance] { return threadSeconds(advance); }};
 }
 

@@ -72,7 +72,7 @@ std::shared_ptr<const std::vector<sim::contact::Body>> bodiesOf(const scene::Sce
   return std::make_shared<const std::vector<sim::contact::Body>>(1, body);
 }
 
-/// A whole fall; the time of its steps without contact, or of contact alone per thousand triangles.
+/// Runs a whole fall. Returns the time of its steps without contact, or of contact alone per thousand triangles.
 Batch fallOn(const Fall& fall, bool contact) {
   const auto scene = sceneOf(fall);
   const auto bodies = bodiesOf(*scene);

@@ -22,7 +22,7 @@ using ModelPtr = std::shared_ptr<const sim::ClothModel>;
 [[nodiscard]] sim::ClothMesh irregularMesh(int n);
 [[nodiscard]] ModelPtr irregularSheet(int n);
 
-/// The built-in T-shirt: 2799 vertices, 8284 springs.
+/// The built-in T-shirt: 2014 vertices, 5944 springs.
 [[nodiscard]] ModelPtr tshirt();
 
 /// A moving state with waves of some centimetres, so that springs are stretched and compressed and no two steps have

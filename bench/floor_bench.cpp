@@ -37,7 +37,7 @@ struct Sums {
   }
 };
 
-/// So many times eight multiply-adds, and so many roots with a division of each.
+/// Computes this number of groups of eight multiply-adds, and of roots with a division for each.
 HWY_INLINE void work(Sums& sums, hn::Vec<D> factor, int eights, int roots, const float* numbers) {
   for (int i = 0; i < eights; ++i) {
     sums.multiplyAdd(factor);

@@ -1,4 +1,4 @@
-// A garment and an irregular sheet, against a grid with about as many springs.
+// A garment and an irregular sheet, compared with a grid. Times are per spring.
 #include "bench/slice_runner.hpp"
 #include "bench/suite.hpp"
 
@@ -6,7 +6,7 @@ namespace drape::bench {
 namespace {
 
 constexpr int batch = 20;
-constexpr int likeTshirt = 53;  // a grid with 8216 springs
+constexpr int side = 53;  // a grid with 8216 springs
 
 void addCloth(Suite& suite, const char* name, ModelPtr (*make)()) {
   const auto add = [&](const char* what, sim::StepParameters (*parameters)()) {
@@ -23,9 +23,9 @@ void addCloth(Suite& suite, const char* name, ModelPtr (*make)()) {
 }  // namespace
 
 void addIrregularGroup(Suite& suite) {
-  addCloth(suite, "grid 53x53", [] { return grid(likeTshirt); });
+  addCloth(suite, "grid 53x53", [] { return grid(side); });
   addCloth(suite, "T-shirt", tshirt);
-  addCloth(suite, "irregular sheet 53x53", [] { return irregularSheet(likeTshirt); });
+  addCloth(suite, "irregular sheet 53x53", [] { return irregularSheet(side); });
   const Bound bound{Bound::Side::AtMost, 1.9};
   for (const char* name : {"T-shirt", "irregular sheet 53x53"}) {
     for (const char* what : {"", ", without air and damping"}) {

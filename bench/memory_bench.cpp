@@ -1,4 +1,4 @@
-// What a cloth takes of memory, and how long it is until a mesh that has been read can move.
+// The memory of a cloth, and the time from the parsed mesh to the first step.
 #include "bench/cloths.hpp"
 #include "bench/suite.hpp"
 #include "io/mesh_import.hpp"
@@ -18,7 +18,7 @@ double heapInUse() {
   return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
 }
 
-/// Memory that `make` leaves allocated, for each vertex [bytes].
+/// Memory that remains allocated after `make`, for each vertex [bytes].
 template <typename Make>
 double bytesPerVertex(int vertices, Make&& make) {
   const double before = heapInUse();
@@ -26,7 +26,7 @@ double bytesPerVertex(int vertices, Make&& make) {
   return (heapInUse() - before) / vertices;
 }
 
-/// A solver that has taken a step, and so has all that it needs.
+/// A solver after one step, which has allocated all its memory.
 double solverBytes(const ModelPtr& model, const sim::StepParameters& parameters) {
   sim::ClothState state = waving(*model);
   return bytesPerVertex(model->vertexCount(), [&] {

@@ -29,7 +29,7 @@ sim::StepParameters folding(sim::contact::SelfCollision self) {
   return parameters;
 }
 
-/// A whole fold; the time of its steps, or of self-collision alone.
+/// Runs a whole fold. Returns the time of its steps, or of self-collision alone.
 Batch fold(int n, sim::contact::SelfCollision self) {
   const ModelPtr model = foldingSheet(n);
   return {static_cast<double>(steps), [model, self] {

@@ -15,12 +15,12 @@ class SliceRunner {
  public:
   SliceRunner(ModelPtr model, Method method, const sim::StepParameters& parameters);
 
-  /// Where the cloth waves.
+  /// The state with waves from which each batch starts.
   void restart();
 
   void steps(int count);
 
-  /// Throws when the cloth is not where a cloth can be: such numbers may cost less or more.
+  /// Throws when a position is not finite or far away: such numbers may cost less or more.
   void check();
 
   [[nodiscard]] const sim::ClothModel& model() const { return *model_; }
@@ -37,7 +37,7 @@ class SliceRunner {
   sim::simd::ThreadTeam team_;
 };
 
-/// The time of a batch of steps from the waving cloth on, by the thread's own clock or by the one on the wall.
+/// The time of a batch of steps that starts from the waves: CPU time of the thread, or wall-clock time.
 template <typename T>
 [[nodiscard]] double batchSeconds(SliceRunner<T>& runner, int count, bool wall = false);
 

@@ -22,7 +22,7 @@ Batch sliced(Method method, const sim::StepParameters& parameters) {
   return {batch, [runner] { return batchSeconds(*runner, batch); }};
 }
 
-/// The sheet as a fabric. @param bending of all directions [N m]
+/// The sheet as a fabric. @param bending stiffness in all directions [N m]
 ModelPtr fabricGrid(double bending) {
   const ModelPtr springs = grid(sheet);
   sim::fabric::Material material;

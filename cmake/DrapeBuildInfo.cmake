@@ -1,7 +1,7 @@
 # drape_build_info(<target>)
 #
-# Gives a program "build_info.hpp": compiler, flags and the commit that it is built from. The commit is asked for at each build;
-# the file changes, and the program is compiled again, only when the answer does.
+# Gives a program "build_info.hpp": compiler, flags and the commit that it is built from. Each build determines the commit; the
+# file changes, and the program is compiled again, only when the commit changes.
 function(drape_build_info target)
   set(folder "${PROJECT_BINARY_DIR}/build_info/${target}")
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)

@@ -3,7 +3,7 @@ add_library(drape_compiler INTERFACE)
 target_compile_features(drape_compiler INTERFACE cxx_std_20)
 set(CMAKE_CXX_EXTENSIONS OFF)
 
-# Same inputs, same bits: the compiler must not fuse a multiplication and an addition where the source does not say so.
+# The same inputs give the same bits: the compiler must not fuse a multiplication and an addition unless the source does.
 target_compile_options(drape_compiler INTERFACE -ffp-contract=off)
 
 target_compile_options(drape_compiler INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion

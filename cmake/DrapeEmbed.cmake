@@ -2,9 +2,9 @@
 #
 # Puts files into a library, so that the programs find them from any folder. Generates the function
 #   std::span<const drape::EmbeddedFile> drape::<library>::<accessor>()
-# whose entries carry the file's path below <root> (or its name, for a file from elsewhere) and its bytes. The type is
+# whose entries have the file's path below <root> (or its name, for a file from elsewhere) and its bytes. The type is
 # declared in src/embed; the library is linked to it here.
-# The bytes are taken in by the assembler (.incbin): no large array for the compiler to chew on.
+# The assembler includes the bytes (.incbin), since the compiler is slow with large arrays.
 function(drape_embed target accessor root)
   string(REGEX REPLACE "^drape_" "" library "${target}")
   set(source "${CMAKE_CURRENT_BINARY_DIR}/${accessor}.cpp")

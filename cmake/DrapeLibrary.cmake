@@ -1,6 +1,6 @@
 # drape_unity(<target>): compiles several sources at a time where DRAPE_UNITY_BUILD says so. Headers are then read, and
 # Eigen's templates compiled, once for the batch instead of once a source. Sources that Highway includes again for each
-# instruction set (hwy/foreach_target.h) have to stay alone. Names of a source's own (its unnamed namespace) must differ
+# instruction set (hwy/foreach_target.h) must be compiled alone. Names of a source's own (its unnamed namespace) must differ
 # from those of its neighbours in the same library.
 function(drape_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${DRAPE_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE 12)
@@ -13,7 +13,7 @@ endfunction()
 #
 # Adds the static library drape_<path> for src/<path>; a slash in the path becomes "_" in the name. Without sources it is
 # a library of headers. Its headers are reached as "<path>/header.hpp", and only by targets that link it: each library
-# publishes a folder that holds nothing but a link to its own sources. So an include that points upwards in the layering
+# publishes a folder that contains only a link to its own sources. So an include that points upwards in the layering
 # does not compile. ALONE keeps it out of unity builds.
 function(drape_library path)
   cmake_parse_arguments(ARG "ALONE" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})

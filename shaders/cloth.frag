@@ -26,7 +26,7 @@ const vec3 frontDark = vec3(0.255, 0.420, 0.560);
 const vec3 backLight = vec3(0.900, 0.845, 0.790);
 const vec3 backDark = vec3(0.770, 0.450, 0.350);
 const vec3 frontPlain = vec3(0.300, 0.470, 0.600);
-const vec3 frontWire = vec3(0.660, 0.745, 0.810);  // under the edges, that they can be read
+const vec3 frontWire = vec3(0.660, 0.745, 0.810);  // under the edges, so that they are visible
 const vec3 backWire = vec3(0.880, 0.730, 0.660);
 const vec3 backPlain = vec3(0.800, 0.520, 0.420);
 const vec3 ghostFrontLight = vec3(0.800, 0.900, 0.760);
@@ -43,14 +43,14 @@ vec2 meanSquareWave(vec2 x, vec2 width) {
   return (high - low) / w;
 }
 
-// Share of the light checks in the pixel, 0 to 1.
+// Fraction of the pixel that light checks cover, 0 to 1.
 float checks(vec2 coordinate) {
   vec2 x = coordinate / checkSize;
   vec2 wave = meanSquareWave(x, fwidth(x));
   return 0.5 + 0.5 * wave.x * wave.y;
 }
 
-// The threads: a plain weave, where warp and weft take turns on top. Nothing is left of it before it could alias.
+// The threads of a plain weave, in which warp and weft alternate on top. They fade out before they would alias.
 float weave(vec2 coordinate) {
   const float threads = 700.0;  // a metre
   const float pi = 3.14159265;
@@ -77,8 +77,8 @@ vec3 clothColor(bool front) {
 }
 
 #ifdef WIREFRAME
-// How much of the pixel belongs to an edge. Where triangles are only a few pixels large the edges step back, so that
-// the cloth does not turn into a dark blot.
+// Fraction of the pixel that edges cover. Edges fade where triangles are only a few pixels large, so that the cloth does
+// not become dark there.
 float edges() {
   vec3 width = max(fwidth(barycentric), vec3(1e-6));
   vec3 away = barycentric / width;  // [pixels]
@@ -92,7 +92,7 @@ void main() {
   bool front = gl_FrontFacing;
   vec3 toEye = normalize(eye.xyz - surface.position);
   vec3 normal = normalize(surface.normal) * (front ? 1.0 : -1.0);
-  // A smooth normal may lean away from the viewer at an outline; bring it back to the side that is seen.
+  // At an outline a smooth normal may point away from the viewer. Turn it back to the visible side.
   normal = normalize(normal + toEye * max(0.02 - dot(normal, toEye), 0.0));
 
   vec3 color = clothColor(front);
@@ -106,11 +106,11 @@ void main() {
   float facing = dot(normal, toLight.xyz);
   float visible = mix(1.0, keyVisibility(surface.position, facing >= 0.0 ? normal : -normal), shadowed);
   float lit = max((facing + 0.08) / 1.08, 0.0);
-  // A thin cloth glows when the light stands behind it, in its own colour.
+  // Thin cloth lets light from behind through, in its own colour.
   vec3 through = 0.48 * max(-facing, 0.0) * sqrt(color);
   vec3 light = keyLight * visible * (lit + through) + roomLight(normal, toEye, front ? surface.curvature : -surface.curvature);
 
-  // Fibres that stand off the cloth catch light at a grazing view, and the threads shine a little.
+  // Fibres on the surface reflect light at a grazing view, and the threads are slightly glossy.
   float fuzz = pow(1.0 - max(dot(normal, toEye), 0.0), 4.0);
   float shine = pow(max(dot(normal, normalize(toLight.xyz + toEye)), 0.0), 22.0);
   vec3 result = color * light + fuzz * 0.14 * skyLight + shine * 0.05 * visible * keyLight;

@@ -1,8 +1,8 @@
-// Colours. Light is reckoned in linear units; what stands in the source is written as it appears on the screen.
+// Colours. Light is computed in linear units. Constants in the source are colours as they appear on the screen.
 
 vec3 fromScreen(vec3 color) { return pow(color, vec3(2.2)); }
 
-// Bright parts bend towards white instead of being cut off, so that folds stay visible in full light.
+// Bright parts approach white gradually instead of being clipped, so that folds stay visible in full light.
 vec3 toScreen(vec3 light) {
   const float bend = 0.55;
   vec3 over = max(light - bend, 0.0);
@@ -18,8 +18,8 @@ vec3 backdrop(vec2 pixel) {
   return mix(vec3(0.690, 0.714, 0.741), vec3(0.894, 0.902, 0.910), glow);
 }
 
-// Less than one step of an 8-bit colour, in an ordered pattern of 4 by 4 pixels: it breaks up the bands of a soft
-// gradient, and unlike noise it hardly makes the file of a picture larger.
+// Ordered dithering by less than one step of an 8-bit colour, in a pattern of 4 by 4 pixels. It hides the bands of a soft
+// gradient. Unlike noise it hardly makes the file of a picture larger.
 vec3 dither(vec2 pixel) {
   ivec2 p = ivec2(pixel);
   int coarse = ((p.x ^ p.y) & 1) * 2 + (p.y & 1);

@@ -1,4 +1,4 @@
-// A disc with a light rim, so that it is seen on dark and on bright cloth.
+// A disc with a light rim, so that it is visible on dark and on bright cloth.
 uniform float size;  // [pixels]
 uniform vec4 fill;   // as it appears on the screen
 

@@ -1,4 +1,4 @@
-// A cloth that looks like its fabric.
+// Cloth with the look of its fabric.
 #include "frame.glsl"
 #include "color.glsl"
 #include "light.glsl"
@@ -12,7 +12,7 @@ uniform float roughness;     // slope of the microfacets along a yarn
 uniform float anisotropy;    // by how much it is larger across a yarn
 uniform float shine;         // reflectance, in units of a usual plastic's
 uniform float sheen;         // brightness at a grazing view
-uniform float translucency;  // light that passes through
+uniform float translucency;  // fraction of the light that passes through
 
 in Surface {
   vec3 position;
@@ -43,7 +43,7 @@ Directions frameOf(vec2 place, vec3 normal) {
   return Directions(weft * inversesqrt(max(dot(weft, weft), 1e-30)), warp * inversesqrt(max(dot(warp, warp), 1e-30)), normal);
 }
 
-// Share of the light that a surface of this reflectance reflects [Schlick 1994].
+// Fraction of the light that a surface of this reflectance reflects [Schlick 1994].
 float fresnel(float cosine) { return 0.04 + 0.96 * pow(1.0 - clamp(cosine, 0.0, 1.0), 5.0); }
 
 // Highlight of the key light: microfacets of the GGX distribution, wider across the yarns than along them [Burley 2012].
@@ -75,7 +75,7 @@ void main() {
 
   // The back is a little duller.
   float side = front ? 1.0 : 0.6;
-  // Crowded warp yarns shade the weft between them.
+  // Dense warp yarns shade the weft between them.
   float shade = front && structure == 0 && weave.z < 1.0 ? 0.5 : 1.0;
   vec3 color = mix(fromScreen(warpColor), shade * fromScreen(weftColor), yarn.weft) * max(yarn.light, 0.0);
   float facing = dot(smoothNormal, toLight.xyz);

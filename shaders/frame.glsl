@@ -1,4 +1,4 @@
-// What every shader knows about a picture; src/render/frame_uniforms.hpp is the other half. Lengths in metres.
+// The uniforms of a picture that all shaders share. src/render/frame_uniforms.hpp has the same fields. Lengths in metres.
 layout(std140) uniform Frame {
   mat4 viewProjection;
   mat4 shadowFromWorld;  // to [0, 1] in each coordinate of the shadow map

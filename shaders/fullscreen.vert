@@ -1,4 +1,4 @@
-// One triangle that covers the whole target, behind everything else.
+// One triangle that covers the whole picture, behind everything else.
 out vec2 place;  // 0 to 1
 
 void main() {

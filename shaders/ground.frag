@@ -10,7 +10,7 @@ out vec4 pixel;
 const vec3 floorColor = vec3(0.905, 0.908, 0.910);
 const vec3 shadowColor = vec3(0.27, 0.31, 0.37);
 
-// Share of the pixel that lies on lines of a grid with this spacing [m]; lines are about a pixel wide.
+// Fraction of the pixel that lies on lines of a grid with this spacing [m]; lines are about a pixel wide.
 float gridLines(vec2 x, vec2 width, float spacing) {
   vec2 w = width / spacing;
   vec2 away = abs(fract(x / spacing - 0.5) - 0.5) / max(w, 1e-6);  // [pixels]

@@ -1,5 +1,5 @@
-// The shadow on one patch of ground. First the things between it and the light are looked for; the higher they are,
-// the wider the penumbra that is then averaged.
+// The shadow on one patch of ground. It first searches for things between the patch and the light. The penumbra that it
+// averages then is wider, the higher these things are.
 #include "frame.glsl"
 #include "light.glsl"
 
@@ -13,7 +13,7 @@ const float roomSize = 0.75;  // the same for the bright part of the room
 const int blockerSamples = 10;
 const int samples = 16;
 
-// Share of the light of a disc of that size that is kept away.
+// Fraction of the light of a disc of that size that does not reach the ground.
 float shadowOf(vec3 at, float size, float turn) {
   // The map is as deep as it is wide, so depths and widths are in the same unit.
   float reach = size * at.z;
@@ -41,7 +41,7 @@ void main() {
   vec2 patchCentre = groundShadow.xy + (2.0 * place - 1.0) * groundShadow.z;
   vec3 at = (shadowFromWorld * vec4(patchCentre.x, ground.y, patchCentre.y, 1.0)).xyz;
   float turn = 6.2831853 * fract(52.9829189 * fract(dot(floor(gl_FragCoord.xy), vec2(0.06711056, 0.00583715))));
-  // The ground may lie below the map's depth range; its own depth there is still what the penumbra depends on.
+  // The ground may lie below the depth range of the map. The penumbra still depends on the ground's own depth.
   float shadow = 0.75 * shadowOf(at, keySize, turn) + 0.25 * shadowOf(at, roomSize, turn);
   result = vec4(shadow);
 }

@@ -1,5 +1,5 @@
-// Removes the grain that the turned sampling pattern leaves: a tent of 6 by 6 patches, four of which come with each
-// read.
+// Removes the grain that the rotated sampling pattern leaves, by a tent filter of 6 by 6 patches. Each read returns the
+// mean of four patches.
 uniform sampler2D rough;
 
 in vec2 place;

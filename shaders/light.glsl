@@ -16,7 +16,7 @@ vec2 discPoint(int i, int n, float turn) {
   return sqrt((float(i) + 0.5) / float(n)) * vec2(cos(angle), sin(angle));
 }
 
-// How much of the key light reaches a point, 0 to 1. `normal` points to the side that the light comes from.
+// Fraction of the key light that reaches a point, 0 to 1. `normal` points to the side of the light.
 float keyVisibility(vec3 position, vec3 normal) {
   if (toLight.w < 0.5) {
     return 1.0;
@@ -31,14 +31,14 @@ float keyVisibility(vec3 position, vec3 normal) {
   return light / float(samples);
 }
 
-// Share of the room's light that reaches a point: less in a hollow, a little more on a ridge. A fold as wide as a hand
-// already counts. `curvature` is positive in a hollow [1/m].
+// Fraction of the room's light that reaches a point: less in a hollow, slightly more on a ridge. Folds as narrow as 10 cm
+// have an effect. `curvature` is positive in a hollow [1/m].
 float openness(float curvature) {
   float bend = 0.035 * curvature;
   return 1.0 - 0.75 * bend / (0.55 + abs(bend)) * (bend > 0.0 ? 1.0 : 0.35);
 }
 
-// What comes from everywhere.
+// Ambient light.
 vec3 roomLight(vec3 normal, vec3 toEye, float curvature) {
   vec3 room = mix(floorLight, skyLight, 0.5 + 0.5 * normal.y);
   room += counterLight * max(dot(normal, toCounterLight), 0.0) + viewerLight * max(dot(normal, toEye), 0.0);

@@ -14,7 +14,7 @@ float random(vec2 cell) {
 
 vec2 random2(vec2 cell) { return vec2(random(cell), random(cell + vec2(31.0, 177.0))); }
 
-// Smooth noise with wavelengths of about two: x: value, -1 to 1; yz: its derivative.
+// Smooth noise with wavelengths of about 2. x: value, -1 to 1; yz: its derivative.
 vec3 noise(vec2 x) {
   vec2 cell = floor(x);
   vec2 f = x - cell;
@@ -29,7 +29,7 @@ vec3 noise(vec2 x) {
   return vec3(2.0 * value - 1.0, 2.0 * du * (vec2(b - a, c - a) + across * u.yx));
 }
 
-// How much of a detail can be seen, 1 to 0, when a pixel covers `cycles` periods of it. Nothing is left before it could
-// alias, at half a period.
+// Visibility of a detail, 1 to 0, when a pixel covers `cycles` periods of it. It is 0 from half a period on, where the
+// detail would alias.
 float seen(float cycles) { return 1.0 - smoothstep(0.2, 0.5, cycles); }
 vec2 seen(vec2 cycles) { return 1.0 - smoothstep(0.2, 0.5, cycles); }

@@ -1,2 +1,2 @@
-// Only the depth counts.
+// Writes only the depth.
 void main() {}

@@ -14,7 +14,7 @@ out vec4 pixel;
 
 #ifdef BODY
 const vec3 paint = vec3(0.560, 0.500, 0.590);
-const vec3 otherPaint = vec3(0.430, 0.370, 0.470);  // of every other sector of what is round
+const vec3 otherPaint = vec3(0.430, 0.370, 0.470);  // of every second sector of a round object
 #else
 const vec3 paint = vec3(0.400, 0.415, 0.435);
 #endif

@@ -12,12 +12,12 @@ uniform float unevenness;   // of the yarns' brightness
 struct Directions {
   vec3 weft;
   vec3 warp;
-  vec3 normal;  // to the side that is seen
+  vec3 normal;  // to the visible side
 };
 
 struct Yarn {
   vec2 slope;   // of the surface, along x and y, towards the viewer
-  float weft;   // share of the weft's colour, 0 to 1
+  float weft;   // fraction of the weft's colour, 0 to 1
   float light;  // brightness: less between yarns; 1 on average
   float rough;  // mean square of the slopes that are too small to be seen
 };
@@ -32,11 +32,11 @@ float meanPulse(float x, float duty, float width) {
   return (integral.y - integral.x) / w;
 }
 
-// Share of the weft on the front. `diagonal`: by how much p.y - p.x changes in a pixel.
+// Fraction of the front that the weft covers. `diagonal`: the change of p.y - p.x over a pixel.
 float weftShare(vec2 p, vec2 w, float diagonal) {
   float repeat = weave.x;
   float mean = weave.z / repeat;
-  // Near: in every column the weft crosses at other rows. Crowded warp yarns leave rounded gaps to the weft.
+  // Near: the weft crosses each column at different rows. Dense warp yarns leave rounded gaps in which the weft shows.
   float across = 2.0 * fract(p.x) - 1.0;
   float gap = weave.z < 1.0 ? mean * (1.15 - 0.45 * across * across) : mean;
   float row = p.y - mod(floor(p.x) * weave.y, repeat) - 0.5 * weave.z;
@@ -60,7 +60,7 @@ vec2 yarnBrightness(vec2 p, vec2 w) {
   return seen(w) * (0.5 * single + 0.5 * thick) + vec2(0.6, 0.3) * seen(w / 10.0) * bundle;
 }
 
-// A yarn is twisted from fibres, which show from very near.
+// A yarn consists of twisted fibres, which are visible from very near.
 float fibres(vec2 across, vec2 along, float weft, vec2 w) {
   float warpFibres = sin(2.0 * pi * (2.0 * across.x + 1.5 * along.y)) * seen(2.0 * w.x + 1.5 * w.y);
   float weftFibres = sin(2.0 * pi * (2.0 * across.y - 1.5 * along.x)) * seen(2.0 * w.y + 1.5 * w.x);
@@ -176,8 +176,9 @@ Yarn grained(vec2 p, vec2 w) {
   return yarn;
 }
 
-// By how much a value with this gradient [1/m] changes in a pixel: much along the line of sight on a tilted cloth. The
-// smooth normal gives it without steps between triangles. Only where a triangle is tilted much more, that one counts.
+// The change over a pixel of a value with this gradient [1/m]. On tilted cloth it is large along the line of sight. It
+// follows from the smooth normal, so it has no steps between triangles. Where a triangle is tilted much more than the
+// smooth normal, the triangle's own normal counts.
 float reach(vec3 gradient, float value, vec3 normal, vec3 toEye) {
   float focal = length(vec3(viewProjection[0][1], viewProjection[1][1], viewProjection[2][1]));  // in half heights
   float pixel = 2.0 / (gl_FragCoord.w * viewport.y * focal);                                     // [m]

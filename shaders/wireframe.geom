@@ -1,4 +1,4 @@
-// Hands every triangle on with barycentric coordinates, from which the fragment shader knows how near an edge is.
+// Adds barycentric coordinates to each triangle. The fragment shader computes the distance to the edges from them.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 

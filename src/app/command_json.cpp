@@ -4,9 +4,13 @@
 #include "messages/error.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace drape::app {
@@ -14,93 +18,77 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The name of each command and its fields: both directions use them.
-constexpr std::string_view nameOf(const session::SetSettingCommand& /*command*/) {
-  return "set";
-}
-constexpr std::string_view nameOf(const session::UseFabricCommand& /*command*/) {
-  return "use_fabric";
-}
-constexpr std::string_view nameOf(const session::SetOwnFabricsCommand& /*command*/) {
-  return "set_own_fabrics";
-}
-constexpr std::string_view nameOf(const session::PauseCommand& /*command*/) {
-  return "pause";
-}
-constexpr std::string_view nameOf(const session::SingleStepCommand& /*command*/) {
-  return "single_step";
-}
-constexpr std::string_view nameOf(const session::ResetCommand& /*command*/) {
-  return "reset";
-}
-constexpr std::string_view nameOf(const session::AttachCommand& /*command*/) {
-  return "attach";
-}
-constexpr std::string_view nameOf(const session::MoveAttachmentCommand& /*command*/) {
-  return "move_attachment";
-}
-constexpr std::string_view nameOf(const session::DetachCommand& /*command*/) {
-  return "detach";
-}
-constexpr std::string_view nameOf(const session::TogglePinCommand& /*command*/) {
-  return "toggle_pin";
-}
-constexpr std::string_view nameOf(const session::MovePinsCommand& /*command*/) {
-  return "move_pins";
-}
-constexpr std::string_view nameOf(const session::UntangleCommand& /*command*/) {
-  return "untangle";
-}
-constexpr std::string_view nameOf(const session::SwitchBodyCommand& /*command*/) {
-  return "switch_body";
-}
-constexpr std::string_view nameOf(const session::SetSurfaceCommand& /*command*/) {
-  return "set_surface";
-}
-constexpr std::string_view nameOf(const session::MoveBodyCommand& /*command*/) {
-  return "move_body";
-}
-constexpr std::string_view nameOf(const session::SetCostBudgetCommand& /*command*/) {
-  return "set_cost_budget";
-}
-constexpr std::string_view nameOf(const session::LoadSceneCommand& /*command*/) {
-  return "load_scene";
+/// A field of a command: its key, and a pointer to the member or a function that returns it.
+template <typename Member>
+struct Field {
+  const char* key;
+  Member member;
+};
+
+/// The name and the fields of a command.
+template <typename Command, typename... Fields>
+struct CommandRow {
+  using Type = Command;
+  std::string_view name;
+  std::tuple<Fields...> fields;
+};
+
+template <typename Command, typename... Fields>
+constexpr CommandRow<Command, Fields...> row(std::string_view name, Fields... fields) {
+  return {name, {fields...}};
 }
 
+// Both directions use this table. A command without a row does not compile.
+constexpr std::tuple table{
+    row<session::SetSettingCommand>("set", Field{"key", &session::SetSettingCommand::key},
+                                    Field{"value", &session::SetSettingCommand::value}),
+    row<session::UseFabricCommand>("use_fabric", Field{"fabric", &session::UseFabricCommand::fabric}),
+    row<session::SetOwnFabricsCommand>("set_own_fabrics", Field{"fabrics", &session::SetOwnFabricsCommand::fabrics}),
+    row<session::PauseCommand>("pause", Field{"paused", &session::PauseCommand::paused}),
+    row<session::SingleStepCommand>("single_step"),
+    row<session::ResetCommand>("reset"),
+    row<session::AttachCommand>("attach", Field{"triangle", &session::AttachCommand::triangle},
+                                Field{"barycentric", &session::AttachCommand::barycentric},
+                                Field{"target", &session::AttachCommand::target}),
+    row<session::MoveAttachmentCommand>("move_attachment", Field{"target", &session::MoveAttachmentCommand::target}),
+    row<session::DetachCommand>("detach"),
+    row<session::TogglePinCommand>("toggle_pin"),
+    row<session::MovePinsCommand>("move_pins", Field{"by", &session::MovePinsCommand::by}),
+    row<session::UntangleCommand>("untangle"),
+    row<session::SwitchBodyCommand>("switch_body", Field{"body", &session::SwitchBodyCommand::body},
+                                    Field{"on", &session::SwitchBodyCommand::on}),
+    row<session::SetSurfaceCommand>(
+        "set_surface", Field{"body", &session::SetSurfaceCommand::body},
+        Field{"static_friction", [](auto& command) -> auto& { return command.surface.staticFriction; }
+}  // namespace
+, Field{"kinetic_friction", [](auto& command) -> auto& {return command.surface.kineticFriction;
+}  // namespace drape::app
+}
+, Field{"thickness", [](auto& command) -> auto& {return command.surface.thickness;
+}
+}),
+    row<session::MoveBodyCommand>("move_body", Field{"body", &session::MoveBodyCommand::body},
+                                  Field{"shift", &session::MoveBodyCommand::shift}),
+    row<session::SetCostBudgetCommand>("set_cost_budget",
+                                       Field{"cost_budget", &session::SetCostBudgetCommand::costBudget}),
+}
+;
+
+/// The row of a type of command.
+template <typename Command, std::size_t Index = 0>
+constexpr const auto& rowOf() {
+  if constexpr (std::is_same_v<typename std::tuple_element_t<Index, decltype(table)>::Type, Command>) {
+    return std::get<Index>(table);
+  } else {
+    return rowOf<Command, Index + 1>();
+  }
+}
+
+/// Calls visit(key, value) for each field of a command.
 template <typename Command, typename Visitor>
 void visitFields(Command& command, const Visitor& visit) {
-  using Plain = std::remove_const_t<Command>;
-  if constexpr (std::is_same_v<Plain, session::SetSettingCommand>) {
-    visit("key", command.key);
-    visit("value", command.value);
-  } else if constexpr (std::is_same_v<Plain, session::UseFabricCommand>) {
-    visit("fabric", command.fabric);
-  } else if constexpr (std::is_same_v<Plain, session::SetOwnFabricsCommand>) {
-    visit("fabrics", command.fabrics);
-  } else if constexpr (std::is_same_v<Plain, session::PauseCommand>) {
-    visit("paused", command.paused);
-  } else if constexpr (std::is_same_v<Plain, session::AttachCommand>) {
-    visit("triangle", command.triangle);
-    visit("barycentric", command.barycentric);
-    visit("target", command.target);
-  } else if constexpr (std::is_same_v<Plain, session::MoveAttachmentCommand>) {
-    visit("target", command.target);
-  } else if constexpr (std::is_same_v<Plain, session::MovePinsCommand>) {
-    visit("by", command.by);
-  } else if constexpr (std::is_same_v<Plain, session::SwitchBodyCommand>) {
-    visit("body", command.body);
-    visit("on", command.on);
-  } else if constexpr (std::is_same_v<Plain, session::SetSurfaceCommand>) {
-    visit("body", command.body);
-    visit("static_friction", command.surface.staticFriction);
-    visit("kinetic_friction", command.surface.kineticFriction);
-    visit("thickness", command.surface.thickness);
-  } else if constexpr (std::is_same_v<Plain, session::MoveBodyCommand>) {
-    visit("body", command.body);
-    visit("shift", command.shift);
-  } else if constexpr (std::is_same_v<Plain, session::SetCostBudgetCommand>) {
-    visit("cost_budget", command.costBudget);
-  }
+  std::apply([&](const auto&... fields) { (visit(fields.key, std::invoke(fields.member, command)), ...); },
+             rowOf<std::remove_const_t<Command>>().fields);
 }
 
 void put(Json& json, const Vec3& value) {
@@ -155,45 +143,46 @@ void take(const Json& json, T& value) {
   value = json.get<T>();
 }
 
-/// A command of that name without its fields.
-template <std::size_t Index = 0>
-session::Command commandNamed(const std::string& name) {
-  if constexpr (Index == std::variant_size_v<session::Command>) {
-    throw messages::InputError("there is no command '" + name + "'");
-  } else {
-    using Candidate = std::variant_alternative_t<Index, session::Command>;
-    if (!std::is_same_v<Candidate, session::LoadSceneCommand> && name == nameOf(Candidate{})) {
-      return Candidate{};
+/// Reads a command of that name and its fields.
+session::Command readCommand(const std::string& name, const Json& json) {
+  std::optional<session::Command> found;
+  const auto readIfNamed = [&](const auto& row) {
+    if (row.name == name) {
+      typename std::decay_t<decltype(row)>::Type command;
+      visitFields(command, [&](const char* key, auto& value) { take(json.at(key), value); });
+      found = std::move(command);
     }
-    return commandNamed<Index + 1>(name);
+  };
+  std::apply([&](const auto&... rows) { (readIfNamed(rows), ...); }, table);
+  if (!found) {
+    throw messages::InputError("there is no command '" + name + "'");
   }
+  return *std::move(found);
+}
+
+template <typename Command>
+void writeCommand(const Command& command, Json& json) {
+  json["command"] = rowOf<Command>().name;
+  visitFields(command, [&](const char* key, const auto& value) { put(json[key], value); });
+}
+
+void writeCommand(const session::LoadSceneCommand& /*command*/, Json& /*json*/) {
+  throw messages::InputError("a session log holds one scene; it cannot load another");
 }
 
 }  // namespace
 
 Json toJson(const session::LoggedCommand& entry) {
-  if (std::holds_alternative<session::LoadSceneCommand>(entry.command)) {
-    throw messages::InputError("a session log holds one scene; it cannot load another");
-  }
   Json json;
   json["step"] = entry.step;
-  std::visit(
-      [&](const auto& command) {
-        json["command"] = nameOf(command);
-        visitFields(command, [&](const char* key, const auto& value) { put(json[key], value); });
-      },
-      entry.command);
+  std::visit([&](const auto& command) { writeCommand(command, json); }, entry.command);
   return json;
 }
 
 session::LoggedCommand commandFrom(const Json& json) {
   try {
-    session::LoggedCommand entry{json.at("step").get<std::int64_t>(),
-                                 commandNamed(json.at("command").get<std::string>())};
-    std::visit(
-        [&](auto& command) { visitFields(command, [&](const char* key, auto& value) { take(json.at(key), value); }); },
-        entry.command);
-    return entry;
+    const auto step = json.at("step").get<std::int64_t>();
+    return {step, readCommand(json.at("command").get<std::string>(), json)};
   } catch (const Json::exception& error) {
     throw messages::InputError("the entry " + json.dump() + " is not a command of a session log");
   }

@@ -83,6 +83,12 @@ void printFormerKey(std::string_view expression) {
   }
 }
 
+void printMeshWarnings(const scene::Scene& scene) {
+  for (const std::string& warning : scene.summary.warnings) {
+    std::cerr << "warning: " << warning << '\n';
+  }
+}
+
 void SceneArguments::addTo(CLI::App& app) {
   app.add_option("scene", scene, "A built-in scene, a scene file (.toml) or a mesh file")
       ->type_name("SCENE|MESH")
@@ -136,9 +142,7 @@ std::shared_ptr<const scene::Scene> SceneArguments::load(const settings::OwnFabr
     }
   }
   auto built = buildWithProgress(description, inForce);
-  for (const std::string& warning : built->summary.warnings) {
-    std::cerr << "warning: " << warning << '\n';
-  }
+  printMeshWarnings(*built);
   printNotes(*built);
   return built;
 }

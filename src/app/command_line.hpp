@@ -43,6 +43,9 @@ void addFabricsOption(CLI::App& app, std::string& file);
 /// Prints a note to standard error when "key=value" uses a former key of a setting.
 void printFormerKey(std::string_view expression);
 
+/// Prints the warnings about the mesh file of a scene to standard error.
+void printMeshWarnings(const scene::Scene& scene);
+
 /// Accepts a number from min to max, both included.
 [[nodiscard]] CLI::Validator numberFrom(double min, double max);
 

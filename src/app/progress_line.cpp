@@ -32,7 +32,7 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::show(std::string_view label, double done, double total) {
   const bool bar = style_ == Style::Bar;
-  if (!(total > 0.0) || (!terminal_ && (bar || spent() - told_ < betweenLines))) {
+  if (!(total > 0.0) || (!terminal_ && (bar || spent() - lastLine_ < betweenLines))) {
     return;
   }
   const int percent = static_cast<int>(100.0 * done / total);
@@ -47,7 +47,7 @@ void ProgressLine::show(std::string_view label, double done, double total) {
   if (terminal_) {
     overwrite(std::move(line), percent);
   } else {
-    told_ = spent();
+    lastLine_ = spent();
     std::cerr << line << std::endl;
   }
 }

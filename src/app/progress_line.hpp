@@ -35,7 +35,7 @@ class ProgressLine {
   Style style_;
   bool terminal_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  double told_ = 0.0;      // time of the last line in a file, since construction [s]
+  double lastLine_ = 0.0;  // time of the last line in a file, since construction [s]
   std::size_t shown_ = 0;  // length of the line on a terminal
   int shownPercent_ = -1;
 };

@@ -71,6 +71,26 @@ void requireOrder(const SessionLog& log) {
   }
 }
 
+/// The settings of a scene under those of the log. A wrong one is a fault of the file, not of the command line.
+settings::Settings loggedSettings(const SessionLog& log, settings::Settings settings) {
+  settings.fabric.own = settings::joined(settings.fabric.own, log.fabrics);
+  try {
+    // First the settings that decide others: mass and density decide mass_given_as, a preset decides the fabric.
+    for (int depth = settings::maxDepth; depth >= 0; --depth) {
+      for (const auto& [key, value] : log.settings) {
+        const settings::SettingInfo& info = settings::requireSetting(key);
+        if (settings::depthOf(info) == depth) {
+          settings::assignSettingText(settings, info, value);
+        }
+      }
+    }
+    settings::requireConsistent(settings);
+  } catch (const messages::UsageError& error) {
+    throw messages::InputError(log.file + ": " + error.what());
+  }
+  return settings;
+}
+
 }  // namespace
 
 SessionLog sessionLogOf(const session::Simulation& simulation) {
@@ -114,6 +134,7 @@ SessionLog readSessionLog(const std::string& file) {
   }
   try {
     SessionLog log = parse(Json::parse(text));
+    log.file = file;
     requireOrder(log);
     return log;
   } catch (const messages::InputError& error) {
@@ -125,19 +146,7 @@ SessionLog readSessionLog(const std::string& file) {
 
 std::shared_ptr<const scene::Scene> openLoggedScene(const SessionLog& log) {
   const scene::SceneDescription description = scene::openParts(log.parts, log.fabrics);
-  settings::Settings settings = description.settings;
-  settings.fabric.own = settings::joined(settings.fabric.own, log.fabrics);
-  // First the settings that decide others: mass and density decide mass_given_as, a preset decides the fabric.
-  for (int depth = settings::maxDepth; depth >= 0; --depth) {
-    for (const auto& [key, value] : log.settings) {
-      const settings::SettingInfo& info = settings::requireSetting(key);
-      if (settings::depthOf(info) == depth) {
-        settings::assignSettingText(settings, info, value);
-      }
-    }
-  }
-  settings::requireConsistent(settings);
-  return scene::buildScene(description, settings);
+  return scene::buildScene(description, loggedSettings(log, description.settings));
 }
 
 }  // namespace drape::app

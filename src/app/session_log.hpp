@@ -14,6 +14,7 @@ namespace drape::app {
 /// A recorded session: the scene, the commands and the end. `drape --record` writes it, `drape-headless run --replay`
 /// runs it again to the same bits. It covers the time since the last scene was opened.
 struct SessionLog {
+  std::string file;                                           ///< that it was read from; empty for a new log
   scene::SceneParts parts;                                    ///< of the scene; file names are absolute
   std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of all, when the scene was opened
   settings::OwnFabrics fabrics;                               ///< that the settings can name
@@ -31,7 +32,8 @@ void write(const SessionLog& log, OutputFile& file);
 /// Throws InputError with file and cause when it is not a complete session log.
 [[nodiscard]] SessionLog readSessionLog(const std::string& file);
 
-/// Opens the scene of the log and builds it under the logged settings. Throws InputError as opening a scene does.
+/// Opens the scene of the log and builds it under the logged settings. Throws InputError as opening a scene does, and
+/// with the file of the log for a wrong setting.
 [[nodiscard]] std::shared_ptr<const scene::Scene> openLoggedScene(const SessionLog& log);
 
 }  // namespace drape::app

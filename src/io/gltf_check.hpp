@@ -7,7 +7,7 @@
 namespace drape::io {
 
 /// A binary glTF file with only the parts that its mesh is made of (meshPartsOf). Throws InputError when it is cut off,
-/// is not what its header says, its JSON cannot be read, or its vertices are stored in a way that is not read (Draco
+/// does not match its header, its JSON cannot be read, or its vertices are stored in a way that is not read (Draco
 /// and meshopt compression, other files). Source: glTF 2.0 specification, section 4.4 (GLB) and section 3.
 [[nodiscard]] std::string glbWithMesh(std::string_view bytes);
 

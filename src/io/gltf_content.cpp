@@ -205,7 +205,7 @@ class PartsCollector {
     return positions;
   }
 
-  /// Only float coordinates are kept. The picture does without others.
+  /// Only float coordinates are kept. The picture does not need others.
   void addTexture(const Json& attributes, const std::string& where, Json& kept) {
     const auto index = numberOf(attributes, "TEXCOORD_0", where);
     if (!index) {

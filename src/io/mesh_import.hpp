@@ -124,7 +124,7 @@ class OutlierError : public messages::InputError {
 /// OutlierError.
 [[nodiscard]] ImportedMesh weldMesh(const RawMesh& raw, std::string_view name, const ImportOptions& options);
 
-/// One line per fact, for a terminal or a panel.
+/// One line per fact, for a terminal or a panel. It leaves out the warnings.
 [[nodiscard]] std::vector<std::string> describe(const MeshSummary& summary);
 
 }  // namespace drape::io

@@ -96,9 +96,6 @@ std::vector<std::string> describe(const MeshSummary& summary) {
                   counted(summary.boundaryLoops, "open border", "open borders"));
   lines.push_back(fmt::format("size:        {:.3g} x {:.3g} x {:.3g} m (width x height x depth)", summary.size[0],
                               summary.size[1], summary.size[2]));
-  for (const std::string& warning : summary.warnings) {
-    lines.push_back("warning:     " + warning);
-  }
   return lines;
 }
 

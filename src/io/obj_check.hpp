@@ -19,8 +19,9 @@ struct ObjText {
 
 /// Checks every line of an OBJ file (plainText) and reduces it: three coordinates a vertex, no normals, no comments, no
 /// continued lines. Throws InputError with the line for all that would give a wrong mesh: coordinates that are not
-/// finite numbers, faces with corners that are not there, an end in the middle of a line, no faces at all. What only
-/// the picture needs, and what OBJ does not know, is replaced or left out with a warning. Source: B1. Object Files
+/// finite numbers, faces with corners that do not exist, an end in the middle of a line, no faces at all. Data that
+/// only the picture needs, and lines that OBJ does not define, are replaced or left out with a warning. Source: B1.
+/// Object Files
 /// (.obj), Wavefront Technologies, Advanced Visualizer manual, appendix B.
 [[nodiscard]] ObjText checkObj(std::string_view text, const ImportWatch& watch);
 

@@ -15,7 +15,7 @@ struct OffText {
 
 /// Checks an OFF file (plainText) and reduces it: colours, normals and texture coordinates are left out. Throws
 /// InputError with the line when it is cut off, binary or four-dimensional, has a coordinate that is not a finite
-/// number, or a face with a vertex that is not there.
+/// number, or a face with a vertex that does not exist.
 /// Source: Geomview manual, "OFF Files".
 [[nodiscard]] OffText checkOff(std::string_view text);
 

@@ -6,18 +6,18 @@
 
 namespace drape::io {
 
-/// An STL file that holds what it promises.
+/// An STL file that contains what it announces.
 struct StlBytes {
   std::string_view bytes;             ///< of a binary file what is before the end of its last triangle
-  std::vector<std::string> warnings;  ///< that the file holds more than it promises
+  std::vector<std::string> warnings;  ///< that the file contains more than it announces
 };
 
-/// Walks through an STL file and throws InputError when it does not hold what it promises: when it is cut off, has a
-/// coordinate that is not a finite number, or a line that STL does not know. It is binary when its size fits the number
-/// of triangles in its header, or when it does not begin with "solid".
-/// `text` is the file as plainText, and `bytes` the file itself. The parsing library stops at long names and at normals
-/// that are no numbers, so a file of text is written anew into `storage`, without both.
-/// Source: 3D Systems, StereoLithography Interface Specification, 1989.
+/// Walks through an STL file and throws InputError when it does not contain what it announces: when it is cut off, has
+/// a coordinate that is not a finite number, or a line that STL does not define. It is binary when its size fits the
+/// number of triangles in its header, or when it does not begin with "solid". `text` is the file as plainText, and
+/// `bytes` the file itself. The parsing library stops at long names and at normals that are no numbers, so a file of
+/// text is written anew into `storage`, without both. Source: 3D Systems, StereoLithography Interface Specification,
+/// 1989.
 [[nodiscard]] StlBytes checkStl(std::string_view text, std::string_view bytes, std::string& storage);
 
 }  // namespace drape::io

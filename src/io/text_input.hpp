@@ -33,7 +33,7 @@ void requireNoZeroBytes(std::string_view text);
 /// A face may have this many corners. The time of triangulation grows with their square.
 inline constexpr std::size_t maxCorners = 20000;
 
-/// What is wrong with a face that has more.
+/// The message about a face that has more.
 [[nodiscard]] std::string tooManyCorners(std::size_t corners);
 
 /// A warning about what follows the last element that the header promises.

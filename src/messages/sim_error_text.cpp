@@ -68,7 +68,7 @@ std::string inWords(const sim::ClothModelError& error) {
   return error.what();
 }
 
-std::string knowsSpringsOnly(std::string_view setting, std::string_view solver) {
+std::string takesSpringsOnly(std::string_view setting, std::string_view solver) {
   std::string names;
   for (const sim::SolverInfo& info : sim::solverTable()) {
     if (info.takesFabric) {
@@ -87,7 +87,7 @@ std::string messageOf(const std::exception& error) {
     return "there is no solver '" + unknown->name() + "'";
   }
   if (const auto* solver = dynamic_cast<const sim::NoFabricSolver*>(&error)) {
-    return knowsSpringsOnly("solver", solver->name());
+    return takesSpringsOnly("solver", solver->name());
   }
   return error.what();
 }

@@ -14,7 +14,7 @@ namespace drape::messages {
 
 /// The refusal of a solver that cannot move a fabric, with the names of those that can.
 /// @param setting the key of the setting that names it
-[[nodiscard]] std::string knowsSpringsOnly(std::string_view setting, std::string_view solver);
+[[nodiscard]] std::string takesSpringsOnly(std::string_view setting, std::string_view solver);
 
 /// The message of an exception for the user: the sentence of a SimError, what() of any other.
 [[nodiscard]] std::string messageOf(const std::exception& error);

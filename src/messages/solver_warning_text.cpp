@@ -54,10 +54,11 @@ std::string wrongSpectralRadius(const sim::SolverWarning& warning) {
 
 std::string softened(const sim::SolverWarning& warning) {
   return fmt::format(
-      "The cost budget is too small for this stiff and fine cloth: the springs keep {} % of their stiffness, "
-      "and coarse levels carry the tension. The full stiffness needs auto.cost = {:.0f}{}",
-      inTwoDigits(100.0 * warning.stiffnessScale), warning.neededCost,
-      warning.softenedByChoice ? "." : " and auto.soften = off.");
+      "{}: the springs keep {} % of their stiffness, and coarse levels carry the tension. The full stiffness needs "
+      "auto.cost = {:.0f}.",
+      warning.softenedByChoice ? "The cost budget is too small for this stiff and fine cloth"
+                               : "At full stiffness a step of this cloth would take several seconds",
+      inTwoDigits(100.0 * warning.stiffnessScale), warning.neededCost);
 }
 
 std::string indefiniteMatrix(const sim::SolverWarning& warning) {

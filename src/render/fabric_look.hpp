@@ -9,7 +9,7 @@
 
 namespace drape::render {
 
-/// What the cloth is drawn as.
+/// The look in which the cloth is drawn.
 enum class Surface { Checker, Plain, Fabric };
 
 /// The choice of view.surface, with the answer to "auto".

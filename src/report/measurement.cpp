@@ -5,10 +5,10 @@
 namespace drape::report {
 namespace {
 
-Reference runReference(const scene::Scene& scene, const MeasurementPlan& plan, const Trajectory* judged,
+Reference runReference(const scene::Scene& scene, const MeasurementPlan& plan, const Trajectory* compared,
                        const Progress& progress) {
   ConvergenceTolerance tolerance = plan.tolerance;
-  tolerance.judged = judged;
+  tolerance.compared = compared;
   switch (plan.against) {
     case ReferenceKind::SameStep:
       return sameStepReference(scene, plan.reference, plan.checkpoints, progress);

@@ -7,7 +7,7 @@
 
 namespace drape::report {
 
-/// A number in JSON with so many significant digits; "-" when it is missing.
+/// A number in JSON with this number of significant digits; "-" when it is missing.
 [[nodiscard]] std::string figure(const nlohmann::ordered_json& row, const char* key, int digits = 3);
 
 /// A number for JSON: null when it is not finite.

@@ -16,7 +16,7 @@ namespace {
 
 /// The number of consecutive halvings without improvement that ends the search.
 constexpr int maxFruitless = 3;
-/// A halving that leaves more than this share of the difference did not help.
+/// A halving that leaves more than this fraction of the difference is no improvement.
 constexpr double helpful = 0.7;
 
 std::string timeOf(int checkpoint) {
@@ -80,11 +80,11 @@ double firstStep(const scene::Scene& scene, const settings::Settings& settings) 
 }
 
 double toleranceAt(const ConvergenceTolerance& tolerance, const Trajectory& run, std::size_t checkpoint) {
-  if (tolerance.judged == nullptr || checkpoint >= tolerance.judged->states.size()) {
+  if (tolerance.compared == nullptr || checkpoint >= tolerance.compared->states.size()) {
     return tolerance.absolute;
   }
   const double error =
-      sim::meanDistance(tolerance.judged->states[checkpoint].positions, run.states[checkpoint].positions);
+      sim::meanDistance(tolerance.compared->states[checkpoint].positions, run.states[checkpoint].positions);
   return std::max(tolerance.absolute, tolerance.share * error);
 }
 

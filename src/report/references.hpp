@@ -42,11 +42,11 @@ struct Reference {
 };
 
 /// When the halving of the step ends: at each checkpoint the mean distance between the last two runs is at most
-/// `absolute`, or at most `share` of the distance between the last one and the run to be judged.
+/// `absolute`, or at most `share` of the distance between the last one and the run that is compared.
 struct ConvergenceTolerance {
-  double absolute = 1e-6;              ///< [m]
-  double share = 1e-3;                 ///< [-]
-  const Trajectory* judged = nullptr;  ///< a free run; null: only `absolute` counts
+  double absolute = 1e-6;                ///< [m]
+  double share = 1e-3;                   ///< [-]
+  const Trajectory* compared = nullptr;  ///< a free run; null: only `absolute` counts
   int maxHalvings = 12;
   /// Return the result even when the first checkpoint fails; the differences show its quality.
   bool takeAnyway = false;

@@ -54,7 +54,7 @@ struct Watch {
                                        const Watch& watch = {});
 
 /// The same, but each interval starts from the reference's positions and velocities at its beginning: the error made
-/// within an interval, without what earlier errors grew to. Integrations that look back begin afresh each time.
+/// within an interval, without the growth of earlier errors. Multistep integrations start again each time.
 [[nodiscard]] Trajectory runRestarted(const scene::Scene& scene, const settings::Settings& settings,
                                       const Trajectory& reference, const Watch& watch = {});
 

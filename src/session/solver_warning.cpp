@@ -38,7 +38,7 @@ void requireSolversForMaterial(const settings::Settings& settings) {
        {std::pair("solver", settings.solver.name), std::pair("ghost.solver", settings.ghost.solver)}) {
     const sim::SolverInfo* solver = sim::findSolver(name);
     if (solver != nullptr && !solver->takesFabric) {
-      throw messages::InputError(messages::knowsSpringsOnly(key, name));
+      throw messages::InputError(messages::takesSpringsOnly(key, name));
     }
   }
 }

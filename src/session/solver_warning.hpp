@@ -13,7 +13,7 @@ namespace drape::session {
 /// The same for the ghost; empty without a ghost.
 [[nodiscard]] std::string ghostWarning(const settings::Settings& settings, const sim::ClothModel& model);
 
-/// Throws InputError if the cloth is a fabric and the solver, or that of the ghost, knows springs only.
+/// Throws InputError if the cloth is a fabric and the solver, or that of the ghost, takes springs only.
 void requireSolversForMaterial(const settings::Settings& settings);
 
 }  // namespace drape::session

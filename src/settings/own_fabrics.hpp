@@ -29,7 +29,7 @@ using OwnFabrics = std::shared_ptr<const std::vector<OwnFabric>>;
 /// The value of material.preset for values that belong to no preset.
 inline constexpr std::string_view noPreset = "custom";
 
-/// What material.preset has after the name of a fabric whose values were changed: "cotton, changed".
+/// The mark after the name of a fabric whose values were changed, in material.preset: "cotton, changed".
 inline constexpr std::string_view changedMark = ", changed";
 
 inline constexpr std::size_t longestFabricName = 40;  ///< [bytes]

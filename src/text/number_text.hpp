@@ -8,11 +8,12 @@ namespace drape::text {
 
 // The ways to write a number that have a rule. Where the number of digits is fixed, call fmt::format.
 
-/// A number with at most so many significant digits: "0.0123", "1.2e-05"; all digits up to a million; "-" when it is
-/// not finite.
+/// A number with at most this number of significant digits: "0.0123", "1.2e-05"; all digits up to a million; "-" when
+/// it is not finite.
 [[nodiscard]] std::string figure(double value, int digits = 3);
 
-/// The same, but from 100 to ten million rounded to so many significant digits and without an exponent: "120000".
+/// The same, but from 100 to ten million rounded to this number of significant digits and without an exponent:
+/// "120000".
 [[nodiscard]] std::string roundedFigure(double value, int digits = 2);
 
 /// A number with three significant digits, zeros at the end included: "0.0123", "45.0"; from a million, and below a

@@ -186,7 +186,7 @@ bool InteractionController::attach(const PressEvent& event, const session::Snaps
   return true;
 }
 
-void InteractionController::letGo(UiOutput& output) {
+void InteractionController::endGesture(UiOutput& output) {
   if (holdsCloth()) {
     output.commands.emplace_back(session::DetachCommand{});
   }
@@ -195,7 +195,7 @@ void InteractionController::letGo(UiOutput& output) {
 
 void InteractionController::on(const ReleaseEvent& event, const session::Snapshot& /*snapshot*/, UiOutput& output) {
   if (event.button == gestureButton_) {
-    letGo(output);
+    endGesture(output);
   }
 }
 
@@ -225,7 +225,7 @@ void InteractionController::on(const KeyEvent& event, const session::Snapshot& s
     return;
   }
   if (event.key == Key::Escape && (holdsCloth() || holdsBody())) {
-    letGo(output);
+    endGesture(output);
   } else if (const auto* action = std::get_if<UiAction>(&shortcut.action)) {
     if (!moveCamera(*action, snapshot)) {
       output.requests.emplace_back(*action);
@@ -237,7 +237,7 @@ void InteractionController::on(const KeyEvent& event, const session::Snapshot& s
 
 void InteractionController::on(const FocusLostEvent& /*event*/, const session::Snapshot& /*snapshot*/,
                                UiOutput& output) {
-  letGo(output);
+  endGesture(output);
 }
 
 }  // namespace drape::ui

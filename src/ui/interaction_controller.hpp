@@ -88,7 +88,7 @@ class InteractionController {
   void pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   bool recentreOnDoubleClick(const PressEvent& event, const session::Snapshot& snapshot);
   bool attach(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
-  void letGo(UiOutput& output);
+  void endGesture(UiOutput& output);
   void moveCamera(const session::Snapshot& snapshot, const std::function<void(render::Camera&)>& move);
   /// The ray through a position in the window.
   [[nodiscard]] render::Ray rayThrough(const Vec2& position) const;

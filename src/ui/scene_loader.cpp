@@ -110,7 +110,7 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
 }
 
 void useWindowDefaults(settings::Settings& settings) {
-  constexpr double visibleStrain = 0.01;  // nobody sees less
+  constexpr double visibleStrain = 0.01;  // less is invisible
   double& limit = settings.step.automatic.strainLimit;
   limit = limit > 0.0 ? limit : visibleStrain;
   constexpr int maxThreads = 64;  // of the setting

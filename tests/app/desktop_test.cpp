@@ -77,7 +77,7 @@ TEST(Desktop, FilesThatAreDroppedTogetherAllCount) {
   EXPECT_EQ(bodiesOf(shawl), (std::set<std::string>{"body", "ground"}));
 }
 
-TEST(Desktop, WhatCannotBeOpenedIsToldEachTimeAndForgottenThen) {
+TEST(Desktop, FilesThatCannotBeOpenedCauseAMessageEachTime) {
   Files files;
   const std::string notes = files.write("notes.txt", "This is no mesh.\n");
   ViewerDriver viewer({"grid", "--paused"});

@@ -95,7 +95,7 @@ TEST(FirstMinute, EscapeQuitsAtOnceWhereNothingIsLost) {
   EXPECT_EQ(viewer.process().waitFor(60.0), 0);
 }
 
-TEST(FirstMinute, ARightClickAndResetAllRestoreWhatTheSceneSays) {
+TEST(FirstMinute, ARightClickAndResetAllRestoreTheValuesOfTheScene) {
   ViewerDriver viewer({"flag"});
   const Json scene = viewer.state()["settings"];
   ASSERT_NE(scene["wind.x"], 0.0) << "the scene flag has wind";
@@ -209,7 +209,7 @@ TEST(FirstMinute, AHiddenWindowComesBack) {
   EXPECT_TRUE(viewer.process().running());
 }
 
-TEST(FirstMinute, TheTimeUntilTheFirstFrameIsTold) {
+TEST(FirstMinute, TheTimeUntilTheFirstFrameIsReported) {
   ViewerDriver viewer({"grid", "--paused"});
   const double seconds = viewer.state()["first_frame_seconds"];
   EXPECT_GT(seconds, 0.0);

@@ -33,7 +33,7 @@ TEST(Record, ASessionInTheWindowReplaysToTheSameBits) {
   EXPECT_EQ(status, 0) << text.rdbuf();
 }
 
-TEST(Record, AFileThatCannotBeWrittenIsToldAtOnce) {
+TEST(Record, AFileThatCannotBeWrittenIsAnErrorAtOnce) {
   const TemporaryFolder folder;
   const auto output = folder.path() / "output.txt";
   const VirtualDisplay display;

@@ -118,7 +118,7 @@ TEST(Window, ControlAndLeftPullsARunningCloth) {
   viewer.waitUntil("the mouse to let go", [](const Json& s) { return !isAttached(s); });
 }
 
-TEST(Window, PPinsWhatIsHeldAndLetsItGoAgain) {
+TEST(Window, PPinsTheAttachedVertexAndReleasesIt) {
   ViewerDriver viewer({"grid", "--paused"});
   const Place place = viewer.onCloth();
   const Json before = takeCloth(viewer, place);
@@ -443,7 +443,7 @@ TEST(Window, AnotherSolverIsPickedFromTheListWhileTheClothMoves) {
   EXPECT_FALSE(viewer.state()["widgets"].contains("sweeps")) << "a setting of the first solver only";
 }
 
-TEST(Window, AutoTellsWhatItChose) {
+TEST(Window, AutoShowsItsChoices) {
   ViewerDriver viewer({"grid", "--set", "solver=auto"});
   const Json chosen = viewer.waitUntil("a choice", [](const Json& s) { return !s["choice"].is_null(); })["choice"];
   EXPECT_GE(chosen["substeps"], 1.0);

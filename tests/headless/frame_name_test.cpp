@@ -7,14 +7,14 @@
 namespace drape::app {
 namespace {
 
-TEST(FramePattern, putsTheNumberWhereItIsAskedFor) {
+TEST(FramePattern, putsTheNumberInPlaceOfThePlaceholder) {
   EXPECT_EQ(FramePattern("out/f_{frame:4}.png", 100).name(7), "out/f_0007.png");
   EXPECT_EQ(FramePattern("f{frame}.png", 100).name(12), "f12.png");
   EXPECT_EQ(FramePattern("f{frame:2}.png", 1000).name(123), "f123.png");
   EXPECT_EQ(FramePattern("one.png", 1).name(0), "one.png");
 }
 
-TEST(FramePattern, refusesWhatWouldOverwriteOrCannotBeRead) {
+TEST(FramePattern, refusesNamesWithoutOrWithWrongPlaceholders) {
   for (const char* pattern :
        {"f.png", "f{frame.png", "f{fram}.png", "f{frame:0}.png", "f{frame:x}.png", "f{frame:10}.png", "f{}.png"}) {
     EXPECT_THROW(FramePattern(pattern, 2), messages::UsageError) << pattern;

@@ -8,7 +8,7 @@ namespace {
 
 const std::string quick = "hardcases --short --case heavy_gravity ";
 
-TEST(HardCasesCommand, tellsPassOrFailWithTheFiguresForEachSolver) {
+TEST(HardCasesCommand, printsPassOrFailWithTheFiguresForEachSolver) {
   const auto file = testFolder() / "cases.json";
   const Outcome outcome = headless(quick + "--case 7 --solver verlet --solver newton --json " + file.string());
   ASSERT_EQ(outcome.status, 0) << outcome.errors;

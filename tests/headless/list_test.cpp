@@ -36,7 +36,7 @@ TEST(List, isReadableWithoutJson) {
   EXPECT_NE(headless("list scenes").output.find("flag"), std::string::npos);
 }
 
-TEST(List, refusesWhatItDoesNotKnow) {
+TEST(List, refusesUnknownLists) {
   EXPECT_EQ(headless("list colours").status, 2);
   EXPECT_EQ(headless("list").status, 2);
   EXPECT_EQ(headless("list scenes --markdown").status, 2);

@@ -40,7 +40,7 @@ TEST(Measure, findsNoErrorInTheReferenceItself) {
   EXPECT_GT(json["reference"]["largest_step_residual"], 1e-6);  // one sweep does not solve the step
 }
 
-TEST(Measure, tellsHowFarTheConvergedReferenceIsFromHalfItsStep) {
+TEST(Measure, reportsTheDistanceOfTheConvergedReferenceFromHalfItsStep) {
   const auto json = measurementOf(
       "--set stiffness=10 --seconds 0.1 --against converged --reference-set solver=one_iteration "
       "--reference-tolerance 1e-4 --restarted");
@@ -51,7 +51,7 @@ TEST(Measure, tellsHowFarTheConvergedReferenceIsFromHalfItsStep) {
   EXPECT_EQ(json["reference"]["differences"].size(), 4U);
 }
 
-TEST(Measure, holdsOneIterationAgainstBothReferences) {
+TEST(Measure, comparesOneIterationWithBothReferences) {
   const auto solved = measurementOf("--set stiffness=10 --seconds 0.2 --against same_step");
   const auto converged = measurementOf("--set stiffness=10 --seconds 0.2 --against converged");
   EXPECT_EQ(solved["reference"]["solver"], "newton");
@@ -80,7 +80,7 @@ TEST(Measure, saysWhenTheReferenceDoesNotConverge) {
   EXPECT_NE(outcome.errors.find("does not converge"), std::string::npos) << outcome.errors;
 }
 
-TEST(Measure, saysWhenTheClothBlowsUpAndReportsWhatCameBefore) {
+TEST(Measure, reportsABlowUpAndTheCheckpointsBefore) {
   const Outcome outcome = headless(
       "measure grid --set stiffness=1e7 --set derivative=axial --seconds 1 --against one_iteration "
       "--reference-set derivative=stabilised");

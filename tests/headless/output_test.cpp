@@ -102,7 +102,7 @@ TEST(FileNames, mayBeThoseOfScenesOfAnyBytes) {
   EXPECT_TRUE(nlohmann::json::parse(readFile(folder / "s.json")).is_object());
 }
 
-TEST(FileNames, areToldWhenTheyCannotBeWrittenBeforeAnythingIsDone) {
+TEST(FileNames, thatCannotBeWrittenAreErrorsBeforeTheRun) {
   const auto folder = testFolder();
   for (const std::string& arguments :
        {std::string("run grid --seconds 1e4 --stats /no/such/folder/s.json"),
@@ -115,7 +115,7 @@ TEST(FileNames, areToldWhenTheyCannotBeWrittenBeforeAnythingIsDone) {
   }
 }
 
-TEST(FileNames, ofARunThatFailsKeepWhatTheyHeld) {
+TEST(FileNames, ofARunThatFailsKeepTheirOldContent) {
   const auto folder = testFolder();
   std::ofstream(folder / "old.json") << "earlier";
   const std::string scene =

@@ -136,7 +136,7 @@ TEST(Replay, failsWhereTheEndDiffers) {
   EXPECT_NE(outcome.errors.find(log.stateHash), std::string::npos) << outcome.errors;
 }
 
-TEST(Replay, refusesWhatIsNoCompleteLog) {
+TEST(Replay, refusesAnIncompleteLog) {
   const std::string whole = readFile(written(sessionLogOf(*busySession())));
   const std::string file = (testFolder() / "damaged.json").string();
   for (const std::string& text : {std::string(), std::string("{}"), whole.substr(0, whole.size() / 2)}) {
@@ -148,6 +148,16 @@ TEST(Replay, refusesWhatIsNoCompleteLog) {
   const Outcome missing = headless("run --replay " + (testFolder() / "missing.json").string());
   EXPECT_EQ(missing.status, 1);
   EXPECT_NE(missing.errors.find("missing.json"), std::string::npos) << missing.errors;
+}
+
+TEST(Replay, refusesUnknownSettingsWithTheNameOfTheLog) {
+  SessionLog log = sessionLogOf(*busySession());
+  log.settings.emplace_back("softness", "1");
+  const std::string file = written(log);
+  const Outcome outcome = headless("run --replay " + file);
+  EXPECT_EQ(outcome.status, 1) << "the file is wrong, not the command line";
+  EXPECT_NE(outcome.errors.find(file + ": there is no setting"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(headless("run --threads 0 --replay " + file).status, 2);
 }
 
 TEST(Replay, refusesStepsThatDecreaseOrHaveNoEnd) {

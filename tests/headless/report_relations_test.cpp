@@ -88,7 +88,7 @@ std::string faultsOf(const Json& json, const Json& schemaJson) {
   return faults;
 }
 
-TEST_F(QuickReport, holdsToItsSchema) {
+TEST_F(QuickReport, conformsToItsSchema) {
   const Json schema =
       Json::parse(readFile(std::filesystem::path(DRAPE_SOURCE) / "docs" / "guide" / "report.schema.json"));
   EXPECT_EQ(faultsOf(json_, schema), "");

@@ -50,7 +50,7 @@ TEST(Report, measuresTheFrameUpdateAndWritesAllItsFiles) {
   EXPECT_NE(readFile(folder / "report.html").find("</html>"), std::string::npos);
 }
 
-TEST(Report, measuresNothingAgainWhenItGoesOn) {
+TEST(Report, measuresNothingAgainWhenItContinues) {
   const auto folder = testFolder();
   const std::string arguments = "--quick --only table1 --output " + folder.string();
   ASSERT_EQ(report(arguments).status, 0);
@@ -62,7 +62,7 @@ TEST(Report, measuresNothingAgainWhenItGoesOn) {
   EXPECT_NE(other.errors.find("same options"), std::string::npos) << other.errors;
 }
 
-TEST(Report, writesWhatItHasWhenItIsInterrupted) {
+TEST(Report, writesItsResultsWhenItIsInterrupted) {
   const auto folder = testFolder();
   // A full measurement of the frame update takes half a minute.
   const Outcome outcome = interruptedReport(1, "--only table1 --output " + folder.string());
@@ -75,7 +75,7 @@ TEST(Report, writesWhatItHasWhenItIsInterrupted) {
   EXPECT_NE(readFile(folder / "report.html").find("</html>"), std::string::npos);
 }
 
-TEST(Report, tellsWhatMovedSinceAnEarlierOne) {
+TEST(Report, listsTheChangesSinceAnEarlierOne) {
   const auto folder = testFolder();
   const std::string arguments = "--quick --only table1 --output " + folder.string();
   ASSERT_EQ(report(arguments).status, 0);
@@ -102,7 +102,7 @@ TEST(Report, tellsWhatMovedSinceAnEarlierOne) {
   EXPECT_NE(readFile(folder / "report.html").find("Changes since an earlier report"), std::string::npos);
 }
 
-TEST(Report, refusesToCompareWithWhatCannotBeCompared) {
+TEST(Report, refusesToCompareWithWrongFiles) {
   const auto folder = testFolder();
   const auto refuses = [&](const std::string& text, const std::string& because) {
     std::ofstream(folder / "old.json") << text;

@@ -33,7 +33,7 @@ TEST(Run, writesTheFiguresOfThePapersSheet) {
   EXPECT_EQ(stats["settings"]["grid.resolution"], 17);
 }
 
-TEST(Run, tellsWhatASolverThatChoosesForItselfChose) {
+TEST(Run, reportsTheChoicesOfAuto) {
   const std::string sheet = "grid --set grid.resolution=17 --seconds 0.2 --set solver=";
   EXPECT_TRUE(statsOf(sheet + "one_iteration")["choice"].is_null());
   const auto choice = statsOf(sheet + "auto")["choice"];
@@ -46,7 +46,7 @@ TEST(Run, tellsWhatASolverThatChoosesForItselfChose) {
   EXPECT_EQ(choice["fallback_steps"], 0);
 }
 
-TEST(Run, tellsTheStabilityLimitWhereTheSolverHasOne) {
+TEST(Run, printsTheStabilityLimitOfASolverThatHasOne) {
   EXPECT_TRUE(statsOf("grid --seconds 0.01")["stability_limit"].is_null());
   const std::string sheet = "grid --set grid.resolution=17 --set mass=0.1 --set stiffness=10 --seconds 0.01 ";
   const auto limit = statsOf(sheet + "--set solver=verlet")["stability_limit"];
@@ -66,7 +66,7 @@ TEST(Run, givesTheSameHashFromRunToRunAndForAnyNumberOfThreads) {
   EXPECT_EQ(statsOf(arguments + "5")["state_hash"], first);
 }
 
-TEST(Run, tellsHowFarTheGhostIsAndLeavesTheClothAsItIs) {
+TEST(Run, reportsTheDistanceOfTheGhostAndDoesNotChangeTheCloth) {
   const std::string arguments = "grid --set grid.resolution=9 --seconds 0.3";
   const auto alone = statsOf(arguments);
   EXPECT_FALSE(alone.contains("ghost_distance_mean"));
@@ -76,7 +76,7 @@ TEST(Run, tellsHowFarTheGhostIsAndLeavesTheClothAsItIs) {
   EXPECT_EQ(haunted["steps"], alone["steps"]);
 }
 
-TEST(Run, goesOnWhenTheGhostBlowsUp) {
+TEST(Run, continuesWhenTheGhostBlowsUp) {
   const auto file = testFolder() / "stats.json";
   const Outcome outcome = headless(
       "run grid --set grid.resolution=9 --set derivative=axial --set stiffness=1e3 --set time_step=1/30 "
@@ -162,7 +162,7 @@ TEST(Run, notesAFabricThatHasNoEffectOnSprings) {
   EXPECT_EQ(fabric.errors.find("has no effect"), std::string::npos) << fabric.errors;
 }
 
-TEST(Run, refusesASolverThatKnowsSpringsOnly) {
+TEST(Run, refusesASolverThatTakesSpringsOnly) {
   const Outcome outcome = headless("run grid --seconds 0 --set solver=kang --set material.model=fabric");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.errors.find("solver = kang knows springs only"), std::string::npos) << outcome.errors;
@@ -203,7 +203,7 @@ TEST(Run, failsWithStatusOneWhenInputOrOutputCannotBeHad) {
   }
 }
 
-TEST(Run, tellsWhatWasFoundInAMeshFile) {
+TEST(Run, printsTheContentsOfAMeshFile) {
   const auto mesh = testFolder() / "sheet.obj";
   std::ofstream(mesh) << "v 0 0 0\nv 100 0 0\nv 100 200 0\nv 0 200 0\nf 1 2 3 4\nf 1 2 3\n";
   const Outcome centimetres = headless("run " + mesh.string() + " --set unit=cm --set up=y --seconds 0.01");
@@ -222,7 +222,7 @@ TEST(Run, takesAFormerKeyOfASettingWithOneNote) {
   EXPECT_EQ(outcome.errors.find(note, first + 1), std::string::npos) << outcome.errors;
 }
 
-TEST(Run, tellsHowAMeshFileWasRead) {
+TEST(Run, printsHowAMeshFileWasRead) {
   const auto folder = testFolder();
   const auto mesh = folder / "towel.obj";
   std::ofstream(mesh) << "v 0 0 0\nv 60 0 0\nv 60 90 0\nv 0 90 0\nf 1 2 3 4\n";
@@ -242,7 +242,7 @@ TEST(Run, tellsHowAMeshFileWasRead) {
   EXPECT_TRUE(statsOf("grid --seconds 0.01")["reading"].is_null());
 }
 
-TEST(Run, tellsOfPinsThatHoldEverythingWithTheOptionThatHelps) {
+TEST(Run, warnsOfPinsOnAllVerticesWithTheOptionThatHelps) {
   const auto mesh = testFolder() / "level.obj";
   std::ofstream(mesh) << "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nf 4 3 2 1\n";
   const Outcome outcome = headless("run " + mesh.string() + " --set pins=top --seconds 0.01");
@@ -316,7 +316,7 @@ TEST(Run, showsNoProgressBarWhereThereIsNoTerminal) {
   EXPECT_EQ(headless("run grid --seconds 0.1 --set stiffness=0.5").errors, "");
 }
 
-TEST(Run, tellsWhatIsWrongWithTheSolverAndTheGhostsOnThisCloth) {
+TEST(Run, warnsOfTheSolverAndTheGhostsSolverOnThisCloth) {
   const Outcome outcome = headless("run grid --seconds 0.1 --set solver=verlet --set ghost.solver=one_iteration");
   EXPECT_EQ(outcome.status, 1) << "it blows up";
   EXPECT_NE(outcome.errors.find("warning: verlet: The time step is above"), std::string::npos) << outcome.errors;

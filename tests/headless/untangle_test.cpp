@@ -96,7 +96,7 @@ TEST(Untangle, writesTheSameMeshWithoutIntersections) {
   EXPECT_NE(run.output.find("intersecting triangle pairs: none"), std::string::npos) << run.output << run.errors;
 }
 
-TEST(Untangle, leavesAMeshWithoutIntersectionsAsItIs) {
+TEST(Untangle, doesNotChangeAMeshWithoutIntersections) {
   const auto output = testFolder() / "flag.obj";
   const Outcome outcome = headless("untangle grid --set grid.resolution=3 " + output.string());
   EXPECT_NE(outcome.output.find("no triangles intersected"), std::string::npos) << outcome.output << outcome.errors;
@@ -106,7 +106,7 @@ TEST(Untangle, leavesAMeshWithoutIntersectionsAsItIs) {
   }
 }
 
-TEST(Untangle, writesWhatItHasAndFailsWhenTheTimeIsOver) {
+TEST(Untangle, writesTheLastPositionsAndFailsWhenTheTimeIsOver) {
   const auto folder = testFolder();
   const auto output = folder / "unfinished.obj";
   const Outcome outcome =

@@ -25,7 +25,7 @@ TEST(ValidateCommand, printsTheErrorsOfEachKindOfMesh) {
   EXPECT_NEAR(rows[0]["results"][1]["measured"].get<double>(), rows[0]["exact"].get<double>(), 1e-5);
 }
 
-TEST(ValidateCommand, failsWithStatusOneAndNamesWhatIsOff) {
+TEST(ValidateCommand, failsWithStatusOneAndNamesTheCasesThatAreOff) {
   // With 20 cells the load is 0.2 % off, which is within the aim of the case.
   EXPECT_EQ(headless("validate --short --only buckling").status, 0);
   const Outcome outcome = headless("validate --short --only buckling --aim 0.01");

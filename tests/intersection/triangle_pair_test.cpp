@@ -113,7 +113,7 @@ class RandomTriangles {
   std::uniform_int_distribution<int> coordinate_;
 };
 
-TEST(TrianglePair, agreesWithTheReferenceOnRandomPairsWhateverTheOrder) {
+TEST(TrianglePair, agreesWithTheReferenceOnRandomPairsInAnyOrder) {
   for (const int limit : {2, 4, 30}) {
     RandomTriangles random(limit);
     Tally tally;

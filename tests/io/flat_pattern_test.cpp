@@ -77,7 +77,7 @@ TEST(FlatPattern, putsEdgesAlongInnerLines) {
   }
 }
 
-TEST(FlatPattern, knowsWhichPointsAreSewnOn) {
+TEST(FlatPattern, marksThePointsOnSeams) {
   const Outline outline = bittenSquare();
   const std::vector<Vec2> points = outline.points();
   const std::vector<bool> sewn = outline.sewn();

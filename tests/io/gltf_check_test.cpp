@@ -61,7 +61,7 @@ TEST_F(GltfBuffers, namesABufferThatIsMissingOrCutOff) {
   EXPECT_TRUE(contains(problemOf("short.bin"), "its buffer 'short.bin' holds 3 of 36 bytes"));
 }
 
-TEST(GltfCheck, namesWhatIsWrongWithTheJson) {
+TEST(GltfCheck, namesTheErrorInTheJson) {
   const auto problemOf = [](const std::string& text) {
     return inputErrorOf([&text] { (void)gltfWithBuffers(text, {}); });
   };
@@ -95,7 +95,7 @@ std::string glbProblem(const std::string& bytes) {
   return inputErrorOf([&bytes] { (void)glbWithMesh(bytes); });
 }
 
-TEST(GltfCheck, tellsOfATruncationOfABinaryFileAtEveryByte) {
+TEST(GltfCheck, reportsATruncationOfABinaryFileAtEveryByte) {
   const std::string whole = glb();
   EXPECT_EQ(glbWithMesh(whole).substr(0, 4), "glTF");
   for (std::size_t size = 1; size < whole.size(); ++size) {

@@ -56,7 +56,7 @@ TEST(GltfContent, keepsOnlyWhatAMeshIsMadeOf) {
   EXPECT_EQ(parts["meshes"][0]["primitives"][0].dump(), R"({"attributes":{"POSITION":0},"indices":1})");
 }
 
-TEST(GltfContent, refusesACornerOrACoordinateThatIsNotThere) {
+TEST(GltfContent, refusesMissingCornersAndBadCoordinates) {
   EXPECT_TRUE(contains(problemOf(triangle(), 3), "a face uses vertex 3, and its mesh has only 3"));
   EXPECT_TRUE(contains(problemOf(triangle(), 2, NAN), "vertex 2 of meshes[0].primitives[0] has a coordinate"));
 }
@@ -69,7 +69,7 @@ TEST(GltfContent, namesANumberThatIsNone) {
   EXPECT_TRUE(contains(problemWith("/nodes/0/scale", Json::array({1})), "nodes[0].scale is not a list of 3 numbers"));
 }
 
-TEST(GltfContent, namesWhatIsNotThere) {
+TEST(GltfContent, namesMissingParts) {
   EXPECT_TRUE(contains(problemWith("/accessors/0/bufferView", 9), "accessors[0] names bufferViews[9]"));
   EXPECT_TRUE(contains(problemWith("/accessors/0/count", 4294967295), "more than bufferViews[0] holds"));
   EXPECT_TRUE(contains(problemWith("/bufferViews/1/byteLength", 7), "ends at byte 43 of a buffer of 42"));

@@ -130,7 +130,7 @@ TEST_F(ImportFailure, namesTheLineOfACoordinateThatIsNotFinite) {
   }
 }
 
-TEST_F(ImportFailure, namesTheLineOfAVertexThatIsNotThere) {
+TEST_F(ImportFailure, namesTheLineOfAMissingVertex) {
   EXPECT_TRUE(contains(problemOf("bad.obj", fourCorners + "f 1 2 9\n"), "bad.obj: line 5: there is no vertex 9"));
   EXPECT_TRUE(contains(problemOf("bad.obj", fourCorners + "f 0 1 2\n"), "bad.obj: line 5: vertex 0 does not exist"));
 }

@@ -201,7 +201,7 @@ TEST(MeshImport, readsABinaryPlyWhoseNumbersBeginWithABlank) {
   }
 }
 
-TEST(MeshImport, tellsItsProgress) {
+TEST(MeshImport, reportsItsProgress) {
   std::vector<double> shares;
   ImportOptions options;
   options.watch.progress = [&shares](double share, std::string_view stage) {
@@ -215,7 +215,7 @@ TEST(MeshImport, tellsItsProgress) {
   EXPECT_LE(shares.back(), 1.0);
 }
 
-TEST(MeshImport, tellsTheUnitAndTheUpAxisThatTheFormatPrescribes) {
+TEST(MeshImport, hasTheUnitAndTheUpAxisThatTheFormatPrescribes) {
   const FormatFacts gltf = import("a.glb", glbSquare()).format;
   EXPECT_EQ(gltf.metresPerUnit, 1.0);
   EXPECT_EQ(gltf.up, 'y');

@@ -62,7 +62,7 @@ TEST(ObjCheck, takesNumbersThatAreTooSmallOrVeryLong) {
   EXPECT_TRUE(contains(check("v 12345678901234567890123 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").text, "v 1.23456789"));
 }
 
-TEST(ObjCheck, namesTheLineOfACornerThatIsNotThere) {
+TEST(ObjCheck, namesTheLineOfAMissingCorner) {
   EXPECT_TRUE(contains(problemOf(vertices + "f 1 2 4\n"), "line 5: there is no vertex 4"));
   EXPECT_TRUE(contains(problemOf(vertices + "f 1 2 -4\n"), "line 5: there is no vertex -4, only 3 come before it"));
   EXPECT_TRUE(contains(problemOf(vertices + "f 0 1 2\n"), "line 5: vertex 0 does not exist: OBJ counts from 1"));
@@ -103,7 +103,7 @@ TEST(ObjCheck, replacesTextureCoordinatesThatAreNoNumbers) {
   EXPECT_TRUE(contains(obj.warnings[0], "Line 5 has '-nan(ind)' as a texture coordinate"));
 }
 
-TEST(ObjCheck, tellsOfATruncationAtEveryByte) {
+TEST(ObjCheck, reportsATruncationAtEveryByte) {
   const std::string whole =
       "o shirt\n" + vertices + "v 0.25 12.5 -3\nvt 0.5 0.5\nvt 1 0.25\nf 1/1 2/2 3/1\nf 2/2 4/1 3/1\n";
   const std::size_t firstFace = whole.find("f 1/1");

@@ -25,7 +25,7 @@ TEST(OffCheck, leavesOutFacesOfTwoCorners) {
   EXPECT_TRUE(contains(off.text, "OFF\n3 1 0\n"));
 }
 
-TEST(OffCheck, tellsOfATruncationAtEveryByte) {
+TEST(OffCheck, reportsATruncationAtEveryByte) {
   for (std::size_t size = 1; size < square.size(); ++size) {
     const std::string cut = square.substr(0, size);
     if (size + 1 < square.size()) {
@@ -36,7 +36,7 @@ TEST(OffCheck, tellsOfATruncationAtEveryByte) {
   }
 }
 
-TEST(OffCheck, namesTheLineOfWhatIsWrong) {
+TEST(OffCheck, namesTheLineOfAnError) {
   const std::string start = "OFF\n3 1 0\n0 0 0\n1 0 0\n";
   EXPECT_TRUE(contains(problemOf(start + "0 nan 0\n3 0 1 2\n"), "line 5: 'nan' is not a finite number"));
   EXPECT_TRUE(contains(problemOf(start + "0 1\n3 0 1 2\n"), "line 5: a vertex needs three coordinates"));
@@ -53,7 +53,7 @@ TEST(OffCheck, saysWhichKindsAreNotRead) {
   EXPECT_TRUE(contains(problemOf("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), "there are no faces"));
 }
 
-TEST(OffCheck, warnsOfWhatTheHeaderDoesNotPromise) {
+TEST(OffCheck, warnsOfElementsBeyondTheHeader) {
   EXPECT_TRUE(checkOff(square + "\n# end\n").warnings.empty());
   EXPECT_TRUE(contains(checkOff(square + "3 0 1 3\n").warnings.at(0), "Line 11 and what follows it are more"));
 }

@@ -126,7 +126,7 @@ TEST(PlyCheck, refusesAFaceOfVeryManyCorners) {
   EXPECT_TRUE(contains(problemOf(textPly("0 0 0\n1 0 0\n0 1 0\n" + face + "\n")), "face 1 of 1 has 20001 corners"));
 }
 
-TEST(PlyCheck, warnsOfWhatTheHeaderDoesNotPromise) {
+TEST(PlyCheck, warnsOfElementsBeyondTheHeader) {
   EXPECT_TRUE(contains(check(textPly("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n")).warnings.at(0),
                        "Line 15 and what follows it are more than its header promises"));
   EXPECT_TRUE(contains(check(binaryPly(true) + std::string(13, '\0')).warnings.at(0), "The last 13 bytes are more"));

@@ -79,7 +79,7 @@ TEST(SimErrorText, saysWhyAPatternCannotBe) {
 }
 
 TEST(SimErrorText, namesTheSolversThatTakeAFabric) {
-  const std::string refusal = knowsSpringsOnly("ghost.solver", "kang");
+  const std::string refusal = takesSpringsOnly("ghost.solver", "kang");
   EXPECT_TRUE(
       refusal.starts_with("ghost.solver = kang knows springs only. With material.model = fabric choose one of: "
                           "one_iteration, auto, "))
@@ -87,7 +87,7 @@ TEST(SimErrorText, namesTheSolversThatTakeAFabric) {
   const auto model = sim::testing::asFabric(*sim::testing::pinnedSheet(3), sim::testing::woven());
   sim::ClothState state = sim::stateAtRest(model->restPositions);
   EXPECT_EQ(messageFrom([&] { return sim::Stepper("kang").step(*model, {}, {}, state); }),
-            knowsSpringsOnly("solver", "kang"));
+            takesSpringsOnly("solver", "kang"));
 }
 
 TEST(SimErrorText, namesAnUnknownSolverAndKeepsOtherMessages) {

@@ -26,7 +26,7 @@ CreasedMesh foldedStrip(double angle) {
   return mesh;
 }
 
-TEST(Creases, RoundPartsStayWhole) {
+TEST(Creases, RoundPartsKeepCommonVertices) {
   const CreasedMesh strip = foldedStrip(0.3);
   const CreasedMesh split = splitAtCreases(strip.positions, strip.triangles, 0.5);
   EXPECT_EQ(split.positions.size(), strip.positions.size());

@@ -29,7 +29,7 @@ TEST(Framebuffer, drawsWithAnyNumberOfSamplesThatTheDriverHas) {
   }
 }
 
-TEST(Framebuffer, hasFourSamplesWhereItIsNotAskedForOthers) {
+TEST(Framebuffer, hasFourSamplesByDefault) {
   const OsmesaContext context;
   Framebuffer framebuffer;
   static_cast<void>(clearedWith(framebuffer, 0.0F, 1.0F, 0.0F));

@@ -80,7 +80,7 @@ TEST(CompareImages, SeesDifferentSizes) {
   EXPECT_FALSE(compareImages(gradient(20, 5), gradient(10, 10)).sameSize);
 }
 
-TEST(DifferencePicture, MarksWhatDiffersInRed) {
+TEST(DifferencePicture, MarksDifferentPixelsInRed) {
   const Image a = gradient(8, 8);
   Image b = a;
   b.rgb[3 * 9] = static_cast<std::uint8_t>(b.rgb[3 * 9] + 50);

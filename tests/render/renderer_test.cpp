@@ -94,7 +94,7 @@ TEST_F(RendererTest, TwoRenderersDrawTheSameBytes) {
   EXPECT_EQ(first.rgb, picture(snapshot).rgb);
 }
 
-TEST_F(RendererTest, WhatWasDrawnBeforeLeavesNoTrace) {
+TEST_F(RendererTest, APictureDoesNotDependOnThePreviousOne) {
   const session::Snapshot snapshot = wavySheet(0.06);
   const Image fresh = picture(snapshot);
   session::Snapshot other = wavySheet(0.12);
@@ -269,7 +269,7 @@ TEST_F(RendererTest, SizeMayChangeBetweenPictures) {
   EXPECT_EQ(before.rgb, picture(snapshot).rgb);
 }
 
-TEST_F(RendererTest, ThingsThatStandThereAreDrawn) {
+TEST_F(RendererTest, AStandIsDrawn) {
   const session::Snapshot snapshot = wavySheet(0.06);
   const Image without = picture(snapshot);
   auto scene = std::make_shared<scene::Scene>(*snapshot.scene);

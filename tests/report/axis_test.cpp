@@ -40,7 +40,7 @@ TEST(LogarithmicAxis, leavesLabelsOutWhenThereAreManyDecades) {
   EXPECT_LE(labels.size(), 9U);
 }
 
-TEST(LogarithmicAxis, takesOnlyWhatHasALogarithm) {
+TEST(LogarithmicAxis, takesOnlyPositiveValues) {
   const Axis axis(Scale::Logarithmic, {0.0, -1.0, none, infinite, 5.0});
   EXPECT_FALSE(axis.takes(0.0));
   EXPECT_FALSE(axis.takes(none));
@@ -54,7 +54,7 @@ TEST(LinearAxis, hasRoundTicksAroundTheValues) {
   EXPECT_NEAR(axis.share(0.5), 0.5, 1e-12);
 }
 
-TEST(Axis, hasTicksInsideItselfWhateverItHolds) {
+TEST(Axis, hasTicksWithinItsRangeForAllValues) {
   for (const Scale scale : {Scale::Linear, Scale::Logarithmic}) {
     for (const auto& values :
          std::vector<std::vector<double>>{{}, {none}, {3.0}, {0.0}, {-2.0, 1e9}, {1e-300, 1e300}}) {

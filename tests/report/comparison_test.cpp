@@ -48,7 +48,7 @@ TEST(Comparison, doesNotCallAFewPercentAMove) {
   EXPECT_TRUE(compared(older, reportOf(10.3, {10.2, 10.3, 10.4}, 0.1))["moved"].empty());
 }
 
-TEST(Comparison, judgesNoTimeWithoutRepeats) {
+TEST(Comparison, comparesNoTimeWithoutRepeats) {
   const auto comparison = compared(reportOf(10.0, {10.0}, 0.1), reportOf(99.0, {99.0}, 0.1));
   EXPECT_TRUE(comparison["moved"].empty());
   EXPECT_EQ(comparison["unjudged"], 1);
@@ -71,12 +71,12 @@ TEST(Comparison, doesNotCompareTimesOfTwoProcessors) {
   EXPECT_EQ(comparison["times_compared"], false);
 }
 
-TEST(Comparison, leavesOutWhatWasGivenUp) {
+TEST(Comparison, leavesOutRowsThatWereGivenUp) {
   EXPECT_TRUE(
       compared(reportOf(10.0, {9.0, 11.0}, 0.1), reportOf(99.0, {98.0, 99.0}, 0.2, "too slow"))["moved"].empty());
 }
 
-TEST(Comparison, refusesWhatWasMadeOtherwise) {
+TEST(Comparison, refusesReportsWithOtherOptions) {
   const Report report = reportOf(10.0, {9.0, 11.0}, 0.1);
   EXPECT_NO_THROW(requireComparable(reportJson(report), report));
   Report other = report;

@@ -92,7 +92,7 @@ TEST(ErrorReport, ofAFrozenClothIsOneWithNothingKept) {
   EXPECT_EQ(summarise(*scene->model, frozen, reference, report, times)[0].motionKept, 0.0);
 }
 
-TEST(ErrorReport, marksWhatLiesBeyondTheReferencesCheck) {
+TEST(ErrorReport, marksCheckpointsBeyondTheReferencesCheck) {
   const auto scene = testing::smallGrid();
   Reference reference = solverReference(*scene, scene->settings, 3);
   reference.trusted = 2;
@@ -101,7 +101,7 @@ TEST(ErrorReport, marksWhatLiesBeyondTheReferencesCheck) {
   EXPECT_FALSE(report.checkpoints[2].trusted);
 }
 
-TEST(ErrorSummary, standsAtTheNearestCheckpointAndLeavesOutWhatIsBeyondTheRun) {
+TEST(ErrorSummary, isThatOfTheNearestCheckpointAndEndsWithTheRun) {
   const auto scene = testing::smallGrid({"pins=none"});
   const Reference exact = exactFall(*scene, 4);
   const Trajectory own = runTrajectory(*scene, scene->settings, 4);
@@ -117,7 +117,7 @@ TEST(ErrorSummary, standsAtTheNearestCheckpointAndLeavesOutWhatIsBeyondTheRun) {
   EXPECT_NEAR(summaries[0].motionKept, std::hypot(15.0, 40.0) / std::hypot(12.5, 37.5), 1e-9);
 }
 
-TEST(Measurement, judgesAMethodAgainstAnotherAndWritesItDown) {
+TEST(Measurement, comparesAMethodWithAnotherAndWritesTheErrors) {
   const auto scene = testing::smallGrid();
   MeasurementPlan plan;
   plan.checkpoints = 3;

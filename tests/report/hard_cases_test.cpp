@@ -20,7 +20,7 @@ hardcases::CaseOptions shortly(const std::string& solver, const std::vector<std:
   return options;
 }
 
-TEST(HardCases, areAllThereOnceEach) {
+TEST(HardCases, areListedOnceEach) {
   std::set<std::string_view> names;
   int number = 0;
   for (const hardcases::HardCase& one : hardcases::hardCaseTable()) {
@@ -83,7 +83,7 @@ TEST(HardCases, giveExplicitMethodsTheSubstepsThatTheyNeed) {
   EXPECT_EQ(hardcases::stableSubsteps(*model, implicit), 1);
 }
 
-TEST(HardCases, tellWhatWentWrong) {
+TEST(HardCases, reportTheirFailure) {
   const hardcases::CaseResult result =
       hardcases::runHardCase(hardcases::requireHardCase("long_steps"), shortly("one_iteration", {"derivative=axial"}));
   EXPECT_EQ(result.outcome, hardcases::CaseOutcome::Failed);

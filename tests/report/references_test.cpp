@@ -40,7 +40,7 @@ TEST(ConvergedReference, halvesUntilTheDifferenceIsBelowTheToleranceAndIsThatNea
   EXPECT_LT(distance, 1.1 * last.difference);
 }
 
-TEST(ConvergedReference, takesWhatThereIsOnlyWhenItIsToldTo) {
+TEST(ConvergedReference, takesAnInaccurateReferenceOnlyOnRequest) {
   const auto scene = testing::smallGrid({"stiffness=10"});
   ConvergenceTolerance tolerance;
   tolerance.absolute = 1e-12;
@@ -92,15 +92,15 @@ TEST(ConvergedReference, convergesInTheDampingOfAFabricToo) {
 
 TEST(ConvergedReference, needsBeNoBetterThanTheErrorThatItJudges) {
   const auto scene = testing::smallGrid({"stiffness=10"});
-  const Trajectory judged = runTrajectory(*scene, scene->settings, checkpoints);
+  const Trajectory compared = runTrajectory(*scene, scene->settings, checkpoints);
   ConvergenceTolerance tolerance;
   tolerance.absolute = 1e-12;
   tolerance.share = 0.02;
-  tolerance.judged = &judged;
+  tolerance.compared = &compared;
   const Reference reference = firstOrder(*scene, tolerance);
   EXPECT_EQ(reference.doubt, "");
   for (std::size_t k = 1; k <= checkpoints; ++k) {
-    const double error = sim::meanDistance(judged.states[k].positions, reference.trajectory.states[k].positions);
+    const double error = sim::meanDistance(compared.states[k].positions, reference.trajectory.states[k].positions);
     EXPECT_LE(reference.differences[k], 0.02 * error);
     EXPECT_GT(reference.differences[k], 1e-12);
   }

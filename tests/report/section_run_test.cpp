@@ -61,7 +61,7 @@ TEST(MeasureSections, measuresAllSectionsOnceBeforeAnyCellTwice) {
   EXPECT_EQ(seen[6], "a2b1c1 a1b1c1");
 }
 
-TEST(MeasureSections, isWholeWithoutRepeatsWhenThereIsNoTimeForThem) {
+TEST(MeasureSections, isCompleteWithoutRepeatsWhenThereIsNoTimeForThem) {
   SectionRows rows;
   RunHooks hooks;
   hooks.outOfTime = [] { return true; };
@@ -73,7 +73,7 @@ TEST(MeasureSections, isWholeWithoutRepeatsWhenThereIsNoTimeForThem) {
   EXPECT_EQ(cellsOf(rows["counting"]), "a2b1c1");
 }
 
-TEST(MeasureSections, keepsWhatItHasWhenStoppedAndGoesOnFromThere) {
+TEST(MeasureSections, keepsFinishedCellsWhenStoppedAndContinues) {
   SectionRows rows;
   int asked = 0;
   RunHooks stopping;
@@ -89,7 +89,7 @@ TEST(MeasureSections, keepsWhatItHasWhenStoppedAndGoesOnFromThere) {
   EXPECT_EQ(measured, 2);
 }
 
-TEST(MeasureSections, dropsWhatACellHadWhenItWasStoppedInside) {
+TEST(MeasureSections, dropsTheRowsOfACellThatWasStopped) {
   Section section = countingSection("counting");
   section.plan = [](const ReportOptions&) {
     SectionPlan plan;
@@ -107,7 +107,7 @@ TEST(MeasureSections, dropsWhatACellHadWhenItWasStoppedInside) {
   EXPECT_TRUE(rows["counting"].empty());
 }
 
-TEST(MeasureSections, tellsHowMuchIsDone) {
+TEST(MeasureSections, reportsItsProgress) {
   SectionRows rows;
   std::vector<double> done;
   RunHooks hooks;

@@ -48,7 +48,7 @@ const Kind* firstOf(const std::vector<Block>& blocks) {
   return nullptr;
 }
 
-TEST(ParetoFront, holdsWhatNothingElseBeats) {
+TEST(ParetoFront, hasTheEntriesThatNoOtherBeats) {
   const std::array entries{sections::CostAndError{3.0, 1.0}, sections::CostAndError{1.0, 5.0},
                            sections::CostAndError{2.0, 5.0}, sections::CostAndError{1.0, 6.0},
                            sections::CostAndError{4.0, 0.5}, sections::CostAndError{5.0, 0.7},
@@ -79,7 +79,7 @@ TEST(MethodCurves, haveSettingsThatCanBeSet) {
   }
 }
 
-TEST(WorkPrecision, calmFrozenAndExplodedAreToldApart) {
+TEST(WorkPrecision, distinguishesCalmFrozenAndExploded) {
   ErrorSummary summary;
   summary.motionKept = 0.9;
   summary.meanError = 0.01;
@@ -207,7 +207,7 @@ TEST(Growth, leavesOutGridsThatWouldTakeTooLong) {
   EXPECT_TRUE(cell->measure({slow, {}}).at(0).contains("skipped"));
 }
 
-TEST(Collision, tellsWhatSelfCollisionCostsAndLetsThrough) {
+TEST(Collision, reportsTheCostAndTheIntersectionsOfSelfCollision) {
   const ReportRows off = measured("collision", "fold 17x17 off");
   const ReportRows hash = measured("collision", "fold 17x17 hash");
   ASSERT_EQ(off.size(), 1U);
@@ -242,7 +242,7 @@ std::string wordsOf(const ReportRows& rows) {
   return words;
 }
 
-TEST(Collision, saysInWordsWhatWentThroughAndWhatIsTooDear) {
+TEST(Collision, namesIntersectionsAndCostsAboveTheTarget) {
   const auto row = [](const char* scene, const char* mode, int self, int bodies, double cost) {
     return ReportRow{{"scene", scene},
                      {"resolution", 17},

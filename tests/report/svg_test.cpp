@@ -26,7 +26,7 @@ int countOf(const std::string& text, const std::string& part) {
   return count;
 }
 
-TEST(XmlCheck, findsWhatIsNotWellFormed) {
+TEST(XmlCheck, findsTextThatIsNotWellFormed) {
   EXPECT_EQ(testing::XmlCheck::faultOf("<a b=\"c\"><d/>e &amp; f</a>"), "");
   EXPECT_NE(testing::XmlCheck::faultOf("<a><b></a>"), "");
   EXPECT_NE(testing::XmlCheck::faultOf("<a>"), "");
@@ -34,7 +34,7 @@ TEST(XmlCheck, findsWhatIsNotWellFormed) {
   EXPECT_NE(testing::XmlCheck::faultOf("<a>b & c</a>"), "");
 }
 
-TEST(SvgPlot, isWellFormedAndHoldsNothingThatIsNoNumber) {
+TEST(SvgPlot, isWellFormedWithoutValuesThatAreNoNumbers) {
   const std::string svg = svgOf(twoCurves());
   EXPECT_EQ(testing::XmlCheck::faultOf(svg), "");
   EXPECT_EQ(testing::XmlCheck::faultOf(svgFile(svg)), "");

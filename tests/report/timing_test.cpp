@@ -47,7 +47,7 @@ TEST(TimeSteps, countsTheMemoryOfASolverWithADenseMatrix) {
   }
 }
 
-TEST(TimeSteps, goesOnAfterTheClothBlewUpAndSaysSo) {
+TEST(TimeSteps, continuesAfterTheClothBlewUpAndReportsIt) {
   const auto scene = testing::smallGrid({"solver=verlet", "stiffness=1e7"});
   const StepTiming timing =
       timeSteps(*scene, scene->settings, {.seconds = 0.0, .minSteps = 400, .maxSteps = 400}, [] {});

@@ -76,7 +76,7 @@ TEST(Trajectory, keepsTheLargestEnergyOfAnyStep) {
   EXPECT_EQ(trajectory.largestEnergy, largest);
 }
 
-TEST(Trajectory, tellsEachStepOfItsProgress) {
+TEST(Trajectory, reportsEachStep) {
   const auto scene = testing::smallGrid();
   std::int64_t calls = 0;
   std::int64_t last = 0;

@@ -75,7 +75,7 @@ ReportRow measuredRow(const char* method, double cost, double error, const char*
           {"state", state}};
 }
 
-TEST(WhatFollows, holdsAutoAgainstTheBestOtherMethodAtEqualCost) {
+TEST(WhatFollows, comparesAutoWithTheBestOtherMethodAtEqualCost) {
   SectionRows rows;
   rows["work_precision"] = {measuredRow("auto", 1.0, 0.5),    // the cheapest of all
                             measuredRow("auto", 10.0, 0.06),  // twice the error of verlet at 10

@@ -156,7 +156,7 @@ TEST(Bodies, aStandAndAGroundThatAreNotTouchedChangeNoBit) {
   EXPECT_EQ(afterSteps(true), afterSteps(false));
 }
 
-TEST(Bodies, whatIsSwitchedOffLetsTheClothThrough) {
+TEST(Bodies, clothPassesThroughABodyThatIsSwitchedOff) {
   Simulation simulation(sheetOnTable());
   advance(simulation, 20);
   EXPECT_GT(lowest(simulation), 0.5);
@@ -166,7 +166,7 @@ TEST(Bodies, whatIsSwitchedOffLetsTheClothThrough) {
   EXPECT_GT(lowest(simulation), 0.0) << "and down to the ground";
 }
 
-TEST(Bodies, whatCannotComeOutIsToldInWords) {
+TEST(Bodies, aMessageNamesClothThatCannotLeaveABody) {
   // A mast of 4 m through the middle of a sheet.
   Simulation simulation(sceneOf(std::string("[cloth]\ngrid = \"horizontal\"\nposition = [0, 0.5, 0]\n"
                                             "[[bodies]]\nname = \"mast\"\nshape = \"capsule\"\nradius = 0.05\n"
@@ -181,7 +181,7 @@ TEST(Bodies, whatCannotComeOutIsToldInWords) {
   EXPECT_NE(simulation.message().find("Move or scale"), std::string::npos) << simulation.message();
 }
 
-TEST(Bodies, aStartInsideABodyIsReportedUntilItIsUndone) {
+TEST(Bodies, aStartInsideABodyIsReportedUntilTheClothIsOut) {
   Simulation simulation(sheetInBall());
   EXPECT_EQ(simulation.message(), "");
   simulation.step();
@@ -204,7 +204,7 @@ TEST(Bodies, aStartInsideABodyIsReportedUntilItIsUndone) {
   }
 }
 
-TEST(Bodies, haveAnotherSurfaceWhenItIsAskedFor) {
+TEST(Bodies, takeAnotherSurfaceByCommand) {
   Simulation simulation(sheetOnTable());
   advance(simulation, 10);
   const double before = lowest(simulation);
@@ -219,7 +219,7 @@ TEST(Bodies, haveAnotherSurfaceWhenItIsAskedFor) {
   EXPECT_EQ(simulation.bodies().surface(0).thickness, 0.01) << "as everything that was set";
 }
 
-TEST(Bodies, doNotTakeASurfaceThatThereIsNot) {
+TEST(Bodies, refuseAnInvalidSurface) {
   Simulation simulation(sheetOnTable());
   const sim::contact::SurfaceProperties before = simulation.bodies().surface(0);
   for (const sim::contact::SurfaceProperties& wrong :
@@ -231,7 +231,7 @@ TEST(Bodies, doNotTakeASurfaceThatThereIsNot) {
   }
 }
 
-TEST(Bodies, areNotThereForCommandsThatNameNone) {
+TEST(Bodies, refuseCommandsForABodyThatDoesNotExist) {
   Simulation simulation(sheetOnTable());
   for (const int body : {-1, static_cast<int>(simulation.scene().bodies->size())}) {
     simulation.apply(MoveBodyCommand{body, Vec3::Zero()});

@@ -97,7 +97,7 @@ TEST_F(Budgeting, isLoggedSoThatAReplayTakesTheSameSteps) {
   EXPECT_EQ(sim::stateHash(again.state()), sim::stateHash(simulation.state()));
 }
 
-TEST_F(Budgeting, asksNoClockWhenItIsOff) {
+TEST_F(Budgeting, readsNoClockWhenItIsOff) {
   Simulation simulation(scene_);
   hurry(simulation);
   simulation.apply(SetSettingCommand{"auto.budget", 0.0});

@@ -153,7 +153,7 @@ TEST(Fabric, refusesWarpFromTextureThatTheClothLacks) {
   EXPECT_EQ(simulation.settings().fabric.warpFrom, "auto");
 }
 
-TEST(Fabric, isToldToBeSofterWhenItBlowsUp) {
+TEST(Fabric, causesAdviceToSoftenItWhenItBlowsUp) {
   Simulation simulation(smallGrid(9, {"solver=verlet", "time_step=0.02", "material.model=fabric",
                                       "fabric.stretch_warp=1e6", "fabric.stretch_weft=1e6"}));
   for (int i = 0; i < 500 && !simulation.blewUp(); ++i) {
@@ -163,7 +163,7 @@ TEST(Fabric, isToldToBeSofterWhenItBlowsUp) {
       << simulation.message();
 }
 
-TEST(Fabric, isRefusedWithASolverThatKnowsSpringsOnly) {
+TEST(Fabric, isRefusedWithASolverThatTakesSpringsOnly) {
   Simulation simulation(smallGrid(9, {"solver=kang"}));
   set(simulation, "material.model", std::string("fabric"));
   EXPECT_EQ(simulation.model().fabric, nullptr);

@@ -36,7 +36,7 @@ void use(Simulation& simulation) {
   advance(simulation, 15);
 }
 
-TEST(Ghost, leavesTheFirstClothAsItIsToTheLastBit) {
+TEST(Ghost, doesNotChangeABitOfTheFirstCloth) {
   Simulation alone(smallGrid());
   use(alone);
   for (const sim::SolverInfo& solver : sim::solverTable()) {
@@ -48,7 +48,7 @@ TEST(Ghost, leavesTheFirstClothAsItIsToTheLastBit) {
   }
 }
 
-TEST(Ghost, ofTheSameSolverGoesTheSameWay) {
+TEST(Ghost, ofTheSameSolverHasTheSameMotion) {
   Simulation simulation(smallGrid());
   set(simulation, "ghost.solver", simulation.settings().solver.name);
   use(simulation);
@@ -73,7 +73,7 @@ TEST(Ghost, beginsWhereTheFirstClothIsAndPartsFromIt) {
   EXPECT_GT(snapshot.ghost->stepSeconds, 0.0);
 }
 
-TEST(Ghost, goesWhenItIsTurnedOff) {
+TEST(Ghost, isRemovedWhenItIsTurnedOff) {
   Simulation simulation(smallGrid());
   set(simulation, "ghost.solver", std::string("one_iteration"));
   set(simulation, "ghost.solver", std::string("off"));
@@ -117,7 +117,7 @@ std::shared_ptr<const scene::Scene> explosive() {
   return scene;
 }
 
-TEST(Ghost, thatBlowsUpIsTakenAwayAndTheFirstClothGoesOn) {
+TEST(Ghost, thatBlowsUpIsRemovedAndTheFirstClothContinues) {
   Simulation simulation(explosive());
   int steps = 0;
   for (; simulation.ghost() != nullptr && steps < 200; ++steps) {

@@ -13,7 +13,7 @@ int stepsTaken(Pacer& pacer, double timeStep) {
   return steps;
 }
 
-TEST(Pacer, paysTheClockInWholeStepsAndKeepsTheRest) {
+TEST(Pacer, spendsTimeInWholeStepsAndKeepsTheRest) {
   Pacer pacer;
   int steps = 0;
   for (int frame = 0; frame < 60; ++frame) {
@@ -23,7 +23,7 @@ TEST(Pacer, paysTheClockInWholeStepsAndKeepsTheRest) {
   EXPECT_NEAR(steps, 150, 1);
 }
 
-TEST(Pacer, forgetsWhatAMachineThatIsTooSlowCouldNotPay) {
+TEST(Pacer, dropsTheBacklogOfASlowMachine) {
   Pacer pacer;
   pacer.collect(10.0, 1.0);
   EXPECT_NEAR(stepsTaken(pacer, 0.01), Pacer::longestDebt / 0.01, 1);

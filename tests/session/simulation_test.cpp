@@ -92,7 +92,7 @@ TEST(Simulation, pullsTheAttachedPointToTheMouseAndLetsGo) {
   EXPECT_GT((centreOf(simulation, 70) - before).norm(), 0.1);
 }
 
-TEST(Simulation, refusesToAttachToWhatIsNotThere) {
+TEST(Simulation, refusesToAttachToAMissingTriangle) {
   Simulation simulation(smallGrid());
   simulation.apply(AttachCommand{{100000, Vec3::Constant(1.0 / 3.0), Vec3::Zero()}});
   EXPECT_FALSE(simulation.message().empty());
@@ -102,7 +102,7 @@ TEST(Simulation, refusesToAttachToWhatIsNotThere) {
   EXPECT_FALSE(snapshot.attachment.has_value());
 }
 
-TEST(Simulation, pinsWhatIsHeldWhereItIsAndLetsItGoAgain) {
+TEST(Simulation, pinsTheAttachedVertexInPlaceAndReleasesIt) {
   Simulation simulation(smallGrid());
   EXPECT_EQ(pinCount(simulation), 2);
   simulation.apply(TogglePinCommand{});
@@ -173,7 +173,7 @@ TEST(Simulation, saysWhenSpringsAreStretchedBeyondAllMeasure) {
   EXPECT_NE(snapshot.message.find("time step is too long"), std::string::npos) << snapshot.message;
 }
 
-TEST(Simulation, keepsTheEnergyBalanceWhileItIsAskedFor) {
+TEST(Simulation, computesTheEnergyBalanceOnRequest) {
   Simulation simulation(smallGrid());
   Snapshot snapshot;
   simulation.apply(SetSettingCommand{"damping", 0.01});
@@ -196,7 +196,7 @@ TEST(Simulation, keepsTheEnergyBalanceWhileItIsAskedFor) {
   EXPECT_EQ(snapshot.balance->change(), 0.0);
 }
 
-TEST(Simulation, goesTheSameWayWithAndWithoutTheEnergyBalance) {
+TEST(Simulation, hasTheSameMotionWithAndWithoutTheEnergyBalance) {
   Simulation plain(smallGrid());
   Simulation measured(smallGrid());
   measured.apply(SetSettingCommand{"energy_balance", true});
@@ -276,7 +276,7 @@ TEST(Simulation, loadsAnotherSceneWithItsOwnSettings) {
   EXPECT_TRUE(sim::isFinite(simulation.state()));
 }
 
-TEST(Simulation, letsOutOfAStepWhatIsThrownWithinIt) {
+TEST(Simulation, forwardsAnExceptionFromAStep) {
   struct Enough {};
   Simulation simulation(smallGrid(9, {"solver=newton", "tolerance=1e-9"}));
   simulation.setProgressCallback([] { throw Enough(); });

@@ -40,7 +40,7 @@ TEST(StretchCause, ClothThatHangsAsItShouldHasNone) {
   EXPECT_EQ(outcome.snapshot.message, "");
 }
 
-TEST(StretchCause, SoftClothIsToldItsStretchAndTheStiffnessThatHelps) {
+TEST(StretchCause, SoftClothIsNamedWithItsStretchAndTheStiffnessThatHelps) {
   const StretchDiagnosis found = causeFor({"solver=auto", "stiffness=0.5", "damping=0.05"});
   EXPECT_EQ(found.cause, StretchCause::Soft);
   EXPECT_NE(found.advice.text.find("Too soft"), std::string::npos) << found.advice.text;
@@ -52,7 +52,7 @@ TEST(StretchCause, SoftClothIsToldItsStretchAndTheStiffnessThatHelps) {
   EXPECT_LT(cured.snapshot.maxStretch, 0.6) << "what is advised helps";
 }
 
-TEST(StretchCause, HeavyClothIsToldItsDensity) {
+TEST(StretchCause, HeavyClothIsNamedWithItsDensity) {
   const StretchDiagnosis found = causeFor({"solver=auto", "density=80", "stiffness=200", "damping=1"});
   EXPECT_EQ(found.cause, StretchCause::Heavy);
   EXPECT_NE(found.advice.text.find("the cloth weighs 80 kg"), std::string::npos) << found.advice.text;
@@ -74,7 +74,7 @@ TEST(StretchCause, TheStretchThatTheWeightImpliesIsNearTheOneThatComesOut) {
   EXPECT_LT(outcome.snapshot.maxStretch, 2.0 * expected);
 }
 
-TEST(StretchCause, ASolverBeyondItsStepIsToldSo) {
+TEST(StretchCause, AStepAboveTheLimitOfTheSolverIsNamed) {
   const auto scene = testing::smallGrid(9, {"solver=xpbd", "iterations=1", "stiffness=1e5", "time_step=0.02"});
   sim::ClothState pulled = scene->start;
   for (Vec3& position : pulled.positions) {
@@ -100,7 +100,7 @@ TEST(StretchCause, OnlyAFailedSolverIsCalledOverstretched) {
   EXPECT_EQ(attachment.advice.text.find("Overstretched"), std::string::npos);
 }
 
-TEST(StretchCause, AFabricIsNotToldOfSprings) {
+TEST(StretchCause, AdviceForAFabricDoesNotNameSprings) {
   for (const char* modulus : {"1", "1000"}) {
     const std::string is = std::string("=") + modulus;
     const auto scene = testing::smallGrid(9, {"solver=auto", "material.model=fabric", "fabric.stretch_warp" + is,
@@ -123,7 +123,7 @@ TEST(StretchCause, AFabricIsNotToldOfSprings) {
   }
 }
 
-TEST(StretchCause, SliversAreToldWithTheirPlace) {
+TEST(StretchCause, SliversAreNamedWithTheirPosition) {
   const auto grid = testing::smallGrid(9, {"solver=auto", "stiffness=500"});
   auto scene = std::make_shared<scene::Scene>(*grid);
   sim::ClothMesh mesh{grid->model->restPositions, grid->model->triangles};
@@ -141,7 +141,7 @@ TEST(StretchCause, SliversAreToldWithTheirPlace) {
   EXPECT_NE(found.advice.text.find("The first is at ("), std::string::npos) << found.advice.text;
 }
 
-TEST(StretchCause, ClothOfTheWrongUnitIsToldTheUnit) {
+TEST(StretchCause, AWrongUnitIsNamed) {
   const auto grid = testing::smallGrid(9, {"solver=auto", "grid.width=75", "grid.height=75", "stiffness=50"});
   auto scene = std::make_shared<scene::Scene>(*grid);
   scene->description.cloth().source = scene::MeshFileSource{"shirt.obj", false};

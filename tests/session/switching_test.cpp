@@ -57,7 +57,7 @@ void expectNoJump(Simulation& simulation, const char* key, const settings::Setti
   EXPECT_TRUE(sim::isFinite(simulation.state()));
 }
 
-TEST(Pinning, holdsAVertexAtOnceWhateverTheIntegration) {
+TEST(Pinning, stopsAVertexAtOnceWithAnyIntegration) {
   for (const char* integration : {"backward_euler", "theta", "bdf2"}) {
     Simulation simulation = calmSheet();
     simulation.apply(SetSettingCommand{"integration", std::string(integration)});

@@ -50,7 +50,7 @@ TEST(OwnFabrics, consistOfExactlyTheValuesThatAPresetSets) {
   EXPECT_EQ(set, std::set<std::string_view>(keys.begin(), keys.end()));
 }
 
-TEST(OwnFabrics, refuseBadNamesAndSayWhatToDo) {
+TEST(OwnFabrics, refuseBadNamesWithARemedy) {
   for (const auto& [name, expected] : {std::pair<std::string, const char*>("", "needs a name"),
                                        {"   ", "needs a name"},
                                        {"denim", "belongs to the built-in fabric Denim"},

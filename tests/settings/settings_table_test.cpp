@@ -72,7 +72,7 @@ TEST(SettingsTable, refusesNumbersOutOfRangeWithKeyRangeAndUnit) {
   EXPECT_NE(message.find("-3"), std::string::npos) << message;
 }
 
-TEST(SettingsTable, refusesWhatIsNoNumber) {
+TEST(SettingsTable, refusesTextThatIsNoNumber) {
   for (const char* text : {"nan", "inf", "-inf", "", "1e", "abc", "1.0x", "0x10", "1/0", "0/0", "1/", "/2", "1e999"}) {
     EXPECT_NE(refusal(std::string("time_step=") + text), "") << text;
   }
@@ -116,7 +116,7 @@ TEST(SettingsTable, tellsWhichSettingsHaveAnEffect) {
   EXPECT_TRUE(isRelevant(requireSetting("theta"), settings));
 }
 
-TEST(SettingsTable, showsWhatTheGhostsSolverReads) {
+TEST(SettingsTable, showsTheSettingsOfTheGhostsSolver) {
   Settings settings;
   EXPECT_FALSE(isRelevant(requireSetting("ghost.substeps"), settings));
   for (const sim::SolverInfo& solver : sim::solverTable()) {
@@ -136,7 +136,7 @@ TEST(ChoiceTitle, isTheTitleOrTheWordWithGaps) {
   EXPECT_EQ(choiceTitle(ChoiceField{nullptr, nullptr, nullptr}, "two_words"), "two words");
 }
 
-TEST(ChoiceTitle, isThereForEveryWordThatHasALabel) {
+TEST(ChoiceTitle, existsForEveryWordWithALabel) {
   for (const SettingInfo& info : settingsTable()) {
     const auto* choice = std::get_if<ChoiceField>(&info.field);
     if (choice == nullptr || choice->label == nullptr) {
@@ -336,7 +336,7 @@ TEST(FabricSettings, areNotedWhereTheClothConsistsOfSprings) {
             "the setting 'stiffness' has no effect while material.model is fabric");
 }
 
-TEST(FabricSettings, refuseWhatIsNoFabricWithTheNameOfTheSetting) {
+TEST(FabricSettings, refuseInvalidModuliWithTheNameOfTheSetting) {
   for (const char* key : {"fabric.stretch_warp", "fabric.stretch_weft", "fabric.shear", "fabric.stiffening_strain",
                           "fabric.stiffening_warp", "fabric.stiffening_weft", "fabric.bend_warp", "fabric.bend_weft",
                           "fabric.bend_bias", "fabric.density"}) {

@@ -63,7 +63,7 @@ TEST(EvenSweeps, areCalmWithTheRelaxationThatTheRuleAsksFor) {
   EXPECT_GT(largestEnergy("one_iteration", 17, parameters), 100.0);
 }
 
-TEST(DerivativesUnderOneIteration, differInWhatTheySurvive) {
+TEST(DerivativesUnderOneIteration, differInTheirStability) {
   const auto energy = [](ForceDerivative variant, double stiffness) {
     StepParameters parameters = with(stiffness, 1.0 / 150.0);
     parameters.derivative = variant;

@@ -66,7 +66,7 @@ TEST(DroppedFiles, ASceneAndAMeshRaiseTheQuestionAndKeepTheScenesCloth) {
   EXPECT_EQ(partsWithCloth(files, 0).cloth, "/a/table.obj");
 }
 
-TEST(DroppedFiles, OfTheSameNameAreToldApartByTheirFolders) {
+TEST(DroppedFiles, OfTheSameNameAreDistinguishedByTheirFolders) {
   EXPECT_EQ(distinctNames({"/a/summer/coat.obj", "/a/winter/coat.obj", "/a/body.obj"}),
             (std::vector<std::string>{"coat.obj (summer)", "coat.obj (winter)", "body.obj"}));
 }

@@ -277,7 +277,7 @@ TEST_F(BodyInteraction, DraggingABodyMovesItAtTheDepthWhereItWasTaken) {
   EXPECT_FALSE(controller_.holdsBody());
 }
 
-TEST_F(BodyInteraction, ABodyThatWasMovedIsTakenWhereItIs) {
+TEST_F(BodyInteraction, ABodyThatWasMovedIsPickedAtItsNewPosition) {
   simulation_.apply(session::MoveBodyCommand{0, Vec3(0.0, 0.0, 0.3)});
   for (int i = 0; i < 40; ++i) {
     simulation_.step();
@@ -292,7 +292,7 @@ TEST_F(BodyInteraction, ABodyThatWasMovedIsTakenWhereItIs) {
   EXPECT_NEAR((std::get<session::MoveBodyCommand>(still.commands.at(0)).shift - Vec3(0.0, 0.0, 0.3)).norm(), 0.0, 1e-9);
 }
 
-TEST_F(BodyInteraction, OnlyWhatIsThereAndHasAnEndIsTaken) {
+TEST_F(BodyInteraction, OnlyActiveFiniteBodiesArePicked) {
   send(PressEvent{.position = beside_});
   EXPECT_FALSE(controller_.holdsBody()) << "the ground stays";
   send(ReleaseEvent{MouseButton::Left});

@@ -30,7 +30,7 @@ TEST(MeasureHistory, KeepsTheNewestAndThinsOutTheRest) {
   }
 }
 
-TEST(MeasureHistory, KeepsWhatWasChosen) {
+TEST(MeasureHistory, KeepsTheChoicesOfAuto) {
   const auto scene = std::make_shared<const scene::Scene>();
   session::Snapshot snapshot = at(0.0, 1.0, scene);
   MeasureHistory history;
@@ -43,7 +43,7 @@ TEST(MeasureHistory, KeepsWhatWasChosen) {
   EXPECT_EQ(history.samples().back().choice->substeps, 12);
 }
 
-TEST(MeasureHistory, ForgetsWhatIsLongAgo) {
+TEST(MeasureHistory, DropsOldSamples) {
   const auto scene = std::make_shared<const scene::Scene>();
   MeasureHistory history;
   for (int i = 0; i <= 300; ++i) {
@@ -62,7 +62,7 @@ TEST(MeasureHistory, TakesTheSameMomentOnce) {
   EXPECT_EQ(history.samples().front().energy.kinetic, 2.0);
 }
 
-TEST(MeasureHistory, BeginsAnewWithAResetAndWithAnotherScene) {
+TEST(MeasureHistory, StartsAgainWithAResetAndWithAnotherScene) {
   const auto scene = std::make_shared<const scene::Scene>();
   MeasureHistory history;
   history.add(at(0.0, 1.0, scene));
@@ -74,7 +74,7 @@ TEST(MeasureHistory, BeginsAnewWithAResetAndWithAnotherScene) {
   EXPECT_EQ(history.samples().size(), 1U);
 }
 
-TEST(MeasureHistory, KnowsTheGhostsDistanceOnlyWhereThereIsAGhost) {
+TEST(MeasureHistory, HasTheGhostsDistanceOnlyWithAGhost) {
   const auto scene = std::make_shared<const scene::Scene>();
   MeasureHistory history;
   history.add(at(0.0, 1.0, scene));

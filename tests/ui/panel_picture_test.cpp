@@ -82,7 +82,7 @@ TEST_F(PanelPicture, WithoutPanelsThePictureFillsTheWindow) {
   EXPECT_GT(brightness(image, width - 4, height - 4), 120);
 }
 
-TEST_F(PanelPicture, TheFocalPointIsInTheMiddleOfWhatIsLeft) {
+TEST_F(PanelPicture, TheFocalPointIsInTheMiddleOfTheFreeArea) {
   draw();
   const UiRect view = panels_.view();
   const scene::CameraPose pose = snapshot_.scene->camera;

@@ -86,7 +86,7 @@ TEST_F(ReadingNotice, HasOneClickForPinsThatHoldEverything) {
   EXPECT_EQ(rebuiltBy("pins.pins").mesh.pins, "shape");
 }
 
-TEST_F(ReadingNotice, IsNotThereForABuiltInScene) {
+TEST_F(ReadingNotice, DoesNotAppearForABuiltInScene) {
   const scene::SceneDescription grid = scene::openScene("grid");
   simulation_.apply(session::LoadSceneCommand{scene::buildScene(grid, grid.settings)});
   settle();

@@ -40,7 +40,7 @@ TEST_F(SceneChanges, NothingHasChangedAtFirst) {
   EXPECT_TRUE(differsFromScene(snapshot_, snapshot_.settings)) << "but the scene itself says something else";
 }
 
-TEST_F(SceneChanges, ASettingIsAChangeUntilItIsSetBack) {
+TEST_F(SceneChanges, ASettingIsAChangeUntilItsValueIsRestored) {
   EXPECT_TRUE(changed(session::SetSettingCommand{"drag", 0.5}));
   EXPECT_FALSE(changed(session::SetSettingCommand{"drag", 0.25}));
 }

@@ -67,7 +67,7 @@ TEST(SceneLoader, RestoresASceneUnderItsOwnSettings) {
   EXPECT_EQ(outcome.scene->settings.grid.resolution, description.settings.grid.resolution);
 }
 
-TEST(SceneLoader, WhatIsCancelledNeverArrives) {
+TEST(SceneLoader, CancelledJobsNeverArrive) {
   SceneLoader loader;
   loader.open({.scene = "grid"}, [](settings::Settings&) {});
   EXPECT_TRUE(loader.cancel());
@@ -80,7 +80,7 @@ TEST(SceneLoader, WhatIsCancelledNeverArrives) {
   EXPECT_EQ(outcome.scene->description.name, "flag");
 }
 
-TEST(SceneLoader, TellsHowFarItIs) {
+TEST(SceneLoader, ReportsItsProgress) {
   constexpr int side = 150;
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "drape-scene-loader-test.obj";
   std::ofstream mesh(file);
@@ -121,7 +121,7 @@ TEST(CarryViewSettings, TakesOnlyWhatTheUserChangedAboutTheView) {
   EXPECT_EQ(target.step.air.drag, settings::Settings().step.air.drag);
 }
 
-TEST(RunningChanges, LeaveOutWhatTheSceneIsBuiltFrom) {
+TEST(RunningChanges, LeaveOutSettingsOfTheMesh) {
   settings::Settings to;
   to.step.air.drag = 3.0;
   to.grid.width = 4.0;

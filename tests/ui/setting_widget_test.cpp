@@ -374,7 +374,7 @@ TEST(NearestAllowed, KeepsToRange) {
   EXPECT_EQ(nearestAllowed(field, 1e9), 99);
 }
 
-TEST(TypedValue, RefusesWhatIsNoNumber) {
+TEST(TypedValue, RefusesTextThatIsNoNumber) {
   const settings::SettingInfo& info = settings::requireSetting("drag");
   EXPECT_THROW(static_cast<void>(typedValue(info, settings::Settings(), "nan")), messages::UsageError);
   EXPECT_THROW(static_cast<void>(typedValue(info, settings::Settings(), "")), messages::UsageError);

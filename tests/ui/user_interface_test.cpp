@@ -200,7 +200,7 @@ TEST_F(UserInterfaceTest, AnErrorStaysUntilItIsClosed) {
   EXPECT_TRUE(panels_.buttons().contains("button.close")) << "the same thing went wrong again";
 }
 
-TEST_F(UserInterfaceTest, TheSameErrorIsToldAgain) {
+TEST_F(UserInterfaceTest, TheSameErrorAppearsAgain) {
   stats_.error = "there is no file 'shirt.obj'";
   stats_.failures = 1;
   settle();
@@ -225,7 +225,7 @@ TEST_F(UserInterfaceTest, ALongErrorScrollsInsideThePicture) {
   EXPECT_TRUE(panels_.covers({notice.x + 20.0, notice.y + notice.height - 10.0})) << "the wheel scrolls it";
 }
 
-TEST_F(UserInterfaceTest, TheFirstHintGoesWithTheFirstDrag) {
+TEST_F(UserInterfaceTest, TheFirstHintDisappearsWithTheFirstDrag) {
   ASSERT_TRUE(panels_.buttons().contains("hint.drag"));
   const UiRect hint = button("hint.drag");
   EXPECT_FALSE(panels_.covers({hint.x + 5.0, hint.y + 5.0})) << "the cloth behind it can be taken";
@@ -237,7 +237,7 @@ TEST_F(UserInterfaceTest, TheFirstHintGoesWithTheFirstDrag) {
   EXPECT_FALSE(panels_.buttons().contains("hint.drag"));
 }
 
-TEST_F(UserInterfaceTest, WhatLiesOverThePictureNeverOverlaps) {
+TEST_F(UserInterfaceTest, BoxesOverThePictureNeverOverlap) {
   stats_.error =
       "shirt.obj is not a mesh. It has a very long explanation, which needs more than one line in a window that "
       "is as small as this one.";
@@ -255,7 +255,7 @@ TEST_F(UserInterfaceTest, WhatLiesOverThePictureNeverOverlaps) {
   }
 }
 
-TEST_F(UserInterfaceTest, ResetAllIsThereOnceSomethingDiffers) {
+TEST_F(UserInterfaceTest, ResetAllAppearsWhenAValueDiffers) {
   EXPECT_TRUE(click(button("button.reset_all")).requests.empty()) << "there is nothing to restore";
   simulation_.apply(session::SetSettingCommand{"drag", 2.0});
   settle();
@@ -331,7 +331,7 @@ TEST_F(UserInterfaceTest, TheStatusLineSpeaksOfTheClothFirst) {
   EXPECT_EQ(status.find("iteration"), std::string::npos) << "the solver is for those who ask: " << status;
 }
 
-TEST_F(UserInterfaceTest, AClickOnTheStatusLineTellsOfTheSolver) {
+TEST_F(UserInterfaceTest, AClickOnTheStatusLineShowsTheSolver) {
   EXPECT_FALSE(panels_.buttons().contains("status.details"));
   click(button("status.facts"), 0.1);
   settle();

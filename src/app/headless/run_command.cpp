@@ -50,7 +50,7 @@ std::int64_t stepsFor(double seconds, double timeStep) {
   return static_cast<std::int64_t>(steps);
 }
 
-/// Prints the contents of a mesh file and how it was repaired. Prints nothing for grids.
+/// Prints the contents of mesh files. Prints nothing for grids.
 void printMesh(const scene::Scene& scene) {
   const auto isFile = [](const scene::ClothDescription& cloth) {
     return std::holds_alternative<scene::MeshFileSource>(cloth.source);
@@ -172,9 +172,14 @@ class RunOutputs {
 
 /// Runs a recorded session again. It must end in the same bits.
 void replay(const RunArguments& arguments) {
+  // The number of threads is that of this run. A wrong one is an error of the command line, not of the log.
+  settings::Settings ofThisRun;
+  settings::assignSettingExpression(ofThisRun, "threads=" + std::to_string(arguments.threads));
   SessionLog log = readSessionLog(arguments.replay);
   log.settings.emplace_back("threads", std::to_string(arguments.threads));
-  session::Simulation simulation(openLoggedScene(log));
+  const auto scene = openLoggedScene(log);
+  printMeshWarnings(*scene);
+  session::Simulation simulation(scene);
   RunOutputs outputs(arguments, simulation, log.steps);
   simulation.replay(log.commands, log.steps, [&] { outputs.addStep(simulation); });
   outputs.finish(simulation);

@@ -300,7 +300,7 @@ void Viewer::execute(ui::UiOutput& output, const session::Snapshot& snapshot) {
 }
 
 void Viewer::on(const ui::OpenSceneRequest& request, const session::Snapshot& snapshot) {
-  notOpened_.clear();  // of files that were dropped earlier and came to nothing
+  notOpened_.clear();  // the message about files that were dropped earlier
   on(ui::OpenPartsRequest{{.scene = request.nameOrPath}}, snapshot);
 }
 

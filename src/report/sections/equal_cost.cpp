@@ -33,7 +33,7 @@ double floorOf(const ReportRows& rows) {
 const ReportRow* bestWithin(double cost, bool ofOwn, const ReportRows& rows) {
   const ReportRow* best = nullptr;
   for (const ReportRow& row : rows) {
-    const bool fits = isJudged(row) && (row.value("method", "") == own) == ofOwn && costOf(row) <= cost;
+    const bool fits = isCalmRow(row) && (row.value("method", "") == own) == ofOwn && costOf(row) <= cost;
     if (fits && (best == nullptr || numberIn(row, "error_mean") < numberIn(*best, "error_mean"))) {
       best = &row;
     }
@@ -52,7 +52,7 @@ std::vector<Pairing> pairingsIn(const ReportRows& rows) {
   const double floor = floorOf(rows);
   std::vector<Pairing> pairings;
   for (const ReportRow& row : rows) {
-    const bool counts = isJudged(row) && row.value("method", "") == own;
+    const bool counts = isCalmRow(row) && row.value("method", "") == own;
     const ReportRow* rival = counts ? bestWithin(costOf(row), false, rows) : nullptr;
     if (rival != nullptr) {
       const ReportRow* best = bestWithin(costOf(row), true, rows);

@@ -109,9 +109,8 @@ std::string nearestText(const ReportRows& rows, const std::string& method, const
 
 std::string inPlainWords(const ReportRows& rows) {
   std::string text =
-      "The paper prints eps of at most 0.000485 and does not say how its cloth begins, how it is held, how stiff and "
-      "how "
-      "damped it is; its mass is once 0.05 and once 0.1 kg. ";
+      "The paper prints eps of at most 0.000485. It does not give the start, the pins, the stiffness and the damping "
+      "of its cloth. It gives two masses, 0.05 and 0.1 kg. ";
   for (const char* method : {"one_iteration", "pcg"}) {
     for (const char* mode : {"free-running", "restarted"}) {
       text += nearestText(rows, method, mode);
@@ -125,10 +124,9 @@ std::string inPlainWords(const ReportRows& rows) {
               : "So none of these conditions gives its values. ";
   return text +
          "From rest they are impossible: in the first interval the cloth falls freely, and backward Euler with five "
-         "steps falls (5 + 1) / 5 as far as the true motion. This is an eps of 0.04 for any cloth. pcg, which "
-         "solves the system of each step, shows the part of backward Euler. One sweep adds the "
-         "sluggishness "
-         "that docs/theory/method.md tells of.";
+         "steps falls (5 + 1) / 5 as far as the true motion. This is an eps of 0.04 for any cloth. pcg solves the "
+         "system of each step, so its error is that of backward Euler. One sweep is slower still "
+         "(docs/theory/method.md, Limits).";
 }
 
 std::string referenceText(const ReportRows& rows) {

@@ -39,7 +39,7 @@ void answer(ReportRow& row, const ReportRow* by) {
 const ReportRow* cheapest(const ReportRows& rows, double share) {
   const ReportRow* best = nullptr;
   for (const ReportRow& row : rows) {
-    const bool fits = isJudged(row) && numberIn(row, "error_of_diagonal") < share;
+    const bool fits = isCalmRow(row) && numberIn(row, "error_of_diagonal") < share;
     if (fits &&
         (best == nullptr || numberIn(row, "us_per_simulated_second") < numberIn(*best, "us_per_simulated_second"))) {
       best = &row;
@@ -52,7 +52,7 @@ const ReportRow* cheapest(const ReportRows& rows, double share) {
 const ReportRow* bestWithin(const ReportRows& rows, const std::string& method) {
   const ReportRow* best = nullptr;
   for (const ReportRow& row : rows) {
-    const bool fits = isJudged(row) && row.value("method", "") == method &&
+    const bool fits = isCalmRow(row) && row.value("method", "") == method &&
                       numberIn(row, "us_per_simulated_second") <= budgetOfSecond;
     if (fits && (best == nullptr || numberIn(row, "error_of_diagonal") < numberIn(*best, "error_of_diagonal"))) {
       best = &row;

@@ -6,7 +6,7 @@
 namespace drape::report::sections {
 namespace {
 
-std::vector<GroundPlan> quickGroundsOf(const SetUp& setUp, bool isFirst) {
+std::vector<ComparedCloth> clothsOfQuickReport(const SetUp& setUp, bool isFirst) {
   // A garment takes seconds a method, so a quick report has it only on request.
   if (isMesh(setUp) && isFirst) {
     return {{0, fabricOf("jersey"), true}};
@@ -14,43 +14,43 @@ std::vector<GroundPlan> quickGroundsOf(const SetUp& setUp, bool isFirst) {
   if (setUp.name == "twist" && !isFirst) {
     return {{17, springsOf("10"), true}};
   }
-  return isFirst ? std::vector<GroundPlan>{{17, springsOf("10")},
-                                           {17, springsOf("1e5"), true},
-                                           {9, fabricOf("jersey")},
-                                           {17, fabricOf("cotton"), true}}
-                 : std::vector<GroundPlan>{};
+  return isFirst ? std::vector<ComparedCloth>{{17, springsOf("10")},
+                                              {17, springsOf("1e5"), true},
+                                              {9, fabricOf("jersey")},
+                                              {17, fabricOf("cotton"), true}}
+                 : std::vector<ComparedCloth>{};
 }
 
-std::vector<GroundPlan> fullGroundsOf(const SetUp& setUp, bool isFirst) {
+std::vector<ComparedCloth> clothsOfFullReport(const SetUp& setUp, bool isFirst) {
   if (isMesh(setUp)) {
     return {{0, fabricOf("cotton")}, {0, fabricOf("jersey")}};
   }
-  std::vector<GroundPlan> grounds;
+  std::vector<ComparedCloth> cloths;
   for (const int resolution : {17, 33, 65}) {
     for (const char* stiffness : {"10", "1000", "1e5"}) {
       // The largest cloths take most of the time: the first set-up has all of them, the others one each.
       if (isFirst || resolution < 65 || std::string_view(stiffness) == "1000") {
-        grounds.push_back({resolution, springsOf(stiffness)});
+        cloths.push_back({resolution, springsOf(stiffness)});
       }
     }
     for (const char* preset : {"cotton", "jersey"}) {
       if (isFirst && resolution < 65) {
-        grounds.push_back({resolution, fabricOf(preset)});
+        cloths.push_back({resolution, fabricOf(preset)});
       }
     }
   }
-  return grounds;
+  return cloths;
 }
 
 }  // namespace
 
-std::vector<GroundPlan> groundsOf(const SetUp& setUp, bool isFirst, bool quick) {
-  return quick ? quickGroundsOf(setUp, isFirst) : fullGroundsOf(setUp, isFirst);
+std::vector<ComparedCloth> comparedCloths(const SetUp& setUp, bool isFirst, bool quick) {
+  return quick ? clothsOfQuickReport(setUp, isFirst) : clothsOfFullReport(setUp, isFirst);
 }
 
-std::vector<std::string> valuesOn(const GroundPlan& ground, const MethodCurve& curve, bool quick) {
+std::vector<std::string> valuesOn(const ComparedCloth& cloth, const MethodCurve& curve, bool quick) {
   constexpr std::size_t stride = 3;  // on a mesh, where every run takes long
-  if (quick || ground.resolution > 0) {
+  if (quick || cloth.resolution > 0) {
     return quick ? curve.quick : curve.values;
   }
   std::vector<std::string> values;
@@ -60,11 +60,11 @@ std::vector<std::string> valuesOn(const GroundPlan& ground, const MethodCurve& c
   return values;
 }
 
-bool takes(const sim::SolverInfo& solver, const GroundPlan& ground) {
-  const bool fabric = ground.material.isFabric();
+bool takes(const sim::SolverInfo& solver, const ComparedCloth& cloth) {
+  const bool fabric = cloth.material.isFabric();
   // The implicit solvers have vector instructions for springs only.
   const bool fast = hasVectorLoops(solver) && !(fabric && solver.backwardEuler);
-  return (!fabric || solver.takesFabric) && (!ground.fastMethods || fast);
+  return (!fabric || solver.takesFabric) && (!cloth.fastMethods || fast);
 }
 
 }  // namespace drape::report::sections

@@ -10,19 +10,19 @@
 namespace drape::report::sections {
 
 /// A cloth for the comparison of methods.
-struct GroundPlan {
+struct ComparedCloth {
   int resolution = 0;  ///< 0 for a mesh
   WorkMaterial material;
   bool fastMethods = false;  ///< only methods with vector instructions for this material
 };
 
 /// The cloths of a set-up. The first set-up has most of them, and a quick report has few.
-[[nodiscard]] std::vector<GroundPlan> groundsOf(const SetUp& setUp, bool isFirst, bool quick);
+[[nodiscard]] std::vector<ComparedCloth> comparedCloths(const SetUp& setUp, bool isFirst, bool quick);
 
 /// The values of a curve that are measured on the cloth.
-[[nodiscard]] std::vector<std::string> valuesOn(const GroundPlan& ground, const MethodCurve& curve, bool quick);
+[[nodiscard]] std::vector<std::string> valuesOn(const ComparedCloth& cloth, const MethodCurve& curve, bool quick);
 
 /// Whether the solver is among those that are compared on the cloth.
-[[nodiscard]] bool takes(const sim::SolverInfo& solver, const GroundPlan& ground);
+[[nodiscard]] bool takes(const sim::SolverInfo& solver, const ComparedCloth& cloth);
 
 }  // namespace drape::report::sections

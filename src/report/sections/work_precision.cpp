@@ -1,10 +1,10 @@
 #include "report/error_report.hpp"
 #include "report/number_text.hpp"
+#include "report/sections/cloth_with_reference.hpp"
 #include "report/sections/method_curves.hpp"
 #include "report/sections/section_scene.hpp"
 #include "report/sections/sections.hpp"
 #include "report/sections/time_limit.hpp"
-#include "report/sections/work_ground.hpp"
 #include "report/sections/work_plan.hpp"
 #include "report/sections/work_precision_view.hpp"
 #include "report/sections/work_rows.hpp"
@@ -29,13 +29,13 @@ struct Limits {
   double timedSeconds;     ///< shorter runs are repeated this long in each round [s]
 };
 
-Limits limitsOf(bool quick, const WorkGround& ground) {
+Limits limitsOf(bool quick, const ClothWithReference& cloth) {
   if (quick) {
     // Tests check the results of a quick report, so these must not depend on the load of the machine.
     return {30.0, 0.05, 2e-3};
   }
   // Fabrics are stiff, and the implicit solvers run them without vector instructions.
-  const double maxSeconds = ground.resolution() == 0 ? 0.6 : ground.material().isFabric() ? 0.25 : 0.08;
+  const double maxSeconds = cloth.resolution() == 0 ? 0.6 : cloth.material().isFabric() ? 0.25 : 0.08;
   return {maxSeconds, 0.02, 3e-3};
 }
 
@@ -61,21 +61,21 @@ struct Entry {
   }
 };
 
-/// CPU time of the whole run up to each judged time, per simulated second [us], the mean of as many runs as the clock
+/// CPU time of the whole run up to each measured time, per simulated second [us], the mean of as many runs as the clock
 /// needs. The solver's set-up is not included.
-std::array<double, judgedTimes.size()> timedRun(const scene::Scene& scene, const settings::Settings& settings,
-                                                double minSeconds, const std::function<void()>& checkStop) {
+std::array<double, measuredTimes.size()> timedRun(const scene::Scene& scene, const settings::Settings& settings,
+                                                  double minSeconds, const std::function<void()>& checkStop) {
   sim::Stepper stepper(settings.solver.name);
   sim::ClothState state = scene.start;
   stepper.step(*scene.model, settings.step, {}, state);
-  std::array<double, judgedTimes.size()> spent{};
+  std::array<double, measuredTimes.size()> spent{};
   int runs = 0;
   for (double all = 0.0; all < minSeconds || runs == 0; ++runs) {
     state = scene.start;
     double seconds = 0.0;
     int step = 0;
-    for (std::size_t k = 0; k < judgedTimes.size(); ++k) {
-      for (; step < stepsToJudged[k]; ++step) {
+    for (std::size_t k = 0; k < measuredTimes.size(); ++k) {
+      for (; step < stepsToMeasured[k]; ++step) {
         checkStop();
         const double begin = threadSeconds();
         stepper.step(*scene.model, settings.step, {}, state);
@@ -86,17 +86,17 @@ std::array<double, judgedTimes.size()> timedRun(const scene::Scene& scene, const
     all += seconds;
   }
   for (std::size_t k = 0; k < spent.size(); ++k) {
-    spent[k] *= microseconds / judgedTimes[k] / runs;
+    spent[k] *= microseconds / measuredTimes[k] / runs;
   }
   return spent;
 }
 
 /// The row of a setting at a time, before any result.
-ReportRow emptyRow(WorkGround& ground, const Entry& entry, double time) {
-  return {{"scene", ground.name()},
-          {"resolution", resolutionJson(ground.resolution())},
-          {"material", ground.material().name},
-          {"stiffness", ground.material().isFabric() ? ReportRow(nullptr) : ReportRow(*ground.material().stiffness)},
+ReportRow emptyRow(ClothWithReference& cloth, const Entry& entry, double time) {
+  return {{"scene", cloth.name()},
+          {"resolution", resolutionJson(cloth.resolution())},
+          {"material", cloth.material().name},
+          {"stiffness", cloth.material().isFabric() ? ReportRow(nullptr) : ReportRow(*cloth.material().stiffness)},
           {"time", time},
           {"method", entry.curve.method},
           {"curve", entry.curve.label},
@@ -118,7 +118,7 @@ ReportRow emptyRow(WorkGround& ground, const Entry& entry, double time) {
           {"trusted", false}};
 }
 
-/// The result of a run at a judged time; empty when it did not reach it.
+/// The result of a run at a measured time; empty when it did not reach it.
 std::optional<ErrorSummary> summaryAt(const scene::Scene& scene, const Trajectory& own, const Reference& reference,
                                       const ErrorReport& report, double time) {
   const auto summaries = summarise(*scene.model, own, reference, report, std::array{time});
@@ -127,15 +127,15 @@ std::optional<ErrorSummary> summaryAt(const scene::Scene& scene, const Trajector
 }
 
 /// A run of a setting, from the original start (seed 0) or a jittered one, compared with the reference.
-struct JudgedRun {
+struct MeasuredRun {
   Trajectory own;
   ErrorReport report;
 };
 
-JudgedRun judgedRun(WorkGround& ground, const settings::Settings& settings, const Reference& reference, int seed,
-                    const TimeLimit& timeLimit) {
-  const scene::Scene& scene = seed == 0 ? ground.scene() : ground.jitteredScene(seed);
-  JudgedRun run{runTrajectory(scene, settings, judgedCheckpoints, timeLimit.watch()), {}};
+MeasuredRun measuredRun(ClothWithReference& cloth, const settings::Settings& settings, const Reference& reference,
+                        int seed, const TimeLimit& timeLimit) {
+  const scene::Scene& scene = seed == 0 ? cloth.scene() : cloth.jitteredScene(seed);
+  MeasuredRun run{runTrajectory(scene, settings, measuredCheckpoints, timeLimit.watch()), {}};
   run.report = compareWithReference(*scene.model, settings.step, run.own, reference);
   return run;
 }
@@ -154,7 +154,7 @@ bool writeReference(const Reference& reference, double diagonal, ReportRow& row)
 }
 
 /// Writes the errors of the run from the original start.
-void writeErrors(const scene::Scene& scene, const JudgedRun& run, const Reference& reference, ReportRow& row) {
+void writeErrors(const scene::Scene& scene, const MeasuredRun& run, const Reference& reference, ReportRow& row) {
   if (!writeReference(reference, run.report.diagonal, row)) {
     return;
   }
@@ -172,13 +172,13 @@ void writeErrors(const scene::Scene& scene, const JudgedRun& run, const Referenc
 
 /// Also runs from jittered starts, and writes the range of the errors. `error_mean` remains that of the original start,
 /// which another report reproduces to the last bit.
-void writeSpread(WorkGround& ground, const settings::Settings& settings, const Reference& reference,
+void writeSpread(ClothWithReference& cloth, const settings::Settings& settings, const Reference& reference,
                  const TimeLimit& timeLimit, ReportRows& rows) {
   std::vector<std::vector<double>> errors(rows.size());
   for (int seed = 1; seed <= seedCount; ++seed) {
-    const JudgedRun run = judgedRun(ground, settings, reference, seed, timeLimit);
+    const MeasuredRun run = measuredRun(cloth, settings, reference, seed, timeLimit);
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      const auto summary = summaryAt(ground.jitteredScene(seed), run.own, reference, run.report, rows[k]["time"]);
+      const auto summary = summaryAt(cloth.jitteredScene(seed), run.own, reference, run.report, rows[k]["time"]);
       if (summary && std::isfinite(summary->meanError)) {
         errors[k].push_back(summary->meanError);
       }
@@ -199,29 +199,29 @@ bool isChaotic(const ReportRows& rows) {
   });
 }
 
-/// Errors at the judged times, without costs.
-ReportRows judgedRows(WorkGround& ground, const Entry& entry, const settings::Settings& settings, const Limits& limits,
-                      const std::function<void()>& checkStop) {
+/// Errors at the measured times, without costs.
+ReportRows measuredRows(ClothWithReference& cloth, const Entry& entry, const settings::Settings& settings,
+                        const Limits& limits, const std::function<void()>& checkStop) {
   ReportRows rows;
-  for (const double time : judgedTimes) {
-    rows.push_back(emptyRow(ground, entry, time));
+  for (const double time : measuredTimes) {
+    rows.push_back(emptyRow(cloth, entry, time));
   }
-  const Reference* reference = ground.reference(checkStop);
+  const Reference* reference = cloth.reference(checkStop);
   if (reference == nullptr) {
     return rows;
   }
   for (ReportRow& row : rows) {
-    row["noise_floor"] = finiteOrNull(ground.noiseFloor(checkpointsIn(row["time"]), checkStop));
+    row["noise_floor"] = finiteOrNull(cloth.noiseFloor(checkpointsIn(row["time"]), checkStop));
   }
   try {
     const TimeLimit timeLimit(checkStop, limits.maxSeconds);
-    const JudgedRun run = judgedRun(ground, settings, *reference, 0, timeLimit);
+    const MeasuredRun run = measuredRun(cloth, settings, *reference, 0, timeLimit);
     const double spent = timeLimit.spent();
     for (ReportRow& row : rows) {
-      writeErrors(ground.scene(), run, *reference, row);
+      writeErrors(cloth.scene(), run, *reference, row);
     }
     if (isChaotic(rows) && spent < limits.repeatedSeconds) {
-      writeSpread(ground, settings, *reference, TimeLimit(checkStop, limits.maxSeconds), rows);
+      writeSpread(cloth, settings, *reference, TimeLimit(checkStop, limits.maxSeconds), rows);
     }
   } catch (const TooSlow&) {
     for (ReportRow& row : rows) {
@@ -233,13 +233,13 @@ ReportRows judgedRows(WorkGround& ground, const Entry& entry, const settings::Se
 
 /// The expected duration of a run [s], from the previous one on its curve: proportional to the number of substeps,
 /// sweeps or iterations, otherwise equal. 0 for the first of a curve.
-double expectedSeconds(WorkGround& ground, const Entry& entry, const ReportRows& section) {
+double expectedSeconds(ClothWithReference& cloth, const Entry& entry, const ReportRows& section) {
   double seconds = 0.0;
-  const WorkCloth cloth = workClothOf(emptyRow(ground, entry, judgedTimes.back()));
+  const WorkCloth own = workClothOf(emptyRow(cloth, entry, measuredTimes.back()));
   for (const ReportRow& row : section) {
-    if (row.value("curve", "") == entry.curve.label && workClothOf(row) == cloth) {
+    if (row.value("curve", "") == entry.curve.label && workClothOf(row) == own) {
       const bool slow = row.value("state", "") == "too slow";
-      seconds = slow ? HUGE_VAL : numberIn(row, "us_per_simulated_second") * judgedTimes.back() / microseconds;
+      seconds = slow ? HUGE_VAL : numberIn(row, "us_per_simulated_second") * measuredTimes.back() / microseconds;
     }
   }
   const auto& values = entry.curve.values;
@@ -251,25 +251,25 @@ double expectedSeconds(WorkGround& ground, const Entry& entry, const ReportRows&
   return growth * seconds;
 }
 
-ReportRows measureEntry(WorkGround& ground, const Entry& entry, bool quick, const CellContext& context) {
-  const Limits limits = limitsOf(quick, ground);
-  const settings::Settings settings = changedSettings(ground.scene(), entry.assignments());
+ReportRows measureEntry(ClothWithReference& cloth, const Entry& entry, bool quick, const CellContext& context) {
+  const Limits limits = limitsOf(quick, cloth);
+  const settings::Settings settings = changedSettings(cloth.scene(), entry.assignments());
   ReportRows rows = context.own;
-  if (rows.empty() && expectedSeconds(ground, entry, context.section) > limits.maxSeconds) {
-    for (const double time : judgedTimes) {
-      rows.push_back(emptyRow(ground, entry, time));
+  if (rows.empty() && expectedSeconds(cloth, entry, context.section) > limits.maxSeconds) {
+    for (const double time : measuredTimes) {
+      rows.push_back(emptyRow(cloth, entry, time));
       rows.back()["state"] = "too slow";
     }
   } else if (rows.empty()) {
-    rows = judgedRows(ground, entry, settings, limits, context.checkStop);
+    rows = measuredRows(cloth, entry, settings, limits, context.checkStop);
   }
-  const double last = numberIn(rows.back(), "us_per_simulated_second") * judgedTimes.back() / microseconds;
+  const double last = numberIn(rows.back(), "us_per_simulated_second") * measuredTimes.back() / microseconds;
   // The damping of a fabric takes long once it exploded.
-  const bool burst = ground.material().isFabric() && rows.back()["state"] == "exploded";
-  if (rows.back()["state"] == "too slow" || burst || last > limits.repeatedSeconds) {
+  const bool exploded = cloth.material().isFabric() && rows.back()["state"] == "exploded";
+  if (rows.back()["state"] == "too slow" || exploded || last > limits.repeatedSeconds) {
     return rows;
   }
-  const auto times = timedRun(ground.scene(), settings, limits.timedSeconds, context.checkStop);
+  const auto times = timedRun(cloth.scene(), settings, limits.timedSeconds, context.checkStop);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     rows[k]["samples"].push_back(times.at(k));
     rows[k]["us_per_simulated_second"] = medianOf(rows[k]["samples"].get<std::vector<double>>());
@@ -277,10 +277,10 @@ ReportRows measureEntry(WorkGround& ground, const Entry& entry, bool quick, cons
   return rows;
 }
 
-void addCells(const SetUp& setUp, const GroundPlan& plan, bool quick, std::vector<Cell>& cells) {
-  const auto ground = std::make_shared<WorkGround>(setUp, plan.resolution, plan.material, quick);
-  const std::string cloth = setUp.name + " " + sizeText(plan.resolution) + " " + plan.material.title;
-  // the durations of cells vary widely; these are about their means
+void addCells(const SetUp& setUp, const ComparedCloth& plan, bool quick, std::vector<Cell>& cells) {
+  const auto cloth = std::make_shared<ClothWithReference>(setUp, plan.resolution, plan.material, quick);
+  const std::string name = setUp.name + " " + sizeText(plan.resolution) + " " + plan.material.title;
+  // The durations of cells vary widely; these are about their means.
   const double weight = quick ? 0.03 : plan.material.isFabric() ? 0.1 : 0.045;
   for (const MethodCurve& curve : methodCurves()) {
     if (const sim::SolverInfo* solver = sim::findSolver(curve.method); solver == nullptr || !takes(*solver, plan)) {
@@ -288,8 +288,8 @@ void addCells(const SetUp& setUp, const GroundPlan& plan, bool quick, std::vecto
     }
     for (const std::string& value : valuesOn(plan, curve, quick)) {
       const Entry entry{curve, value};
-      cells.push_back({cloth + ", " + curve.method + " " + entry.setting(), weight,
-                       [=](const CellContext& context) { return measureEntry(*ground, entry, quick, context); }});
+      cells.push_back({name + ", " + curve.method + " " + entry.setting(), weight,
+                       [=](const CellContext& context) { return measureEntry(*cloth, entry, quick, context); }});
     }
   }
 }
@@ -300,8 +300,8 @@ SectionPlan plan(const ReportOptions& options) {
   const std::vector<SetUp> setUps = comparedSetUps(options.scene);
   for (const SetUp& setUp : setUps) {
     const bool isFirst = setUp.name == setUps.front().name;
-    for (const GroundPlan& ground : groundsOf(setUp, isFirst, options.quick)) {
-      addCells(setUp, ground, options.quick, plan.cells);
+    for (const ComparedCloth& cloth : comparedCloths(setUp, isFirst, options.quick)) {
+      addCells(setUp, cloth, options.quick, plan.cells);
     }
   }
   return plan;

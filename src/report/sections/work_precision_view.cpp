@@ -135,16 +135,16 @@ std::string fastMethods() {
   return names;
 }
 
-bool isJudged(const ReportRows& rows) {
+bool hasErrors(const ReportRows& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const ReportRow& row) { return !row["error_mean"].is_null(); });
 }
 
 /// @param rows of one cloth at one time, at least one
 std::string referenceText(const ReportRows& rows) {
-  const auto told = std::find_if(rows.begin(), rows.end(),
-                                 [](const ReportRow& one) { return !one["reference_difference"].is_null(); });
-  const ReportRow& row = told == rows.end() ? rows.front() : *told;
-  if (!isJudged(rows)) {
+  const auto known = std::find_if(rows.begin(), rows.end(),
+                                  [](const ReportRow& one) { return !one["reference_difference"].is_null(); });
+  const ReportRow& row = known == rows.end() ? rows.front() : *known;
+  if (!hasErrors(rows)) {
     return "Small steps did not converge on this cloth: the last halving still moved it by " +
            text::figure(millimetres * numberIn(row, "reference_difference")) + " mm, so there is no reference.";
   }
@@ -200,7 +200,7 @@ std::vector<Block> showWorkPrecision(const ReportOptions& options, const ReportR
   }
   blocks.emplace_back(Paragraph{scenes + "."});
   for (const auto& [cloth, own] : byCloth(rows)) {
-    if (!isJudged(own)) {
+    if (!hasErrors(own)) {
       blocks.emplace_back(Paragraph{titleOf(cloth) + ": " + referenceText(own)});
       continue;
     }

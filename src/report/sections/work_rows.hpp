@@ -10,7 +10,7 @@
 namespace drape::report::sections {
 
 /// Whether a row of work_precision is a calm setting with known time and error.
-[[nodiscard]] inline bool isJudged(const ReportRow& row) {
+[[nodiscard]] inline bool isCalmRow(const ReportRow& row) {
   return row.value("state", "") == "calm" && row["us_per_simulated_second"].is_number() &&
          row["error_of_diagonal"].is_number();
 }

@@ -213,9 +213,9 @@ constexpr std::array casesOfValidation{
     cusickOf("cusick_felt", "felt", "Cusick's drape test, felt", unknown),
     cusickOf("cusick_leather", "leather", "Cusick's drape test, leather", usual,
         "The preset is a homogeneous sheet. Its bending length of 37 mm is twice that of leather with such a "
-        "coefficient: layers of leather differ, and bend more easily than stretch tells."),
+        "coefficient: layers of leather differ, and it bends more easily than its stretch stiffness suggests."),
     cusickOf("cusick_rubber", "rubber", "Cusick's drape test, rubber", unknown,
-        "No equilibrium was found: the folds would touch, and the search knows no contact."),
+        "No equilibrium was found: the folds would touch, and the search ignores contact."),
     remeshedDiscOf("remeshed_disc_cotton", "cotton", "Cusick's disc of cotton, remeshed", oneKind),
     remeshedDiscOf("remeshed_disc_denim", "denim", "Cusick's disc of denim, remeshed", meshKinds),
     remeshedCapeOf("remeshed_cape", "denim", "Round cape of denim, 12 cm long, remeshed", oneKind),

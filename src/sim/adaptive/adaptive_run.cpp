@@ -31,8 +31,8 @@ std::span<const Stage> stagesOf(ExplicitScheme scheme) {
   return scheme == ExplicitScheme::Pefrl ? std::span<const Stage>(pefrlStages) : std::span<const Stage>(verletStages);
 }
 
-/// A single thread checks for a stop every so many substeps. Several threads do not: one that left alone would block
-/// the others at the barrier.
+/// Number of substeps between two checks for a stop, with one thread. Several threads do not check: if one thread
+/// stopped, the others would wait for it at the barrier for ever.
 constexpr int stopCheckInterval = 64;
 
 /// The weight of bending and air in a substep. They act in the middle one of each `slowInterval` substeps, with the

@@ -30,7 +30,7 @@ struct StepEnergy {
   double contactWorkToLast = 0.0;  ///< the same up to the middle of the last substep [J]
 };
 
-/// At which ends of a step the energy is measured. Each costs a force evaluation.
+/// The ends of a step at which the energy is measured. Each costs a force evaluation.
 struct EnergyRequest {
   bool start = false;
   bool end = false;

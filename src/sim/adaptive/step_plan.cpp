@@ -37,7 +37,7 @@ double costWithSplitDamping(double damped, double substeps) {
   return substeps * (1.0 + costOfDampingStage * dampingStagesFor(damped, substeps));
 }
 
-/// The number of substeps with damping stages that cost so many force evaluations: n substeps cost about
+/// The number of substeps with damping stages for a cost in force evaluations: n substeps cost about
 /// n + c sqrt(n damped). At least as many as keep the stages of a substep below their limit.
 int substepsWithSplitDamping(double damped, double evaluations) {
   const double root = 0.5 * costOfDampingStage * std::sqrt(damped);
@@ -46,8 +46,8 @@ int substepsWithSplitDamping(double damped, double evaluations) {
   return static_cast<int>(std::max({1.0, std::ceil(minimum), std::floor(affordable * affordable)}));
 }
 
-/// A plan of so many substeps, with springs clamped to what is stable. Damping is part of the kick where that is stable
-/// for all vertices.
+/// A plan with this number of substeps, with springs clamped to what is stable. Damping is part of the kick where that
+/// is stable for all vertices.
 StepPlan clampedPlan(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                      int substeps) {
   const double inKick = 2.0 * maxDampingNumber(model, parameters) / substeps;
@@ -70,9 +70,9 @@ StepPlan clampedPlanOfCost(const ClothModel& model, const LocalRates& rates, con
 /// The substeps that a stable step needs without clamping.
 struct StableSteps {
   bool splitDamping = false;  ///< damping stages are cheaper than more substeps
-  double comfortable = 0.0;   ///< substeps at a distance from the stability limit
+  double preferred = 0.0;     ///< substeps at a distance from the stability limit
   double minimum = 0.0;       ///< substeps at the stability limit
-  double evaluations = 0.0;   ///< cost of the comfortable ones [force evaluations]
+  double evaluations = 0.0;   ///< cost of the preferred substeps [force evaluations]
 };
 
 /// @param damped H lambda for damping in stages [-]
@@ -82,11 +82,11 @@ StableSteps stableStepsOf(const ClothModel& model, const CommonParameters& param
   const double split = std::max({1.0, std::ceil(hOmega / tuning.clampHOmegaWithDampingStages),
                                  std::ceil(damped / (tuning.maxDampingStages * tuning.maxDampingStages))});
   const double cost = costWithSplitDamping(damped, split);
-  const double comfortable = stableEvaluations(model, parameters);
-  if (cost < comfortable) {
+  const double preferred = stableEvaluations(model, parameters);
+  if (cost < preferred) {
     return {true, split, split, cost};
   }
-  return {false, std::ceil(comfortable), std::ceil(limit / tuning.limitFraction), comfortable};
+  return {false, std::ceil(preferred), std::ceil(limit / tuning.limitFraction), preferred};
 }
 
 /// The stiffness scale under a plan at a vertex with that omega^2 / k [1/kg].
@@ -133,7 +133,7 @@ double evaluationsForTolerance(const StableSteps& need, const StepMemory& memory
   const double wanted =
       memory.forceEvaluations > 0.0
           ? memory.forceEvaluations
-          : tuning.firstEvaluations + tuning.firstLimitFactor * tuning.comfortableFraction * need.evaluations;
+          : tuning.firstEvaluations + tuning.firstLimitFactor * tuning.preferredFraction * need.evaluations;
   const double stable = std::max(tuning.minEvaluations, need.evaluations);
   return std::clamp(wanted, stable, tuning.maxLimitFactor * std::max(stable, tuning.minLimitEvaluations));
 }
@@ -179,12 +179,12 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
   }
   if (!maySoften(model, parameters, options)) {
     if (model.fabric) {
-      return unclamped(static_cast<int>(need.comfortable));
+      return unclamped(static_cast<int>(need.preferred));
     }
     // The step exceeds the budget anyway. So keep a distance from the stability limit, where the energy oscillates less
     // and fewer steps are retried.
     const StepPlan clamped = minimallyClampedPlan(model, rates, parameters, substeps);
-    return clamped.substeps < need.comfortable ? clamped : unclamped(static_cast<int>(need.comfortable));
+    return clamped.substeps < need.preferred ? clamped : unclamped(static_cast<int>(need.preferred));
   }
   const double cost = options.soften ? evaluations : maxEvaluations(model, parameters, options);
   StepPlan softer = clampedPlanOfCost(model, rates, parameters, cost);
@@ -230,7 +230,7 @@ double loadOf(const LocalRates& rates, const CommonParameters& parameters) {
 }
 
 double stableEvaluations(const ClothModel& model, const CommonParameters& parameters) {
-  return parameters.timeStep / verletStepLimit(model, parameters) / tuning.comfortableFraction;
+  return parameters.timeStep / verletStepLimit(model, parameters) / tuning.preferredFraction;
 }
 
 double evaluationsInBudget(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {

@@ -55,8 +55,8 @@ const ClothModel& StretchChoice::at(Levels& levels, const ClothModel& model, int
 
 /// Whether the next lower stiffness makes a step cheaper, and a step costs too much. The cost of contact is not in the
 /// budget and rises with the stiffness, so with bodies a step always costs too much.
-bool StretchChoice::gainsFromLower(Levels& levels, const ClothModel& model, const StretchConditions& conditions,
-                                   int level) {
+bool StretchChoice::isLowerWorthwhile(Levels& levels, const ClothModel& model, const StretchConditions& conditions,
+                                      int level) {
   const auto& [parameters, options, meetsBodies, isAttached] = conditions;
   if (level >= tuning.maxStretchLevel) {
     return false;
@@ -72,7 +72,7 @@ int StretchChoice::firstLevel(Levels& levels, const ClothModel& model, const Str
   const double strain = strainByLoad(model, levels.rates, conditions.parameters);
   const int allowed = levelsBelow(strain, conditions.options.strainLimit);
   int level = 0;
-  while (level < allowed && gainsFromLower(levels, model, conditions, level)) {
+  while (level < allowed && isLowerWorthwhile(levels, model, conditions, level)) {
     ++level;
   }
   return level;
@@ -99,7 +99,8 @@ void StretchChoice::update(Levels& levels, const ClothModel& model, const Stretc
     memory.changed = time;
   } else if (tuning.strainMargin * strain / scaleOf(1) > limit) {
     memory.changed = time;
-  } else if (time - memory.changed > tuning.strainCalmTime && gainsFromLower(levels, model, conditions, memory.level)) {
+  } else if (time - memory.changed > tuning.strainCalmTime &&
+             isLowerWorthwhile(levels, model, conditions, memory.level)) {
     ++memory.level;
     memory.changed = time;
   }

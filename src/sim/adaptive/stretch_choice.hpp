@@ -24,7 +24,7 @@ struct StretchConditions {
 
 /// Chooses the stretch stiffness of a fabric.
 ///
-/// The weight of a garment stretches woven fabric by less than 0.1 %, which nobody sees, but the stretch stiffness
+/// The weight of a garment stretches woven fabric by less than 0.1 %, which is invisible. But the stretch stiffness
 /// decides how short the substeps are. So the stretch stiffness is lowered as far as the cost budget needs, and only
 /// while the strain along warp and weft stays below AutoOptions::strainLimit. Shear, bending and mass keep their
 /// values. An exception are the few smallest triangles: the limit on their stiffness is tighter than without a strain
@@ -55,8 +55,8 @@ class StretchChoice {
   [[nodiscard]] static Levels levelsOf(const ClothModel& model);
   [[nodiscard]] static const ClothModel& at(Levels& levels, const ClothModel& model, int level);
   [[nodiscard]] static int firstLevel(Levels& levels, const ClothModel& model, const StretchConditions& conditions);
-  [[nodiscard]] static bool gainsFromLower(Levels& levels, const ClothModel& model, const StretchConditions& conditions,
-                                           int level);
+  [[nodiscard]] static bool isLowerWorthwhile(Levels& levels, const ClothModel& model,
+                                              const StretchConditions& conditions, int level);
   static void update(Levels& levels, const ClothModel& model, const StretchConditions& conditions, double time,
                      double speed, StretchMemory& memory);
 

@@ -9,7 +9,7 @@ struct AutoTuning {
 
   /// Preferred h omega of Verlet, as a fraction of its estimated limit [-]. Larger: fewer substeps, larger energy
   /// oscillations and more retries. Smaller: more substeps than needed.
-  double comfortableFraction = 0.9;
+  double preferredFraction = 0.9;
   /// Largest h omega of Verlet, as a fraction of its estimated limit [-]. The true limit of a sheet is at least 9 %
   /// above the estimate. Larger: steps near the limit become unstable. Smaller: springs are clamped earlier.
   double limitFraction = 1.02;
@@ -22,19 +22,22 @@ struct AutoTuning {
   /// Force evaluations for H omega = 1 from which on the fourth-order scheme is used [-]. A substep takes 4 evaluations
   /// and is stable up to about h omega = 2.5. Larger: Verlet is used longer. Smaller than 1.6: unstable.
   double fourthOrderEvaluations = 2.0;
-  /// Most damping stages in a substep in float, and in any precision [-]. Rounding errors grow with the square of the
-  /// number of stages. Larger: more rounding error. Smaller: double precision, or more substeps, is used earlier.
+  /// Maximum number of damping stages in a substep in float, and in any precision [-]. Rounding errors grow with the
+  /// square of the number of stages. Larger: more rounding error. Smaller: double precision, or more substeps, is used
+  /// earlier.
   double maxDampingStagesInFloat = 100.0;
   double maxDampingStages = 10000.0;
 
   // Cost.
 
-  /// Fewest force evaluations of a step [-]. Larger: simple scenes cost more. Smaller: small budgets give poor motion.
+  /// Minimum number of force evaluations of a step [-]. Larger: simple scenes cost more. Smaller: small budgets give
+  /// poor motion.
   double minEvaluations = 4.0;
-  /// Most force evaluations that a cost budget can allow in a step [-]. Protects the conversion to an integer.
+  /// Maximum number of force evaluations that a cost budget can allow in a step [-]. Protects the conversion to an
+  /// integer.
   double maxBudgetedEvaluations = 1e6;
-  /// Most spring evaluations in a step whose springs keep their stiffness [-]: several seconds of computation. Larger:
-  /// the viewer waits longer. Smaller: springs are softened without `auto.soften` earlier.
+  /// Maximum number of spring evaluations in a step whose springs keep their stiffness [-]: several seconds of
+  /// computation. Larger: the viewer waits longer. Smaller: springs are softened without `auto.soften` earlier.
   double maxSpringEvaluations = 2e9;
   /// Cost of a force evaluation of a fabric without bending and with it, in evaluations of springs
   /// (docs/experiments/2026-11-23-fabric-pass.md) [-].
@@ -50,9 +53,9 @@ struct AutoTuning {
   /// can exceed the error tolerance.
   double firstEvaluations = 64.0;
   double firstLimitFactor = 2.0;
-  /// Most evaluations that the tolerance can ask for, as a multiple of those that a stable step needs, but of no fewer
-  /// than `minLimitEvaluations` [-]. In chaotic motion the error estimate never falls below the tolerance. Larger: such
-  /// motion costs more. Smaller: tight tolerances are missed.
+  /// Maximum number of evaluations that the tolerance can ask for, as a multiple of those that a stable step needs, but
+  /// of no fewer than `minLimitEvaluations` [-]. In chaotic motion the error estimate never falls below the tolerance.
+  /// Larger: such motion costs more. Smaller: tight tolerances are missed.
   double maxLimitFactor = 8.0;
   double minLimitEvaluations = 8.0;
   /// Steps between error estimates after the first ones [-]. An estimate costs as much as two steps. Larger: cheaper,
@@ -76,8 +79,8 @@ struct AutoTuning {
   /// No coarse levels are used where the load stretches the clamped springs at the pins by less than this [-]. Larger:
   /// levels are used less, so hanging cloth stretches more. Smaller: levels disturb cloth that is hardly loaded.
   double smallStrain = 0.001;
-  /// Fraction of the wind's largest force that counts as load of the pins [-]. Cloth gives way to the wind, so the full
-  /// force overestimates.
+  /// Fraction of the wind's largest force that counts as load of the pins [-]. Cloth moves with the wind, so the
+  /// full force would overestimate the load.
   double windLoadFraction = 0.1;
   /// Levels with at most this many aggregates are not coarsened further [-].
   int minAggregates = 12;
@@ -124,9 +127,10 @@ struct AutoTuning {
   // Rounding.
 
   /// Energy that rounding in float adds in a substep, in m omega^2 d^2 with d the rounding error of a position [-].
-  /// Measured (docs/theory/auto.md).
+  /// It was measured (docs/theory/auto.md#precision).
   double roundingHeat = 0.02;
-  /// Mean position error of N force evaluations in float, in d sqrt(N) [-]. Measured (docs/theory/auto.md).
+  /// Mean position error of N force evaluations in float, in d sqrt(N) [-]. It was measured
+  /// (docs/theory/auto.md#precision).
   double roundingDrift = 0.25;
   /// Allowed heating by rounding, as a fraction of the energy of a fall by the cloth's diagonal, in a second [1/s].
   /// Larger: float gains visible energy. Smaller: double is used more often.
@@ -158,8 +162,8 @@ struct AutoTuning {
 
   // Stretch stiffness of fabrics.
 
-  /// Most levels of the stretch stiffness [-]. A level has the stiffness of the one before, divided by the square root
-  /// of 2.
+  /// Maximum number of levels of the stretch stiffness [-]. A level has the stiffness of the one before, divided by the
+  /// square root of 2.
   int maxStretchLevel = 24;
   /// Factor on the strain that cloth at rest would have with the next lower stiffness [-]. The stiffness falls only if
   /// the product is below the limit. Larger: stiffer cloth. Smaller: the stiffness can fall and rise in turn.

@@ -14,7 +14,7 @@ namespace {
 /// in-plane strain of flat cloth also causes a small Delta_i x, whose direction means nothing.
 constexpr double flatRadius = 1.0;
 
-/// `maxRatio` of the RateLimit [-]. In small triangles vibration may last longer, because nobody sees it there.
+/// `maxRatio` of the RateLimit [-]. Vibration may last longer in small triangles, where it is invisible.
 constexpr double dampingRatio = 4.0;
 
 /// The square root of a material's damping time over the longest one of the cloth [-]. Delta contains it, so that Z is

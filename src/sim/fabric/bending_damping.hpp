@@ -10,11 +10,12 @@ namespace drape::sim::fabric {
 /// The damping of bending for a damping time of one second, as the matrix Z = sum_i Delta_i^T d_i d_i^T Delta_i / a_i
 /// over all vertices i that are not on the boundary.
 ///
-/// | symbol  | meaning                                                                                    | unit |
-/// |---------|--------------------------------------------------------------------------------------------|------------|
-/// | Delta_i | row of sqrt(B_1) d^2/dX_1^2 + sqrt(B_2) d^2/dX_2^2 times a_i, by linear finite elements      | sqrt(N m)
-/// | | d_i     | unit direction of Delta_i x, which is normal to the cloth; the normal where cloth is flat    | - | |
-/// a_i     | area of the vertex                                                                         | m^2        |
+/// | symbol  | meaning                                                                      | unit      |
+/// |---------|------------------------------------------------------------------------------|-----------|
+/// | Delta_i | row of sqrt(B_1) d^2/dX_1^2 + sqrt(B_2) d^2/dX_2^2 times a_i, by linear      | sqrt(N m) |
+/// |         | finite elements                                                              |           |
+/// | d_i     | unit direction of Delta_i x, normal to the cloth; the normal where it is flat | -         |
+/// | a_i     | area of the vertex                                                           | m^2       |
 ///
 /// d_i . Delta_i v is the rate of the mean curvature, weighted by the bending stiffness along warp and weft. In rigid
 /// motion the vector Delta_i x only turns, so its rate is perpendicular to d_i and is not damped. Z is symmetric, so it

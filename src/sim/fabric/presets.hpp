@@ -16,7 +16,7 @@ struct MaterialPreset {
   /// Of the fabric itself [m]. Nothing is computed from it: the moduli contain it, and contact keeps the distance
   /// cloth_thickness, which must be larger.
   double thickness = 0.0;
-  std::string_view source;  ///< where the numbers come from; "estimate" marks those that nobody measured on one cloth
+  std::string_view source;  ///< where the numbers come from; "estimate" marks those that were not measured on one cloth
 };
 
 /// All presets. A new preset is one row.

@@ -3,6 +3,7 @@
 #include "sim/forces/step_inputs.hpp"
 #include "sim/model/workers.hpp"
 #include "sim/systems/fabric_energy.hpp"
+#include "sim/systems/line_search.hpp"
 #include "sim/systems/sparse_system.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -14,10 +15,6 @@ namespace drape::sim {
 namespace {
 
 constexpr double roundingUnit = std::numeric_limits<double>::epsilon();
-/// Fraction of the decrease predicted by the slope that a step must reach (Armijo's condition).
-constexpr double armijoShare = 1e-4;
-/// Steps shorter than 2^-30 of Newton's have no effect.
-constexpr int maxHalvingsOfStep = 30;
 /// Added to the second derivative, as a fraction of its largest diagonal entry. It holds vertices that no force holds
 /// (fabric without bending) and does not change the equilibrium. It lets neutral modes count as stable.
 constexpr double regularisation = 1e-14;
@@ -41,14 +38,6 @@ double sizeOfBendingTerms(const ClothModel& model) {
 /// The potential energy of a cloth under constant loads, as a function of the displacement from a start.
 class StaticPotential {
  public:
-  /// The result at some displacement. Pinned vertices do not count.
-  struct Value {
-    double value = 0.0;          // [J]
-    double valueRounding = 0.0;  // bound of its rounding error [J]
-    double residual = 0.0;       // norm of the gradient [N]
-    double rounding = 0.0;       // smallest residual that rounding allows [N]
-  };
-
   StaticPotential(const ClothModel& model, std::span<const Vec3> loads, std::span<const Vec3> start)
       : model_(model),
         loads_(loads),
@@ -61,8 +50,8 @@ class StaticPotential {
     }
   }
 
-  /// Computes value and gradient with a fraction of the load.
-  Value evaluate(const std::vector<Vec3>& displacement, double loadShare) {
+  /// Computes value and gradient [N] with a fraction of the load.
+  PotentialValue evaluate(const std::vector<Vec3>& displacement, double loadShare) {
     energy_.evaluate(displacement);
     double work = 0.0;
     double workSize = 0.0;
@@ -148,7 +137,7 @@ class EquilibriumSearch {
     for (std::size_t v = 0; v < start.size(); ++v) {
       squares += model.pinned[v] ? 0.0 : loads[v].squaredNorm();
     }
-    const StaticPotential::Value atStart = potential_.evaluate(displacement_, 0.0);
+    const PotentialValue atStart = potential_.evaluate(displacement_, 0.0);
     scale_ = std::max(std::sqrt(squares), atStart.residual);
     largestRounding_ = std::max(largestExcuse * scale_, 2.0 * atStart.rounding);
   }
@@ -197,7 +186,10 @@ class EquilibriumSearch {
 
   /// Minimises the potential with a fraction of the load. @param limit on the count of all iterations
   bool minimise(double loadShare, int limit) {
-    current_ = potential_.evaluate(displacement_, loadShare);
+    const auto evaluate = [&](const std::vector<Vec3>& displacement) {
+      return potential_.evaluate(displacement, loadShare);
+    };
+    current_ = evaluate(displacement_);
     const auto target = [&] {
       return std::max(options_.tolerance * scale_, std::min(current_.rounding, largestRounding_));
     };
@@ -206,7 +198,7 @@ class EquilibriumSearch {
         throw StepStopped();
       }
       const double slope = potential_.findDirection(direction_);
-      if (!(slope < 0.0) || !searchLine(slope, loadShare)) {
+      if (!(slope < 0.0) || !searchLine(evaluate, direction_, slope, displacement_, current_, trial_)) {
         break;
       }
       ++iterations_;
@@ -214,32 +206,10 @@ class EquilibriumSearch {
     return current_.residual <= target();
   }
 
-  /// As in Newton's solver: takes the largest fraction 1, 1/2, 1/4, ... of the direction that lowers the potential
-  /// enough. If the potential changes by less than its rounding error, the residual decides.
-  bool searchLine(double slope, double loadShare) {
-    double fraction = 1.0;
-    for (int halving = 0; halving <= maxHalvingsOfStep; ++halving, fraction *= 0.5) {
-      for (std::size_t v = 0; v < displacement_.size(); ++v) {
-        trial_[v] = displacement_[v] + fraction * direction_[v];
-      }
-      const StaticPotential::Value value = potential_.evaluate(trial_, loadShare);
-      const double change = value.value - current_.value;
-      const bool lower = change <= armijoShare * fraction * slope && change < -current_.valueRounding;
-      const bool level = std::abs(change) <= current_.valueRounding && value.residual < current_.residual;
-      if (lower || level) {
-        current_ = value;
-        displacement_.swap(trial_);
-        return true;
-      }
-    }
-    current_ = potential_.evaluate(displacement_, loadShare);
-    return false;
-  }
-
   StaticPotential potential_;
   const EquilibriumOptions& options_;
   const std::stop_token& stop_;
-  StaticPotential::Value current_;
+  PotentialValue current_;
   double scale_ = 0.0;            // of the residual [N]
   double largestRounding_ = 0.0;  // residual that may count as rounding [N]
   int iterations_ = 0;

@@ -8,7 +8,7 @@
 namespace drape::sim::simd {
 namespace {
 
-/// Fewest batches of one colour for a thread: about 2 microseconds of work.
+/// Minimum number of batches of one colour for a thread: about 2 microseconds of work.
 constexpr int minBatchesPerThread = 64;
 
 /// The work of one thread in some steps. All threads run the same stages and wait for each other between them.

@@ -16,7 +16,7 @@ namespace drape::sim::simd {
 /// overdamped cloth creeps at the right speed.
 [[nodiscard]] int dampingStages(double timesRate);
 
-/// What the stages damp.
+/// The part of the cloth that the stages damp.
 enum class DampedPart {
   Springs,   ///< C_d times the sum over springs of v_i - v_j
   Membrane,  ///< stretch and shear of a fabric

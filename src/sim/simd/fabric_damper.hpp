@@ -43,7 +43,7 @@ class FabricDamper {
               ClothState& state);
 
  private:
-  /// What follows from a model.
+  /// The data that depend on the model only.
   struct Constants {
     double membraneRate = 0.0;  // the highest rate of M^-1 Z of stretch for a damping time of one second [1/s^2]
     std::optional<fabric::BendingDamping> bending;

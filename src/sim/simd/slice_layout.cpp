@@ -12,7 +12,7 @@
 namespace drape::sim::simd {
 namespace {
 
-/// Fewest lanes of a slot of consecutive neighbours. With fewer, gathers are cheaper.
+/// Minimum number of lanes of a slot of consecutive neighbours. With fewer, gathers are cheaper.
 constexpr int minConsecutiveLanes = 10;
 constexpr int minCommonCorners = 3;
 /// Measured cost of a gathered slot in consecutive ones [-], and the factor by which a mixed slice must be cheaper [-].

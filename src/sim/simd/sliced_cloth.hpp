@@ -157,7 +157,7 @@ struct SlicedCloth {
   std::vector<std::vector<int>> done;
   std::vector<std::vector<Vec3>> pinnedPositions;  // while a state is written [m]
 
-  /// Allocates memory for a step with so many threads and sweeps.
+  /// Allocates memory for a step with these numbers of threads and sweeps.
   void prepare(int threads, int sweeps);
 
   /// The memory that it takes [bytes].

@@ -12,7 +12,7 @@ namespace drape::sim::simd {
 namespace {
 
 /// The entries of a slice with the same offset from vertex to neighbour share a slot of consecutive neighbours if there
-/// are so many. Its other lanes add nothing. All other entries are gathered. The value is an estimate.
+/// are at least this many. Its other lanes add nothing. All other entries are gathered. The value is an estimate.
 constexpr std::size_t minConsecutiveEntries = 6;
 
 /// Keeps one of equal values. @return the index of each given value

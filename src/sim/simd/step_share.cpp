@@ -6,7 +6,7 @@
 namespace drape::sim::simd {
 namespace {
 
-/// Fewest slices for a thread: about 5 microseconds of work in the cheapest step.
+/// Minimum number of slices for a thread: about 5 microseconds of work in the cheapest step.
 constexpr int minSlicesPerThread = 96;
 
 }  // namespace

@@ -47,8 +47,8 @@ struct StepShare {
 /// The share of one of `members` threads.
 [[nodiscard]] StepShare shareOf(const SliceLayout& layout, int sweeps, int member, int members);
 
-/// The number of threads for so many parts of work, if each thread should have at least `minParts` of them: for a small
-/// cloth synchronisation costs more than it saves. At most `threads`, and at most the number of cores.
+/// The number of threads for this number of parts of work, if each thread should have at least `minParts` of them: for
+/// a small cloth synchronisation costs more than it saves. At most `threads`, and at most the number of cores.
 [[nodiscard]] int usefulThreads(int parts, int minParts, int threads);
 
 /// The same for the slices of a cloth.

@@ -1,5 +1,7 @@
 #include "sim/solvers/assembled_run.hpp"
 
+#include "sim/solvers/conjugate_gradients_loop.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
@@ -28,6 +30,37 @@ double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 }
 
 }  // namespace
+
+/// The vectors of a solve by conjugate gradients. simd/conjugate_gradients_kernel.cpp has those of springs.
+struct AssembledRun::ConjugateVectors {
+  [[nodiscard]] double squaredResidual() const { return dot(run.residual_, run.residual_); }
+  [[nodiscard]] double descent() const { return dot(run.residual_, run.scaled_); }
+
+  double multiply() {
+    run.workers_.forEach(parameters.threads, run.product_.size(), [this](std::size_t i) {
+      run.product_[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : run.system_.row(model, parameters, run.direction_, i);
+    });
+    return dot(run.direction_, run.product_);
+  }
+
+  void descend(double length) {
+    for (std::size_t i = 0; i < run.change_.size(); ++i) {
+      run.change_[i] += length * run.direction_[i];
+      run.residual_[i] -= length * run.product_[i];
+      run.scaled_[i] = run.inverses_[i] * run.residual_[i];
+    }
+  }
+
+  void turn(double factor) {
+    for (std::size_t i = 0; i < run.direction_.size(); ++i) {
+      run.direction_[i] = run.scaled_[i] + factor * run.direction_[i];
+    }
+  }
+
+  AssembledRun& run;
+  const ClothModel& model;
+  const StepParameters& parameters;
+};
 
 void AssembledRun::assemble(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                             const ClothState& state, bool withSurplus) {
@@ -85,50 +118,17 @@ StepReport AssembledRun::conjugateGradients(const ClothModel& model, const StepP
   return report;
 }
 
-/// The method of Baraff and Witkin (1998, sec. 5.3), as simd/conjugate_gradients_kernel.cpp for springs.
 StepReport AssembledRun::solve(const ClothModel& model, const StepParameters& parameters) {
   const std::size_t count = start_.size();
   change_.assign(count, Vec3::Zero());
   residual_.resize(count);
-  product_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     residual_[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : system_.rightHandSide()[i];
   }
+  scaled_ = start_;
   direction_ = start_;
-  StepReport report;
-  const double first = std::sqrt(dot(residual_, residual_));
-  if (!(first > 0.0)) {
-    return report;
-  }
-  report.residual = 1.0;
-  double descent = dot(residual_, direction_);
-  while (report.iterations < parameters.iteration.maxIterations) {
-    workers_.forEach(parameters.threads, count, [&](std::size_t i) {
-      product_[i] = model.pinned[i] ? Vec3(Vec3::Zero()) : system_.row(model, parameters, direction_, i);
-    });
-    const double curvature = dot(direction_, product_);
-    if (!(curvature > 0.0)) {
-      break;  // the matrix is indefinite: there is no minimum along this direction
-    }
-    const double length = descent / curvature;
-    for (std::size_t i = 0; i < count; ++i) {
-      change_[i] += length * direction_[i];
-      residual_[i] -= length * product_[i];
-      product_[i] = inverses_[i] * residual_[i];
-    }
-    ++report.iterations;
-    report.residual = std::sqrt(dot(residual_, residual_)) / first;
-    if (report.residual <= parameters.iteration.tolerance) {
-      break;
-    }
-    const double next = dot(residual_, product_);
-    for (std::size_t i = 0; i < count; ++i) {
-      direction_[i] = product_[i] + (next / descent) * direction_[i];
-    }
-    descent = next;
-  }
-  report.converged = report.residual <= parameters.iteration.tolerance;
-  return report;
+  product_.resize(count);
+  return sim::conjugateGradients(ConjugateVectors{*this, model, parameters}, parameters.iteration);
 }
 
 }  // namespace drape::sim

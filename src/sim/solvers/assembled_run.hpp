@@ -22,6 +22,8 @@ class AssembledRun {
                                 int count, ClothState& state);
 
  private:
+  struct ConjugateVectors;
+
   void assemble(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                 const ClothState& state, bool withSurplus);
   void sweep(const ClothModel& model, const CommonParameters& parameters, const simd::JacobiOptions& jacobi, int sweep,
@@ -35,6 +37,7 @@ class AssembledRun {
   std::vector<Vec3> change_;     // dv [m/s]
   std::vector<Vec3> before_;     // dv of the sweep before [m/s]
   std::vector<Vec3> residual_;   // [N s]
+  std::vector<Vec3> scaled_;     // the inverses times the residual [m/s]
   std::vector<Vec3> direction_;  // [m/s]
   std::vector<Vec3> product_;    // W times the direction [N s]
 };

@@ -1,8 +1,7 @@
 #include "sim/solvers/conjugate_gradients_run.hpp"
 
 #include "sim/simd/slice_step.hpp"
-
-#include <cmath>
+#include "sim/solvers/conjugate_gradients_loop.hpp"
 
 namespace drape::sim {
 namespace {
@@ -20,40 +19,22 @@ class ConjugateMember {
   /// iteration would then accumulate from step to step, and the cloth blows up.
   StepReport step(const StepParameters& parameters) {
     phase(simd::ConjugatePhase::Start);
-    StepReport report;
-    const double first = std::sqrt(system_.squaredResidual());
-    if (first > 0.0) {
-      report = solve(parameters, first);
-    }
+    const StepReport report = conjugateGradients(*this, parameters.iteration);
     phase(simd::ConjugatePhase::Advance);
     return report;
   }
 
- private:
-  StepReport solve(const StepParameters& parameters, double first) {
-    StepReport report;
-    report.residual = 1.0;
-    double descent = system_.descent();
-    while (report.iterations < parameters.iteration.maxIterations) {
-      phase(simd::ConjugatePhase::Multiply);
-      const double curvature = system_.curvature();
-      if (!(curvature > 0.0)) {
-        break;  // the matrix is indefinite: there is no minimum along this direction
-      }
-      phase(simd::ConjugatePhase::Descend, descent / curvature);
-      ++report.iterations;
-      report.residual = std::sqrt(system_.squaredResidual()) / first;
-      if (report.residual <= parameters.iteration.tolerance) {
-        break;
-      }
-      const double next = system_.descent();
-      phase(simd::ConjugatePhase::Turn, next / descent);
-      descent = next;
-    }
-    report.converged = report.residual <= parameters.iteration.tolerance;
-    return report;
+  // The vectors, as conjugateGradients asks for them.
+  [[nodiscard]] double squaredResidual() const { return system_.squaredResidual(); }
+  [[nodiscard]] double descent() const { return system_.descent(); }
+  double multiply() {
+    phase(simd::ConjugatePhase::Multiply);
+    return system_.curvature();
   }
+  void descend(double length) { phase(simd::ConjugatePhase::Descend, length); }
+  void turn(double factor) { phase(simd::ConjugatePhase::Turn, factor); }
 
+ private:
   void phase(simd::ConjugatePhase phase, double factor = 0.0) {
     simd::conjugatePhase(cloth_, system_, step_, share_, phase, static_cast<T>(factor));
     team_.arriveAndWait();

@@ -9,7 +9,7 @@
 
 namespace drape::sim {
 
-/// What the correction of the rotation by filtered forces changes.
+/// The quantities from which the rotation by filtered forces is removed.
 enum class RotationCorrection { Positions, Velocities };
 
 /// The step that the solvers `desbrun` and `meyer` share:

@@ -124,10 +124,11 @@ class LocalGlobalSolver final : public Solver {
   DiagonalChange attachment_;
 };
 
-/// On sheets of 17 x 17 vertices, after 7/15 s, the position error is up to three times that of the converged step
-/// while (h omega)^2 is below 10 times the iterations, and ten times as large at 100 times the iterations.
+/// Below the limit the position error is up to three times that of the converged step
+/// (docs/experiments/2026-11-22-solver-comparison.md).
 std::optional<SolverWarning> localGlobalWarning(const ClothModel& model, const StepParameters& parameters) {
-  return slackWarning(model, parameters, 10.0);
+  constexpr double perIteration = 10.0;  // limit of (h omega)^2 [-]
+  return slackWarning(model, parameters, perIteration);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "sim/model/model_cache.hpp"
 #include "sim/solvers/registry.hpp"
 #include "sim/systems/incremental_potential.hpp"
+#include "sim/systems/line_search.hpp"
 #include "sim/systems/sparse_system.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -9,11 +10,6 @@
 
 namespace drape::sim {
 namespace {
-
-/// Fraction of the decrease predicted by the slope that a step must reach (Armijo's condition).
-constexpr double sufficientDecrease = 1e-4;
-/// Steps shorter than 2^-30 of Newton's have no effect.
-constexpr int maxHalvings = 30;
 
 /// The Cholesky factorisation of a cloth's Hessian. Ordering and pattern are computed once for a model.
 struct Factorisation {
@@ -54,7 +50,8 @@ class NewtonSolver final : public Solver {
     velocities_.assign(count, Vec3::Zero());
     direction_.resize(count);
     trial_.resize(count);
-    current_ = potential_.evaluate(velocities_);
+    const auto evaluate = [this](const std::vector<Vec3>& velocities) { return potential_.evaluate(velocities); };
+    current_ = evaluate(velocities_);
     const double first = current_.residual;
     StepReport report;
     if (first <= current_.rounding) {
@@ -63,7 +60,8 @@ class NewtonSolver final : public Solver {
     while (current_.residual > parameters.iteration.tolerance * first &&
            report.iterations < parameters.iteration.maxIterations) {
       checkStop(inputs);
-      if (!findDirection(parameters.derivative) || !searchLine()) {
+      if (!findDirection(parameters.derivative) ||
+          !searchLine(evaluate, direction_, slope_, velocities_, current_, trial_)) {
         break;  // rounding prevents further decrease
       }
       ++report.iterations;
@@ -91,40 +89,18 @@ class NewtonSolver final : public Solver {
     return factorisation_->cholesky.info() == Eigen::Success;
   }
 
-  /// Takes the largest fraction 1, 1/2, 1/4, ... of the direction that lowers the potential enough. If the potential
-  /// changes by less than its rounding error, the residual decides. Returns false if no fraction is accepted.
-  bool searchLine() {
-    double fraction = 1.0;
-    for (int halving = 0; halving <= maxHalvings; ++halving, fraction *= 0.5) {
-      for (std::size_t i = 0; i < velocities_.size(); ++i) {
-        trial_[i] = velocities_[i] + fraction * direction_[i];
-      }
-      const IncrementalPotential::Value value = potential_.evaluate(trial_);
-      const double change = value.value - current_.value;
-      const bool lower = change <= sufficientDecrease * fraction * slope_ && change < -current_.valueRounding;
-      const bool level = std::abs(change) <= current_.valueRounding && value.residual < current_.residual;
-      if (lower || level) {
-        current_ = value;
-        velocities_.swap(trial_);
-        return true;
-      }
-    }
-    current_ = potential_.evaluate(velocities_);
-    return false;
-  }
-
   Workers workers_;
   ModelCache<std::unique_ptr<Factorisation>> cache_;
   Factorisation* factorisation_ = nullptr;  // of the step's model
   IncrementalPotential potential_;
-  IncrementalPotential::Value current_;
+  PotentialValue current_;
   double slope_ = 0.0;            // of the potential along the direction [J]
   std::vector<Vec3> velocities_;  // [m/s]
   std::vector<Vec3> direction_;   // [m/s]
   std::vector<Vec3> trial_;       // [m/s]
 };
 
-/// A step of 17 x 17 vertices takes milliseconds, of 33 x 33 tens and of 61 x 61 hundreds.
+/// Given where a step takes tens of milliseconds or more.
 std::optional<SolverWarning> newtonWarning(const ClothModel& model, const StepParameters& /*parameters*/) {
   constexpr int maxInteractive = 1000;  // vertices
   if (model.vertexCount() <= maxInteractive) {

@@ -84,7 +84,7 @@ class VbdSolver final : public Solver {
     int sweep_ = 0;
   };
 
-  /// What springs or fabric do to one vertex.
+  /// Force and stiffness of the springs or the fabric at one vertex.
   struct Local {
     Vec3 force = Vec3::Zero();      // [N]
     Mat3 stiffness = Mat3::Zero();  // [N/m]
@@ -178,11 +178,12 @@ bool overshoots(int iterations, double spectralRadius) {
          std::cosh(iterations * std::acosh(1.0 / spectralRadius)) < smallest * (1.0 - rounding);
 }
 
-/// On sheets of 17 x 17 and 33 x 33 vertices the position error is a few times that of the converged step while
-/// (h omega)^2 is below the number of iterations.
+/// Below the limit on (h omega)^2 the position error is a few times that of the converged step
+/// (docs/experiments/2026-11-22-solver-comparison.md).
 std::optional<SolverWarning> vbdWarning(const ClothModel& model, const StepParameters& parameters) {
   if (!overshoots(parameters.iteration.iterations, parameters.iteration.spectralRadius)) {
-    return slackWarning(model, parameters, 1.0);
+    constexpr double perIteration = 1.0;  // limit of (h omega)^2 [-]
+    return slackWarning(model, parameters, perIteration);
   }
   int enough = parameters.iteration.iterations;
   while (overshoots(enough, parameters.iteration.spectralRadius)) {

@@ -126,18 +126,17 @@ class XpbdSolver final : public BatchSolver {
   std::vector<Vec3> start_;  // positions at the start of the step [m]
 };
 
-/// On sheets of 17 x 17 and 33 x 33 vertices the position error is a few times that of the converged step while
-/// (h omega)^2 is below four times the iterations.
-///
-/// In short steps velocities are inexact, since they follow from positions in float. A sheet of 17 x 17 vertices with
-/// 100 N/m that falls from rest has an error of 0.4 mm after 0.2 s with steps of 1/6000 s, and 11 mm with 1/30000 s.
+/// Below the limit on (h omega)^2 the position error is a few times that of the converged step. In short steps
+/// velocities are inexact, since they follow from positions in float
+/// (docs/experiments/2026-11-22-solver-comparison.md).
 std::optional<SolverWarning> xpbdWarning(const ClothModel& model, const StepParameters& parameters) {
   constexpr double minStepInFloat = 1.0 / 6000.0;   // [s]
   constexpr double minWithRounding = 1.0 / 6001.0;  // [s]
   if (parameters.precision == Precision::Float && parameters.timeStep / parameters.substeps < minWithRounding) {
     return SolverWarning{.kind = SolverWarning::Kind::InexactInFloat, .seconds = minStepInFloat};
   }
-  return slackWarning(model, parameters, 4.0);
+  constexpr double perIteration = 4.0;  // limit of (h omega)^2 [-]
+  return slackWarning(model, parameters, perIteration);
 }
 
 }  // namespace

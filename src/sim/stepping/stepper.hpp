@@ -41,7 +41,7 @@ class Stepper {
   [[nodiscard]] const SolverInfo& info() const { return *info_; }
 
   /// Advances `state` by `parameters.timeStep`. A cloth with a fabric ignores the material of the parameters, which is
-  /// that of springs. Throws NoFabricSolver if the solver knows springs only.
+  /// that of springs. Throws NoFabricSolver if the solver takes springs only.
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state);
 

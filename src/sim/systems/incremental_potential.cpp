@@ -53,7 +53,7 @@ void IncrementalPotential::prepareSpring(std::size_t spring, const ClothState& s
   startExcess_[spring] = (length - ends.restLength) * (length + ends.restLength);
 }
 
-IncrementalPotential::Value IncrementalPotential::evaluate(const std::vector<Vec3>& velocities) {
+PotentialValue IncrementalPotential::evaluate(const std::vector<Vec3>& velocities) {
   if (model_->fabric) {
     evaluateFabric(velocities);
   }
@@ -135,8 +135,7 @@ double IncrementalPotential::addAttachment(const std::vector<Vec3>& velocities) 
   return attachment_->energy(attachmentOffset_.norm());
 }
 
-IncrementalPotential::Value IncrementalPotential::sum(const std::vector<Vec3>& velocities,
-                                                      double attachmentEnergy) const {
+PotentialValue IncrementalPotential::sum(const std::vector<Vec3>& velocities, double attachmentEnergy) const {
   double kinetic = 0.0;
   double work = 0.0;
   double workSize = 0.0;

@@ -6,6 +6,7 @@
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/workers.hpp"
 #include "sim/systems/fabric_energy.hpp"
+#include "sim/systems/line_search.hpp"
 #include "sim/systems/sparse_system.hpp"
 
 #include <optional>
@@ -24,20 +25,12 @@ namespace drape::sim {
 /// about 1e-16 m only, and with stiff springs that error would exceed the tolerance of the solve.
 class IncrementalPotential {
  public:
-  /// The result at some velocities. Pinned vertices do not count.
-  struct Value {
-    double value = 0.0;          ///< Phi [J]
-    double valueRounding = 0.0;  ///< bound of its rounding error [J]
-    double residual = 0.0;       ///< norm of the gradient [N s]
-    double rounding = 0.0;       ///< smallest residual that rounding allows [N s]
-  };
-
   /// Prepares a step from `state`. The arguments must outlive the step.
   void prepare(const ClothModel& model, const CommonParameters& parameters, const StepInputs& inputs,
                const ClothState& state, Workers& workers);
 
-  /// Computes value and gradient. `velocities` are zero where pinned.
-  Value evaluate(const std::vector<Vec3>& velocities);
+  /// Computes value and gradient [N s]. `velocities` are zero where pinned.
+  PotentialValue evaluate(const std::vector<Vec3>& velocities);
 
   /// The gradient of the last evaluation [N s], one a vertex, zero where pinned.
   [[nodiscard]] const std::vector<Vec3>& gradient() const { return gradient_; }
@@ -53,7 +46,7 @@ class IncrementalPotential {
   void findFabricBlocks(ForceDerivative variant);
   void gatherVertex(std::size_t vertex, const std::vector<Vec3>& velocities);
   double addAttachment(const std::vector<Vec3>& velocities);
-  [[nodiscard]] Value sum(const std::vector<Vec3>& velocities, double attachmentEnergy) const;
+  [[nodiscard]] PotentialValue sum(const std::vector<Vec3>& velocities, double attachmentEnergy) const;
 
   const ClothModel* model_ = nullptr;
   const CommonParameters* parameters_ = nullptr;

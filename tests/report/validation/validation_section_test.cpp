@@ -56,7 +56,7 @@ TEST(ValidationSection, measuresTheNumbersOfTheCommand) {
   EXPECT_EQ(validationLine(measured).substr(0, 60), validationLine(printed).substr(0, 60));
 }
 
-TEST(ValidationSection, showsInRedAndInWordsWhatIsOffAndWhy) {
+TEST(ValidationSection, showsResultsThatAreOffInRedWithTheReason) {
   ValidationCase one = requireValidationCase("buckling");
   const std::string passed = reportHtml(reportOf(rowsOfCase(one)));
   EXPECT_EQ(passed.find("class=\"bad\""), std::string::npos);

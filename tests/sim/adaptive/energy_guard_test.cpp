@@ -137,7 +137,7 @@ TEST_F(DecidingOnAStep, refusesAnEnergyThatIsNotFinite) {
   EXPECT_FALSE(guard.hasGrown(growth(0.0, 0.0), 0.0, false, memory));
 }
 
-TEST_F(DecidingOnAStep, refusesALossOfMoreEnergyThanThereIs) {
+TEST_F(DecidingOnAStep, refusesALossAboveTheTotalEnergy) {
   EXPECT_TRUE(guard.hasGrown(growth(-1e277, 0.0), 0.0, false, memory));
   EXPECT_TRUE(guard.hasGrown(growth(-10.0 * fall, 0.0), 0.0, false, memory));
   EXPECT_FALSE(guard.hasGrown(growth(-0.5 * fall, 0.0), 0.0, false, memory));
@@ -164,7 +164,7 @@ TEST_F(DecidingOnAStep, acceptsGrowthThatExternalWorkExplains) {
   EXPECT_FALSE(guard.hasGrown(growth(work, work), work, false, memory));
 }
 
-TEST_F(DecidingOnAStep, judgesARetryByItselfAndForgetsTheSum) {
+TEST_F(DecidingOnAStep, testsARetryByItselfWithoutTheSumOfEarlierSteps) {
   memory.schemeEnergyDrift = schemeLimit(tuning.maxSchemeDrift);
   EXPECT_TRUE(guard.hasGrown(growth(1.1 * schemeLimit(tuning.maxSchemeDriftOfRetry), 0.0), 0.0, true, memory));
   EXPECT_FALSE(guard.hasGrown(growth(0.9 * schemeLimit(tuning.maxSchemeDriftOfRetry), 0.0), 0.0, true, memory));

@@ -119,7 +119,7 @@ TEST(StretchChoice, keepsTheStiffnessOfClothThatSleeps) {
   }
 }
 
-TEST(StretchChoice, goesOnEquallyFromACopyOfTheState) {
+TEST(StretchChoice, continuesEquallyFromACopyOfTheState) {
   const auto model = hangingFabric();
   const StepParameters parameters = smallCostBudget();
   auto [state, report] = afterStepsOfAuto(*model, parameters, 10);

@@ -39,7 +39,7 @@ Eigen::Matrix<double, 3, 2> gradientOf(double warp, double weft, double shear) {
   return Eigen::AngleAxisd(0.7, Vec3(1.0, 2.0, -0.5).normalized()).toRotationMatrix() * flat;
 }
 
-TEST(MembraneTriangle, measuresGreensStrainWhateverTheRotation) {
+TEST(MembraneTriangle, measuresGreensStrainForAnyRotation) {
   const RestTriangle rest = obliqueTriangle();
   const MembraneTriangle membrane(rest, woven());
   const Eigen::Matrix<double, 3, 2> gradient = gradientOf(0.1, -0.05, 0.2);

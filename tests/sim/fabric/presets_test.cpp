@@ -24,7 +24,7 @@ TEST(MaterialPresets, areStableAndNamedOnceWithTheirSource) {
   }
 }
 
-TEST(MaterialPresets, weighAndMeasureWhatClothDoes) {
+TEST(MaterialPresets, haveTheWeightAndThicknessOfCloth) {
   for (const MaterialPreset& preset : presetTable()) {
     EXPECT_GE(preset.density, 0.05) << preset.name;
     EXPECT_LE(preset.density, 1.0) << preset.name;

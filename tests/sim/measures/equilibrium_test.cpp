@@ -124,7 +124,7 @@ TEST(Equilibrium, saysSoIfItHasNotConverged) {
   EXPECT_LE(found.iterations, 2);
 }
 
-TEST(Equilibrium, doesNotConvergeWhereThereIsNone) {
+TEST(Equilibrium, doesNotConvergeWithoutAnEquilibrium) {
   const auto model = clampedSheet(7, woven(), 0);
   const Equilibrium found = equilibriumUnder(*model, weightsOf(*model, 9.81), model->restPositions);
   EXPECT_FALSE(found.converged) << "the cloth falls for ever";

@@ -82,7 +82,7 @@ TEST(DisplacementError, ofAFrozenClothIsOneWithoutCosine) {
   EXPECT_EQ(error.squaredCosine, 0.0);
 }
 
-TEST(DisplacementError, leavesStillVerticesOutButTellsTheirMotion) {
+TEST(DisplacementError, leavesStillVerticesOutButReportsTheirMotion) {
   const auto model = testing::pinnedSheet(4);
   Motion motion = translation(*model, Vec3(0.0, -0.11, 0.0), Vec3(0.0, -0.1, 0.0));
   motion.reference[5] = motion.start[5] + Vec3(0.0, 1e-7, 0.0);

@@ -122,7 +122,7 @@ TEST(ClothModel, refusesMassesAndStiffnessesThatCannotBe) {
   EXPECT_EQ(faultOf([&] { return withPins(*model, {true}); }).fault(), Fault::PinCount);
 }
 
-TEST(ClothModel, refusesWhatCannotBeACloth) {
+TEST(ClothModel, refusesInvalidMeshesMassesAndPins) {
   const auto mesh = testing::sheet(3);
   EXPECT_EQ(faultOfCloth({}, 0.1).fault(), Fault::NoTriangle);
   EXPECT_EQ(faultOfCloth(mesh, 0.0).fault(), Fault::Mass);

@@ -15,7 +15,7 @@ TEST(MeshTopology, sortsTheEdges) {
   EXPECT_EQ(mesh.edges, (std::vector<MeshEdge>{{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}, {4, 5}, {4, 6}, {5, 6}}));
 }
 
-TEST(MeshTopology, knowsTheSidesOnAnEdge) {
+TEST(MeshTopology, listsTheSidesOnAnEdge) {
   const MeshEdges mesh = edgesOf(twoAndOne, 7);
   const std::span<const TriangleSide> sides = mesh.sides[2];
   ASSERT_EQ(sides.size(), 2U);

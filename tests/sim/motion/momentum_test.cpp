@@ -44,7 +44,7 @@ TEST(Momentum, ofTwoPointsIsTheTextbooks) {
   EXPECT_LT((angularMomentum(*model, state, Vec3(0.5, 0.0, 0.0)) - Vec3(0.0, 0.0, 0.075)).norm(), 1e-15);
 }
 
-TEST(FreePieces, areWhatSpringsConnectWithoutAPin) {
+TEST(FreePieces, areComponentsOfTheSpringGraphWithoutPins) {
   ClothMesh mesh = sheet(2);
   for (const Vec3& position : sheet(2).positions) {
     mesh.positions.emplace_back(position + Vec3(5.0, 0.0, 0.0));
@@ -71,7 +71,7 @@ std::pair<double, double> lossOf(const char* solver, StepParameters p) {
           (spinOf(*model, state) - spin).norm() / spin.norm()};
 }
 
-TEST(KeepMomentum, givesOneIterationBackWhatItLoses) {
+TEST(KeepMomentum, restoresTheMomentumThatOneIterationLoses) {
   StepParameters p = inEmptySpace();
   const auto [linear, spin] = lossOf("one_iteration", p);
   EXPECT_GT(linear, 1e-3);

@@ -48,7 +48,7 @@ double maxDistanceFrom(const std::vector<Vec3>& rest, const Vec3& shift, const C
   return largest;
 }
 
-TEST(MovingFrame, letsASheetGoAlongWithItsPinsHoweverStronglyItIsDamped) {
+TEST(MovingFrame, movesASheetWithItsPinsForAnyDamping) {
   const Vec3 velocity(0.5, 0.3, 2.0);
   for (const SolverInfo& solver : solverTable()) {
     const auto scene = carriedSheet(std::string(solver.name), velocity);
@@ -96,7 +96,7 @@ TEST(MovingFrame, changesNothingWhereItRests) {
   EXPECT_EQ(stateHash(state), stateHash(before));
 }
 
-TEST(MovingFrame, leavesPinsThatNobodyCarriesWhereTheyAre) {
+TEST(MovingFrame, leavesPinsWithoutABodyInPlace) {
   const auto scene = carriedSheet("xpbd", Vec3(0.1, 0.2, 0.3));
   std::vector<bool> pinned = scene->model().pinned;
   pinned.back() = true;

@@ -9,7 +9,7 @@ namespace drape::sim::simd {
 namespace {
 
 /// Sums that overflow many times; the sanitizers must have nothing to say.
-TEST(SumOfBits, isTheSumOfAllNumbersBitsWhateverTheirCount) {
+TEST(SumOfBits, isTheSumOfTheBitsOfAllNumbersForAnyCount) {
   for (const int count : {0, 1, 3, 8, 9, 64, 1001}) {
     std::vector<double> values;
     std::uint64_t sum = 0;

@@ -124,7 +124,7 @@ double maxDamping(const ClothModel& model, int stages) {
   return stages * (stages + 1) / model.unitDampingRate;
 }
 
-TEST(DampingStages, areThoseOfThePaperOnEveryKindOfMeshWhateverTheShares) {
+TEST(DampingStages, areThoseOfThePaperOnEveryKindOfMeshForAllShares) {
   for (const NamedMesh& mesh : everyKindOfMesh()) {
     const auto model = pinnedCloth(mesh.mesh);
     for (const int stages : {2, 6, 20}) {

@@ -136,7 +136,7 @@ TEST(InstructionSets, agreeWithinRoundingWhereTheyHaveNone) {
   }
 }
 
-TEST(InstructionSets, areAllThereAgainWhenATestIsOver) {
+TEST(InstructionSets, areRestoredAfterATest) {
   const std::int64_t before = hwy::SupportedTargets();
   {
     const OnlyInstructions only(HWY_SSSE3);

@@ -182,7 +182,7 @@ TEST(SlicedFabric, keepsNothingOfAnUnstableStep) {
   }
 }
 
-TEST(SlicedFabric, isBuiltAnewForAnotherMaterialAndForSprings) {
+TEST(SlicedFabric, isRebuiltForAnotherMaterialAndForSprings) {
   const auto springs = pinnedCloth(sheet(9));
   const ClothState start = shaken(*springs, 0.002, 5);
   StepParameters parameters;

@@ -228,7 +228,7 @@ TEST(SlicedClothCache, keepsTheLayoutWhenOnlyMassesAndPinsChange) {
   }
 }
 
-TEST(SlicedClothCache, makesALayoutAnewWhenTrianglesRestShapeOrSizeChange) {
+TEST(SlicedClothCache, makesANewLayoutWhenTrianglesRestShapeOrSizeChange) {
   const ClothMesh mesh = testing::sheet(9);
   ClothMesh turned = mesh;
   std::swap(turned.triangles[3][0], turned.triangles[3][1]);

@@ -223,7 +223,7 @@ TEST_P(EverySolver, acceleratesFreeClothAsItsWeightAndTheAirAsk) {
 /// The same all along a motion, as the mean of each step's two ends: cloth must not come to hang in the air. The wind
 /// comes from above, so that no vertex passes the incidence at which eq. 20 jumps; a method without that jump also
 /// meets wind along the sheet.
-TEST_P(EverySolver, goesOnAcceleratingFreeClothAsItsWeightAndTheAirAsk) {
+TEST_P(EverySolver, acceleratesFreeClothByItsWeightAndTheAir) {
   const bool chooses = findSolver(GetParam().name)->choosesSubsteps;
   const auto model = freeSheets()[3];
   for (const Vec3& wind : {Vec3(1, -6, 2), Vec3(6, 0, 1)}) {
@@ -449,7 +449,7 @@ TEST_P(EverySolver, convergesToTheSameMotionByMidpointAndBdf2) {
   EXPECT_LT(sheetError(GetParam(), Integration::Bdf2, GetParam().coarseSteps / 2), 1e-4) << "[m]";
 }
 
-TEST_P(EverySolver, tellsWhatItIsAndWhenItFails) {
+TEST_P(EverySolver, hasADescriptionAndWarnings) {
   const SolverInfo& info = *findSolver(GetParam().name);
   EXPECT_GT(info.title.size(), 0U);
   EXPECT_EQ(info.help.back(), '.');

@@ -127,7 +127,7 @@ TEST(Verlet, staysBelowItsLimitWithDampingAndNotAbove) {
   EXPECT_GT(largestEnergy("verlet", *model, parameters, 60.0, start), 1e3 * energy);
 }
 
-TEST(Verlet, goesBackTheWayItCame) {
+TEST(Verlet, isReversibleInTime) {
   const auto model = pinnedSheet(5);
   const ClothState start = shaken(*model, 0.03, 7);
   ClothState state = start;

@@ -86,15 +86,15 @@ TEST(Newton, solvesTheEquationsOfAStiffShakenClothToItsTolerance) {
     EXPECT_TRUE(report.converged);
     EXPECT_LE(report.residual, 1e-10);
     // The residual uses lengths from positions near 1 m, which are accurate to 1e-16 m.
-    const double judgesRounding = parameters.timeStep * parameters.material.stiffness * 2.2e-16 *
-                                  std::sqrt(6.0 * static_cast<double>(model->springs.size()));
+    const double rounding = parameters.timeStep * parameters.material.stiffness * 2.2e-16 *
+                            std::sqrt(6.0 * static_cast<double>(model->springs.size()));
     EXPECT_LT(leftOver(*model, parameters, before, state.positions, state.velocities),
-              1e-10 * leftOverAtFirst(*model, parameters, before) + judgesRounding)
+              1e-10 * leftOverAtFirst(*model, parameters, before) + rounding)
         << "step " << step;
   }
 }
 
-TEST(Newton, saysWhenItDidNotGetThere) {
+TEST(Newton, reportsThatItDidNotConverge) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = stiffParameters();
   parameters.iteration.tolerance = 1e-10;
@@ -104,9 +104,9 @@ TEST(Newton, saysWhenItDidNotGetThere) {
   const StepReport report = findSolver("newton")->make()->step(*model, parameters, {}, state);
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.iterations, 3);
-  const double judged = leftOver(*model, parameters, before, state.positions, state.velocities) /
-                        leftOverAtFirst(*model, parameters, before);
-  EXPECT_NEAR(report.residual, judged, 1e-9 * judged);
+  const double expected = leftOver(*model, parameters, before, state.positions, state.velocities) /
+                          leftOverAtFirst(*model, parameters, before);
+  EXPECT_NEAR(report.residual, expected, 1e-9 * expected);
 }
 
 TEST(Newton, stopsBetweenItsIterationsWhenAStopIsRequested) {
@@ -130,7 +130,7 @@ TEST(Newton, stopsBetweenItsIterationsWhenAStopIsRequested) {
   EXPECT_EQ(stateHash(state), before);
 }
 
-TEST(Newton, getsAsFarAsRoundingAllowsWhenItIsAskedForMore) {
+TEST(Newton, stopsAtRoundingForASmallerTolerance) {
   const auto model = pinnedSheet(9);
   StepParameters parameters = stiffParameters();
   parameters.iteration.tolerance = 1e-30;

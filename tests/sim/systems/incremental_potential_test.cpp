@@ -76,7 +76,7 @@ TEST_P(Potential, hasTheSecondDerivativeThatItsGradientsDifferencesShow) {
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutTheBoundOfTheAttachmentForce, Potential, ::testing::Values(1000.0, 0.5));
 
-TEST(Potential, saysWhatRoundingLeavesOverOfItsGradient) {
+TEST(Potential, estimatesTheRoundingErrorOfItsGradient) {
   Scene scene(1000.0);
   const auto value = scene.potential.evaluate(scene.velocities);
   EXPECT_GT(value.rounding, 0.0);

@@ -13,9 +13,9 @@
 namespace drape::report::sections {
 
 /// Times at which errors are measured [s], and for the last of them: checkpoints, steps of 1/150 s.
-inline constexpr std::array judgedTimes{0.2, 0.5};
-inline constexpr int judgedCheckpoints = 15;
-inline constexpr std::array stepsToJudged{30, 75};
+inline constexpr std::array measuredTimes{0.2, 0.5};
+inline constexpr int measuredCheckpoints = 15;
+inline constexpr std::array stepsToMeasured{30, 75};
 
 /// The amplitude of the jitter of a start [m], and the number of seeds.
 inline constexpr double jitterLength = 1e-6;
@@ -24,10 +24,10 @@ inline constexpr int seedCount = 5;
 inline constexpr double chaoticFloor = 1e-4;
 
 /// A cloth for the comparison of methods, and its reference, which is made on first use.
-class WorkGround {
+class ClothWithReference {
  public:
   /// @param resolution 0 for a mesh
-  WorkGround(SetUp setUp, int resolution, WorkMaterial material, bool quick)
+  ClothWithReference(SetUp setUp, int resolution, WorkMaterial material, bool quick)
       : setUp_(std::move(setUp)), resolution_(resolution), material_(std::move(material)), quick_(quick) {}
 
   [[nodiscard]] const std::string& name() const { return setUp_.name; }

@@ -1,7 +1,8 @@
-#include "report/sections/work_ground.hpp"
+#include "report/sections/cloth_with_reference.hpp"
 
 #include "messages/error.hpp"
 #include "sim/measures/measures.hpp"
+#include "sim/model/sim_error.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -32,7 +33,7 @@ Watch watchOf(const std::function<void()>& checkStop) {
 
 }  // namespace
 
-const scene::Scene& WorkGround::scene() {
+const scene::Scene& ClothWithReference::scene() {
   if (scene_ == nullptr) {
     std::vector<std::string> settings = material_.settings;
     settings.insert(settings.end(), {"time_step=1/150", "substeps=1", "precision=double", "threads=1"});
@@ -41,7 +42,7 @@ const scene::Scene& WorkGround::scene() {
   return *scene_;
 }
 
-const scene::Scene& WorkGround::jitteredScene(int seed) {
+const scene::Scene& ClothWithReference::jitteredScene(int seed) {
   auto& scene = jittered_.at(static_cast<std::size_t>(seed) - 1);
   if (scene == nullptr) {
     scene = jittered(this->scene(), jitterLength, static_cast<unsigned>(seed));
@@ -49,7 +50,7 @@ const scene::Scene& WorkGround::jitteredScene(int seed) {
   return *scene;
 }
 
-const Reference* WorkGround::reference(const std::function<void()>& checkStop) {
+const Reference* ClothWithReference::reference(const std::function<void()>& checkStop) {
   if (!tried_) {
     findReference(checkStop);
     tried_ = true;
@@ -57,7 +58,7 @@ const Reference* WorkGround::reference(const std::function<void()>& checkStop) {
   return reference_ ? &*reference_ : nullptr;
 }
 
-double WorkGround::noiseFloor(int checkpoint, const std::function<void()>& checkStop) {
+double ClothWithReference::noiseFloor(int checkpoint, const std::function<void()>& checkStop) {
   if (reference(checkStop) == nullptr) {
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -68,7 +69,7 @@ double WorkGround::noiseFloor(int checkpoint, const std::function<void()>& check
   return k < floor_.size() ? floor_[k] : std::numeric_limits<double>::infinity();
 }
 
-void WorkGround::findReference(const std::function<void()>& checkStop) {
+void ClothWithReference::findReference(const std::function<void()>& checkStop) {
   ConvergenceTolerance tolerance;
   tolerance.absolute = quick_ ? 1e-5 : 1e-6;
   tolerance.takeAnyway = true;  // each row states the quality of its reference
@@ -77,23 +78,25 @@ void WorkGround::findReference(const std::function<void()>& checkStop) {
   settings::Settings settings = convergedSettings(scene().settings);
   settings.step.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   try {
-    reference_ = convergedReference(scene(), settings, judgedCheckpoints, tolerance, watchOf(checkStop).progress);
+    reference_ = convergedReference(scene(), settings, measuredCheckpoints, tolerance, watchOf(checkStop).progress);
   } catch (const messages::InputError&) {
+    reference_.reset();
+  } catch (const sim::SimError&) {
     reference_.reset();
   }
 }
 
-void WorkGround::findFloor(const std::function<void()>& checkStop) {
+void ClothWithReference::findFloor(const std::function<void()>& checkStop) {
   // The growth of jitter is a property of the motion, so the first step of the halving is accurate enough.
   settings::Settings settings = reference_->settings;
   for (std::size_t i = 0; i < reference_->halvings.size(); ++i) {
     settings.step.timeStep *= 2.0;
   }
   const Watch watch = watchOf(checkStop);
-  const Trajectory still = runTrajectory(scene(), settings, judgedCheckpoints, watch);
+  const Trajectory still = runTrajectory(scene(), settings, measuredCheckpoints, watch);
   floor_.assign(still.states.size(), 0.0);
   for (int seed = 1; seed <= seedCount; ++seed) {
-    const Trajectory moved = runTrajectory(jitteredScene(seed), settings, judgedCheckpoints, watch);
+    const Trajectory moved = runTrajectory(jitteredScene(seed), settings, measuredCheckpoints, watch);
     floor_.resize(std::min(floor_.size(), moved.states.size()));
     for (std::size_t k = 0; k < floor_.size(); ++k) {
       floor_[k] += sim::meanDistance(still.states[k].positions, moved.states[k].positions) / seedCount;
