@@ -28,10 +28,10 @@ std::string describePace(const session::Snapshot& snapshot) {
 }
 
 std::string slownessInWords(const session::Snapshot& snapshot) {
-  constexpr double mostOfAStep = 0.5;
+  constexpr double largeFraction = 0.5;
   const sim::contact::ContactReport& contact = snapshot.stepReport.contact;
   const double seconds = contact.bodySeconds + contact.selfSeconds;
-  if (seconds > mostOfAStep * snapshot.stepSeconds) {
+  if (seconds > largeFraction * snapshot.stepSeconds) {
     return std::string("The simulation is slower than real time, mostly because of contact ") +
            (contact.selfSeconds > contact.bodySeconds ? "of the cloth with itself" : "with bodies") +
            ". Fewer vertices make it faster";

@@ -51,11 +51,11 @@ double heightOfTaut(const std::vector<Vec3>& positions, const Vec3& point) {
 /// The least height of the loose sheet above the taut one [m].
 double heightAbove(const Simulation& simulation) {
   const std::vector<Vec3>& positions = simulation.state().positions;
-  double least = 1.0;
+  double min = 1.0;
   for (int v = loose(simulation).firstVertex; v < static_cast<int>(positions.size()); ++v) {
-    least = std::min(least, positions[v].y() - heightOfTaut(positions, positions[v]));
+    min = std::min(min, positions[v].y() - heightOfTaut(positions, positions[v]));
   }
-  return least;
+  return min;
 }
 
 std::size_t intersectingPairs(const Simulation& simulation) {
