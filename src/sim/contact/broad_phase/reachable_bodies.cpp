@@ -43,6 +43,17 @@ bool couldMeet(const BodyStep& body, const SearchableMesh* mesh, const Eigen::Al
   return inflated(box, far).intersects(sweep);
 }
 
+/// Transforms positions into a frame.
+class IntoFrame {
+ public:
+  explicit IntoFrame(const Pose& pose) : turn_(pose.rotation.conjugate().toRotationMatrix()), origin_(pose.position) {}
+  Vec3 operator()(const Vec3& position) const { return turn_ * (position - origin_); }
+
+ private:
+  Mat3 turn_;
+  Vec3 origin_;
+};
+
 /// Whether a body is a rigid mesh.
 bool isRigidMesh(const BodyStep& body, const SearchableMesh* mesh) {
   return mesh != nullptr && !mesh->isDeforming() && !std::holds_alternative<BoxShape>(body.body->shape);
@@ -78,15 +89,33 @@ ReachableBodies::Mesh* ReachableBodies::meshOf(const BodyStep& body) {
 
 ClothMotion ReachableBodies::motionIn(const BodyStep& body, const ClothModel& model, const PreparedCloth& cloth,
                                       const std::vector<Vec3>& start, const std::vector<Vec3>& end) {
-  const auto toFrame = [](const Pose& pose, const std::vector<Vec3>& positions, std::vector<Vec3>& local) {
-    const Mat3 turn = pose.rotation.conjugate().toRotationMatrix();
-    local.resize(positions.size());
-    std::transform(positions.begin(), positions.end(), local.begin(),
-                   [&](const Vec3& position) -> Vec3 { return turn * (position - pose.position); });
-  };
-  toFrame(body.start, start, localStart_);
-  toFrame(body.end, end, localEnd_);
+  const IntoFrame toStart(body.start);
+  const IntoFrame toEnd(body.end);
+  localStart_.resize(start.size());
+  localEnd_.resize(end.size());
+  std::transform(start.begin(), start.end(), localStart_.begin(), toStart);
+  std::transform(end.begin(), end.end(), localEnd_.begin(), toEnd);
   return {model, cloth.clusters, localStart_, localEnd_};
+}
+
+/// Whether free cloth comes within the distance `far` [m] of a rigid mesh. The cluster that was near the last time is
+/// tested first, without the rest of the cloth.
+bool ReachableBodies::isNear(const BodyStep& body, Mesh& mesh, const ClothModel& model, const PreparedCloth& cloth,
+                             const std::vector<Vec3>& start, const std::vector<Vec3>& end, double far) {
+  if (mesh.nearCluster < cloth.clusters.count()) {
+    const IntoFrame toStart(body.start);
+    const IntoFrame toEnd(body.end);
+    localStart_.resize(start.size());
+    localEnd_.resize(end.size());
+    for (const int v : cloth.clusters.vertices(mesh.nearCluster)) {
+      localStart_[v] = toStart(start[v]);
+      localEnd_[v] = toEnd(end[v]);
+    }
+    if (freeClothIsNear(mesh.searchable, {model, cloth.clusters, localStart_, localEnd_}, far, mesh.nearCluster)) {
+      return true;
+    }
+  }
+  return anyFreeClothIsNear(mesh.searchable, motionIn(body, model, cloth, start, end), far, mesh.nearCluster);
 }
 
 /// Whether the cloth certainly does not touch a mesh on its way to the predicted and to the current positions.
@@ -130,8 +159,7 @@ bool ReachableBodies::isNearAny(const ClothModel& model, const PreparedCloth& cl
     const SearchableMesh* mesh = found != nullptr ? &found->searchable : nullptr;
     const double offset = contactOffsetOf(body, contact);
     return couldMeet(body, mesh, startBox, endBox, 2.0 * offset) &&
-           (!isRigidMesh(body, mesh) ||
-            freeClothIsNear(*mesh, motionIn(body, model, cloth, start, end), offset + spread));
+           (!isRigidMesh(body, mesh) || isNear(body, *found, model, cloth, start, end, offset + spread));
   });
 }
 

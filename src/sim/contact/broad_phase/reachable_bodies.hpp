@@ -48,11 +48,14 @@ class ReachableBodies {
     explicit Mesh(MeshShape shape) : searchable(std::move(shape)) {}
     SearchableMesh searchable;
     MeshClearance clearance;
+    std::size_t nearCluster = 0;  // of the cloth: it was near the last time
   };
 
   Mesh* meshOf(const BodyStep& body);
   ClothMotion motionIn(const BodyStep& body, const ClothModel& model, const PreparedCloth& cloth,
                        const std::vector<Vec3>& start, const std::vector<Vec3>& end);
+  bool isNear(const BodyStep& body, Mesh& mesh, const ClothModel& model, const PreparedCloth& cloth,
+              const std::vector<Vec3>& start, const std::vector<Vec3>& end, double far);
   bool isKnownClearOf(const ClothStep& step, const PreparedCloth& cloth, const BodyStep& body, Mesh& mesh,
                       const std::vector<Vec3>& positions);
 
