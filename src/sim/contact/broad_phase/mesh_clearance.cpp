@@ -124,7 +124,7 @@ bool MeshClearance::couldMeet(const SearchableMesh& mesh, const ClothMotion& mot
   return false;
 }
 
-bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far) {
+bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far, std::size_t cluster) {
   const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions};
   NearestSearch nearest(inStep);
   const auto isNear = [&](int v) {
@@ -132,10 +132,15 @@ bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, doub
     const double radius = far + (end - vectorAt(motion.start, v)).norm();
     return !isPinned(motion.model, v) && nearest.anywhere(end, radius).triangle >= 0;
   };
+  const std::span<const int> vertices = motion.clusters.vertices(cluster);
+  const Eigen::AlignedBox3d box = boxOf(vertices, motion.start).merged(boxOf(vertices, motion.end));
+  return hasLeaf(mesh.tree, inflated(box, far)) && std::any_of(vertices.begin(), vertices.end(), isNear);
+}
+
+bool anyFreeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far, std::size_t& nearCluster) {
   for (std::size_t c = 0; c < motion.clusters.count(); ++c) {
-    const std::span<const int> vertices = motion.clusters.vertices(c);
-    const Eigen::AlignedBox3d box = boxOf(vertices, motion.start).merged(boxOf(vertices, motion.end));
-    if (hasLeaf(mesh.tree, inflated(box, far)) && std::any_of(vertices.begin(), vertices.end(), isNear)) {
+    if (freeClothIsNear(mesh, motion, far, c)) {
+      nearCluster = c;
       return true;
     }
   }

@@ -48,8 +48,14 @@ class MeshClearance {
   double distance_ = 0.0;
 };
 
-/// Whether a vertex that is not pinned comes within the distance `far` [m] of a mesh's surface. The number of contact
-/// substeps depends on it, so the result depends on the motion only, not on cached data.
-[[nodiscard]] bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far);
+/// Whether a vertex of a cluster that is not pinned comes within the distance `far` [m] of a mesh's surface. The number
+/// of contact substeps depends on it, so the result depends on the motion only, not on cached data.
+[[nodiscard]] bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far,
+                                   std::size_t cluster);
+
+/// The same for the whole cloth.
+/// @param nearCluster a cluster that is near, set if the result is true
+[[nodiscard]] bool anyFreeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far,
+                                      std::size_t& nearCluster);
 
 }  // namespace drape::sim::contact

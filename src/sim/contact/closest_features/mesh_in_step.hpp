@@ -35,6 +35,7 @@ struct NearestMeshPoint {
   int triangle = -1;
   Vec3 weights = Vec3::Zero();  ///< of the triangle's corners
   Vec3 normal = Vec3::UnitY();  ///< towards the cloth
+  double squaredDistance = std::numeric_limits<double>::infinity();  ///< the gap as the search compares it [m^2]
 };
 
 [[nodiscard]] inline NearPoint pointOf(const MeshInStep& mesh, const NearestMeshPoint& near) {

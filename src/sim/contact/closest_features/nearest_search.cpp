@@ -25,7 +25,13 @@ void NearestSearch::testTriangle(int triangle, const Vec3& point) {
     minSquaredDistance_ = distance;
     best_.triangle = triangle;
     best_.weights = weights;
+    best_.squaredDistance = distance;
   }
+}
+
+double NearestSearch::squaredDistanceTo(int triangle, const Vec3& point) const {
+  const Corners corners = mesh_.corners(triangle);
+  return (pointAt(corners, quickNearestOnTriangle(point, corners[0], corners[1], corners[2])) - point).squaredNorm();
 }
 
 NearestMeshPoint NearestSearch::result(const Vec3& point) {
@@ -47,22 +53,28 @@ void NearestSearch::remember(const Vec3& point, double within, double beyond, Ne
   memory.count = 0;
   if (best_.triangle < 0) {
     const auto nearest = std::min_element(toLeaf_.begin(), toLeaf_.end());
-    memory.clearRadius = nearest == toLeaf_.end() ? beyond : std::min(beyond, std::sqrt(*nearest));
+    const double toLeaf = nearest == toLeaf_.end() ? beyond : std::min(beyond, std::sqrt(*nearest));
+    // Nothing is within the searched radius.
+    memory.clearRadius = std::max(toLeaf, std::min(beyond, std::sqrt(minSquaredDistance_)));
     return;
   }
   memory.clearRadius = std::sqrt(minSquaredDistance_);
   // After a displacement of `within`, only triangles within the present distance plus twice that can be closest.
   const double far = memory.clearRadius + 2.0 * within;
   for (std::size_t i = 0; i < toBox_.size(); ++i) {
-    if (toBox_[i] <= roundedUp * far * far) {
+    if (toBox_[i] > roundedUp * far * far) {
+      continue;
+    }
+    const double squared = squaredDistanceTo(triangleAt(i), point);
+    if (squared <= roundedUp * far * far) {
       if (memory.count == NearbyTriangles::capacity) {
         return;
       }
       memory.triangles[memory.count] = triangleAt(i);
-      memory.toBox[memory.count] = roundedDown * static_cast<float>(std::sqrt(toBox_[i]));
+      memory.distances[memory.count] = roundedDown * static_cast<float>(std::sqrt(squared));
       if (memory.triangles[memory.count] == best_.triangle) {  // first, since its distance bounds the others
         std::swap(memory.triangles[memory.count], memory.triangles[0]);
-        std::swap(memory.toBox[memory.count], memory.toBox[0]);
+        std::swap(memory.distances[memory.count], memory.distances[0]);
       }
       ++memory.count;
     }
@@ -75,8 +87,8 @@ NearestMeshPoint NearestSearch::amongRemembered(const NearbyTriangles& memory, c
   best_ = {};
   minSquaredDistance_ = radius * radius;
   for (std::size_t i = 0; i < memory.count; ++i) {
-    const double toBox = static_cast<double>(memory.toBox[i]) - moved;
-    if (toBox <= 0.0 || toBox * toBox <= roundedUp * minSquaredDistance_) {
+    const double atLeast = static_cast<double>(memory.distances[i]) - moved;
+    if (atLeast <= 0.0 || atLeast * atLeast <= roundedUp * minSquaredDistance_) {
       testTriangle(memory.triangles[i], point);
     }
   }

@@ -17,7 +17,7 @@ struct NearbyTriangles {
   double validRadius = -1.0;  ///< maximum displacement for which the triangles are valid [m]; negative: they are not
   double clearRadius = -1.0;  ///< lower bound of the distance to the mesh [m]
   std::array<int, capacity> triangles{};
-  std::array<float, capacity> toBox{};  ///< lower bounds of the distances to their boxes [m]
+  std::array<float, capacity> distances{};  ///< lower bounds of the distances to them [m]
   std::size_t count = 0;
 };
 
@@ -46,6 +46,7 @@ class NearestSearch {
 
  private:
   void testTriangle(int triangle, const Vec3& point);
+  [[nodiscard]] double squaredDistanceTo(int triangle, const Vec3& point) const;
   [[nodiscard]] int triangleAt(std::size_t box) const;
   [[nodiscard]] NearestMeshPoint result(const Vec3& point);
 

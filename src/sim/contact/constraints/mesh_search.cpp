@@ -18,6 +18,7 @@ constexpr double listedRatio = 2.0;      // distance to a cluster up to which le
 constexpr double listMarginRatio = 1.0;  // additional distance in cached lists
 constexpr double knownRatio = 0.15;      // displacement of a cluster up to which its distances are reused
 constexpr double closeRatio = 0.2;       // distance beyond the edge offset at which edges and faces get contacts
+constexpr double fastRatio = 1.5;        // searched distance of a vertex beyond which its result is not cached
 constexpr double rounding = 1e-9;        // [m]
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -54,6 +55,8 @@ void MeshSearch::begin(const SearchableMesh& mesh, std::uint64_t model) {
     nearby_.clear();
     near_.clear();
     outwards_.clear();
+    searched_.clear();
+    features_.clear();
     mesh_ = &mesh;
     model_ = model;
   }
@@ -114,10 +117,15 @@ class MeshSearch::ClusterSearch {
     }
   }
 
+  /// The distance up to which the closest point to a vertex matters [m].
+  [[nodiscard]] double radiusOf(int vertex) const {
+    return cloth_.displacementBounds[vertex] - builder_.offsets().contactOffset;
+  }
+
   /// The closest point of the mesh to a vertex, within its displacement.
   NearestMeshPoint nearestTo(int vertex, const NearbyLeaves& nearby, NearbyTriangles& memory) {
     const Vec3& point = vectorAt(cloth_.start, vertex);
-    const double radius = cloth_.displacementBounds[vertex] - builder_.offsets().contactOffset;
+    const double radius = radiusOf(vertex);
     if (mesh_.mesh.isDeforming() || cloth_.overlap != nullptr) {
       NearestMeshPoint found = nearest_.among(nearby.leaves, nearby.boxes, point, radius_);
       return found.triangle < 0 && radius > radius_ ? nearest_.anywhere(point, radius) : found;
@@ -132,12 +140,16 @@ class MeshSearch::ClusterSearch {
     const double beyond =
         std::min((point - nearby.covered.min()).minCoeff(), (nearby.covered.max() - point).minCoeff());
     const double within = knownRatio * builder_.offsets().contactOffset;
-    if (radius + 2.0 * within > beyond) {
+    if (radius + 3.0 * within > beyond) {
       return nearest_.anywhere(point, radius);
     }
-    NearestMeshPoint found = nearest_.among(nearby.leaves, nearby.boxes, point, radius, within);
+    if (radius > fastRatio * builder_.offsets().contactOffset) {
+      return nearest_.among(nearby.leaves, nearby.boxes, point, radius);  // it moves too fast for a cached result
+    }
+    // The cached result must also show that a vertex which moves a little has no closest point within its radius.
+    const NearestMeshPoint found = nearest_.among(nearby.leaves, nearby.boxes, point, radius + within, within);
     nearest_.remember(point, within, beyond, memory);
-    return found;
+    return found.squaredDistance < radius * radius ? found : NearestMeshPoint();
   }
 
  private:
@@ -148,20 +160,46 @@ class MeshSearch::ClusterSearch {
   double radius_;  // [m]
 };
 
+/// Whether the last search started from the same positions, so that its results are still valid. The contacts at the
+/// end of a step are searched from where those for its substeps were.
+bool MeshSearch::isSearched(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth) {
+  const bool cached = !mesh.mesh.isDeforming() && cloth.overlap == nullptr;
+  const double offset = builder.offsets().contactOffset;
+  const bool searched = cached && searchedOffset_ == offset &&
+                        std::equal(searched_.begin(), searched_.end(), cloth.start.begin(), cloth.start.end());
+  if (!searched) {
+    searched_.assign(cached ? cloth.start.begin() : cloth.start.end(), cloth.start.end());
+    searchedOffset_ = offset;
+  }
+  return searched;
+}
+
 void MeshSearch::findVertexContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                                     const ClothClusters& clusters, Workers& workers, int threads,
                                     Candidates& candidates) {
   nearby_.resize(clusters.count());
   nearest_.resize(cloth.start.size());
   near_.resize(cloth.start.size());
+  searchedRadius_.resize(cloth.start.size());
   markPenetrating(cloth);
+  samePositions_ = isSearched(builder, mesh, cloth);
   workers.forRange(threads, static_cast<int>(cloth.triangles.size()), [&](int begin, int end) {
     ClusterSearch here(builder, mesh, cloth);
     const auto [first, last] = clusters.clustersWithin(begin, end);
     for (std::size_t c = first; c < last; ++c) {
-      here.list(clusters.vertices(c), nearby_[c]);
+      if (!samePositions_) {
+        here.list(clusters.vertices(c), nearby_[c]);
+      }
       for (const int v : clusters.ownVertices(c)) {
-        nearest_[v] = here.nearestTo(v, nearby_[c], near_[v]);
+        const double radius = here.radiusOf(v);
+        const bool known = samePositions_ && (nearest_[v].triangle >= 0 || radius <= searchedRadius_[v]);
+        if (!known) {
+          nearest_[v] = here.nearestTo(v, nearby_[c], near_[v]);
+          searchedRadius_[v] = radius;
+        } else if (nearest_[v].triangle >= 0 && !(nearest_[v].squaredDistance < radius * radius)) {
+          nearest_[v] = {};
+          searchedRadius_[v] = radius;
+        }
       }
     }
   });
@@ -173,8 +211,12 @@ void MeshSearch::findVertexContacts(const ConstraintBuilder& builder, const Mesh
 void MeshSearch::findSharpFeatureContacts(const ConstraintBuilder& builder, const MeshInStep& mesh,
                                           const ClothInBody& cloth, const ClothClusters& clusters, Workers& workers,
                                           int threads, Candidates& candidates) {
+  if (!samePositions_) {
+    featureGaps_.assign(cloth.triangles.size(), -infinity);
+  }
   distances_.resize(cloth.triangles.size());
   outwards_.resize(cloth.triangles.size(), Vec3::Zero());
+  features_.resize(cloth.triangles.size());
   const double close = closeDistance(builder.offsets());
   const auto parts = inParts<int>(
       clusters, workers, threads, cloth.triangles.size(), [&](std::size_t first, std::size_t last, Part<int>& part) {
@@ -213,11 +255,12 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
     const double longest = std::sqrt(std::max({squaredDisplacement(corners[0]), squaredDisplacement(corners[1]),
                                                squaredDisplacement(corners[2])})) +
                            rounding + offsets.listMargin;
-    if (distances_[t] >= offsets.edgeOffset + longest) {
+    if (std::max(distances_[t], featureGaps_[t]) >= offsets.edgeOffset + longest) {
       continue;  // it stays too far away
     }
     distances_[t] =
-        std::max(distances_[t], sharp.search(triangles[i], nearby.leaves, nearby.boxes, longest, outwards_[t]));
+        std::max(distances_[t], sharp.search(t, nearby.leaves, nearby.boxes, longest, outwards_[t], features_[t]));
+    featureGaps_[t] = sharp.featureGap();
     nearby.distances[i] = std::max(nearby.distances[i], distances_[t] - nearby.moved);
   }
 }

@@ -75,6 +75,7 @@ class MeshSearch {
     void list(const MeshTree& tree, const Eigen::AlignedBox3d& box);
   };
   class ClusterSearch;
+  [[nodiscard]] bool isSearched(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth);
   void searchTriangles(const ClothInBody& cloth, std::span<const int> triangles, NearbyLeaves& nearby,
                        const ContactOffsets& offsets, SharpFeatureSearch& sharp);
   void markPenetrating(const ClothInBody& cloth);
@@ -102,6 +103,12 @@ class MeshSearch {
   std::vector<NearestMeshPoint> nearest_;  // per vertex
   std::vector<NearbyTriangles> near_;      // per vertex: cached triangles for that
   std::vector<double> distances_;          // per triangle: lower bound to the mesh at the start of the pass [m]
+  std::vector<Vec3> searched_;             // start positions of the last search of the vertices [m]
+  double searchedOffset_ = 0.0;            // its contact offset [m]
+  std::vector<double> searchedRadius_;     // per vertex: the distance up to which it searched [m]
+  bool samePositions_ = false;             // as in the search before
+  std::vector<double> featureGaps_;       // per triangle: lower bound of the distance to features of the mesh there [m]
+  std::vector<NearbyFeatures> features_;  // per triangle: cached features of the mesh
   std::vector<Vec3> outwards_;       // per triangle: direction of its widest gap, with which the next search starts
   std::vector<char> skipped_;        // per triangle: no planes were searched
   std::vector<char> requested_;      // per triangle: planes must be searched

@@ -3,14 +3,20 @@
 #include "sim/contact/closest_features/closest_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace drape::sim::contact {
+namespace {
 
-/// Finds the leaves near a triangle; false if there are none.
-bool SharpFeatureSearch::findNearbyLeaves(int t, const std::vector<int>& leaves, const BoxList& boxes) {
-  t_ = static_cast<std::size_t>(t);
-  start_ = cornersOf(cloth_.start, cloth_.triangles[t_]);
-  boxesMeeting(boxes, inflated(boxAround(start_), near_), leaves_);
+constexpr double slackRatio = 0.15;       // displacement for which features are remembered, over the contact offset [-]
+constexpr double minStepsInMemory = 3.0;  // number of steps for which a memory must stay valid
+constexpr double positionRounding = 1e-9;  // [m]
+
+}  // namespace
+
+/// Finds the leaves near the triangle; false if there are none.
+bool SharpFeatureSearch::findNearbyLeaves(const std::vector<int>& leaves, const BoxList& boxes, double near) {
+  boxesMeeting(boxes, inflated(boxAround(start_), near), leaves_);
   for (std::int32_t& each : leaves_) {
     each = leaves[each];
   }
@@ -28,92 +34,194 @@ Vec3 SharpFeatureSearch::outwardNormal() const {
   return first != nullptr && first->normal.dot(normal_) < 0.0 ? Vec3(-normal_) : normal_;
 }
 
-double SharpFeatureSearch::search(int t, const std::vector<int>& leaves, const BoxList& boxes, double maxDisplacement,
-                                  Vec3& outwards) {
-  if (!findNearbyLeaves(t, leaves, boxes)) {
-    return near_;
+/// Adds the contacts of remembered features; false if the memory is not valid.
+/// @param wanted distance up to which features can get contacts [m]
+/// @param distance set to a lower bound of the distance to the mesh [m]
+bool SharpFeatureSearch::useMemory(const NearbyFeatures& memory, double wanted, double& distance) {
+  if (memory.validRadius < 0.0 || wanted > memory.complete) {
+    return false;
   }
+  double squared = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    squared = std::max(squared, (start_[k] - memory.at[k]).squaredNorm());
+  }
+  const double moved = squared > 0.0 ? std::sqrt(squared) + positionRounding : 0.0;
+  if (moved > memory.validRadius) {
+    return false;
+  }
+  featureGap_ = std::max(wanted, memory.complete + memory.validRadius - moved);
+  if (!memory.features.empty()) {
+    computeFaceWeights();
+  }
+  for (const NearbyFeatures::Feature& feature : memory.features) {
+    if (feature.sides == 0) {
+      addVertexContact(feature.triangle, feature.at);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((feature.sides >> k & 1U) != 0) {
+        addEdgeContact(feature.triangle, feature.at, k);
+      }
+    }
+  }
+  distance = memory.distance - moved;
+  return true;
+}
+
+double SharpFeatureSearch::search(int t, const std::vector<int>& leaves, const BoxList& boxes, double maxDisplacement,
+                                  Vec3& outwards, NearbyFeatures& memory) {
   const ContactOffsets& offsets = builder_.offsets();
-  const double wanted = mesh_.mesh.isDeforming() ? close_ : std::min(close_, offsets.edgeOffset + maxDisplacement);
-  const HullGap gap = HullGapSearch(mesh_.mesh, mesh_.atEnd, leaves_, start_)
-                          .search(outwards.isZero() ? outwardNormal() : outwards,
-                                  {wanted, maxDisplacement + offsets.minimumSeparation});
-  outwards = gap.normal;
-  const double distance = std::min(gap.atLeast, near_);
-  if (distance < wanted) {
-    searchFeatures(leaves, boxes);
+  t_ = static_cast<std::size_t>(t);
+  start_ = cornersOf(cloth_.start, cloth_.triangles[t_]);
+  const bool rigid = !mesh_.mesh.isDeforming();
+  const double wanted = rigid ? std::min(close_, offsets.edgeOffset + maxDisplacement) : close_;
+  double distance = 0.0;
+  if (rigid && useMemory(memory, wanted, distance)) {
+    return distance;
+  }
+  // A memory for more than this step pays only if the triangle moves so little that it stays valid.
+  const double slack = slackRatio * offsets.contactOffset;
+  const bool slow = rigid && minStepsInMemory * (maxDisplacement - offsets.listMargin) <= slack;
+  memory.features.clear();
+  memory.at = start_;
+  memory.validRadius = slow ? slack : 0.0;
+  memory.complete = wanted;
+  const double near = std::max(near_, wanted + memory.validRadius);
+  distance = near;
+  if (findNearbyLeaves(leaves, boxes, near)) {
+    const HullGap gap = HullGapSearch(mesh_.mesh, mesh_.atEnd, leaves_, start_)
+                            .search(outwards.isZero() ? outwardNormal() : outwards,
+                                    {wanted + memory.validRadius, maxDisplacement + offsets.minimumSeparation});
+    outwards = gap.normal;
+    distance = std::min(gap.atLeast, near);
+  }
+  memory.distance = distance;
+  featureGap_ = wanted + memory.validRadius;
+  if (distance < wanted + memory.validRadius) {
+    searchFeatures(leaves, boxes, memory.validRadius, memory);
   }
   return distance;
 }
 
-FaceRegion SharpFeatureSearch::region() const {
-  FaceRegion region{inflated(boxAround(start_), close_), normal_, lowestAlong(normal_, start_) - close_,
-                    highestAlong(normal_, start_) + close_, start_[0]};
+/// The region of features that can come closer than `close_` after a displacement of `slack` [m].
+FaceRegion SharpFeatureSearch::region(double slack) const {
+  const double far = close_ + slack;
+  FaceRegion region{inflated(boxAround(start_), far), normal_, lowestAlong(normal_, start_) - far,
+                    highestAlong(normal_, start_) + far, start_[0]};
+  if (slack == 0.0) {
+    region.weights = faceWeights_;  // else a point beside the face may lie over it later
+  }
+  return region;
+}
+
+void SharpFeatureSearch::computeFaceWeights() {
   const Vec3 ab = start_[1] - start_[0];
   const Vec3 ac = start_[2] - start_[0];
   const Vec3 across = ab.cross(ac);
   const double area = across.squaredNorm();
   constexpr double thin = 1e-12;  // squared sine of the angle between two sides; for slivers all points count
+  faceWeights_ = {Vec3::Zero(), Vec3::Zero()};
   if (area > thin * ab.squaredNorm() * ac.squaredNorm()) {
-    region.weights = {ac.cross(across) / area, across.cross(ab) / area};
+    faceWeights_ = {ac.cross(across) / area, across.cross(ab) / area};
   }
-  return region;
 }
 
-/// Adds contacts of the vertices and edges that are close.
-void SharpFeatureSearch::searchFeatures(const std::vector<int>& leaves, const BoxList& boxes) {
-  const FaceRegion close = region();
+/// Whether a point lies over the face, by the same arithmetic as `inRegion`. So a point on its border counts or not
+/// whether its feature is remembered or not.
+bool SharpFeatureSearch::isOverFace(const Vec3& point) const {
+  const Vec3 from = point - start_[0];
+  const auto along = [&](const Vec3& weights) {
+    return weights.x() * from.x() + weights.y() * from.y() + weights.z() * from.z();
+  };
+  const double second = along(faceWeights_[0]);
+  const double third = along(faceWeights_[1]);
+  return std::min(second, third) >= 0.0 && second + third <= 1.0;
+}
+
+/// Adds contacts of the vertices and edges that are close, and remembers those that can be after a displacement of
+/// `slack` [m].
+void SharpFeatureSearch::searchFeatures(const std::vector<int>& leaves, const BoxList& boxes, double slack,
+                                        NearbyFeatures& memory) {
+  computeFaceWeights();
+  const FaceRegion close = region(slack);
   boxesMeeting(boxes, close.box, leaves_);
   for (std::int32_t& each : leaves_) {
     each = leaves[each];
   }
   mesh_.mesh.featuresIn(close, leaves_, mesh_.atEnd, found_);
+  const double far = memory.complete + slack;
   for (std::size_t i = 0; i < leaves_.size(); ++i) {
     mesh_.mesh.forEachFeature(static_cast<std::size_t>(leaves_[i]), found_[i],
                               [&](const MeshFeature& feature, bool isEdge) {
+                                const auto at = static_cast<std::uint8_t>(feature.at);
                                 if (isEdge) {
-                                  addEdgeContact(feature.triangle, feature.at);
-                                } else {
-                                  addVertexContact(feature.triangle, feature.at);
+                                  rememberEdge({feature.triangle, at}, far, memory);
+                                } else if (addVertexContact(feature.triangle, at) < far) {
+                                  memory.features.push_back({feature.triangle, at});
                                 }
                               });
   }
 }
 
-void SharpFeatureSearch::contact(int bodyTriangle, const Corners& at, const Vec3& weights, const Vec3& bodyWeights) {
+/// Adds the contacts of an edge of the mesh, and remembers it with the sides that are near.
+void SharpFeatureSearch::rememberEdge(const NearbyFeatures::Feature& edge, double far, NearbyFeatures& memory) {
+  NearbyFeatures::Feature near = edge;
+  const std::uint8_t sides = sidesNear(edge.triangle, edge.at, std::max(far, close_));
+  for (std::size_t k = 0; k < 3; ++k) {
+    if ((sides >> k & 1U) != 0 && addEdgeContact(edge.triangle, edge.at, k) < far) {
+      near.sides = static_cast<std::uint8_t>(near.sides | 1U << k);
+    }
+  }
+  if (near.sides != 0) {
+    memory.features.push_back(near);
+  }
+}
+
+/// Adds a contact if it counts and is close. Returns the distance of the two points [m].
+double SharpFeatureSearch::contact(int bodyTriangle, const Corners& at, const Vec3& weights, const Vec3& bodyWeights,
+                                   bool counts) {
   const Vec3 offset = pointAt(start_, weights) - pointAt(at, bodyWeights);
   const double gap = offset.norm();
-  if (gap < close_ && gap > 0.0) {
+  featureGap_ = std::min(featureGap_, gap);
+  if (counts && gap < close_ && gap > 0.0) {
     const NearPoint near{gap, offset / gap, pointAt(mesh_.startCorners(bodyTriangle), bodyWeights),
                          pointAt(mesh_.endCorners(bodyTriangle), bodyWeights)};
     builder_.addContact(cloth_, t_, weights, near, builder_.offsets().edgeOffset, candidates_);
   }
+  return gap;
 }
 
-void SharpFeatureSearch::addVertexContact(int bodyTriangle, std::size_t corner) {
+/// Returns the distance of the triangle and a vertex of the mesh [m].
+double SharpFeatureSearch::addVertexContact(int bodyTriangle, std::size_t corner) {
   const Corners at = mesh_.corners(bodyTriangle);
   const Vec3 weights = nearestOnTriangle(at[corner], start_);
-  if (isInside(weights)) {
-    contact(bodyTriangle, at, weights, onCorner(corner));
-  }
+  return contact(bodyTriangle, at, weights, onCorner(corner), isInside(weights) && isOverFace(at[corner]));
 }
 
-void SharpFeatureSearch::addEdgeContact(int bodyTriangle, std::size_t side) {
+/// The sides of the triangle whose boxes are within a distance of that of an edge of the mesh, as a bit mask. Only
+/// sides that the triangle owns count.
+std::uint8_t SharpFeatureSearch::sidesNear(int bodyTriangle, std::size_t side, double far) const {
   const Corners at = mesh_.corners(bodyTriangle);
   const Vec3& from = at[side];
   const Vec3& to = at[(side + 1) % 3];
-  const Eigen::AlignedBox3d around(from.cwiseMin(to).array() - close_, from.cwiseMax(to).array() + close_);
+  const Eigen::AlignedBox3d around(from.cwiseMin(to).array() - far, from.cwiseMax(to).array() + far);
+  unsigned near = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& a = start_[k];
     const Vec3& b = start_[(k + 1) % 3];
-    if (!cloth_.owned[t_].sides[k] || !around.intersects(Eigen::AlignedBox3d(a.cwiseMin(b), a.cwiseMax(b)))) {
-      continue;
-    }
-    const SegmentPair pair = nearestOfSegments({a, b}, {from, to});
-    if (isInside(pair.first) && isInside(pair.second)) {
-      contact(bodyTriangle, at, onSide(k, pair.first), onSide(side, pair.second));
+    if (cloth_.owned[t_].sides[k] && around.intersects(Eigen::AlignedBox3d(a.cwiseMin(b), a.cwiseMax(b)))) {
+      near |= 1U << k;
     }
   }
+  return static_cast<std::uint8_t>(near);
+}
+
+/// Returns the distance of a side of the triangle and an edge of the mesh [m].
+double SharpFeatureSearch::addEdgeContact(int bodyTriangle, std::size_t side, std::size_t ownSide) {
+  const Corners at = mesh_.corners(bodyTriangle);
+  const SegmentPair pair =
+      nearestOfSegments({start_[ownSide], start_[(ownSide + 1) % 3]}, {at[side], at[(side + 1) % 3]});
+  return contact(bodyTriangle, at, onSide(ownSide, pair.first), onSide(side, pair.second),
+                 isInside(pair.first) && isInside(pair.second));
 }
 
 }  // namespace drape::sim::contact

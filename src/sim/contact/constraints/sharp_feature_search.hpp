@@ -4,10 +4,27 @@
 #include "sim/contact/closest_features/mesh_in_step.hpp"
 #include "sim/contact/constraints/constraint_builder.hpp"
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace drape::sim::contact {
+
+/// Cached result of a search for the features of a mesh near a triangle of the cloth.
+struct NearbyFeatures {
+  struct Feature {
+    int triangle = 0;
+    std::uint8_t at = 0;     ///< index of the corner or side
+    std::uint8_t sides = 0;  ///< of an edge: bit mask of the sides of the cloth's triangle near it; 0 for a vertex
+  };
+
+  Corners at;                 ///< corners of the triangle then [m]
+  double validRadius = -1.0;  ///< maximum displacement of the corners for which it is valid [m]; negative: it is not
+  double complete = 0.0;      ///< features up to this distance are known within the valid radius [m]
+  double distance = 0.0;      ///< lower bound of the distance to the mesh then [m]
+  std::vector<Feature> features;
+};
 
 /// Finds contacts of one triangle of the cloth with vertices and sharp edges of a mesh: vertices of the mesh with its
 /// face, edges of the mesh with its edges. On surfaces that are smooth at the scale of the cloth there are none; then
@@ -26,19 +43,29 @@ class SharpFeatureSearch {
         candidates_(candidates) {}
 
   /// @param leaves leaves of the mesh's tree, including all near triangle t  @param boxes of these leaves
-  /// @param maxDisplacement of its corners [m]
+  /// @param maxDisplacement of its corners, plus the list margin [m]
   /// @param outwards direction in which the search starts: that of the widest gap found last, or zero; updated
-  /// @return lower bound of the distance to the mesh at the start of the pass [m], at most `near`
-  double search(int t, const std::vector<int>& leaves, const BoxList& boxes, double maxDisplacement, Vec3& outwards);
+  /// @param memory of this triangle; it only skips work. Unused on deforming meshes.
+  /// @return lower bound of the distance to the mesh at the start of the pass [m]
+  double search(int t, const std::vector<int>& leaves, const BoxList& boxes, double maxDisplacement, Vec3& outwards,
+                NearbyFeatures& memory);
+
+  /// Lower bound of the distance between the last triangle and the vertices and sharp edges of the mesh [m].
+  [[nodiscard]] double featureGap() const { return featureGap_; }
 
  private:
-  bool findNearbyLeaves(int t, const std::vector<int>& leaves, const BoxList& boxes);
+  bool useMemory(const NearbyFeatures& memory, double wanted, double& distance);
+  bool findNearbyLeaves(const std::vector<int>& leaves, const BoxList& boxes, double near);
   [[nodiscard]] Vec3 outwardNormal() const;
-  [[nodiscard]] FaceRegion region() const;
-  void searchFeatures(const std::vector<int>& leaves, const BoxList& boxes);
-  void addVertexContact(int bodyTriangle, std::size_t corner);
-  void addEdgeContact(int bodyTriangle, std::size_t side);
-  void contact(int bodyTriangle, const Corners& at, const Vec3& weights, const Vec3& bodyWeights);
+  [[nodiscard]] FaceRegion region(double slack) const;
+  void computeFaceWeights();
+  [[nodiscard]] bool isOverFace(const Vec3& point) const;
+  void searchFeatures(const std::vector<int>& leaves, const BoxList& boxes, double slack, NearbyFeatures& memory);
+  double addVertexContact(int bodyTriangle, std::size_t corner);
+  [[nodiscard]] std::uint8_t sidesNear(int bodyTriangle, std::size_t side, double far) const;
+  double addEdgeContact(int bodyTriangle, std::size_t side, std::size_t ownSide);
+  void rememberEdge(const NearbyFeatures::Feature& edge, double far, NearbyFeatures& memory);
+  double contact(int bodyTriangle, const Corners& at, const Vec3& weights, const Vec3& bodyWeights, bool counts);
 
   const ConstraintBuilder& builder_;
   const MeshInStep& mesh_;
@@ -49,10 +76,12 @@ class SharpFeatureSearch {
   Candidates& candidates_;
 
   std::size_t t_ = 0;
+  double featureGap_ = 0.0;  // [m]
   Corners start_;
   Vec3 normal_ = Vec3::UnitY();
-  std::vector<std::int32_t> leaves_;  // near the triangle
-  std::vector<InRegion> found_;       // features of these leaves
+  std::array<Vec3, 2> faceWeights_{Vec3::Zero(), Vec3::Zero()};  // see FaceRegion::weights
+  std::vector<std::int32_t> leaves_;                             // near the triangle
+  std::vector<InRegion> found_;                                  // features of these leaves
 };
 
 }  // namespace drape::sim::contact

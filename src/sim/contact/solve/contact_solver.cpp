@@ -10,14 +10,6 @@ constexpr double converged = 1e-9;  // relative change of an impulse below which
 
 }  // namespace
 
-std::vector<double> inverseMassOf(const ClothModel& model) {
-  std::vector<double> inverse(model.vertexMass.size());
-  for (std::size_t v = 0; v < inverse.size(); ++v) {
-    inverse[v] = model.pinned[v] ? 0.0 : 1.0 / model.vertexMass[v];
-  }
-  return inverse;
-}
-
 Vec3 ContactSolver::Point::valueIn(std::span<const Vec3> values) const {
   Vec3 sum = Vec3::Zero();
   for (std::size_t c = 0; c < count; ++c) {

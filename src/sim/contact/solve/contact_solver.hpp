@@ -1,15 +1,12 @@
 #pragma once
 
 #include "sim/contact/constraints/contact_constraint.hpp"
-#include "sim/model/cloth_model.hpp"
+#include "sim/contact/inverse_mass.hpp"
 
 #include <span>
 #include <vector>
 
 namespace drape::sim::contact {
-
-/// The inverse mass of each vertex [1/kg]; 0 if it is pinned.
-[[nodiscard]] std::vector<double> inverseMassOf(const ClothModel& model);
 
 /// The right-hand side of a contact. q is the weighted sum of the vertices' values (positions or velocities).
 struct ContactGoal {
@@ -23,7 +20,7 @@ struct ContactGoal {
 class ContactSolver {
  public:
   /// Changes `values`, one per vertex.
-  /// @param inverseMass per vertex [1/kg]; 0: the vertex does not move
+  /// @param inverseMass per vertex, see inverseMassOf [1/kg]; 0: the vertex does not move
   void solve(std::span<const ContactConstraint> contacts, std::span<const ContactGoal> goals,
              std::span<const double> inverseMass, int iterations, std::span<Vec3> values);
 

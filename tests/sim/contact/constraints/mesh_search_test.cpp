@@ -218,6 +218,42 @@ TEST(MeshSearch, skipsTrianglesThatStayAwayUntilTheyAreRequested) {
   EXPECT_GT(moving.planesAtFirst, still.planesAtFirst);
 }
 
+/// The contacts as numbers, in order.
+std::vector<double> numbersOf(const Candidates& candidates) {
+  std::vector<double> numbers;
+  for (const ContactConstraint& contact : candidates.contacts) {
+    numbers.insert(numbers.end(), contact.vertices.begin(), contact.vertices.end());
+    numbers.insert(numbers.end(), contact.weights.begin(), contact.weights.end());
+    numbers.insert(numbers.end(), contact.normal.begin(), contact.normal.end());
+    numbers.insert(numbers.end(), {contact.height, contact.offset});
+  }
+  return numbers;
+}
+
+TEST(MeshSearch, findsTheSameContactsWithAndWithoutCachedData) {
+  for (const MeshShape& shape : {hills(21), ball(), box()}) {
+    Search cached(shape, 14, 3);
+    RandomVectors random(8);
+    std::size_t contacts = 0;
+    for (int i = 0; i < 24; ++i) {
+      // Every third search starts from the same positions as the one before, as in a contact substep of `auto`.
+      const double speed = i < 12 ? 0.0001 : 0.0004;
+      for (Vec3& position : cached.start) {
+        position += i % 3 == 0 ? Vec3(0.0, 0.0, 0.0) : Vec3(Vec3(0.0, speed, 0.0) + random.next(speed));
+      }
+      Search fresh(shape, 14, 3);
+      fresh.start = cached.start;
+      fresh.random = cached.random;
+      const Vec3 way(0.0, i < 12 ? -0.0001 : -0.01, 0.0);
+      cached.run(way, speed);
+      fresh.run(way, speed);
+      EXPECT_EQ(numbersOf(cached.candidates), numbersOf(fresh.candidates)) << "step " << i;
+      contacts += fresh.candidates.contacts.size();
+    }
+    EXPECT_GT(contacts, 100U);
+  }
+}
+
 TEST(MeshTree, hasEveryTriangleInOneLeafAndFindsTheLeavesInABox) {
   const MeshShape shape = hills(12);
   const MeshTree tree(shape.positions, shape.triangles, 4);

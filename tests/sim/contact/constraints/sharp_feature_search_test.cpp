@@ -106,6 +106,19 @@ std::vector<std::tuple<int, double, double, double, double>> sorted(const Candid
   return all;
 }
 
+/// All leaves of a mesh's tree.
+struct Leaves {
+  explicit Leaves(const MeshTree& tree) : indices(tree.leafCount()) {
+    std::iota(indices.begin(), indices.end(), 0);
+    for (std::size_t leaf = 0; leaf < indices.size(); ++leaf) {
+      boxes.add(tree.leafBox(leaf));
+    }
+  }
+
+  std::vector<int> indices;
+  BoxList boxes;
+};
+
 TEST(SharpFeatureSearch, findsTheSameContactsAsATestOfEveryPair) {
   const BodySurface ball = surfaceOf(SphereShape{0.05});
   const BodySurface box = surfaceOf(BoxShape{Vec3(0.02, 0.01, 0.03)});
@@ -118,24 +131,56 @@ TEST(SharpFeatureSearch, findsTheSameContactsAsATestOfEveryPair) {
       const BodyStep step{&body, {}, {}, mesh.shape.positions, mesh.shape.positions, {}};
       const ConstraintBuilder builder(step, 0, offsets);
       const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
-      std::vector<int> leaves(mesh.tree.leafCount());
-      std::iota(leaves.begin(), leaves.end(), 0);
-      BoxList boxes;
-      for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
-        boxes.add(mesh.tree.leafBox(leaf));
-      }
+      const Leaves leaves(mesh.tree);
       Candidates found, expected;
       SharpFeatureSearch sharp(builder, inStep, inBody, cloth.nearest, close, near, found);
       AllPairs all(builder, mesh, cloth, expected);
       for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
         Vec3 outwards = t % 2 == 0 ? Vec3(Vec3::Zero()) : Vec3(Vec3::UnitX());  // any initial direction
-        sharp.search(static_cast<int>(t), leaves, boxes, 1.0, outwards);
+        NearbyFeatures memory;
+        sharp.search(static_cast<int>(t), leaves.indices, leaves.boxes, 1.0, outwards, memory);
         all.search(t);
       }
       EXPECT_GT(expected.contacts.size(), 50U);
       EXPECT_EQ(sorted(found), sorted(expected));
     }
   }
+}
+
+TEST(SharpFeatureSearch, findsTheSameContactsFromRememberedFeaturesWhileTheClothMovesSlowly) {
+  const BodySurface ball = surfaceOf(SphereShape{0.05});
+  const SearchableMesh mesh({ball.positions, ball.triangles, {}, 1.0, false});
+  const Leaves leaves(mesh.tree);
+  Cloth cloth = scatteredOver(mesh, 0.03, 5);
+  RandomVectors random(2);
+  Body body;
+  const BodyStep step{&body, {}, {}, mesh.shape.positions, mesh.shape.positions, {}};
+  const ConstraintBuilder builder(step, 0, offsets);
+  const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
+  std::vector<NearbyFeatures> memory(cloth.triangles.size());
+  std::size_t contacts = 0;
+  std::size_t remembered = 0;
+  for (int i = 0; i < 20; ++i) {
+    for (std::size_t v = 0; v < cloth.start.size(); ++v) {
+      cloth.start[v] += random.next(0.00005);
+      cloth.predicted[v] = cloth.start[v] + random.next(0.0001);
+    }
+    const ClothInBody inBody = cloth.inBody();
+    Candidates found, expected;
+    SharpFeatureSearch sharp(builder, inStep, inBody, cloth.nearest, close, near, found);
+    AllPairs all(builder, mesh, cloth, expected);
+    for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+      const Vec3 before = memory[t].at[0];
+      Vec3 outwards = Vec3::Zero();
+      sharp.search(static_cast<int>(t), leaves.indices, leaves.boxes, 0.00019, outwards, memory[t]);
+      all.search(t);
+      remembered += before == memory[t].at[0] ? 1 : 0;
+    }
+    contacts += expected.contacts.size();
+    EXPECT_EQ(sorted(found), sorted(expected)) << "step " << i;
+  }
+  EXPECT_GT(contacts, 1000U);
+  EXPECT_GT(remembered, 10 * cloth.triangles.size());
 }
 
 }  // namespace
