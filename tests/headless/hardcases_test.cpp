@@ -38,6 +38,21 @@ TEST(HardCasesCommand, countsACaseThatASolverRefusesAsNoFailure) {
   EXPECT_EQ(outcome.output, "| case | xpbd |\n|---|---|\n| 24 fabric_folded | refused |\n");
 }
 
+TEST(HardCasesCommand, runsCasesOfContactFromJitteredStarts) {
+  const auto file = testFolder() / "starts.json";
+  const Outcome outcome =
+      headless(quick + "--case contact_five_sheets --solver xpbd --starts 2 --json " + file.string());
+  const auto rows = nlohmann::json::parse(readFile(file))["hard_cases"];
+  ASSERT_EQ(rows.size(), 4U) << "other cases have one start";
+  EXPECT_EQ(rows[0]["start"], 0);
+  for (int start = 0; start < 3; ++start) {
+    EXPECT_EQ(rows[1 + start]["name"], "contact_five_sheets");
+    EXPECT_EQ(rows[1 + start]["start"], start);
+  }
+  EXPECT_NE(rows[2]["figures"], rows[3]["figures"]);
+  EXPECT_NE(outcome.output.find("contact_five_sheets, start 2"), std::string::npos) << outcome.output;
+}
+
 TEST(HardCasesCommand, printsATableOfSolvers) {
   const Outcome outcome = headless(quick + "--solver verlet --markdown");
   EXPECT_EQ(outcome.output, "| case | verlet |\n|---|---|\n| 21 heavy_gravity | passed |\n");
@@ -49,7 +64,7 @@ TEST(HardCasesCommand, putsTheDefaultSolverOnTrial) {
 }
 
 TEST(HardCasesCommand, refusesWrongUse) {
-  EXPECT_EQ(headless("hardcases --case 34").status, 2);
+  EXPECT_EQ(headless("hardcases --case 44").status, 2);
   EXPECT_EQ(headless(quick + "--solver magic").status, 2);
   EXPECT_EQ(headless(quick + "--set magic=1").status, 2);
   EXPECT_EQ(headless(quick + "--max-seconds 0").status, 2);

@@ -33,6 +33,14 @@ TEST(Run, writesTheFiguresOfThePapersSheet) {
   EXPECT_EQ(stats["settings"]["grid.resolution"], 17);
 }
 
+TEST(Run, startsFromJitteredPositions) {
+  const auto hashOf = [](const std::string& jitter) { return statsOf("grid --seconds 0.1" + jitter)["state_hash"]; };
+  EXPECT_EQ(hashOf(" --jitter 0"), hashOf(""));
+  EXPECT_EQ(hashOf(" --jitter 1"), hashOf(" --jitter 1"));
+  EXPECT_NE(hashOf(" --jitter 1"), hashOf(" --jitter 2"));
+  EXPECT_EQ(headless("run grid --seconds 0.1 --jitter -1").status, 2);
+}
+
 TEST(Run, reportsTheChoicesOfAuto) {
   const std::string sheet = "grid --set grid.resolution=17 --seconds 0.2 --set solver=";
   EXPECT_TRUE(statsOf(sheet + "one_iteration")["choice"].is_null());

@@ -6,6 +6,8 @@
 #include "sim/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -30,13 +32,13 @@ TEST(HardCases, areListedOnceEach) {
     EXPECT_FALSE(one.rule.empty()) << one.name;
     EXPECT_NE(one.run, nullptr) << one.name;
   }
-  EXPECT_EQ(number, 33);
+  EXPECT_EQ(number, 43);
 }
 
 TEST(HardCases, areFoundByNumberAndByName) {
   EXPECT_EQ(hardcases::requireHardCase("3").name, "one_point");
   EXPECT_EQ(hardcases::requireHardCase("one_point").number, 3);
-  for (const char* unknown : {"0", "34", "03", "", "onepoint"}) {
+  for (const char* unknown : {"0", "44", "03", "", "onepoint"}) {
     EXPECT_THROW(static_cast<void>(hardcases::requireHardCase(unknown)), messages::UsageError) << unknown;
   }
 }
@@ -142,6 +144,37 @@ TEST(HardCases, becomeRowsLinesAndATable) {
   EXPECT_EQ(table, "| case | verlet | pcg |\n|---|---|---|\n| 4 crushed | energy gained 35 % | passed |\n");
 }
 
+TEST(HardCases, countHowManyStartsFailed) {
+  const hardcases::HardCase& one = hardcases::requireHardCase("contact_ring");
+  hardcases::CaseResult result;
+  result.outcome = hardcases::CaseOutcome::Passed;
+  ReportRows rows{hardcases::hardCaseRow(one, shortly("pcg"), result)};
+  result.start = 1;
+  rows.push_back(hardcases::hardCaseRow(one, shortly("pcg"), result));
+  EXPECT_EQ(rows.back()["start"], 1);
+  EXPECT_EQ(hardcases::hardCaseMarkdown(rows), "| case | pcg |\n|---|---|\n| 35 contact_ring | passed |\n");
+  result.start = 2;
+  result.outcome = hardcases::CaseOutcome::Failed;
+  result.figures = {{"pairs with itself", "", 4.0, 0.0}};
+  rows.push_back(hardcases::hardCaseRow(one, shortly("pcg"), result));
+  EXPECT_EQ(hardcases::hardCaseMarkdown(rows),
+            "| case | pcg |\n|---|---|\n| 35 contact_ring | pairs with itself 4 (1 of 3 starts) |\n");
+  EXPECT_NE(hardcases::hardCaseLine(one, result).find("start 2"), std::string::npos);
+}
+
+/// Whether a case of contact fails in its short form with these settings, by that value.
+bool failsBy(const std::string& figure, const std::string& name, const std::vector<std::string>& settings) {
+  const hardcases::CaseResult result =
+      hardcases::runHardCase(hardcases::requireHardCase(name), shortly("auto", settings));
+  return result.outcome == hardcases::CaseOutcome::Failed && result.words.find(figure) != std::string::npos;
+}
+
+TEST(HardCases, ofContactFailWithoutContact) {
+  EXPECT_TRUE(failsBy("pairs with itself", "contact_five_sheets", {"self_collision=off"}));
+  EXPECT_TRUE(failsBy("pairs with itself", "contact_ring", {"self_collision=off"}));
+  EXPECT_TRUE(failsBy("pairs with bodies", "contact_sharp", {"bodies=off"}));
+}
+
 /// Cases that a solver is known to fail in their short form. Explicit steps at half of the rest shape's stability limit
 /// are too long for a compressed sheet, and for stretched fabric.
 std::set<int> knownToFail(const std::string& solver) {
@@ -164,6 +197,27 @@ TEST_P(HardCaseOf, isPassedInItsShortForm) {
 
 INSTANTIATE_TEST_SUITE_P(Each, HardCaseOf,
                          ::testing::ValuesIn(hardcases::hardCaseTable().begin(), hardcases::hardCaseTable().end()),
+                         [](const auto& chosen) { return std::string(chosen.param.name); });
+
+/// The cases of contact.
+std::vector<hardcases::HardCase> contactCases() {
+  std::vector<hardcases::HardCase> cases;
+  const auto table = hardcases::hardCaseTable();
+  std::copy_if(table.begin(), table.end(), std::back_inserter(cases), [](const auto& one) { return one.contact; });
+  return cases;
+}
+
+class ContactCaseOf : public ::testing::TestWithParam<hardcases::HardCase> {};
+
+TEST_P(ContactCaseOf, isPassedFromJitteredStarts) {
+  hardcases::CaseOptions options = shortly("auto");
+  options.start = 1;
+  const hardcases::CaseResult result = hardcases::runHardCase(GetParam(), options);
+  EXPECT_EQ(result.start, 1);
+  EXPECT_EQ(result.outcome, hardcases::CaseOutcome::Passed) << result.words;
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, ContactCaseOf, ::testing::ValuesIn(contactCases()),
                          [](const auto& chosen) { return std::string(chosen.param.name); });
 
 }  // namespace

@@ -1,6 +1,8 @@
+#include "report/sections/collision_run.hpp"
 #include "report/sections/method_curves.hpp"
 #include "report/sections/pareto.hpp"
 #include "report/sections/section_scene.hpp"
+#include "report/sections/self_collision_view.hpp"
 #include "report/sections/stability_rule.hpp"
 #include "report/sections/work_precision_view.hpp"
 #include "report/sections/work_rows.hpp"
@@ -10,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace drape::report {
@@ -210,6 +213,7 @@ TEST(Growth, leavesOutGridsThatWouldTakeTooLong) {
 TEST(Collision, reportsTheCostAndTheIntersectionsOfSelfCollision) {
   const ReportRows off = measured("collision", "fold 17x17 off");
   const ReportRows hash = measured("collision", "fold 17x17 hash");
+  const ReportRows exact = measured("collision", "fold 17x17 exact");
   ASSERT_EQ(off.size(), 1U);
   ASSERT_EQ(hash.size(), 1U);
   EXPECT_EQ(off[0]["contact_us_per_step"], 0.0);
@@ -220,6 +224,22 @@ TEST(Collision, reportsTheCostAndTheIntersectionsOfSelfCollision) {
   EXPECT_GT(hash[0]["contacts_max"], 20);
   EXPECT_EQ(hash[0]["mode"], "hash");
   EXPECT_EQ(off[0]["mode"], "off");
+  ASSERT_EQ(exact.size(), 1U);
+  EXPECT_EQ(exact[0]["mode"], "exact");
+  EXPECT_EQ(exact[0]["intersecting_pairs_self_max"], 0);
+  EXPECT_GT(exact[0]["self_us_per_step"], 0.0);
+  EXPECT_EQ(exact[0]["paper_self_us"], 920.0);
+  EXPECT_LT(exact[0]["energy_gained"], 1e-3);
+  EXPECT_GT(exact[0]["end_speed"], 0.0);
+}
+
+TEST(Collision, leavesOutTheEnergyOfSceneWithMovingBodies) {
+  const auto energyOf = [](const char* name) {
+    const scene::SceneDescription description = scene::openScene(name);
+    return sections::runCollision(*scene::buildScene(description, description.settings), 0.02, 0, [] {}).energyGained;
+  };
+  EXPECT_TRUE(std::isnan(energyOf("turning_sphere")));
+  EXPECT_GE(energyOf("sphere"), 0.0);
 }
 
 TEST(Collision, runsAScenesBodiesAndLooksForPairsWithThem) {
@@ -263,6 +283,28 @@ TEST(Collision, namesIntersectionsAndCostsAboveTheTarget) {
   EXPECT_NE(bad.find("box (17x17) 5, sphere (17x17) 3"), std::string::npos) << bad;
   EXPECT_NE(bad.find("above it: sphere (17x17) 301"), std::string::npos) << bad;
   EXPECT_NE(bad.find("fold (17x17) 27 of 900"), std::string::npos) << bad;
+}
+
+TEST(Collision, comparesHashAndExactSideBySide) {
+  const auto row = [](const char* scene, const char* mode, int pairs, double cost) {
+    return ReportRow{{"scene", scene},           {"resolution", 17},       {"mode", mode},
+                     {"self_us_per_step", cost}, {"paper_self_us", 920.0}, {"intersecting_pairs_self_max", pairs},
+                     {"energy_gained", 0.01},    {"end_speed", 0.002}};
+  };
+  const ReportRows rows{row("fold", "off", 900, 0.0), row("fold", "hash", 27, 50.0), row("fold", "exact", 0, 200.0),
+                        row("sphere", "bodies+hash", 1, 10.0)};
+  const TextTable table = sections::selfCollisionTable(rows);
+  ASSERT_EQ(table.rows.size(), 1U) << "the sphere ran with the hash only";
+  const std::vector<std::string> begin(table.rows[0].begin(), table.rows[0].begin() + 7);
+  EXPECT_EQ(begin, (std::vector<std::string>{"fold (17x17)", "900", "27", "0", "0.92", "0.05", "0.2"}));
+  EXPECT_EQ(table.rows[0].size(), table.header.size());
+  EXPECT_EQ(table.rows[0].back(), "2");
+  const std::string words = sections::aboutExact(rows);
+  EXPECT_NE(words.find("no two triangles"), std::string::npos) << words;
+  EXPECT_NE(words.find("4 to 4 times"), std::string::npos) << words;
+  const std::string leaky = sections::aboutExact({row("fold", "hash", 27, 50.0), row("fold", "exact", 3, 200.0)});
+  EXPECT_NE(leaky.find("fold (17x17) 3"), std::string::npos) << leaky;
+  EXPECT_EQ(sections::aboutExact({row("sphere", "bodies+hash", 1, 10.0)}), "");
 }
 
 }  // namespace

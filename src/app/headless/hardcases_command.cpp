@@ -19,6 +19,7 @@ struct HardCasesArguments {
   std::vector<std::string> cases;
   std::vector<std::string> settings;
   bool shortForm = false;
+  int starts = 0;
   bool markdown = false;
   double maxSeconds = 60.0;
   std::string json;
@@ -51,6 +52,11 @@ std::vector<const report::hardcases::HardCase*> casesOf(const HardCasesArguments
   return cases;
 }
 
+/// The number of starts of a case: its own, and the jittered ones.
+int startsOf(const HardCasesArguments& arguments, const report::hardcases::HardCase& one) {
+  return 1 + (one.contact ? arguments.starts : 0);
+}
+
 /// Runs the cases with one solver. Returns the number of failures.
 int runSolver(const HardCasesArguments& arguments, const std::vector<const report::hardcases::HardCase*>& cases,
               const std::string& solver, report::ReportRows& rows) {
@@ -64,13 +70,15 @@ int runSolver(const HardCasesArguments& arguments, const std::vector<const repor
     std::cout << solver << '\n';
   }
   for (const report::hardcases::HardCase* one : cases) {
-    const report::hardcases::CaseResult result = report::hardcases::runHardCase(*one, options);
-    const bool isFine = result.outcome == report::hardcases::CaseOutcome::Passed ||
-                        result.outcome == report::hardcases::CaseOutcome::Refused;
-    failed += isFine ? 0 : 1;
-    rows.push_back(report::hardcases::hardCaseRow(*one, options, result));
-    if (!arguments.markdown) {
-      std::cout << report::hardcases::hardCaseLine(*one, result) << std::flush;
+    for (options.start = 0; options.start < startsOf(arguments, *one); ++options.start) {
+      const report::hardcases::CaseResult result = report::hardcases::runHardCase(*one, options);
+      const bool isFine = result.outcome == report::hardcases::CaseOutcome::Passed ||
+                          result.outcome == report::hardcases::CaseOutcome::Refused;
+      failed += isFine ? 0 : 1;
+      rows.push_back(report::hardcases::hardCaseRow(*one, options, result));
+      if (!arguments.markdown) {
+        std::cout << report::hardcases::hardCaseLine(*one, result) << std::flush;
+      }
     }
   }
   return failed;
@@ -97,7 +105,11 @@ void run(const HardCasesArguments& arguments) {
     file->write(report::ReportRow{{"hard_cases", rows}});
   }
   if (!failures.empty()) {
-    throw messages::InputError("failed hard cases, of " + std::to_string(cases.size()) + ": " + failures);
+    int runs = 0;
+    for (const report::hardcases::HardCase* one : cases) {
+      runs += startsOf(arguments, *one);
+    }
+    throw messages::InputError("failed hard cases, of " + std::to_string(runs) + ": " + failures);
   }
 }
 
@@ -105,6 +117,7 @@ void run(const HardCasesArguments& arguments) {
 
 void addHardCasesCommand(CLI::App& app) {
   constexpr double longest = 1e5;
+  constexpr int maxStarts = 1000;
   auto arguments = std::make_shared<HardCasesArguments>();
   CLI::App* command = app.add_subcommand("hardcases", "Runs cases that are hard for cloth solvers, with pass or fail");
   command->add_option("--solver", arguments->solvers, "A solver's name or 'all'; may be repeated")
@@ -120,6 +133,10 @@ void addHardCasesCommand(CLI::App& app) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--short", arguments->shortForm, "Smaller cloths and shorter times");
+  command
+      ->add_option("--starts", arguments->starts,
+                   "Run cases of contact from so many jittered starts as well: vertices move by up to 1 % of an edge")
+      ->check(numberFrom(0, maxStarts));
   command->add_flag("--markdown", arguments->markdown, "Print one table of all solvers (Markdown)");
   command->add_option("--max-seconds", arguments->maxSeconds, "Stop a case that takes longer than this [s]")
       ->check(numberFrom(0.01, longest));

@@ -24,10 +24,14 @@ CaseTrial::CaseTrial(const CaseOptions& options) : options_(options) {
 
 settings::Settings CaseTrial::settings(const std::vector<std::string>& changes) const {
   settings::Settings settings;
-  settings.solver.name = options_.solver;
   settings.material.massGivenAs = "mass";
   settings.fabric.ownDensity = false;
   settings.material.lumping = "uniform";
+  return changed(settings, changes);
+}
+
+settings::Settings CaseTrial::changed(settings::Settings settings, const std::vector<std::string>& changes) const {
+  settings.solver.name = options_.solver;
   for (const auto* list : {&changes, &options_.settings}) {
     for (const std::string& expression : *list) {
       settings::assignSettingExpression(settings, expression);

@@ -2,6 +2,7 @@
 
 #include "report/hardcases/hard_case.hpp"
 #include "session/simulation.hpp"
+#include "sim/contact/bodies/body.hpp"
 #include "sim/model/cloth_model.hpp"
 
 #include <chrono>
@@ -31,6 +32,8 @@ class CaseTrial {
 
   [[nodiscard]] const std::string& solver() const { return options_.solver; }
   [[nodiscard]] bool shortForm() const { return options_.shortForm; }
+  /// 0: the start of the case; n: the n-th jittered one, in cases of contact.
+  [[nodiscard]] int start() const { return options_.start; }
 
   /// The first value in the full form, the second in the short form.
   template <typename T>
@@ -41,7 +44,11 @@ class CaseTrial {
   /// The default settings with these changes ("key=value"), the solver under test and the user's changes.
   [[nodiscard]] settings::Settings settings(const std::vector<std::string>& changes) const;
 
-  /// The same for a fabric with its own density. Throws CaseRefused when the solver under test takes springs only.
+  /// The settings of a scene with these changes, the solver under test and the user's changes.
+  [[nodiscard]] settings::Settings changed(settings::Settings settings, const std::vector<std::string>& changes) const;
+
+  /// The same as `settings` for a fabric with its own density. Throws CaseRefused when the solver under test takes
+  /// springs only.
   /// @param preset of the table in sim/fabric/presets.hpp
   [[nodiscard]] settings::Settings fabricSettings(const std::string& preset,
                                                   const std::vector<std::string>& changes) const;
@@ -76,6 +83,7 @@ struct CaseCloth {
   std::vector<Vec3> velocities;   ///< [m/s]; empty: at rest
   std::vector<double> stiffness;  ///< relative stiffness of the springs [-]; empty: equal
   std::vector<double> masses;     ///< of the vertices [kg]; empty: from the settings
+  std::vector<sim::contact::Body> bodies = {};
 };
 
 /// The pins of a case's sheet.

@@ -78,6 +78,26 @@ constexpr std::array table{
         "kinetic and elastic energy after 2 s below 1e-3 of the value after the move; strain below 0.3", hardcases::fabricPinsTeleport},
     HardCase{33, "fabric_overstretched", "Jersey under 30 times the gravity of the Earth, which stretches it twofold.",
         "largest elongation during the run at most 1.5 times that of the converged solve", hardcases::fabricOverstretched},
+    HardCase{34, "contact_twisted", "Two bars twist a sheet by ten turns.",
+        "no intersecting pairs", hardcases::contactTwisted, true},
+    HardCase{35, "contact_ring", "A sheet is pulled through a ring by its centre.",
+        "no intersecting pairs", hardcases::contactRing, true},
+    HardCase{36, "contact_sharp", "A sheet falls on a spike, and on a blade.",
+        "no intersecting pairs", hardcases::contactSharp, true},
+    HardCase{37, "contact_vice", "A vice closes on a folded sheet to its thickness, and opens.",
+        "no intersecting pairs, except while the vice is closed; at rest 10 s after the start (10 mm/s)", hardcases::contactVice, true},
+    HardCase{38, "contact_five_sheets", "Five sheets fall on each other.",
+        "no intersecting pairs; at rest after 9 s (10 mm/s)", hardcases::contactFiveSheets, true},
+    HardCase{39, "contact_sofa", "A dress falls on a sofa.",
+        "no intersecting pairs; at rest after 11 s (10 mm/s)", hardcases::contactSofa, true},
+    HardCase{40, "contact_two_layers", "A garment of two layers hangs on a torso that turns, tilts and moves.",
+        "no intersecting pairs; at rest 7 s after the torso (10 mm/s)", hardcases::contactTwoLayers, true},
+    HardCase{41, "contact_dragged", "The mouse drags a sheet violently for 60 s, over a sphere on the ground.",
+        "no intersecting pairs", hardcases::contactDragged, true},
+    HardCase{42, "contact_crumpled", "A shrinking hollow sphere crumples a sheet into a ball.",
+        "no intersecting pairs", hardcases::contactCrumpled, true},
+    HardCase{43, "contact_long_steps", "The scenes fold and edge_drop with steps of 1/60 s and 10, 1e3 and 1e5 N/m.",
+        "no intersecting pairs", hardcases::contactLongSteps, true},
 };
 // clang-format on
 
@@ -133,6 +153,7 @@ const HardCase& requireHardCase(std::string_view numberOrName) {
 CaseResult runHardCase(const HardCase& hardCase, const CaseOptions& options) {
   CaseTrial trial(options);
   CaseResult result;
+  result.start = options.start;
   std::string ended;
   try {
     hardCase.run(trial);

@@ -56,4 +56,18 @@ void fabricUnevenModuli(CaseTrial& trial);
 void fabricThinCells(CaseTrial& trial);
 void fabricOverstretched(CaseTrial& trial);
 
+// contact_driven.cpp
+void contactTwisted(CaseTrial& trial);
+void contactRing(CaseTrial& trial);
+void contactVice(CaseTrial& trial);
+void contactCrumpled(CaseTrial& trial);
+void contactDragged(CaseTrial& trial);
+
+// contact_dropped.cpp
+void contactSharp(CaseTrial& trial);
+void contactFiveSheets(CaseTrial& trial);
+void contactSofa(CaseTrial& trial);
+void contactTwoLayers(CaseTrial& trial);
+void contactLongSteps(CaseTrial& trial);
+
 }  // namespace drape::report::hardcases

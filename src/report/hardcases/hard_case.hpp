@@ -35,6 +35,7 @@ enum class CaseOutcome {
 /// The result of a solver in a case.
 struct CaseResult {
   CaseOutcome outcome = CaseOutcome::Failed;
+  int start = 0;  ///< CaseOptions::start
   std::vector<CaseFigure> figures;
   std::string words;     ///< the reason of a failure, and remarks; may be empty
   double seconds = 0.0;  ///< wall clock time
@@ -44,6 +45,7 @@ struct CaseResult {
 struct CaseOptions {
   std::string solver = "one_iteration";
   bool shortForm = false;                   ///< smaller cloths and shorter times: seconds for all of them
+  int start = 0;                            ///< 0: that of the case; n: the n-th jittered start, in cases of contact
   std::vector<std::string> settings;        ///< "key=value", added to the settings of the cases
   double maxSeconds = 60.0;                 ///< time limit of a case
   std::function<void()> checkStop = [] {};  ///< called regularly; may throw
@@ -58,6 +60,7 @@ struct HardCase {
   std::string_view statement;  ///< description, in one sentence
   std::string_view rule;       ///< criteria besides the general ones (docs/guide/hardcases.md)
   void (*run)(CaseTrial&) = nullptr;
+  bool contact = false;  ///< whether it has jittered starts
 };
 
 /// All cases, by number.

@@ -26,6 +26,28 @@ std::string faultOf(const ReportRow& row) {
   return words.substr(0, words.find('.'));
 }
 
+/// The results of a method in a case, from one or more starts.
+class CaseCell {
+ public:
+  void add(const ReportRow& row) {
+    const bool fails = row.value("outcome", "") != "passed";
+    if (starts_ == 0 || (fails && failures_ == 0)) {
+      fault_ = faultOf(row);
+    }
+    ++starts_;
+    failures_ += fails ? 1 : 0;
+  }
+
+  [[nodiscard]] std::string text() const {
+    return fault_ + (starts_ == 1 || failures_ == 0 ? "" : fmt::format(" ({} of {} starts)", failures_, starts_));
+  }
+
+ private:
+  std::string fault_;
+  int starts_ = 0;
+  int failures_ = 0;
+};
+
 }  // namespace
 
 ReportRow hardCaseRow(const HardCase& hardCase, const CaseOptions& options, const CaseResult& result) {
@@ -33,6 +55,7 @@ ReportRow hardCaseRow(const HardCase& hardCase, const CaseOptions& options, cons
                 {"name", hardCase.name},
                 {"method", options.solver},
                 {"form", options.shortForm ? "short" : "full"},
+                {"start", result.start},
                 {"outcome", wordFor(result.outcome)},
                 {"passed", result.outcome == CaseOutcome::Passed}};
   row["figures"] = ReportRow::array();
@@ -60,8 +83,10 @@ std::string figuresInWords(const CaseResult& result) {
 }
 
 std::string hardCaseLine(const HardCase& hardCase, const CaseResult& result) {
-  const std::string start = fmt::format("{:>2}  {:<22}{:<9}{:>8.2f} s  ", hardCase.number, hardCase.name,
-                                        wordFor(result.outcome), result.seconds);
+  const std::string name =
+      std::string(hardCase.name) + (result.start > 0 ? fmt::format(", start {}", result.start) : "");
+  const std::string start =
+      fmt::format("{:>2}  {:<30}{:<9}{:>8.2f} s  ", hardCase.number, name, wordFor(result.outcome), result.seconds);
   const std::string figures = figuresInWords(result);
   const bool ended = result.outcome == CaseOutcome::GivenUp || result.outcome == CaseOutcome::Refused ||
                      result.words.starts_with("The state was no longer finite");
@@ -70,13 +95,13 @@ std::string hardCaseLine(const HardCase& hardCase, const CaseResult& result) {
 
 std::string hardCaseMarkdown(const ReportRows& rows) {
   std::vector<std::string> methods;
-  std::map<int, std::map<std::string, std::string>> cells;
+  std::map<int, std::map<std::string, CaseCell>> cells;
   for (const ReportRow& row : rows) {
     const std::string method = row.value("method", "");
     if (std::find(methods.begin(), methods.end(), method) == methods.end()) {
       methods.push_back(method);
     }
-    cells[row.value("case", 0)][method] = faultOf(row);
+    cells[row.value("case", 0)][method].add(row);
   }
   std::string text = "| case |";
   std::string line = "|---|";
@@ -89,7 +114,7 @@ std::string hardCaseMarkdown(const ReportRows& rows) {
     text += "| " + std::to_string(number) + " " + std::string(requireHardCase(std::to_string(number)).name) + " |";
     for (const std::string& method : methods) {
       const auto found = own.find(method);
-      text += " " + (found == own.end() ? "" : found->second) + " |";
+      text += " " + (found == own.end() ? "" : found->second.text()) + " |";
     }
     text += "\n";
   }

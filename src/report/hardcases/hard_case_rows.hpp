@@ -7,8 +7,9 @@
 
 namespace drape::report::hardcases {
 
-/// A result as a row of `hard_cases`: `case` (its number), `name`, `method`, `form` ("full" or "short"), `outcome`,
-/// `passed`, `figures` (`name`, `unit`, `value`, `limit` if there is one, `passes`), `words`, `seconds`.
+/// A result as a row of `hard_cases`: `case` (its number), `name`, `method`, `form` ("full" or "short"), `start` (0, or
+/// the number of a jittered start), `outcome`, `passed`, `figures` (`name`, `unit`, `value`, `limit` if there is one,
+/// `passes`), `words`, `seconds`.
 [[nodiscard]] ReportRow hardCaseRow(const HardCase& hardCase, const CaseOptions& options, const CaseResult& result);
 
 /// A result as a line for a terminal, with values and limits, or the reason of the failure.
@@ -18,7 +19,8 @@ namespace drape::report::hardcases {
 /// cloth appears only when it is a failure.
 [[nodiscard]] std::string figuresInWords(const CaseResult& result);
 
-/// Rows as a Markdown table: a line per case, a column per method, with "passed" or the failure in each cell.
+/// Rows as a Markdown table: a line per case, a column per method, with "passed" or the failure in each cell. Of
+/// several starts, the cell has the first failure and their number: "pairs with itself 3 (2 of 11 starts)".
 [[nodiscard]] std::string hardCaseMarkdown(const ReportRows& rows);
 
 /// The table of the cases: number, name, description and criterion.

@@ -1,22 +1,13 @@
+#include "report/hardcases/attach_to.hpp"
 #include "report/hardcases/cases.hpp"
 #include "report/hardcases/watched_cloth.hpp"
 #include "sim/forces/diagnostics.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 /// Cases of external actions on the cloth.
 namespace drape::report::hardcases {
 namespace {
-
-/// An attachment to a single vertex, by a triangle of which it is a corner.
-session::AttachCommand attachTo(const sim::ClothModel& model, int vertex, const Vec3& target) {
-  const int triangle = model.vertexTriangles[vertex].front();
-  const Triangle& corners = model.triangles[triangle];
-  Vec3 weights = Vec3::Zero();
-  weights[std::find(corners.begin(), corners.end(), vertex) - corners.begin()] = 1.0;
-  return {{triangle, weights, target}};
-}
 
 Vec3 meanVelocity(const sim::ClothModel& model, const sim::ClothState& state) {
   Vec3 momentum = Vec3::Zero();

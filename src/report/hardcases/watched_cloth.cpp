@@ -14,12 +14,20 @@ constexpr double farAway = 1e5;    // [m]
 constexpr double gainLimit = 1.0;  // [% of the scale]
 constexpr double percent = 100.0;
 
+std::shared_ptr<const scene::Scene> withStableSubsteps(const std::shared_ptr<const scene::Scene>& scene) {
+  auto copy = std::make_shared<scene::Scene>(*scene);
+  copy->settings.step.substeps = stableSubsteps(*scene->model, scene->settings);
+  return copy;
+}
+
+}  // namespace
+
 std::shared_ptr<const scene::Scene> sceneOf(const CaseCloth& cloth) {
   auto scene = std::make_shared<scene::Scene>();
   scene->description.name = "hard case";
   scene->settings = cloth.settings;
   scene->model = modelOf(cloth);
-  scene->settings.step.substeps = stableSubsteps(*scene->model, cloth.settings);
+  scene->bodies = std::make_shared<const std::vector<sim::contact::Body>>(cloth.bodies);
   scene->start = sim::stateAtRest(cloth.start.empty() ? cloth.mesh.positions : cloth.start);
   if (!cloth.velocities.empty()) {
     scene->start.velocities = cloth.velocities;
@@ -27,10 +35,11 @@ std::shared_ptr<const scene::Scene> sceneOf(const CaseCloth& cloth) {
   return scene;
 }
 
-}  // namespace
-
 WatchedCloth::WatchedCloth(CaseTrial& trial, const CaseCloth& cloth, EnergyRule rule)
-    : trial_(trial), rule_(rule), simulation_(sceneOf(cloth)) {
+    : WatchedCloth(trial, sceneOf(cloth), rule) {}
+
+WatchedCloth::WatchedCloth(CaseTrial& trial, const std::shared_ptr<const scene::Scene>& scene, EnergyRule rule)
+    : trial_(trial), rule_(rule), simulation_(withStableSubsteps(scene)) {
   simulation_.setProgressCallback([&trial] { trial.tick(); });
   countAnew();
 }
@@ -56,6 +65,11 @@ void WatchedCloth::apply(const session::Command& command) {
     keepStable();
     countAnew();
   }
+}
+
+void WatchedCloth::countEnergy() {
+  rule_ = EnergyRule::Counted;
+  countAnew();
 }
 
 void WatchedCloth::keepStable() {

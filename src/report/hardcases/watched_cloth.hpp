@@ -11,6 +11,9 @@ enum class EnergyRule {
   NotCounted  ///< the external work is unknown
 };
 
+/// The scene of a case's cloth.
+[[nodiscard]] std::shared_ptr<const scene::Scene> sceneOf(const CaseCloth& cloth);
+
 /// A simulation that is checked while it runs. It adds the general criteria to the results:
 /// - "max distance": |x| stays below 1e5 m;
 /// - "energy gained": the energy rises above its start value plus the allowed external work by at most 1 % of the
@@ -22,6 +25,8 @@ class WatchedCloth {
  public:
   /// Explicit methods get the substeps for half of their stability limit.
   WatchedCloth(CaseTrial& trial, const CaseCloth& cloth, EnergyRule rule = EnergyRule::Counted);
+  /// The same for a scene.
+  WatchedCloth(CaseTrial& trial, const std::shared_ptr<const scene::Scene>& scene, EnergyRule rule);
 
   /// @param work allowed external work of this step [J], evaluated after it; may be empty
   void step(const std::function<double()>& work = {});
@@ -31,6 +36,9 @@ class WatchedCloth {
   /// Applies an external command. Energy from a changed setting or a moved pin is not an error of the solver, so the
   /// balance starts again.
   void apply(const session::Command& command);
+
+  /// Counts the energy from now on, as EnergyRule::Counted: bodies that did work stand still.
+  void countEnergy();
 
   [[nodiscard]] const session::Simulation& simulation() const { return simulation_; }
   [[nodiscard]] const sim::ClothModel& model() const { return simulation_.model(); }

@@ -1,6 +1,7 @@
 #include "report/number_text.hpp"
 #include "report/sections/collision_run.hpp"
 #include "report/sections/collision_view.hpp"
+#include "report/sections/paper_times.hpp"
 #include "report/sections/sections.hpp"
 #include "settings/settings_table.hpp"
 
@@ -18,26 +19,28 @@ constexpr int usualInterval = 5;
 /// A scene and its measurement.
 struct ContactScene {
   const char* scene;
-  double seconds;                     ///< simulated time
-  std::vector<int> resolutions = {};  ///< of its grid; empty: that of the scene
-  bool withAndWithout = false;        ///< whether it also runs without self-collision
+  double seconds;                               ///< simulated time
+  std::vector<int> resolutions = {};            ///< of its grid; empty: that of the scene
+  std::vector<std::string> selfCollision = {};  ///< the values of this setting; empty: that of the scene
   int countEvery = usualInterval;
 };
 
 const std::vector<ContactScene>& contactScenes(bool quick) {
-  static const std::vector<ContactScene> few{{"fold", 3.0, {17, 33}, true}, {"sphere", 0.6, {17}}};
-  static const std::vector<ContactScene> all{{"fold", 3.0, {17, 33, 65}, true},
-                                             {"edge_drop", 2.0, {}, true},
-                                             {"falling_sheet", 1.5, {}, false, 10},
-                                             {"falling_sheet_in_air", 2.5, {}, false, 10},
+  static const std::vector<std::string> each{"off", "hash", "exact"};
+  static const std::vector<std::string> both{"hash", "exact"};
+  static const std::vector<ContactScene> few{{"fold", 3.0, {17, 33}, each}, {"sphere", 0.6, {17}}};
+  static const std::vector<ContactScene> all{{"fold", 3.0, {17, 33, 65}, each},
+                                             {"edge_drop", 2.0, {}, each},
+                                             {"falling_sheet", 1.5, {}, {}, 10},
+                                             {"falling_sheet_in_air", 2.5, {}, {}, 10},
                                              {"sphere", 2.0, {33}},
                                              {"sphere", 1.5, {65}},
                                              {"sphere", 0.8, {129}},
-                                             {"turning_sphere", 5.0, {}, false, 10},
-                                             {"flag_on_pole", 4.0, {}, false, 10},
-                                             {"tablecloth", 2.0},
+                                             {"turning_sphere", 5.0, {}, both, 10},
+                                             {"flag_on_pole", 4.0, {}, {}, 10},
+                                             {"tablecloth", 2.0, {}, both},
                                              {"mannequin", 2.0},
-                                             {"cape", 6.24, {}, false, 10}};
+                                             {"cape", 6.24, {}, both, 10}};
   return quick ? few : all;
 }
 
@@ -70,6 +73,11 @@ ReportRow rowOf(const ContactScene& contactScene, const scene::Scene& scene, con
           {"contact_us_p99", finiteOrNull(microseconds * run.longestContact)},
           {"bodies_us_per_step", finiteOrNull(microseconds * run.bodySeconds)},
           {"bodies_us_per_1000_triangles", finiteOrNull(microseconds * run.bodySeconds / thousands)},
+          {"self_us_per_step", finiteOrNull(microseconds * run.selfSeconds)},
+          {"self_us_p99", finiteOrNull(microseconds * run.longestSelf)},
+          {"paper_self_us", finiteOrNull(microseconds * paperSelfCollision(grid ? scene.settings.grid.resolution : 0))},
+          {"energy_gained", finiteOrNull(run.energyGained)},
+          {"end_speed", finiteOrNull(run.endSpeed)},
           {"contacts_max", run.contacts},
           {"infeasible_max", run.infeasible},
           {"intersecting_pairs_max", run.pairsWithSelf + run.pairsWithBodies},
@@ -105,11 +113,10 @@ void addCells(const ContactScene& contactScene, int resolution, const ReportOpti
                        return measure(contactScene, settings, context);
                      }});
   };
-  if (!contactScene.withAndWithout) {
+  if (contactScene.selfCollision.empty()) {
     add("");
-    return;
   }
-  for (const std::string mode : {"off", "hash"}) {
+  for (const std::string& mode : contactScene.selfCollision) {
     settings.push_back("self_collision=" + mode);
     add(" " + mode);
     settings.pop_back();

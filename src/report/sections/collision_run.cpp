@@ -3,9 +3,12 @@
 #include "intersection/intersections.hpp"
 #include "report/body_intersections.hpp"
 #include "report/timing.hpp"
+#include "sim/forces/diagnostics.hpp"
 #include "sim/stepping/stepper.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -37,6 +40,7 @@ struct StepCosts {
     run.bodySeconds = meanOf(bodies);
     run.selfSeconds = meanOf(selfs);
     run.longestContact = quantileOf(contacts, 0.99);
+    run.longestSelf = quantileOf(selfs, 0.99);
   }
 };
 
@@ -63,6 +67,54 @@ class IntersectionCounter {
   int found_ = 0;
 };
 
+bool anyMoves(const std::vector<sim::contact::Body>& bodies, const sim::contact::BodyWorld& world) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].motion.moves() || world.isDeforming(i)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Measures whether a cloth gains energy, and how fast it moves at the end.
+class MotionMeter {
+ public:
+  MotionMeter(const scene::Scene& scene, const sim::contact::BodyWorld& world, double seconds)
+      : model_(*scene.model),
+        parameters_(scene.settings.step),
+        counted_(!anyMoves(*scene.bodies, world)),
+        lastPart_(seconds - 0.2) {
+    start_ = energyOf(scene.start);
+    scale_ = model_.totalMass() * parameters_.gravity * sim::diagonalOf(model_);
+  }
+
+  void look(const sim::ClothState& state, CollisionRun& run) {
+    run.energyGained = counted_ ? std::max(run.energyGained, (energyOf(state) - start_) / scale_)
+                                : std::numeric_limits<double>::quiet_NaN();
+    if (state.time > lastPart_) {
+      for (const Vec3& velocity : state.velocities) {
+        sum_ += velocity.squaredNorm();
+      }
+      count_ += static_cast<double>(state.velocities.size());
+      run.endSpeed = std::sqrt(sum_ / count_);
+    }
+  }
+
+ private:
+  [[nodiscard]] double energyOf(const sim::ClothState& state) const {
+    return sim::energyOf(model_, parameters_, state).total();
+  }
+
+  const sim::ClothModel& model_;
+  const sim::StepParameters& parameters_;
+  bool counted_;
+  double lastPart_;     // [s]
+  double start_ = 0.0;  // [J]
+  double scale_ = 0.0;  // [J]
+  double sum_ = 0.0;    // [m^2/s^2]
+  double count_ = 0.0;
+};
+
 }  // namespace
 
 CollisionRun runCollision(const scene::Scene& scene, double seconds, int countEvery,
@@ -75,6 +127,7 @@ CollisionRun runCollision(const scene::Scene& scene, double seconds, int countEv
   sim::StepInputs inputs;
   StepCosts costs;
   IntersectionCounter counter(*scene.model, world);
+  MotionMeter meter(scene, world, seconds);
   while (state.time < seconds && run.finite) {
     checkStop();
     sim::contact::ContactReport contact;
@@ -88,6 +141,7 @@ CollisionRun runCollision(const scene::Scene& scene, double seconds, int countEv
     run.overlapping = std::max(run.overlapping, contact.overlaps);
     run.infeasible = std::max(run.infeasible, contact.infeasible);
     run.finite = sim::isFinite(state);
+    meter.look(state, run);
     if (countEvery > 0 && run.finite && static_cast<int>(costs.steps.size()) % countEvery == 0) {
       counter.look(state.positions, run);
     }

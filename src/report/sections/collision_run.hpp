@@ -13,12 +13,17 @@ struct CollisionRun {
   double bodySeconds = 0.0;     ///< mean part of the bodies [s]
   double selfSeconds = 0.0;     ///< mean part of self-collision [s]
   double longestContact = 0.0;  ///< 99th percentile of both together [s]
-  int contacts = 0;             ///< maximum in a step
-  int overlapping = 0;          ///< maximum number of triangles inside a body at the start of a step
-  int infeasible = 0;           ///< maximum number of infeasible vertices in a step
-  int pairsWithSelf = 0;        ///< maximum number of self-intersecting triangle pairs in a count
-  int pairsWithBodies = 0;      ///< maximum number of intersecting pairs of a cloth and a body triangle
-  double shareWithSelf = 0.0;   ///< share of the counts with self-intersecting pairs [-]
+  double longestSelf = 0.0;     ///< 99th percentile of self-collision [s]
+  /// Maximum of the total energy above its start, as a share of m g D with D the diagonal of the rest shape [-]; not a
+  /// number if a body moves, which does work.
+  double energyGained = 0.0;
+  double endSpeed = 0.0;       ///< root mean square speed of the vertices in the last 0.2 s [m/s]
+  int contacts = 0;            ///< maximum in a step
+  int overlapping = 0;         ///< maximum number of triangles inside a body at the start of a step
+  int infeasible = 0;          ///< maximum number of infeasible vertices in a step
+  int pairsWithSelf = 0;       ///< maximum number of self-intersecting triangle pairs in a count
+  int pairsWithBodies = 0;     ///< maximum number of intersecting pairs of a cloth and a body triangle
+  double shareWithSelf = 0.0;  ///< share of the counts with self-intersecting pairs [-]
   bool finite = true;
 };
 

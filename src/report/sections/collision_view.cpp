@@ -1,6 +1,7 @@
 #include "report/sections/collision_view.hpp"
 
 #include "report/number_text.hpp"
+#include "report/sections/self_collision_view.hpp"
 
 #include <algorithm>
 #include <string>
@@ -18,10 +19,6 @@ bool hasHash(const ReportRow& row) {
 
 bool hasBodies(const ReportRow& row) {
   return row.value("mode", "").starts_with("bodies");
-}
-
-std::string nameOf(const ReportRow& row) {
-  return row.value("scene", "") + " (" + sizeText(resolutionIn(row)) + ")";
 }
 
 /// The duration of contact relative to the rest of the step [-].
@@ -75,7 +72,7 @@ std::string listOf(const ReportRows& rows, const char* key, double minimum) {
   std::string text;
   for (const ReportRow& row : rows) {
     if (numberIn(row, key) > minimum) {
-      text += (text.empty() ? "" : ", ") + nameOf(row) + " " + figure(row, key);
+      text += (text.empty() ? "" : ", ") + sceneText(row) + " " + figure(row, key);
     }
   }
   return text;
@@ -102,9 +99,10 @@ std::string leaksOf(const ReportRows& rows) {
     if (!(numberIn(row, key) > 0.0)) {
       continue;
     }
-    text += (text.empty() ? "" : ", ") + nameOf(row) + " " + figure(row, key, 5);
+    text += (text.empty() ? "" : ", ") + sceneText(row) + " " + figure(row, key, 5);
     for (const ReportRow& other : rows) {
-      if (nameOf(other) == nameOf(row) && !hasHash(other)) {
+      const std::string mode = other.value("mode", "");
+      if (sceneText(other) == sceneText(row) && (mode == "off" || mode == "bodies")) {
         text += " of " + figure(other, key, 5);
       }
     }
@@ -129,17 +127,26 @@ std::string aboutHash(const ReportRows& rows) {
 
 }  // namespace
 
+std::string sceneText(const ReportRow& row) {
+  return row.value("scene", "") + " (" + sizeText(resolutionIn(row)) + ")";
+}
+
 std::vector<Block> showCollision(const ReportOptions&, const ReportRows& rows) {
   if (rows.empty()) {
     return {};
   }
-  return {
+  std::vector<Block> blocks{
       Paragraph{
           "Scenes with contact, with their own settings. Times are means over all steps of a run of some "
           "seconds, including the first contact, since the search for close pairs does not run in every step. The 99th "
           "percentile is the cost of a step with a search. Intersecting pairs are the maximum that the exact "
           "intersection test found, at every 5th or 10th step."},
       costs(rows), Paragraph{aboutBodies(rows)}, leaks(rows), Paragraph{aboutHash(rows)}};
+  if (const std::string exact = aboutExact(rows); !exact.empty()) {
+    blocks.emplace_back(selfCollisionTable(rows));
+    blocks.emplace_back(Paragraph{exact});
+  }
+  return blocks;
 }
 
 }  // namespace drape::report::sections

@@ -7,4 +7,7 @@ namespace drape::report::sections {
 /// The tables and texts of the collision section, from its rows.
 [[nodiscard]] std::vector<Block> showCollision(const ReportOptions& options, const ReportRows& rows);
 
+/// "fold (33x33)", the scene and the grid of a row.
+[[nodiscard]] std::string sceneText(const ReportRow& row);
+
 }  // namespace drape::report::sections

@@ -1,24 +1,16 @@
 #include "report/number_text.hpp"
 #include "report/sections/collision_run.hpp"
+#include "report/sections/paper_times.hpp"
 #include "report/sections/samples.hpp"
 #include "report/sections/section_scene.hpp"
 #include "report/sections/sections.hpp"
 #include "report/timing.hpp"
 
-#include <array>
 #include <cmath>
 #include <map>
 
 namespace drape::report::sections {
 namespace {
-
-/// The values of the paper's Table 1 [ms].
-struct Printed {
-  int resolution;
-  double update;
-  double selfCollision;
-};
-constexpr std::array printed{Printed{17, 0.5, 0.92}, Printed{33, 1.74, 3.54}};
 
 constexpr double milliseconds = 1e3;
 constexpr double nanoseconds = 1e9;
@@ -63,7 +55,7 @@ ReportRows measureUpdate(int resolution, const std::string& precision, const Rep
                 {"ns_per_spring", finiteOrNull(nanoseconds * median / static_cast<double>(model.springs.size()))},
                 {"self_collision_ms", finiteOrNull(measureSelfCollision(resolution, precision, options, context))},
                 {"finite", timing.finite}};
-  for (const Printed& paper : printed) {
+  for (const PaperTimes& paper : paperTimes) {
     if (paper.resolution == resolution) {
       row["paper_update_ms"] = paper.update;
       row["paper_self_collision_ms"] = paper.selfCollision;
