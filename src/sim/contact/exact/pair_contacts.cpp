@@ -159,7 +159,7 @@ void findPairContacts(const ClothModel& model, const PairSearch& search, const P
                       .kineticFriction = std::min(rules.kineticFriction, rules.staticFriction)});
     }
   };
-  collectFromNearPairs(search, {start, predicted, approachSlack * limit}, workers, threads, found, consider);
+  collectFromNearPairs(search, {start, predicted, approachSlack * limit, limit}, workers, threads, found, consider);
 }
 
 }  // namespace drape::sim::contact
