@@ -156,7 +156,8 @@ void findPairContacts(const ClothModel& model, const PairSearch& search, const P
                       .height = height,
                       .restGap = restExcess * rules.thickness,
                       .staticFriction = rules.staticFriction,
-                      .kineticFriction = std::min(rules.kineticFriction, rules.staticFriction)});
+                      .kineticFriction = std::min(rules.kineticFriction, rules.staticFriction),
+                      .isFeaturePair = true});
     }
   };
   collectFromNearPairs(search, {start, predicted, approachSlack * limit, limit}, workers, threads, found, consider);
