@@ -3,6 +3,7 @@
 #include "sim/simd/lane_vector.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 namespace drape::sim::adaptive {
@@ -13,6 +14,12 @@ namespace {
 constexpr int maxSweeps = 6;
 constexpr double converged = 0.01;
 
+/// The same for slow cloth in contact with itself. Friction that has not converged acts like a viscous force: layers on
+/// each other would creep and never come to rest.
+constexpr int maxSweepsOfSlow = 60;
+constexpr double convergedOfSlow = 0.001;
+constexpr double slowSpeed = 0.1;  // [m/s]
+
 }  // namespace
 
 template <typename T>
@@ -21,6 +28,7 @@ void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedClo
   single_.clear();
   coupled_.clear();
   coupledVertices_.clear();
+  hasFeaturePairs_ = false;
   if (inputs.contacts == nullptr) {
     return;
   }
@@ -44,6 +52,8 @@ void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedClo
   for (std::size_t i = 0; i < inputs.contacts->size(); ++i) {
     addContact((*inputs.contacts)[i], i, inputs.frameVelocity, cloth);
   }
+  const auto& contacts = *inputs.contacts;
+  hasFeaturePairs_ = std::any_of(contacts.begin(), contacts.end(), std::mem_fn(&SubstepContact::isFeaturePair));
   separateCoupled();
 }
 
@@ -144,8 +154,12 @@ void ContactImpulses<T>::applyCoupled(simd::SlicedCloth<T>& cloth, double time, 
       apply(contact.normalImpulse * contact.normal + contact.friction, contact);
     }
   }
+  const bool isSlow = hasFeaturePairs_ && std::ranges::all_of(coupledVertices_, [&](std::size_t v) {
+                        return vertices_[v].before.squaredNorm() < slowSpeed * slowSpeed;
+                      });
+  converged_ = isSlow ? convergedOfSlow : converged;
   bool changes = true;
-  for (int sweep = 0; sweep < maxSweeps && changes; ++sweep) {
+  for (int sweep = 0; sweep < (isSlow ? maxSweepsOfSlow : maxSweeps) && changes; ++sweep) {
     changes = false;
     for (Contact& contact : coupled_) {
       changes = solve(contact) || changes;
@@ -196,7 +210,7 @@ bool ContactImpulses<T>::solve(Contact& contact) {
   apply(change, contact);
   contact.normalImpulse = normal;
   contact.friction = friction;
-  return change.squaredNorm() > converged * converged * normal * normal;
+  return change.squaredNorm() > converged_ * converged_ * normal * normal;
 }
 
 template <typename T>

@@ -18,7 +18,8 @@ namespace drape::sim::adaptive {
 /// surface only loses its approach velocity: a correction of its height would turn rounding into velocity.
 ///
 /// A contact that shares no vertex with another one has an exact solution. All others are solved together by projected
-/// Gauss-Seidel sweeps. They start with the impulses of the substep before, so that few sweeps suffice.
+/// Gauss-Seidel sweeps. They start with the impulses of the substep before, so that few sweeps suffice. Slow cloth in
+/// contact with itself gets more, so that it comes to rest.
 template <typename T>
 class ContactImpulses {
  public:
@@ -91,6 +92,8 @@ class ContactImpulses {
   std::vector<std::size_t> coupledVertices_;  // indices into vertices_
   std::vector<int> contactCount_;             // of each vertex
   std::vector<std::size_t> slots_;            // by permuted index: index into vertices_
+  bool hasFeaturePairs_ = false;
+  double converged_ = 0.0;  // relative change of an impulse that counts as converged [-]
 };
 
 }  // namespace drape::sim::adaptive

@@ -92,7 +92,7 @@ bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& co
     return false;
   }
   if (memory.sleepFingerprint != 0) {
-    if (isUnchanged(memory, state) && memory.sleepFingerprint == fingerprintOf(data, conditions)) {
+    if (staysAsleep(model, conditions, memory, state)) {
       return true;
     }
     memory.sleepReference.reset();
@@ -119,6 +119,13 @@ bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& co
   memory.sleepReference = std::make_shared<const std::vector<Vec3>>(state.positions);
   memory.sleepFingerprint = fingerprintOf(data, conditions);
   return true;
+}
+
+bool SleepDetection::staysAsleep(const ClothModel& model, const SleepConditions& conditions, const StepMemory& memory,
+                                 const ClothState& state) {
+  const ModelData& data = models_.get(model, dataOf);
+  return memory.sleepFingerprint != 0 && isUnchanged(memory, state) && canSleep(data, conditions) &&
+         memory.sleepFingerprint == fingerprintOf(data, conditions);
 }
 
 /// Free cloth can sleep only if there is a body that may support it.

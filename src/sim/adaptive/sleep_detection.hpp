@@ -37,6 +37,10 @@ class SleepDetection {
   [[nodiscard]] bool isAsleep(const ClothModel& model, const SleepConditions& conditions, StepMemory& memory,
                               ClothState& state);
 
+  /// Whether the cloth slept in the last step and nothing has changed since.
+  [[nodiscard]] bool staysAsleep(const ClothModel& model, const SleepConditions& conditions, const StepMemory& memory,
+                                 const ClothState& state);
+
  private:
   /// Data of a model, computed once.
   struct ModelData {

@@ -42,7 +42,6 @@ ContactStage::~ContactStage() = default;
 void ContactStage::begin(const ContactParameters& contact, const StepInputs& inputs, const ClothState& state) {
   active_ = contact.self != SelfCollision::Off || meetsBodies(contact, inputs);
   changed_ = false;
-  points_.clear();
   bodySeconds_ = selfSeconds_ = 0.0;
   if (active_) {
     start_ = state.positions;
@@ -132,7 +131,22 @@ void ContactStage::guardAgainstItself(const ExactStep& step, bool nearBodies, Cl
       step, {nearBodies ? bodyContact().planes() : std::span<const SeparatingPlane>(), fallback_}, state);
 }
 
+ContactReport ContactStage::keepLast() {
+  changed_ = false;
+  report_.bodySeconds = report_.selfSeconds = 0.0;
+  return report_;
+}
+
 ContactReport ContactStage::resolve(const ClothModel& model, const CommonParameters& parameters,
+                                    const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
+                                    double stepFraction) {
+  points_.clear();
+  report_ = correct(model, parameters, contact, inputs, state, stepFraction);
+  return report_;
+}
+
+/// `resolve` without storing the report.
+ContactReport ContactStage::correct(const ClothModel& model, const CommonParameters& parameters,
                                     const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
                                     double stepFraction) {
   ContactReport report{.bodySeconds = bodySeconds_, .selfSeconds = selfSeconds_};

@@ -62,10 +62,15 @@ class ContactStage {
   ContactReport resolve(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
                         const StepInputs& inputs, ClothState& state, double stepFraction = 1.0);
 
+  /// Replaces `resolve` in a step of sleeping cloth, which needs no contact: its contacts are those of the last
+  /// `resolve`.
+  /// @returns the report of that, without times
+  ContactReport keepLast();
+
   /// The predicted state of the last step; nullptr if contact was off or changed nothing.
   [[nodiscard]] const ClothState* unresolved() const { return changed_ ? &unresolved_ : nullptr; }
 
-  /// The active contacts of the last step.
+  /// The active contacts of the last `resolve`.
   [[nodiscard]] std::span<const ContactPoint> points() const { return points_; }
 
  private:
@@ -74,6 +79,8 @@ class ContactStage {
   BodyContact& bodyContact();
   SelfContact& selfContact();
   ExactSelfContact& exactSelfContact();
+  ContactReport correct(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
+                        const StepInputs& inputs, ClothState& state, double stepFraction);
   void guardAgainstItself(const ExactStep& step, bool nearBodies, ClothState& state, ContactReport& report);
 
   bool active_ = false;
@@ -83,6 +90,7 @@ class ContactStage {
   ClothState unresolved_;
   std::vector<Vec3> ahead_;  // positions extrapolated by the velocity [m]
   std::vector<ContactPoint> points_;
+  ContactReport report_;                     // of the last `resolve`
   double bodySeconds_ = 0.0;                 // of findSubstepContacts [s]
   double selfSeconds_ = 0.0;                 // likewise
   std::unique_ptr<SelfContact> self_;        // created at first use

@@ -20,6 +20,7 @@ struct SubstepContact {
   Vec3 bodyVelocity = Vec3::Zero();  ///< of the body's closest point [m/s]
   double staticFriction = 0.0;       ///< [-]
   double kineticFriction = 0.0;      ///< [-]; at most the static one
+  bool isFeaturePair = false;        ///< between a vertex and a triangle, or two edges, of the cloth
   Vec3 impulse = Vec3::Zero();       ///< result: impulse on q over the step [N s]
 
   /// Whether q is the first vertex.

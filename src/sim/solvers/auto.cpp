@@ -265,11 +265,19 @@ class AutoSolver final : public Solver {
     return report;
   }
 
+  bool sleeps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+              const ClothState& state) override {
+    return sleep_.staysAsleep(model, conditionsOf(parameters, inputs), adaptive::stepMemoryOf(state), state);
+  }
+
  private:
+  static adaptive::SleepConditions conditionsOf(const StepParameters& parameters, const StepInputs& inputs) {
+    return {parameters, parameters.contact, inputs, parameters.automatic.errorTolerance};
+  }
+
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   adaptive::StepMemory& memory, ClothState& state) {
-    if (sleep_.isAsleep(model, {parameters, parameters.contact, inputs, parameters.automatic.errorTolerance}, memory,
-                        state)) {
+    if (sleep_.isAsleep(model, conditionsOf(parameters, inputs), memory, state)) {
       state.time += parameters.timeStep;
       return {.choice = adaptive::StepChoice{.substeps = 0, .forceEvaluations = 0, .sleeping = true}};
     }

@@ -53,6 +53,12 @@ class Solver {
   virtual StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                           ClothState& state) = 0;
 
+  /// Whether the cloth sleeps, so that `step` advances only the time.
+  [[nodiscard]] virtual bool sleeps(const ClothModel& /*model*/, const StepParameters& /*parameters*/,
+                                    const StepInputs& /*inputs*/, const ClothState& /*state*/) {
+    return false;
+  }
+
   /// The same as `count` single steps, bit for bit. A solver with its own data layout converts the state only once.
   virtual StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                            int count, ClothState& state);

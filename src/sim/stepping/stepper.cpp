@@ -90,12 +90,24 @@ StepReport Stepper::advance(const ClothModel& model, const StepParameters& param
                             ClothState& state) {
   earlierContactWork_ = 0.0;
   fabricDampingWork_ = 0.0;
+  if (solver_->sleeps(model, parameters, inputs, state)) {
+    contactSubsteps_ = 1;
+    return stepAsleep(model, parameters, inputs, state);
+  }
   if (model.fabric && model.fabric->materials.damp()) {
     dampFabric(model, parameters, inputs, state);
   }
   contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state);
   return contactSubsteps_ == 1 ? stepWithContact(model, parameters, inputs, state)
                                : stepInContactSubsteps(model, parameters, inputs, contactSubsteps_, state);
+}
+
+/// Sleeping cloth needs no contact.
+StepReport Stepper::stepAsleep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                               ClothState& state) {
+  StepReport report = solver_->step(model, parameters, inputs, state);
+  report.contact = contact_.keepLast();
+  return report;
 }
 
 void Stepper::dampFabric(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -113,14 +125,16 @@ void Stepper::dampFabric(const ClothModel& model, const StepParameters& paramete
 
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                const ClothState& state) {
+  constexpr double rounding = 1e-9;  // [-]
+  const int nearContacts = static_cast<int>(std::ceil(parameters.timeStep / maxContactSubstepTime * (1.0 - rounding)));
+  if (nearContacts <= 1) {
+    return 1;
+  }
   const bool nearItself =
       info_->resolvesContacts && contact_.isNearItself(model, parameters, parameters.contact, state);
   const bool nearBodies = contact::meetsBodies(parameters.contact, inputs) &&
                           contact_.isNearBodies(model, parameters, parameters.contact, inputs, state);
-  constexpr double rounding = 1e-9;  // [-]
-  return nearItself || nearBodies
-             ? static_cast<int>(std::ceil(parameters.timeStep / maxContactSubstepTime * (1.0 - rounding)))
-             : 1;
+  return nearItself || nearBodies ? nearContacts : 1;
 }
 
 StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters,
@@ -178,12 +192,10 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
       advanceSubstepContacts(part.timeStep);
     }
   }
-  // Exact self-collision would move layers apart that are closer than their thickness, and so wake sleeping cloth.
-  const bool isLeftAlone =
-      total.choice && total.choice->sleeping && parameters.contact.self == contact::SelfCollision::Exact;
-  if (!isLeftAlone) {
-    total.contact = contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
-  }
+  // Contact would move layers apart that are closer than their thickness, and so wake cloth that has fallen asleep.
+  total.contact = total.choice && total.choice->sleeping
+                      ? contact_.keepLast()
+                      : contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
   earlierContactWork_ += total.contactWork;
   state.time = end;  // not the sum of the substeps, which has rounding errors
   return total;

@@ -73,6 +73,8 @@ class Stepper {
   /// The step with the material that acts on the cloth (actingMaterial).
   StepReport advance(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                      ClothState& state);
+  StepReport stepAsleep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                        ClothState& state);
   /// A step, or a contact substep, with contact at its end.
   StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                              ClothState& state);

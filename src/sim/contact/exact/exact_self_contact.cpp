@@ -142,20 +142,20 @@ void ExactSelfContact::recover(const ExactStep& step, ClothState& state) {
 }
 
 /// Guards pairs of different patches until all patches are collision-free.
-/// @param history the patches at the start; those at the end are stored here  @returns see `guard`
-int ExactSelfContact::keepApart(const ExactStep& step, PairGuard::Inputs inputs, std::vector<Vec3>& positions,
-                                PatchHistory& history) {
+/// @param history the patches at the start; those at the end are stored here
+PairGuard::Result ExactSelfContact::keepApart(const ExactStep& step, PairGuard::Inputs inputs,
+                                              std::vector<Vec3>& positions, PatchHistory& history) {
   history = patches_.update(step.model, positions, history);
   inputs.patches = patches_.ofFeatures(search_.meshOf(step.model), history);
   bool wereRemoved = false;
   for (int round = 0;; ++round) {
     wanted_ = positions;
-    const int crossing = guard_.apply(inputs, search_, workers_, positions);
+    const PairGuard::Result result = guard_.apply(inputs, search_, workers_, positions);
     const bool areValid =
         inputs.patches == nullptr || positions == wanted_ || !patches_.removeInvalid(positions, inputs.patches);
     if (areValid) {
       history = wereRemoved ? patches_.update(step.model, positions, history) : history;
-      return crossing;
+      return result;
     }
     wereRemoved = true;
     if (round == maxPatchRounds) {
@@ -191,22 +191,23 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
   memory->vertices = step.model.vertexCount();
   memory->triangles = static_cast<int>(step.model.triangles.size());
   memory->patches = step.memory != nullptr ? step.memory->patches : PatchHistory{};
-  const int crossing = keepApart(step,
-                                 {.model = step.model,
-                                  .inverseMass = inverseMass(step.model),
-                                  .start = step.start,
-                                  .fallback = nearBodies ? bodies.fallback : std::span<const Vec3>(fallback_),
-                                  .bodyPlanes = bodies.planes,
-                                  .entangled = entangled_,
-                                  .patches = nullptr,
-                                  .thickness = step.contact.thickness,
-                                  .reach = reachRatio * step.contact.thickness,
-                                  .threads = step.parameters.threads},
-                                 state.positions, memory->patches);
+  const PairGuard::Result result =
+      keepApart(step,
+                {.model = step.model,
+                 .inverseMass = inverseMass(step.model),
+                 .start = step.start,
+                 .fallback = nearBodies ? bodies.fallback : std::span<const Vec3>(fallback_),
+                 .bodyPlanes = bodies.planes,
+                 .entangled = entangled_,
+                 .patches = nullptr,
+                 .thickness = step.contact.thickness,
+                 .reach = reachRatio * step.contact.thickness,
+                 .threads = step.parameters.threads},
+                state.positions, memory->patches);
   removeApproach(common / step.parameters.timeStep, step.parameters.timeStep, state);
-  state.hasNoSelfIntersection = crossing == 0 && entangled_.empty();
+  state.hasNoSelfIntersection = result.crossings == 0 && result.touching == 0 && entangled_.empty();
   state.selfContact = memory;
-  return crossing;
+  return result.crossings;
 }
 
 }  // namespace drape::sim::contact

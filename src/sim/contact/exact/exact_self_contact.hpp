@@ -75,7 +75,8 @@ class ExactSelfContact {
   void recover(const ExactStep& step, ClothState& state);
   void findEntangledAt(const ExactStep& step);
   SharedFeaturePatches patchesAtStart(const ExactStep& step);
-  int keepApart(const ExactStep& step, PairGuard::Inputs inputs, std::vector<Vec3>& positions, PatchHistory& history);
+  PairGuard::Result keepApart(const ExactStep& step, PairGuard::Inputs inputs, std::vector<Vec3>& positions,
+                              PatchHistory& history);
   void removeApproach(const Vec3& commonVelocity, double timeStep, ClothState& state) const;
   const std::vector<double>& inverseMass(const ClothModel& model);
 

@@ -3,17 +3,28 @@
 namespace drape::sim::contact {
 namespace {
 
-/// Excess over the limit that covers the rounding of the measurement [-].
+/// Excess over the limit that covers the rounding of the measurement [-]. Limits are at least 1e-4 m, and the rounding
+/// error is below 1e-15 of the size of the offsets and motions.
 constexpr double measureRounding = 1e-3;
 
 }  // namespace
 
+bool staysApart(const Approach& approach, std::size_t i, double limit) {
+  const double least = limit * (1.0 + measureRounding);
+  return approach.start[i] >= least && approach.end[i] >= least;  // false for NaN
+}
+
 void NearPairs::measure(bool edges, Kind& kind, const PairFilter& filter) {
-  measureApproach(edges, kind.lanes, filter.start.data(), filter.end.data(), kind.approach);
-  const double limit = filter.limit * (1.0 + measureRounding);
+  const bool forContacts = filter.contactLimit > 0.0;
+  if (forContacts) {
+    measureContactGaps(edges, kind.lanes, filter.start.data(), filter.end.data(), kind.gaps);
+  } else {
+    measureApproach(edges, kind.lanes, filter.start.data(), filter.end.data(), kind.approach);
+  }
+  const double largest = filter.contactLimit * (1.0 + measureRounding);
   for (std::size_t i = 0; i < kind.indices.size(); ++i) {
-    // The negated comparison chooses NaN too.
-    if (!(std::min(kind.approach.distance[i], kind.approach.separation[i]) >= limit)) {
+    const bool isFar = forContacts ? kind.gaps[i] >= largest : staysApart(kind.approach, i, filter.limit);
+    if (!isFar) {
       chosen_.push_back(kind.indices[i]);
     }
   }

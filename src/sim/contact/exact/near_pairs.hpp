@@ -14,10 +14,15 @@ struct PairFilter {
   std::span<const Vec3> start;  ///< positions [m]
   std::span<const Vec3> end;    ///< positions [m]
   double limit = 0.0;           ///< [m]
+  double contactLimit = 0.0;    ///< of measureContactGaps [m]; 0: pairs count that are no contacts too
 };
 
-/// Chooses the pairs of a search that may be closer than a limit at the start, or along the normal of their closest
-/// points at the start, at the end.
+/// Whether pair i certainly stays farther apart than a limit [m] in the whole step: it does so along one normal, at the
+/// start and at the end.
+[[nodiscard]] bool staysApart(const Approach& approach, std::size_t i, double limit);
+
+/// Chooses the pairs of a search that may come closer than a limit: all but those that stay apart (staysApart), or
+/// whose closest points do not come nearer than the limit for contacts, if there is one.
 class NearPairs {
  public:
   /// Chooses among the listed pairs `begin` to `end` - 1. Ascending.
@@ -28,6 +33,7 @@ class NearPairs {
     std::vector<int> indices;
     PairLanes lanes;
     Approach approach;
+    std::vector<double> gaps;
   };
 
   void measure(bool edges, Kind& kind, const PairFilter& filter);

@@ -159,10 +159,11 @@ void findPairContacts(const ClothModel& model, const PairSearch& search, const P
                       .height = height,
                       .restGap = restExcess * rules.thickness,
                       .staticFriction = rules.staticFriction,
-                      .kineticFriction = std::min(rules.kineticFriction, rules.staticFriction)});
+                      .kineticFriction = std::min(rules.kineticFriction, rules.staticFriction),
+                      .isFeaturePair = true});
     }
   };
-  collectFromNearPairs(search, {start, predicted, approachSlack * limit}, workers, threads, found, consider);
+  collectFromNearPairs(search, {start, predicted, approachSlack * limit, limit}, workers, threads, found, consider);
 }
 
 }  // namespace drape::sim::contact

@@ -16,38 +16,51 @@ class PairLanes {
 
   /// The vertices are in the order of PairVertices.
   void add(const std::array<int, 4>& vertices) {
+    if (size_ == vertices_[0].size()) {
+      for (std::vector<std::int32_t>& part : vertices_) {
+        part.resize(2 * size_ + minSize);
+      }
+    }
     for (std::size_t k = 0; k < 4; ++k) {
-      vertices_[k].resize(size_);  // removes the padding
-      vertices_[k].push_back(vertices[k]);
+      vertices_[k][size_] = vertices[k];
     }
     ++size_;
   }
 
-  /// Pads the arrays to whole vectors.
+  /// Pads the arrays to whole vectors. Padding has valid vertices.
   void pad();
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const std::int32_t* vertices(std::size_t k) const { return vertices_[k].data(); }
 
  private:
+  static constexpr std::size_t minSize = 64;
+
   std::size_t size_ = 0;
-  std::array<std::vector<std::int32_t>, 4> vertices_;
+  std::array<std::vector<std::int32_t>, 4> vertices_;  // longer than `size_`
 };
 
-/// The result of measureApproach, one entry a pair and padding.
+/// The separations of pairs at the start and at the end of a step, along the normal of the closest points at the start.
+/// One entry a pair and padding.
 struct Approach {
-  std::vector<double> distance;    ///< at the start [m]
-  std::vector<double> separation;  ///< at the end, along the normal of the closest points at the start [m]
+  std::vector<double> start;  ///< [m]
+  std::vector<double> end;    ///< [m]
 };
 
 // The functions below use the widest vector instructions of the machine. Their results can differ by rounding from one
 // instruction set to another, so they only serve to choose pairs for the exact computation.
 
-/// The distances of pairs [m].
+/// Lower bounds of the distances of pairs, exact but for rounding where they are not near 0 and the pair has no sliver:
+/// the separations along the normals of the closest points [m].
 /// @param edges whether the pairs are of edges  @param distances gets one entry a pair and padding
 void measureDistances(bool edges, PairLanes& pairs, const Vec3* positions, std::vector<double>& distances);
 
-/// The distances at the start of a step and the separations at its end, see separationAlong.
 void measureApproach(bool edges, PairLanes& pairs, const Vec3* start, const Vec3* end, Approach& approach);
+
+/// How near the closest points at the start of a step come: the smaller of their distance then and their distance at
+/// the end along the normal at the start [m]. Infinity for two edges of which a closest point is an end, so that they
+/// are no contact (findPairContacts). 0 where rounding may move the closest points far: edges that are nearly parallel,
+/// slivers.
+void measureContactGaps(bool edges, PairLanes& pairs, const Vec3* start, const Vec3* end, std::vector<double>& gaps);
 
 }  // namespace drape::sim::contact

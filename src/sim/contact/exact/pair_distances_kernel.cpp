@@ -6,9 +6,12 @@
 #include <hwy/foreach_target.h>
 // Highway's own includes have to come first.
 #include "sim/contact/broad_phase/mesh_lanes.hpp"
+#include "sim/contact/closest_features/triangle_geometry.hpp"
 #include "sim/contact/exact/pair_distances.hpp"
 
 #include <hwy/highway.h>
+#include <algorithm>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::sim::contact::HWY_NAMESPACE {
@@ -78,98 +81,175 @@ HWY_INLINE RealLanes ratio(RealLanes numerator, RealLanes denominator) {
   return hn::IfThenElseZero(positive, hn::Div(numerator, hn::IfThenElse(positive, denominator, hn::Set(d, 1.0))));
 }
 
-/// The point of the segment from `from` along `side` that is closest to the origin.
-HWY_INLINE Points nearestToOrigin(const Points& from, const Points& side) {
-  return along(from, clampToUnit(ratio(hn::Neg(product(from, side)), product(side, side))), side);
-}
+/// The closest points of a pair: their offset, from the first feature to the second, their weights, and whether
+/// rounding may move them far. The weights are those of the vertices b, c and d; those of edges have the sign of their
+/// feature.
+struct ClosestPoints {
+  Points offset;
+  RealLanes b, c, d;
+  hn::Mask<Reals> isIllConditioned;
+};
 
-/// The offset between the closest points: from the vertex to the triangle.
-HWY_INLINE Points offsetToTriangle(const Tetrahedra& t) {
+/// The point of the segment from `from` along `side` that is closest to the origin.
+struct OnSegment {
+  RealLanes along;
+  Points point;
+
+  HWY_INLINE OnSegment(const Points& from, const Points& side)
+      : along(clampToUnit(ratio(hn::Neg(product(from, side)), product(side, side)))),
+        point(drape::sim::contact::HWY_NAMESPACE::along(from, along, side)) {}
+};
+
+/// Ratios of a squared area to the squared sides below which a triangle is a sliver, and rounding may move closest
+/// points far.
+constexpr double thin = 1e-10;
+constexpr double illConditioned = 1e-6;
+
+/// From the vertex to the triangle.
+HWY_INLINE ClosestPoints closestOfTriangle(const Tetrahedra& t) {
   const Reals d;
+  const auto zero = hn::Zero(d);
+  const auto one = hn::Set(d, 1.0);
   const Points first = minus(t.c, t.b);
   const Points second = minus(t.d, t.b);
-  Points best = nearestToOrigin(t.b, first);
-  RealLanes squared = product(best, best);
-  for (const Points& other : {nearestToOrigin(t.b, second), nearestToOrigin(t.c, minus(t.d, t.c))}) {
-    const RealLanes its = product(other, other);
-    best = select(hn::Lt(its, squared), other, best);
+  const OnSegment bc(t.b, first);
+  const OnSegment bd(t.b, second);
+  const OnSegment cd(t.c, minus(t.d, t.c));
+  ClosestPoints best{bc.point, hn::Sub(one, bc.along), bc.along, zero, hn::MaskFromVec(zero)};
+  RealLanes squared = product(bc.point, bc.point);
+  const auto offer = [&](const Points& point, RealLanes b, RealLanes c, RealLanes e) HWY_ATTR {
+    const RealLanes its = product(point, point);
+    const auto closer = hn::Lt(its, squared);
+    best.offset = select(closer, point, best.offset);
+    best.b = hn::IfThenElse(closer, b, best.b);
+    best.c = hn::IfThenElse(closer, c, best.c);
+    best.d = hn::IfThenElse(closer, e, best.d);
     squared = hn::Min(its, squared);
-  }
+  };
+  offer(bd.point, hn::Sub(one, bd.along), zero, bd.along);
+  offer(cd.point, zero, hn::Sub(one, cd.along), cd.along);
   const Points normal = normalTo(first, second);
   const RealLanes area = product(normal, normal);
+  const RealLanes sides = hn::Mul(product(first, first), product(second, second));
   // The barycentric coordinates of the origin, times the area.
   const RealLanes ofC = product(normalTo(second, t.b), normal);
   const RealLanes ofD = product(normalTo(t.b, first), normal);
-  const auto zero = hn::Zero(d);
-  const auto thin = hn::Mul(hn::Set(d, 1e-14), hn::Mul(product(first, first), product(second, second)));
   const auto inside = hn::And(hn::And(hn::Ge(ofC, zero), hn::Ge(ofD, zero)),
-                              hn::And(hn::Le(hn::Add(ofC, ofD), area), hn::Gt(area, thin)));
+                              hn::And(hn::Le(hn::Add(ofC, ofD), area), hn::Gt(area, hn::Mul(hn::Set(d, thin), sides))));
   const RealLanes height = ratio(product(normal, t.b), area);
-  return select(inside, {hn::Mul(height, normal.x), hn::Mul(height, normal.y), hn::Mul(height, normal.z)}, best);
+  const Points foot = {hn::Mul(height, normal.x), hn::Mul(height, normal.y), hn::Mul(height, normal.z)};
+  const RealLanes c = ratio(ofC, area);
+  const RealLanes e = ratio(ofD, area);
+  best.offset = select(inside, foot, best.offset);
+  best.b = hn::IfThenElse(inside, hn::Sub(hn::Sub(one, c), e), best.b);
+  best.c = hn::IfThenElse(inside, c, best.c);
+  best.d = hn::IfThenElse(inside, e, best.d);
+  best.isIllConditioned = hn::Le(area, hn::Mul(hn::Set(d, illConditioned), sides));
+  return best;
 }
 
-/// The offset between the closest points: from the first edge to the second. As in nearestOfSegments.
-HWY_INLINE Points offsetOfEdges(const Tetrahedra& t) {
+/// From the first edge to the second. As in nearestOfSegments.
+HWY_INLINE ClosestPoints closestOfEdges(const Tetrahedra& t) {
   const Reals d;
   const Points& one = t.b;
   const Points two = minus(t.d, t.c);
   const RealLanes a = product(one, one);
   const RealLanes e = product(two, two);
   const RealLanes b = product(one, two);
-  const RealLanes determinant = hn::NegMulAdd(b, b, hn::Mul(a, e));
-  const auto apart = hn::Gt(determinant, hn::Mul(hn::Set(d, 1e-14), hn::Mul(a, e)));
+  const RealLanes squares = hn::Mul(a, e);
+  const RealLanes determinant = hn::NegMulAdd(b, b, squares);
+  const auto apart = hn::Gt(determinant, hn::Mul(hn::Set(d, 1e-14), squares));
   const RealLanes numerator = hn::Sub(hn::Mul(e, product(one, t.c)), hn::Mul(b, product(two, t.c)));
   RealLanes first = hn::IfThenElseZero(apart, clampToUnit(ratio(numerator, determinant)));
   const Points onFirst = {hn::Mul(first, one.x), hn::Mul(first, one.y), hn::Mul(first, one.z)};
   const RealLanes second = clampToUnit(ratio(product(minus(onFirst, t.c), two), e));
   const Points onSecond = along(t.c, second, two);
   first = clampToUnit(ratio(product(onSecond, one), a));
-  return along(onSecond, hn::Neg(first), one);
+  return {along(onSecond, hn::Neg(first), one), hn::Neg(first), hn::Sub(hn::Set(d, 1.0), second), second,
+          hn::Le(determinant, hn::Mul(hn::Set(d, illConditioned), squares))};
 }
 
 template <bool edges>
-HWY_INLINE Points offsetOf(const Tetrahedra& t) {
+HWY_INLINE ClosestPoints closestOf(const Tetrahedra& t) {
   if constexpr (edges) {
-    return offsetOfEdges(t);
+    return closestOfEdges(t);
   } else {
-    return offsetToTriangle(t);
+    return closestOfTriangle(t);
   }
+}
+
+/// How far the second feature lies beyond the first along a unit vector times `length`.
+template <bool edges>
+HWY_INLINE RealLanes separationOf(const Tetrahedra& t, const Points& vector, RealLanes length) {
+  const auto zero = hn::Zero(Reals());
+  const RealLanes b = product(t.b, vector);
+  const RealLanes c = product(t.c, vector);
+  const RealLanes e = product(t.d, vector);
+  const RealLanes high = edges ? hn::Max(zero, b) : zero;
+  const RealLanes low = edges ? hn::Min(c, e) : hn::Min(b, hn::Min(c, e));
+  return ratio(hn::Sub(low, high), length);
 }
 
 template <bool edges>
 void distancesOf(const PairLanes& pairs, const Vec3* positions, double* distances) {
   const Reals d;
   for (std::size_t i = 0; i < pairs.size(); i += hn::Lanes(d)) {
-    const Points offset = offsetOf<edges>(Tetrahedra(pairs, positions, i));
-    hn::StoreU(hn::Sqrt(product(offset, offset)), d, distances + i);
+    const Tetrahedra at(pairs, positions, i);
+    const Points offset = closestOf<edges>(at).offset;
+    hn::StoreU(separationOf<edges>(at, offset, hn::Sqrt(product(offset, offset))), d, distances + i);
   }
 }
 
 template <bool edges>
-void approachOf(const PairLanes& pairs, const Vec3* start, const Vec3* end, double* distances, double* separations) {
+void approachOf(const PairLanes& pairs, const Vec3* start, const Vec3* end, double* atStart, double* atEnd) {
   const Reals d;
   for (std::size_t i = 0; i < pairs.size(); i += hn::Lanes(d)) {
-    const Points offset = offsetOf<edges>(Tetrahedra(pairs, start, i));
-    const RealLanes distance = hn::Sqrt(product(offset, offset));
+    const Tetrahedra before(pairs, start, i);
     // The offset leads from the first feature to the second.
-    const Tetrahedra after(pairs, end, i);
-    const RealLanes b = product(after.b, offset);
-    const RealLanes c = product(after.c, offset);
-    const RealLanes e = product(after.d, offset);
-    const RealLanes high = edges ? hn::Max(hn::Zero(d), b) : hn::Zero(d);
-    const RealLanes low = edges ? hn::Min(c, e) : hn::Min(b, hn::Min(c, e));
-    hn::StoreU(distance, d, distances + i);
-    hn::StoreU(ratio(hn::Sub(low, high), distance), d, separations + i);
+    const Points offset = closestOf<edges>(before).offset;
+    const RealLanes length = hn::Sqrt(product(offset, offset));
+    hn::StoreU(separationOf<edges>(before, offset, length), d, atStart + i);
+    hn::StoreU(separationOf<edges>(Tetrahedra(pairs, end, i), offset, length), d, atEnd + i);
   }
+}
+
+/// Which points of an edge are certainly ends (isInside).
+HWY_INLINE hn::Mask<Reals> areEnds(RealLanes along) {
+  const Reals d;
+  constexpr double end = 0.9 * insideMargin;
+  return hn::Or(hn::Lt(along, hn::Set(d, end)), hn::Gt(along, hn::Set(d, 1.0 - end)));
+}
+
+template <bool edges>
+void contactGapsOf(const PairLanes& pairs, const Vec3* start, const Vec3* end, double* gaps) {
+  const Reals d;
+  for (std::size_t i = 0; i < pairs.size(); i += hn::Lanes(d)) {
+    const ClosestPoints closest = closestOf<edges>(Tetrahedra(pairs, start, i));
+    const Tetrahedra after(pairs, end, i);
+    const Points offset =
+        along({hn::Mul(closest.b, after.b.x), hn::Mul(closest.b, after.b.y), hn::Mul(closest.b, after.b.z)}, closest.c,
+              after.c);
+    const RealLanes distance = hn::Sqrt(product(closest.offset, closest.offset));
+    const RealLanes predicted = ratio(product(along(offset, closest.d, after.d), closest.offset), distance);
+    RealLanes gap = hn::Min(distance, predicted);
+    if constexpr (edges) {
+      const auto none = hn::Or(areEnds(hn::Neg(closest.b)), areEnds(closest.d));
+      gap = hn::IfThenElse(none, hn::Set(d, std::numeric_limits<double>::infinity()), gap);
+    }
+    hn::StoreU(hn::IfThenZeroElse(closest.isIllConditioned, gap), d, gaps + i);
+  }
+}
+
+void contactGaps(bool edges, const PairLanes& pairs, const Vec3* start, const Vec3* end, double* gaps) {
+  (edges ? contactGapsOf<true> : contactGapsOf<false>)(pairs, start, end, gaps);
 }
 
 void distances(bool edges, const PairLanes& pairs, const Vec3* positions, double* result) {
   (edges ? distancesOf<true> : distancesOf<false>)(pairs, positions, result);
 }
 
-void approach(bool edges, const PairLanes& pairs, const Vec3* start, const Vec3* end, double* distances,
-              double* separations) {
-  (edges ? approachOf<true> : approachOf<false>)(pairs, start, end, distances, separations);
+void approach(bool edges, const PairLanes& pairs, const Vec3* start, const Vec3* end, double* atStart, double* atEnd) {
+  (edges ? approachOf<true> : approachOf<false>)(pairs, start, end, atStart, atEnd);
 }
 
 }  // namespace drape::sim::contact::HWY_NAMESPACE
@@ -180,10 +260,12 @@ namespace drape::sim::contact {
 
 HWY_EXPORT(distances);
 HWY_EXPORT(approach);
+HWY_EXPORT(contactGaps);
 
 void PairLanes::pad() {
   for (std::vector<std::int32_t>& part : vertices_) {
-    part.resize(size_ + maxDoubles, 0);
+    part.resize(std::max(part.size(), size_ + maxDoubles));
+    std::fill_n(part.begin() + static_cast<std::ptrdiff_t>(size_), maxDoubles, 0);
   }
 }
 
@@ -195,9 +277,15 @@ void measureDistances(bool edges, PairLanes& pairs, const Vec3* positions, std::
 
 void measureApproach(bool edges, PairLanes& pairs, const Vec3* start, const Vec3* end, Approach& result) {
   pairs.pad();
-  result.distance.resize(pairs.size() + maxDoubles);
-  result.separation.resize(pairs.size() + maxDoubles);
-  HWY_DYNAMIC_DISPATCH(approach)(edges, pairs, start, end, result.distance.data(), result.separation.data());
+  result.start.resize(pairs.size() + maxDoubles);
+  result.end.resize(pairs.size() + maxDoubles);
+  HWY_DYNAMIC_DISPATCH(approach)(edges, pairs, start, end, result.start.data(), result.end.data());
+}
+
+void measureContactGaps(bool edges, PairLanes& pairs, const Vec3* start, const Vec3* end, std::vector<double>& gaps) {
+  pairs.pad();
+  gaps.resize(pairs.size() + maxDoubles);
+  HWY_DYNAMIC_DISPATCH(contactGaps)(edges, pairs, start, end, gaps.data());
 }
 
 }  // namespace drape::sim::contact

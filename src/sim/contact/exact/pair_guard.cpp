@@ -10,7 +10,6 @@ namespace drape::sim::contact {
 namespace {
 
 constexpr double guardedSeparation = 0.1;  // that pairs keep, in their thicknesses
-constexpr double closingPerStep = 1e-9;    // fraction of its separation that a close pair may lose in a step
 constexpr int maxSweepRounds = 6;
 constexpr int sweepsOfRound = 8;
 constexpr int maxPlaneRounds = 40;
@@ -31,34 +30,25 @@ double meanAt(std::span<const double> values, std::span<const int> indices) {
 
 }  // namespace
 
-/// Finds the pairs that are not separated.
+/// Finds the pairs that are not separated, and counts those that touch at the start.
 void PairGuard::findCrossing(const Inputs& inputs, const PairSearch& search, Workers& workers,
                              std::span<const Vec3> positions) {
   const double required = guardedSeparation * inputs.thickness;
   const auto check = [&](const FeaturePair& pair, std::vector<Guarded>& found) {
     const PairVertices vertices = verticesOf(search.mesh(), pair);
-    const PairGap gap = gapOf(vertices, inputs.start);
-    if (!(gap.distance > 0.0) || isEntangled(inputs.entangled, vertices)) {
+    if (isEntangled(inputs.entangled, vertices)) {
       return;
     }
-    const double separation = separationAlong(gap.normal, vertices, positions);
-    if (separation >= required) {
-      return;
-    }
-    const double wanted = std::min(guardedSeparation * thicknessOfPair(inputs.model, vertices, inputs.thickness),
-                                   (1.0 - closingPerStep) * gap.distance);
-    if (separation >= wanted) {
-      return;
-    }
-    const Vec3 other = gapOf(vertices, positions).normal;
-    const bool isSeparated = separationAlong(other, vertices, positions) >= wanted &&
-                             separationAlong(other, vertices, inputs.start) >= wanted;
-    if (!isSeparated && comesWithin(required / approachSlack, vertices, inputs.start, positions)) {
-      found.push_back({vertices, gap.normal, wanted, keyOf(pair)});
+    const double kept = guardedSeparation * thicknessOfPair(inputs.model, vertices, inputs.thickness);
+    const PairInStep inStep = separationInStep(vertices, inputs.start, positions, {required, kept});
+    if (inStep.kind != PairInStep::Kind::Separated) {
+      found.push_back({vertices, inStep, keyOf(pair)});
     }
   };
   found_.clear();
   collectFromNearPairs(search, {inputs.start, positions, required}, workers, inputs.threads, found_, check);
+  touching_ = static_cast<int>(
+      std::erase_if(found_, [](const Guarded& pair) { return pair.inStep.kind == PairInStep::Kind::Touching; }));
 }
 
 /// Adds the pairs that were found to the guarded ones, each once.
@@ -74,8 +64,10 @@ void PairGuard::guardFound() {
 void PairGuard::moveApart(const Inputs& inputs, std::span<Vec3> positions) const {
   for (const Guarded& pair : guarded_) {
     const Vec3 origin = positions[pair.vertices.all[0]];
-    const PairExtents extents = extentsOf(pair.vertices, pair.normal, origin, positions);
-    const double missing = sweepMargin * pair.separation - (extents.firstLow - extents.secondHigh);
+    const Vec3& normal = pair.inStep.normal;
+    const PairExtents extents = extentsOf(pair.vertices, normal, origin, positions);
+    const double wanted = sweepMargin * (pair.inStep.separation + roundingOf(pair.vertices, positions));
+    const double missing = wanted - (extents.firstLow - extents.secondHigh);
     const double first = meanAt(inputs.inverseMass, pair.vertices.first());
     const double second = meanAt(inputs.inverseMass, pair.vertices.second());
     if (missing <= 0.0 || first + second <= 0.0) {
@@ -84,12 +76,12 @@ void PairGuard::moveApart(const Inputs& inputs, std::span<Vec3> positions) const
     const double low = extents.firstLow + missing * first / (first + second);
     const double high = extents.secondHigh - missing * second / (first + second);
     for (const int v : pair.vertices.first()) {
-      const double below = low - pair.normal.dot(positions[v] - origin);
-      positions[v] += (inputs.inverseMass[v] > 0.0 ? std::max(0.0, below) : 0.0) * pair.normal;
+      const double below = low - normal.dot(positions[v] - origin);
+      positions[v] += (inputs.inverseMass[v] > 0.0 ? std::max(0.0, below) : 0.0) * normal;
     }
     for (const int v : pair.vertices.second()) {
-      const double above = pair.normal.dot(positions[v] - origin) - high;
-      positions[v] -= (inputs.inverseMass[v] > 0.0 ? std::max(0.0, above) : 0.0) * pair.normal;
+      const double above = normal.dot(positions[v] - origin) - high;
+      positions[v] -= (inputs.inverseMass[v] > 0.0 ? std::max(0.0, above) : 0.0) * normal;
     }
   }
   for (const SeparatingPlane& plane : inputs.bodyPlanes) {
@@ -105,23 +97,26 @@ void PairGuard::moveApart(const Inputs& inputs, std::span<Vec3> positions) const
 void PairGuard::addPlanes(const Inputs& inputs, std::size_t first) {
   for (std::size_t i = first; i < guarded_.size(); ++i) {
     const Guarded& pair = guarded_[i];
-    const PairExtents start = extentsOf(pair.vertices, pair.normal, Vec3::Zero(), inputs.fallback);
-    const PairExtents end = extentsOf(pair.vertices, pair.normal, Vec3::Zero(), wanted_);
-    const double space = std::max(0.0, start.firstLow - start.secondHigh - pair.separation);
+    const Vec3& normal = pair.inStep.normal;
+    const PairExtents start = extentsOf(pair.vertices, normal, Vec3::Zero(), inputs.fallback);
+    const PairExtents end = extentsOf(pair.vertices, normal, Vec3::Zero(), wanted_);
+    const double kept = pair.inStep.separation + roundingOf(pair.vertices, inputs.fallback);
+    const double space = std::max(0.0, start.firstLow - start.secondHigh - kept);
     const double down = std::max(0.0, start.firstLow - end.firstLow);
     const double up = std::max(0.0, end.secondHigh - start.secondHigh);
     const double high = start.secondHigh + (down + up > 0.0 ? space * up / (down + up) : 0.5 * space);
     const double low = start.firstLow - (down + up > 0.0 ? space * down / (down + up) : 0.5 * space);
     for (const int v : pair.vertices.first()) {
-      planes_.push_back({v, 0, pair.normal, low});
+      planes_.push_back({v, 0, normal, low});
     }
     for (const int v : pair.vertices.second()) {
-      planes_.push_back({v, 0, -pair.normal, -high});
+      planes_.push_back({v, 0, -normal, -high});
     }
   }
 }
 
-int PairGuard::apply(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions) {
+PairGuard::Result PairGuard::apply(const Inputs& inputs, PairSearch& search, Workers& workers,
+                                   std::span<Vec3> positions) {
   const double required = guardedSeparation * inputs.thickness;
   guarded_.clear();
   keys_.clear();
@@ -138,7 +133,7 @@ int PairGuard::apply(const Inputs& inputs, PairSearch& search, Workers& workers,
     }
   }
   if (found_.empty()) {
-    return 0;
+    return {.touching = touching_};
   }
   wanted_.assign(positions.begin(), positions.end());
   bounds_.assign(positions.size(), std::numeric_limits<double>::infinity());
@@ -154,7 +149,7 @@ int PairGuard::apply(const Inputs& inputs, PairSearch& search, Workers& workers,
     filter_.apply(planes_, inputs.inverseMass, bounds_, 1, fallbackOf, wanted_, positions);
     find();
   }
-  return static_cast<int>(found_.size());
+  return {static_cast<int>(found_.size()), touching_};
 }
 
 }  // namespace drape::sim::contact

@@ -2,6 +2,7 @@
 
 #include "sim/contact/constraints/contact_constraint.hpp"
 #include "sim/contact/exact/pair_search.hpp"
+#include "sim/contact/exact/pair_separation.hpp"
 #include "sim/contact/separating_planes/separating_plane_filter.hpp"
 
 #include <cstdint>
@@ -13,10 +14,7 @@ namespace drape::sim::contact {
 
 /// Keeps the features of a cloth from passing through each other in a step.
 ///
-/// A pair of features is separated if one normal exists along which the first lies above the second at the start and at
-/// the end of the step. Since all vertices move on straight lines, the pair then does not meet on the way either. The
-/// guard tries the normal of the closest points at the start, then that at the end. A pair that stays farther apart
-/// than about a tenth of the thickness is separated too.
+/// separationInStep decides whether a pair is separated. All vertices move on straight lines from start to end.
 ///
 /// Where a pair is not separated, its vertices are moved:
 /// 1. Sweeps move the features of each such pair apart, weighted by their masses.
@@ -38,15 +36,19 @@ class PairGuard {
     int threads = 1;
   };
 
+  /// Numbers of pairs. Those that intersect at the start do not count.
+  struct Result {
+    int crossings = 0;  ///< that are not separated
+    int touching = 0;   ///< that no plane separates at the start; they are not guarded, and may intersect at the end
+  };
+
   /// Changes `positions`, the end of the step.
-  /// @return number of pairs that are not separated; those that intersect at the start do not count
-  int apply(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions);
+  Result apply(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions);
 
  private:
   struct Guarded {
     PairVertices vertices;
-    Vec3 normal = Vec3::UnitY();  // from the second feature to the first
-    double separation = 0.0;      // that the pair must keep along the normal [m]
+    PairInStep inStep;
     std::uint64_t key = 0;
   };
 
@@ -55,7 +57,8 @@ class PairGuard {
   void moveApart(const Inputs& inputs, std::span<Vec3> positions) const;
   void addPlanes(const Inputs& inputs, std::size_t first);
 
-  std::vector<Guarded> found_;              // pairs that are not separated now
+  std::vector<Guarded> found_;  // pairs that are not separated now
+  int touching_ = 0;
   std::vector<Guarded> guarded_;            // all pairs that were found in this step
   std::unordered_set<std::uint64_t> keys_;  // of these; never iterated over
   std::vector<SeparatingPlane> planes_;

@@ -219,7 +219,7 @@ void PairSearch::listNear(bool edges, Batch& batch, std::vector<Listed>& found) 
   for (std::size_t i = 0; i < batch.pairs.size(); ++i) {
     const double distance = batch.distances[i];
     if (distance < (reach_ + radii_.ofPair(batch.pairs[i])) * (1.0 + distanceRounding)) {
-      found.push_back({batch.pairs[i], static_cast<float>(distance * (1.0 - distanceRounding))});
+      found.push_back({batch.pairs[i], static_cast<float>(distance - std::abs(distance) * distanceRounding)});
     }
   }
 }

@@ -46,16 +46,17 @@ TEST(PairGuard, letsNoTrianglesOfARandomSoupIntersect) {
     PairGuard guard;
     Workers workers;
     const std::vector<double> inverseMass(start.size(), 1.0);
-    const int crossings = guard.apply({.model = *model,
-                                       .inverseMass = inverseMass,
-                                       .start = start,
-                                       .fallback = start,
-                                       .bodyPlanes = {},
-                                       .entangled = {},
-                                       .patches = nullptr,
-                                       .thickness = 0.004},
-                                      search, workers, end);
-    EXPECT_EQ(crossings, 0) << seed;
+    const PairGuard::Result result = guard.apply({.model = *model,
+                                                  .inverseMass = inverseMass,
+                                                  .start = start,
+                                                  .fallback = start,
+                                                  .bodyPlanes = {},
+                                                  .entangled = {},
+                                                  .patches = nullptr,
+                                                  .thickness = 0.004},
+                                                 search, workers, end);
+    EXPECT_EQ(result.crossings, 0) << seed;
+    EXPECT_EQ(result.touching, 0) << seed;
     EXPECT_TRUE(intersection::intersectingPairs({end, model->triangles}).empty()) << seed;
     moved += end != wanted ? 1 : 0;
   }
