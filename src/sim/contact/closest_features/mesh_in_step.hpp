@@ -33,8 +33,8 @@ struct MeshInStep {
 struct NearestMeshPoint {
   double gap = std::numeric_limits<double>::infinity();  ///< at the start of the pass [m]; infinite: none found
   int triangle = -1;
-  Vec3 weights = Vec3::Zero();  ///< of the triangle's corners
-  Vec3 normal = Vec3::UnitY();  ///< towards the cloth
+  Vec3 weights = Vec3::Zero();                                       ///< of the triangle's corners
+  Vec3 normal = Vec3::UnitY();                                       ///< towards the cloth
   double squaredDistance = std::numeric_limits<double>::infinity();  ///< the gap as the search compares it [m^2]
 };
 

@@ -83,21 +83,24 @@ double SharpFeatureSearch::search(int t, const std::vector<int>& leaves, const B
   const bool slow = rigid && minStepsInMemory * (maxDisplacement - offsets.listMargin) <= slack;
   memory.features.clear();
   memory.at = start_;
-  memory.validRadius = slow ? slack : 0.0;
+  // The contacts at the end of a step are searched from where those that are listed for its substeps were.
+  const bool usedAgain = slow || offsets.listMargin > 0.0;
+  const double far = wanted + (slow ? slack : 0.0);
+  memory.validRadius = slow ? slack : usedAgain ? 0.0 : -1.0;
   memory.complete = wanted;
-  const double near = std::max(near_, wanted + memory.validRadius);
+  const double near = std::max(near_, far);
   distance = near;
   if (findNearbyLeaves(leaves, boxes, near)) {
-    const HullGap gap = HullGapSearch(mesh_.mesh, mesh_.atEnd, leaves_, start_)
-                            .search(outwards.isZero() ? outwardNormal() : outwards,
-                                    {wanted + memory.validRadius, maxDisplacement + offsets.minimumSeparation});
+    const HullGap gap =
+        HullGapSearch(mesh_.mesh, mesh_.atEnd, leaves_, start_)
+            .search(outwards.isZero() ? outwardNormal() : outwards, {far, maxDisplacement + offsets.minimumSeparation});
     outwards = gap.normal;
     distance = std::min(gap.atLeast, near);
   }
   memory.distance = distance;
-  featureGap_ = wanted + memory.validRadius;
-  if (distance < wanted + memory.validRadius) {
-    searchFeatures(leaves, boxes, memory.validRadius, memory);
+  featureGap_ = far;
+  if (distance < far) {
+    searchFeatures(leaves, boxes, slow ? slack : 0.0, memory);
   }
   return distance;
 }
@@ -155,7 +158,7 @@ void SharpFeatureSearch::searchFeatures(const std::vector<int>& leaves, const Bo
                                 const auto at = static_cast<std::uint8_t>(feature.at);
                                 if (isEdge) {
                                   rememberEdge({feature.triangle, at}, far, memory);
-                                } else if (addVertexContact(feature.triangle, at) < far) {
+                                } else if (addVertexContact(feature.triangle, at) < far && memory.validRadius >= 0.0) {
                                   memory.features.push_back({feature.triangle, at});
                                 }
                               });
@@ -171,7 +174,7 @@ void SharpFeatureSearch::rememberEdge(const NearbyFeatures::Feature& edge, doubl
       near.sides = static_cast<std::uint8_t>(near.sides | 1U << k);
     }
   }
-  if (near.sides != 0) {
+  if (near.sides != 0 && memory.validRadius >= 0.0) {
     memory.features.push_back(near);
   }
 }
