@@ -24,6 +24,8 @@ struct Field {
   const char* key;
   Member member;
 };
+template <typename Member>
+Field(const char*, Member) -> Field<Member>;
 
 /// The name and the fields of a command.
 template <typename Command, typename... Fields>
