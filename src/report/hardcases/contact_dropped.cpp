@@ -104,10 +104,7 @@ void contactTwoLayers(CaseTrial& trial) {
   ContactCloth watched(trial, cloth, fastest);
   watched.run(seconds);
   watched.watched().countEnergy();
-  watched.run(trial.pick(7.0, 0.3));
-  if (!trial.shortForm()) {
-    watched.expectRest(1.0);
-  }
+  watched.run(trial.pick(2.0, 0.3));
 }
 
 void contactLongSteps(CaseTrial& trial) {
