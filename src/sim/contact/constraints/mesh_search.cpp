@@ -258,7 +258,8 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
     const double longest = std::sqrt(std::max({squaredDisplacement(corners[0]), squaredDisplacement(corners[1]),
                                                squaredDisplacement(corners[2])})) +
                            rounding + offsets.listMargin;
-    if (std::max(distances_[t], samePositions_ ? featureGaps_[t] : -infinity) >= offsets.edgeOffset + longest) {
+    const double atLeast = samePositions_ ? std::max(distances_[t], featureGaps_[t]) : distances_[t];
+    if (atLeast >= offsets.edgeOffset + longest) {
       continue;  // it stays too far away
     }
     distances_[t] =
