@@ -168,7 +168,9 @@ bool MeshSearch::isSearched(const ConstraintBuilder& builder, const MeshInStep& 
   const bool searched = cached && searchedOffset_ == offset &&
                         std::equal(searched_.begin(), searched_.end(), cloth.start.begin(), cloth.start.end());
   if (!searched) {
-    searched_.assign(cached ? cloth.start.begin() : cloth.start.end(), cloth.start.end());
+    // Only a list is followed by another search from the same positions.
+    const bool isList = cached && builder.offsets().listMargin > 0.0;
+    searched_.assign(isList ? cloth.start.begin() : cloth.start.end(), cloth.start.end());
     searchedOffset_ = offset;
   }
   return searched;
@@ -211,8 +213,9 @@ void MeshSearch::findVertexContacts(const ConstraintBuilder& builder, const Mesh
 void MeshSearch::findSharpFeatureContacts(const ConstraintBuilder& builder, const MeshInStep& mesh,
                                           const ClothInBody& cloth, const ClothClusters& clusters, Workers& workers,
                                           int threads, Candidates& candidates) {
-  if (!samePositions_) {
-    featureGaps_.assign(cloth.triangles.size(), -infinity);
+  featureGaps_.resize(cloth.triangles.size(), -infinity);
+  if (!samePositions_ && !searched_.empty()) {
+    std::fill(featureGaps_.begin(), featureGaps_.end(), -infinity);
   }
   distances_.resize(cloth.triangles.size());
   outwards_.resize(cloth.triangles.size(), Vec3::Zero());
@@ -255,7 +258,8 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
     const double longest = std::sqrt(std::max({squaredDisplacement(corners[0]), squaredDisplacement(corners[1]),
                                                squaredDisplacement(corners[2])})) +
                            rounding + offsets.listMargin;
-    if (std::max(distances_[t], featureGaps_[t]) >= offsets.edgeOffset + longest) {
+    const double atLeast = samePositions_ ? std::max(distances_[t], featureGaps_[t]) : distances_[t];
+    if (atLeast >= offsets.edgeOffset + longest) {
       continue;  // it stays too far away
     }
     distances_[t] =
