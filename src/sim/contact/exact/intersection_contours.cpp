@@ -193,8 +193,8 @@ std::vector<int> wrongEndsOf(const FeatureMesh& mesh, std::span<const EdgeCrossi
   std::vector<double> ofContour(static_cast<std::size_t>(contours.count), minExcess);
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const int curve = contours.curveOf[i];
-    double& max = ofContour[contours.contourOf[i]];
-    max = std::max(max, ratioOfContour * std::abs(excess[curve]) / counts[curve]);
+    double& largest = ofContour[contours.contourOf[i]];
+    largest = std::max(largest, ratioOfContour * std::abs(excess[curve]) / counts[curve]);
   }
   std::vector<int> wrong;
   for (std::size_t i = 0; i < crossings.size(); ++i) {

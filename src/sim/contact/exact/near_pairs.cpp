@@ -10,8 +10,8 @@ constexpr double measureRounding = 1e-3;
 }  // namespace
 
 bool staysApart(const Approach& approach, std::size_t i, double limit) {
-  const double least = limit * (1.0 + measureRounding);
-  return approach.start[i] >= least && approach.end[i] >= least;  // false for NaN
+  const double minimum = limit * (1.0 + measureRounding);
+  return approach.start[i] >= minimum && approach.end[i] >= minimum;  // false for NaN
 }
 
 void NearPairs::measure(bool edges, Kind& kind, const PairFilter& filter) {

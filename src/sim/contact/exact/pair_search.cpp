@@ -9,9 +9,11 @@ namespace drape::sim::contact {
 namespace {
 
 /// The margin of a vertex's box is this number of its displacements, between the minimum margin and the largest one, so
-/// that the list lasts for several steps. Margins are in reaches. If the largest displacement exceeds the largest
-/// margin, the list can last for one step only, and all margins are the smallest.
+/// that the list lasts for several steps. Margins are in reaches. If the largest displacement exceeds `fastMove`
+/// reaches, the list lasts for one step only, in which the prediction changes by a fraction of the displacement.
 constexpr double marginOfMove = 4.0;
+constexpr double marginOfFastMove = 0.3;
+constexpr double fastMove = 2.0;  // [-]
 constexpr double minMargin = 0.1;
 constexpr double maxMargin = 1.0;
 constexpr double maxMarginOfShortLists = 5.0;  // of lists with fewer pairs than half the number of vertices
@@ -127,10 +129,10 @@ void PairSearch::placeBoxes(std::span<const Vec3> start, std::span<const Vec3> e
   }
   const double limit = largestMargin();
   const double minimum = std::min(margin_, limit);
-  const bool isFast = largest > limit * reach_;
+  const bool isFast = largest > fastMove * reach_;
   for (Vec3& size : halfSizes_) {
     const double wanted = std::clamp(2.0 * marginOfMove * size.norm(), minimum * reach_, limit * reach_);
-    size.array() += isFast ? minMargin * reach_ : wanted;
+    size.array() += isFast ? std::max(minMargin * reach_, 2.0 * marginOfFastMove * size.norm()) : wanted;
   }
   std::transform(halfSizes_.begin(), halfSizes_.end(), radii_.ofVertex.begin(),
                  [](const Vec3& size) { return size.norm(); });

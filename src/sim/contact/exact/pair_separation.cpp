@@ -1,6 +1,7 @@
 #include "sim/contact/exact/pair_separation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace drape::sim::contact {
 namespace {
@@ -60,7 +61,7 @@ PairInStep separationInStep(const PairVertices& vertices, std::span<const Vec3> 
     return {PairInStep::Kind::Touching, first.normal, 0.0};
   }
   const double kept = std::min(goal.kept, (1.0 - closingPerStep) * first.distance);
-  const PairInStep separated{PairInStep::Kind::Separated, first.normal, kept};
+  PairInStep separated{PairInStep::Kind::Separated, first.normal, kept};
   if (separationAlong(first.normal, vertices, end) >= kept) {
     return separated;
   }

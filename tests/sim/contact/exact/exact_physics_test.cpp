@@ -213,5 +213,25 @@ TEST(ExactSelfContact, keepsTheReportOfSleepingClothAndItsBits) {
   EXPECT_EQ(scene.state.positions, positions);
 }
 
+TEST(ExactSelfContact, comesToRestInLayersOnABody) {
+  // A sheet that has fallen on its edge lies folded on the ground. Springs do not resist bending, so this takes a
+  // while.
+  const Eigen::Quaterniond upright(Eigen::AngleAxisd(93.0 * degree, Vec3::UnitX()));
+  testing::ContactScene scene(testing::freeSheet(17, 0.8, Vec3(0.0, 0.45, 0.0), upright),
+                              {testing::bodyAt(PlaneShape{2.0}, Vec3::Zero())}, "auto");
+  scene.parameters.contact.self = SelfCollision::Exact;
+  scene.parameters.material.stiffness = 150.0;
+  scene.parameters.material.damping = 0.02;
+  scene.parameters.air.drag = 0.3;
+  scene.parameters.timeStep = 1.0 / 150.0;
+  StepReport report;
+  for (int i = 0; i < 6000 && !(report.choice && report.choice->sleeping); ++i) {
+    report = scene.step();
+  }
+  EXPECT_TRUE(report.choice && report.choice->sleeping);
+  EXPECT_GT(report.contact.selfContacts, 10);
+  EXPECT_EQ(pairsWithItself(scene), 0U);
+}
+
 }  // namespace
 }  // namespace drape::sim::contact
