@@ -41,6 +41,12 @@ TEST(Run, startsFromJitteredPositions) {
   EXPECT_EQ(headless("run grid --seconds 0.1 --jitter -1").status, 2);
 }
 
+TEST(Run, addsNoEnergyToAFlagThatFoldsFastWithExactSelfCollision) {
+  const auto stats = statsOf("flag --seconds 1.5 --set self_collision=exact");
+  EXPECT_LT(stats["energy_elastic"], 0.5) << "about 0.06 J; contact substeps that are too long add 100 J";
+  EXPECT_LT(stats["energy_kinetic"], 2.0) << "about 0.2 J";
+}
+
 TEST(Run, reportsTheChoicesOfAuto) {
   const std::string sheet = "grid --set grid.resolution=17 --seconds 0.2 --set solver=";
   EXPECT_TRUE(statsOf(sheet + "one_iteration")["choice"].is_null());

@@ -4,6 +4,7 @@
 #include "report/sections/paper_times.hpp"
 #include "report/sections/sections.hpp"
 #include "settings/settings_table.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <string>
 #include <variant>
@@ -49,6 +50,9 @@ std::string modeOf(const scene::Scene& scene) {
   auto mode = std::get<std::string>(settings::settingValue(scene.settings, settings::requireSetting("self_collision")));
   if (mode == "off") {
     mode.clear();
+  }
+  if (mode == "auto") {
+    mode = sim::findSolver(scene.settings.solver.name)->resolvesContacts ? "exact" : "hash";
   }
   if (scene.settings.step.contact.bodies && !scene.description.bodies.empty()) {
     mode = mode.empty() ? "bodies" : "bodies+" + mode;

@@ -56,14 +56,15 @@ bool ContactStage::isNearBodies(const ClothModel& model, const CommonParameters&
          bodyContact().isNearAnyBody(model, contact, *inputs.bodies, state.positions, ahead_, fall);
 }
 
-bool ContactStage::isNearItself(const ClothModel& model, const CommonParameters& parameters,
-                                const ContactParameters& contact, const ClothState& state) {
+SelfApproach ContactStage::approachOfItself(const ClothModel& model, const CommonParameters& parameters,
+                                            const ContactParameters& contact, const ClothState& state) {
   if (contact.self == SelfCollision::Exact && hasBoundedPositions(state.positions)) {
     extrapolate(state, parameters.timeStep);
-    return exactSelfContact().isNear(
+    return exactSelfContact().approach(
         {model, parameters, contact, state.positions, state.hasNoSelfIntersection, state.selfContact}, ahead_);
   }
-  return contact.self == SelfCollision::Hash && (state.selfContact == nullptr || state.selfContact->pairs.count() > 0);
+  const bool hasPairs = state.selfContact == nullptr || state.selfContact->pairs.count() > 0;
+  return {.isNear = contact.self == SelfCollision::Hash && hasPairs, .motion = 0.0};
 }
 
 void ContactStage::extrapolate(const ClothState& state, double timeStep) {

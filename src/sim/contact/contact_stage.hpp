@@ -2,6 +2,7 @@
 
 #include "sim/contact/contact_parameters.hpp"
 #include "sim/contact/contact_report.hpp"
+#include "sim/contact/self_approach.hpp"
 #include "sim/forces/common_parameters.hpp"
 #include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
@@ -45,10 +46,10 @@ class ContactStage {
   [[nodiscard]] bool isNearBodies(const ClothModel& model, const CommonParameters& parameters,
                                   const ContactParameters& contact, const StepInputs& inputs, const ClothState& state);
 
-  /// Whether the cloth may collide with itself in this step. With the hash: there are near pairs, or no search was made
-  /// yet. With exact self-collision: features come into contact if the velocities do not change.
-  [[nodiscard]] bool isNearItself(const ClothModel& model, const CommonParameters& parameters,
-                                  const ContactParameters& contact, const ClothState& state);
+  /// Whether the cloth may collide with itself in this step, and how fast. With the hash: there are near pairs, or no
+  /// search was made yet. With exact self-collision: features come into contact if the velocities do not change.
+  [[nodiscard]] SelfApproach approachOfItself(const ClothModel& model, const CommonParameters& parameters,
+                                              const ContactParameters& contact, const ClothState& state);
 
   /// Finds the contacts, with bodies and of the cloth with itself, that a solver can resolve in its substeps, for a
   /// step from `state`. Stores the list of near pairs of the cloth in it.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace drape::sim {
@@ -22,6 +23,23 @@ constexpr double bdf2Part = 2.0 / 3.0;
 /// they sink into the body by about N/n g h^2 before contact corrects them. The cloth below them stretches by as much
 /// and swings. Longer contact substeps add energy.
 constexpr double maxContactSubstepTime = 1.0 / 300.0;  // [s]
+
+/// Features of the cloth in contact move past each other by at most this many mean edges in a contact substep. A
+/// contact holds near the closest points at its start. Farther away only the guard keeps the features apart. It moves
+/// single vertices, which stretches stiff cloth and so adds energy.
+constexpr double maxMotionInEdges = 0.35;
+constexpr int maxFastContactSubsteps = 16;
+
+/// The largest motion of a vertex in a step relative to the mean motion, with the present velocities [m].
+double maxMotion(const ClothState& state, double timeStep) {
+  const auto count = static_cast<double>(std::max<std::size_t>(1, state.velocities.size()));
+  const Vec3 mean = std::accumulate(state.velocities.begin(), state.velocities.end(), Vec3(Vec3::Zero())) / count;
+  double largest = 0.0;  // squared
+  for (const Vec3& velocity : state.velocities) {
+    largest = std::max(largest, (velocity - mean).squaredNorm());
+  }
+  return timeStep * std::sqrt(largest);
+}
 
 /// Adds the report of a later contact substep of the same step. Overlaps are those at the start of the step.
 void addLater(const contact::ContactReport& next, contact::ContactReport& total) {
@@ -127,14 +145,20 @@ int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& pa
                                const ClothState& state) {
   constexpr double rounding = 1e-9;  // [-]
   const int nearContacts = static_cast<int>(std::ceil(parameters.timeStep / maxContactSubstepTime * (1.0 - rounding)));
-  if (nearContacts <= 1) {
+  const double allowedMotion = maxMotionInEdges * meanEdge_.get(model, meanEdge);
+  const bool couldBeFast = info_->resolvesContacts && parameters.contact.self == contact::SelfCollision::Exact &&
+                           2.0 * maxMotion(state, parameters.timeStep) > allowedMotion;
+  if (nearContacts <= 1 && !couldBeFast) {
     return 1;
   }
-  const bool nearItself =
-      info_->resolvesContacts && contact_.isNearItself(model, parameters, parameters.contact, state);
-  const bool nearBodies = contact::meetsBodies(parameters.contact, inputs) &&
+  const contact::SelfApproach itself = info_->resolvesContacts
+                                           ? contact_.approachOfItself(model, parameters, parameters.contact, state)
+                                           : contact::SelfApproach{};
+  const double fast = itself.motion > allowedMotion ? std::ceil(itself.motion / allowedMotion) : 1.0;
+  const int fastContacts = static_cast<int>(std::min<double>(maxFastContactSubsteps, fast));
+  const bool nearBodies = nearContacts > 1 && contact::meetsBodies(parameters.contact, inputs) &&
                           contact_.isNearBodies(model, parameters, parameters.contact, inputs, state);
-  return nearItself || nearBodies ? nearContacts : 1;
+  return std::max(itself.isNear || nearBodies ? nearContacts : 1, fastContacts);
 }
 
 StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters,

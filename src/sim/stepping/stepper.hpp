@@ -111,6 +111,7 @@ class Stepper {
   const SolverInfo* info_;
   std::unique_ptr<Solver> solver_;
   ClothState before_;
+  ModelCache<double> meanEdge_;  // [m]
   MomentumKeeper momentum_;
   contact::ContactStage contact_;
   contact::BodySubsteps bodySubsteps_;

@@ -60,10 +60,18 @@ void ExactSelfContact::findEntangledAt(const ExactStep& step) {
   markEntangled(search_.meshOf(step.model), crossings_, step.start.size(), entangled_);
 }
 
-bool ExactSelfContact::isNear(const ExactStep& step, const std::vector<Vec3>& ahead) {
+SelfApproach ExactSelfContact::approach(const ExactStep& step, const std::vector<Vec3>& ahead) {
   contacts_.clear();
   findContacts(step, contactMargin * step.contact.thickness, 0.0, ahead, contacts_);
-  return !contacts_.empty();
+  SelfApproach approach{.isNear = !contacts_.empty(), .motion = 0.0};
+  for (const SubstepContact& contact : contacts_) {
+    Vec3 motion = Vec3::Zero();
+    for (std::size_t k = 0; k < contact.vertices.size(); ++k) {
+      motion += contact.weights[k] * (ahead[contact.vertices[k]] - step.start[contact.vertices[k]]);
+    }
+    approach.motion = std::max(approach.motion, motion.norm());
+  }
+  return approach;
 }
 
 void ExactSelfContact::findSubstepContacts(const ExactStep& step, const std::vector<Vec3>& ahead,

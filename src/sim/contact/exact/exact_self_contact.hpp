@@ -8,6 +8,7 @@
 #include "sim/contact/exact/pair_guard.hpp"
 #include "sim/contact/exact/pair_search.hpp"
 #include "sim/contact/self/memory.hpp"
+#include "sim/contact/self_approach.hpp"
 #include "sim/contact/solve/contact_solver.hpp"
 #include "sim/forces/common_parameters.hpp"
 #include "sim/forces/substep_contact.hpp"
@@ -47,8 +48,8 @@ class ExactSelfContact {
     std::span<const Vec3> fallback;  ///< positions outside the bodies [m]; empty: there are no bodies near
   };
 
-  /// Whether features come into contact on the way to `ahead` [m].
-  [[nodiscard]] bool isNear(const ExactStep& step, const std::vector<Vec3>& ahead);
+  /// Whether features come into contact on the way to `ahead` [m], and how far they move relative to each other.
+  [[nodiscard]] SelfApproach approach(const ExactStep& step, const std::vector<Vec3>& ahead);
 
   /// Finds the contacts on the way to `ahead` [m], for solvers that resolve contacts in their substeps.
   /// @param found the contacts are appended
