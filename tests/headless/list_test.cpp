@@ -27,7 +27,7 @@ TEST(List, givesEverySettingWithKeyUnitRangeDefaultAndHelp) {
 TEST(List, givesScenesAndSolvers) {
   EXPECT_GE(listOf("scenes").size(), 4U);
   EXPECT_EQ(listOf("solvers")[0]["name"], "one_iteration");
-  EXPECT_EQ(listOf("hardcases").size(), 33U);
+  EXPECT_EQ(listOf("hardcases").size(), 43U);
   EXPECT_EQ(listOf("validation")[0]["name"], "end_load_modulus");
 }
 
