@@ -133,8 +133,10 @@ void addSummary(const std::string& cloth, const io::MeshSummary& own, io::MeshSu
         &io::MeshSummary::boundaryLoops, &io::MeshSummary::nonManifoldEdges, &io::MeshSummary::misorientedEdges}) {
     all.*count += own.*count;
   }
+  const std::string prefix = cloth.empty() ? "" : cloth + ": ";
   for (const std::string& warning : own.warnings) {
-    all.warnings.push_back(cloth.empty() ? warning : cloth + ": " + warning);
+    all.warnings.push_back(prefix);
+    all.warnings.back() += warning;
   }
 }
 

@@ -22,7 +22,7 @@ void turnWarp(std::span<const Vec3> rest, std::span<const Triangle> triangles, d
   }
   for (std::size_t t = 0; t < warp.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
-    const Vec3 origin = rest[a];
+    const Vec3& origin = rest[a];
     const Vec3 normal = (rest[b] - origin).cross(rest[c] - origin).normalized();
     warp[t] = std::cos(angle) * warp[t] + std::sin(angle) * normal.cross(warp[t]);
   }

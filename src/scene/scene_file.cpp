@@ -69,7 +69,7 @@ void readAllPins(const TomlReader& reader, std::vector<PinSelection>& pins) {
 }
 
 std::string nameOfCloth(const TomlReader& reader, const std::vector<ClothDescription>& others) {
-  const std::string name = reader.text("name").value_or("");
+  std::string name = reader.text("name").value_or("");
   if (name.empty()) {
     reader.fail("every table of [[cloths]] needs a name");
   }

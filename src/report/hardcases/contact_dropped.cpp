@@ -11,7 +11,6 @@ namespace {
 using sim::contact::Body;
 using sim::contact::BoxShape;
 using sim::contact::CapsuleShape;
-using sim::contact::Keyframe;
 using sim::contact::PlaneShape;
 
 constexpr double fastest = 10.0;  // [m/s]
