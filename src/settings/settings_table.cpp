@@ -373,7 +373,7 @@ const std::array table{
     SettingInfo{"threads", "Threads", "-", Advanced, SettingEffect::Step,
         IntegerField{[](auto& s) -> auto& { return s.step.threads; }, 1, 64},
         "Maximum number of threads of one step. Any number gives the same result to the last bit. The window begins with "
-        "one less than the computer has."},
+        "one thread less than the computer has cores."},
     SettingInfo{"speed", "Speed", "-", Simulation, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.playback.speed; }, 0.01, 4.0, true},
         "Simulated seconds per second of real time in the viewer. Below 1 is slow motion."},
