@@ -109,13 +109,17 @@ double largestGainByContact(testing::ContactScene& scene, double seconds) {
   return gain;
 }
 
-TEST(ExactSelfContact, neverAddsEnergyWhenASheetFoldsOverALine) {
-  ClothMesh mesh = testing::sheet(17);
+/// A level sheet of n x n vertices that hangs over a line of pins along its middle column. @param n odd
+std::shared_ptr<const ClothModel> sheetOverALine(int n) {
   std::vector<int> pins;
-  for (int row = 0; row < 17; ++row) {
-    pins.push_back(17 * row + 8);
+  for (int row = 0; row < n; ++row) {
+    pins.push_back(n * row + n / 2);
   }
-  testing::ContactScene scene(buildClothModel(mesh, 0.1, MassLumping::Uniform, pins), {}, "auto");
+  return buildClothModel(testing::sheet(n), 0.1, MassLumping::Uniform, pins);
+}
+
+TEST(ExactSelfContact, neverAddsEnergyWhenASheetFoldsOverALine) {
+  testing::ContactScene scene(sheetOverALine(17), {}, "auto");
   scene.parameters.contact.self = SelfCollision::Exact;
   scene.parameters.material.stiffness = 200.0;
   scene.parameters.material.damping = 0.002;
@@ -186,12 +190,7 @@ TEST(ExactSelfContact, countsCrossingsInALaterContactSubstepAndRecoversOnceThere
 
 TEST(ExactSelfContact, keepsTheReportOfSleepingClothAndItsBits) {
   // Both halves of a sheet that hangs over a line of pins lie against each other.
-  ClothMesh mesh = testing::sheet(7);
-  std::vector<int> pins;
-  for (int row = 0; row < 7; ++row) {
-    pins.push_back(7 * row + 3);
-  }
-  testing::ContactScene scene(buildClothModel(mesh, 0.1, MassLumping::Uniform, pins), {}, "auto");
+  testing::ContactScene scene(sheetOverALine(7), {}, "auto");
   scene.parameters.contact.self = SelfCollision::Exact;
   scene.parameters.material.stiffness = 200.0;
   scene.parameters.material.damping = 0.1;
