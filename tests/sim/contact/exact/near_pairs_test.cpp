@@ -36,19 +36,30 @@ std::vector<Vec3> tetrahedra(int count, std::mt19937& random) {
   return positions;
 }
 
+/// The points after a small random motion.
+std::vector<Vec3> moved(std::vector<Vec3> points, std::mt19937& random) {
+  for (Vec3& point : points) {
+    point += randomPoint(random, 0.05);
+  }
+  return points;
+}
+
+/// A pair of features in each of `count` tetrahedra.
+PairLanes lanesOf(int count) {
+  PairLanes lanes;
+  for (int i = 0; i < count; ++i) {
+    lanes.add({4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3});
+  }
+  return lanes;
+}
+
 TEST(PairDistances, areTheSeparationsOfTheScalarComputation) {
   std::mt19937 random(3);
   constexpr int count = 1001;
   const std::vector<Vec3> start = tetrahedra(count, random);
-  std::vector<Vec3> end = start;
-  for (Vec3& position : end) {
-    position += randomPoint(random, 0.05);
-  }
+  const std::vector<Vec3> end = moved(start, random);
   for (const bool edges : {false, true}) {
-    PairLanes lanes;
-    for (int i = 0; i < count; ++i) {
-      lanes.add({4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3});
-    }
+    PairLanes lanes = lanesOf(count);
     std::vector<double> distances;
     Approach approach;
     measureDistances(edges, lanes, start.data(), distances);
@@ -70,15 +81,9 @@ TEST(PairDistances, findTheGapsOfContactsOfTheScalarComputation) {
   std::mt19937 random(4);
   constexpr int count = 1001;
   const std::vector<Vec3> start = tetrahedra(count, random);
-  std::vector<Vec3> end = start;
-  for (Vec3& position : end) {
-    position += randomPoint(random, 0.05);
-  }
+  const std::vector<Vec3> end = moved(start, random);
   for (const bool edges : {false, true}) {
-    PairLanes lanes;
-    for (int i = 0; i < count; ++i) {
-      lanes.add({4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3});
-    }
+    PairLanes lanes = lanesOf(count);
     std::vector<double> gaps;
     measureContactGaps(edges, lanes, start.data(), end.data(), gaps);
     int ends = 0;
