@@ -65,8 +65,8 @@ struct PairSearch {
   std::vector<TrianglePair> pairs;
 
   static bool intersectVolumeVolume(const Box& a, const Box& b) { return a.intersects(b); }
-  bool intersectVolumeObject(const Box& a, int j) const { return a.intersects(second.box(j)); }
-  bool intersectObjectVolume(int i, const Box& b) const { return b.intersects(first.box(i)); }
+  [[nodiscard]] bool intersectVolumeObject(const Box& a, int j) const { return a.intersects(second.box(j)); }
+  [[nodiscard]] bool intersectObjectVolume(int i, const Box& b) const { return b.intersects(first.box(i)); }
   /// Returns false, which continues the search.
   bool intersectObjectObject(int i, int j) {
     if (first.box(i).intersects(second.box(j)) && test(i, j)) {

@@ -18,7 +18,7 @@ struct TrianglePair {
   int first = 0;
   int second = 0;
   bool operator==(const TrianglePair&) const = default;
-  auto operator<=>(const TrianglePair&) const = default;
+  auto operator<=>(const TrianglePair&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy sees a 0 here
 };
 
 /// The intersecting pairs of triangles of a surface, first < second, sorted. Computed without rounding errors:

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,9 +52,35 @@ inline std::vector<NamedMaterial> everyKindOfFabric() {
 }
 
 /// The cloth with a fabric whose warp runs along a direction that no edge has.
-inline std::shared_ptr<const ClothModel> asFabric(const ClothModel& model, const fabric::Material& material) {
+inline std::shared_ptr<const ClothModel> asFabric(const ClothModel& model, const fabric::Material& material,
+                                                  fabric::RestCurvature curvature = fabric::RestCurvature::Flat) {
   const Vec3 warp = Vec3(1.0, 0.3, 0.4).normalized();
-  return fabric::withFabric(model, material, fabric::warpAlong(warp, model.restPositions, model.triangles));
+  return fabric::withFabric(model, material, fabric::warpAlong(warp, model.restPositions, model.triangles), curvature);
+}
+
+struct NamedCloth {
+  std::string name;
+  std::shared_ptr<const ClothModel> model;
+};
+
+/// The cloth with every kind of fabric, and with one whose rest curvature is that of the mesh.
+inline std::vector<NamedCloth> withEveryFabric(const ClothModel& model) {
+  std::vector<NamedCloth> cloths;
+  for (const auto& [name, material] : everyKindOfFabric()) {
+    cloths.push_back({name, asFabric(model, material)});
+  }
+  cloths.push_back({"curved", asFabric(model, woven(), fabric::RestCurvature::Mesh)});
+  return cloths;
+}
+
+/// A level sheet, rolled onto a cylinder about the z axis. @param flat its positions [m]  @param curvature [1/m]
+inline std::vector<Vec3> rolled(const std::vector<Vec3>& flat, double curvature) {
+  std::vector<Vec3> positions;
+  for (const Vec3& position : flat) {
+    const double angle = curvature * position.x();
+    positions.emplace_back(std::sin(angle) / curvature, (1.0 - std::cos(angle)) / curvature, position.z());
+  }
+  return positions;
 }
 
 /// The pattern of a level sheet of 1 m x 1 m, cut in two pieces along x = 0.5 m. The second piece is turned in the

@@ -68,6 +68,7 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
   contactWorkToLast_ = 0.0;
   const int threads = simd::usefulThreads(cloth_->layout, parameters.threads);
   cloth_->prepare(threads, 1);
+  cloth_->chooseOrigin(state);
   contacts_.prepare(inputs, *cloth_);
   team_.run(threads, [&](int member) {
     const simd::StepShare share = simd::shareOf(cloth_->layout, 1, member, threads);
@@ -82,10 +83,11 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
       measure(plan, endEnergy_, endCoarse_, share);
     }
   });
-  return {.first = sumOfLanes(firstEnergy_) + firstCoarse_,
-          .last = sumOfLanes(lastEnergy_) + lastCoarse_,
-          .start = request.start ? sumOfLanes(startEnergy_) + startCoarse_ : 0.0,
-          .end = request.end ? sumOfLanes(endEnergy_) + endCoarse_ : 0.0,
+  const double ofOrigin = parameters.gravity * cloth_->origin.y() * model.totalMass();
+  return {.first = sumOfLanes(firstEnergy_) + firstCoarse_ + ofOrigin,
+          .last = sumOfLanes(lastEnergy_) + lastCoarse_ + ofOrigin,
+          .start = request.start ? sumOfLanes(startEnergy_) + startCoarse_ + ofOrigin : 0.0,
+          .end = request.end ? sumOfLanes(endEnergy_) + endCoarse_ + ofOrigin : 0.0,
           .ends = request.end,
           .contactWork = contacts_.work(),
           .contactWorkToLast = contactWorkToLast_};

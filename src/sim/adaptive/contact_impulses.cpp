@@ -62,7 +62,7 @@ void ContactImpulses<T>::addContact(const SubstepContact& from, std::size_t sour
                                     const simd::SlicedCloth<T>& cloth) {
   Contact contact{.source = source,
                   .normal = from.normal,
-                  .height = from.height,
+                  .height = 0.0,
                   .restGap = from.restGap,
                   .staticFriction = from.staticFriction,
                   .kineticFriction = from.kineticFriction};
@@ -77,6 +77,7 @@ void ContactImpulses<T>::addContact(const SubstepContact& from, std::size_t sour
       total += weight;
     }
   }
+  contact.height = from.height - total * from.normal.dot(cloth.origin);
   contact.bodyVelocity = from.bodyVelocity - total * frameVelocity;
   contact.normalSpeed = from.normal.dot(contact.bodyVelocity);
   if (contact.inverseMass > 0.0) {

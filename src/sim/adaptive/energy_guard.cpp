@@ -49,11 +49,11 @@ std::uint64_t fingerprintOf(const StepPlan& plan) {
 /// without gravity has no other energy: springs deviate by the rounding of positions, and each substep adds heat
 /// (roundingAddsEnergy). The guard needs it as a reference.
 double roundingEnergyOf(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
-                        const ClothState& state, double roundoff) {
+                        const ClothState& state, double roundoff, const Vec3& origin) {
   if (parameters.gravity * rates.diagonal > tuning.minGuardedFallEnergy) {
     return 0.0;
   }
-  const double error = roundoff * maxCoordinate(state.positions);  // of a position [m]
+  const double error = roundoff * maxCoordinate(state.positions, origin);  // of a position [m]
   const double hOmega = parameters.timeStep * std::sqrt(parameters.material.stiffness * rates.percentile99);
   const double springs = parameters.material.stiffness * static_cast<double>(model.springs.size()) * error * error;
   const double heat = tuning.roundingHeat * rates.mass * parameters.material.stiffness * rates.percentile99 * error *
@@ -79,12 +79,14 @@ double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<
 }
 
 void EnergyGuard::prepare(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
-                          const ClothState& state, double roundoff) {
+                          const ClothState& state, double roundoff, const Vec3& origin) {
   startPotential_ = parameters.gravity * massTimesHeight(model, state);
   fallEnergy_ = parameters.gravity * rates.mass * rates.diagonal;
-  roundingEnergy_ = roundingEnergyOf(model, rates, parameters, state, roundoff);
+  roundingEnergy_ = roundingEnergyOf(model, rates, parameters, state, roundoff, origin);
   fingerprint_ = fingerprintOf(model, parameters, state);
-  hasWind_ = maxWindWork(rates, parameters) > 0.0;
+  maxWindWork_ = maxWindWork(rates, parameters);
+  const bool isFree = rates.pinnedLength == 0.0;
+  airEnergy_ = isFree && maxWindWork_ > 0.0 ? 0.5 * rates.mass * parameters.air.wind.squaredNorm() : 0.0;
   dissipates_ = parameters.material.damping != 0.0 || parameters.air.acts();
 }
 
@@ -94,13 +96,15 @@ bool EnergyGuard::isStartEnergyKnown(const StepPlan& plan, const StepMemory& mem
 
 bool EnergyGuard::isMeasurementDue(const StepPlan& plan, const StepMemory& memory) const {
   const int every = std::max(1, static_cast<int>(tuning.evaluationsPerMeasurement / plan.cost()));
-  return memory.steps % every == 0 || hasWind_ || memory.retryLevel > 0 || !isStartEnergyKnown(plan, memory) ||
+  return memory.steps % every == 0 || maxWindWork_ > 0.0 || memory.retryLevel > 0 ||
+         !isStartEnergyKnown(plan, memory) ||
          memory.energyDrift > tuning.calmDriftFraction * tuning.maxEnergyDrift * referenceEnergy(memory.energy, 1.0);
 }
 
-/// Kinetic and elastic energy, a fraction of the energy of a fall, and the energy of rounding.
+/// Kinetic and elastic energy, a fraction of the energy of a fall, and the energy of rounding. For free cloth in wind
+/// also the kinetic energy relative to the air, because the wind's work follows from the motion relative to it.
 double EnergyGuard::referenceEnergy(double startEnergy, double fallFraction) const {
-  return std::max(0.0, startEnergy - startPotential_) + fallFraction * fallEnergy_ + roundingEnergy_;
+  return std::max(0.0, startEnergy - startPotential_) + fallFraction * fallEnergy_ + airEnergy_ + roundingEnergy_;
 }
 
 bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, StepMemory& memory) const {
@@ -113,7 +117,7 @@ bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, 
     return true;
   }
   // In an unstable step velocities alternate in sign, and v.v' becomes negative without bound.
-  if (growth < -referenceEnergy(energy.first, 1.0) - work) {
+  if (growth < -referenceEnergy(energy.first, 1.0) - std::max(work, maxWindWork_)) {
     return true;
   }
   if (growth <= 0.0) {

@@ -26,9 +26,10 @@ double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<
 ///   energy above that is removed. Changes between two steps, by contact, pins or settings, do not count.
 class EnergyGuard {
  public:
-  /// Prepares for a step from `state`. @param roundoff unit roundoff of the step's precision [-]
+  /// Prepares for a step from `state`.
+  /// @param roundoff unit roundoff of the step's precision [-]  @param origin of its positions (simd::stepOrigin) [m]
   void prepare(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
-               const ClothState& state, double roundoff);
+               const ClothState& state, double roundoff, const Vec3& origin);
 
   /// Whether the energy at the start of the step is known: it is then the energy at the end of the previous step.
   [[nodiscard]] bool isStartEnergyKnown(const StepPlan& plan, const StepMemory& memory) const;
@@ -56,7 +57,8 @@ class EnergyGuard {
   double startPotential_ = 0.0;    // potential energy at the start [J]
   std::uint64_t fingerprint_ = 0;  // of the state and the settings at the start
   bool dissipates_ = false;        // damping or air remove energy
-  bool hasWind_ = false;           // wind may do work
+  double airEnergy_ = 0.0;         // 1/2 m w^2 of free cloth in wind of speed w [J]
+  double maxWindWork_ = 0.0;       // bound of the magnitude of the wind's work [J]
 };
 
 }  // namespace drape::sim::adaptive

@@ -5,7 +5,7 @@
 #include "sim/contact/contact_stage.hpp"
 #include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
-#include "sim/forces/kernels.hpp"
+#include "sim/forces/external_forces.hpp"
 #include "sim/model/fingerprint.hpp"
 #include "sim/model/normals.hpp"
 #include "sim/model/pieces.hpp"
@@ -49,6 +49,9 @@ Vec3 externalForce(const ClothModel& model, const CommonParameters& parameters, 
   const double pressureArea = 0.5 * parameters.air.density * area;
   const Vec3 normal = vertexNormal(model, positions, static_cast<int>(vertex));
   const Vec3 heading = -parameters.air.wind / speed;
+  if (actsAsPlate(model, parameters.air)) {
+    return weight + kernels::plateForce(normal, speed, heading, airFactorsOf(parameters.air, area));
+  }
   return weight + kernels::dragForce(normal, speed, heading, pressureArea * parameters.air.drag) +
          kernels::risingLiftForce(normal, speed, heading, pressureArea * parameters.air.lift,
                                   kernels::liftRise(parameters.air.density) * area);
@@ -192,11 +195,12 @@ std::uint64_t SleepDetection::fingerprintOf(const ModelData& data, const SleepCo
   fingerprint.add(data.fingerprint);
   for (const double value :
        {parameters.material.stiffness, parameters.material.damping, parameters.gravity, parameters.air.drag,
-        parameters.air.lift, parameters.air.density, errorTolerance, contact.thickness, contact.selfThickness,
-        contact.staticFriction, contact.kineticFriction}) {
+        parameters.air.lift, parameters.air.edgeDrag, parameters.air.density, errorTolerance, contact.thickness,
+        contact.selfThickness, contact.staticFriction, contact.kineticFriction, contact.bodyFriction}) {
     fingerprint.add(value);
   }
   fingerprint.add(parameters.air.wind);
+  fingerprint.add(static_cast<std::uint64_t>(parameters.air.model));
   fingerprint.add(std::uint64_t{contact.bodies});
   fingerprint.add(static_cast<std::uint64_t>(contact.self));
   if (inputs.bodies != nullptr) {

@@ -14,10 +14,11 @@ inline constexpr double toleratedCostRatio = 1.6;
 struct StepChoice {
   int order = 2;     ///< of the explicit scheme: 2 (Verlet) or 4 (PEFRL); 1 if the fallback solver took the step
   int substeps = 1;  ///< equal parts of the step [-]
-  int forceEvaluations = 1;        ///< cost of the step with retries, in evaluations of all springs [-]
-  double hOmega = 0.0;             ///< time step times the mesh's largest local frequency [-]
-  double costRatio = 0.0;          ///< planned cost over the cost budget of the step [-]
-  double stiffnessScale = 1.0;     ///< of the springs at the median vertex, or of a fabric's stretch [-]; 1: full
+  int forceEvaluations = 1;  ///< cost of the step with retries, in evaluations of all springs [-]
+  double hOmega = 0.0;       ///< time step times the mesh's largest local frequency [-]
+  double costRatio = 0.0;    ///< planned cost over the cost budget of the step [-]
+  /// Of the springs at the median vertex, or of a fabric's stretch, in the softest of several materials [-]; 1: full.
+  double stiffnessScale = 1.0;
   double strain = -1.0;            ///< along warp or weft of a fabric with auto.strain [-]; negative: not measured
   int softenedTriangles = 0;       ///< small triangles of a fabric with auto.strain whose stiffness is lowered [-]
   double fullStiffnessCost = 1.0;  ///< cost of a step with the full stiffness over that of this one [-]

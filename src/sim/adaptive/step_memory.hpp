@@ -8,13 +8,12 @@
 
 namespace drape::sim::adaptive {
 
-/// The memory of StretchChoice.
+/// The memory of StretchChoice for one material of a fabric.
 struct StretchMemory {
-  int level = -1;           ///< of the stretch stiffness, see StretchChoice::scaleOf [-]; negative: not chosen yet
+  int level = 0;            ///< of the stretch stiffness, see StretchChoice::scaleOf [-]
   double strain = 0.0;      ///< the last measured strain [-]
   double imposed = 0.0;     ///< the strain that the stiffness does not reduce [-]
   double raisedFrom = 0.0;  ///< the strain before the stiffness was raised [-]; 0: its effect is known
-  double checked = 0.0;     ///< time of the last measurement [s]
   double changed = 0.0;     ///< time of the last change of the level, or of strain close to the limit [s]
 };
 
@@ -33,7 +32,8 @@ struct StepMemory {
   /// hardly counts.
   double speed = 0.0;
   int doubleSteps = 0;  ///< number of steps that are still to be taken in double, after the energy grew in float [-]
-  StretchMemory stretch = {};
+  std::vector<StretchMemory> stretch = {};  ///< one for each of fabric::TriangleMaterials::list; empty: not chosen yet
+  double strainsMeasured = 0.0;             ///< time of the last measurement of StretchMemory::strain [s]
   /// Positions at `sleepReferenceTime`, near which the vertices have stayed since [m]; null: they move.
   std::shared_ptr<const std::vector<Vec3>> sleepReference = {};
   double sleepReferenceTime = 0.0;     ///< [s]

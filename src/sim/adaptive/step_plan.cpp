@@ -202,19 +202,23 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
 
 }  // namespace
 
-// Eight independent maxima: with a single one each comparison would wait for the previous one.
-double maxCoordinate(const std::vector<Vec3>& positions) {
-  constexpr std::size_t lanes = 8;
+// Independent maxima: with a single one each comparison would wait for the previous one.
+double maxCoordinate(const std::vector<Vec3>& positions, const Vec3& origin) {
+  constexpr std::size_t lanes = 24;  // whole vectors
   std::array<double, lanes> maxima{};
+  std::array<double, lanes> origins{};
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    origins[lane] = origin[static_cast<Eigen::Index>(lane % 3)];
+  }
   const double* const values = positions.empty() ? nullptr : positions.front().data();
   const std::size_t count = 3 * positions.size();
   for (std::size_t i = 0; i + lanes <= count; i += lanes) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      maxima[lane] = std::max(maxima[lane], std::abs(values[i + lane]));
+      maxima[lane] = std::max(maxima[lane], std::abs(values[i + lane] - origins[lane]));
     }
   }
   for (std::size_t i = count - count % lanes; i < count; ++i) {
-    maxima[0] = std::max(maxima[0], std::abs(values[i]));
+    maxima[0] = std::max(maxima[0], std::abs(values[i] - origins[i % 3]));
   }
   return *std::max_element(maxima.begin(), maxima.end());
 }
@@ -297,13 +301,27 @@ bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const 
 
 bool roundingExceedsTolerance(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                               const AutoOptions& options, const StepMemory& memory, double maxCoordinate) {
-  const double evaluations =
-      evaluationsForTolerance(stableStepsOf(model, parameters, dampingNumber(rates, parameters)), memory);
-  if (tuning.doubleCost * evaluations > evaluationsInBudget(model, parameters, options)) {
+  const StableSteps need = stableStepsOf(model, parameters, dampingNumber(rates, parameters));
+  const double evaluations = evaluationsForTolerance(need, memory);
+  const double budget = evaluationsInBudget(model, parameters, options);
+  const auto rounding = [&](double evaluationsOfStep) {
+    const double count = evaluationsOfStep * std::max(1.0, errorTime / parameters.timeStep);
+    return tuning.roundingDrift * 0x1p-24 * maxCoordinate * std::sqrt(count);
+  };
+  if (tuning.doubleCost * evaluations <= budget) {
+    return rounding(evaluations) > options.errorTolerance;
+  }
+  // The tolerance is out of reach. Fewer evaluations in double may still be more accurate than more in float.
+  const double inDouble = budget / tuning.doubleCost;
+  if (memory.forceEvaluations <= 0.0 || inDouble < std::max(tuning.minEvaluations, need.evaluations)) {
     return false;
   }
-  const double count = evaluations * std::max(1.0, errorTime / parameters.timeStep);
-  return tuning.roundingDrift * 0x1p-24 * maxCoordinate * std::sqrt(count) > options.errorTolerance;
+  const auto schemeError = [&](double evaluationsOfStep) {
+    const double ratio = memory.forceEvaluations / evaluationsOfStep;
+    return options.errorTolerance * ratio * ratio;
+  };
+  const double inFloat = std::min(evaluations, budget);
+  return schemeError(inDouble) < schemeError(inFloat) + rounding(inFloat);
 }
 
 double medianStiffnessScale(const LocalRates& rates, const CommonParameters& parameters, const StepPlan& plan) {

@@ -12,8 +12,8 @@
 
 namespace drape::sim::adaptive {
 
-/// The largest absolute value of any coordinate [m].
-[[nodiscard]] double maxCoordinate(const std::vector<Vec3>& positions);
+/// The largest absolute value of any coordinate relative to an origin [m].
+[[nodiscard]] double maxCoordinate(const std::vector<Vec3>& positions, const Vec3& origin);
 
 /// The explicit schemes. Both are symplectic and reversible where forces depend on positions only.
 enum class ExplicitScheme {
@@ -95,15 +95,16 @@ struct StepPlan {
 /// 1/500 of the energy of a fall by the cloth's diagonal, in a second. For cloth that damping or still air bring to
 /// rest it is the heating that keeps vertices moving at some tenths of a millimetre per second. A fabric that moves
 /// visibly does not count as coming to rest.
-/// @param maxCoordinate the largest coordinate [m]
+/// @param maxCoordinate the largest coordinate, relative to simd::stepOrigin [m]
 [[nodiscard]] bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates,
                                       const CommonParameters& parameters, const AutoOptions& options,
                                       const StepMemory& memory, double maxCoordinate);
 
 /// True if rounding to float alone would exceed the error tolerance, and the cost budget suffices for double, which
-/// costs twice as much. N force evaluations that each round a position x to float cause a mean error of about
+/// costs twice as much. If the tolerance is out of reach of the budget: true if half as many force evaluations in
+/// double have a smaller error. N force evaluations that each round a position x to float cause a mean error of about
 /// c 2^-24 |x| sqrt(N); c = AutoTuning::roundingDrift.
-/// @param maxCoordinate the largest coordinate [m]
+/// @param maxCoordinate the largest coordinate, relative to simd::stepOrigin [m]
 [[nodiscard]] bool roundingExceedsTolerance(const ClothModel& model, const LocalRates& rates,
                                             const CommonParameters& parameters, const AutoOptions& options,
                                             const StepMemory& memory, double maxCoordinate);

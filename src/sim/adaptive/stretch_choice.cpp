@@ -3,20 +3,20 @@
 #include "sim/adaptive/step_plan.hpp"
 #include "sim/adaptive/tuning.hpp"
 #include "sim/fabric/fabric.hpp"
-#include "sim/forces/forces.hpp"
 #include "sim/forces/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace drape::sim::adaptive {
 namespace {
 
-/// An estimate of the strain under weight and wind with the full stiffness [-]. Without pins the cloth hangs from
-/// anywhere, by half of its size.
-double strainByLoad(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters) {
+/// An estimate of the strain of a material under weight and wind with its full stiffness [-]. Without pins the cloth
+/// hangs from anywhere, by half of its size.
+double strainByLoad(const fabric::Material& material, const LocalRates& rates, const CommonParameters& parameters) {
   const double width = rates.pinnedLength > 0.0 ? rates.pinnedLength : 2.0 * rates.area / rates.diagonal;
-  return loadOf(rates, parameters) / (stretchStiffness(model, parameters) * width);
+  return loadOf(rates, parameters) / (fabric::minStretchModulus(material) * width);
 }
 
 /// Levels from a stiffness to half of it.
@@ -28,63 +28,18 @@ int levelsBelow(double strain, double limit) {
   return static_cast<int>(std::floor(levelsOfHalving * std::log2(limit / std::max(strain, tiny))));
 }
 
-}  // namespace
-
-double StretchChoice::scaleOf(int level) {
-  return std::exp2(-level / levelsOfHalving);
-}
-
-StretchChoice::Levels StretchChoice::levelsOf(const ClothModel& model) {
-  Levels levels{.models = std::vector<std::shared_ptr<const ClothModel>>(tuning.maxStretchLevel + 1),
-                .rates = localRatesOf(model)};
-  levels.models.front() = fabric::withTighterRateLimit(model, tuning.maxTriangleRatio);
+std::vector<int> levelsOf(const std::vector<StretchMemory>& materials) {
+  std::vector<int> levels;
+  std::ranges::transform(materials, std::back_inserter(levels), &StretchMemory::level);
   return levels;
 }
 
-const ClothModel& StretchChoice::at(Levels& levels, const ClothModel& model, int level) {
-  const ClothModel& stiffest = levels.models.front() ? *levels.models.front() : model;
-  if (level == 0) {
-    return stiffest;
-  }
-  std::shared_ptr<const ClothModel>& softer = levels.models[static_cast<std::size_t>(level)];
-  if (!softer) {
-    softer = fabric::withStretchScale(stiffest, scaleOf(level));
-  }
-  return *softer;
-}
-
-/// Whether the next lower stiffness makes a step cheaper, and a step costs too much. The cost of contact is not in the
-/// budget and rises with the stiffness, so with bodies a step always costs too much.
-bool StretchChoice::isLowerWorthwhile(Levels& levels, const ClothModel& model, const StretchConditions& conditions,
-                                      int level) {
-  const auto& [parameters, options, meetsBodies, isAttached] = conditions;
-  if (level >= tuning.maxStretchLevel) {
-    return false;
-  }
-  const double evaluations = stableEvaluations(at(levels, model, level), parameters);
-  if (!meetsBodies && evaluations <= evaluationsInBudget(model, parameters, options)) {
-    return false;
-  }
-  return stableEvaluations(at(levels, model, level + 1), parameters) < tuning.minStretchGain * evaluations;
-}
-
-int StretchChoice::firstLevel(Levels& levels, const ClothModel& model, const StretchConditions& conditions) {
-  const double strain = strainByLoad(model, levels.rates, conditions.parameters);
-  const int allowed = levelsBelow(strain, conditions.options.strainLimit);
-  int level = 0;
-  while (level < allowed && isLowerWorthwhile(levels, model, conditions, level)) {
-    ++level;
-  }
-  return level;
-}
-
-void StretchChoice::update(Levels& levels, const ClothModel& model, const StretchConditions& conditions, double time,
-                           double speed, StretchMemory& memory) {
-  const double limit = conditions.options.strainLimit;
-  const bool mayBeImposed = conditions.meetsBodies && speed < tuning.maxSpeedOfImposedStrain;
+/// Whether a lower stiffness of a material would keep its strain below the limit for long enough. Raises the stiffness
+/// if the strain exceeds the limit.
+bool raiseOrAllowFall(double limit, double time, bool mayBeImposed, StretchMemory& memory) {
   if (memory.raisedFrom > 0.0 && mayBeImposed) {
     if (time - memory.changed < tuning.strainSettlingTime) {
-      return;
+      return false;
     }
     if (memory.strain > tuning.imposedStrainFraction * memory.raisedFrom) {
       memory.imposed = memory.strain;
@@ -97,33 +52,153 @@ void StretchChoice::update(Levels& levels, const ClothModel& model, const Stretc
     memory.raisedFrom = memory.strain;
     memory.level = std::max(0, memory.level + std::min(-1, levelsBelow(strain, limit)));
     memory.changed = time;
-  } else if (tuning.strainMargin * strain / scaleOf(1) > limit) {
+  } else if (tuning.strainMargin * strain / StretchChoice::scaleOf(1) > limit) {
     memory.changed = time;
-  } else if (time - memory.changed > tuning.strainCalmTime &&
-             isLowerWorthwhile(levels, model, conditions, memory.level)) {
-    ++memory.level;
-    memory.changed = time;
+  } else {
+    return time - memory.changed > tuning.strainCalmTime;
+  }
+  return false;
+}
+
+}  // namespace
+
+double StretchChoice::scaleOf(int level) {
+  return std::exp2(-level / levelsOfHalving);
+}
+
+StretchChoice::Softer StretchChoice::softerOf(const ClothModel& model) {
+  Softer softer{.stiffest = fabric::withTighterRateLimit(model, tuning.maxTriangleRatio),
+                .models = {},
+                .rates = localRatesOf(model),
+                .vertexRates = std::vector<VertexRates>(model.vertexMass.size())};
+  const ClothModel& stiffest = softer.stiffest ? *softer.stiffest : model;
+  const std::vector<double> none(model.fabric->materials.list().size(), scaleOf(tuning.maxStretchLevel));
+  const std::vector<double> full = localRatesOf(stiffest).frequencySquared;
+  const std::vector<double> soft = localRatesOf(*fabric::withStretchScales(stiffest, none)).frequencySquared;
+  for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    for (const int v : model.triangles[t]) {
+      softer.vertexRates[v] = {full[v], std::min(soft[v], full[v]), model.fabric->materials.indexOf(t)};
+    }
+  }
+  return softer;
+}
+
+/// The highest omega^2 of each material at these levels [1/s^2]. omega^2 of a vertex is linear in the stretch moduli.
+std::vector<double> StretchChoice::highestRates(const Softer& softer, const Levels& levels) {
+  std::vector<double> highest(levels.size(), 0.0);
+  std::vector<double> scales;
+  std::ranges::transform(levels, std::back_inserter(scales), scaleOf);
+  for (const VertexRates& vertex : softer.vertexRates) {
+    const double rate = vertex.soft + scales[vertex.material] * (vertex.full - vertex.soft);
+    highest[vertex.material] = std::max(highest[vertex.material], rate);
+  }
+  return highest;
+}
+
+const ClothModel& StretchChoice::at(Softer& softer, const ClothModel& model, const Levels& levels) {
+  constexpr std::size_t maxModels = 12;
+  const ClothModel& stiffest = softer.stiffest ? *softer.stiffest : model;
+  if (std::ranges::all_of(levels, [](int level) { return level == 0; })) {
+    return stiffest;
+  }
+  if (!softer.models.contains(levels) && softer.models.size() == maxModels) {
+    softer.models.clear();
+  }
+  std::shared_ptr<const ClothModel>& made = softer.models[levels];
+  if (!made) {
+    std::vector<double> scales;
+    std::ranges::transform(levels, std::back_inserter(scales), scaleOf);
+    made = fabric::withStretchScales(stiffest, scales);
+  }
+  return *made;
+}
+
+/// The next lower levels of those materials that may fall, if that makes a step cheaper and a step costs too much.
+/// Materials on which the substeps do not depend keep their level. The cost of contact is not in the budget and rises
+/// with the stiffness, so with bodies a step always costs too much.
+StretchChoice::Levels StretchChoice::lowered(const Softer& softer, const ClothModel& model,
+                                             const StretchConditions& conditions, const Levels& levels,
+                                             const std::vector<bool>& mayFall) {
+  const auto& [parameters, options, meetsBodies, isAttached] = conditions;
+  const std::vector<double> rates = highestRates(softer, levels);
+  const double highest = std::ranges::max(rates);
+  if (!meetsBodies) {
+    const ClothModel& stiffest = softer.stiffest ? *softer.stiffest : model;
+    const double stiffestRate = std::ranges::max(highestRates(softer, Levels(levels.size(), 0)));
+    const double evaluations = stableEvaluations(stiffest, parameters) * std::sqrt(highest / stiffestRate);
+    if (evaluations <= evaluationsInBudget(model, parameters, options)) {
+      return levels;
+    }
+  }
+  constexpr double gain = tuning.minStretchGain * tuning.minStretchGain;
+  Levels lower = levels;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    lower[i] += mayFall[i] && rates[i] > gain * highest && levels[i] < tuning.maxStretchLevel ? 1 : 0;
+  }
+  return std::ranges::max(highestRates(softer, lower)) < gain * highest ? lower : levels;
+}
+
+StretchChoice::Levels StretchChoice::firstLevels(const Softer& softer, const ClothModel& model,
+                                                 const StretchConditions& conditions) {
+  const std::vector<fabric::Material>& materials = model.fabric->materials.list();
+  Levels levels(materials.size(), 0);
+  while (true) {
+    std::vector<bool> mayFall;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+      const double strain = strainByLoad(materials[i], softer.rates, conditions.parameters);
+      mayFall.push_back(levels[i] < levelsBelow(strain, conditions.options.strainLimit));
+    }
+    const Levels lower = lowered(softer, model, conditions, levels, mayFall);
+    if (lower == levels) {
+      return levels;
+    }
+    levels = lower;
+  }
+}
+
+void StretchChoice::update(const Softer& softer, const ClothModel& model, const StretchConditions& conditions,
+                           double time, StepMemory& memory) {
+  const bool mayBeImposed = conditions.meetsBodies && memory.speed < tuning.maxSpeedOfImposedStrain;
+  std::vector<bool> mayFall;
+  for (StretchMemory& material : memory.stretch) {
+    mayFall.push_back(raiseOrAllowFall(conditions.options.strainLimit, time, mayBeImposed, material));
+  }
+  if (std::ranges::find(mayFall, true) == mayFall.end()) {
+    return;
+  }
+  const Levels lower = lowered(softer, model, conditions, levelsOf(memory.stretch), mayFall);
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    StretchMemory& material = memory.stretch[i];
+    material.changed = lower[i] > material.level ? time : material.changed;
+    material.level = lower[i];
   }
 }
 
 const ClothModel& StretchChoice::choose(const ClothModel& model, const StretchConditions& conditions,
                                         const ClothState& state, StepMemory& memory) {
-  Levels& levels = levels_.get(model, levelsOf);
-  StretchMemory& stretch = memory.stretch;
+  Softer& softer = softer_.get(model, softerOf);
+  const std::size_t materials = model.fabric->materials.list().size();
   if (memory.sleepFingerprint != 0) {
-    return at(levels, model, std::max(0, stretch.level));
+    memory.stretch.resize(materials);
+    return at(softer, model, levelsOf(memory.stretch));
   }
-  if (stretch.level < 0) {
-    stretch.level = firstLevel(levels, model, conditions);
-    stretch.changed = stretch.checked = state.time;
+  if (memory.stretch.size() != materials) {
+    memory.stretch.clear();
+    for (const int level : firstLevels(softer, model, conditions)) {
+      memory.stretch.push_back({.level = level, .changed = state.time});
+    }
+    memory.strainsMeasured = state.time;
   }
   const double interval = conditions.isAttached ? 0.0 : tuning.strainCheckInterval;
-  if (state.time >= stretch.checked + interval || state.time < stretch.checked) {
-    stretch.checked = state.time;
-    stretch.strain = fabric::strainAlongYarns(model, state.positions);
-    update(levels, model, conditions, state.time, memory.speed, stretch);
+  if (state.time >= memory.strainsMeasured + interval || state.time < memory.strainsMeasured) {
+    memory.strainsMeasured = state.time;
+    const std::vector<double> strains = fabric::strainsAlongYarns(model, state.positions);
+    for (std::size_t i = 0; i < materials; ++i) {
+      memory.stretch[i].strain = strains[i];
+    }
+    update(softer, model, conditions, state.time, memory);
   }
-  return at(levels, model, stretch.level);
+  return at(softer, model, levelsOf(memory.stretch));
 }
 
 }  // namespace drape::sim::adaptive

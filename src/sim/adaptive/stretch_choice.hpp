@@ -8,6 +8,7 @@
 #include "sim/model/cloth_state.hpp"
 #include "sim/model/model_cache.hpp"
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct StretchConditions {
 /// values. An exception are the few smallest triangles: the limit on their stiffness is tighter than without a strain
 /// limit (fabric::withTighterRateLimit).
 ///
+/// Each material has its own stiffness, because a soft knit may be strained beyond the limit beside a woven fabric that
+/// is not. Only materials that shorten the substeps become softer.
+///
 /// The strain under weight and wind is estimated for the first step. Later steps measure the strain, which contact, the
 /// attachment and inertia also cause. The stiffness rises as soon as the strain exceeds the limit. It falls after a
 /// time in which the strain stayed so small that softer cloth would meet the limit too. A body can impose strain, for
@@ -39,6 +43,7 @@ class StretchChoice {
  public:
   /// The cloth for the next step: `model` itself, or a softer one. Updates the memory.
   /// @param model must have a fabric
+  /// @return valid until the next call
   [[nodiscard]] const ClothModel& choose(const ClothModel& model, const StretchConditions& conditions,
                                          const ClothState& state, StepMemory& memory);
 
@@ -46,21 +51,35 @@ class StretchChoice {
   [[nodiscard]] static double scaleOf(int level);
 
  private:
-  /// A cloth at all levels that were used.
-  struct Levels {
-    std::vector<std::shared_ptr<const ClothModel>> models;  // level 0 is null if it is the cloth itself
-    LocalRates rates;                                       // of the cloth itself
+  using Levels = std::vector<int>;  // one a material
+
+  /// The local rate of a vertex.
+  struct VertexRates {
+    double full = 0.0;  // omega^2 at level 0 [1/s^2]
+    double soft = 0.0;  // omega^2 without stretch stiffness [1/s^2]
+    int material = 0;
   };
 
-  [[nodiscard]] static Levels levelsOf(const ClothModel& model);
-  [[nodiscard]] static const ClothModel& at(Levels& levels, const ClothModel& model, int level);
-  [[nodiscard]] static int firstLevel(Levels& levels, const ClothModel& model, const StretchConditions& conditions);
-  [[nodiscard]] static bool isLowerWorthwhile(Levels& levels, const ClothModel& model,
-                                              const StretchConditions& conditions, int level);
-  static void update(Levels& levels, const ClothModel& model, const StretchConditions& conditions, double time,
-                     double speed, StretchMemory& memory);
+  /// A cloth at the combinations of levels that were used lately.
+  struct Softer {
+    std::shared_ptr<const ClothModel> stiffest;  // null if it is the cloth itself
+    std::map<Levels, std::shared_ptr<const ClothModel>> models;
+    LocalRates rates;  // of the cloth itself
+    std::vector<VertexRates> vertexRates;
+  };
 
-  ModelCache<Levels> levels_;
+  [[nodiscard]] static Softer softerOf(const ClothModel& model);
+  [[nodiscard]] static const ClothModel& at(Softer& softer, const ClothModel& model, const Levels& levels);
+  [[nodiscard]] static std::vector<double> highestRates(const Softer& softer, const Levels& levels);
+  [[nodiscard]] static Levels firstLevels(const Softer& softer, const ClothModel& model,
+                                          const StretchConditions& conditions);
+  [[nodiscard]] static Levels lowered(const Softer& softer, const ClothModel& model,
+                                      const StretchConditions& conditions, const Levels& levels,
+                                      const std::vector<bool>& mayFall);
+  static void update(const Softer& softer, const ClothModel& model, const StretchConditions& conditions, double time,
+                     StepMemory& memory);
+
+  ModelCache<Softer> softer_;
 };
 
 }  // namespace drape::sim::adaptive

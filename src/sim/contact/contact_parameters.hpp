@@ -18,6 +18,7 @@ struct ContactParameters {
   double selfThickness = 0.0;               ///< of SelfCollision::Hash [m]; 0: from the mesh, see selfThicknessOf
   double staticFriction = 0.4;              ///< of cloth on cloth [-]
   double kineticFriction = 0.3;             ///< of cloth on cloth [-]
+  double bodyFriction = 1.0;                ///< a factor on the friction of the bodies, which depends on the fabric [-]
 };
 
 }  // namespace drape::sim::contact

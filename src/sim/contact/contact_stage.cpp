@@ -6,6 +6,7 @@
 #include "sim/contact/self/memory.hpp"
 #include "sim/contact/self/self_contact.hpp"
 #include "sim/contact/solve/body_contact.hpp"
+#include "sim/contact/solve/remove_approach.hpp"
 #include "sim/model/bounds.hpp"
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 namespace drape::sim::contact {
 
 namespace {
+
+constexpr int maxGuardRounds = 8;  // in which cloth is kept apart from itself, and then out of bodies
 
 /// Whether all coordinates are small enough for a search. In a simulation that diverges, squares of coordinates would
 /// overflow.
@@ -120,16 +123,39 @@ ExactSelfContact& ContactStage::exactSelfContact() {
   return *exact_;
 }
 
-/// Keeps the cloth from passing through itself. Runs last, so that nothing else moves it into itself.
-void ContactStage::guardAgainstItself(const ExactStep& step, bool nearBodies, ClothState& state,
+/// Keeps the cloth from passing through itself. Where this moves the cloth into bodies, planes move it out, and the
+/// cloth is guarded again.
+void ContactStage::guardAgainstItself(const ExactStep& step, const std::vector<BodyStep>* bodies, ClothState& state,
                                       ContactReport& report) {
-  fallback_.clear();
-  if (nearBodies) {
-    fallback_ = start_;
-    bodyContact().carryAlong(fallback_);
+  if (bodies == nullptr) {
+    report.crossings = exactSelfContact().guard(step, {}, state);
+    return;
   }
-  report.crossings = exactSelfContact().guard(
-      step, {nearBodies ? bodyContact().planes() : std::span<const SeparatingPlane>(), fallback_}, state);
+  fallback_ = start_;
+  // Positions outside all bodies, from which keepOut searches.
+  const std::vector<Vec3>* outside = &fallback_;
+  if (!bodyContact().carryAlong(fallback_)) {
+    resolved_ = state.positions;
+    outside = &resolved_;
+  }
+  planes_.clear();
+  for (int round = 0; round < maxGuardRounds; ++round) {
+    // All of them, so that the rounds converge.
+    planes_.insert(planes_.end(), bodyContact().planes().begin(), bodyContact().planes().end());
+    unguarded_ = state.positions;
+    report.crossings = exactSelfContact().guard(step, {planes_, fallback_}, state);
+    if (state.positions == unguarded_) {
+      return;
+    }
+    unguarded_ = state.positions;
+    if (!bodyContact().keepOut(step.model, step.parameters, step.contact, *bodies, *outside, state.positions)) {
+      return;
+    }
+    const auto bodyVelocity = [&](std::size_t v) {
+      return Vec3((fallback_[v] - start_[v]) / step.parameters.timeStep);
+    };
+    removeApproach(unguarded_, bodyVelocity, std::nullopt, state);
+  }
 }
 
 ContactReport ContactStage::keepLast() {
@@ -189,8 +215,8 @@ ContactReport ContactStage::correct(const ClothModel& model, const CommonParamet
   }
   if (contact.self == SelfCollision::Exact) {
     const auto begin = std::chrono::steady_clock::now();
-    guardAgainstItself({model, parameters, contact, start_, hadNoIntersection, state.selfContact}, nearBodies, state,
-                       report);
+    guardAgainstItself({model, parameters, contact, start_, hadNoIntersection, state.selfContact},
+                       nearBodies ? inputs.bodies : nullptr, state, report);
     report.selfSeconds += secondsSince(begin);
   }
   changed_ = report.selfContacts > 0 || report.bodyContacts > 0;

@@ -3,6 +3,7 @@
 #include "sim/contact/contact_parameters.hpp"
 #include "sim/contact/contact_report.hpp"
 #include "sim/contact/self_approach.hpp"
+#include "sim/contact/separating_planes/separating_plane_filter.hpp"
 #include "sim/forces/common_parameters.hpp"
 #include "sim/forces/step_inputs.hpp"
 #include "sim/model/cloth_model.hpp"
@@ -82,7 +83,8 @@ class ContactStage {
   ExactSelfContact& exactSelfContact();
   ContactReport correct(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
                         const StepInputs& inputs, ClothState& state, double stepFraction);
-  void guardAgainstItself(const ExactStep& step, bool nearBodies, ClothState& state, ContactReport& report);
+  void guardAgainstItself(const ExactStep& step, const std::vector<BodyStep>* bodies, ClothState& state,
+                          ContactReport& report);
 
   bool active_ = false;
   bool changed_ = false;
@@ -96,6 +98,9 @@ class ContactStage {
   double selfSeconds_ = 0.0;                 // likewise
   std::unique_ptr<SelfContact> self_;        // created at first use
   std::unique_ptr<ExactSelfContact> exact_;  // likewise
+  std::vector<SeparatingPlane> planes_;      // of bodies, for the guard
+  std::vector<Vec3> unguarded_;              // positions before the guard [m]
+  std::vector<Vec3> resolved_;               // positions after contact with bodies, before the guard [m]
   std::vector<Vec3> fallback_;               // positions at the start, carried along by the bodies [m]
 };
 

@@ -282,6 +282,28 @@ VertexMatrix bendingMatrix(const RestShape& shape, const TriangleMaterials& mate
   return matrixOf(shape, moments, curvatureMatrix(shape, moments, vertexCount), {});
 }
 
+std::vector<Vec3> hingeMoments(const RestShape& shape, const TriangleMaterials& materials,
+                               std::span<const double> scales, std::span<const Vec3> positions) {
+  const TriangleMoments moments(materials);
+  const RowMatrix curvatures = CurvatureBuilder(shape, moments).build();
+  Eigen::MatrixX3d points(static_cast<Eigen::Index>(positions.size()), 3);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    points.row(static_cast<Eigen::Index>(v)) = (positions[v] - positions[0]).transpose();
+  }
+  const Eigen::MatrixX3d bends = bendVectors(shape, positions.size()) * points;
+  const Eigen::MatrixX3d stresses = momentsOf(shape, moments, scales) * Eigen::MatrixX3d(curvatures * bends);
+  const Eigen::MatrixX3d hinges = curvatures.transpose() * stresses;
+  std::vector<Vec3> result;
+  for (Eigen::Index h = 0; h < hinges.rows(); ++h) {
+    result.emplace_back(hinges.row(h).transpose());
+  }
+  return result;
+}
+
+CurvatureMatrix curvatureMatrix(const RestShape& shape, const TriangleMaterials& materials, std::size_t vertexCount) {
+  return curvatureMatrix(shape, TriangleMoments(materials), vertexCount);
+}
+
 std::vector<double> halfRowSums(const VertexMatrix& bending) {
   std::vector<double> sums(static_cast<std::size_t>(bending.rows()), 0.0);
   for (int row = 0; row < bending.outerSize(); ++row) {

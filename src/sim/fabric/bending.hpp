@@ -42,9 +42,21 @@ using VertexMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 [[nodiscard]] VertexMatrix bendingMatrix(const RestShape& shape, const TriangleMaterials& materials,
                                          std::size_t vertexCount);
 
+/// The curvatures of triangles as a linear function of the positions.
+using CurvatureMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// kappa of bendingMatrix, with three rows a triangle and a column for each vertex [1/m^2]. The rows sum to zero.
+[[nodiscard]] CurvatureMatrix curvatureMatrix(const RestShape& shape, const TriangleMaterials& materials,
+                                              std::size_t vertexCount);
+
 /// Half the sum of |L_ij| over each row [N/m]. By Gershgorin's theorem the highest frequency of bending has
 /// omega^2 <= 2 max_i(half sum_i / m_i).
 [[nodiscard]] std::vector<double> halfRowSums(const VertexMatrix& bending);
+
+/// The moments of a fabric that is flat at rest, in a given shape [N]: the derivative of the bending energy by the bend
+/// vector of each hinge. @param scales the factor on the energy of each triangle; empty: 1  @param positions [m]
+[[nodiscard]] std::vector<Vec3> hingeMoments(const RestShape& shape, const TriangleMaterials& materials,
+                                             std::span<const double> scales, std::span<const Vec3> positions);
 
 /// The bending stiffness with clamped triangles.
 struct ClampedBending {

@@ -83,15 +83,55 @@ std::vector<double> sumAtVertices(const ClothModel& model, std::span<const Corne
   return largest;
 }
 
-/// Scales the stiffest triangles down to the RateLimit of the mesh.
+double medianEdge(const ClothModel& model) {
+  std::vector<double> lengths;
+  std::ranges::transform(model.springs, std::back_inserter(lengths), &Spring::restLength);
+  return quantileExceededBy(lengths, 2);
+}
+
+/// Contact and mouse move a corner of a flat triangle as far as that of any other one. This stretches the triangle
+/// across its longest side many times, and its stiffness goes with the square of the stretch.
+/// @return that stretch [-]; 1 for triangles that are at least a fifth of the median edge high
+double pulledStretch(const RestTriangle& rest, double edge) {
+  constexpr double pull = 0.1;       // of a corner, in median edges [-]
+  constexpr double tolerated = 0.5;  // stretch that needs no clamping [-]
+  double longest = 0.0;
+  for (const Vec2& side : rest.sides) {
+    longest = std::max(longest, side.norm());
+  }
+  const double height = 2.0 * rest.area / longest;
+  return height > 0.0 ? std::max(1.0, 1.0 + pull * edge / height - tolerated) : 1.0;
+}
+
+/// The triangle, stretched across its longest side.
+Corners pulled(const RestTriangle& rest, double stretch) {
+  const Vec2 longest = *std::ranges::max_element(rest.sides, {}, [](const Vec2& side) { return side.norm(); });
+  const Vec2 across = Vec2(-longest.y(), longest.x()).normalized();
+  const Eigen::Matrix2d map = Eigen::Matrix2d::Identity() + (stretch - 1.0) * across * across.transpose();
+  Corners corners = Corners::Zero();
+  corners.col(1).head<2>() = map * rest.sides[0];
+  corners.col(2).head<2>() = map * (rest.sides[0] + rest.sides[1]);
+  return corners;
+}
+
+/// Scales the stiffest triangles down to the RateLimit of the mesh, so that they keep to it while they are pulled.
 void clampMembrane(const ClothModel& model, Fabric& fabric) {
-  const std::vector<CornerBlocks> blocks = cornerBlocks(membraneAtRest(fabric, stiffened(fabric.materials), model));
+  const TriangleMaterials materials = stiffened(fabric.materials);
+  const std::vector<CornerBlocks> blocks = cornerBlocks(membraneAtRest(fabric, materials, model));
   const RateLimit limit(sumAtVertices(model, blocks), model.vertexArea, fabric.maxRatio, model.clothOf);
+  const double edge = medianEdge(model);
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
+    const RestTriangle& rest = fabric.shape.triangles[t];
+    const double stretch = pulledStretch(rest, edge);
+    CornerBlocks own = blocks[t];
+    if (stretch > 1.0) {
+      const MembraneTriangle membrane(rest, materials[t], fabric.membraneScales[t]);
+      own = cornerBlocks(std::array{membrane.derivative(pulled(rest, stretch), ForceDerivative::Stabilised)}).front();
+    }
     double scale = 1.0;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      scale = std::min(scale, limit.scaleOf(largestEigenvalue(blocks[t][corner]),
-                                            static_cast<std::size_t>(model.triangles[t][corner])));
+      scale = std::min(
+          scale, limit.scaleOf(largestEigenvalue(own[corner]), static_cast<std::size_t>(model.triangles[t][corner])));
     }
     fabric.membraneScales[t] *= scale;
   }
@@ -127,6 +167,10 @@ void findPairs(const ClothModel& model, Fabric& fabric) {
   std::vector<Spring> edges;
   for (const Spring& edge : model.springs) {
     edges.push_back({.a = edge.a, .b = edge.b});
+  }
+  for (const RestMoment& moment : fabric.restMoments.hinges()) {
+    const auto [opposite, other] = std::minmax(moment.vertices[2], moment.vertices[3]);
+    edges.push_back({.a = opposite, .b = other});
   }
   for (int row = 0; row < fabric.bending.outerSize(); ++row) {
     for (VertexMatrix::InnerIterator entry(fabric.bending, row); entry; ++entry) {
@@ -168,6 +212,9 @@ std::uint64_t fingerprintOf(const Fabric& fabric) {
     }
   }
   fingerprint.add(fabric.maxRatio);
+  for (const RestMoment& moment : fabric.restMoments.hinges()) {
+    fingerprint.add(moment.modulus);
+  }
   return fingerprint.value();
 }
 
@@ -184,18 +231,26 @@ void buildBending(const ClothModel& model, Fabric& fabric) {
   }
   ClampedBending bending = clampedBendingMatrix(fabric.shape, fabric.materials, model.vertexArea,
                                                 maxBendingRatio(fabric.maxRatio), model.clothOf);
-  fabric.bending = std::move(bending.matrix);
+  fabric.bending.swap(bending.matrix);
   fabric.bendingHalfSums = halfRowSums(fabric.bending);
   fabric.bendingScales = std::move(bending.scales);
+  if (fabric.restCurvature == RestCurvature::Mesh) {
+    fabric.restMoments =
+        RestMoments(fabric.shape, fabric.materials, fabric.bendingScales, fabric.bending, model.restPositions);
+  }
+  if (!fabric.restMoments.empty()) {
+    std::ranges::transform(fabric.bendingHalfSums, fabric.restMoments.halfRowSums(model.restPositions),
+                           fabric.bendingHalfSums.begin(), std::plus<>());
+  }
 }
 
 /// Clamps the stiffness of a fabric whose material, rest shape and membraneScales are set, and sets what follows from
 /// it.
 void build(const ClothModel& model, Fabric& fabric) {
-  fabric.fingerprint = fingerprintOf(fabric);
   clampMembrane(model, fabric);
   buildMembrane(fabric);
   buildBending(model, fabric);
+  fabric.fingerprint = fingerprintOf(fabric);
   fabric.slivers = 0;
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
     const bool bendsLess = fabric.bends() && fabric.bendingScales[t] < 1.0;
@@ -222,13 +277,14 @@ void requireOneMaterialPerVertex(const ClothModel& model, const TriangleMaterial
 
 /// @param model with the rest lengths and areas of the triangles at rest
 std::shared_ptr<const ClothModel> withTriangles(const ClothModel& model, const TriangleMaterials& materials,
-                                                std::vector<RestTriangle> rest) {
+                                                std::vector<RestTriangle> rest, RestCurvature curvature) {
   if (!std::ranges::all_of(materials.list(), isStable)) {
     throw ClothModelError(ClothModelError::Fault::Material, {});
   }
   requireOneMaterialPerVertex(model, materials);
   auto fabric = std::make_shared<Fabric>();
   fabric->materials = materials;
+  fabric->restCurvature = curvature;
   fabric->shape = restShapeOf(std::move(rest), model.triangles, edgesOf(model.triangles, model.restPositions.size()));
   if (model.hasPattern) {
     fabric->meshStrain = meshStrain(model, fabric->shape.triangles);
@@ -241,28 +297,31 @@ std::shared_ptr<const ClothModel> withTriangles(const ClothModel& model, const T
 }  // namespace
 
 std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const TriangleMaterials& materials,
-                                             std::span<const Vec3> warp) {
+                                             std::span<const Vec3> warp, RestCurvature curvature) {
   if (warp.size() != model.triangles.size()) {
     throw ClothModelError(
         ClothModelError::Fault::WarpCount,
         {.found = static_cast<std::int64_t>(warp.size()), .count = static_cast<std::int64_t>(model.triangles.size())});
   }
-  return withTriangles(*withMeshSizes(model), materials, restTrianglesOf(model.restPositions, model.triangles, warp));
+  return withTriangles(*withMeshSizes(model), materials, restTrianglesOf(model.restPositions, model.triangles, warp),
+                       curvature);
 }
 
 std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model, const TriangleMaterials& materials,
-                                                    std::vector<RestTriangle> pattern) {
+                                                    std::vector<RestTriangle> pattern, RestCurvature curvature) {
   const std::shared_ptr<const ClothModel> sized = withPattern(model, pattern);
-  return withTriangles(*sized, materials, std::move(pattern));
+  return withTriangles(*sized, materials, std::move(pattern), curvature);
 }
 
-std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, double scale) {
+std::shared_ptr<const ClothModel> withStretchScales(const ClothModel& model, std::span<const double> scales) {
   auto fabric = std::make_shared<Fabric>(*model.fabric);
+  auto scale = scales.begin();
   fabric->materials = fabric->materials.with([&](Material& material) {
     for (double* modulus :
          {&material.stretchWarp, &material.stretchWeft, &material.stiffeningWarp, &material.stiffeningWeft}) {
-      *modulus *= scale;
+      *modulus *= *scale;
     }
+    ++scale;
   });
   buildMembrane(*fabric);
   fabric->fingerprint = fingerprintOf(*fabric);
@@ -278,15 +337,21 @@ std::shared_ptr<const ClothModel> withTighterRateLimit(const ClothModel& model, 
   return isEqual ? nullptr : withBuilt(model, std::move(fabric));
 }
 
-double strainAlongYarns(const ClothModel& model, std::span<const Vec3> positions) {
-  std::vector<double> strains;
-  strains.reserve(model.triangles.size());
+std::vector<double> strainsAlongYarns(const ClothModel& model, std::span<const Vec3> positions) {
+  const Fabric& fabric = *model.fabric;
+  std::vector<std::vector<double>> strains(fabric.materials.list().size());
   for (std::size_t t = 0; t < model.triangles.size(); ++t) {
-    const MembraneTriangle& membrane = model.fabric->membrane[t];
+    if (fabric.shape.triangles[t].isBand) {
+      continue;
+    }
+    const MembraneTriangle& membrane = fabric.membrane[t];
     const Vec3 strain = membrane.strain(membrane.excess(cornersOf(model.triangles[t], positions)));
-    strains.push_back(std::max({0.0, strain[0], strain[1]}));
+    strains[fabric.materials.indexOf(t)].push_back(std::max({0.0, strain[0], strain[1]}));
   }
-  return quantileExceededBy(strains, 100);
+  std::vector<double> quantiles;
+  std::ranges::transform(strains, std::back_inserter(quantiles),
+                         [](std::vector<double>& values) { return quantileExceededBy(values, 100); });
+  return quantiles;
 }
 
 std::vector<double> membraneStiffness(const ClothModel& model) {
@@ -305,9 +370,13 @@ std::vector<double> relativeStretchDamping(const ClothModel& model) {
   return relative;
 }
 
+double minStretchModulus(const Material& material) {
+  return std::min(material.stretchWarp, material.stretchWeft);
+}
+
 double minStretchModulus(const ClothModel& model) {
-  const auto softer = [](const Material& material) { return std::min(material.stretchWarp, material.stretchWeft); };
-  return softer(std::ranges::min(model.fabric->materials.list(), {}, softer));
+  const auto modulus = [](const Material& material) { return minStretchModulus(material); };
+  return modulus(std::ranges::min(model.fabric->materials.list(), {}, modulus));
 }
 
 double elasticEnergy(const ClothModel& model, std::span<const Vec3> positions) {
@@ -320,7 +389,7 @@ double elasticEnergy(const ClothModel& model, std::span<const Vec3> positions) {
   for (const VertexPair& pair : fabric.pairs) {
     energy -= 0.5 * pair.bending * (positions[pair.b] - positions[pair.a]).squaredNorm();
   }
-  return energy;
+  return fabric.restMoments.empty() ? energy : energy + fabric.restMoments.energy(positions);
 }
 
 Vec3 elasticForceOn(const ClothModel& model, std::span<const Vec3> positions, std::size_t vertex) {
@@ -341,7 +410,7 @@ Vec3 elasticForceOn(const ClothModel& model, std::span<const Vec3> positions, st
       force -= entry.value() * (positions[entry.col()] - positions[vertex]);
     }
   }
-  return force;
+  return fabric.restMoments.empty() ? force : force + fabric.restMoments.forceOn(vertex, positions);
 }
 
 Mat3 stiffnessAt(const ClothModel& model, std::span<const Vec3> positions, std::size_t vertex,

@@ -5,6 +5,7 @@
 #include "sim/fabric/membrane.hpp"
 #include "sim/fabric/pattern.hpp"
 #include "sim/fabric/rate_limit.hpp"
+#include "sim/fabric/rest_curvature.hpp"
 #include "sim/fabric/rest_shape.hpp"
 #include "sim/model/cloth_model.hpp"
 
@@ -35,6 +36,8 @@ struct Fabric {
   std::vector<double> bendingScales;       ///< the factor on the bending energy of each triangle [-]; empty likewise
   /// See halfRowSums. Empty if the fabric does not resist bending [N/m].
   std::vector<double> bendingHalfSums;
+  RestCurvature restCurvature = RestCurvature::Flat;
+  RestMoments restMoments;         ///< none if the rest shape is flat for bending
   std::vector<VertexPair> pairs;   ///< sorted by (a, b)
   RaggedRows<SpringEnd> pairEnds;  ///< of each vertex, by ascending neighbour; `spring` is an index into pairs
   std::vector<std::array<int, 3>> pairsOfSides;  ///< of each triangle: the pairs of its sides
@@ -51,24 +54,29 @@ struct Fabric {
   [[nodiscard]] bool bends() const { return bending.rows() > 0; }
 };
 
-/// The same cloth with a fabric instead of springs, whose rest shape is the mesh. The rest shape is flat for bending:
-/// the fabric tends to unroll, as woven cloth does, whatever the shape of the mesh.
+/// The same cloth with a fabric instead of springs, whose rest shape is the mesh.
 /// @param warp a unit vector in the plane of each triangle at rest, see warpAlong
+/// @param curvature the shape without bending moments. Flat: the fabric tends to unroll, as woven cloth does.
 /// Throws ClothModelError if a material is not stable (isStable), if triangles of different materials have a common
 /// vertex, or if there is not one direction a triangle.
 [[nodiscard]] std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const TriangleMaterials& materials,
-                                                           std::span<const Vec3> warp);
+                                                           std::span<const Vec3> warp,
+                                                           RestCurvature curvature = RestCurvature::Flat);
 
 /// The same cloth with a fabric whose rest shape is a flat sewing pattern instead of the mesh. Rest lengths and areas
 /// become those of the pattern (withPattern). Masses do not change. @param pattern one for each triangle of the cloth
+/// @param curvature the shape without bending moments
 /// Throws ClothModelError as withFabric does, and if there are more or fewer triangles.
 [[nodiscard]] std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model,
                                                                   const TriangleMaterials& materials,
-                                                                  std::vector<RestTriangle> pattern);
+                                                                  std::vector<RestTriangle> pattern,
+                                                                  RestCurvature curvature = RestCurvature::Flat);
 
-/// The same cloth with its stretch moduli and their stiffening multiplied by a factor. Shear, bending and mass are the
-/// same. @param model must have a fabric  @param scale above 0 [-]
-[[nodiscard]] std::shared_ptr<const ClothModel> withStretchScale(const ClothModel& model, double scale);
+/// The same cloth with the stretch moduli and the stiffening of each material multiplied by a factor. Shear, bending
+/// and mass are the same. @param model must have a fabric  @param scales one for each of TriangleMaterials::list,
+/// above 0 [-]
+[[nodiscard]] std::shared_ptr<const ClothModel> withStretchScales(const ClothModel& model,
+                                                                  std::span<const double> scales);
 
 /// The same cloth with a tighter RateLimit, so that its few smallest triangles do not determine the time step. Stretch,
 /// shear and bending of these triangles become softer.
@@ -76,9 +84,9 @@ struct Fabric {
 /// @return null if no triangle exceeds the tighter limit
 [[nodiscard]] std::shared_ptr<const ClothModel> withTighterRateLimit(const ClothModel& model, double maxRatio);
 
-/// The strain along warp or weft that one triangle in 100 exceeds (Green's strain) [-]. Compression counts as 0.
-/// @param model must have a fabric
-[[nodiscard]] double strainAlongYarns(const ClothModel& model, std::span<const Vec3> positions);
+/// The strain along warp or weft that one triangle in 100 exceeds (Green's strain), for each of TriangleMaterials::list
+/// [-]. Compression counts as 0. Elastic bands do not count. @param model must have a fabric
+[[nodiscard]] std::vector<double> strainsAlongYarns(const ClothModel& model, std::span<const Vec3> positions);
 
 /// The largest stiffness of the membrane at each vertex at rest, without stiffening [N/m].
 /// @param model must have a fabric
@@ -88,7 +96,10 @@ struct Fabric {
 /// @param model must have a fabric
 [[nodiscard]] std::vector<double> relativeStretchDamping(const ClothModel& model);
 
-/// The smaller one of the stretch moduli along warp and weft, of the softest material [N/m].
+/// The smaller one of the stretch moduli along warp and weft [N/m].
+[[nodiscard]] double minStretchModulus(const Material& material);
+
+/// The same of the softest material of a cloth [N/m].
 /// @param model must have a fabric
 [[nodiscard]] double minStretchModulus(const ClothModel& model);
 

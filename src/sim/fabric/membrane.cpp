@@ -113,6 +113,14 @@ Vec3 MembraneTriangle::tensions(const Vec3& excess) const {
   return area_ * (strainOfSides_.transpose() * stress(strain(excess)));
 }
 
+Vec3 MembraneTriangle::tensileTensions(const Vec3& excess) const {
+  return area_ * (strainOfSides_.transpose() * tensilePart(stress(strain(excess))));
+}
+
+Mat3 MembraneTriangle::tangentOfSides(const Vec3& excess) const {
+  return area_ * strainOfSides_.transpose() * tangent(strain(excess)) * strainOfSides_;
+}
+
 Mat3 MembraneTriangle::stiffnessOfSides() const {
   return area_ * strainOfSides_.transpose() * stretch_ * strainOfSides_;
 }

@@ -50,6 +50,10 @@ class MembraneTriangle {
   /// The tensions t_e of the sides [N/m].
   [[nodiscard]] Vec3 tensions(const Vec3& excess) const;
   [[nodiscard]] Vec3 tensions(const Corners& corners) const { return tensions(excess(corners)); }
+  /// The tensions of the stress without its compressive principal parts [N/m].
+  [[nodiscard]] Vec3 tensileTensions(const Vec3& excess) const;
+  /// The derivative of the tensions by q, positive semidefinite [N/m^3].
+  [[nodiscard]] Mat3 tangentOfSides(const Vec3& excess) const;
   /// The second derivative of the energy by the corners' positions, in order [N/m].
   ///
   /// | variant     | geometric part, which the stress causes                                              |

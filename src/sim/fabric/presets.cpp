@@ -34,6 +34,13 @@ constexpr Material sheetOf(double young, double thickness, double poisson, doubl
           .bendDamping = damping};
 }
 
+/// Kinetic friction of a cotton sock on dry skin, the mean of Zhang and Mak 1999, In vivo friction properties of human
+/// skin [-].
+constexpr double cottonOnSkin = 0.51;
+
+// Friction: nylon (0.37) and rubber (as silicone, 0.61) on skin are means of Zhang and Mak 1999. All others are
+// estimates: filament yarns slide more easily than spun yarns, and smooth weaves more easily than rough ones.
+//
 // KES-FB, the Kawabata evaluation system, measures bending in gf cm^2/cm (98 uN m) and shear in gf/(cm degree) (56
 // N/m). Where the source has no second slope, the first one doubles at a strain that few garments reach.
 constexpr std::array presets{
@@ -53,6 +60,7 @@ constexpr std::array presets{
                                 .stretchDamping = stretchDamping,
                                 .bendDamping = bendDamping},
                    .thickness = 0.15e-3,
+                   .friction = {0.25, 0.2, 0.35},
                    .source = "Clyde et al. 2017: density, stretch and shear (moduli times thickness). Bending: the "
                              "lowest of that paper's fabrics. Contraction, stiffening and thickness: estimates."},
     MaterialPreset{.name = "cotton",
@@ -71,6 +79,7 @@ constexpr std::array presets{
                                 .stretchDamping = stretchDamping,
                                 .bendDamping = bendDamping},
                    .thickness = 0.2e-3,
+                   .friction = {0.4, 0.3, cottonOnSkin},
                    .source =
                        "Clyde et al. 2017: density, stretch and shear (moduli times thickness). Bending: estimate "
                        "from 0.05 to 0.15 gf cm^2/cm for shirting (KES-FB). Others: estimates."},
@@ -90,6 +99,7 @@ constexpr std::array presets{
                                 .stretchDamping = stretchDamping,
                                 .bendDamping = bendDamping},
                    .thickness = 0.65e-3,
+                   .friction = {0.5, 0.4, 0.55},
                    .source =
                        "Wang et al. 2011, denim of 99 % cotton: density, stretch, shear and bending. Contraction, "
                        "stiffening and thickness: estimates."},
@@ -109,6 +119,7 @@ constexpr std::array presets{
                                 .stretchDamping = stretchDamping,
                                 .bendDamping = bendDamping},
                    .thickness = 0.6e-3,
+                   .friction = {0.5, 0.4, 0.55},
                    .source = "Clyde et al. 2017: density, stretch and shear (moduli times thickness). Bending: the "
                              "highest of that paper's fabrics. Contraction, stiffening and thickness: estimates."},
     MaterialPreset{.name = "wool",
@@ -127,6 +138,7 @@ constexpr std::array presets{
                                 .stretchDamping = stretchDamping,
                                 .bendDamping = bendDamping},
                    .thickness = 0.5e-3,
+                   .friction = {0.45, 0.35, 0.45},
                    .source = "Estimate for suiting from KES-FB: bending 0.1 to 0.15 gf cm^2/cm, shear 0.5 to 1 gf/(cm "
                              "degree)."},
     MaterialPreset{.name = "linen",
@@ -145,6 +157,7 @@ constexpr std::array presets{
                                 .stretchDamping = stretchDamping,
                                 .bendDamping = bendDamping},
                    .thickness = 0.35e-3,
+                   .friction = {0.4, 0.3, 0.45},
                    .source =
                        "Estimate: stretches as little as cotton, and bends two to three times as stiffly, as flax "
                        "yarns do."},
@@ -164,6 +177,7 @@ constexpr std::array presets{
                                 .stretchDamping = knitDamping,
                                 .bendDamping = bendDamping},
                    .thickness = 0.6e-3,
+                   .friction = {0.5, 0.4, 0.51},
                    .source =
                        "Wang et al. 2011, knit of cotton and polyester: density, stretch, shear, bending, and "
                        "slopes of 46 and 413 N/m at 17 % strain. Contraction, the strain at which it stiffens, and "
@@ -184,6 +198,7 @@ constexpr std::array presets{
                                 .stretchDamping = knitDamping,
                                 .bendDamping = bendDamping},
                    .thickness = 0.6e-3,
+                   .friction = {0.3, 0.25, 0.37},
                    .source = "Wang et al. 2011, nylon with spandex: density, stretch, shear and bending. Contraction, "
                              "stiffening and thickness: estimates."},
     MaterialPreset{.name = "polyester",
@@ -202,6 +217,7 @@ constexpr std::array presets{
                                 .stretchDamping = stretchDamping,
                                 .bendDamping = bendDamping},
                    .thickness = 0.3e-3,
+                   .friction = {0.3, 0.25, 0.4},
                    .source =
                        "Wang et al. 2011, polyester tablecloth: density, stretch, shear and bending. Contraction, "
                        "stiffening and thickness: estimates."},
@@ -210,6 +226,7 @@ constexpr std::array presets{
                    .density = 0.22,
                    .material = sheetOf(1e6, 1.2e-3, 0.3),
                    .thickness = 1.2e-3,
+                   .friction = {0.55, 0.45, 0.5},
                    .source = "Estimate: a homogeneous sheet with a Young's modulus of 1 MPa, about that of soft wool "
                              "felt, and 1.2 mm."},
     MaterialPreset{.name = "leather",
@@ -217,6 +234,7 @@ constexpr std::array presets{
                    .density = 0.6,
                    .material = sheetOf(5e6, 0.9e-3, 0.4),
                    .thickness = 0.9e-3,
+                   .friction = {0.6, 0.5, 0.6},
                    .source =
                        "Estimate: a homogeneous sheet with a Young's modulus of 5 MPa, about that of soft garment "
                        "leather at small strain, and 0.9 mm."},
@@ -225,6 +243,7 @@ constexpr std::array presets{
                    .density = 0.38,
                    .material = sheetOf(1.2e6, 0.4e-3, 0.5, rubberDamping),
                    .thickness = 0.4e-3,
+                   .friction = {1.0, 0.8, 0.61},
                    .source =
                        "Estimate: a homogeneous incompressible sheet with a Young's modulus of 1.2 MPa, about that "
                        "of soft natural rubber, and 0.4 mm."},
@@ -234,6 +253,10 @@ constexpr std::array presets{
 
 std::span<const MaterialPreset> presetTable() {
   return presets;
+}
+
+double skinFrictionRatio(const FabricFriction& friction) {
+  return friction.skin / cottonOnSkin;
 }
 
 const MaterialPreset* findPreset(std::string_view name) {

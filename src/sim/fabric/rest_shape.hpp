@@ -13,7 +13,8 @@ namespace drape::sim::fabric {
 /// the next one.
 struct RestTriangle {
   std::array<Vec2, 3> sides = {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};  ///< [m]
-  double area = 0.0;  ///< [m^2]; 0 for a degenerate triangle, which has no stiffness
+  double area = 0.0;    ///< [m^2]; 0 for a degenerate triangle, which has no stiffness
+  bool isBand = false;  ///< part of an elastic band, which is stretched while it is worn
 };
 
 /// The shape of a triangle [-]: 4 sqrt(3) A over the sum of its squared sides, 1 for an equilateral triangle, 0 for a

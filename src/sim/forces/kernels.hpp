@@ -101,17 +101,41 @@ inline constexpr double shortestLength = 1e-9;
   return size > limit ? Vec3(force * (limit / size)) : force;
 }
 
+/// Factors of the air's force on a vertex: 1/2 rho C S each [kg/m].
+struct AirFactors {
+  double drag = 0.0;
+  double lift = 0.0;
+  double edgeDrag = 0.0;  ///< of plateForce
+};
+
+/// The force on a thin plate at the angle of attack a, sin a = n.v^ [N]: drag with C = C_edge + (C_D - C_edge) sin^2 a
+/// against the motion, and lift with C_L sin 2a. These are the quasi-steady translational coefficients that were
+/// measured on falling plates and on wings (Andersen, Pesavento and Wang 2005, Unsteady aerodynamics of fluttering and
+/// tumbling plates; Wang, Birch and Dickinson 2004). With f = n.v and s = |v|:
+///
+///     force = -(K_edge s + (K_D - K_edge - 2 K_L) f^2 / s) v - 2 K_L s f n
+///
+/// Lift does no work, and it vanishes along the wind and across it.
+[[nodiscard]] inline Vec3 plateForce(const Vec3& normal, double speed, const Vec3& heading, const AirFactors& factors) {
+  const double sine = normal.dot(heading);
+  const double along = factors.edgeDrag + (factors.drag - factors.edgeDrag - 2.0 * factors.lift) * sine * sine;
+  return speed * speed * (-along * heading - 2.0 * factors.lift * sine * normal);
+}
+
 /// The air's force on a vertex [N], limited to the force that stops it relative to the air within one step. Otherwise
 /// drag, evaluated at the start of the step as in the paper, could reverse and increase the velocity of a light vertex.
-/// @param velocity of the vertex relative to the air [m/s]  @param mass [kg]  @param timeStep [s]
-[[nodiscard]] inline Vec3 airForce(const Vec3& normal, const Vec3& velocity, double dragFactor, double liftFactor,
+/// @param velocity of the vertex relative to the air [m/s]  @param asPlate whether plateForce acts, else eqs. 18 to 20
+/// @param mass [kg]  @param timeStep [s]
+[[nodiscard]] inline Vec3 airForce(const Vec3& normal, const Vec3& velocity, const AirFactors& factors, bool asPlate,
                                    double mass, double timeStep) {
   const double speed = velocity.norm();
   if (!(speed > 0.0)) {
     return Vec3::Zero();
   }
   const Vec3 heading = velocity / speed;
-  const Vec3 force = dragForce(normal, speed, heading, dragFactor) + liftForce(normal, speed, heading, liftFactor);
+  const Vec3 force =
+      asPlate ? plateForce(normal, speed, heading, factors)
+              : Vec3(dragForce(normal, speed, heading, factors.drag) + liftForce(normal, speed, heading, factors.lift));
   const double limit = mass * speed / timeStep;
   const double size = force.norm();
   return size > limit ? Vec3(force * (limit / size)) : force;

@@ -18,10 +18,16 @@ int smallestFree(std::vector<bool>& taken) {
   return colour;
 }
 
-/// The indices of each colour, ascending.
+/// The indices of each colour, ascending. Those of no colour are left out.
 RaggedRows<int> gatherByColour(const std::vector<int>& colourOf) {
   const int colours = colourOf.empty() ? 0 : *std::max_element(colourOf.begin(), colourOf.end()) + 1;
-  return indicesByRow(colourOf, colours);
+  return RaggedRows<int>::collect(colours, [&](const auto& add) {
+    for (std::size_t i = 0; i < colourOf.size(); ++i) {
+      if (colourOf[i] != none) {
+        add(colourOf[i], static_cast<int>(i));
+      }
+    }
+  });
 }
 
 /// Sets the entries of `taken` to `value` for the colours around a vertex. `index` maps a spring end to the item
@@ -65,6 +71,32 @@ RaggedRows<int> colourVertices(const RaggedRows<SpringEnd>& neighbours) {
     const int colour = smallestFree(taken);
     setTaken(neighbours, v, colourOf, neighbourOf, false, taken);
     colourOf[v] = colour;
+  }
+  return gatherByColour(colourOf);
+}
+
+RaggedRows<int> colourSets(const RaggedRows<int>& sets, std::size_t vertexCount) {
+  std::vector<int> colourOf(sets.rowCount(), none);
+  std::vector<std::vector<int>> coloursAt(vertexCount);  // of the sets with that vertex
+  std::vector<bool> taken;
+  const auto setTakenAround = [&](std::size_t set, bool value) {
+    for (const int vertex : sets[set]) {
+      for (const int colour : coloursAt[vertex]) {
+        taken[colour] = value;
+      }
+    }
+  };
+  for (std::size_t s = 0; s < colourOf.size(); ++s) {
+    if (sets[s].empty()) {
+      continue;
+    }
+    setTakenAround(s, true);
+    const int colour = smallestFree(taken);
+    setTakenAround(s, false);
+    colourOf[s] = colour;
+    for (const int vertex : sets[s]) {
+      coloursAt[vertex].push_back(colour);
+    }
   }
   return gatherByColour(colourOf);
 }

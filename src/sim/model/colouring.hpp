@@ -16,6 +16,10 @@ namespace drape::sim {
 /// @param neighbours of each vertex: ClothModel::springEnds or fabric::Fabric::pairEnds
 [[nodiscard]] RaggedRows<int> colourVertices(const RaggedRows<SpringEnd>& neighbours);
 
+/// Colours sets of vertices so that no two of one colour have a common vertex. Row c has the sets of colour c,
+/// ascending. Greedy in the order of the sets. Empty sets are left out. @param sets the vertices of each set
+[[nodiscard]] RaggedRows<int> colourSets(const RaggedRows<int>& sets, std::size_t vertexCount);
+
 /// Calls visit(i) for every index, colour by colour; on several threads within a colour.
 template <typename Visit>
 void forEachByColour(Workers& workers, int threads, const RaggedRows<int>& colours, Visit&& visit) {

@@ -25,7 +25,7 @@ int dimensionsOf(std::span<const Vec3> points, double thickness) {
   if (points.empty()) {
     return 0;
   }
-  const Vec3 origin = points.front();
+  const Vec3& origin = points.front();
   const auto fromOrigin = [&](const Vec3& p) { return (p - origin).norm(); };
   const Vec3 end = pointOfMaxDistance(points, fromOrigin);
   if (!(fromOrigin(end) > thickness)) {

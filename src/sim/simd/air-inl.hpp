@@ -72,9 +72,38 @@ HWY_INLINE Lanes3<D> areaNormal(D d, const SlicedCloth<T>& cloth, const SpringTe
   return sum;
 }
 
-/// Drag and lift (eqs. 18-20) [N]. They are limited to the force that stops the vertex relative to the air
-/// within `timeStep`, as in kernels::airForce. With w the velocity relative to the air, s = |w|, the unit normal n
-/// turned to face w, and q = n.w: drag = -K_D q w. As (n x u) x u = (q/s) u - n for u = w/s, lift = K_L s (s - q)
+/// Scales a force down to the one that stops the vertex relative to the air within `timeStep`, as kernels::airForce.
+template <class D, typename T>
+HWY_INLINE Lanes3<D> limitedAirForce(D d, const Lanes3<D>& air, T timeStep, const hn::Vec<D>& mass,
+                                     const hn::Vec<D>& speed) {
+  const auto limit = hn::Mul(mass, hn::Mul(speed, hn::Set(d, T(1) / timeStep)));
+  const auto strength = dot(air, air);
+  const auto excessive = hn::Gt(strength, hn::Mul(limit, limit));
+  if (HWY_LIKELY(hn::AllFalse(d, excessive))) {
+    return air;
+  }
+  const auto scale = hn::Div(limit, hn::Sqrt(strength));
+  return scaled(air, hn::IfThenElse(excessive, scale, hn::Set(d, T(1))));
+}
+
+/// The force on a thin plate (kernels::plateForce) [N]. @param relative to the air [m/s]  @param normal unit vector
+/// @param inverseSpeed 1 / |relative|, 0 where it is 0
+template <class D, typename T>
+HWY_INLINE Lanes3<D> plateForce(D d, const SliceStep<T>& step, const hn::Vec<D>& surface, const Lanes3<D>& relative,
+                                const hn::Vec<D>& speed, const hn::Vec<D>& inverseSpeed, const Lanes3<D>& normal) {
+  const auto facing = dot(normal, relative);
+  const auto drag = hn::Set(d, step.drag - step.edgeDrag - T(2) * step.lift);
+  const auto along =
+      hn::MulAdd(hn::Mul(drag, hn::Mul(facing, facing)), inverseSpeed, hn::Mul(hn::Set(d, step.edgeDrag), speed));
+  const auto across = hn::Mul(hn::Mul(hn::Set(d, T(2) * step.lift), speed), facing);
+  const auto push = hn::Neg(surface);
+  return multiplyAdd(normal, hn::Mul(push, across), scaled(relative, hn::Mul(push, along)));
+}
+
+/// Drag and lift (eqs. 18-20, or kernels::plateForce) [N]. They are limited to the force that stops the vertex relative
+/// to the air within `timeStep`, as in kernels::airForce. With w the velocity relative to the air, s = |w|, the unit
+/// normal n turned to face w, and q = n.w: drag = -K_D q w. As (n x u) x u = (q/s) u - n for u = w/s, lift = K_L s (s -
+/// q)
 /// ((q/s^2) w - n).
 /// @param timeStep the time for which they act [s]  @param area see areaNormal  @param force of everything else [N]
 template <class D, typename T>
@@ -90,10 +119,14 @@ HWY_INLINE Lanes3<D> airForce(D d, const SlicedCloth<T>& cloth, const SliceStep<
   const auto product = hn::Mul(speed, size);
   const auto inverse = hn::IfThenElseZero(hn::Gt(product, zero), hn::Div(hn::Set(d, T(1)), product));
   const Lanes3<D> normal = scaled(area, hn::Mul(inverse, speed));
-  const auto facing = dot(normal, relative);
-  const auto q = hn::Abs(facing);
   const auto surface = hn::LoadU(d, cloth.area.data() + i);
   const auto mass = hn::LoadU(d, cloth.mass.data() + i);
+  if (step.airModel == AirModel::Plate || (step.airModel == AirModel::Auto && cloth.fabric)) {
+    const Lanes3<D> plate = plateForce(d, step, surface, relative, speed, hn::Mul(inverse, size), normal);
+    return limitedAirForce(d, plate, timeStep, mass, speed);
+  }
+  const auto facing = dot(normal, relative);
+  const auto q = hn::Abs(facing);
   auto lift = hn::Mul(hn::Mul(surface, hn::Set(d, step.lift)), hn::Sub(speed, q));  // K_L (s - q)
   const auto drag = hn::Mul(hn::Mul(surface, hn::Set(d, step.drag)), q);
   auto side = facing;
@@ -110,14 +143,7 @@ HWY_INLINE Lanes3<D> airForce(D d, const SlicedCloth<T>& cloth, const SliceStep<
   const auto along = hn::MulSub(hn::Mul(lift, q), hn::Mul(inverse, size), drag);
   Lanes3<D> air = scaled(relative, along);
   air = multiplyAdd(normal, hn::Neg(hn::Mul(hn::CopySign(lift, side), speed)), air);
-  const auto limit = hn::Mul(mass, hn::Mul(speed, hn::Set(d, T(1) / timeStep)));
-  const auto strength = dot(air, air);
-  const auto excessive = hn::Gt(strength, hn::Mul(limit, limit));
-  if (HWY_UNLIKELY(!hn::AllFalse(d, excessive))) {
-    const auto scale = hn::Div(limit, hn::Sqrt(strength));
-    air = scaled(air, hn::IfThenElse(excessive, scale, hn::Set(d, T(1))));
-  }
-  return air;
+  return limitedAirForce(d, air, timeStep, mass, speed);
 }
 
 /// Adds drag and lift to `force`.

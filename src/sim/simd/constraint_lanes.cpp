@@ -60,7 +60,8 @@ void loadVertices(const ClothModel& model, const ClothState& state, ConstraintLa
     float* const x = constraints.vertices.data() + 4 * k;
     float* const velocity = constraints.velocities.data() + 4 * k;
     for (std::size_t c = 0; c < 3; ++c) {
-      x[c] = static_cast<float>(state.positions[v][static_cast<Eigen::Index>(c)]);
+      const auto axis = static_cast<Eigen::Index>(c);
+      x[c] = static_cast<float>(state.positions[v][axis] - constraints.origin[axis]);
       velocity[c] = free ? static_cast<float>(state.velocities[v][static_cast<Eigen::Index>(c)]) : 0.0F;
     }
     x[3] = free ? static_cast<float>(1.0 / model.vertexMass[v]) : 0.0F;
@@ -79,7 +80,7 @@ void storeVertices(const ClothModel& model, const ConstraintLanes& constraints, 
     if (model.pinned[v]) {
       state.velocities[v].setZero();
     } else {
-      state.positions[v] = vectorAt(constraints.vertices, k);
+      state.positions[v] = constraints.origin + vectorAt(constraints.vertices, k);
       state.velocities[v] = vectorAt(constraints.velocities, k);
     }
   }

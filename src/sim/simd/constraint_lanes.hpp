@@ -27,6 +27,7 @@ struct ConstraintLanes {
   };
   std::vector<int> order;         ///< permuted index -> vertex of the model
   std::vector<int> indexOf;       ///< vertex of the model -> permuted index
+  Vec3 origin = Vec3::Zero();     ///< of the positions, see stepOrigin [m]
   std::vector<float> vertices;    ///< x y z [m] and inverse mass [1/kg] of each vertex, then a dummy without mass
   std::vector<float> predicted;   ///< positions under gravity and air alone in this step
   std::vector<float> velocities;  ///< x y z [m/s] and inverse mass [1/kg], likewise

@@ -1,5 +1,6 @@
 #include "sim/simd/constraint_run.hpp"
 
+#include "sim/simd/step_origin.hpp"
 #include "sim/simd/step_share.hpp"
 
 #include <algorithm>
@@ -85,7 +86,7 @@ void projectAttachment(const ClothModel& model, double timeStep, const Attachmen
   const auto inverseMassOf = [&](std::size_t vertex) { return static_cast<double>(lanesOf(vertex)[3]); };
   const auto& [a, b, c] = corners.vertices;
   const Vec3 offset = corners.subtracted(attachment.target, [&](std::size_t vertex) {
-    return Eigen::Map<const Eigen::Vector3f>(lanesOf(vertex)).cast<double>();
+    return Vec3(lanes.origin + Eigen::Map<const Eigen::Vector3f>(lanesOf(vertex)).cast<double>());
   });
   const auto moves =
       constraint.correct(attachment, corners, timeStep, offset, {inverseMassOf(a), inverseMassOf(b), inverseMassOf(c)});
@@ -99,6 +100,7 @@ void projectAttachment(const ClothModel& model, double timeStep, const Attachmen
 void ConstraintRun::xpbd(const ClothModel& model, const CommonParameters& parameters, int iterations,
                          const StepInputs& inputs, int count, ClothState& state) {
   ConstraintLanes& lanes = lanes_.get(model, [](const ClothModel& m) { return ConstraintLanes(m); });
+  lanes.origin = stepOrigin<float>(state.positions);
   const int batchesAColour = static_cast<int>(lanes.batches.size()) / std::max(1, lanes.colours());
   const int threads = usefulThreads(batchesAColour, minBatchesPerThread, parameters.threads);
   team_.run(threads, [&](int member) {

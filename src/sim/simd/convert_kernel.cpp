@@ -40,7 +40,7 @@ HWY_INLINE hn::Vec<Doubles> loadFrom(const T* from) {
 }
 
 template <typename T>
-void split(const double* from, std::size_t count, const Coordinates<T>& to) {
+void split(const double* from, std::size_t count, const Vec3& origin, const Coordinates<T>& to) {
   [[maybe_unused]] const Doubles d;
   std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
@@ -49,45 +49,47 @@ void split(const double* from, std::size_t count, const Coordinates<T>& to) {
     hn::Vec<Doubles> y;
     hn::Vec<Doubles> z;
     hn::LoadInterleaved3(d, from + 3 * i, x, y, z);
-    storeAs(x, to.x + i);
-    storeAs(y, to.y + i);
-    storeAs(z, to.z + i);
+    storeAs(hn::Sub(x, hn::Set(d, origin.x())), to.x + i);
+    storeAs(hn::Sub(y, hn::Set(d, origin.y())), to.y + i);
+    storeAs(hn::Sub(z, hn::Set(d, origin.z())), to.z + i);
   }
 #endif
   for (; i < count; ++i) {
-    to.x[i] = static_cast<T>(from[3 * i]);
-    to.y[i] = static_cast<T>(from[3 * i + 1]);
-    to.z[i] = static_cast<T>(from[3 * i + 2]);
+    to.x[i] = static_cast<T>(from[3 * i] - origin.x());
+    to.y[i] = static_cast<T>(from[3 * i + 1] - origin.y());
+    to.z[i] = static_cast<T>(from[3 * i + 2] - origin.z());
   }
 }
 
 template <typename T>
-void join(const Coordinates<T>& from, std::size_t count, double* to) {
+void join(const Coordinates<T>& from, std::size_t count, const Vec3& origin, double* to) {
   [[maybe_unused]] const Doubles d;
   std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
   for (const std::size_t lanes = hn::Lanes(d); i + lanes <= count; i += lanes) {
-    hn::StoreInterleaved3(loadFrom(from.x + i), loadFrom(from.y + i), loadFrom(from.z + i), d, to + 3 * i);
+    hn::StoreInterleaved3(hn::Add(loadFrom(from.x + i), hn::Set(d, origin.x())),
+                          hn::Add(loadFrom(from.y + i), hn::Set(d, origin.y())),
+                          hn::Add(loadFrom(from.z + i), hn::Set(d, origin.z())), d, to + 3 * i);
   }
 #endif
   for (; i < count; ++i) {
-    to[3 * i] = static_cast<double>(from.x[i]);
-    to[3 * i + 1] = static_cast<double>(from.y[i]);
-    to[3 * i + 2] = static_cast<double>(from.z[i]);
+    to[3 * i] = static_cast<double>(from.x[i]) + origin.x();
+    to[3 * i + 1] = static_cast<double>(from.y[i]) + origin.y();
+    to[3 * i + 2] = static_cast<double>(from.z[i]) + origin.z();
   }
 }
 
-void splitFloat(const double* from, std::size_t count, const Coordinates<float>& to) {
-  split(from, count, to);
+void splitFloat(const double* from, std::size_t count, const Vec3& origin, const Coordinates<float>& to) {
+  split(from, count, origin, to);
 }
-void splitDouble(const double* from, std::size_t count, const Coordinates<double>& to) {
-  split(from, count, to);
+void splitDouble(const double* from, std::size_t count, const Vec3& origin, const Coordinates<double>& to) {
+  split(from, count, origin, to);
 }
-void joinFloat(const Coordinates<float>& from, std::size_t count, double* to) {
-  join(from, count, to);
+void joinFloat(const Coordinates<float>& from, std::size_t count, const Vec3& origin, double* to) {
+  join(from, count, origin, to);
 }
-void joinDouble(const Coordinates<double>& from, std::size_t count, double* to) {
-  join(from, count, to);
+void joinDouble(const Coordinates<double>& from, std::size_t count, const Vec3& origin, double* to) {
+  join(from, count, origin, to);
 }
 
 std::uint64_t sumBits(const double* values, std::size_t count) {
@@ -120,20 +122,20 @@ HWY_EXPORT(joinFloat);
 HWY_EXPORT(joinDouble);
 HWY_EXPORT(sumBits);
 
-void splitCoordinates(const double* from, std::size_t count, const Coordinates<float>& to) {
-  HWY_DYNAMIC_DISPATCH(splitFloat)(from, count, to);
+void splitCoordinates(const double* from, std::size_t count, const Vec3& origin, const Coordinates<float>& to) {
+  HWY_DYNAMIC_DISPATCH(splitFloat)(from, count, origin, to);
 }
 
-void splitCoordinates(const double* from, std::size_t count, const Coordinates<double>& to) {
-  HWY_DYNAMIC_DISPATCH(splitDouble)(from, count, to);
+void splitCoordinates(const double* from, std::size_t count, const Vec3& origin, const Coordinates<double>& to) {
+  HWY_DYNAMIC_DISPATCH(splitDouble)(from, count, origin, to);
 }
 
-void joinCoordinates(const Coordinates<float>& from, std::size_t count, double* to) {
-  HWY_DYNAMIC_DISPATCH(joinFloat)(from, count, to);
+void joinCoordinates(const Coordinates<float>& from, std::size_t count, const Vec3& origin, double* to) {
+  HWY_DYNAMIC_DISPATCH(joinFloat)(from, count, origin, to);
 }
 
-void joinCoordinates(const Coordinates<double>& from, std::size_t count, double* to) {
-  HWY_DYNAMIC_DISPATCH(joinDouble)(from, count, to);
+void joinCoordinates(const Coordinates<double>& from, std::size_t count, const Vec3& origin, double* to) {
+  HWY_DYNAMIC_DISPATCH(joinDouble)(from, count, origin, to);
 }
 
 std::uint64_t sumOfBits(const double* values, std::size_t count) {

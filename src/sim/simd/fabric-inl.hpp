@@ -201,6 +201,31 @@ HWY_INLINE void addBending(D d, const SlicedCloth<T>& cloth, int slice, int lane
   force = multiplyAdd(sum, hn::Set(d, weight), force);
 }
 
+/// Adds the forces of the rest moments on some lanes of a slice times a weight, and the part of their energy, but for a
+/// constant.
+template <class D, typename T>
+HWY_INLINE void addMoments(D d, const SlicedCloth<T>& cloth, int slice, int lane, const Lanes3<D>& x, T weight,
+                           bool wantsEnergy, Lanes3<D>& force, hn::Vec<D>& energy) {
+  const SlicedFabric<T>& fabric = *cloth.fabric;
+  Lanes3<D> sum = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  const int end = fabric.momentBegin[slice + 1];
+  for (int row = fabric.momentBegin[slice]; row < end; ++row) {
+    const typename SlicedFabric<T>::RestMoment& moment = fabric.moments[static_cast<std::size_t>(row)];
+    const auto load = [&](const SliceLayout::NeighbourTable& table)
+                          HWY_ATTR { return Neighbours<D>(table, lane).load(cloth.position); };
+    const Lanes3<D> a = load(moment.others[0]);
+    const Lanes3<D> gradient = addCross(subtract(load(moment.others[1]), a), subtract(load(moment.others[2]), a),
+                                        Lanes3<D>{hn::Zero(d), hn::Zero(d), hn::Zero(d)});
+    const auto modulus = hn::LoadU(d, moment.modulus.data() + lane);
+    sum = multiplyAdd(gradient, modulus, sum);
+    if (HWY_UNLIKELY(wantsEnergy)) {
+      const auto quarter = hn::Mul(hn::Set(d, T(-0.25)), modulus);
+      energy = hn::MulAdd(quarter, dot(subtract(x, a), gradient), energy);
+    }
+  }
+  force = multiplyAdd(sum, hn::Set(d, weight), force);
+}
+
 /// Adds the forces of the fabric and of the air on some lanes of a slice, and the part of the fabric's energy.
 /// @param hasAir whether the air has a force
 template <class D, typename T>
@@ -219,6 +244,9 @@ HWY_INLINE void addFabric(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& 
   }
   if (cloth.fabric->bending && (step.slowWeight > T(0) || wantsEnergy)) {
     addBending(d, cloth, slice, lane, x, step.slowWeight, wantsEnergy, force, energy);
+    if (HWY_UNLIKELY(!cloth.fabric->moments.empty())) {
+      addMoments(d, cloth, slice, lane, x, step.slowWeight, wantsEnergy, force, energy);
+    }
   }
   if (airActs) {
     const Lanes3<D> air = airForce(d, cloth, step, step.timeStep * step.slowWeight, area, slice, lane, force);

@@ -4,6 +4,7 @@
 #include "sim/forces/diagnostics.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace drape::sim::simd {
@@ -162,10 +163,13 @@ double FabricDamper::damp(const ClothModel& model, const CommonParameters& param
     }
     const double change = kineticEnergy(model, state) - energy;
     // Pins that move can add energy.
-    if (change <= roundingGain * energy || !pins.empty() || refinement >= maxRefinement) {
+    if (std::isfinite(change) && (change <= roundingGain * energy || !pins.empty())) {
       return change;
     }
     state.velocities = before_;
+    if (refinement >= maxRefinement) {
+      return 0.0;  // no damping is better than damping that adds energy
+    }
   }
 }
 
@@ -179,6 +183,7 @@ void FabricDamper::run(const ClothModel& model, const CommonParameters& paramete
     run.stages *= refinement;
   }
   const int threads = usefulThreads(cloth.layout, parameters.threads);
+  cloth.chooseOrigin(state);
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, 1, member, threads);
     cloth.load(state, share);

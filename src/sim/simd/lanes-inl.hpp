@@ -271,6 +271,9 @@ class Neighbours {
         first_(slot.first + lane),
         table_(slot.table < 0 ? nullptr : tables[slot.table].data() + lane) {}
 
+  HWY_INLINE Neighbours(const SliceLayout::NeighbourTable& table, int lane)
+      : consecutive_(false), first_(0), table_(table.data() + lane) {}
+
   HWY_INLINE Lanes3<D> load(const LaneVectors<T>& vectors) const {
     const D d;
     if (HWY_LIKELY(consecutive_)) {

@@ -2,6 +2,8 @@
 
 #include "sim/simd/lane_vector.hpp"
 
+#include <algorithm>
+
 namespace drape::sim::simd {
 namespace {
 
@@ -22,6 +24,8 @@ SliceStep<T> sliceStepOf(const CommonParameters& parameters, const JacobiOptions
   step.gravity = static_cast<T>(parameters.gravity);
   step.drag = static_cast<T>(0.5 * parameters.air.density * parameters.air.drag);
   step.lift = static_cast<T>(0.5 * parameters.air.density * parameters.air.lift);
+  step.edgeDrag = static_cast<T>(0.5 * parameters.air.density * std::min(parameters.air.edgeDrag, parameters.air.drag));
+  step.airModel = parameters.air.model;
   step.windX = static_cast<T>(parameters.air.wind.x());
   step.windY = static_cast<T>(parameters.air.wind.y());
   step.windZ = static_cast<T>(parameters.air.wind.z());
@@ -35,7 +39,8 @@ template <typename T>
 void setAttachment(const ClothModel& model, const Attachment& attachment, const SlicedCloth<T>& cloth,
                    SliceStep<T>& step) {
   const AttachedCorners corners = attachedCorners(model, attachment);
-  const Vec3 point = corners.interpolated([&](std::size_t v) { return vectorAt(cloth, cloth.position, v); });
+  const Vec3 point =
+      corners.interpolated([&](std::size_t v) { return Vec3(cloth.origin + vectorAt(cloth, cloth.position, v)); });
   const Vec3 velocity = corners.interpolated([&](std::size_t v) { return vectorAt(cloth, cloth.velocity, v); });
   const AttachmentForce pull = attachmentForce(corners, attachment, point, velocity);
   const Vec3 force = pull.implicitForce(static_cast<double>(step.timeStep));
@@ -61,7 +66,7 @@ void applyAttachmentImpulse(const ClothModel& model, double timeStep, const Atta
     return model.pinned[v] ? 0.0 : weight / model.vertexMass[v];
   };
   const Vec3 offset = corners.subtracted(attachment.target, [&](std::size_t v) {
-    return Vec3(vectorAt(cloth, cloth.position, v) + 0.5 * h * velocityOf(v));
+    return Vec3(cloth.origin + vectorAt(cloth, cloth.position, v) + 0.5 * h * velocityOf(v));
   });
   double inverseMass = 0.0;
   corners.forEach([&](std::size_t v, double weight) { inverseMass += weight * shareOf(v, weight); });

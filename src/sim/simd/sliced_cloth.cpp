@@ -1,6 +1,7 @@
 #include "sim/simd/sliced_cloth.hpp"
 
 #include "sim/simd/convert.hpp"
+#include "sim/simd/step_origin.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -24,18 +25,19 @@ Coordinates<T> coordinatesOf(LaneVectors<T>& vectors) {
 }
 
 template <typename T>
-void scatter(const SliceLayout& layout, IndexRange range, const std::vector<Vec3>& from, LaneVectors<T>& to) {
+void scatter(const SliceLayout& layout, IndexRange range, const std::vector<Vec3>& from, const Vec3& origin,
+             LaneVectors<T>& to) {
   const Coordinates<T> out = coordinatesOf(to);
   const double* const values = from.data()->data();
   if (layout.isModelOrder) {
-    splitCoordinates(values + 3 * range.begin, range.end - range.begin,
+    splitCoordinates(values + 3 * range.begin, range.end - range.begin, origin,
                      {out.x + range.begin, out.y + range.begin, out.z + range.begin});
   } else {
     for (std::size_t k = range.begin; k < range.end; ++k) {
       const double* const value = values + 3 * static_cast<std::size_t>(layout.order[k]);
-      out.x[k] = static_cast<T>(value[0]);
-      out.y[k] = static_cast<T>(value[1]);
-      out.z[k] = static_cast<T>(value[2]);
+      out.x[k] = static_cast<T>(value[0] - origin.x());
+      out.y[k] = static_cast<T>(value[1] - origin.y());
+      out.z[k] = static_cast<T>(value[2] - origin.z());
     }
   }
   for (std::size_t k = range.begin; !to.interleaved.empty() && k < range.end; ++k) {
@@ -46,19 +48,20 @@ void scatter(const SliceLayout& layout, IndexRange range, const std::vector<Vec3
 }
 
 template <typename T>
-void gather(const SliceLayout& layout, IndexRange range, LaneVectors<T>& from, std::vector<Vec3>& to) {
+void gather(const SliceLayout& layout, IndexRange range, LaneVectors<T>& from, const Vec3& origin,
+            std::vector<Vec3>& to) {
   const Coordinates<T> in = coordinatesOf(from);
   double* const values = to.data()->data();
   if (layout.isModelOrder) {
-    joinCoordinates({in.x + range.begin, in.y + range.begin, in.z + range.begin}, range.end - range.begin,
+    joinCoordinates({in.x + range.begin, in.y + range.begin, in.z + range.begin}, range.end - range.begin, origin,
                     values + 3 * range.begin);
     return;
   }
   for (std::size_t k = range.begin; k < range.end; ++k) {
     double* const value = values + 3 * static_cast<std::size_t>(layout.order[k]);
-    value[0] = static_cast<double>(in.x[k]);
-    value[1] = static_cast<double>(in.y[k]);
-    value[2] = static_cast<double>(in.z[k]);
+    value[0] = static_cast<double>(in.x[k]) + origin.x();
+    value[1] = static_cast<double>(in.y[k]) + origin.y();
+    value[2] = static_cast<double>(in.z[k]) + origin.z();
   }
 }
 
@@ -117,8 +120,8 @@ void SlicedCloth<T>::setMassesAndPins(const ClothModel& model) {
 template <typename T>
 void SlicedCloth<T>::load(const ClothState& state, const StepShare& share) {
   const IndexRange range(layout, share);
-  scatter(layout, range, state.positions, position);
-  scatter(layout, range, state.velocities, velocity);
+  scatter(layout, range, state.positions, origin, position);
+  scatter(layout, range, state.velocities, Vec3::Zero(), velocity);
   // A step that became unstable may have left NaN in the lanes beyond the last vertex, where 0 times NaN spreads it.
   for (int index = std::max(layout.vertices, share.begin * sliceLanes); index < share.end * sliceLanes; ++index) {
     for (LaneVectors<T>* vectors : {&position, &velocity, &start}) {
@@ -144,8 +147,8 @@ void SlicedCloth<T>::store(ClothState& state, const StepShare& share) {
       unrounded.push_back(state.positions[layout.order[index]]);
     }
   }
-  gather(layout, range, position, state.positions);
-  gather(layout, range, velocity, state.velocities);
+  gather(layout, range, position, origin, state.positions);
+  gather(layout, range, velocity, Vec3::Zero(), state.velocities);
   std::size_t next = 0;
   for (const int index : pinned) {
     if (share.contains(index)) {
@@ -175,6 +178,11 @@ void SlicedCloth<T>::prepare(int threads, int sweeps) {
     change[0].resize(layout.slices(), layout.irregular());
     change[1].resize(layout.slices(), layout.irregular());
   }
+}
+
+template <typename T>
+void SlicedCloth<T>::chooseOrigin(const ClothState& state) {
+  origin = stepOrigin<T>(state.positions);
 }
 
 template <typename T>

@@ -75,12 +75,14 @@ struct SliceStep {
     T stiffness = 0;  ///< [N/m]
   };
 
-  T timeStep = 0;    ///< h [s]
-  T stiffness = 0;   ///< k [N/m]
-  T damping = 0;     ///< C_d [N s/m]
-  T gravity = 0;     ///< [m/s^2]
-  T drag = 0;        ///< 1/2 rho C_D [kg/m^3]
-  T lift = 0;        ///< 1/2 rho C_L [kg/m^3]
+  T timeStep = 0;   ///< h [s]
+  T stiffness = 0;  ///< k [N/m]
+  T damping = 0;    ///< C_d [N s/m]
+  T gravity = 0;    ///< [m/s^2]
+  T drag = 0;       ///< 1/2 rho C_D [kg/m^3]
+  T lift = 0;       ///< 1/2 rho C_L [kg/m^3]
+  T edgeDrag = 0;   ///< 1/2 rho C of a plate along the wind [kg/m^3]
+  AirModel airModel = AirModel::Auto;
   T windX = 0;       ///< [m/s]
   T windY = 0;       ///< [m/s]
   T windZ = 0;       ///< [m/s]
@@ -134,6 +136,9 @@ struct SlicedCloth {
 
   void setMassesAndPins(const ClothModel& model);
 
+  /// Before `load`: sets the origin of the positions.
+  void chooseOrigin(const ClothState& state);
+
   /// Read a thread's share of positions and velocities from a state, and write it back.
   void load(const ClothState& state, const StepShare& share);
   void store(ClothState& state, const StepShare& share);
@@ -147,6 +152,7 @@ struct SlicedCloth {
   LaneArray<T> area;                      ///< [m^2]
   LaneArray<T> free;                      ///< 1; 0 where pinned or beyond the last vertex
   std::vector<int> pinned;                ///< permuted indices of pinned vertices
+  Vec3 origin = Vec3::Zero();             ///< of `position`, see stepOrigin [m]
   LaneVectors<T> position, velocity;      ///< [m], [m/s]
   LaneVectors<T> start;                   ///< p_i, the start of the sweeps [m/s]
   std::array<LaneVectors<T>, 2> change;   ///< dv_i of alternate sweeps [m/s]; only with several sweeps

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace drape::sim::simd {
@@ -265,6 +266,46 @@ class BendingBuilder {
   typename SlicedFabric<T>::Bending bending_;
 };
 
+/// Adds the rest moments at the vertices of a slice.
+template <typename T>
+void addMoments(const fabric::RestMoments& moments, const SliceLayout& layout, int slice,
+                std::vector<typename SlicedFabric<T>::RestMoment>& rows) {
+  const int first = slice * sliceLanes;
+  const std::size_t begin = rows.size();
+  typename SlicedFabric<T>::RestMoment none;
+  for (SliceLayout::NeighbourTable& table : none.others) {
+    std::iota(table.begin(), table.end(), first);
+  }
+  for (int lane = 0; lane < sliceLanes && first + lane < layout.vertices; ++lane) {
+    const auto own = moments.at(static_cast<std::size_t>(layout.order[first + lane]));
+    rows.resize(std::max(rows.size(), begin + own.size()), none);
+    for (std::size_t m = 0; m < own.size(); ++m) {
+      auto& row = rows[begin + m];
+      row.modulus[lane] = static_cast<T>(own[m].modulus);
+      for (std::size_t other = 0; other < 3; ++other) {
+        row.others[other][lane] = layout.indexOf[own[m].others[other]];
+      }
+    }
+  }
+}
+
+/// Sets the rest moments, and extends the bandwidth to the vertices that they need.
+template <typename T>
+void setMoments(const fabric::RestMoments& moments, SliceLayout& layout, SlicedFabric<T>& sliced) {
+  sliced.momentBegin.push_back(0);
+  for (int slice = 0; slice < layout.slices(); ++slice) {
+    addMoments<T>(moments, layout, slice, sliced.moments);
+    for (std::size_t m = sliced.momentBegin.back(); m < sliced.moments.size(); ++m) {
+      for (const SliceLayout::NeighbourTable& table : sliced.moments[m].others) {
+        layout.lastNeighbourSlice[slice] =
+            std::max(layout.lastNeighbourSlice[slice], *std::ranges::max_element(table) / sliceLanes);
+      }
+    }
+    sliced.momentBegin.push_back(static_cast<int>(sliced.moments.size()));
+  }
+  finishBandwidth(layout);
+}
+
 }  // namespace
 
 template <typename T>
@@ -273,7 +314,8 @@ std::size_t SlicedFabric<T>::bytes() const {
                     corners.capacity() * sizeof(Corner) + stiffening.capacity() * sizeof(std::array<Stiffening, 2>) +
                     spokeBegin.capacity() * sizeof(int) + spokes.capacity() * sizeof(SliceLayout::Slot) +
                     spokeTables.capacity() * sizeof(SliceLayout::NeighbourTable) + sectors.capacity() * sizeof(Sector) +
-                    moduli.capacity() * sizeof(Moduli) + relativeDamping.capacity() * sizeof(SliceNumbers<T>);
+                    moduli.capacity() * sizeof(Moduli) + relativeDamping.capacity() * sizeof(SliceNumbers<T>) +
+                    momentBegin.capacity() * sizeof(int) + moments.capacity() * sizeof(RestMoment);
   if (bending) {
     sum += (bending->slotBegin.capacity() + bending->entriesOf.capacity()) * sizeof(int) +
            bending->slots.capacity() * sizeof(SliceLayout::Slot) +
@@ -303,6 +345,9 @@ SlicedFabric<T> buildSlicedFabric(const ClothModel& model, SliceLayout& layout) 
   if (fabric.bends()) {
     sliced.bending = BendingBuilder<T>(fabric.bending, layout).take();
     finishBandwidth(layout);
+  }
+  if (!fabric.restMoments.empty()) {
+    setMoments<T>(fabric.restMoments, layout, sliced);
   }
   return sliced;
 }

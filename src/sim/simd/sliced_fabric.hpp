@@ -79,6 +79,13 @@ struct SlicedFabric {
     std::vector<SliceNumbers<T>> entries;
   };
 
+  /// The moments of a fabric that is bent at rest. Each vertex adds nu (x_b - x_a) x (x_c - x_a) for each of its
+  /// hinges.
+  struct RestMoment {
+    std::array<SliceLayout::NeighbourTable, 3> others{};  ///< a, b, c; the lane's own vertex where there is none
+    SliceNumbers<T> modulus{};                            ///< nu [N/m^2]; 0 likewise
+  };
+
   std::vector<std::uint8_t> hasCommonCorners;  ///< of each slice: whether it has the first form
   std::vector<int> cornerOf;                   ///< of each SliceLayout::Corner: index into `corners`
   std::vector<Corner> corners;                 ///< shared by the regular parts of a mesh
@@ -92,6 +99,9 @@ struct SlicedFabric {
   std::vector<SliceLayout::NeighbourTable> spokeTables;
   std::vector<Sector> sectors;     ///< between each spoke and the one before it; 0 at the first spoke of a part
   std::optional<Bending> bending;  ///< nothing if the fabric does not resist bending
+
+  std::vector<int> momentBegin;  ///< slices + 1 entries; empty if the fabric is flat at rest
+  std::vector<RestMoment> moments;
 
   [[nodiscard]] const Moduli& moduliOf(int slice) const { return moduli[moduli.size() == 1 ? 0 : slice]; }
 

@@ -28,6 +28,7 @@ void SlicedRun::explicitEuler(const ClothModel& model, const CommonParameters& p
   step.driftsByOldVelocity = true;
   const int threads = usefulThreads(cloth.layout, parameters.threads);
   cloth.prepare(threads, 1);
+  cloth.chooseOrigin(state);
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, 1, member, threads);
     cloth.load(state, share);
@@ -59,6 +60,7 @@ void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, con
   const int threads = usefulThreads(cloth.layout, parameters.threads);
   const int phases = threads == 1 ? 1 : jacobi.sweeps + 1;
   cloth.prepare(threads, jacobi.sweeps);
+  cloth.chooseOrigin(state);
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, jacobi.sweeps, member, threads);
     cloth.load(state, share);
@@ -87,6 +89,7 @@ void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const Com
   const T half = step.timeStep / T(2);
   const int threads = usefulThreads(cloth.layout, parameters.threads);
   cloth.prepare(threads, 1);
+  cloth.chooseOrigin(state);
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, 1, member, threads);
     cloth.load(state, share);

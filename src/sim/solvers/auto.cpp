@@ -8,6 +8,7 @@
 #include "sim/model/model_cache.hpp"
 #include "sim/model/pieces.hpp"
 #include "sim/motion/momentum.hpp"
+#include "sim/simd/step_origin.hpp"
 #include "sim/solvers/registry.hpp"
 
 #include <algorithm>
@@ -102,7 +103,8 @@ class AdaptiveStep {
   bool takeStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                 const StepInputs& inputs, adaptive::StepPlan plan, adaptive::StepMemory& memory, ClothState& state,
                 adaptive::StepChoice& choice) {
-    guard_.prepare(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+    guard_.prepare(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()),
+                   simd::stepOrigin<T>(state.positions));
     for (int retry = 0; retry <= adaptive::tuning.maxRetries; ++retry) {
       checkStop(inputs);
       const bool startIsKnown = guard_.isStartEnergyKnown(plan, memory);
@@ -110,7 +112,7 @@ class AdaptiveStep {
       adaptive::StepEnergy energy =
           run_.run(model, rates, parameters, inputs, plan, state, {measuring && !startIsKnown, measuring});
       energy.start = startIsKnown ? memory.energy : energy.start;
-      const double work = adaptive::maxWindWork(rates, parameters) + attachmentWork(model, inputs, state);
+      const double work = windWork(model, rates, parameters, inputs, state) + attachmentWork(model, inputs, state);
       choice.forceEvaluations += plan.cost();
       choice.coarseLevels = run_.levels();
       if (!guard_.hasGrown(energy, work, retry > 0, memory)) {
@@ -145,6 +147,25 @@ class AdaptiveStep {
       --memory.retryLevel;
       memory.calmSteps = 0;
     }
+  }
+
+  /// An upper bound of the work of the wind in the last step [J]. In the frame of the wind, air only takes energy. So
+  /// its work on free cloth is at most the wind times the impulse of the air, which is the change of momentum less that
+  /// by gravity. Pins, contacts and an attachment change the momentum too; then the bound follows from the wind alone.
+  [[nodiscard]] double windWork(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                                const StepInputs& inputs, const ClothState& state) {
+    const double largest = adaptive::maxWindWork(rates, parameters);
+    if (largest == 0.0 || rates.pinnedLength > 0.0 || inputs.contacts != nullptr || inputs.attachment) {
+      return largest;
+    }
+    after_ = state;
+    run_.store(after_);
+    Vec3 impulse = Vec3::Zero();
+    for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+      impulse += model.vertexMass[v] * (after_.velocities[v] - state.velocities[v]);
+    }
+    impulse.y() += rates.mass * parameters.gravity * parameters.timeStep;
+    return std::min(largest, parameters.air.wind.dot(impulse));
   }
 
   /// An upper bound of the work of the attachment in the last step [J].
@@ -282,7 +303,8 @@ class AutoSolver final : public Solver {
       return {.choice = adaptive::StepChoice{.substeps = 0, .forceEvaluations = 0, .sleeping = true}};
     }
     const LocalRates& rates = rates_.get(model, localRatesOf);
-    if (!needsDouble(model, rates, parameters, inputs, memory, state)) {
+    const DoubleReason reason = reasonForDouble(model, rates, parameters, inputs, memory, state);
+    if (reason == DoubleReason::None) {
       const adaptive::StepMemory before = memory;
       if (const std::optional<StepReport> report = single_.step(model, rates, parameters, inputs, memory, state)) {
         return *report;
@@ -291,20 +313,30 @@ class AutoSolver final : public Solver {
       memory.doubleSteps = adaptive::tuning.doubleSteps;
     }
     memory.doubleSteps = std::max(0, memory.doubleSteps - 1);
-    return *double_.step(model, rates, parameters, inputs, memory, state);
+    StepParameters affordable = parameters;
+    affordable.automatic.costBudget /= reason == DoubleReason::Tolerance ? adaptive::tuning.doubleCost : 1.0;
+    return *double_.step(model, rates, affordable, inputs, memory, state);
   }
 
+  /// Why a step is taken in double: it must be, or it is more accurate for the same cost.
+  enum class DoubleReason { None, Required, Tolerance };
+
   /// While contacts act, rounding does not count as an error: contact corrects positions by more than that.
-  static bool needsDouble(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
-                          const StepInputs& inputs, const adaptive::StepMemory& memory, const ClothState& state) {
+  static DoubleReason reasonForDouble(const ClothModel& model, const LocalRates& rates,
+                                      const StepParameters& parameters, const StepInputs& inputs,
+                                      const adaptive::StepMemory& memory, const ClothState& state) {
     if (parameters.precision == Precision::Double || memory.doubleSteps > 0 ||
         adaptive::dampingNeedsDouble(rates, parameters)) {
-      return true;
+      return DoubleReason::Required;
     }
-    const double largest = adaptive::maxCoordinate(state.positions);
-    return adaptive::roundingAddsEnergy(model, rates, parameters, parameters.automatic, memory, largest) ||
-           (inputs.contacts == nullptr &&
-            adaptive::roundingExceedsTolerance(model, rates, parameters, parameters.automatic, memory, largest));
+    const double largest = adaptive::maxCoordinate(state.positions, simd::stepOrigin<float>(state.positions));
+    if (adaptive::roundingAddsEnergy(model, rates, parameters, parameters.automatic, memory, largest)) {
+      return DoubleReason::Required;
+    }
+    return inputs.contacts == nullptr &&
+                   adaptive::roundingExceedsTolerance(model, rates, parameters, parameters.automatic, memory, largest)
+               ? DoubleReason::Tolerance
+               : DoubleReason::None;
   }
 
   adaptive::SleepDetection sleep_;

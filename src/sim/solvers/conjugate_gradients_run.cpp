@@ -64,6 +64,7 @@ StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParam
   simd::SliceStep<T> step = simd::sliceStepOf<T>(parameters, {});
   const int threads = simd::usefulThreads(cloth.layout, parameters.threads);
   cloth.prepare(threads, 0);
+  cloth.chooseOrigin(state);
   StepReport report;
   team_.run(threads, [&](int member) {
     const simd::StepShare share = simd::blockShareOf(cloth.layout, member, threads);

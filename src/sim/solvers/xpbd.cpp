@@ -1,3 +1,4 @@
+#include "sim/fabric/fabric.hpp"
 #include "sim/forces/attachment.hpp"
 #include "sim/forces/kernels.hpp"
 #include "sim/model/colouring.hpp"
@@ -5,6 +6,7 @@
 #include "sim/simd/constraint_run.hpp"
 #include "sim/solvers/batch_solver.hpp"
 #include "sim/solvers/common_warnings.hpp"
+#include "sim/solvers/fabric_constraints.hpp"
 #include "sim/solvers/registry.hpp"
 #include "sim/systems/position_step.hpp"
 
@@ -30,11 +32,14 @@ namespace {
 /// constraint of three components (AttachmentConstraint).
 ///
 /// In float vector instructions do the same (simd/constraint_run.hpp).
+///
+/// A fabric has two block constraints a triangle instead (FabricConstraints), always in double. Its damping is split
+/// from the step by the Stepper.
 class XpbdSolver final : public BatchSolver {
  public:
   StepReport steps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs, int count,
                    ClothState& state) override {
-    if (parameters.precision == Precision::Float) {
+    if (parameters.precision == Precision::Float && !model.fabric) {
       run_.xpbd(model, parameters, parameters.iteration.iterations, inputs, count, state);
     } else {
       for (int i = 0; i < count; ++i) {
@@ -47,28 +52,52 @@ class XpbdSolver final : public BatchSolver {
  private:
   void stepInDouble(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                     ClothState& state) {
-    const RaggedRows<int>& colours = colours_.get(model, colourSprings);
     const double h = parameters.timeStep;
     predictPositions(model, parameters, state, workers_, start_);
     state.positions.swap(start_);
     findInverseMasses(model);
-    multiplier_.assign(model.springs.size(), 0.0);
     attachment_ = {};
+    if (model.fabric) {
+      correctFabric(model, parameters, inputs, state);
+      velocitiesFromPositions(model, h, start_, state);
+    } else {
+      const RaggedRows<int>& colours = colours_.get(model, colourSprings);
+      correctSprings(model, parameters, inputs, colours, state);
+      velocitiesFromPositions(model, h, start_, state);
+      if (parameters.material.damping > 0.0) {
+        forEachByColour(workers_, parameters.threads, colours,
+                        [&](std::size_t s) { damp(model.springs[s], h * parameters.material.damping, state); });
+      }
+    }
+    state.time += h;
+  }
+
+  void correctSprings(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                      const RaggedRows<int>& colours, ClothState& state) {
+    const double h = parameters.timeStep;
+    multiplier_.assign(model.springs.size(), 0.0);
     for (int iteration = 0; iteration < parameters.iteration.iterations; ++iteration) {
       forEachByColour(workers_, parameters.threads, colours, [&](std::size_t s) {
         const double stiffness = parameters.material.stiffness * model.springs[s].relativeStiffness;
         project(model.springs[s], h * h * stiffness, s, state);
       });
-      if (inputs.attachment) {
-        projectAttachment(model, h, *inputs.attachment, state);
-      }
+      projectAttachment(model, h, inputs, state);
     }
-    velocitiesFromPositions(model, h, start_, state);
-    if (parameters.material.damping > 0.0) {
-      forEachByColour(workers_, parameters.threads, colours,
-                      [&](std::size_t s) { damp(model.springs[s], h * parameters.material.damping, state); });
+  }
+
+  void correctFabric(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                     ClothState& state) {
+    // The moments of a fabric that is bent at rest act as at the start of the step, as air does.
+    for (std::size_t v = 0; v < start_.size() && !model.fabric->restMoments.empty(); ++v) {
+      state.positions[v] +=
+          parameters.timeStep * parameters.timeStep * inverseMass_[v] * model.fabric->restMoments.forceOn(v, start_);
     }
-    state.time += h;
+    FabricConstraints& constraints = fabric_.get(model, [](const ClothModel& m) { return FabricConstraints(m); });
+    constraints.begin(parameters.timeStep);
+    for (int iteration = 0; iteration < parameters.iteration.iterations; ++iteration) {
+      constraints.project(parameters.threads, workers_, state.positions);
+      projectAttachment(model, parameters.timeStep, inputs, state);
+    }
   }
 
   void findInverseMasses(const ClothModel& model) {
@@ -96,7 +125,11 @@ class XpbdSolver final : public BatchSolver {
     state.positions[b] += inverseMass_[b] * correction;
   }
 
-  void projectAttachment(const ClothModel& model, double h, const Attachment& attachment, ClothState& state) {
+  void projectAttachment(const ClothModel& model, double h, const StepInputs& inputs, ClothState& state) {
+    if (!inputs.attachment) {
+      return;
+    }
+    const Attachment& attachment = *inputs.attachment;
     const AttachedCorners corners = attachedCorners(model, attachment);
     const auto& [a, b, c] = corners.vertices;
     const Vec3 offset = corners.subtracted(attachment.target, [&](std::size_t v) { return state.positions[v]; });
@@ -120,6 +153,7 @@ class XpbdSolver final : public BatchSolver {
   simd::ConstraintRun run_;
   Workers workers_;
   ModelCache<RaggedRows<int>> colours_;
+  ModelCache<FabricConstraints> fabric_;
   std::vector<double> inverseMass_;  // w_i [1/kg], one a vertex; 0 where pinned
   std::vector<double> multiplier_;   // lambda [N s^2], one a spring
   AttachmentConstraint attachment_;
@@ -132,7 +166,8 @@ class XpbdSolver final : public BatchSolver {
 std::optional<SolverWarning> xpbdWarning(const ClothModel& model, const StepParameters& parameters) {
   constexpr double minStepInFloat = 1.0 / 6000.0;   // [s]
   constexpr double minWithRounding = 1.0 / 6001.0;  // [s]
-  if (parameters.precision == Precision::Float && parameters.timeStep / parameters.substeps < minWithRounding) {
+  if (parameters.precision == Precision::Float && !model.fabric &&
+      parameters.timeStep / parameters.substeps < minWithRounding) {
     return SolverWarning{.kind = SolverWarning::Kind::InexactInFloat, .seconds = minStepInFloat};
   }
   constexpr double perIteration = 4.0;  // limit of (h omega)^2 [-]
@@ -145,11 +180,13 @@ SolverInfo solvers::xpbd() {
   return {.name = "xpbd",
           .title = "XPBD",
           .help =
-              "Extended position-based dynamics: springs are compliant distance constraints that are corrected one "
-              "after the other. Cheap, and stable at any step. With few iterations stiff cloth is softer than "
+              "Extended position-based dynamics: springs, or the strains and curvatures of a fabric's triangles, are "
+              "compliant constraints that are corrected one after the other. Cheap, and stable at any step. With few "
+              "iterations stiff cloth is softer than "
               "specified; substeps help more than iterations.",
           .source = "Macklin, Mueller and Chentanez, 2016, XPBD",
           .backwardEuler = true,
+          .takesFabric = true,
           .settings = {"iterations", "precision"},
           .warning = xpbdWarning,
           .stepLimit = nullptr,

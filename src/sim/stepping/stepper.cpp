@@ -51,6 +51,13 @@ void addLater(const contact::ContactReport& next, contact::ContactReport& total)
   total.selfSeconds += next.selfSeconds;
 }
 
+/// The material with the smallest scale of its stretch stiffness; among equals the one with the largest strain.
+adaptive::StretchMemory softestOf(const std::vector<adaptive::StretchMemory>& materials) {
+  return *std::ranges::max_element(materials, {}, [](const adaptive::StretchMemory& material) {
+    return std::pair{material.level, material.strain};
+  });
+}
+
 /// A state that was replaced since the last step, as by a new scene, has no history, or one of another size.
 bool hasHistory(const ClothState& state, double timeStep) {
   return state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
@@ -92,10 +99,10 @@ StepReport Stepper::advanceWithChosenStretch(const ClothModel& model, const Step
                                                .meetsBodies = contact::meetsBodies(parameters.contact, inputs),
                                                .isAttached = inputs.attachment.has_value()};
   const ClothModel& chosen = stretch_.choose(model, conditions, state, memory);
-  const adaptive::StretchMemory choice = memory.stretch;
+  const adaptive::StretchMemory choice = softestOf(memory.stretch);
   adaptive::storeStepMemory(std::move(memory), state);
   StepReport report = advance(chosen, parameters, inputs, state);
-  if (report.choice && choice.level >= 0) {
+  if (report.choice) {
     report.choice->stiffnessScale = adaptive::StretchChoice::scaleOf(choice.level);
     report.choice->strain = choice.strain;
     report.choice->softenedTriangles = chosen.fabric->slivers - model.fabric->slivers;
@@ -108,6 +115,7 @@ StepReport Stepper::advance(const ClothModel& model, const StepParameters& param
                             ClothState& state) {
   earlierContactWork_ = 0.0;
   fabricDampingWork_ = 0.0;
+  contactLoadsAreOld_ = true;
   if (solver_->sleeps(model, parameters, inputs, state)) {
     contactSubsteps_ = 1;
     return stepAsleep(model, parameters, inputs, state);
@@ -220,9 +228,29 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   total.contact = total.choice && total.choice->sleeping
                       ? contact_.keepLast()
                       : contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
+  if (keepsContactLoads_ && !(total.choice && total.choice->sleeping)) {
+    addContactLoads(model, state);
+  }
   earlierContactWork_ += total.contactWork;
   state.time = end;  // not the sum of the substeps, which has rounding errors
   return total;
+}
+
+void Stepper::keepContactLoads(bool kept) {
+  if (!kept) {
+    contactLoads_ = {};
+  }
+  keepsContactLoads_ = kept;
+}
+
+void Stepper::addContactLoads(const ClothModel& model, const ClothState& state) {
+  if (std::exchange(contactLoadsAreOld_, false)) {
+    contactLoads_.begin(model);
+  }
+  contactLoads_.add(model, substepContacts_, state.positions);
+  if (const ClothState* unresolved = contact_.unresolved()) {
+    contactLoads_.addCorrection(model, *unresolved, state);
+  }
 }
 
 StepInputs Stepper::inputsOfSolver(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,

@@ -7,6 +7,7 @@
 #include "sim/motion/momentum.hpp"
 #include "sim/simd/fabric_damper.hpp"
 #include "sim/solvers/solver.hpp"
+#include "sim/stepping/contact_loads.hpp"
 
 #include <memory>
 #include <vector>
@@ -57,6 +58,11 @@ class Stepper {
   [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
   /// Energy change by the damping of the fabric in the last step [J].
   [[nodiscard]] double fabricDampingWork() const { return fabricDampingWork_; }
+  /// Whether to keep the loads of contacts on the vertices. Off by default. Does not change the motion.
+  void keepContactLoads(bool kept);
+  /// The loads of contacts in the last step. While the cloth sleeps, those of the last step before. Unknown before the
+  /// first step that keeps them.
+  [[nodiscard]] const ContactLoads& contactLoads() const { return contactLoads_; }
 
  private:
   /// The motion of a pin on a body over the step [m].
@@ -79,6 +85,8 @@ class Stepper {
   StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                              ClothState& state);
 
+  /// Adds the loads of a contact substep.
+  void addContactLoads(const ClothModel& model, const ClothState& state);
   /// The inputs of the solver in a contact substep, with the contacts that it resolves.
   [[nodiscard]] StepInputs inputsOfSolver(const ClothModel& model, const StepParameters& parameters,
                                           const StepInputs& inputs, ClothState& state);
@@ -116,6 +124,9 @@ class Stepper {
   contact::ContactStage contact_;
   contact::BodySubsteps bodySubsteps_;
   bool keepsContactWork_ = false;
+  bool keepsContactLoads_ = false;
+  bool contactLoadsAreOld_ = true;  // of an earlier step
+  ContactLoads contactLoads_;
   int contactSubsteps_ = 1;
   adaptive::StretchChoice stretch_;
   std::unique_ptr<simd::FabricDamper> damper_;  // null until a fabric damps

@@ -38,6 +38,7 @@ void FabricEnergy::prepare(const ClothModel& model, std::span<const Vec3> start,
 }
 
 void FabricEnergy::evaluate(std::span<const Vec3> displacement) {
+  workers_->forEach(threads_, displaced_.size(), [&](std::size_t v) { displaced_[v] = start_[v] + displacement[v]; });
   workers_->forEach(threads_, sides_.size(), [&](std::size_t t) { evaluateTriangle(t, displacement); });
   workers_->forEach(threads_, forces_.size(), [&](std::size_t v) { gatherVertex(v, displacement); });
 }
@@ -71,7 +72,6 @@ void FabricEnergy::gatherVertex(std::size_t vertex, std::span<const Vec3> displa
     }
   }
   size += model_->fabricStiffness[vertex] * moved;
-  displaced_[vertex] = start_[vertex] + displacement[vertex];
   if (model_->fabric->bends()) {
     // The rows of the matrix sum to zero, so that differences of positions serve. They are more accurate.
     double energy = 0.0;
@@ -84,13 +84,20 @@ void FabricEnergy::gatherVertex(std::size_t vertex, std::span<const Vec3> displa
     }
     bendingEnergies_[vertex] = energy;
   }
+  if (!model_->fabric->restMoments.empty()) {
+    const Vec3 moment = model_->fabric->restMoments.forceOn(vertex, displaced_);
+    force += moment;
+    size += moment.norm();
+  }
   forces_[vertex] = force;
   sizes_[vertex] = size;
 }
 
 double FabricEnergy::energy() const {
+  const fabric::RestMoments& moments = model_->fabric->restMoments;
   return std::accumulate(energies_.begin(), energies_.end(), 0.0) +
-         std::accumulate(bendingEnergies_.begin(), bendingEnergies_.end(), 0.0);
+         std::accumulate(bendingEnergies_.begin(), bendingEnergies_.end(), 0.0) +
+         (moments.empty() ? 0.0 : moments.energy(displaced_));
 }
 
 void FabricEnergy::addDerivative(ForceDerivative variant, double factor, std::span<Mat3> diagonal,

@@ -34,7 +34,8 @@ class MeasuringTheEnergy : public ::testing::Test {
   }
 
   void prepare() {
-    guard.prepare(*model, localRatesOf(*model), parameters, state, 0.5 * std::numeric_limits<float>::epsilon());
+    guard.prepare(*model, localRatesOf(*model), parameters, state, 0.5 * std::numeric_limits<float>::epsilon(),
+                  Vec3::Zero());
   }
 
   std::shared_ptr<const ClothModel> model = testing::pinnedSheet(9);
@@ -107,7 +108,7 @@ class DecidingOnAStep : public ::testing::Test {
     parameters.material.stiffness = 10.0;
     const LocalRates rates = localRatesOf(*model);
     fall = parameters.gravity * rates.mass * rates.diagonal;
-    guard.prepare(*model, rates, parameters, state, 0.5 * std::numeric_limits<float>::epsilon());
+    guard.prepare(*model, rates, parameters, state, 0.5 * std::numeric_limits<float>::epsilon(), Vec3::Zero());
     for (std::size_t v = 0; v < state.positions.size(); ++v) {
       potential += parameters.gravity * model->vertexMass[v] * state.positions[v].y();
     }

@@ -41,16 +41,6 @@ ClothMesh unevenSheet(int n) {
   return mesh;
 }
 
-/// The sheet, rolled onto a cylinder about the z axis. @param curvature [1/m]
-Positions rolled(const Positions& flat, double curvature) {
-  Positions positions;
-  for (const Vec3& position : flat) {
-    const double angle = curvature * position.x();
-    positions.emplace_back(std::sin(angle) / curvature, (1.0 - std::cos(angle)) / curvature, position.z());
-  }
-  return positions;
-}
-
 TEST(FabricBending, matrixIsSymmetricAndSemidefiniteWithRowsThatSumToZero) {
   const Eigen::MatrixXd matrix = matrixOf(unevenSheet(7), woven()).toDense();
   const double size = matrix.cwiseAbs().maxCoeff();

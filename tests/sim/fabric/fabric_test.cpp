@@ -353,5 +353,27 @@ TEST(Warp, liesInThePlaneOfEachTriangleAndFallsBackToAnAxis) {
   EXPECT_TRUE(warp[2].isZero(0.0));
 }
 
+/// A vertex that lies almost on the line between two of its neighbours makes flat triangles. Contact pulls it out by a
+/// part of an edge, which stretches them a thousand times.
+TEST(Fabric, flatTrianglesStaySlowWhileTheyArePulledOut) {
+  constexpr int n = 17;
+  constexpr double edge = 1.0 / (n - 1);
+  ClothMesh mesh = sheet(n);
+  const int pulled = (n / 2) * n + n / 2;
+  mesh.positions[pulled].z() -= (1.0 - 1e-4) * edge;  // almost onto the row before
+  for (const Material& material : {woven(), stiffeningFabric()}) {
+    const auto model = asFabric(*buildClothModel(mesh, 0.1, MassLumping::Area, {}), material);
+    std::vector<Vec3> positions = mesh.positions;
+    positions[pulled].y() += 0.1 * edge;
+    const Mat3 stiffness = stiffnessAt(*model, positions, pulled, ForceDerivative::Stabilised);
+    const double largest = Eigen::SelfAdjointEigenSolver<Mat3>(stiffness).eigenvalues().maxCoeff();
+    double highest = 0.0;  // frequency squared of the cloth at rest [1/s^2]
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      highest = std::max(highest, 2.0 * model->fabricStiffness[v] / model->vertexMass[v]);
+    }
+    EXPECT_LT(largest / model->vertexMass[pulled], maxMembraneRatio * highest);
+  }
+}
+
 }  // namespace
 }  // namespace drape::sim::fabric

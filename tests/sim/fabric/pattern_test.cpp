@@ -233,7 +233,7 @@ TEST(Pattern, doesNotMakeStretchedTrianglesSlivers) {
 
 TEST(Pattern, isKeptWhenAutoLowersTheStretchStiffness) {
   const auto model = resized(0.9);
-  const auto softer = withStretchScale(*model, 0.25);
+  const auto softer = withStretchScales(*model, std::vector{0.25});
   EXPECT_TRUE(softer->hasPattern);
   EXPECT_EQ(softer->fabric->shape.triangles[3].sides, model->fabric->shape.triangles[3].sides);
   EXPECT_NEAR(softer->unitFrequency, 0.5 * model->unitFrequency, 0.1 * model->unitFrequency);

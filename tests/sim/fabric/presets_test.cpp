@@ -36,6 +36,18 @@ TEST(MaterialPresets, haveTheWeightAndThicknessOfCloth) {
   }
 }
 
+TEST(MaterialPresets, haveTheFrictionOfCloth) {
+  for (const MaterialPreset& preset : presetTable()) {
+    EXPECT_GE(preset.friction.selfStatic, preset.friction.selfKinetic) << preset.name;
+    EXPECT_GE(preset.friction.selfKinetic, 0.1) << preset.name;
+    EXPECT_LE(preset.friction.selfStatic, 1.0) << preset.name;
+    EXPECT_GE(preset.friction.skin, 0.2) << preset.name;
+    EXPECT_LE(preset.friction.skin, 0.8) << preset.name;
+  }
+  EXPECT_DOUBLE_EQ(skinFrictionRatio(findPreset("cotton")->friction), 1.0);
+  EXPECT_NEAR(skinFrictionRatio(findPreset("nylon")->friction), 0.37 / 0.51, 1e-12);  // Zhang and Mak 1999
+}
+
 TEST(MaterialPresets, haveTheBendingLengthOfCloth) {
   // Peirce's bending length, (B / weight per area)^(1/3): 1 cm for limp cloth, 5 cm for stiff cloth.
   for (const MaterialPreset& preset : presetTable()) {

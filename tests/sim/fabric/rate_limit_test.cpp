@@ -69,7 +69,7 @@ TEST(TighterRateLimit, leavesAnEvenSheetAlone) {
 }
 
 TEST(TighterRateLimit, softensOnlyTheSmallestTriangles) {
-  const auto full = sheetWithThinTriangles(woven(), 0.88);
+  const auto full = sheetWithThinTriangles(woven(), 0.8);
   ASSERT_EQ(full->fabric->slivers, 0);
   const auto limited = withTighterRateLimit(*full, 4.0);
   ASSERT_NE(limited, nullptr);

@@ -198,9 +198,11 @@ TEST(AirForce, neverReversesTheRelativeVelocityWithinAStep) {
   for (int i = 0; i < 200; ++i) {
     const Vec3 velocity = random.next(1000.0);
     const Vec3 normal = random.next(1.0).normalized();
-    const Vec3 force = kernels::airForce(normal, velocity, 0.5, 0.5, mass, timeStep);
-    const Vec3 after = velocity + force * (timeStep / mass);
-    EXPECT_GE(after.dot(velocity), -1e-9 * velocity.squaredNorm());
+    for (const bool asPlate : {false, true}) {
+      const Vec3 force = kernels::airForce(normal, velocity, {0.5, 0.5, 0.1}, asPlate, mass, timeStep);
+      const Vec3 after = velocity + force * (timeStep / mass);
+      EXPECT_GE(after.dot(velocity), -1e-9 * velocity.squaredNorm()) << asPlate;
+    }
   }
 }
 
@@ -210,7 +212,25 @@ TEST(AirForce, isThePlainFormulaInAGentleWind) {
   const Vec3 normal = Vec3(0.1, 1.0, 0.3).normalized();
   const Vec3 expected = kernels::dragForce(normal, velocity.norm(), heading, 1e-3) +
                         kernels::liftForce(normal, velocity.norm(), heading, 2e-3);
-  EXPECT_EQ(kernels::airForce(normal, velocity, 1e-3, 2e-3, 1e-3, 1.0 / 150.0), expected);
+  EXPECT_EQ(kernels::airForce(normal, velocity, {1e-3, 2e-3}, false, 1e-3, 1.0 / 150.0), expected);
+}
+
+TEST(PlateForce, hasTheCoefficientsOfDragAndLiftAtEveryAngleOfAttack) {
+  const kernels::AirFactors factors{.drag = 1.2, .lift = 0.5, .edgeDrag = 0.1};
+  for (double angle = -3.1; angle < 3.2; angle += 0.1) {  // of attack
+    const Vec3 normal(std::sin(angle), std::cos(angle), 0.0);
+    const Vec3 force = kernels::plateForce(normal, 2.0, Vec3::UnitX(), factors);
+    const double sine = std::sin(angle);
+    EXPECT_NEAR(force.x(), -4.0 * (0.1 + 1.1 * sine * sine), 1e-12) << angle;
+    EXPECT_NEAR(force.y(), -4.0 * 0.5 * std::sin(2.0 * angle), 1e-12) << angle;
+    EXPECT_NEAR(force.z(), 0.0, 1e-12) << angle;
+    EXPECT_LT((force - kernels::plateForce(-normal, 2.0, Vec3::UnitX(), factors)).norm(), 1e-15) << "either side";
+  }
+}
+
+TEST(PlateForce, raisesAPlateThatIsTiltedUpAgainstTheWind) {
+  const Vec3 underside = Vec3(1.0, -1.0, 0.0).normalized();
+  EXPECT_GT(kernels::plateForce(underside, 5.0, Vec3::UnitX(), {1.0, 0.5, 0.02}).y(), 0.0);
 }
 
 }  // namespace

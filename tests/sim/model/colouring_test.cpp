@@ -49,6 +49,15 @@ void expectAPartition(const RaggedRows<int>& colours, std::size_t count) {
   EXPECT_EQ(*all.rbegin(), static_cast<int>(count) - 1);
 }
 
+TEST(Colouring, givesNoTwoSetsOfAColourAVertexInCommonAndLeavesOutEmptySets) {
+  const std::vector<int> lengths{3, 0, 3, 2, 1};
+  const RaggedRows<int> sets(lengths, {0, 1, 2, 2, 3, 4, 5, 6, 3});
+  const RaggedRows<int> colours = colourSets(sets, 7);
+  ASSERT_EQ(colours.rowCount(), 2U);
+  EXPECT_TRUE(std::ranges::equal(colours[0], std::vector{0, 3, 4}));
+  EXPECT_TRUE(std::ranges::equal(colours[1], std::vector{2}));
+}
+
 TEST(Colouring, givesNoTwoSpringsOfAColourAVertexInCommon) {
   for (const auto& model : models()) {
     const RaggedRows<int> colours = colourSprings(*model);

@@ -229,6 +229,17 @@ TEST(FabricDamper, isStableWhereTheClothIsStretchedFar) {
   }
 }
 
+TEST(FabricDamper, leavesTheVelocitiesWhereItCannotBeStable) {
+  const auto model = asFabric(*pinnedCloth(unevenSheet(17, 4)), damped(woven(), 1e-2, 0.0));
+  ClothState state = shaken(*model, 0.02, 3);
+  for (Vec3& position : state.positions) {
+    position *= 1e4;
+  }
+  const std::vector<Vec3> before = state.velocities;
+  EXPECT_EQ(FabricDamper().damp(*model, stepOf(Precision::Float), {}, state), 0.0);
+  EXPECT_EQ(state.velocities, before);
+}
+
 TEST(FabricDamper, givesTheSameBitsForAnyNumberOfThreads) {
   const auto model = asFabric(*pinnedCloth(renumbered(unevenSheet(65, 4), 6)), damped(woven(), 1e-3, 1e-2));
   const ClothState start = shaken(*model, 0.001, 5);

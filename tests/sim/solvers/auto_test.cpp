@@ -456,6 +456,66 @@ TEST(Auto, usesDoubleWhereRoundingExceedsTheToleranceAndTheBudgetAllowsIt) {
   EXPECT_FALSE(isTakenInDouble(*model, parameters));
 }
 
+/// The energy of free cloth relative to air that moves with `wind`, except a constant [J]: in the frame of the air,
+/// gravity also acts against the motion of the frame.
+double energyInTheAir(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
+  const Energy energy = energyOf(model, parameters, state);
+  double kinetic = 0.0;
+  for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+    kinetic += 0.5 * model.vertexMass[v] * (state.velocities[v] - parameters.air.wind).squaredNorm();
+  }
+  return kinetic + energy.elastic + energy.potential -
+         model.totalMass() * parameters.gravity * parameters.air.wind.y() * state.time;
+}
+
+TEST(Auto, gainsNoEnergyRelativeToTheWindOnStiffFreeCloth) {
+  const auto model = buildClothModel(testing::sheet(17), 0.1, MassLumping::Area, {});
+  for (const double stiffness : {1e5, 1e6}) {
+    for (const Vec3& wind : {Vec3(5.0, 0.0, 0.0), Vec3(2.0, 4.0, 1.0)}) {
+      StepParameters parameters;
+      parameters.timeStep = frame;
+      parameters.material.stiffness = stiffness;
+      parameters.air.drag = parameters.air.lift = 0.4;
+      parameters.air.wind = wind;
+      parameters.automatic.costBudget = 31.0;
+      Stepper stepper("auto");
+      ClothState state = testing::shaken(*model, 1e-4, 4);
+      double lowest = energyInTheAir(*model, parameters, state);
+      const double scale = lowest + model->totalMass() * parameters.gravity * std::sqrt(2.0);
+      double largestRise = 0.0;
+      for (int step = 0; step < 150; ++step) {
+        stepper.step(*model, parameters, {}, state);
+        const double energy = energyInTheAir(*model, parameters, state);
+        lowest = std::min(lowest, energy);
+        largestRise = std::max(largestRise, energy - lowest);
+      }
+      EXPECT_LT(largestRise, 0.01 * scale) << stiffness << " N/m, wind " << wind.transpose();
+    }
+  }
+}
+
+StepParameters stiff(double stiffness) {
+  StepParameters parameters;
+  parameters.material.stiffness = stiffness;
+  return parameters;
+}
+
+TEST(Auto, usesDoubleWithHalfTheEvaluationsWhereRoundingIsTheLargerError) {
+  const auto model = pinnedSheet(17);
+  const double stable = frame / (0.8 * verletStepLimit(*model, stiff(1000.0)));
+  StepParameters parameters = withEvaluations(*model, 1000.0, 20.0 * stable);
+  parameters.automatic.soften = false;
+  StepReport last;
+  const ClothState chosen = fallen("auto", *model, parameters, &last);
+  EXPECT_LT(last.choice->forceEvaluations, 12.0 * stable) << "double costs twice as much";
+  parameters.substeps = static_cast<int>(20.0 * stable);
+  const ClothState inFloat = fallen("verlet", *model, parameters);
+  parameters.precision = Precision::Double;
+  parameters.substeps *= 10;
+  const ClothState exact = fallen("verlet", *model, parameters);
+  EXPECT_LT(meanDistanceOf(chosen, exact), 0.3 * meanDistanceOf(inFloat, exact));
+}
+
 TEST(Auto, conservesTheMomentumOfFreeClothWithClampedStiffness) {
   const auto model = testing::irregularSheet(17, {});
   StepParameters parameters = withEvaluations(*model, 1e5, 10.0);

@@ -484,6 +484,39 @@ TEST(SolverWarnings, sayThatNewtonIsSlowOnFineMeshes) {
   EXPECT_EQ(findSolver("newton")->warning(*pinnedSheet(33), {}).value().kind, SolverWarning::Kind::TooSlow);
 }
 
+/// The solver's result after some steps with damping, air and an attachment, from a start that is moved by `offset`;
+/// moved back.
+std::vector<Vec3> movedFrom(Solver& solver, const ClothModel& model, const Vec3& offset) {
+  StepParameters parameters;
+  parameters.timeStep = 1.0 / 600.0;
+  parameters.material = {.stiffness = 200.0, .damping = 0.002};
+  parameters.air.drag = 0.5;
+  parameters.air.lift = 0.3;
+  parameters.air.wind = Vec3(1.0, 0.5, -2.0);
+  StepInputs inputs;
+  inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.5, 0.5) + offset}, {50.0, 5.0}};
+  ClothState state = shaken(model, 1e-3, 3);
+  for (Vec3& position : state.positions) {
+    position = (position * 0x1p30).array().round().matrix() * 0x1p-30 + offset;  // without rounding
+  }
+  for (int step = 0; step < 20; ++step) {
+    solver.step(model, parameters, inputs, state);
+  }
+  for (Vec3& position : state.positions) {
+    position -= offset;
+  }
+  return state.positions;
+}
+
+TEST_P(EverySolver, movesClothFarFromTheOriginAsNearIt) {
+  const auto model = pinnedSheet(9);
+  const std::vector<Vec3> near = movedFrom(*make(), *model, Vec3::Zero());
+  const std::vector<Vec3> far = movedFrom(*make(), *model, Vec3(1024.0, -512.0, 2048.0));
+  for (std::size_t v = 0; v < near.size(); ++v) {
+    EXPECT_LT((far[v] - near[v]).norm(), 2e-6) << v;  // float at 2 km rounds by 1e-4 m
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EverySolver, ::testing::ValuesIn(methods()),
                          [](const auto& chosen) { return chosen.param.name; });
 

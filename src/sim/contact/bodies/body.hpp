@@ -29,6 +29,21 @@ struct CapsuleShape {
 struct BoxShape {
   Vec3 half = Vec3::Constant(0.5);  ///< half of its extents [m]
 };
+/// The positions of a deforming mesh as a function of time.
+class Deformation {
+ public:
+  Deformation() = default;
+  Deformation(const Deformation&) = delete;
+  Deformation& operator=(const Deformation&) = delete;
+  Deformation(Deformation&&) = delete;
+  Deformation& operator=(Deformation&&) = delete;
+  virtual ~Deformation() = default;
+
+  /// Writes the positions at that time [s], one a vertex of the mesh, in its own frame [m]. They are continuous in
+  /// time, and depend on nothing but the time.
+  virtual void positionsAt(double time, std::vector<Vec3>& positions) const = 0;
+};
+
 /// A triangle mesh, closed or open. The cloth may not pass through its triangles.
 struct MeshShape {
   std::vector<Vec3> positions;      ///< [m]
@@ -38,6 +53,10 @@ struct MeshShape {
   std::vector<std::vector<Vec3>> frames;
   double frameTime = 1.0 / 30.0;  ///< time between two frames [s]
   bool loop = false;              ///< the first frame follows the last
+  /// Computes the positions at any time instead of `frames`. `positions` equals those at time 0. Null: none.
+  std::shared_ptr<const Deformation> deformation = nullptr;
+
+  [[nodiscard]] bool deforms() const { return deformation != nullptr || frames.size() > 1; }
 };
 
 using BodyShape = std::variant<PlaneShape, SphereShape, CapsuleShape, BoxShape, std::shared_ptr<const MeshShape>>;

@@ -12,14 +12,18 @@ const MeshShape* meshOf(const Body& body) {
   return mesh == nullptr ? nullptr : mesh->get();
 }
 
-bool hasFrames(const Body& body) {
+bool deforms(const Body& body) {
   const MeshShape* mesh = meshOf(body);
-  return mesh != nullptr && mesh->frames.size() > 1;
+  return mesh != nullptr && mesh->deforms();
 }
 
 }  // namespace
 
 void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& positions) {
+  if (mesh.deformation) {
+    mesh.deformation->positionsAt(time, positions);
+    return;
+  }
   const std::size_t count = mesh.frames.size();
   if (count < 2) {
     positions = mesh.positions;
@@ -51,6 +55,29 @@ void BodyWorld::reset(double time) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     states_[i].targetShift.setZero();
     states_[i].shift.setZero();
+  }
+  placeAt(time);
+}
+
+std::vector<BodyShift> BodyWorld::shifts() const {
+  std::vector<BodyShift> all;
+  for (const BodyState& each : states_) {
+    all.push_back({each.shift, each.targetShift});
+  }
+  return all;
+}
+
+void BodyWorld::resume(double time, std::span<const BodyShift> shifts) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    states_[i].shift = shifts[i].shift;
+    states_[i].targetShift = shifts[i].target;
+  }
+  placeAt(time);
+}
+
+/// Puts every body at its pose at that time, without velocity.
+void BodyWorld::placeAt(double time) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
     updatePose(i, time);
     states_[i].start = states_[i].end;
     states_[i].startVertices = states_[i].endVertices;
@@ -87,18 +114,18 @@ void BodyWorld::updatePose(std::size_t body, double time) {
   BodyState& at = states_[body];
   at.end = poseAt(shape.motion, time);
   at.end.position += at.shift;
-  if (hasFrames(shape)) {
+  if (deforms(shape)) {
     meshPositionsAt(*meshOf(shape), time, at.endVertices);
   }
 }
 
 bool BodyWorld::isDeforming(std::size_t body) const {
-  return hasFrames((*bodies_)[body]);
+  return deforms((*bodies_)[body]);
 }
 
 std::span<const Vec3> BodyWorld::vertices(std::size_t body) const {
   const Body& shape = (*bodies_)[body];
-  if (hasFrames(shape)) {
+  if (deforms(shape)) {
     return states_[body].endVertices;
   }
   const MeshShape* mesh = meshOf(shape);
@@ -110,9 +137,10 @@ void BodyWorld::collect() {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const BodyState& each = states_[i];
     if (each.on) {
-      const bool deforms = hasFrames((*bodies_)[i]);
+      const bool isDeforming = deforms((*bodies_)[i]);
       steps_.push_back({&(*bodies_)[i], each.start, each.end,
-                        deforms ? std::span<const Vec3>(each.startVertices) : vertices(i), vertices(i), each.surface});
+                        isDeforming ? std::span<const Vec3>(each.startVertices) : vertices(i), vertices(i),
+                        each.surface});
     }
   }
 }

@@ -8,6 +8,12 @@
 
 namespace drape::sim::contact {
 
+/// How far the user has dragged a body from its prescribed motion.
+struct BodyShift {
+  Vec3 shift = Vec3::Zero();   ///< now [m]
+  Vec3 target = Vec3::Zero();  ///< that it approaches [m]
+};
+
 /// The bodies of a running scene and their motion in each step. A body follows its prescribed motion; the user can
 /// shift it by dragging. The shift approaches its target at a bounded speed, so that the body pushes cloth and does not
 /// jump through it.
@@ -26,6 +32,11 @@ class BodyWorld {
   /// and bodies that are off stay off.
   void reset(double time);
 
+  /// The shifts of all bodies.
+  [[nodiscard]] std::vector<BodyShift> shifts() const;
+  /// Puts every body at the pose of its prescribed motion at that time [s] with its shift. @param shifts one a body
+  void resume(double time, std::span<const BodyShift> shifts);
+
   /// Sets the shift that a dragged body approaches, relative to its prescribed motion [m].
   void shiftTowards(std::size_t body, const Vec3& shift) { states_[body].targetShift = shift; }
   void switchOn(std::size_t body, bool on);
@@ -42,6 +53,7 @@ class BodyWorld {
   [[nodiscard]] bool isOn(std::size_t body) const { return states_[body].on; }
   [[nodiscard]] const SurfaceProperties& surface(std::size_t body) const { return states_[body].surface; }
   [[nodiscard]] const Vec3& shift(std::size_t body) const { return states_[body].shift; }
+  [[nodiscard]] const Vec3& targetShift(std::size_t body) const { return states_[body].targetShift; }
   [[nodiscard]] bool isDeforming(std::size_t body) const;
   /// The vertices of a mesh, in its own frame [m]; empty for other shapes.
   [[nodiscard]] std::span<const Vec3> vertices(std::size_t body) const;
@@ -62,6 +74,7 @@ class BodyWorld {
   };
 
   void updatePose(std::size_t body, double time);
+  void placeAt(double time);
   void collect();
 
   std::shared_ptr<const std::vector<Body>> bodies_ = std::make_shared<const std::vector<Body>>();
@@ -69,7 +82,7 @@ class BodyWorld {
   std::vector<BodyStep> steps_;
 };
 
-/// The positions of a deforming mesh at that time [s], interpolated linearly between its frames.
+/// The positions of a deforming mesh at that time [s]: of its deformation, or interpolated linearly between its frames.
 void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& positions);
 
 }  // namespace drape::sim::contact

@@ -1,6 +1,8 @@
 // The header below includes this file once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/contact/broad_phase/mesh_kernel.cpp"
+#include "sim/simd/targets.hpp"
+
 #include <hwy/foreach_target.h>
 // Highway's own includes have to come first.
 #include "sim/contact/broad_phase/mesh_lanes.hpp"

@@ -14,7 +14,7 @@ constexpr double sharpAngle = 0.02;  // sine of the convex angle below which an 
 
 std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
   std::vector<std::array<bool, 3>> sharp(mesh.triangles.size(), {true, true, true});
-  if (mesh.frames.size() > 1) {
+  if (mesh.deforms()) {
     return sharp;  // any edge of a deforming mesh may become sharp
   }
   const MeshEdges topology = edgesOf(mesh.triangles, mesh.positions.size());

@@ -34,7 +34,7 @@ class SearchableMesh {
   /// Updates a deforming mesh to its vertices at the start and at the end of the step [m].
   void follow(std::span<const Vec3> before, std::span<const Vec3> after);
 
-  [[nodiscard]] bool isDeforming() const { return shape.frames.size() > 1; }
+  [[nodiscard]] bool isDeforming() const { return shape.deforms(); }
 
   /// The extents of some leaves of the tree along a unit vector, at the end or at the start of the step.
   /// @return their union

@@ -31,8 +31,8 @@ void ConstraintBuilder::addContact(const ClothInBody& cloth, std::size_t t, cons
   contact.height = height + contact.normal.dot(step_.end.position);
   contact.offset = offset;
   contact.bodyDisplacement = step_.end.toWorld(near.endPoint) - step_.start.toWorld(near.startPoint);
-  contact.staticFriction = step_.surface.staticFriction;
-  contact.kineticFriction = std::min(step_.surface.kineticFriction, step_.surface.staticFriction);
+  contact.staticFriction = friction_ * step_.surface.staticFriction;
+  contact.kineticFriction = friction_ * std::min(step_.surface.kineticFriction, step_.surface.staticFriction);
   contact.body = index_;
   candidates.contacts.push_back(contact);
 }

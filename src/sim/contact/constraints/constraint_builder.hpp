@@ -29,9 +29,9 @@ struct ContactOffsets {
 /// Creates the constraints of one body in one step. Input is in the body's frame, constraints are in the world frame.
 class ConstraintBuilder {
  public:
-  /// @param index of the body in the step
-  ConstraintBuilder(const BodyStep& step, int index, const ContactOffsets& offsets)
-      : step_(step), index_(index), offsets_(offsets) {}
+  /// @param index of the body in the step  @param friction factor on the friction of the body [-]
+  ConstraintBuilder(const BodyStep& step, int index, const ContactOffsets& offsets, double friction = 1.0)
+      : step_(step), index_(index), offsets_(offsets), friction_(friction) {}
 
   [[nodiscard]] const ContactOffsets& offsets() const { return offsets_; }
   [[nodiscard]] const BodyStep& step() const { return step_; }
@@ -54,6 +54,7 @@ class ConstraintBuilder {
   const BodyStep& step_;
   int index_;
   ContactOffsets offsets_;
+  double friction_;
 };
 
 }  // namespace drape::sim::contact

@@ -35,13 +35,13 @@ VertexContacts findVertexContacts(const ContactPass& pass, const ClothFrames& fr
     offsets.recoveryStep = pass.atEnd() ? 0.0 : offsets.recoveryStep;
     const ClothInBody cloth = frames.predictedIn(body, pass, overlaps.in(body));
     if (body.mesh != nullptr) {
-      body.search->findVertexContacts(ConstraintBuilder(*body.step, body.index, offsets), body.meshInStep(pass.atEnd()),
-                                      cloth, pass.cloth.clusters, pass.workers, pass.step.parameters.threads,
-                                      found.candidates);
+      body.search->findVertexContacts(ConstraintBuilder(*body.step, body.index, offsets, body.friction),
+                                      body.meshInStep(pass.atEnd()), cloth, pass.cloth.clusters, pass.workers,
+                                      pass.step.parameters.threads, found.candidates);
       continue;
     }
     const int before = found.candidates.overlaps;
-    searchPrimitive(pass, cloth, PrimitiveSearch(*body.step, body.index, offsets), found.candidates);
+    searchPrimitive(pass, cloth, PrimitiveSearch(*body.step, body.index, offsets, body.friction), found.candidates);
     if (found.candidates.overlaps > before && !std::holds_alternative<PlaneShape>(body.step->body->shape)) {
       found.entered.push_back(body.index);
     }

@@ -26,7 +26,8 @@ void NearBodies::add(const std::vector<ReachableBody>& found, const ClothStep& s
     const ContactOffsets offsets{offset, edgeOffsetRatio * offset, minimumSeparationRatio * offset, recoveryStep,
                                  recoveryStep};
     MeshSearch* search = each.mesh != nullptr ? &searches_[each.step->body] : nullptr;
-    bodies_.push_back({each.step, static_cast<int>(bodies_.size()), each.mesh, search, offsets});
+    bodies_.push_back(
+        {each.step, static_cast<int>(bodies_.size()), each.mesh, search, offsets, step.contact.bodyFriction});
   }
 }
 

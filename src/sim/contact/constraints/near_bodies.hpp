@@ -16,10 +16,11 @@ struct NearBody {
   SearchableMesh* mesh = nullptr;  ///< of a box or a mesh; null for other shapes
   MeshSearch* search = nullptr;    ///< finds contacts and planes on that mesh
   ContactOffsets offsets;
+  double friction = 1.0;  ///< factor on the friction of the body [-]
 
   /// @param atEnd the cloth's start positions belong to the end of the step
   [[nodiscard]] MeshInStep meshInStep(bool atEnd) const;
-  [[nodiscard]] ConstraintBuilder builder() const { return {*step, index, offsets}; }
+  [[nodiscard]] ConstraintBuilder builder() const { return {*step, index, offsets, friction}; }
 };
 
 /// The bodies that the cloth could reach in a step. Keeps the cached data of the searches on meshes from step to step.

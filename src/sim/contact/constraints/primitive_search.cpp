@@ -16,8 +16,8 @@ bool hasNoPin(const ClothInBody& cloth, const Triangle& corners) {
 
 }  // namespace
 
-PrimitiveSearch::PrimitiveSearch(const BodyStep& step, int index, const ContactOffsets& offsets)
-    : builder_(step, index, offsets) {
+PrimitiveSearch::PrimitiveSearch(const BodyStep& step, int index, const ContactOffsets& offsets, double friction)
+    : builder_(step, index, offsets, friction) {
   if (const auto* sphere = std::get_if<SphereShape>(&step.body->shape)) {
     radius_ = sphere->radius;
   } else if (const auto* capsule = std::get_if<CapsuleShape>(&step.body->shape)) {

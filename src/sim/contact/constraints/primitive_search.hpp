@@ -8,8 +8,8 @@ namespace drape::sim::contact {
 /// Finds contacts and separating planes of a cloth with a plane, a sphere or a capsule in one step.
 class PrimitiveSearch {
  public:
-  /// @param index of the body in the step
-  PrimitiveSearch(const BodyStep& step, int index, const ContactOffsets& offsets);
+  /// @param index of the body in the step  @param friction factor on the friction of the body [-]
+  PrimitiveSearch(const BodyStep& step, int index, const ContactOffsets& offsets, double friction = 1.0);
 
   /// Adds the constraints of triangles begin to end - 1 to `candidates`.
   void search(const ClothInBody& cloth, std::size_t begin, std::size_t end, Candidates& candidates) const;

@@ -33,7 +33,8 @@ std::vector<Exit> exitsOf(const EntangledCloth& cloth) {
   const std::vector<Vec3> rates = shorteningRates(cloth.mesh, cloth.crossings, cloth.start);
   std::vector<char> cutsOff(static_cast<std::size_t>(contours.count), 0);
   for (std::size_t i = 0; i < wrong.size(); ++i) {
-    cutsOff[contours.contourOf[i]] |= static_cast<char>(wrong[i] >= 0);
+    char& any = cutsOff[contours.contourOf[i]];
+    any = any != 0 || wrong[i] >= 0 ? 1 : 0;
   }
   std::vector<Exit> exits;
   for (std::size_t i = 0; i < wrong.size(); ++i) {

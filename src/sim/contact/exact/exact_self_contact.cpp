@@ -1,6 +1,7 @@
 #include "sim/contact/exact/exact_self_contact.hpp"
 
 #include "sim/contact/exact/crossing_recovery.hpp"
+#include "sim/contact/solve/remove_approach.hpp"
 
 #include <algorithm>
 
@@ -17,7 +18,7 @@ constexpr double reachRatio = approachSlack * (1.0 + contactMargin);  // distanc
 constexpr double separationSpeed = 0.05;  // at which layers that are too close move apart [m/s]
 constexpr int impulseIterations = 10;
 
-/// After so many rounds of the guard in which patches became invalid, all pairs are checked.
+/// If patches became invalid in more rounds of the guard, all pairs are checked.
 constexpr int maxPatchRounds = 3;
 
 }  // namespace
@@ -172,47 +173,35 @@ PairGuard::Result ExactSelfContact::keepApart(const ExactStep& step, PairGuard::
   }
 }
 
-/// Removes the velocity towards what stopped the vertices that the guard moved.
-void ExactSelfContact::removeApproach(const Vec3& commonVelocity, double timeStep, ClothState& state) const {
-  for (std::size_t v = 0; v < before_.size(); ++v) {
-    const Vec3 moved = state.positions[v] - before_[v];
-    const double distance = moved.norm();
-    if (distance > 0.0) {
-      const Vec3 normal = moved / distance;
-      const double approach = -normal.dot(state.velocities[v] - commonVelocity);
-      state.velocities[v] += std::clamp(approach, 0.0, distance / timeStep) * normal;
-    }
-  }
-}
-
 int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state) {
   before_ = state.positions;
   const bool nearBodies = !bodies.fallback.empty();
   const Vec3 common = nearBodies ? Vec3(Vec3::Zero()) : meanDisplacement(step.start, before_);
-  if (!nearBodies) {
-    fallback_ = step.start;
-    for (Vec3& position : fallback_) {
-      position += common;
-    }
+  const std::span<const Vec3> unmoved = nearBodies ? bodies.fallback : std::span<const Vec3>(step.start);
+  fallback_.resize(before_.size());
+  for (std::size_t v = 0; v < before_.size(); ++v) {
+    // The guard does not move pins.
+    fallback_[v] = inverseMass(step.model)[v] > 0.0 ? Vec3(unmoved[v] + common) : before_[v];
   }
   const auto memory = std::make_shared<SelfContactMemory>();
   memory->vertices = step.model.vertexCount();
   memory->triangles = static_cast<int>(step.model.triangles.size());
   memory->patches = step.memory != nullptr ? step.memory->patches : PatchHistory{};
-  const PairGuard::Result result =
-      keepApart(step,
-                {.model = step.model,
-                 .inverseMass = inverseMass(step.model),
-                 .start = step.start,
-                 .fallback = nearBodies ? bodies.fallback : std::span<const Vec3>(fallback_),
-                 .bodyPlanes = bodies.planes,
-                 .entangled = entangled_,
-                 .patches = nullptr,
-                 .thickness = step.contact.thickness,
-                 .reach = reachRatio * step.contact.thickness,
-                 .threads = step.parameters.threads},
-                state.positions, memory->patches);
-  removeApproach(common / step.parameters.timeStep, step.parameters.timeStep, state);
+  const PairGuard::Result result = keepApart(step,
+                                             {.model = step.model,
+                                              .inverseMass = inverseMass(step.model),
+                                              .start = step.start,
+                                              .fallback = fallback_,
+                                              .bodyPlanes = bodies.planes,
+                                              .entangled = entangled_,
+                                              .patches = nullptr,
+                                              .thickness = step.contact.thickness,
+                                              .reach = reachRatio * step.contact.thickness,
+                                              .threads = step.parameters.threads},
+                                             state.positions, memory->patches);
+  const Vec3 commonVelocity = common / step.parameters.timeStep;
+  removeApproach(
+      before_, [&](std::size_t) { return commonVelocity; }, step.parameters.timeStep, state);
   state.hasNoSelfIntersection = result.crossings == 0 && result.touching == 0 && entangled_.empty();
   state.selfContact = memory;
   return result.crossings;

@@ -42,7 +42,7 @@ struct ExactStep {
 ///    that are not collision-free at the end of the step are replaced by smaller ones before.
 class ExactSelfContact {
  public:
-  /// What bodies require of the cloth.
+  /// Planes of bodies, and positions that satisfy them.
   struct BodyLimits {
     std::span<const SeparatingPlane> planes;
     std::span<const Vec3> fallback;  ///< positions outside the bodies [m]; empty: there are no bodies near
@@ -78,7 +78,6 @@ class ExactSelfContact {
   SharedFeaturePatches patchesAtStart(const ExactStep& step);
   PairGuard::Result keepApart(const ExactStep& step, PairGuard::Inputs inputs, std::vector<Vec3>& positions,
                               PatchHistory& history);
-  void removeApproach(const Vec3& commonVelocity, double timeStep, ClothState& state) const;
   const std::vector<double>& inverseMass(const ClothModel& model);
 
   PatchFinder patches_;

@@ -4,6 +4,7 @@
 #include "sim/contact/exact/pair_contacts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace drape::sim::contact {
@@ -11,9 +12,11 @@ namespace {
 
 constexpr double guardedSeparation = 0.1;  // that pairs keep, in their thicknesses
 constexpr int maxSweepRounds = 6;
+constexpr int maxSweepRoundsOfPart = 40;
 constexpr int sweepsOfRound = 8;
 constexpr int maxPlaneRounds = 40;
-constexpr double sweepMargin = 1.1;  // ratio to the separation that sweeps aim at
+constexpr std::array partsOfMotion{4, 16};  // into which a motion is divided that cannot be guarded at once
+constexpr double sweepMargin = 1.1;         // ratio to the separation that sweeps aim at
 
 std::uint64_t keyOf(const FeaturePair& pair) {
   return (static_cast<std::uint64_t>(pair.first) << 33U) | (static_cast<std::uint64_t>(pair.second) << 1U) |
@@ -26,6 +29,20 @@ double meanAt(std::span<const double> values, std::span<const int> indices) {
     sum += values[i];
   }
   return sum / static_cast<double>(indices.size());
+}
+
+/// The share of the first of two numbers >= 0; a half if both are 0.
+double shareOf(double first, double second) {
+  return first + second > 0.0 ? first / (first + second) : 0.5;
+}
+
+/// The number of planes of bodies that free vertices violate.
+int violatedPlanes(const PairGuard::Inputs& inputs, std::span<const Vec3> positions) {
+  return static_cast<int>(
+      std::count_if(inputs.bodyPlanes.begin(), inputs.bodyPlanes.end(), [&](const SeparatingPlane& plane) {
+        return inputs.inverseMass[plane.vertex] > 0.0 &&
+               plane.height - plane.normal.dot(positions[plane.vertex]) > planeTolerance;
+      }));
 }
 
 }  // namespace
@@ -93,30 +110,36 @@ void PairGuard::moveApart(const Inputs& inputs, std::span<Vec3> positions) const
 }
 
 /// Adds the planes of the guarded pairs from index `first`. They lie between the fallback positions, where the motion
-/// to the wanted positions needs most of the space.
+/// to the wanted positions needs most of the space. If the fallback positions are too close, because pins or bodies
+/// move, the planes require of both features to make space, weighted by their masses.
 void PairGuard::addPlanes(const Inputs& inputs, std::size_t first) {
   for (std::size_t i = first; i < guarded_.size(); ++i) {
     const Guarded& pair = guarded_[i];
-    const Vec3& normal = pair.inStep.normal;
+    // Turns with the fallback positions.
+    const Vec3 normal = separationAlong(pair.inStep.normal, pair.vertices, inputs.fallback) < pair.inStep.separation
+                            ? gapOf(pair.vertices, inputs.fallback).normal
+                            : pair.inStep.normal;
     const PairExtents start = extentsOf(pair.vertices, normal, Vec3::Zero(), inputs.fallback);
     const PairExtents end = extentsOf(pair.vertices, normal, Vec3::Zero(), wanted_);
     const double kept = pair.inStep.separation + roundingOf(pair.vertices, inputs.fallback);
-    const double space = std::max(0.0, start.firstLow - start.secondHigh - kept);
+    const double space = start.firstLow - start.secondHigh - kept;
     const double down = std::max(0.0, start.firstLow - end.firstLow);
     const double up = std::max(0.0, end.secondHigh - start.secondHigh);
-    const double high = start.secondHigh + (down + up > 0.0 ? space * up / (down + up) : 0.5 * space);
-    const double low = start.firstLow - (down + up > 0.0 ? space * down / (down + up) : 0.5 * space);
+    const double ofSecond = space > 0.0 ? shareOf(up, down)
+                                        : shareOf(meanAt(inputs.inverseMass, pair.vertices.second()),
+                                                  meanAt(inputs.inverseMass, pair.vertices.first()));
     for (const int v : pair.vertices.first()) {
-      planes_.push_back({v, 0, normal, low});
+      planes_.push_back({v, 0, normal, start.firstLow - space * (1.0 - ofSecond)});
     }
     for (const int v : pair.vertices.second()) {
-      planes_.push_back({v, 0, -normal, -high});
+      planes_.push_back({v, 0, -normal, -(start.secondHigh + space * ofSecond)});
     }
   }
 }
 
-PairGuard::Result PairGuard::apply(const Inputs& inputs, PairSearch& search, Workers& workers,
-                                   std::span<Vec3> positions) {
+/// Guards the whole motion at once.
+PairGuard::Result PairGuard::applyAtOnce(const Inputs& inputs, int sweepRounds, PairSearch& search, Workers& workers,
+                                         std::span<Vec3> positions) {
   const double required = guardedSeparation * inputs.thickness;
   guarded_.clear();
   keys_.clear();
@@ -127,13 +150,13 @@ PairGuard::Result PairGuard::apply(const Inputs& inputs, PairSearch& search, Wor
     guardFound();
     return !found_.empty();
   };
-  for (int round = 0; find() && round < maxSweepRounds; ++round) {
+  for (int round = 0; find() && round < sweepRounds; ++round) {
     for (int sweep = 0; sweep < sweepsOfRound; ++sweep) {
       moveApart(inputs, positions);
     }
   }
   if (found_.empty()) {
-    return {.touching = touching_};
+    return {.touching = touching_, .insideBodies = violatedPlanes(inputs, positions)};
   }
   wanted_.assign(positions.begin(), positions.end());
   bounds_.assign(positions.size(), std::numeric_limits<double>::infinity());
@@ -149,7 +172,50 @@ PairGuard::Result PairGuard::apply(const Inputs& inputs, PairSearch& search, Wor
     filter_.apply(planes_, inputs.inverseMass, bounds_, 1, fallbackOf, wanted_, positions);
     find();
   }
-  return {static_cast<int>(found_.size()), touching_};
+  return {static_cast<int>(found_.size()), touching_, violatedPlanes(inputs, positions)};
+}
+
+/// Guards equal parts of the motion, one after the other. In a short part, pins and bodies move less than the pairs are
+/// apart, so that a fallback position near the start of the part is feasible.
+PairGuard::Result PairGuard::applyInParts(const Inputs& inputs, int parts, PairSearch& search, Workers& workers,
+                                          std::span<Vec3> positions) {
+  partStart_.assign(inputs.start.begin(), inputs.start.end());
+  partFallback_.resize(positions.size());
+  Inputs part = inputs;
+  part.patches = nullptr;  // patches are valid at the ends of the step only
+  Result result;
+  for (int k = 1; k <= parts; ++k) {
+    const double remaining = parts - k;
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      partFallback_[v] = partStart_[v] + (inputs.fallback[v] - inputs.start[v]) / parts;
+      positions[v] = k == parts ? predicted_[v] : partStart_[v] + (predicted_[v] - partStart_[v]) / (remaining + 1.0);
+    }
+    partPlanes_.assign(inputs.bodyPlanes.begin(), inputs.bodyPlanes.end());
+    for (SeparatingPlane& plane : partPlanes_) {
+      const double slack = plane.normal.dot(inputs.start[plane.vertex]) - plane.height;
+      plane.height += std::min(0.0, slack) * remaining / parts;
+    }
+    part.start = partStart_;
+    part.fallback = partFallback_;
+    part.bodyPlanes = partPlanes_;
+    const Result ofPart = applyAtOnce(part, maxSweepRoundsOfPart, search, workers, positions);
+    result.crossings += ofPart.crossings;
+    result.touching = std::max(result.touching, ofPart.touching);
+    result.insideBodies = ofPart.insideBodies;
+    partStart_.assign(positions.begin(), positions.end());
+  }
+  return result;
+}
+
+PairGuard::Result PairGuard::apply(const Inputs& inputs, PairSearch& search, Workers& workers,
+                                   std::span<Vec3> positions) {
+  predicted_.assign(positions.begin(), positions.end());
+  Result result = applyAtOnce(inputs, maxSweepRounds, search, workers, positions);
+  for (auto parts = partsOfMotion.begin(); result.crossings + result.insideBodies > 0 && parts != partsOfMotion.end();
+       ++parts) {
+    result = applyInParts(inputs, *parts, search, workers, positions);
+  }
+  return result;
 }
 
 }  // namespace drape::sim::contact

@@ -21,6 +21,7 @@ namespace drape::sim::contact {
 /// 2. If pairs remain, each gets two parallel planes between its fallback positions, one for each feature. Every vertex
 ///    is projected onto its planes, or moves back towards its fallback position. Other pairs that this violates get
 ///    planes too. If the fallback positions satisfy all planes and no pin violates one, all pairs are separated.
+/// 3. If pairs remain, because pins or bodies move far, the motion is divided into parts, and each part is guarded.
 class PairGuard {
  public:
   struct Inputs {
@@ -36,10 +37,11 @@ class PairGuard {
     int threads = 1;
   };
 
-  /// Numbers of pairs. Those that intersect at the start do not count.
+  /// Numbers of pairs, and of planes. Pairs that intersect at the start do not count.
   struct Result {
-    int crossings = 0;  ///< that are not separated
-    int touching = 0;   ///< that no plane separates at the start; they are not guarded, and may intersect at the end
+    int crossings = 0;     ///< that are not separated
+    int touching = 0;      ///< that no plane separates at the start; they are not guarded, and may intersect at the end
+    int insideBodies = 0;  ///< planes of bodies that are violated at the end
   };
 
   /// Changes `positions`, the end of the step.
@@ -52,6 +54,9 @@ class PairGuard {
     std::uint64_t key = 0;
   };
 
+  Result applyAtOnce(const Inputs& inputs, int sweepRounds, PairSearch& search, Workers& workers,
+                     std::span<Vec3> positions);
+  Result applyInParts(const Inputs& inputs, int parts, PairSearch& search, Workers& workers, std::span<Vec3> positions);
   void findCrossing(const Inputs& inputs, const PairSearch& search, Workers& workers, std::span<const Vec3> positions);
   void guardFound();
   void moveApart(const Inputs& inputs, std::span<Vec3> positions) const;
@@ -64,6 +69,9 @@ class PairGuard {
   std::vector<SeparatingPlane> planes_;
   std::vector<Vec3> wanted_;  // positions before planes [m]
   std::vector<double> bounds_;
+  std::vector<Vec3> predicted_;                 // positions before the guard [m]
+  std::vector<Vec3> partStart_, partFallback_;  // of a part of the motion [m]
+  std::vector<SeparatingPlane> partPlanes_;     // of the bodies, in a part of the motion
   SeparatingPlaneFilter filter_;
 };
 

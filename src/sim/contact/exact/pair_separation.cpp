@@ -6,6 +6,8 @@
 namespace drape::sim::contact {
 namespace {
 
+constexpr double minRoundings = 1e3;     // of the distance that conservative advancement can prove
+constexpr double maxTurn = 300.0;        // displacement of vertices relative to each other, in separations
 constexpr double closingPerStep = 1e-9;  // fraction of its separation that a close pair may lose in a step
 
 /// A normal, and a lower bound of the distance along it [m].
@@ -52,6 +54,17 @@ Separation separationAt(const PairVertices& vertices, std::span<const Vec3> posi
   return best;
 }
 
+/// Whether a pair that is at least `kept` apart at both ends of the step, and turns little, certainly does not meet in
+/// between.
+bool turnsApart(double kept, const PairVertices& vertices, std::span<const Vec3> start, std::span<const Vec3> end) {
+  const auto move = [&](int v) { return Vec3(end[v] - start[v]); };
+  const Vec3 common = move(vertices.all[0]);
+  const bool turnsLittle = std::all_of(vertices.all.begin(), vertices.all.end(),
+                                       [&](int v) { return (move(v) - common).norm() <= maxTurn * kept; });
+  const double rounding = std::max(roundingOf(vertices, start), roundingOf(vertices, end));
+  return turnsLittle && kept > minRoundings * rounding && !comesWithin(0.5 * kept, vertices, start, end);
+}
+
 }  // namespace
 
 PairInStep separationInStep(const PairVertices& vertices, std::span<const Vec3> start, std::span<const Vec3> end,
@@ -66,7 +79,8 @@ PairInStep separationInStep(const PairVertices& vertices, std::span<const Vec3> 
     return separated;
   }
   const Vec3 other = gapOf(vertices, end).normal;
-  if (separationAlong(other, vertices, end) >= kept && separationAlong(other, vertices, start) >= kept) {
+  if (separationAlong(other, vertices, end) >= kept &&
+      (separationAlong(other, vertices, start) >= kept || turnsApart(kept, vertices, start, end))) {
     return separated;
   }
   if (!comesWithin(goal.distance / approachSlack, vertices, start, end)) {

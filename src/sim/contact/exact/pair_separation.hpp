@@ -24,11 +24,13 @@ struct PairInStep {
   double separation = 0.0;      ///< distance along the normal that the pair must keep [m]
 };
 
-/// Decides whether a pair is separated in a step. `Separated` is certain, for any rounding. It has one of two proofs:
+/// Decides whether a pair is separated in a step. `Separated` is certain, for any rounding. It has one of three proofs:
 ///
 /// 1. Along one normal the first feature lies above the second at the start and at the end, by at least the separation
 ///    that the pair keeps. This holds in between too. The normals of the closest points at both times are tried.
-/// 2. The pair stays farther apart than goal.distance (comesWithin).
+/// 2. At the end it is as far apart along another normal, and in between it stays farther apart than half of that
+///    (comesWithin). So a pair can turn by a little.
+/// 3. The pair stays farther apart than goal.distance (comesWithin).
 ///
 /// The result is `Separated` for each pair that stays farther apart than `approachSlack` times goal.distance.
 /// @param start, end positions [m]

@@ -1,6 +1,7 @@
 #include "sim/contact/recovery/mesh_rays.hpp"
 
 #include <Eigen/Geometry>
+#include <utility>
 
 namespace drape::sim::contact {
 namespace {
@@ -25,8 +26,8 @@ int sideOf(const Vec2& a, const Vec2& b) {
 /// A ray with a coordinate system of the plane normal to it.
 class Ray {
  public:
-  Ray(const Vec3& from, const Vec3& direction)
-      : from_(from), direction_(direction), u_(direction.unitOrthogonal()), v_(direction.cross(u_)) {}
+  Ray(Vec3 from, const Vec3& direction)
+      : from_(std::move(from)), direction_(direction), u_(direction.unitOrthogonal()), v_(direction.cross(u_)) {}
 
   /// Whether it passes through a triangle in front of its origin.
   bool meets(const Corners& corners, Crossing& crossing) const {

@@ -159,11 +159,11 @@ void PatchGrower::takeFrom(const PatchMesh& mesh, int seed, const Direction& axi
   }
 }
 
-void PatchGrower::giveBack(std::size_t kept) {
-  for (std::size_t i = kept; i < order_.size(); ++i) {
+void PatchGrower::giveBack(std::size_t keptCount) {
+  for (std::size_t i = keptCount; i < order_.size(); ++i) {
     owner_[order_[i]] = freeTriangle;
   }
-  order_.resize(kept);
+  order_.resize(keptCount);
 }
 
 Direction PatchGrower::axisAround(const PatchMesh& mesh, int seed) {

@@ -86,7 +86,7 @@ class BoxLanes {
              hn::Max(high_.z, hn::IfThenElse(present, value.z, high))};
   }
 
-  LaneBox box() const {
+  [[nodiscard]] LaneBox box() const {
     const Floats d;
     return {{hn::GetLane(hn::MinOfLanes(d, low_.x)), hn::GetLane(hn::MinOfLanes(d, low_.y)),
              hn::GetLane(hn::MinOfLanes(d, low_.z))},

@@ -43,7 +43,7 @@ double diagonalOf(const LaneBox& box) {
 
 void copyPositions(const std::vector<Vec3>& from, PositionLanes& to) {
   to.resize(from.size());
-  simd::splitCoordinates(from.data()->data(), from.size(), {to.x.data(), to.y.data(), to.z.data()});
+  simd::splitCoordinates(from.data()->data(), from.size(), Vec3::Zero(), {to.x.data(), to.y.data(), to.z.data()});
 }
 
 double squaredDistance(const PositionLanes& positions, const VertexPair& pair) {

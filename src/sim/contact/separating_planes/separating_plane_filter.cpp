@@ -9,7 +9,6 @@ namespace {
 
 constexpr int maxProjections = 8;
 constexpr int maxFallbackProjections = 64;  // for a vertex without a feasible position so far
-constexpr double planeTolerance = 1e-10;    // [m] far below the minimum separation
 
 double slack(const SeparatingPlane& plane, const Vec3& position) {
   return plane.normal.dot(position) - plane.height;

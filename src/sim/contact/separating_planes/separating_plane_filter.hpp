@@ -8,6 +8,9 @@
 
 namespace drape::sim::contact {
 
+/// A position that violates a plane by less satisfies it [m]. Far below the minimum separation.
+inline constexpr double planeTolerance = 1e-10;
+
 /// Moves every vertex to the permitted side of all its planes and within its displacement bound, which limits the
 /// region that was searched.
 class SeparatingPlaneFilter {

@@ -31,6 +31,8 @@ class SeparatingPlanes {
 
   /// The maximum displacement of a vertex by the last `apply` [m].
   [[nodiscard]] double maxCorrection() const { return filter_.maxCorrection(); }
+  /// The positions that the last `apply` was given [m].
+  [[nodiscard]] const std::vector<Vec3>& unprojected() const { return solved_; }
   [[nodiscard]] std::span<const SeparatingPlane> all() const { return planes_; }
 
  private:

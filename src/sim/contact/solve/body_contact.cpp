@@ -2,6 +2,7 @@
 
 #include "sim/contact/constraints/contact_search.hpp"
 #include "sim/contact/solve/convergence.hpp"
+#include "sim/contact/solve/remove_approach.hpp"
 #include "sim/contact/solve/substep_contacts.hpp"
 #include "sim/model/bounds.hpp"
 
@@ -12,6 +13,23 @@ namespace drape::sim::contact {
 namespace {
 
 constexpr int maxPasses = 4;
+
+bool isStill(const NearBody& body) {
+  const Pose& start = body.step->start;
+  const Pose& end = body.step->end;
+  return start.position == end.position && start.rotation == end.rotation;
+}
+
+/// A position that moves rigidly with a body in a step [m].
+Vec3 carriedBy(const NearBody& body, const Vec3& position) {
+  return body.step->end.toWorld(body.step->start.toLocal(position));
+}
+
+/// Whether two bodies move by the same rigid motion in a step.
+bool moveAlike(const NearBody& a, const NearBody& b) {
+  const auto isRigid = [](const NearBody& body) { return body.mesh == nullptr || !body.mesh->isDeforming(); };
+  return isRigid(a) && isRigid(b) && (a.index == b.index || (isStill(a) && isStill(b)));
+}
 
 }  // namespace
 
@@ -45,11 +63,24 @@ void BodyContact::resolve(const ClothModel& model, const CommonParameters& param
     return;
   }
   response_.solveVelocities(step, prepared(model), candidates_.contacts, state.positions, state.velocities);
+  removeApproachToPlanes(step, state);
   overlaps_.limitVelocities(parameters.timeStep, state);
   report.bodyContacts = static_cast<int>(response_.active().size());
   for (const ContactConstraint& each : response_.active()) {
     points.push_back({pointOf(each, state.positions), each.normal});
   }
+}
+
+/// Removes the velocity of vertices towards the planes that moved them. Otherwise vertices that no contact holds would
+/// keep it, and stretch the cloth more in each step.
+void BodyContact::removeApproachToPlanes(const ClothStep& step, ClothState& state) const {
+  std::vector<Vec3> velocities(state.positions.size(), Vec3::Zero());
+  for (const SeparatingPlane& plane : planes()) {
+    const Vec3& start = step.start[plane.vertex];
+    velocities[plane.vertex] = (carriedBy(bodies_[plane.body], start) - start) / step.parameters.timeStep;
+  }
+  removeApproach(
+      planes_.unprojected(), [&](std::size_t v) { return velocities[v]; }, step.parameters.timeStep, state);
 }
 
 void BodyContact::runPasses(const ClothStep& step, ContactReport& report, std::vector<Vec3>& positions) {
@@ -107,6 +138,34 @@ bool BodyContact::findAndSolveContacts(const ContactPass& pass, std::vector<Vec3
   return overlaps_.findInPrimitives(pass, frames_, found.entered);
 }
 
+bool BodyContact::keepOut(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
+                          const std::vector<BodyStep>& bodies, const std::vector<Vec3>& outside,
+                          std::vector<Vec3>& positions) {
+  predicted_ = positions;
+  const ClothStep step{model, parameters, contact, outside, predicted_};
+  addReachableBodies(step, bodies, positions, boundsOf(positions));
+  if (bodies_.empty()) {
+    return false;
+  }
+  const ContactPass pass{step, prepared(model), bodies_, &outside, workers_};
+  bodies_.beginPass(pass.cloth);
+  frames_.prepare(pass);
+  overlaps_.find(pass, frames_, true);
+  overlaps_.extendBounds(pass, frames_);
+  planes_.begin(findVertexContacts(pass, frames_, overlaps_).candidates.planes);
+  if (bodies_.haveMeshes()) {
+    frames_.setSolved(pass, positions);
+    frames_.tightenBounds(bodies_);
+    planes_.find(pass, frames_, overlaps_);
+  }
+  planes_.apply(pass, frames_, overlaps_, positions);
+  if (planes_.maxCorrection() > planeTolerance) {
+    return true;
+  }
+  positions = predicted_;
+  return false;
+}
+
 void BodyContact::findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
                                       const ContactParameters& contact, const std::vector<BodyStep>& bodies,
                                       const std::vector<Vec3>& start, const std::vector<Vec3>& ahead,
@@ -144,15 +203,25 @@ void BodyContact::reportSubstepContacts(const std::vector<SubstepContact>& conta
   contact::reportSubstepContacts(response_.active(), contacts, state, report, points);
 }
 
-void BodyContact::carryAlong(std::vector<Vec3>& positions) const {
-  std::vector<int> bodyOf(positions.size(), -1);
-  for (const SeparatingPlane& plane : planes()) {
-    if (bodyOf[plane.vertex] < 0) {
-      bodyOf[plane.vertex] = plane.body;
-      const BodyStep& step = *bodies_[plane.body].step;
-      positions[plane.vertex] = step.end.toWorld(step.start.toLocal(positions[plane.vertex]));
+bool BodyContact::carryAlong(std::vector<Vec3>& positions) const {
+  const auto carry = [&](int body, Vec3& position) { position = carriedBy(bodies_[body], position); };
+  const std::span<const SeparatingPlane> all = planes();
+  if (!all.empty() && std::all_of(all.begin(), all.end(), [&](const SeparatingPlane& each) {
+        return moveAlike(bodies_[each.body], bodies_[all[0].body]);
+      })) {
+    for (Vec3& position : positions) {
+      carry(all[0].body, position);
+    }
+    return true;
+  }
+  std::vector<bool> carried(positions.size(), false);
+  for (const SeparatingPlane& plane : all) {
+    if (!carried[plane.vertex]) {
+      carried[plane.vertex] = true;
+      carry(plane.body, positions[plane.vertex]);
     }
   }
+  return false;
 }
 
 bool BodyContact::couldReachAnyBody(const ContactParameters& contact, const std::vector<BodyStep>& bodies,

@@ -43,6 +43,12 @@ class BodyContact {
                const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start, ClothState& state,
                ContactReport& report, std::vector<ContactPoint>& points);
 
+  /// Searches planes again after self-collision has changed the positions of `resolve`, and moves them out of bodies.
+  /// @param outside positions outside all bodies at the end of the step [m]
+  /// @return whether positions changed
+  bool keepOut(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
+               const std::vector<BodyStep>& bodies, const std::vector<Vec3>& outside, std::vector<Vec3>& positions);
+
   /// Finds the contacts that can become active in a step, for solvers that resolve contacts in their substeps. Vertices
   /// inside bodies get none, since they must leave.
   /// @param start positions at the start of the step [m]  @param ahead the same, extrapolated by the velocities [m]
@@ -56,10 +62,13 @@ class BodyContact {
   void reportSubstepContacts(const std::vector<SubstepContact>& contacts, const ClothState& state,
                              ContactReport& report, std::vector<ContactPoint>& points) const;
 
-  /// The separating planes of the last pass of `resolve`.
+  /// The separating planes of the last pass of `resolve`, or of `keepOut`.
   [[nodiscard]] std::span<const SeparatingPlane> planes() const { return planes_.all(); }
-  /// Moves positions at the start of the step along with the bodies whose planes limit their vertices in `resolve` [m].
-  void carryAlong(std::vector<Vec3>& positions) const;
+  /// Moves positions at the start of the step [m] along with the bodies whose planes limit the cloth in `resolve`. If
+  /// these have the same rigid motion, all positions move with it, so that they stay outside and apart from each other.
+  /// Otherwise, only the vertices that have planes move.
+  /// @return whether all move along
+  bool carryAlong(std::vector<Vec3>& positions) const;
 
   /// Whether cloth that moves from one box into another could come near any of the bodies.
   [[nodiscard]] bool couldReachAnyBody(const ContactParameters& contact, const std::vector<BodyStep>& bodies,
@@ -76,6 +85,7 @@ class BodyContact {
   const PreparedCloth& prepared(const ClothModel& model);
   bool addReachableBodies(const ClothStep& step, const std::vector<BodyStep>& bodies,
                           const std::vector<Vec3>& positions, const Eigen::AlignedBox3d& ends);
+  void removeApproachToPlanes(const ClothStep& step, ClothState& state) const;
   void runPasses(const ClothStep& step, ContactReport& report, std::vector<Vec3>& positions);
   bool runPass(const ContactPass& pass, ContactReport& report, std::vector<Vec3>& positions);
   bool findAndSolveContacts(const ContactPass& pass, std::vector<Vec3>& positions);

@@ -314,6 +314,25 @@ TEST(SeparationInStep, isJudgedByProofsThatDoNotExistForPairsThatMeet) {
   }
 }
 
+TEST(SeparationInStep, passesClosePairsThatTurnTogether) {
+  for (const std::size_t firstCount : {1U, 2U}) {
+    PairMotion pair{.start = {}, .end = {}, .firstCount = firstCount};
+    pair.start = {Vec3(0.01, 2e-5, 0.01), Vec3(-0.03, 0.0, -0.02), Vec3(0.05, 0.0, -0.01), Vec3(0.0, 0.0, 0.05)};
+    if (firstCount == 2) {
+      pair.start = {Vec3(-0.04, 2e-5, 0.0), Vec3(0.04, 2e-5, 0.0), Vec3(0.0, 0.0, -0.03), Vec3(0.0, 0.0, 0.05)};
+    }
+    for (const double angle : {0.001, 0.01, 0.03}) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        pair.end[k] = Eigen::AngleAxisd(angle, Vec3(1.0, 0.2, 2.0).normalized()) * pair.start[k];
+      }
+      EXPECT_EQ(certificateOf(pair, 1.9e-5).kind, PairInStep::Kind::Separated) << firstCount << ' ' << angle;
+      PairMotion crossing = pair;
+      crossing.end[0].y() -= 1e-3;
+      EXPECT_EQ(certificateOf(crossing, 1.9e-5).kind, PairInStep::Kind::NotSeparated) << firstCount << ' ' << angle;
+    }
+  }
+}
+
 TEST(SeparationInStep, passesPairsThatStayApart) {
   Source source(13);
   int passed = 0;
