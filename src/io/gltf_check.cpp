@@ -127,7 +127,7 @@ fs::path fileOf(const std::string& uri, const fs::path& folder) {
   }
   std::error_code problem;
   const fs::path home = fs::canonical(folder, problem);
-  const fs::path file = fs::canonical(home / relative, problem);
+  fs::path file = fs::canonical(home / relative, problem);
   if (problem) {
     throw messages::InputError(
         "its vertices are in " + drape::io::quoted(name) +
@@ -286,6 +286,16 @@ void appendChunk(std::string& bytes, std::uint32_t mark, std::string_view data, 
   bytes.append(data).append(padding, filler);
 }
 
+/// The buffers of a document as text.
+Json bufferTexts(const std::vector<std::string>& buffers) {
+  Json texts = Json::array();
+  for (const std::string& buffer : buffers) {
+    texts.push_back(
+        Json{{"byteLength", buffer.size()}, {"uri", "data:application/octet-stream;base64," + base64(buffer)}});
+  }
+  return texts;
+}
+
 /// A binary file whose first buffer is inside, and all others as text.
 std::string joinGlb(Json parts, std::vector<std::string>& buffers) {
   for (std::size_t i = 0; i < buffers.size(); ++i) {
@@ -346,11 +356,15 @@ std::string gltfWithBuffers(std::string_view text, const fs::path& folder) {
   checkContent(json);
   const std::vector<std::string> buffers = buffersOf(json, folder, std::nullopt);
   Json parts = meshPartsOf(json, buffers);
-  for (const std::string& buffer : buffers) {
-    parts["buffers"].push_back(
-        Json{{"byteLength", buffer.size()}, {"uri", "data:application/octet-stream;base64," + base64(buffer)}});
-  }
+  parts["buffers"] = bufferTexts(buffers);
   return parts.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string gltfWithEverything(std::string_view text, const fs::path& folder) {
+  Json json = parseJson(text);
+  checkContent(json);
+  json["buffers"] = bufferTexts(buffersOf(json, folder, std::nullopt));
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace drape::io

@@ -16,4 +16,8 @@ namespace drape::io {
 /// resolves to elsewhere. Without a folder every other file is refused.
 [[nodiscard]] std::string gltfWithBuffers(std::string_view text, const std::filesystem::path& folder);
 
+/// The text with all buffers inside, like gltfWithBuffers, but with all other parts of the document as they are: its
+/// skins and animations too.
+[[nodiscard]] std::string gltfWithEverything(std::string_view text, const std::filesystem::path& folder);
+
 }  // namespace drape::io

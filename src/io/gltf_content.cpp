@@ -300,8 +300,8 @@ class PartsCollector {
     return stride;
   }
 
-  const char* dataOf(std::uint64_t view, std::uint64_t offset, const Numbers& numbers, std::uint64_t size,
-                     const std::string& name) const {
+  [[nodiscard]] const char* dataOf(std::uint64_t view, std::uint64_t offset, const Numbers& numbers, std::uint64_t size,
+                                   const std::string& name) const {
     const Json& kept = parts_["bufferViews"][view];
     const auto length = kept["byteLength"].get<std::uint64_t>();
     // A stride below the size would let elements overlap; it is damage too.

@@ -22,6 +22,8 @@ struct Header {
   std::uint64_t triangles = 0;
   std::uint64_t facesSkipped = 0;
   std::uint64_t errorLength = 0;
+  std::uint64_t frames = 0;
+  double frameTime = 0.0;
 };
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
@@ -91,13 +93,19 @@ std::string encodeReply(const ImportReply& reply) {
   header.triangles = mesh.triangles.size();
   header.facesSkipped = static_cast<std::uint64_t>(mesh.facesSkipped);
   header.errorLength = reply.error.size();
+  header.frames = reply.frames.size();
+  header.frameTime = reply.frameTime;
   std::string bytes;
   bytes.reserve(sizeof(Header) + mesh.positions.size() * sizeof(Vec3) + mesh.uvs.size() * sizeof(Vec2) +
-                mesh.triangles.size() * sizeof(Triangle) + reply.error.size() + sizeof(closingMark));
+                mesh.triangles.size() * sizeof(Triangle) + reply.error.size() + sizeof(closingMark) +
+                reply.frames.size() * mesh.positions.size() * sizeof(Vec3));
   append(bytes, &header, sizeof(header));
   append(bytes, mesh.positions.data(), mesh.positions.size() * sizeof(Vec3));
   append(bytes, mesh.uvs.data(), mesh.uvs.size() * sizeof(Vec2));
   append(bytes, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+  for (const std::vector<Vec3>& frame : reply.frames) {
+    append(bytes, frame.data(), frame.size() * sizeof(Vec3));
+  }
   append(bytes, reply.error.data(), reply.error.size());
   append(bytes, &closingMark, sizeof(closingMark));
   return bytes;
@@ -129,6 +137,13 @@ ImportReply decodeReply(std::string_view bytes) {
   reply.mesh.uvs = reader.takeArray<Vec2>(header.uvs);
   reply.mesh.triangles = reader.takeArray<Triangle>(header.triangles);
   reply.mesh.facesSkipped = static_cast<int>(header.facesSkipped);
+  if (header.frames > 0 && (header.vertices == 0 || !(header.frameTime > 0.0))) {
+    throwGarbled("contradicts its own counts");
+  }
+  for (std::uint64_t frame = 0; frame < header.frames; ++frame) {
+    reply.frames.push_back(reader.takeArray<Vec3>(header.vertices));
+  }
+  reply.frameTime = header.frameTime;
   reply.error = reader.takeText(header.errorLength);
   std::uint64_t mark = 0;
   reader.take(&mark, sizeof(mark));

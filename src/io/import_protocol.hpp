@@ -5,12 +5,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace drape::io {
 
 /// The reply of the import program: a mesh, or an error message.
 struct ImportReply {
   RawMesh mesh;
+  /// The positions of an animation's frames, as many in each as the mesh has; empty without an animation.
+  std::vector<std::vector<Vec3>> frames;
+  double frameTime = 0.0;  ///< between two frames [s]
   std::string error;  ///< empty when there is a mesh; otherwise one sentence with a full stop, without the file name
 };
 

@@ -1,8 +1,8 @@
 #include "io/mesh_import.hpp"
 
 #include "io/gltf_check.hpp"
-#include "io/import_process.hpp"
 #include "io/import_protocol.hpp"
+#include "io/import_run.hpp"
 #include "io/obj_check.hpp"
 #include "io/off_check.hpp"
 #include "io/ply_check.hpp"
@@ -14,12 +14,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <csignal>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
 
 namespace drape::io {
 namespace {
@@ -27,12 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t mebibyte = std::size_t{1} << 20;
-constexpr std::size_t largestFile = 512 * mebibyte;
-
-/// The default time limit of an import: ten seconds and one second per 2 MiB [s].
-double defaultTimeLimit(std::size_t bytes) {
-  return 10.0 + static_cast<double>(bytes) / static_cast<double>(2 * mebibyte);
-}
 
 /// A format that is not supported, and the advice for its files.
 struct OtherFormat {
@@ -85,101 +74,6 @@ std::string formatOf(std::string_view name) {
   return ending.substr(1);
 }
 
-std::string readWholeFile(const fs::path& file) {
-  const std::string name = file.string();
-  std::error_code problem;
-  const fs::file_status status = fs::status(file, problem);
-  if (!fs::exists(status)) {
-    throw messages::InputError(name + ": " +
-                               (status.type() == fs::file_type::not_found ? "no such file" : problem.message()) +
-                               ". Check the path.");
-  }
-  if (fs::is_directory(status)) {
-    throw messages::InputError(name + ": is a directory. Give a mesh file inside it.");
-  }
-  if (!fs::is_regular_file(status)) {
-    throw messages::InputError(name + ": is not a regular file. Copy it to a regular file.");
-  }
-  (void)formatOf(name);
-  const std::uintmax_t size = fs::file_size(file, problem);
-  if (!problem && size > largestFile) {
-    throw messages::InputError(name + ": is " + std::to_string(size / mebibyte) + " MiB large, and the limit is " +
-                               std::to_string(largestFile / mebibyte) + " MiB. Reduce the mesh first.");
-  }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes(problem ? 0 : static_cast<std::size_t>(size), '\0');
-  if (!stream || !stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
-    throw messages::InputError(name + ": cannot be read (" + std::strerror(errno != 0 ? errno : EIO) +
-                               "). Check the file's permissions.");
-  }
-  return bytes;
-}
-
-/// The path of the import program: beside this program, or in DRAPE_MESH_IMPORT.
-fs::path importProgram() {
-  if (const char* chosen = std::getenv("DRAPE_MESH_IMPORT"); chosen != nullptr && *chosen != '\0') {
-    return chosen;
-  }
-  std::error_code problem;
-  const fs::path self = fs::read_symlink("/proc/self/exe", problem);
-  fs::path program = self.parent_path() / "drape-mesh-import";
-  if (problem || !fs::exists(program, problem)) {
-    throw messages::InputError("the program drape-mesh-import, which reads meshes, is not at " + program.string() +
-                               ". Install it there or set DRAPE_MESH_IMPORT to its path.");
-  }
-  return program;
-}
-
-/// Why the import program failed, as the rest of a sentence.
-std::string describeFailure(const ProcessOutcome& outcome, double timeLimit) {
-  if (outcome.end == ProcessOutcome::End::TimedOut ||
-      (outcome.end == ProcessOutcome::End::Killed && outcome.code == SIGXCPU)) {
-    return fmt::format("reading it took longer than {:.1f} s and was stopped", std::round(timeLimit * 10.0) / 10.0);
-  }
-  if (outcome.end == ProcessOutcome::End::TooMuch) {
-    return "it expands to more data than a mesh may have";
-  }
-  if (outcome.end == ProcessOutcome::End::Killed) {
-    return std::string("the mesh reader crashed on it (") + strsignal(outcome.code) + ")";
-  }
-  return "the mesh reader failed on it (exit status " + std::to_string(outcome.code) + ")";
-}
-
-/// Runs the import program. Throws Cancelled when the watch cancels.
-RawMesh readInChild(const std::string& format, std::string_view bytes, double timeLimit, const ImportWatch& watch) {
-  ProcessLimits limits;
-  limits.wallClock = std::chrono::milliseconds(static_cast<long long>(std::ceil(timeLimit * 1000.0)));
-  limits.outputBytes = std::min(64 * mebibyte + 64 * bytes.size(), 4096 * mebibyte);
-  limits.stop = watch.stop;
-  const auto cpuSeconds = static_cast<long long>(std::ceil(timeLimit)) + 1;
-  bool replying = false;
-  const auto listen = [&](std::string_view piece) {
-    for (std::size_t i = 0; i < piece.size() && !replying; ++i) {
-      const auto share = progressOf(piece[i]);
-      replying = !share;
-      if (share && watch.progress) {
-        watch.progress(*share, "Reading");
-      }
-    }
-  };
-  const ProcessOutcome outcome =
-      runProcess(importProgram(), {format, std::to_string(cpuSeconds)}, bytes, limits, listen);
-  if (outcome.end == ProcessOutcome::End::Cancelled) {
-    throw Cancelled();
-  }
-  if (outcome.end != ProcessOutcome::End::Exited || outcome.code != 0) {
-    throw messages::InputError(describeFailure(outcome, timeLimit) +
-                               ". The file is probably damaged: export it again, or in another format (" +
-                               formatList() + ").");
-  }
-  ImportReply reply = decodeReply(withoutProgress(outcome.output));
-  if (!reply.error.empty()) {
-    throw messages::InputError(reply.error);
-  }
-  return std::move(reply.mesh);
-}
-
 /// A valid file in the form for the import program.
 struct CheckedFile {
   std::string storage;  ///< the bytes when they differ from those of the file
@@ -187,6 +81,7 @@ struct CheckedFile {
   int facesSkipped = 0;
   int unusedVertices = 0;
   std::vector<std::string> warnings;
+  FileMesh mesh = {};  ///< of OBJ and PLY; empty for formats whose vertices the library returns
 };
 
 /// Checks a file of any format and fills in `checked`. Throws InputError when the file is damaged.
@@ -201,7 +96,8 @@ void checkFile(const std::string& format, std::string_view bytes, const fs::path
   const std::string_view text = plainText(bytes, textStorage);
   if (format == "obj") {
     ObjText obj = checkObj(text, watch);
-    checked = {std::move(obj.text), {}, obj.facesSkipped, obj.unusedVertices, std::move(obj.warnings)};
+    checked = {std::move(obj.text), {}, obj.facesSkipped, obj.unusedVertices, std::move(obj.warnings),
+               std::move(obj.mesh)};
     checked.bytes = checked.storage;
   } else if (format == "off") {
     OffText off = checkOff(text);
@@ -214,6 +110,7 @@ void checkFile(const std::string& format, std::string_view bytes, const fs::path
     if (format == "ply") {
       PlyBytes ply = checkPly(text, bytes, checked.storage);
       checked.bytes = ply.bytes;
+      checked.mesh = std::move(ply.mesh);
       checked.warnings = std::move(ply.warnings);
     } else {
       StlBytes stl = checkStl(text, bytes, checked.storage);
@@ -261,9 +158,14 @@ ImportedMesh importBytes(const std::string& name, std::string_view bytes, const 
   RawMesh raw;
   try {
     checkFile(format, bytes, folder, options.watch.part(0.0, 0.2), checked);
-    raw = readInChild(format, checked.bytes, timeLimit, options.watch.part(0.2, 0.7));
+    raw = replyOf({format}, checked.bytes, timeLimit, "another format (" + formatList() + ")",
+                  options.watch.part(0.2, 0.7))
+              .mesh;
   } catch (const messages::InputError& error) {
     throw messages::InputError(name + ": " + error.what());
+  }
+  if (options.use == MeshUse::Cloth) {
+    raw.file = std::move(checked.mesh);
   }
   raw.facesSkipped += checked.facesSkipped;
   raw.unusedVertices += checked.unusedVertices;
@@ -305,7 +207,7 @@ FormatFacts factsOfFormat(std::string_view format) {
 
 ImportedMesh importMesh(const std::filesystem::path& file, const ImportOptions& options) {
   options.watch.tell(0.0, "Reading");
-  const std::string bytes = readWholeFile(file);
+  const std::string bytes = readWholeFile(file, [](const std::string& name) { (void)formatOf(name); });
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   return importBytes(file.string(), bytes, folder, options);
 }

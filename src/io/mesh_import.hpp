@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/file_mesh.hpp"
 #include "io/import_watch.hpp"
 #include "messages/error.hpp"
 #include "sim/model/cloth_model.hpp"
@@ -7,6 +8,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +23,7 @@ struct RawMesh {
   std::vector<Triangle> triangles;  ///< indices into positions
   int facesSkipped = 0;             ///< points and lines
   int unusedVertices = 0;           ///< vertices without a face, which are not among the positions
+  FileMesh file;                    ///< the mesh of the file itself; empty: it is this mesh
 };
 
 /// The mesh for drawing: vertices split at texture seams, each tied to a particle of the cloth.
@@ -67,6 +70,7 @@ struct ImportedMesh {
   RenderMesh render;
   MeshSummary summary;
   FormatFacts format;
+  std::shared_ptr<const FileMesh> file;  ///< null for a body
 };
 
 /// Whether vertices far from all others are an error or are left out with their faces.

@@ -408,6 +408,37 @@ void requireVisibleSize(const MeshSummary& summary, const ImportOptions& options
   }
 }
 
+/// The mesh as a file: the one that was read, or the raw mesh itself.
+FileMesh fileMeshOf(const RawMesh& raw) {
+  if (!raw.file.positions.empty()) {
+    return raw.file;
+  }
+  FileMesh file;
+  file.positions = raw.positions;
+  file.uvs = raw.uvs;
+  for (const Triangle& triangle : raw.triangles) {
+    file.corners.insert(file.corners.end(), triangle.begin(), triangle.end());
+    file.endFace();
+  }
+  if (!file.uvs.empty()) {
+    file.uvCorners = file.corners;
+  }
+  return file;
+}
+
+/// The mesh of the file with the particle of each of its vertices.
+std::shared_ptr<const FileMesh> fileMeshFor(const RawMesh& raw, const Weld& weld) {
+  auto file = std::make_shared<FileMesh>(fileMeshOf(raw));
+  if (raw.file.positions.empty()) {
+    file->particle = weld.particle;
+    return file;
+  }
+  for (const int vertex : verticesInLibrary(*file, raw.positions)) {
+    file->particle.push_back(vertex < 0 ? -1 : weld.particle[vertex]);
+  }
+  return file;
+}
+
 }  // namespace
 
 ImportedMesh weldMesh(const RawMesh& source, std::string_view nameView, const ImportOptions& options) {
@@ -442,6 +473,9 @@ ImportedMesh weldMesh(const RawMesh& source, std::string_view nameView, const Im
   mesh.cloth.triangles = faces.particles;
   options.watch.tell(0.7, "Joining vertices");
   mesh.render = raw.uvs.empty() ? renderMeshFromPlanes(mesh.cloth) : renderMeshFromUvs(raw, weld, faces);
+  if (options.use == MeshUse::Cloth) {
+    mesh.file = fileMeshFor(source, weld);
+  }
   options.watch.tell(0.8, "Measuring");
   summarise(mesh.cloth, options.use, mesh.summary);
   requireVisibleSize(mesh.summary, options);

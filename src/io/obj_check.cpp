@@ -179,6 +179,8 @@ class Checker {
       appendNumber(words[i], values[i]);
     }
     result_.text += '\n';
+    const Vec3 position(values[0], values[1], values[2]);
+    result_.mesh.positions.emplace_back(count == 4 ? Vec3(position / values[3]) : position);
     ++vertices_;
   }
 
@@ -195,6 +197,7 @@ class Checker {
   /// A coordinate that is no number becomes 0: only the picture needs it.
   void addTexture(std::string_view line) {
     result_.text += "vt";
+    Vec2 uv = Vec2::Zero();
     for (int axis = 0; axis < 2; ++axis) {
       const std::string_view word = takeWord(line);
       double value = 0.0;
@@ -202,6 +205,7 @@ class Checker {
         fail("");
       }
       if (readNumber(word, value)) {
+        uv[axis] = value;
         appendNumber(word, value);
       } else {
         result_.text += " 0";
@@ -211,6 +215,7 @@ class Checker {
       }
     }
     result_.text += '\n';
+    result_.mesh.uvs.push_back(uv);
     ++textures_;
   }
 
@@ -237,7 +242,10 @@ class Checker {
     result_.text += 'f';
     for (const Corner& corner : corners_) {
       appendCorner(corner);
+      result_.mesh.corners.push_back(static_cast<int>(std::min<long long>(corner.vertex, INT_MAX)) - 1);
+      result_.mesh.uvCorners.push_back(static_cast<int>(std::min<long long>(corner.texture, INT_MAX)) - 1);
     }
+    result_.mesh.endFace();
     result_.text += '\n';
   }
 
@@ -346,6 +354,9 @@ class Checker {
     }
     const auto used = std::count(used_.begin(), used_.end(), true);
     result_.unusedVertices = static_cast<int>(vertices_ - used);
+    if (textures_ == 0) {
+      result_.mesh.uvCorners.clear();
+    }
     addWarnings();
   }
 

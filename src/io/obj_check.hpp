@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/file_mesh.hpp"
 #include "io/import_watch.hpp"
 #include "sim/model/vector.hpp"
 
@@ -15,6 +16,7 @@ struct ObjText {
   int facesSkipped = 0;    ///< points and lines, left out
   int unusedVertices = 0;  ///< vertices that no face uses
   std::vector<std::string> warnings;
+  FileMesh mesh;  ///< without `particle`
 };
 
 /// Checks every line of an OBJ file (plainText) and reduces it: three coordinates a vertex, no normals, no comments, no

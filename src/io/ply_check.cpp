@@ -141,6 +141,60 @@ std::size_t minSize(const PlyElement& element) {
   return size;
 }
 
+/// The axis of a texture coordinate by its usual names; -1 for other properties.
+int textureAxisOf(std::string_view name) {
+  const bool first = name == "s" || name == "u" || name == "texture_u";
+  const bool second = name == "t" || name == "v" || name == "texture_v";
+  return first ? 0 : second ? 1 : -1;
+}
+
+/// Keeps the numbers of the mesh as they are read.
+class MeshRecorder {
+ public:
+  explicit MeshRecorder(FileMesh& mesh) : mesh_(mesh) {}
+
+  void begin(const PlyElement& element) {
+    isVertex_ = element.name == "vertex";
+    if (isVertex_) {
+      mesh_.positions.emplace_back(Vec3::Zero());
+      uv_.setZero();
+    }
+  }
+
+  void add(const PlyProperty& property, double value) {
+    if (!isVertex_) {
+      return;
+    }
+    if (isCoordinate(property.name)) {
+      mesh_.positions.back()[property.name[0] - 'x'] = value;
+    } else if (const int axis = textureAxisOf(property.name); axis >= 0) {
+      uv_[axis] = value;
+      hasUvs_ = true;
+    }
+  }
+
+  void addCorner(double vertex) { mesh_.corners.push_back(static_cast<int>(vertex)); }
+  void endFace() { mesh_.endFace(); }
+
+  void end() {
+    if (isVertex_ && hasUvs_) {
+      mesh_.uvs.push_back(uv_);
+    }
+  }
+
+  void finish() {
+    if (hasUvs_) {
+      mesh_.uvCorners = mesh_.corners;
+    }
+  }
+
+ private:
+  FileMesh& mesh_;
+  bool isVertex_ = false;
+  bool hasUvs_ = false;
+  Vec2 uv_ = Vec2::Zero();
+};
+
 /// The parsing library stops at a face without corners.
 void requireCorners(std::size_t corners, const Place& place) {
   if (corners == 0) {
@@ -152,7 +206,8 @@ void requireCorners(std::size_t corners, const Place& place) {
 }
 
 template <typename Numbers>
-void checkList(const PlyProperty& property, const Place& place, std::uint64_t vertices, Numbers& numbers) {
+void checkList(const PlyProperty& property, const Place& place, std::uint64_t vertices, Numbers& numbers,
+               MeshRecorder& recorder) {
   const double length = numbers.next(property.length, place);
   if (!(length >= 0.0) || length != std::floor(length) || length > 4294967295.0 ||
       !numbers.canHold(static_cast<std::uint64_t>(length), property.value.bytes)) {
@@ -166,12 +221,28 @@ void checkList(const PlyProperty& property, const Place& place, std::uint64_t ve
     if (isIndices(property) && !(value >= 0.0 && value < static_cast<double>(vertices))) {
       fail(place, "uses a vertex that is not there. Export the mesh again.");
     }
+    if (isIndices(property)) {
+      recorder.addCorner(value);
+    }
   }
+  if (isIndices(property)) {
+    recorder.endFace();
+  }
+}
+
+template <typename Numbers>
+void checkNumber(const PlyProperty& property, const Place& place, Numbers& numbers, MeshRecorder& recorder) {
+  const double value = numbers.next(property.value, place);
+  if (!std::isfinite(value) && isCoordinate(property.name)) {
+    fail(place, "has a coordinate that is not a finite number (nan or inf). Repair the mesh.");
+  }
+  recorder.add(property, value);
 }
 
 /// Returns how many bytes follow the last element.
 template <typename Numbers>
-std::size_t checkElements(const PlyHeader& header, Numbers numbers) {
+std::size_t checkElements(const PlyHeader& header, Numbers numbers, FileMesh& mesh) {
+  MeshRecorder recorder(mesh);
   const std::uint64_t vertices = countOf(header, "vertex");
   for (const PlyElement& element : header.elements) {
     Place place{&element, 0};
@@ -180,15 +251,18 @@ std::size_t checkElements(const PlyHeader& header, Numbers numbers) {
       failCutOff(place);
     }
     for (; place.index < element.count; ++place.index) {
+      recorder.begin(element);
       for (const PlyProperty& property : element.properties) {
         if (property.isList) {
-          checkList(property, place, vertices, numbers);
-        } else if (!std::isfinite(numbers.next(property.value, place)) && isCoordinate(property.name)) {
-          fail(place, "has a coordinate that is not a finite number (nan or inf). Repair the mesh.");
+          checkList(property, place, vertices, numbers, recorder);
+        } else {
+          checkNumber(property, place, numbers, recorder);
         }
       }
+      recorder.end();
     }
   }
+  recorder.finish();
   return numbers.left();
 }
 
@@ -233,10 +307,10 @@ PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& st
   }
   requireCoordinates(header);
   requireIndices(header);
-  PlyBytes result{bytes, {}};
+  PlyBytes result{bytes, {}, {}};
   if (header.format == PlyHeader::Format::Text) {
     requireNoZeroBytes(text);
-    const std::size_t left = checkElements(header, TextNumbers(text, header.size));
+    const std::size_t left = checkElements(header, TextNumbers(text, header.size), result.mesh);
     if (left > 0) {
       const std::size_t line = lineAt(text, text.size() - left);
       result.warnings.push_back(moreThanPromised("Line " + std::to_string(line) + " and what follows it are"));
@@ -252,7 +326,8 @@ PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& st
   const bool bigEndian = header.format == PlyHeader::Format::BigEndian;
   // Some programs end binary files with a line break too.
   constexpr std::size_t lineBreak = 2;
-  if (const std::size_t left = checkElements(binary, BinaryNumbers(numbers, bigEndian)); left > lineBreak) {
+  if (const std::size_t left = checkElements(binary, BinaryNumbers(numbers, bigEndian), result.mesh);
+      left > lineBreak) {
     result.warnings.push_back(moreThanPromised("The last " + std::to_string(left) + " bytes are"));
   }
   if (!numbers.empty() && numbers.front() == '\n') {

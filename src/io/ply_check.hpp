@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/file_mesh.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,7 @@ namespace drape::io {
 struct PlyBytes {
   std::string_view bytes;             ///< the file; points into what was given, or into `storage`
   std::vector<std::string> warnings;  ///< that the file may be cut off, or contains more than it announces
+  FileMesh mesh;                      ///< without `particle`; texture coordinates only where the vertices have them
 };
 [[nodiscard]] PlyBytes checkPly(std::string_view text, std::string_view bytes, std::string& storage);
 

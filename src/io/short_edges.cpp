@@ -45,8 +45,11 @@ bool hasCorner(const Triangle& face, int vertex) {
 /// A mesh during edge collapses.
 class Collapser {
  public:
-  Collapser(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles)
-      : positions_(positions), faces_(triangles), facesOf_(positions.size()), replacement_(positions.size()) {
+  Collapser(const std::vector<Vec3>& positions, std::vector<Triangle> triangles)
+      : positions_(positions),
+        faces_(std::move(triangles)),
+        facesOf_(positions.size()),
+        replacement_(positions.size()) {
     for (std::size_t i = 0; i < replacement_.size(); ++i) {
       replacement_[i] = static_cast<int>(i);
     }

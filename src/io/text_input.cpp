@@ -89,6 +89,7 @@ class Decoder {
   }
 
  private:
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): iconv_open defines this value for failures.
   [[nodiscard]] bool isOpen() const { return handle_ != reinterpret_cast<iconv_t>(-1); }
 
   iconv_t handle_;

@@ -1,5 +1,6 @@
 #include "scene/body_builder.hpp"
 
+#include "io/animation_import.hpp"
 #include "messages/error.hpp"
 #include "scene/cloth_builder.hpp"
 #include "scene/mesh_file.hpp"
@@ -61,6 +62,37 @@ std::shared_ptr<const sim::contact::MeshShape> readMeshShape(const BodyDescripti
   return shape;
 }
 
+/// Reads the frames of a skeletal animation. A clip that loops ends with the pose of its start, which is one frame
+/// then.
+std::shared_ptr<const sim::contact::MeshShape> readAnimatedMesh(const BodyDescription& description,
+                                                                const io::ImportWatch& watch) {
+  const MeshFileSource& source = description.meshes.front();
+  io::AnimationOptions options{description.animation->clip, description.animation->rate, description.scale, {}};
+  options.watch.stop = watch.stop;
+  try {
+    io::AnimatedMesh mesh = io::importAnimation(source.path, options);
+    auto shape = std::make_shared<sim::contact::MeshShape>();
+    shape->triangles = std::move(mesh.triangles);
+    shape->frames = std::move(mesh.frames);
+    if (description.frameLoop && shape->frames.size() > 2) {
+      shape->frames.pop_back();
+    }
+    shape->positions = shape->frames.front();
+    shape->frameTime = mesh.frameTime;
+    shape->loop = description.frameLoop;
+    return shape;
+  } catch (const messages::InputError& error) {
+    throw messages::InputError(placed(source.where, error.what()));
+  }
+}
+
+std::shared_ptr<const sim::contact::MeshShape> readFigure(const BodyDescription& description,
+                                                          const io::ImportOptions& options,
+                                                          std::vector<std::string>& warnings) {
+  io::ImportedMesh mesh = readBodyMesh(description.meshes.front(), options, warnings);
+  return figure::movingFigure(std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles), *description.figure);
+}
+
 /// Converts a body to metres with y up, when its files have the unit and axes of the cloth.
 BodyDescription inMetres(BodyDescription body, const std::optional<MeshReading>& reading) {
   if (body.readLikeCloth && reading) {
@@ -82,7 +114,7 @@ sim::contact::Body bodyOf(const sim::contact::Body& stand, const Decor& surface)
 /// The vertex of a deforming mesh that is nearest to a point at the start; -1 for other shapes.
 int anchorNear(const sim::contact::BodyShape& shape, const Vec3& place) {
   const auto* mesh = std::get_if<std::shared_ptr<const sim::contact::MeshShape>>(&shape);
-  if (mesh == nullptr || (*mesh)->frames.empty()) {
+  if (mesh == nullptr || !(*mesh)->deforms()) {
     return -1;
   }
   const std::vector<Vec3>& positions = (*mesh)->positions;
@@ -114,7 +146,11 @@ std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(const SceneDescript
   for (const BodyDescription& written : description.bodies) {
     const BodyDescription each = inMetres(written, reading);
     bodies->push_back(each.body);
-    if (!each.meshes.empty()) {
+    if (each.figure) {
+      bodies->back().shape = readFigure(each, options, warnings);
+    } else if (each.animation) {
+      bodies->back().shape = readAnimatedMesh(each, watch);
+    } else if (!each.meshes.empty()) {
       bodies->back().shape = readMeshShape(each, options, warnings);
     }
   }

@@ -22,12 +22,21 @@ struct ShapeKeys {
   std::vector<std::string_view> keys;
 };
 
+std::vector<std::string_view> figureKeys() {
+  std::vector<std::string_view> keys{"motion", "speed"};
+  for (const figure::ProportionInfo& each : figure::proportionTable()) {
+    keys.push_back(each.key);
+  }
+  return keys;
+}
+
 const std::vector<ShapeKeys>& shapes() {
   static const std::vector<ShapeKeys> list{{"plane", {"size"}},
                                            {"sphere", {"radius"}},
                                            {"capsule", {"radius", "length"}},
                                            {"box", {"size"}},
-                                           {"mesh", {"mesh", "scale", "frames"}}};
+                                           {"mesh", {"mesh", "scale", "frames", "animation"}},
+                                           {"figure", figureKeys()}};
   return list;
 }
 
@@ -82,6 +91,8 @@ void readFrames(const TomlReader& frames, const MeshFileSource& pattern, BodyDes
   if (!last) {
     frames.fail("bodies.frames needs last, the number of the last file");
   }
+  body.framePattern = pattern.path;
+  body.firstFrame = first;
   const std::size_t width = (end == std::string::npos ? pattern.path.size() : end) - digits;
   for (int frame = first; frame <= *last; ++frame) {
     MeshFileSource source = pattern;
@@ -92,17 +103,53 @@ void readFrames(const TomlReader& frames, const MeshFileSource& pattern, BodyDes
   body.frameLoop = frames.flag("loop").value_or(false);
 }
 
+/// A clip of the skeletal animation in one file.
+void readAnimation(const TomlReader& table, const MeshFileSource& mesh, BodyDescription& body) {
+  table.allowOnly({"clip", "rate", "loop"});
+  if (mesh.builtIn) {
+    table.fail("an animation is read from a file; no built-in mesh has one");
+  }
+  body.animation = AnimationSource{table.text("clip").value_or(""), table.number("rate", 1.0, 1000.0).value_or(60.0)};
+  body.frameLoop = table.flag("loop").value_or(false);
+  body.meshes.push_back(mesh);
+}
+
 void readMesh(const TomlReader& table, const std::filesystem::path& folder, BodyDescription& body) {
   if (!table.has("mesh")) {
     table.fail("a body of shape \"mesh\" needs mesh = \"file.obj\"");
   }
   const MeshFileSource mesh = meshSource(table, folder);
   body.scale = table.number("scale", 1e-6, 1e6).value_or(1.0);
-  if (const auto frames = table.table("frames")) {
+  const auto animation = table.table("animation");
+  if (animation && table.has("frames")) {
+    table.fail("a body has either frames or an animation");
+  }
+  if (animation) {
+    readAnimation(*animation, mesh, body);
+  } else if (const auto frames = table.table("frames")) {
     readFrames(*frames, mesh, body);
   } else {
     body.meshes.push_back(mesh);
   }
+}
+
+void readFigure(const TomlReader& table, BodyDescription& body) {
+  figure::FigureOptions options;
+  if (const std::optional<std::string> name = table.text("motion")) {
+    const figure::Motion* motion = figure::findMotion(*name);
+    if (motion == nullptr) {
+      table.fail("bodies.motion must be one of " + figure::motionNames() + ", not \"" + *name + "\"");
+    }
+    options.motion = motion;
+  }
+  // At this speed the turn has made half a turn at the end of the blend. A blend with more would take the other way.
+  constexpr double maxSpeed = 2.0;
+  options.speed = table.number("speed", 0.1, maxSpeed).value_or(options.speed);
+  for (const figure::ProportionInfo& each : figure::proportionTable()) {
+    options.proportions.*each.value = table.number(each.key, each.min, each.max);
+  }
+  body.figure = options;
+  body.meshes = {MeshFileSource{"figure.obj", true, table.place()}};
 }
 
 sim::contact::Keyframe readKeyframe(const TomlReader& table, const sim::contact::Keyframe& usual) {
@@ -150,6 +197,8 @@ BodyDescription readBody(const TomlReader& table, const std::filesystem::path& f
   body.name = table.text("name").value_or("body " + std::to_string(number));
   if (shape == "mesh") {
     readMesh(table, folder, description);
+  } else if (shape == "figure") {
+    readFigure(table, description);
   } else {
     body.shape = readShape(table, shape);
   }

@@ -62,7 +62,7 @@ class BoundaryWalk {
 
 BoundaryLoop measured(std::vector<int> vertices, const std::vector<Vec3>& positions) {
   BoundaryLoop loop;
-  const Vec3 origin = positions[vertices.front()];
+  const Vec3& origin = positions[vertices.front()];
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec3 a = positions[vertices[i]] - origin;
     const Vec3 b = positions[vertices[(i + 1) % vertices.size()]] - origin;

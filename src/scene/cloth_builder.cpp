@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "messages/sim_error_text.hpp"
+#include "scene/boundary_loops.hpp"
 #include "scene/cloth_material.hpp"
 #include "scene/grid_mesh.hpp"
 #include "scene/mass.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -140,16 +142,46 @@ void addSummary(const std::string& cloth, const io::MeshSummary& own, io::MeshSu
   }
 }
 
+/// The open border that comes nearest to the point of each band.
+std::vector<ElasticBand> bandsOf(const ClothDescription& description, const sim::ClothMesh& mesh) {
+  std::vector<ElasticBand> bands;
+  if (description.bands.empty()) {
+    return bands;
+  }
+  const ClothPieces pieces = findPieces(mesh);
+  for (const BandDescription& band : description.bands) {
+    const auto distance = [&](const BoundaryLoop& loop) {
+      double minDistance = std::numeric_limits<double>::max();
+      for (const int vertex : loop.vertices) {
+        minDistance = std::min(minDistance, (mesh.positions[vertex] - band.nearest).squaredNorm());
+      }
+      return minDistance;
+    };
+    const auto nearest = std::ranges::min_element(pieces.loops, {}, distance);
+    if (nearest == pieces.loops.end()) {
+      throw messages::InputError(placed(band.where, "this cloth has no open border, so it can have no elastic band"));
+    }
+    bands.push_back({nearest->vertices, band.length});
+  }
+  return bands;
+}
+
 ClothPart partFor(const ClothDescription& description, const Source& source, const JoinedCloths& joined) {
   ClothPart part;
   part.name = description.name;
   part.own = description.own;
+  part.bands = bandsOf(description, source.mesh.cloth);
   part.firstVertex = static_cast<int>(joined.mesh.positions.size());
   part.vertexCount = static_cast<int>(source.mesh.cloth.positions.size());
   part.firstTriangle = static_cast<int>(joined.mesh.triangles.size());
   part.triangleCount = static_cast<int>(source.mesh.cloth.triangles.size());
   part.firstRenderVertex = static_cast<int>(joined.renderMesh.particle.size());
   part.renderVertexCount = static_cast<int>(source.mesh.render.particle.size());
+  part.file = source.mesh.file;
+  if (source.reading) {
+    part.placement = {source.reading->metresPerUnit, source.reading->up,
+                      sim::contact::poseOf(description.position, description.rotation)};
+  }
   if (!source.grid) {  // the texture of a grid is made for the checker
     part.uvs = patternUvsOf(source.mesh.render, source.mesh.cloth.positions);
   }

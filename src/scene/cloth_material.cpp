@@ -1,6 +1,7 @@
 #include "scene/cloth_material.hpp"
 
 #include "messages/error.hpp"
+#include "scene/elastic_bands.hpp"
 #include "scene/mass.hpp"
 #include "scene/rest_pattern.hpp"
 #include "sim/fabric/fabric.hpp"
@@ -156,19 +157,28 @@ std::vector<Vec3> warpDirections(const sim::ClothModel& model, std::span<const C
 
 std::shared_ptr<const sim::ClothModel> withElasticity(const sim::ClothModel& model, std::span<const ClothPart> cloths,
                                                       const settings::Settings& settings) {
-  if (settings::restsOnPattern(settings)) {
-    return sim::fabric::withPatternFabric(model, materialsOf(model, cloths, settings), patternsOf(cloths, settings));
+  const bool onPattern = settings::restsOnPattern(settings);
+  const auto curvature =
+      settings.fabric.restCurvature == "mesh" ? sim::fabric::RestCurvature::Mesh : sim::fabric::RestCurvature::Flat;
+  if (onPattern || (settings::usesFabric(settings) && haveBands(cloths))) {
+    std::vector<sim::fabric::RestTriangle> rest =
+        onPattern
+            ? patternsOf(cloths, settings)
+            : sim::fabric::restTrianglesOf(model.restPositions, model.triangles, turnedWarp(model, cloths, settings));
+    applyBands(cloths, model, rest);
+    return sim::fabric::withPatternFabric(model, materialsOf(model, cloths, settings), std::move(rest), curvature);
   }
   if (settings::usesFabric(settings)) {
-    return sim::fabric::withFabric(model, materialsOf(model, cloths, settings), turnedWarp(model, cloths, settings));
+    return sim::fabric::withFabric(model, materialsOf(model, cloths, settings), turnedWarp(model, cloths, settings),
+                                   curvature);
   }
-  return model.fabric ? sim::withSprings(model) : model.shared_from_this();
+  return withBandSprings(model.fabric ? *sim::withSprings(model) : model, cloths);
 }
 
 std::shared_ptr<const sim::ClothModel> withMaterial(const sim::ClothModel& model, std::span<const ClothPart> cloths,
                                                     const settings::Settings& settings) {
   if (!settings::usesFabric(settings) && !model.fabric) {
-    return model.shared_from_this();
+    return withBandSprings(model, cloths);
   }
   const auto sized = settings::restsOnPattern(settings) ? sim::fabric::withPattern(model, patternsOf(cloths, settings))
                                                         : sim::withMeshSizes(model);

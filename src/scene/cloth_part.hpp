@@ -1,9 +1,12 @@
 #pragma once
 
+#include "io/file_mesh.hpp"
+#include "scene/mesh_placement.hpp"
 #include "scene/pattern_uvs.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/model/cloth_model.hpp"
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +19,12 @@ struct OwnSetting {
   settings::SettingValue value;                 ///< within the range of the setting
 };
 
+/// An open border of a cloth that is sewn to an elastic band, as at a waist.
+struct ElasticBand {
+  std::vector<int> vertices;  ///< of the border, in order; it is closed. Counted from the cloth's first one
+  double length = 1.0;        ///< the band's rest length over that of the border [-]
+};
+
 /// A cloth of a scene: its vertices and triangles in the model of the scene, and what it has for itself.
 struct ClothPart {
   std::string name;  ///< unique in the scene; empty if the scene has one cloth
@@ -25,8 +34,11 @@ struct ClothPart {
   int triangleCount = 0;
   int firstRenderVertex = 0;  ///< of io::RenderMesh
   int renderVertexCount = 0;
-  PatternUvs uvs;               ///< of its triangles, counted from its first one
-  std::vector<OwnSetting> own;  ///< in the order in which they are assigned
+  PatternUvs uvs;  ///< of its triangles, counted from its first one
+  std::vector<ElasticBand> bands;
+  std::vector<OwnSetting> own;               ///< in the order in which they are assigned
+  std::shared_ptr<const io::FileMesh> file;  ///< the mesh that was opened; its particles count from `firstVertex`
+  MeshPlacement placement;                   ///< of that mesh
 };
 
 /// The only cloth of a model.

@@ -3,11 +3,11 @@
 #include "messages/error.hpp"
 #include "scene/text_file.hpp"
 #include "scene/toml_reader.hpp"
+#include "scene/toml_text.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/fabric/presets.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 namespace drape::scene {
 namespace {
@@ -17,12 +17,6 @@ constexpr std::string_view valuePrefix = "fabric.";
 /// The key of a value in the file: "shear" for "fabric.shear".
 std::string_view keyInFile(std::string_view settingKey) {
   return settingKey.substr(valuePrefix.size());
-}
-
-std::string quotedText(std::string_view text) {
-  std::ostringstream stream;
-  stream << toml::value<std::string>(std::string(text));
-  return stream.str();
 }
 
 /// The built-in fabric that an own one is based on, or nullptr.
@@ -81,24 +75,6 @@ settings::OwnFabric readFabric(const TomlReader& table) {
   }
 }
 
-std::string entryText(const settings::OwnFabric& fabric) {
-  settings::Settings values;
-  settings::useFabric(values, fabric);
-  std::string text = "[[fabrics]]\nname = " + quotedText(fabric.name) + '\n';
-  if (!fabric.basedOn.empty()) {
-    text += "based_on = " + quotedText(fabric.basedOn) + '\n';
-  }
-  if (!fabric.source.empty()) {
-    text += "source = " + quotedText(fabric.source) + '\n';
-  }
-  for (const std::string_view key : settings::fabricValueKeys()) {
-    const settings::SettingInfo& info = settings::requireSetting(key);
-    text += std::string(keyInFile(key)) + " = " + settings::formatValue(settings::settingValue(values, info));
-    text += info.unit == "-" ? "\n" : "  # " + std::string(info.unit) + '\n';
-  }
-  return text;
-}
-
 /// A part of a text, from its first character up to `end`.
 struct TextPart {
   std::size_t begin = 0;
@@ -143,6 +119,24 @@ std::size_t lineOfFabric(const TomlReader& document, std::string_view name) {
 
 }  // namespace
 
+std::string fabricEntry(const settings::OwnFabric& fabric) {
+  settings::Settings values;
+  settings::useFabric(values, fabric);
+  std::string text = "[[fabrics]]\nname = " + quotedText(fabric.name) + '\n';
+  if (!fabric.basedOn.empty()) {
+    text += "based_on = " + quotedText(fabric.basedOn) + '\n';
+  }
+  if (!fabric.source.empty()) {
+    text += "source = " + quotedText(fabric.source) + '\n';
+  }
+  for (const std::string_view key : settings::fabricValueKeys()) {
+    const settings::SettingInfo& info = settings::requireSetting(key);
+    text += std::string(keyInFile(key)) + " = " + settings::formatValue(settings::settingValue(values, info));
+    text += info.unit == "-" ? "\n" : "  # " + std::string(info.unit) + '\n';
+  }
+  return text;
+}
+
 settings::OwnFabrics readFabrics(const TomlReader& document) {
   settings::OwnFabrics fabrics;
   for (const TomlReader& table : document.tables("fabrics")) {
@@ -172,10 +166,10 @@ std::string withFabricEntry(std::string_view text, const settings::OwnFabric& fa
   std::string changed(text);
   if (line == 0) {
     const bool begins = changed.empty() || changed.ends_with("\n\n");
-    changed += (begins ? "" : changed.ends_with('\n') ? "\n" : "\n\n") + entryText(fabric);
+    changed += (begins ? "" : changed.ends_with('\n') ? "\n" : "\n\n") + fabricEntry(fabric);
   } else {
     const TextPart part = tableFrom(text, line);
-    changed.replace(part.begin, part.end - part.begin, entryText(fabric));
+    changed.replace(part.begin, part.end - part.begin, fabricEntry(fabric));
   }
   settings::OwnFabrics written;
   try {

@@ -22,6 +22,9 @@ class TomlReader;
 /// Reads the user's list. Throws InputError as parseFabrics does, and when the file cannot be read or is above 1 MiB.
 [[nodiscard]] settings::OwnFabrics readFabricFile(const std::filesystem::path& file);
 
+/// The table [[fabrics]] of a fabric.
+[[nodiscard]] std::string fabricEntry(const settings::OwnFabric& fabric);
+
 /// The text of a fabric list or of a scene file with one more fabric, which replaces one of the same name. Everything
 /// else keeps its text, comments too. Throws InputError when the text is not valid, or when the fabric with that name
 /// is written in a form that cannot be replaced. @param file for messages

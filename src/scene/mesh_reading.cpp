@@ -1,6 +1,7 @@
 #include "scene/mesh_reading.hpp"
 
 #include "scene/boundary_loops.hpp"
+#include "scene/mesh_placement.hpp"
 #include "scene/unit_guess.hpp"
 #include "scene/up_guess.hpp"
 
@@ -24,23 +25,6 @@ bool isUsualSize(double metres) {
   return metres >= 0.25 * smallestGarment && metres <= 2.0 * largestGarment;
 }
 
-/// Rotates a point so that the named axis becomes y.
-Vec3 turned(const Vec3& p, std::string_view up) {
-  if (up == "z") {
-    return {p.x(), p.z(), -p.y()};
-  }
-  if (up == "x") {
-    return {-p.y(), p.x(), p.z()};
-  }
-  if (up == "-y") {
-    return {p.x(), -p.y(), -p.z()};
-  }
-  if (up == "-z") {
-    return {p.x(), -p.z(), p.y()};
-  }
-  return p;
-}
-
 void scale(io::ImportedMesh& mesh, double factor) {
   for (Vec3& position : mesh.cloth.positions) {
     position *= factor;
@@ -55,11 +39,12 @@ void scale(io::ImportedMesh& mesh, double factor) {
   }
 }
 
-void turn(io::ImportedMesh& mesh, std::string_view up) {
+void turn(io::ImportedMesh& mesh, const std::string& up) {
   for (Vec3& position : mesh.cloth.positions) {
-    position = turned(position, up);
+    position = turnedUpright(position, up);
   }
-  const Vec3 size = turned(Vec3(mesh.summary.size[0], mesh.summary.size[1], mesh.summary.size[2]), up).cwiseAbs();
+  const Vec3 size =
+      turnedUpright(Vec3(mesh.summary.size[0], mesh.summary.size[1], mesh.summary.size[2]), up).cwiseAbs();
   mesh.summary.size = {size.x(), size.y(), size.z()};
 }
 

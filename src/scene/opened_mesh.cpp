@@ -4,6 +4,8 @@ namespace drape::scene {
 
 settings::Settings openedMeshSettings() {
   settings::Settings settings;
+  settings.material.model = "fabric";
+  // As springs:
   settings.material.density = 0.15;          // cotton jersey
   settings.step.material.stiffness = 150.0;  // stretches a T-shirt by about 1 % in most places, and by 5 % at its pins
   // Damping and stiffness of a spring are the fabric's viscosity and elasticity. Both are independent of the size of

@@ -124,7 +124,7 @@ std::vector<Vec3> warpAlongV(const PatternUvs& uvs, std::span<const Vec3> rest, 
     const double ofFirst = uvs.corners[t][2].x() - uvs.corners[t][0].x();
     const double ofSecond = uvs.corners[t][1].x() - uvs.corners[t][0].x();
     const Vec3 direction = ofSecond * second - ofFirst * first;
-    warp.push_back((twice > 0.0 ? 1.0 : -1.0) * direction.normalized());
+    warp.emplace_back((twice > 0.0 ? 1.0 : -1.0) * direction.normalized());
   }
   return warp;
 }

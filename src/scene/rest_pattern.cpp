@@ -92,6 +92,9 @@ std::string restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs
   if (!model.fabric || !model.fabric->meshStrain) {
     return "the mesh";
   }
+  if (!settings::restsOnPattern(settings)) {
+    return "the mesh, with elastic bands";
+  }
   const auto& [median, high] = *model.fabric->meshStrain;
   return fmt::format(
       "the pattern in the UVs, {:.4g} m a unit; the mesh is strained against it by {:.1f} % (median), "

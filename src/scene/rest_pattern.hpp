@@ -20,7 +20,8 @@ namespace drape::scene {
 [[nodiscard]] std::vector<sim::fabric::RestTriangle> patternOf(const PatternUvs& uvs,
                                                                const settings::Settings& settings);
 
-/// The rest shape in words: "the mesh", or the pattern with its scale and the strain of the mesh against it.
+/// The rest shape in words: "the mesh", "the mesh, with elastic bands", or the pattern with its scale and the strain of
+/// the mesh against it.
 [[nodiscard]] std::string restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs,
                                            const settings::Settings& settings);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "figure/moving_figure.hpp"
 #include "io/mesh_import.hpp"
 #include "scene/cloth_part.hpp"
 #include "scene/mesh_reading.hpp"
@@ -63,14 +64,24 @@ struct PinSelection {
   std::string where;                 ///< file and line of the table, for messages; empty without a scene file
 };
 
+/// The clip of a file with a skeletal animation, which becomes the frames of a body.
+struct AnimationSource {
+  std::string clip;    ///< its name; empty: the only one
+  double rate = 60.0;  ///< frames a second [1/s]
+};
+
 /// A body of a scene file; its meshes are not loaded yet.
 struct BodyDescription {
-  sim::contact::Body body;             ///< without the shape when that is a mesh
-  std::vector<MeshFileSource> meshes;  ///< one, or one per frame; empty for other shapes
-  double scale = 1.0;                  ///< of the meshes [-]
-  double frameTime = 1.0 / 30.0;       ///< time between two frames [s]
-  bool frameLoop = false;              ///< whether the frames repeat
-  bool readLikeCloth = false;          ///< whether the meshes use the unit and the up axis of the cloth
+  sim::contact::Body body;                      ///< without the shape when that is a mesh
+  std::vector<MeshFileSource> meshes;           ///< one, or one per frame; empty for other shapes
+  std::string framePattern;                     ///< of the names of the frames: "walk_####.obj"; empty: no frames
+  int firstFrame = 0;                           ///< the number of the first one
+  std::optional<AnimationSource> animation;     ///< of the only mesh
+  std::optional<figure::FigureOptions> figure;  ///< of a body that is the figure; its mesh is the only one
+  double scale = 1.0;                           ///< of the meshes [-]
+  double frameTime = 1.0 / 30.0;                ///< time between two frames [s]
+  bool frameLoop = false;                       ///< whether the frames repeat
+  bool readLikeCloth = false;                   ///< whether the meshes use the unit and the up axis of the cloth
 };
 
 /// The ground as a body for contact. The renderer draws the ground separately.
@@ -92,6 +103,13 @@ struct SceneParts {
   std::vector<std::string> bodies = {};  ///< mesh files of additional bodies
 };
 
+/// An elastic band along an open border, as it is written in a scene file.
+struct BandDescription {
+  Vec3 nearest = Vec3::Zero();  ///< the band is along the border that comes nearest to this point [m]
+  double length = 1.0;          ///< its rest length over that of the border [-]
+  std::string where;            ///< file and line, for messages
+};
+
 /// A cloth as it is written in a scene file: the table [cloth], or one of the tables [[cloths]].
 struct ClothDescription {
   std::string name;  ///< unique in the scene; empty for [cloth]
@@ -99,6 +117,7 @@ struct ClothDescription {
   Vec3 position = Vec3::Zero();  ///< added to the mesh [m]
   Vec3 rotation = Vec3::Zero();  ///< applied to the mesh first, about its own origin: axis times angle [rad]
   std::optional<Pleats> pleats;
+  std::vector<BandDescription> bands;
   std::vector<PinSelection> pins;  ///< one per table of pins; a vertex belongs to the first one that selects it
   std::vector<OwnSetting> own;     ///< settings of this cloth, in the order in which they are assigned
 };

@@ -18,7 +18,17 @@ namespace {
 constexpr double manyDegrees = 1e6;
 constexpr std::size_t maxCloths = 64;
 
-/// Mesh, position and pleats of a cloth. @param table "[cloth]" or "[[cloths]]", for messages
+BandDescription readBand(const TomlReader& reader) {
+  reader.allowOnly({"nearest", "length"});
+  const std::optional<Vec3> nearest = reader.vector("nearest");
+  const std::optional<double> length = reader.number("length", 0.3, 1.5);
+  if (!nearest || !length) {
+    reader.fail("a band needs nearest, a point at its border, and length, its rest length over that of the border");
+  }
+  return {*nearest, *length, reader.place()};
+}
+
+/// Mesh, position, bands and pleats of a cloth. @param table "[cloth]" or "[[cloths]]", for messages
 ClothDescription readCloth(const TomlReader& reader, const std::string& table, const std::filesystem::path& folder) {
   ClothDescription cloth;
   const bool mesh = reader.has("mesh");
@@ -35,6 +45,9 @@ ClothDescription readCloth(const TomlReader& reader, const std::string& table, c
   }
   cloth.position = reader.vector("position").value_or(Vec3::Zero());
   cloth.rotation = degree * reader.vector("rotation", manyDegrees).value_or(Vec3::Zero());
+  for (const TomlReader& band : reader.tables("bands")) {
+    cloth.bands.push_back(readBand(band));
+  }
   if (const auto pleats = reader.table("pleats")) {
     pleats->allowOnly({"count", "gather"});
     cloth.pleats = Pleats{pleats->integer("count", 1, 1000).value_or(Pleats{}.count),
@@ -91,7 +104,7 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
   }
   std::vector<ClothDescription> cloths;
   if (only) {
-    only->allowOnly({"mesh", "grid", "position", "rotation", "pleats"});
+    only->allowOnly({"mesh", "grid", "position", "rotation", "pleats", "bands"});
     cloths.push_back(readCloth(*only, "[cloth]", folder));
     readAllPins(reader, cloths.front().pins);
     return cloths;
@@ -103,7 +116,7 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
     several[maxCloths].fail(fmt::format("a scene can have at most {} cloths", maxCloths));
   }
   for (const TomlReader& table : several) {
-    table.allowOnly({"name", "mesh", "grid", "position", "rotation", "pleats", "pins", "settings"});
+    table.allowOnly({"name", "mesh", "grid", "position", "rotation", "pleats", "bands", "pins", "settings"});
     const std::string name = nameOfCloth(table, cloths);
     ClothDescription& cloth = cloths.emplace_back(readCloth(table, "[[cloths]]", folder));
     cloth.name = name;

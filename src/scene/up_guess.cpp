@@ -45,10 +45,8 @@ class Silhouette {
   }
 
  private:
-  double& cell(int column, int row) { return amounts_[static_cast<std::size_t>(row * cells + column)]; }
-  [[nodiscard]] double amount(int column, int row) const {
-    return amounts_[static_cast<std::size_t>(row * cells + column)];
-  }
+  double& cell(int column, int row) { return amounts_[row * cells + column]; }
+  [[nodiscard]] double amount(int column, int row) const { return amounts_[row * cells + column]; }
 
   int across_;
   int along_;

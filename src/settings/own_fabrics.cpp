@@ -2,7 +2,6 @@
 
 #include "messages/error.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <algorithm>
 #include <array>
@@ -132,7 +131,21 @@ void requireFabricValues(const Settings& settings) {
   requireConsistent(values);
 }
 
+std::span<const std::string_view> fabricFrictionKeys() {
+  static constexpr std::array<std::string_view, 3> keys{"self_static_friction", "self_friction", "body_friction"};
+  return keys;
+}
+
+void useFriction(Settings& settings, const sim::fabric::FabricFriction& friction) {
+  settings.step.contact.staticFriction = friction.selfStatic;
+  settings.step.contact.kineticFriction = friction.selfKinetic;
+  settings.step.contact.bodyFriction = sim::fabric::skinFrictionRatio(friction);
+}
+
 void useFabric(Settings& settings, const OwnFabric& fabric) {
+  if (const sim::fabric::MaterialPreset* base = sim::fabric::findPreset(fabric.basedOn)) {
+    useFriction(settings, base->friction);
+  }
   settings.fabric.moduli = fabric.material;
   settings.fabric.density = fabric.density;
   settings.fabric.preset = fabric.name;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/fabric/material.hpp"
+#include "sim/fabric/presets.hpp"
 
 #include <memory>
 #include <span>
@@ -37,6 +38,9 @@ inline constexpr std::size_t longestFabricName = 40;  ///< [bytes]
 /// The keys of the settings that a fabric consists of: "fabric.stretch_warp" and so on, with "fabric.density".
 [[nodiscard]] std::span<const std::string_view> fabricValueKeys();
 
+/// The keys of the settings that a fabric brings besides its values, and that may be changed without changing it.
+[[nodiscard]] std::span<const std::string_view> fabricFrictionKeys();
+
 /// What is wrong with the name of an own fabric and what to do, in one sentence. Empty for a good name.
 [[nodiscard]] std::string problemWithFabricName(std::string_view name);
 
@@ -60,7 +64,11 @@ void requireAllowed(const OwnFabric& fabric);
 /// other.
 void requireFabricValues(const Settings& settings);
 
-/// All values of a fabric at once. Single values could pass through combinations that are refused.
+/// Sets the friction of cloth on cloth and on bodies to that of a preset.
+void useFriction(Settings& settings, const sim::fabric::FabricFriction& friction);
+
+/// All values of a fabric at once, and the friction of the preset that it is based on. Single values could pass through
+/// combinations that are refused.
 void useFabric(Settings& settings, const OwnFabric& fabric);
 
 }  // namespace drape::settings

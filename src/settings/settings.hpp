@@ -44,8 +44,9 @@ struct Settings {
     OwnFabrics own;                 ///< the user's fabrics, and those of the scene file
     std::string warpFrom = "auto";  ///< where warp runs: "auto", "vertical" or "uv" (along V of the mesh's UVs)
     double warpAngle = 0.0;         ///< by which warp is turned from there, in the plane of each triangle [degrees]
-    std::string restShape = "mesh";  ///< "mesh" or "uv" (the pattern in the mesh's UVs)
-    double uvScale = 0.0;            ///< size of a UV unit in the pattern [m]; 0: it has the area of the mesh
+    std::string restShape = "mesh";      ///< "mesh" or "uv" (the pattern in the mesh's UVs)
+    std::string restCurvature = "flat";  ///< the shape without bending moments: "flat" or "mesh"
+    double uvScale = 0.0;                ///< size of a UV unit in the pattern [m]; 0: it has the area of the mesh
   } fabric;
 
   sim::AttachmentSpring attachment{.stiffness = 500.0, .maxForce = 10.0};
@@ -79,6 +80,10 @@ struct Settings {
     bool energyBalance = false;  ///< compute the energy balance in every step
   } measures;
 
+  struct Timeline {
+    double memory = 0.0;  ///< for the states of the last minute [1e6 bytes]; 0: none are recorded
+  } timeline;
+
   struct View {
     bool wireframe = false;
     std::string surface = "auto";  ///< "auto" (checker for springs, else fabric), "checker", "plain" or "fabric"
@@ -87,7 +92,11 @@ struct Settings {
     bool contacts = false;
     bool intersections = false;
     bool pins = true;
-    double fontScale = 0.0;  ///< 0: from the monitor's scale
+    std::string colourMap = "off";     ///< "off" or a field (sim/fields/field_table.hpp)
+    std::string colourRange = "auto";  ///< "auto" or "fixed"
+    double colourLow = 0.0;            ///< of a fixed range, in the unit of the field
+    double colourHigh = 1.0;           ///< likewise
+    double fontScale = 0.0;            ///< 0: from the monitor's scale
   } view;
 };
 

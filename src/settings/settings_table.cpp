@@ -1,5 +1,6 @@
 #include "settings/settings_table.hpp"
 #include "sim/fabric/presets.hpp"
+#include "sim/fields/field_table.hpp"
 #include "sim/solvers/solver.hpp"
 #include "text/number_text.hpp"
 
@@ -32,6 +33,19 @@ ChoiceLabel solverLabel(std::string_view word) {
     return {"Off", "There is no second cloth."};
   }
   return {solver->title, solver->help.substr(0, solver->help.find(". ") + 1)};
+}
+
+std::vector<std::string> colourMapNames() {
+  std::vector<std::string> names{"off"};
+  for (const sim::fields::FieldInfo& field : sim::fields::fieldTable()) {
+    names.emplace_back(field.name);
+  }
+  return names;
+}
+
+ChoiceLabel colourMapLabel(std::string_view word) {
+  const sim::fields::FieldInfo* field = sim::fields::findField(word);
+  return field == nullptr ? ChoiceLabel{"Off", "The cloth has its own look."} : ChoiceLabel{field->title, field->help};
 }
 
 template <typename Enum>
@@ -72,6 +86,15 @@ constexpr std::array derivatives{
 constexpr std::array precisions{
     Word{sim::Precision::Float, "float", {"Float", "Seven digits. Fast, and the error is too small to see."}},
     Word{sim::Precision::Double, "double", {"Double", "Sixteen digits. For comparisons and very small steps."}}};
+
+constexpr std::array airModels{
+    Word{sim::AirModel::Auto, "auto", {"Automatic", "A thin plate's for a fabric, the paper's for springs."}},
+    Word{sim::AirModel::Paper,
+         "paper",
+         {"Paper's", "Eqs. 18 to 20: lift is largest where the cloth is parallel to the wind, and jumps there."}},
+    Word{sim::AirModel::Plate,
+         "plate",
+         {"Thin plate", "Measured on falling plates: lift with sin 2a of the angle of attack a, drag with sin^2 a."}}};
 
 constexpr std::array selfCollisions{
     Word{sim::contact::SelfCollision::Auto,
@@ -119,6 +142,10 @@ constexpr std::array surfaces{
     TextWord{"checker", {"Checker", "Squares along the texture coordinates. They show how the cloth stretches."}},
     TextWord{"plain", {"Plain", "One colour for each side."}},
     TextWord{"fabric", {"Fabric", "The structure and the colours of the fabric in material.preset."}}};
+
+constexpr std::array colourRanges{
+    TextWord{"auto", {"Automatic", "Follows the values, leaves out the most extreme ones, and stays steady."}},
+    TextWord{"fixed", {"Fixed", "From the lowest to the highest value below."}}};
 
 template <const auto& words>
 std::vector<std::string> wordsIn() {
@@ -175,6 +202,10 @@ constexpr std::array warpSources{
 constexpr std::array restShapes{
     TextWord{"mesh", {"Mesh", "The cloth is unstressed in the shape of its mesh."}},
     TextWord{"uv", {"UVs", "The cloth is unstressed in the flat sewing pattern of its texture coordinates."}}};
+
+constexpr std::array restCurvatures{
+    TextWord{"flat", {"Flat", "The fabric tends to unroll, as woven cloth does that was cut from a flat piece."}},
+    TextWord{"mesh", {"Mesh", "Curves and creases of the mesh stay: they are free of bending moments."}}};
 
 std::vector<std::string> fabricNames() {
   std::vector<std::string> names;
@@ -239,6 +270,7 @@ void setPreset(Settings& settings, const std::string& name) {
     settings.fabric.moduli = preset->material;
     settings.fabric.density = preset->density;
     settings.fabric.preset = name;
+    useFriction(settings, preset->friction);
   } else if (const OwnFabric* own = findOwnFabric(settings.fabric.own, name)) {
     useFabric(settings, OwnFabric(*own));
   } else {
@@ -259,6 +291,11 @@ bool solvesBackwardEuler(const Settings& settings) {
 bool takesSubsteps(const Settings& settings) {
   const sim::SolverInfo* solver = sim::findSolver(settings.solver.name);
   return solver == nullptr || !solver->choosesSubsteps;
+}
+
+bool actsAsPlate(const Settings& settings) {
+  return settings.step.air.model == sim::AirModel::Plate ||
+         (settings.step.air.model == sim::AirModel::Auto && usesFabric(settings));
 }
 
 bool collidesWithItself(const Settings& settings) {
@@ -283,6 +320,10 @@ bool usesSprings(const Settings& settings) {
 /// Whether the name of the fabric and its warp count: for the cloth itself or for its look.
 bool namesFabric(const Settings& settings) {
   return usesFabric(settings) || settings.view.surface == "fabric";
+}
+
+bool showsColourMap(const Settings& settings) {
+  return settings.view.colourMap != "off";
 }
 
 bool weighsAsGiven(const Settings& settings) {
@@ -475,6 +516,11 @@ const std::array table{
         "texture coordinates (UVs), which must be neither degenerate nor mirrored. Its area then sets the mass of a given "
         "density, and warp runs along V. mesh: each triangle of the mesh as it is.",
         {}, {}, SettingScope::MeshFile, usesFabric},
+    SettingInfo{"fabric.rest_curvature", "Rest curvature", "-", Material, SettingEffect::Fabric,
+        textOf<[](auto& s) -> auto& { return s.fabric.restCurvature; }>(wordsIn<restCurvatures>, labelIn<restCurvatures>),
+        "The shape in which the fabric has no bending moments. flat: it tends to unroll. mesh: it keeps the curvature of "
+        "the mesh, as moulded, pressed or pleated cloth does.",
+        {}, {}, SettingScope::MeshFile, usesFabric},
     SettingInfo{"fabric.uv_scale", "UV scale", "m", Material, SettingEffect::Fabric,
         NumberField{[](auto& s) -> auto& { return s.fabric.uvScale; }, 0.0, 100.0, true},
         "Size of a UV unit while fabric.rest_shape is uv. 0: the pattern gets the area of the mesh.",
@@ -532,14 +578,26 @@ const std::array table{
         "Friction that holds layers of cloth together until they slide.",
         {}, {}, SettingScope::Everywhere, collidesWithItself},
 
+    SettingInfo{"body_friction", "Body friction", "-", Contact, SettingEffect::Step,
+        NumberField{[](auto& s) -> auto& { return s.step.contact.bodyFriction; }, 0.0, 10.0, false},
+        "Factor on the friction of the bodies, which are set for cotton. A fabric that is chosen in material.preset sets "
+        "it, and the friction of cloth on cloth."},
+
+    SettingInfo{"air.model", "Air model", "-", Air, SettingEffect::Step,
+        choiceOf<airModels, [](auto& s) -> auto& { return s.step.air.model; }>(),
+        "Law of drag and lift."},
     SettingInfo{"drag", "Drag", "-", Air, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.air.drag; }, 0.0, 10.0, false},
         "Drag coefficient C_D of the air's resistance along the relative velocity. The force on a vertex of area S is "
-        "1/2 rho C_D S times the speed times its part along the normal."},
+        "1/2 rho C_D S times the speed times its part along the normal. As a thin plate: of cloth that faces the wind."},
     SettingInfo{"lift", "Lift", "-", Air, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.air.lift; }, 0.0, 10.0, false},
         "Lift coefficient C_L: the air's force perpendicular to the relative velocity, strongest where the surface "
         "is parallel to it."},
+    SettingInfo{"air.edge_drag", "Edge drag", "-", Air, SettingEffect::Step,
+        NumberField{[](auto& s) -> auto& { return s.step.air.edgeDrag; }, 0.0, 1.0, false},
+        "Drag coefficient of cloth that is parallel to the wind. Values above the drag count as the drag.",
+        {}, {}, SettingScope::Everywhere, actsAsPlate},
     SettingInfo{"air_density", "Air density", "kg/m^3", Air, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.air.density; }, 0.0, 1000.0, false},
         "Density rho of the air. Air at sea level has 1.225, water 1000."},
@@ -619,6 +677,22 @@ const std::array table{
             wordsIn<surfaces>, labelIn<surfaces>),
         "Look of the cloth: a checker along its texture coordinates, one colour, or the woven or knitted structure and "
         "the colours of the fabric in material.preset. auto draws springs as a checker, and a fabric as itself."},
+    SettingInfo{"view.colour_map", "Colour map", "-", SettingGroup::View, SettingEffect::View,
+        textOf<[](auto& s) -> auto& { return s.view.colourMap; }>(colourMapNames, colourMapLabel),
+        "Colours the cloth by a quantity, with a legend. off shows the cloth's own look."},
+    SettingInfo{"view.colour_range", "Colour range", "-", SettingGroup::View, SettingEffect::View,
+        textOf<[](auto& s) -> auto& { return s.view.colourRange; }>(wordsIn<colourRanges>, labelIn<colourRanges>),
+        "Values at the ends of the legend. auto follows the values of the cloth. fixed takes view.colour_low and "
+        "view.colour_high.",
+        {}, {}, SettingScope::Everywhere, showsColourMap},
+    SettingInfo{"view.colour_low", "Lowest value", "-", SettingGroup::View, SettingEffect::View,
+        NumberField{[](auto& s) -> auto& { return s.view.colourLow; }, -1e6, 1e6, false},
+        "Value at the low end of the legend, in the unit of the colour map.",
+        "view.colour_range", "fixed", SettingScope::Everywhere, showsColourMap},
+    SettingInfo{"view.colour_high", "Highest value", "-", SettingGroup::View, SettingEffect::View,
+        NumberField{[](auto& s) -> auto& { return s.view.colourHigh; }, -1e6, 1e6, false},
+        "Value at the high end of the legend, in the unit of the colour map.",
+        "view.colour_range", "fixed", SettingScope::Everywhere, showsColourMap},
     SettingInfo{"view.ground", "Ground", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](auto& s) -> auto& { return s.view.ground; }},
         "Draws the ground. The ground stops the cloth even when it is not drawn. The Contact panel switches this "
@@ -633,6 +707,10 @@ const std::array table{
         NumberField{[](auto& s) -> auto& { return s.view.fontScale; }, 0.0, 4.0, false},
         "Size of the text in the panels. 0 uses the scale of the monitor."},
 
+    SettingInfo{"timeline.memory", "Timeline memory", "MB", Advanced, SettingEffect::Step,
+        NumberField{[](auto& s) -> auto& { return s.timeline.memory; }, 0.0, 16000.0, true},
+        "Memory for the states of the last minute, to which the slider below the picture returns. With less memory, states "
+        "are farther apart. 0 records none. The window starts with 200."},
     SettingInfo{"energy_balance", "Energy balance", "-", Advanced, SettingEffect::Step,
         FlagField{[](auto& s) -> auto& { return s.measures.energyBalance; }},
         "Computes in every step how much energy damping, air, mouse spring and the method itself add or remove. "

@@ -142,6 +142,23 @@ TEST(Garments, lieAroundFiguresThatAreClosedSurfacesAndTouchThemNowhere) {
   EXPECT_EQ(intersection::intersectingPairs(surfaceOf(cape), surfaceOf(skater)).size(), 0U);
 }
 
+TEST(Garments, includeAFigureWithClothesThatTouchNeitherItNorEachOther) {
+  const ImportedMesh figure = welded(makeFigure());
+  expectOneClosedSurface(figure);
+  EXPECT_NEAR(figure.summary.size[1], 1.75, 0.01);
+  const ImportedMesh skirt = welded(makeFittedSkirt());
+  const ImportedMesh tshirt = welded(makeShortTshirt());
+  const ImportedMesh dress = welded(makeDress());
+  expectSoundGarment(skirt, 2);
+  expectSoundGarment(tshirt, 4);
+  expectSoundGarment(dress, 4);
+  for (const ImportedMesh* garment : {&skirt, &tshirt, &dress}) {
+    EXPECT_EQ(intersection::intersectingPairs(surfaceOf(*garment)).size(), 0U);
+    EXPECT_EQ(intersection::intersectingPairs(surfaceOf(*garment), surfaceOf(figure)).size(), 0U);
+  }
+  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(skirt), surfaceOf(tshirt)).size(), 0U);
+}
+
 TEST(Garments, includeACapeWithOneBorder) {
   const ImportedMesh cape = welded(makeCape());
   EXPECT_TRUE(cape.summary.warnings.empty());

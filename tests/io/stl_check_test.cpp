@@ -45,7 +45,7 @@ TEST(StlCheck, takesABinaryFileThatBeginsWithSolid) {
   EXPECT_EQ(check(bytes).bytes, bytes);
 }
 
-TEST(StlCheck, leavesOutWhatFollowsTheLastTriangle) {
+TEST(StlCheck, leavesOutConclusionsTheLastTriangle) {
   const std::string bytes = binaryStl(2, 2) + "made by hand";
   EXPECT_EQ(check(bytes).bytes.size(), 84U + 100U);
 }

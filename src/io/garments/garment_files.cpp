@@ -25,11 +25,20 @@ GarmentFile solidFile(const std::string& name, const RawMesh& raw) {
 }  // namespace
 
 std::vector<GarmentFile> garmentFiles() {
-  return {clothFile("skirt.obj", makeSkirt()),      clothFile("poncho.obj", makePoncho()),
-          clothFile("tshirt.obj", makeTshirt()),    clothFile("cape.obj", makeCape()),
-          solidFile("stand.obj", makeSkirtStand()), solidFile("hanger.obj", makeHangerStand()),
-          solidFile("pole.obj", makeFlagPole()),    solidFile("rail.obj", makeCurtainRail()),
-          solidFile("table.obj", makeTable()),      solidFile("mannequin.obj", makeMannequin()),
+  return {clothFile("skirt.obj", makeSkirt()),
+          clothFile("poncho.obj", makePoncho()),
+          clothFile("tshirt.obj", makeTshirt()),
+          clothFile("cape.obj", makeCape()),
+          clothFile("short_tshirt.obj", makeShortTshirt()),
+          clothFile("fitted_skirt.obj", makeFittedSkirt()),
+          clothFile("dress.obj", makeDress()),
+          solidFile("stand.obj", makeSkirtStand()),
+          solidFile("hanger.obj", makeHangerStand()),
+          solidFile("pole.obj", makeFlagPole()),
+          solidFile("rail.obj", makeCurtainRail()),
+          solidFile("table.obj", makeTable()),
+          solidFile("mannequin.obj", makeMannequin()),
+          solidFile("figure.obj", makeFigure()),
           solidFile("skater.obj", makeSkater())};
 }
 

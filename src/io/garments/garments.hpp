@@ -40,11 +40,24 @@ inline constexpr double tableRadius = 0.45;
 /// below. Triangulated, with texture coordinates in metres that are split at the seams, like the following garments.
 [[nodiscard]] RawMesh makeSkirt();
 
+/// The same skirt with edges of about this length [m], 1 cm to 10 cm.
+[[nodiscard]] RawMesh makeSkirtOfEdges(double edgeLength);
+
 /// A square poncho of a front and a back, sewn along the shoulder line y = shoulderHeight, z = 0 and folded over it.
 [[nodiscard]] RawMesh makePoncho();
 
 /// A T-shirt: front and back, and two sleeves, sewn at shoulders, sides and armholes.
 [[nodiscard]] RawMesh makeTshirt();
+
+/// The T-shirt with a hem at the hips. It leaves room for the fitted skirt below it.
+[[nodiscard]] RawMesh makeShortTshirt();
+
+/// A skirt for the figure, of a front and a back. Its waist is narrower than the figure's hips, so that it cannot slide
+/// over them.
+[[nodiscard]] RawMesh makeFittedSkirt();
+
+/// A sleeveless dress for the figure, of a front and a back, sewn at the shoulders and sides.
+[[nodiscard]] RawMesh makeDress();
 
 /// The stand of the skirt: base, pole, and hoops at its waist and hips. No texture coordinates, like the following
 /// solids.
@@ -61,6 +74,10 @@ inline constexpr double tableRadius = 0.45;
 
 /// A figure on a stand for the T-shirt: head, trunk, arms and upper legs, in one smooth closed surface.
 [[nodiscard]] RawMesh makeMannequin();
+
+/// The whole figure, with the trunk, the arms and the head of the mannequin, in one smooth closed surface. Its joints
+/// are those of figure::skeleton in the rest pose. It stands on the ground at y = 0.
+[[nodiscard]] RawMesh makeFigure();
 
 /// A gliding figure, in one smooth closed surface. It faces +z and stands above the ground at y = 0.
 [[nodiscard]] RawMesh makeSkater();

@@ -22,7 +22,10 @@ class NodeGrid {
   }
   [[nodiscard]] int count(int axis) const { return count_[axis]; }
   [[nodiscard]] std::size_t index(const std::array<int, 3>& node) const {
-    return static_cast<std::size_t>((node[2] * count_[1] + node[1]) * count_[0] + node[0]);
+    return static_cast<std::size_t>(node[0]) +
+           static_cast<std::size_t>(count_[0]) *
+               (static_cast<std::size_t>(node[1]) +
+                static_cast<std::size_t>(count_[1]) * static_cast<std::size_t>(node[2]));
   }
   [[nodiscard]] Vec3 at(const std::array<int, 3>& node) const { return min_ + cell_ * Vec3(node[0], node[1], node[2]); }
   template <typename Visit>

@@ -1,3 +1,5 @@
+#include "figure/skeleton.hpp"
+#include "io/garments/figure_solid.hpp"
 #include "io/garments/garments.hpp"
 #include "io/garments/implicit_solid.hpp"
 
@@ -6,6 +8,9 @@
 
 namespace drape::io {
 namespace {
+
+using figure::Joint;
+using figure::restOf;
 
 /// Parts in metres, for x >= 0; the other side mirrors them. They leave about a centimetre to the sewn T-shirt. Its
 /// front and back lie flat at the seams, so shoulders and arms must be slim.
@@ -16,8 +21,8 @@ const Ellipsoid chest{{0.0, 1.240, 0.0}, {0.172, 0.172, 0.080}};
 const Ellipsoid waist{{0.0, 1.060, 0.0}, {0.122, 0.170, 0.068}};
 const Ellipsoid hips{{0.0, 0.890, -0.004}, {0.166, 0.130, 0.080}};
 const TaperedBar thigh{{0.078, 0.840, -0.002}, {0.080, 0.660, 0.0}, 0.080, 0.068, 0.88};
-const TaperedBar upperArm{{0.185, 1.364, 0.0}, {0.420, 1.237, 0.0}, 0.039, 0.036, 0.64};
-const TaperedBar forearm{{0.420, 1.237, 0.0}, {0.600, 1.105, 0.030}, 0.035, 0.021, 0.8};
+const TaperedBar upperArm{restOf(Joint::LeftUpperArm), restOf(Joint::LeftForearm), 0.039, 0.036, 0.64};
+const TaperedBar forearm{restOf(Joint::LeftForearm), restOf(Joint::LeftHand), 0.035, 0.021, 0.8};
 const TaperedBar hand{{0.610, 1.096, 0.032}, {0.672, 1.040, 0.040}, 0.027, 0.019, 0.6};
 const TaperedBar pole{{0.0, 0.030, 0.0}, {0.0, 0.800, 0.0}, 0.019, 0.019};
 constexpr double baseRadius = 0.180;
@@ -31,6 +36,8 @@ double distanceToBase(const Vec3& point) {
          baseRounding;
 }
 
+}  // namespace
+
 double distanceToFigure(const Vec3& point) {
   const Vec3 p(std::abs(point.x()), point.y(), point.z());
   double trunk = joined(distanceTo(chest, p), distanceTo(waist, p), 0.08);
@@ -43,6 +50,8 @@ double distanceToFigure(const Vec3& point) {
   arm = joined(arm, distanceTo(hand, p), 0.02);
   return joined(trunk, arm, 0.02);
 }
+
+namespace {
 
 double distanceToMannequin(const Vec3& p) {
   const double stand = joined(distanceTo(pole, p), distanceToBase(p), 0.03);

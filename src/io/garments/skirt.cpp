@@ -10,7 +10,6 @@ namespace {
 
 using namespace garment;
 
-constexpr double edgeLength = 0.026;  // [m]
 constexpr double pi = std::numbers::pi;
 
 /// A cone whose flat pattern is half a disc: a point at slant distance s from the tip is s/2 from the axis.
@@ -30,7 +29,7 @@ Vec2 flatPoint(double slant, double angle) {
 }
 
 /// A quarter of a ring, with the waist at the top.
-FlatMesh meshPanel() {
+FlatMesh meshPanel(double edgeLength) {
   constexpr double half = pi / 4.0;
   Outline outline(flatPoint(waistSlant, -half), edgeLength);
   outline.lineTo(flatPoint(hemSlant, -half), true);
@@ -72,7 +71,12 @@ double garment::hipRadius() {
 }
 
 RawMesh makeSkirt() {
-  const FlatMesh panel = meshPanel();
+  constexpr double edgeLength = 0.026;  // [m]
+  return makeSkirtOfEdges(edgeLength);
+}
+
+RawMesh makeSkirtOfEdges(double edgeLength) {
+  const FlatMesh panel = meshPanel(edgeLength);
   RawMesh skirt;
   for (const bool front : {true, false}) {
     std::vector<Vec3> positions;

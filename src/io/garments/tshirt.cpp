@@ -1,5 +1,6 @@
 #include "io/garments/flat_pattern.hpp"
 #include "io/garments/garments.hpp"
+#include "io/garments/puff.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,19 @@ constexpr double frontNeckDepth = 0.09;  // [m]
 constexpr double backNeckDepth = 0.025;  // [m]
 constexpr double sleeveLength = 0.19;    // [m]
 constexpr double sleeveWidth = 0.17;     // laid flat [m]
-constexpr double puffHeight = 0.11;  // distance of front and back from the seam plane in the middle of a wide piece [m]
-constexpr double puffReach = 0.1;    // decay length of this distance near a seam [m]
-const Vec2 hemCorner(0.26, 0.79);    // [m]
-const Vec2 underarm(0.25, 1.2);      // [m]
+const Vec2 underarm(0.25, 1.2);          // [m]
 const Vec2 shoulder(shoulderHalfWidth, shoulderLine(shoulderHalfWidth));
 const Vec2 sleeveDirection = Vec2(0.88, -0.475).normalized();
 const Vec2 cuffTop = shoulder + sleeveLength * sleeveDirection;
 const Vec2 cuffBottom = cuffTop + sleeveWidth * Vec2(sleeveDirection.y(), -sleeveDirection.x());
+
+/// What differs between T-shirts.
+struct Cut {
+  Vec2 hemCorner;           // [m]
+  double puffHeight = 0.0;  // distance of front and back from the seam plane in the middle of a wide piece [m]
+};
+const Cut longCut{{0.26, 0.79}, 0.11};
+const Cut shortCut{{0.25, 0.93}, 0.15};
 
 Vec2 mirrored(const Vec2& point) {
   return {-point.x(), point.y()};
@@ -39,7 +45,7 @@ Vec2 armhole(double t) {
 }
 
 /// The outline of front or back with both sleeves, in the hanging position.
-Outline makeOutline(double neckDepth) {
+Outline makeOutline(const Vec2& hemCorner, double neckDepth) {
   Outline outline(mirrored(hemCorner), edgeLength);
   outline.lineTo(hemCorner, false);
   outline.lineTo(underarm, true);
@@ -61,31 +67,6 @@ Outline makeOutline(double neckDepth) {
   outline.lineTo(mirrored(underarm), true);
   outline.lineTo(mirrored(hemCorner), true);
   return outline;
-}
-
-/// The distance of each point from the seam plane: z - reach^2 laplace(z) = height, and 0 at seams.
-std::vector<double> puff(const FlatMesh& mesh, const std::vector<bool>& sewn) {
-  constexpr double coupling = 4.0 * puffReach * puffReach / (edgeLength * edgeLength);
-  constexpr int passes = 400;
-  std::vector<double> height(mesh.points.size(), 0.0);
-  for (int pass = 0; pass < passes; ++pass) {
-    std::vector<double> sum(height.size(), 0.0);
-    std::vector<int> count(height.size(), 0);
-    for (const Triangle& triangle : mesh.triangles) {
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        const int self = triangle[corner];
-        for (const std::size_t step : {1U, 2U}) {
-          sum[self] += height[triangle[(corner + step) % 3]];
-          ++count[self];
-        }
-      }
-    }
-    for (std::size_t i = 0; i < height.size(); ++i) {
-      const bool isSewn = i < sewn.size() && sewn[i];
-      height[i] = isSewn ? 0.0 : (puffHeight + coupling * sum[i] / std::max(1, count[i])) / (1.0 + coupling);
-    }
-  }
-  return height;
 }
 
 /// The right sleeve, laid flat.
@@ -112,19 +93,19 @@ std::vector<Vec2> chartsOf(const FlatMesh& mesh, const Vec2& aside) {
   return charts;
 }
 
-void addSide(bool front, RawMesh& tshirt) {
-  const Outline outline = makeOutline(front ? frontNeckDepth : backNeckDepth);
+void addSide(const Cut& cut, bool front, RawMesh& tshirt) {
+  const Outline outline = makeOutline(cut.hemCorner, front ? frontNeckDepth : backNeckDepth);
   std::vector<Vec2> seam = sampleCurve(armhole, edgeLength);
   std::vector<Vec2> otherSeam;
   std::transform(seam.begin(), seam.end(), std::back_inserter(otherSeam), mirrored);
   const FlatMesh mesh = meshPattern({outline.points(), {seam, otherSeam}}, edgeLength);
-  const std::vector<double> height = puff(mesh, outline.sewn());
+  const std::vector<double> height = puffed(mesh, outline.sewn(), edgeLength, cut.puffHeight);
   std::vector<Vec3> positions;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     const Vec2& flat = mesh.points[i];
     positions.emplace_back(front ? flat.x() : -flat.x(), flat.y(), front ? height[i] : -height[i]);
   }
-  const Vec2 aside(front ? 0.0 : 1.1, -hemCorner.y());
+  const Vec2 aside(front ? 0.0 : 1.1, -cut.hemCorner.y());
   addPiece(mesh, positions, chartsOf(mesh, aside), tshirt);
 }
 
@@ -137,8 +118,15 @@ double garment::shoulderLine(double x) {
 
 RawMesh makeTshirt() {
   RawMesh tshirt;
-  addSide(true, tshirt);
-  addSide(false, tshirt);
+  addSide(longCut, true, tshirt);
+  addSide(longCut, false, tshirt);
+  return tshirt;
+}
+
+RawMesh makeShortTshirt() {
+  RawMesh tshirt;
+  addSide(shortCut, true, tshirt);
+  addSide(shortCut, false, tshirt);
   return tshirt;
 }
 

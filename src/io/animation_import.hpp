@@ -1,0 +1,37 @@
+#pragma once
+
+#include "io/import_watch.hpp"
+#include "sim/model/vector.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drape::io {
+
+/// How to read the skeletal animation of a file.
+struct AnimationOptions {
+  std::string clip;            ///< its name; empty: the only one
+  double rate = 60.0;          ///< frames a second [1/s]
+  double metresPerUnit = 1.0;  ///< a factor on lengths, beyond the unit that the file states [-]
+  ImportWatch watch = {};
+};
+
+/// A mesh whose vertices move.
+struct AnimatedMesh {
+  std::vector<Triangle> triangles;        ///< counter-clockwise from outside
+  std::vector<std::vector<Vec3>> frames;  ///< the positions at equal time intervals, at least two, the last one at the
+                                          ///< end of the clip [m]
+  double frameTime = 0.0;                 ///< [s]; the length of the clip is a multiple of it
+};
+
+/// The extensions of the formats with skeletal animation, lower case, without the dot.
+[[nodiscard]] std::vector<std::string> animationFormats();
+
+/// Reads the clip of a skeletal animation and computes the positions of its frames (linear blend skinning, as the
+/// formats define it). A child process with limits of memory and time does this. y is up. Vertices that stay together
+/// in all frames become one. Throws InputError (also for a clip that does not exist, with the names of those that do)
+/// and Cancelled.
+[[nodiscard]] AnimatedMesh importAnimation(const std::filesystem::path& file, const AnimationOptions& options);
+
+}  // namespace drape::io

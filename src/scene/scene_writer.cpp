@@ -1,0 +1,272 @@
+#include "scene/scene_writer.hpp"
+
+#include "messages/error.hpp"
+#include "scene/body_writer.hpp"
+#include "scene/fabric_file.hpp"
+#include "scene/mesh_reading.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/settings_writer.hpp"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+namespace drape::scene {
+namespace {
+
+/// The parts that all functions below need.
+struct Writing {
+  const Scene& scene;
+  const SceneNow& now;
+  const std::filesystem::path& folder;
+  WrittenScene& result;
+  TomlText toml = {};
+
+  [[nodiscard]] const SceneDescription& description() const { return scene.description; }
+  [[nodiscard]] bool hasOwnPins() const { return now.pinned != scene.model->pinned; }
+  [[nodiscard]] bool hasSeveral() const {
+    return description().cloths.size() > 1 || !description().cloth().name.empty();
+  }
+};
+
+std::string listOf(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) {
+    list += (list.empty() ? "" : ", ") + quotedText(text);
+  }
+  return "[" + list + "]";
+}
+
+void writePins(const PinSelection& pins, const std::string& header, TomlText& toml) {
+  toml.table(header, true);
+  if (!pins.vertices.empty()) {
+    toml.value("vertices", listText(pins.vertices));
+  }
+  if (!pins.nearest.empty()) {
+    std::string points;
+    for (const Vec3& point : pins.nearest) {
+      points += (points.empty() ? "" : ", ") + vectorText(point);
+    }
+    toml.value("nearest", "[" + points + "]");
+  }
+  if (!pins.boxes.empty()) {
+    std::string boxes;
+    for (const PinSelection::Box& box : pins.boxes) {
+      boxes += fmt::format("{}{{ min = {}, max = {} }}", boxes.empty() ? "" : ", ", vectorText(box.min),
+                           vectorText(box.max));
+    }
+    toml.value("boxes", "[" + boxes + "]");
+  }
+  if (pins.top) {
+    toml.number("top", *pins.top);
+  }
+  if (!pins.corners.empty()) {
+    toml.value("corners", listOf(pins.corners));
+  }
+  if (!pins.edges.empty()) {
+    toml.value("edges", listOf(pins.edges));
+  }
+  if (pins.every != 1) {
+    toml.value("every", std::to_string(pins.every));
+  }
+  if (!pins.body.empty()) {
+    toml.text("body", pins.body);
+  }
+}
+
+/// The pins that the user has now, by vertex: a group for each body that carries some, and one for the others.
+std::vector<PinSelection> pinsNow(const Writing& writing, const ClothPart& cloth) {
+  std::vector<int> left;
+  for (int v = 0; v < cloth.vertexCount; ++v) {
+    if (writing.now.pinned[cloth.firstVertex + v]) {
+      left.push_back(v);
+    }
+  }
+  std::vector<PinSelection> groups;
+  for (std::size_t i = 0; i < writing.description().bodies.size(); ++i) {
+    PinSelection carried;
+    carried.body = (*writing.scene.bodies)[i].name;
+    for (const sim::contact::CarriedPin& pin : (*writing.scene.bodies)[i].pins) {
+      if (std::erase(left, pin.vertex - cloth.firstVertex) > 0) {
+        carried.vertices.push_back(pin.vertex - cloth.firstVertex);
+      }
+    }
+    if (!carried.vertices.empty()) {
+      groups.push_back(std::move(carried));
+    }
+  }
+  if (!left.empty()) {
+    groups.emplace_back().vertices = std::move(left);
+  }
+  return groups;
+}
+
+void writeCloth(Writing& writing, std::size_t index) {
+  const ClothDescription& cloth = writing.description().cloths[index];
+  TomlText& toml = writing.toml;
+  toml.table(writing.hasSeveral() ? "[[cloths]]" : "[cloth]", true);
+  if (writing.hasSeveral()) {
+    toml.text("name", cloth.name);
+  }
+  if (const auto* grid = std::get_if<GridSource>(&cloth.source)) {
+    toml.text("grid", grid->plane == GridSource::Plane::Vertical ? "vertical" : "horizontal");
+  } else {
+    toml.text("mesh", meshName(std::get<MeshFileSource>(cloth.source), writing.folder));
+  }
+  if (!cloth.position.isZero(0.0)) {
+    toml.value("position", vectorText(cloth.position));
+  }
+  if (!cloth.rotation.isZero(0.0)) {
+    toml.value("rotation", degreesText(cloth.rotation));
+  }
+  if (cloth.pleats) {
+    toml.value("pleats", fmt::format("{{ count = {}, gather = {} }}", cloth.pleats->count,
+                                     settings::formatValue(cloth.pleats->gather)));
+  }
+  if (!cloth.bands.empty()) {
+    std::string bands;
+    for (const BandDescription& band : cloth.bands) {
+      bands += fmt::format("{}{{ nearest = {}, length = {} }}", bands.empty() ? "" : ", ", vectorText(band.nearest),
+                           settings::formatValue(band.length));
+    }
+    toml.value("bands", "[" + bands + "]");
+  }
+}
+
+void writeClothSettings(Writing& writing, const ClothDescription& cloth) {
+  writing.toml.table("[cloths.settings]");
+  for (const OwnSetting& own : cloth.own) {
+    const bool replaced = writing.hasOwnPins() && own.info->key == "pins";
+    writing.toml.value(own.info->key, valueText(replaced ? settings::SettingValue(std::string("scene")) : own.value));
+  }
+}
+
+void writeCloths(Writing& writing) {
+  for (std::size_t i = 0; i < writing.description().cloths.size(); ++i) {
+    const ClothDescription& cloth = writing.description().cloths[i];
+    writeCloth(writing, i);
+    writeClothSettings(writing, cloth);
+    const std::vector<PinSelection> pins =
+        writing.hasOwnPins() ? pinsNow(writing, writing.scene.cloths[i]) : cloth.pins;
+    const std::string name = writing.hasSeveral() ? "cloths.pins" : "pins";
+    for (const PinSelection& each : pins) {
+      writePins(each, pins.size() == 1 && !writing.hasSeveral() ? "[" + name + "]" : "[[" + name + "]]", writing.toml);
+    }
+  }
+}
+
+void writeCamera(const std::optional<CameraPose>& camera, TomlText& toml) {
+  if (camera) {
+    toml.table("[camera]");
+    toml.value("position", vectorText(camera->position));
+    toml.value("focal_point", vectorText(camera->focalPoint));
+    toml.number("view_angle", camera->viewAngle);
+  }
+}
+
+/// The surface and the contact of a stand or the ground, or "solid = false" when it is or was switched off.
+void writeSolidity(const std::optional<sim::contact::Body>& body, const BodyNow* now, TomlText& toml) {
+  if (!body || (now != nullptr && !now->on)) {
+    toml.flag("solid", false);
+  } else {
+    writeSurface(now == nullptr ? body->surface : now->surface, toml);
+  }
+}
+
+/// The unit and the up axis of the first cloth from a file, for the bodies that are read like it.
+BodyDescription inMetres(BodyDescription body, const Scene& scene) {
+  const auto isFromFile = [&](const ClothPart& part) {
+    const ClothDescription& cloth = scene.description.cloths[static_cast<std::size_t>(&part - scene.cloths.data())];
+    const auto* mesh = std::get_if<MeshFileSource>(&cloth.source);
+    return mesh != nullptr && !mesh->builtIn;
+  };
+  const auto found = std::ranges::find_if(scene.cloths, isFromFile);
+  const MeshPlacement& placement = (found == scene.cloths.end() ? scene.cloths.front() : *found).placement;
+  if (body.readLikeCloth) {
+    body.scale *= placement.metresPerUnit;
+    body.body.motion.keyframes.front().rotation = rotationToY(placement.up);
+  }
+  return body;
+}
+
+void writeBodies(Writing& writing) {
+  const auto& descriptions = writing.description().bodies;
+  for (std::size_t i = 0; i < descriptions.size(); ++i) {
+    BodyDescription body = inMetres(descriptions[i], writing.scene);
+    if (i < writing.now.bodies.size()) {
+      const BodyNow& now = writing.now.bodies[i];
+      body.body.surface = now.surface;
+      for (sim::contact::Keyframe& key : body.body.motion.keyframes) {
+        key.position += now.shift;
+      }
+      if (!now.on) {
+        writing.result.notes.push_back("A scene file cannot say that " + body.body.name + " is switched off");
+      }
+    }
+    writeBody(body, writing.folder, writing.toml);
+  }
+}
+
+void writeStandAndGround(Writing& writing) {
+  const SceneDescription& description = writing.description();
+  std::size_t next = description.bodies.size();  // in the list of bodies: first the stand, then the ground
+  const auto nowOf = [&](const std::optional<sim::contact::Body>& body) -> const BodyNow* {
+    return body && next < writing.now.bodies.size() ? &writing.now.bodies[next++] : nullptr;
+  };
+  if (description.stand) {
+    writing.toml.table("[stand]");
+    writing.toml.text("mesh", meshName(description.stand->mesh, writing.folder));
+    writeSolidity(description.stand->body, nowOf(description.stand->body), writing.toml);
+  }
+  writing.toml.table("[ground]");
+  if (description.groundHeight || description.groundBelowCloth) {
+    writing.toml.number("height", description.groundHeight.value_or(writing.scene.groundHeight));
+  }
+  writeSolidity(description.ground, nowOf(description.ground), writing.toml);
+}
+
+/// Everything but the settings.
+std::string documentText(Writing& writing) {
+  const SceneDescription& description = writing.description();
+  writing.toml.text("title", description.title);
+  if (!description.help.empty() && !description.opened) {
+    writing.toml.text("help", description.help);
+  }
+  writeCloths(writing);
+  writeCamera(description.camera, writing.toml);
+  writeBodies(writing);
+  writeStandAndGround(writing);
+  for (const settings::OwnFabric& fabric : usedFabrics(writing.now.settings, writing.scene.cloths)) {
+    writing.toml.append(fabricEntry(fabric));
+  }
+  return writing.toml.document();
+}
+
+}  // namespace
+
+SceneNow unchanged(const Scene& scene) {
+  return {scene.settings, scene.model->pinned, {}};
+}
+
+WrittenScene writeScene(const Scene& scene, const SceneNow& now, const std::filesystem::path& folder) {
+  WrittenScene result;
+  Writing writing{scene, now, folder, result};
+  const std::string document = documentText(writing);
+  settings::Settings target = now.settings;
+  if (writing.hasOwnPins()) {
+    target.mesh.pins = "scene";
+    result.notes.emplace_back("Pins are where the cloth starts, not where you set them");
+  }
+  const auto textWith = [&](const std::vector<const settings::SettingInfo*>& written) {
+    return document + '\n' + settingsText(target, written);
+  };
+  const auto written = settingsToWrite(target, [&](const std::vector<const settings::SettingInfo*>& some) {
+    return parseScene(textWith(some), scene.description.name, "the scene file", folder).settings;
+  });
+  result.text = textWith(written);
+  return result;
+}
+
+}  // namespace drape::scene
