@@ -19,6 +19,16 @@ in Surface {
 in vec3 barycentric;
 #endif
 
+#ifdef FIELD
+uniform vec3 colours[11];  // as they appear on the screen, at equal distances from 0 to 1
+#ifdef WIREFRAME
+in float place;
+#define fieldPlace place
+#else
+in float fieldPlace;
+#endif
+#endif
+
 out vec4 pixel;
 
 const vec3 frontLight = vec3(0.905, 0.885, 0.840);
@@ -76,6 +86,18 @@ vec3 clothColor(bool front) {
   return mix(fromScreen(plain), pattern, checkered) * weave(surface.coordinate);
 }
 
+#ifdef FIELD
+// Colour of the field, as it appears on the screen. Grey where the field is not defined.
+vec3 fieldColor() {
+  if (fieldPlace < -1000.0) {
+    return vec3(0.55);
+  }
+  float at = clamp(fieldPlace, 0.0, 1.0) * 10.0;
+  int below = min(int(at), 9);
+  return mix(colours[below], colours[below + 1], at - float(below));
+}
+#endif
+
 #ifdef WIREFRAME
 // Fraction of the pixel that edges cover. Edges fade where triangles are only a few pixels large, so that the cloth does
 // not become dark there.
@@ -90,7 +112,7 @@ float edges() {
 
 void main() {
   bool front = gl_FrontFacing;
-  vec3 toEye = normalize(eye.xyz - surface.position);
+  vec3 toEye = normalize(eye.xyz - eye.w * surface.position);
   vec3 normal = normalize(surface.normal) * (front ? 1.0 : -1.0);
   // At an outline a smooth normal may point away from the viewer. Turn it back to the visible side.
   normal = normalize(normal + toEye * max(0.02 - dot(normal, toEye), 0.0));
@@ -115,8 +137,18 @@ void main() {
   float shine = pow(max(dot(normal, normalize(toLight.xyz + toEye)), 0.0), 22.0);
   vec3 result = color * light + fuzz * 0.14 * skyLight + shine * 0.05 * visible * keyLight;
 
+#ifdef FIELD
+  // Light only darkens a little, so that the colours are those of the legend.
+  float bright = clamp(dot(light, vec3(0.3, 0.6, 0.1)), 0.0, 1.0);
+  vec3 shown = fieldColor() * mix(0.68, 1.0, bright);
+#ifdef WIREFRAME
+  shown = mix(shown, vec3(0.10, 0.13, 0.17), 0.6 * edges());
+#endif
+  pixel = vec4(shown, opacity);
+#else
 #ifdef WIREFRAME
   result = mix(result, vec3(0.010, 0.016, 0.026), 0.85 * edges());
 #endif
   pixel = vec4(toScreen(result), opacity);
+#endif
 }

@@ -62,7 +62,7 @@ float highlight(Directions frame, vec3 normal, vec3 toEye, Yarn yarn) {
 
 void main() {
   bool front = gl_FrontFacing;
-  vec3 toEye = normalize(eye.xyz - surface.position);
+  vec3 toEye = normalize(eye.xyz - eye.w * surface.position);
   vec3 smoothNormal = normalize(surface.normal) * (front ? 1.0 : -1.0);
   smoothNormal = normalize(smoothNormal + toEye * max(0.02 - dot(smoothNormal, toEye), 0.0));
 

@@ -2,7 +2,7 @@
 layout(std140) uniform Frame {
   mat4 viewProjection;
   mat4 shadowFromWorld;  // to [0, 1] in each coordinate of the shadow map
-  vec4 eye;              // xyz
+  vec4 eye;              // in homogeneous coordinates; w is 0 for an orthographic view
   vec4 toLight;          // xyz: unit vector; w: 1 with shadows, 0 without
   vec4 viewport;         // width, height, and one over each [pixels]
   vec4 ground;           // xyz: centre; w: radius at which it has faded away

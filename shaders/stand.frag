@@ -30,7 +30,7 @@ vec3 paintHere() {
 }
 
 void main() {
-  vec3 toEye = normalize(eye.xyz - surface.position);
+  vec3 toEye = normalize(eye.xyz - eye.w * surface.position);
   vec3 normal = normalize(surface.normal);
   float visible = keyVisibility(surface.position, normal);
   float facing = dot(normal, toLight.xyz);

@@ -5,6 +5,9 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 coordinate;
 layout(location = 3) in float curvature;
 layout(location = 4) in vec2 yarns;
+#ifdef FIELD
+layout(location = 5) in float place;
+#endif
 
 out Surface {
   vec3 position;    // [m]
@@ -13,6 +16,9 @@ out Surface {
   float curvature;  // positive: hollow as seen from the front [1/m]
   vec2 yarns;       // along weft and warp at rest [m]
 } surface;
+#ifdef FIELD
+out float fieldPlace;  // in the range of colours, 0 to 1; below -1000 where the field is not defined
+#endif
 
 void main() {
   surface.position = position;
@@ -20,5 +26,8 @@ void main() {
   surface.coordinate = coordinate;
   surface.curvature = curvature;
   surface.yarns = yarns;
+#ifdef FIELD
+  fieldPlace = place;
+#endif
   gl_Position = viewProjection * vec4(position, 1.0);
 }

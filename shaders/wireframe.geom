@@ -9,6 +9,9 @@ in Surface {
   float curvature;
   vec2 yarns;
 } corner[];
+#ifdef FIELD
+in float fieldPlace[];
+#endif
 
 out Surface {
   vec3 position;
@@ -18,6 +21,9 @@ out Surface {
   vec2 yarns;
 } surface;
 out vec3 barycentric;
+#ifdef FIELD
+out float place;
+#endif
 
 void main() {
   for (int i = 0; i < 3; ++i) {
@@ -26,6 +32,9 @@ void main() {
     surface.coordinate = corner[i].coordinate;
     surface.curvature = corner[i].curvature;
     surface.yarns = corner[i].yarns;
+#ifdef FIELD
+    place = fieldPlace[i];
+#endif
     barycentric = vec3(i == 0, i == 1, i == 2);
     gl_Position = gl_in[i].gl_Position;
     EmitVertex();

@@ -16,6 +16,21 @@ Vec3 directionFrom(double azimuth, double elevation) {
   return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
 }
 
+/// How far an orthographic camera sees, before and behind its position [m].
+double depthOf(const scene::CameraPose& pose) {
+  constexpr double manyDistances = 30.0;
+  constexpr double nearby = 20.0;  // [m]
+  return std::max(nearby, manyDistances * scene::viewOffset(pose).norm());
+}
+
+Eigen::Matrix4f orthographicMatrix(double halfHeight, double aspect, double depth) {
+  Eigen::Matrix4d projection = Eigen::Matrix4d::Identity();
+  projection(0, 0) = 1.0 / (halfHeight * aspect);
+  projection(1, 1) = 1.0 / halfHeight;
+  projection(2, 2) = -1.0 / depth;
+  return projection.cast<float>();
+}
+
 }  // namespace
 
 CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight, const scene::CameraPose& pose) {
@@ -99,7 +114,20 @@ Eigen::Matrix4f Camera::viewMatrix() const {
   return view.cast<float>();
 }
 
+double Camera::halfHeight() const {
+  return scene::viewOffset(pose_).norm() * scene::tanHalfAngle(pose_);
+}
+
+Eigen::Vector4f Camera::eye() const {
+  const Vec3 at = isOrthographic_ ? scene::viewOffset(pose_) : pose_.position;
+  return {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()),
+          isOrthographic_ ? 0.0F : 1.0F};
+}
+
 Eigen::Matrix4f Camera::projectionMatrix(double aspect) const {
+  if (isOrthographic_) {
+    return orthographicMatrix(halfHeight(), aspect, depthOf(pose_));
+  }
   // The clipping planes scale with the distance: near views are not cut, and far views keep their depth precision.
   const double near = std::clamp(0.02 * scene::viewOffset(pose_).norm(), 0.001, 0.1);
   const double far = 5000.0 * near;
@@ -119,6 +147,11 @@ Ray Camera::rayThrough(double x, double y, int width, int height) const {
   const double aspect = static_cast<double>(width) / height;
   const double right = (2.0 * x / width - 1.0) * slope * aspect;
   const double up = (1.0 - 2.0 * y / height) * slope;
+  if (isOrthographic_) {
+    const double distance = scene::viewOffset(pose_).norm();
+    return {pose_.position + distance * (right * basis.right + up * basis.up) + depthOf(pose_) * basis.back,
+            -basis.back};
+  }
   return {pose_.position, (right * basis.right + up * basis.up - basis.back).normalized()};
 }
 
@@ -126,14 +159,14 @@ Vec2 Camera::project(const Vec3& point, int width, int height) const {
   const scene::CameraBasis basis = scene::basisOf(pose_);
   const Vec3 offset = point - pose_.position;
   const double depth = std::max(-offset.dot(basis.back), 1e-9);
-  const double scale = 0.5 * height / (scene::tanHalfAngle(pose_) * depth);
+  const double scale = 0.5 * height / (isOrthographic_ ? halfHeight() : scene::tanHalfAngle(pose_) * depth);
   return {0.5 * width + scale * offset.dot(basis.right), 0.5 * height - scale * offset.dot(basis.up)};
 }
 
 Vec3 Camera::pointAtDepthOf(const Vec3& reference, double x, double y, int width, int height) const {
   const scene::CameraBasis basis = scene::basisOf(pose_);
   const Ray ray = rayThrough(x, y, width, height);
-  const double depth = (pose_.position - reference).dot(basis.back);
+  const double depth = (ray.origin - reference).dot(basis.back);
   return ray.origin + ray.direction * (depth / -ray.direction.dot(basis.back));
 }
 

@@ -27,13 +27,22 @@ struct CameraBounds {
 [[nodiscard]] CameraBounds boundsFor(const Eigen::AlignedBox3d& box, double groundHeight,
                                      const scene::CameraPose& pose);
 
-/// A perspective camera that orbits its focal point; y is up.
+/// A camera that orbits its focal point, with a perspective or an orthographic projection; y is up. Both projections
+/// show the focal point at the same size.
 class Camera {
  public:
   Camera() = default;
   explicit Camera(scene::CameraPose pose) : pose_(std::move(pose)) {}
 
   [[nodiscard]] const scene::CameraPose& pose() const { return pose_; }
+  void moveTo(const scene::CameraPose& pose) { pose_ = pose; }
+
+  [[nodiscard]] bool isOrthographic() const { return isOrthographic_; }
+  void useOrthographic(bool orthographic) { isOrthographic_ = orthographic; }
+
+  /// The position of the eye in homogeneous coordinates: (x, y, z, 1) [m] in perspective, (x, y, z, 0) as the vector to
+  /// an eye at infinity.
+  [[nodiscard]] Eigen::Vector4f eye() const;
 
   /// Turns around the focal point [rad]: positive yaw moves the camera to its right, positive pitch upwards. It stops
   /// near the poles, so that up stays up.
@@ -65,7 +74,11 @@ class Camera {
   [[nodiscard]] Vec3 pointAtDepthOf(const Vec3& reference, double x, double y, int width, int height) const;
 
  private:
+  /// Half the height of the view at the focal point [m].
+  [[nodiscard]] double halfHeight() const;
+
   scene::CameraPose pose_;
+  bool isOrthographic_ = false;
 };
 
 }  // namespace drape::render

@@ -14,6 +14,7 @@ constexpr float shareOfGap = 0.5F;     // maximum size relative to the distance 
 constexpr float smallestPin = 1.5F;    // [pixels]
 constexpr float attachedSize = 12.0F;  // in units of a mark
 constexpr float targetSize = 16.0F;    // in units of a mark
+constexpr float pickedSize = 11.0F;    // in units of a mark
 const Eigen::Vector4f contactColour(0.86F, 0.16F, 0.36F, 1.0F);
 constexpr double contactLength = 0.03;  // of a drawn normal [m]
 constexpr float contactSize = 6.5F;     // [units of a mark]; the rim takes two
@@ -166,6 +167,17 @@ void Marks::drawAttachment(const session::AttachmentStatus& attachment, float sc
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   drawDot(target, targetSize * scale, attachmentColour);
   drawDot(attached, attachedSize * scale, attachment.pinned ? pinColour : Eigen::Vector4f(1.0F, 1.0F, 1.0F, 1.0F));
+  glBindVertexArray(0);
+}
+
+void Marks::drawPicked(const Vec3& position, const fields::ScreenColour& colour, float scale) const {
+  constexpr Eigen::Index channels = 3;
+  Eigen::Vector4f fill = Eigen::Vector4f::Ones();
+  fill.head<channels>() = Eigen::Vector3f(colour[0], colour[1], colour[2]);
+  const Eigen::Vector4f rim(0.05F, 0.06F, 0.08F, 1.0F);
+  glBindVertexArray(nothing_.name());
+  drawDot(position.cast<float>(), pickedSize * scale + 5.0F, rim);
+  drawDot(position.cast<float>(), pickedSize * scale, fill);
   glBindVertexArray(0);
 }
 

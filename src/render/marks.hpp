@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fields/colour_map.hpp"
 #include "render/gl_objects.hpp"
 #include "render/shader_program.hpp"
 #include "session/snapshot.hpp"
@@ -28,6 +29,8 @@ class Marks {
   void drawPins(float scale, float pixelsPerMetre) const;
   void drawContacts(float scale) const;
   void drawIntersections(float scale) const;
+  /// A dot at a picked vertex [m].
+  void drawPicked(const Vec3& position, const fields::ScreenColour& colour, float scale) const;
   void drawAttachment(const session::AttachmentStatus& attachment, float scale) const;
 
  private:

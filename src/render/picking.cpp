@@ -1,5 +1,7 @@
 #include "render/picking.hpp"
 
+#include <array>
+
 #include <Eigen/Geometry>
 
 namespace drape::render {
@@ -43,6 +45,13 @@ std::optional<Hit> pick(const Ray& ray, std::span<const Vec3> positions, std::sp
     }
   }
   return nearest;
+}
+
+std::span<const fields::ScreenColour> pickColours() {
+  // Far apart in hue and brightness, and unlike the ends of the colour maps.
+  static constexpr std::array<fields::ScreenColour, 4> colours{
+      {{1.00F, 0.55F, 0.10F}, {0.93F, 0.36F, 0.72F}, {0.36F, 0.78F, 0.98F}, {0.98F, 0.98F, 0.98F}}};
+  return colours;
 }
 
 }  // namespace drape::render

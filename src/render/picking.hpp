@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fields/colour_map.hpp"
 #include "render/camera.hpp"
 #include "sim/model/vector.hpp"
 
@@ -19,5 +20,8 @@ struct Hit {
 /// The first triangle that the ray hits, from either side.
 [[nodiscard]] std::optional<Hit> pick(const Ray& ray, std::span<const Vec3> positions,
                                       std::span<const Triangle> triangles);
+
+/// The colours of the marks of picked vertices, as they appear on the screen.
+[[nodiscard]] std::span<const fields::ScreenColour> pickColours();
 
 }  // namespace drape::render

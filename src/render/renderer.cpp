@@ -7,6 +7,7 @@
 #include "render/framebuffer.hpp"
 #include "render/ground_shadow.hpp"
 #include "render/marks.hpp"
+#include "render/picking.hpp"
 #include "render/shader_program.hpp"
 #include "render/shadow_map.hpp"
 #include "render/smooth_mesh.hpp"
@@ -17,8 +18,11 @@
 #include "scene/framing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 
 namespace drape::render {
 namespace {
@@ -80,6 +84,7 @@ std::vector<bool> clothsWithWarpAlongUvs(const scene::Scene& scene, const settin
 
 struct Renderer::Parts {
   void take(const session::Snapshot& snapshot);
+  void takeField(const fields::ShownField* shown);
   void takeScene(const scene::Scene& scene, const settings::Settings& settings);
   void takeGhost(const session::Snapshot& snapshot);
   void updateShadows(const FrameUniforms& uniforms);
@@ -91,9 +96,11 @@ struct Renderer::Parts {
   void setPattern(const ShaderProgram& program, const settings::Settings& settings) const;
   void drawFabrics(const settings::Settings& settings) const;
   void drawCloth(const settings::Settings& settings) const;
+  void drawField(const settings::Settings& settings) const;
   void drawGhost(const settings::Settings& settings) const;
   void drawGround() const;
-  void drawMarks(const session::Snapshot& snapshot, const Camera& camera, int height) const;
+  void drawMarks(const session::Snapshot& snapshot, const Camera& camera, int height,
+                 std::span<const int> picked) const;
 
   Framebuffer framebuffer;
   FrameBlock frameBlock;
@@ -101,6 +108,8 @@ struct Renderer::Parts {
   ShaderProgram clothProgram{"surface.vert", "cloth.frag"};
   ShaderProgram fabricProgram{"surface.vert", "fabric.frag"};
   ShaderProgram wireframeProgram{"surface.vert", "cloth.frag", "wireframe.geom", "#define WIREFRAME\n"};
+  std::optional<ShaderProgram> fieldProgram;  // compiled when it is needed first
+  std::optional<ShaderProgram> fieldWireframeProgram;
   ShaderProgram standProgram{"surface.vert", "stand.frag"};
   ShaderProgram bodyProgram{"surface.vert", "stand.frag", {}, "#define BODY\n"};
   ShaderProgram groundProgram{"ground.vert", "ground.frag"};
@@ -122,9 +131,11 @@ struct Renderer::Parts {
   double groundFade = 1.0;                      // [m]
   bool shadowsAreCurrent = false;
   bool hasGhost = false;
-  bool ghostStandsBeside = false;    // far enough from the cloth for its own shadows
-  double clothWidth = 0.0;           // at the scene's start [m]
-  std::vector<Vec3> ghostPositions;  // where it is drawn [m]
+  bool ghostStandsBeside = false;              // far enough from the cloth for its own shadows
+  double clothWidth = 0.0;                     // at the scene's start [m]
+  std::vector<Vec3> ghostPositions;            // where it is drawn [m]
+  const fields::ColourMap* colours = nullptr;  // of the field that is drawn; null: the cloth has its own look
+  std::vector<float> places;                   // of its values in the range of the colours
 };
 
 /// Uploads the changes since the last picture.
@@ -146,6 +157,26 @@ void Renderer::Parts::take(const session::Snapshot& snapshot) {
     bodies.take(snapshot);
     shadowsAreCurrent = false;
   }
+}
+
+void Renderer::Parts::takeField(const fields::ShownField* shown) {
+  constexpr float undefined = -1e9F;  // far below every place, so that a triangle with one such corner is grey
+  constexpr double farOutside = 100.0;
+  colours = nullptr;
+  if (shown == nullptr || !shown->isShown()) {
+    return;
+  }
+  if (!fieldProgram) {
+    fieldProgram.emplace("surface.vert", "cloth.frag", std::string_view(), "#define FIELD\n");
+    fieldWireframeProgram.emplace("surface.vert", "cloth.frag", "wireframe.geom", "#define FIELD\n#define WIREFRAME\n");
+  }
+  colours = &fields::coloursOf(*shown->field);
+  places.resize(shown->values.size());
+  std::transform(shown->values.begin(), shown->values.end(), places.begin(), [&](double value) {
+    return std::isnan(value) ? undefined
+                             : static_cast<float>(std::clamp(shown->range.placeOf(value), -farOutside, farOutside));
+  });
+  cloth.setValues(places);
 }
 
 void Renderer::Parts::takeGhost(const session::Snapshot& snapshot) {
@@ -196,7 +227,7 @@ FrameUniforms Renderer::Parts::frameUniforms(const session::Snapshot& snapshot, 
   FrameUniforms uniforms;
   uniforms.viewProjection = camera.projectionMatrix(static_cast<double>(width) / height) * camera.viewMatrix();
   uniforms.shadowFromWorld = shadowMap.fromWorld();
-  uniforms.eye << camera.pose().position.cast<float>(), 1.0F;
+  uniforms.eye = camera.eye();
   uniforms.toLight << directionToLight().cast<float>(), snapshot.settings.view.shadows ? 1.0F : 0.0F;
   uniforms.viewport << w, h, 1.0F / w, 1.0F / h;
   uniforms.ground << groundCentre.cast<float>(), static_cast<float>(groundFade);
@@ -257,7 +288,24 @@ void Renderer::Parts::drawFabrics(const settings::Settings& settings) const {
   }
 }
 
+void Renderer::Parts::drawField(const settings::Settings& settings) const {
+  const ShaderProgram& program = settings.view.wireframe ? *fieldWireframeProgram : *fieldProgram;
+  program.use();
+  setPattern(program, settings);
+  program.set("ghostly", 0.0F);
+  program.set("shadowed", 1.0F);
+  program.set("opacity", 1.0F);
+  for (std::size_t i = 0; i < colours->size(); ++i) {
+    program.set(("colours[" + std::to_string(i) + "]").c_str(), vectorOf((*colours)[i]));
+  }
+  cloth.draw();
+}
+
 void Renderer::Parts::drawCloth(const settings::Settings& settings) const {
+  if (colours != nullptr) {
+    drawField(settings);
+    return;
+  }
   // The wireframe keeps its own colours, on which the edges can be read.
   if (surfaceOf(settings) == Surface::Fabric && !settings.view.wireframe) {
     fabricProgram.use();
@@ -311,7 +359,8 @@ void Renderer::Parts::drawGround() const {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void Renderer::Parts::drawMarks(const session::Snapshot& snapshot, const Camera& camera, int height) const {
+void Renderer::Parts::drawMarks(const session::Snapshot& snapshot, const Camera& camera, int height,
+                                std::span<const int> picked) const {
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glEnable(GL_PROGRAM_POINT_SIZE);
@@ -323,6 +372,10 @@ void Renderer::Parts::drawMarks(const session::Snapshot& snapshot, const Camera&
   // Intersections and the attachment are drawn over the cloth, so that they are always visible.
   glDisable(GL_DEPTH_TEST);
   marks.drawIntersections(markScale(height));
+  const std::span<const fields::ScreenColour> colourOf = pickColours();
+  for (std::size_t i = 0; i < picked.size(); ++i) {
+    marks.drawPicked(snapshot.positions[picked[i]], colourOf[i % colourOf.size()], markScale(height));
+  }
   if (snapshot.attachment) {
     marks.drawAttachment(*snapshot.attachment, markScale(height));
   }
@@ -338,10 +391,12 @@ Renderer::Renderer() : parts_(std::make_unique<Parts>()) {
 
 Renderer::~Renderer() = default;
 
-void Renderer::draw(const session::Snapshot& snapshot, const Camera& camera, int width, int height) {
+void Renderer::draw(const session::Snapshot& snapshot, const Camera& camera, int width, int height,
+                    const PictureExtras& extras) {
   Parts& parts = *parts_;
   const settings::Settings::View& view = snapshot.settings.view;
   parts.take(snapshot);
+  parts.takeField(extras.field);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
@@ -369,14 +424,16 @@ void Renderer::draw(const session::Snapshot& snapshot, const Camera& camera, int
   parts.drawStand();
   parts.drawBodies();
   parts.drawCloth(snapshot.settings);
-  if (view.ground && camera.pose().position.y() > parts.groundCentre.y()) {
+  const bool isAbove = camera.isOrthographic() ? scene::viewOffset(camera.pose()).y() > 0.0
+                                               : camera.pose().position.y() > parts.groundCentre.y();
+  if (view.ground && isAbove) {
     parts.drawGround();
   }
   parts.drawBackground();
   if (parts.hasGhost) {
     parts.drawGhost(snapshot.settings);
   }
-  parts.drawMarks(snapshot, camera, height);
+  parts.drawMarks(snapshot, camera, height, extras.picked);
   parts.framebuffer.resolve();
   glUseProgram(0);
   checkGl("the picture");

@@ -12,6 +12,7 @@ constexpr GLuint normalAttribute = 1U;
 constexpr GLuint surfaceAttribute = 2U;
 constexpr GLuint curvatureAttribute = 3U;
 constexpr GLuint yarnAttribute = 4U;
+constexpr GLuint valueAttribute = 5U;
 
 const void* bufferOffset(std::size_t bytes) {
   // OpenGL takes offsets as pointers.
@@ -101,6 +102,19 @@ void SmoothMesh::setPositions(std::span<const Vec3> positions) {
     ++vertex;
   }
   glUnmapBuffer(GL_ARRAY_BUFFER);
+}
+
+void SmoothMesh::setValues(std::span<const float> values) {
+  valueOfVertex_.resize(particleOfVertex_.size());
+  std::transform(particleOfVertex_.begin(), particleOfVertex_.end(), valueOfVertex_.begin(),
+                 [&](int particle) { return values[particle]; });
+  glBindVertexArray(vertexArray_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, values_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(valueOfVertex_.size() * sizeof(float)), valueOfVertex_.data(),
+               GL_STREAM_DRAW);
+  glEnableVertexAttribArray(valueAttribute);
+  glVertexAttribPointer(valueAttribute, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(0);
 }
 
 void SmoothMesh::draw() const {

@@ -22,7 +22,7 @@ struct MeshTopology {
 
 /// A moving triangle mesh on the graphics card. Positions and smooth normals are uploaded when they change, indices and
 /// surface coordinates once. Vertex attributes: 0 position, 1 normal, 2 surface coordinates, 3 curvature, 4 yarn
-/// coordinates.
+/// coordinates, 5 a value, such as a place in a range of colours.
 class SmoothMesh {
  public:
   SmoothMesh();
@@ -31,6 +31,9 @@ class SmoothMesh {
 
   /// Uploads positions (one per particle [m]) and their normals. Allocates no memory while the number stays the same.
   void setPositions(std::span<const Vec3> positions);
+
+  /// Uploads one value a particle.
+  void setValues(std::span<const float> values);
 
   /// Draws the triangles with the current program.
   void draw() const;
@@ -56,10 +59,12 @@ class SmoothMesh {
   GlVertexArray vertexArray_;
   GlBuffer moving_;
   GlBuffer fixed_;
+  GlBuffer values_;  // empty until setValues
   GlBuffer indices_;
   GLsizei indexCount_ = 0;
   std::vector<Triangle> particleTriangles_;
   std::vector<int> particleOfVertex_;
+  std::vector<float> valueOfVertex_;
   SurfaceShapes shapes_;
   Eigen::AlignedBox3d bounds_;
 };

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace drape::session {
 
@@ -36,6 +37,15 @@ struct MoveAttachmentCommand {
 struct DetachCommand {};
 /// Pins the vertex nearest to the attached point at its current position, or releases it when it is pinned.
 struct TogglePinCommand {};
+/// Pins exactly these vertices where they are, and releases all others.
+struct SetPinsCommand {
+  std::vector<int> vertices;
+};
+/// Moves pinned vertices to places, at rest. The springs pull the cloth after them.
+struct PlacePinsCommand {
+  std::vector<int> vertices;
+  std::vector<Vec3> places;  ///< one per vertex [m]
+};
 /// Moves all pins together. The springs pull the cloth after them.
 struct MovePinsCommand {
   Vec3 by = Vec3::Zero();  ///< [m]
@@ -62,15 +72,28 @@ struct MoveBodyCommand {
 struct SetCostBudgetCommand {
   double costBudget = 0.0;  ///< spring evaluations per simulated second [1e6/s]
 };
+/// Adds velocities and contact loads to the snapshots, as fields of picked vertices need them. Does not change the
+/// motion.
+struct ObserveCommand {
+  bool on = true;
+};
+/// Returns to a state of the timeline (settings.timeline.memory), and pauses. Settings, pins and surfaces stay as they
+/// are.
+struct GoToCommand {
+  double time = 0.0;  ///< of the state that is nearest to it [s]
+};
+/// Returns to the state of the timeline before the present one, and pauses.
+struct StepBackCommand {};
 struct LoadSceneCommand {
   std::shared_ptr<const scene::Scene> scene;
 };
 
 /// All commands to a running simulation.
-using Command = std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
-                             ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand,
-                             MovePinsCommand, UntangleCommand, SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand,
-                             SetCostBudgetCommand, LoadSceneCommand>;
+using Command =
+    std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
+                 ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand, SetPinsCommand,
+                 PlacePinsCommand, MovePinsCommand, UntangleCommand, SwitchBodyCommand, SetSurfaceCommand,
+                 MoveBodyCommand, SetCostBudgetCommand, ObserveCommand, GoToCommand, StepBackCommand, LoadSceneCommand>;
 
 /// A command, and the number of steps before it took effect. A log of these reproduces a session.
 struct LoggedCommand {

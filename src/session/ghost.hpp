@@ -1,11 +1,13 @@
 #pragma once
 
+#include "session/pin_places.hpp"
 #include "session/snapshot.hpp"
 #include "settings/settings.hpp"
 #include "sim/stepping/stepper.hpp"
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace drape::session {
 
@@ -24,6 +26,11 @@ class Ghost {
 
   /// Moves the pinned vertices by `by` [m].
   void movePins(const sim::ClothModel& model, const Vec3& by) { sim::movePins(model.pinned, by, state_); }
+
+  /// Moves vertices to places [m], at rest.
+  void placePins(const std::vector<int>& vertices, const std::vector<Vec3>& places) {
+    placeVertices(vertices, places, state_);
+  }
 
   /// Advances by one time step, with the substeps of `settings.ghost`. False when the state is no longer finite.
   [[nodiscard]] bool step(const sim::ClothModel& model, const settings::Settings& settings,

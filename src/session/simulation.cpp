@@ -3,6 +3,7 @@
 #include "messages/sim_error_text.hpp"
 #include "scene/cloth_material.hpp"
 #include "scene/mass.hpp"
+#include "session/pin_places.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/surface_fields.hpp"
 #include "sim/forces/attachment_limit.hpp"
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace drape::session {
@@ -34,6 +37,9 @@ void Simulation::apply(const Command& command) {
 }
 
 void Simulation::step() {
+  if (timeline_.isDue(stepIndex_, settings_.step.timeStep)) {
+    timeline_.record(recorded());
+  }
   lastFinite_ = state_;
   const auto before = std::chrono::steady_clock::now();
   limitAttachment();
@@ -41,6 +47,7 @@ void Simulation::step() {
   inputs_.bodies = &bodies_.steps();
   inputs_.onProgress = onProgress_ ? &onProgress_ : nullptr;
   stepper_->keepContactWork(balance_.has_value());
+  stepper_->keepContactLoads(isObserved());
   stepReport_ = stepper_->step(*model_, settings_.step, inputs_, state_);
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   ++version_;
@@ -129,6 +136,24 @@ void Simulation::replay(const std::vector<LoggedCommand>& log, std::int64_t step
   replaying_ = false;
 }
 
+void Simulation::continueFrom(sim::ClothState state, std::int64_t step) {
+  state_ = std::move(state);
+  stepIndex_ = step;
+  stepReport_ = {};
+  stepper_->keepContactLoads(false);  // forgets those of the last step
+  lastOutside_ = state_.time;
+  blewUp_ = false;
+  bodies_.reset(state_.time);
+  if (ghost_) {
+    ghost_->reset(state_);
+  }
+  if (balance_) {
+    balance_.emplace();
+  }
+  message_.clear();
+  ++version_;
+}
+
 void Simulation::capture(Snapshot& snapshot) const {
   snapshot.scene = scene_;
   snapshot.model = model_;
@@ -158,6 +183,8 @@ void Simulation::capture(Snapshot& snapshot) const {
   }
   captureBodies(snapshot);
   captureContact(snapshot);
+  captureForFields(snapshot);
+  snapshot.timeline = timeline_.status(settings_.step.timeStep);
   snapshot.attachment.reset();
   if (inputs_.attachment) {
     const sim::AttachedCorners corners = sim::attachedCorners(*model_, *inputs_.attachment);
@@ -173,6 +200,7 @@ void Simulation::captureBodies(Snapshot& snapshot) const {
     BodyStatus& status = snapshot.bodies[i];
     status.pose = bodies_.pose(i);
     status.shift = bodies_.shift(i);
+    status.targetShift = bodies_.targetShift(i);
     status.on = bodies_.isOn(i);
     status.surface = bodies_.surface(i);
     status.vertices.clear();
@@ -192,6 +220,20 @@ void Simulation::captureContact(Snapshot& snapshot) const {
   snapshot.intersections.clear();
   if (settings_.view.intersections && !state_.hasNoSelfIntersection && sim::isFinite(state_)) {
     intersections_->find(*model_, state_.positions, snapshot.intersections);
+  }
+}
+
+void Simulation::captureForFields(Snapshot& snapshot) const {
+  snapshot.velocities.clear();
+  snapshot.contactImpulses.clear();
+  if (!isObserved()) {
+    return;
+  }
+  snapshot.velocities = state_.velocities;
+  // A new scene, a reset or another solver has no last step.
+  if (stepIndex_ > 0 && stepper_->contactLoads().known()) {
+    snapshot.contactImpulses = stepper_->contactLoads().impulses();
+    snapshot.contactImpulses.resize(state_.positions.size(), 0.0);
   }
 }
 
@@ -225,6 +267,7 @@ void Simulation::useSettings(settings::Settings changed, settings::SettingEffect
     model_ = scene::withMaterial(*model_, scene_->cloths, changed);
   }
   settings_ = std::move(changed);
+  timeline_.limit(settings_.timeline.memory);
   useSolvers();
   useBalance();
   message_.clear();
@@ -309,6 +352,29 @@ void Simulation::on(const TogglePinCommand&) {
   model_ = sim::withPins(*model_, std::move(pinned));
 }
 
+void Simulation::on(const SetPinsCommand& command) {
+  std::vector<bool> pinned(model_->pinned.size(), false);
+  for (const int vertex : command.vertices) {
+    pinned[requireVertex(vertex)] = true;
+  }
+  model_ = sim::withPins(*model_, std::move(pinned));
+}
+
+void Simulation::on(const PlacePinsCommand& command) {
+  if (command.vertices.size() != command.places.size()) {
+    throw messages::InputError("every pin needs a place");
+  }
+  for (std::size_t i = 0; i < command.vertices.size(); ++i) {
+    if (!model_->pinned[requireVertex(command.vertices[i])] || !command.places[i].allFinite()) {
+      throw messages::InputError("only pinned vertices can be placed, at finite places");
+    }
+  }
+  placeVertices(command.vertices, command.places, state_);
+  if (ghost_) {
+    ghost_->placePins(command.vertices, command.places);
+  }
+}
+
 void Simulation::on(const MovePinsCommand& command) {
   if (!command.by.allFinite()) {
     throw messages::InputError("pins can only be moved by finite distances");
@@ -339,6 +405,13 @@ void Simulation::on(const MoveBodyCommand& command) {
   }
 }
 
+std::size_t Simulation::requireVertex(int vertex) const {
+  if (vertex < 0 || vertex >= model_->vertexCount()) {
+    throw messages::InputError("there is no vertex " + std::to_string(vertex) + " in this cloth");
+  }
+  return static_cast<std::size_t>(vertex);
+}
+
 std::size_t Simulation::requireBody(int body) const {
   if (body < 0 || body >= static_cast<int>(bodies_.bodies().size())) {
     throw messages::InputError("there is no body " + std::to_string(body) + " in this scene");
@@ -350,6 +423,45 @@ void Simulation::on(const SetCostBudgetCommand& command) {
   settings::assignSetting(settings_, settings::requireSetting("auto.cost"), command.costBudget);
 }
 
+void Simulation::on(const ObserveCommand& command) {
+  observed_ = command.on;
+}
+
+RecordedState Simulation::recorded() const {
+  return {stepIndex_, state_, ghost_ ? std::optional(ghost_->state()) : std::nullopt, bodies_.shifts()};
+}
+
+void Simulation::continueFrom(const RecordedState& recorded) {
+  const std::vector<sim::contact::BodyShift> bodies = recorded.bodies;
+  const sim::ClothState ghost = recorded.ghost.value_or(recorded.state);
+  continueFrom(recorded.state, recorded.step);
+  bodies_.resume(state_.time, bodies);
+  if (ghost_) {
+    ghost_->reset(ghost);
+  }
+  inputs_.attachment.reset();
+  overlapMessage_.clear();
+}
+
+void Simulation::on(const GoToCommand& command) {
+  if (!std::isfinite(command.time) || timeline_.at(stepIndex_) == nullptr) {
+    throw messages::InputError("there is no recorded state; see timeline.memory");
+  }
+  if (timeline_.at(std::numeric_limits<std::int64_t>::max())->step < stepIndex_) {
+    timeline_.record(recorded());  // so that the user can come back
+  }
+  continueFrom(timeline_.nearest(command.time));
+  paused_ = true;
+}
+
+void Simulation::on(const StepBackCommand&) {
+  const RecordedState* before = timeline_.at(stepIndex_ - 1);
+  if (before == nullptr || before->step >= stepIndex_) {
+    throw messages::InputError("there is no recorded state before this one");
+  }
+  on(GoToCommand{before->state.time});
+}
+
 void Simulation::on(const LoadSceneCommand& command) {
   if (!command.scene) {
     throw messages::InputError("there is no scene to load");
@@ -359,6 +471,8 @@ void Simulation::on(const LoadSceneCommand& command) {
   model_ = scene_->model;
   settings_ = scene_->settings;
   ghost_.reset();
+  timeline_.clear();
+  timeline_.limit(settings_.timeline.memory);
   budget_ = {};
   bodies_ = sim::contact::BodyWorld(scene_->bodies, scene_->start.time);
   on(ResetCommand{});

@@ -4,6 +4,7 @@
 #include "session/cost_budget.hpp"
 #include "session/ghost.hpp"
 #include "session/snapshot.hpp"
+#include "session/timeline.hpp"
 #include "sim/contact/bodies/world.hpp"
 #include "sim/contact/exact/intersection_search.hpp"
 #include "sim/stepping/stepper.hpp"
@@ -47,6 +48,15 @@ class Simulation {
   void replay(const std::vector<LoggedCommand>& log, std::int64_t steps = 0,
               const std::function<void()>& afterStep = {});
 
+  /// Continues from another state of this scene, `step` steps after the start. Bodies are where their motion has them
+  /// at the time of the state; the energy balance starts anew.
+  void continueFrom(sim::ClothState state, std::int64_t step);
+
+  /// The present state, as the timeline keeps it.
+  [[nodiscard]] RecordedState recorded() const;
+  /// Returns to a state of this scene, with its ghost and the places of its bodies.
+  void continueFrom(const RecordedState& recorded);
+
   /// Fills `snapshot` with the current state, reusing its memory.
   void capture(Snapshot& snapshot) const;
 
@@ -84,12 +94,17 @@ class Simulation {
   void on(const MoveAttachmentCommand& command);
   void on(const DetachCommand& command);
   void on(const TogglePinCommand& command);
+  void on(const SetPinsCommand& command);
+  void on(const PlacePinsCommand& command);
   void on(const MovePinsCommand& command);
   void on(const UntangleCommand& command);
   void on(const SwitchBodyCommand& command);
   void on(const SetSurfaceCommand& command);
   void on(const MoveBodyCommand& command);
   void on(const SetCostBudgetCommand& command);
+  void on(const ObserveCommand& command);
+  void on(const GoToCommand& command);
+  void on(const StepBackCommand& command);
   void on(const LoadSceneCommand& command);
 
   void useSettings(settings::Settings changed, settings::SettingEffect effect);
@@ -99,9 +114,13 @@ class Simulation {
   void updateCostBudget();
 
   void limitAttachment();
+  [[nodiscard]] std::size_t requireVertex(int vertex) const;
   [[nodiscard]] std::size_t requireBody(int body) const;
   void captureBodies(Snapshot& snapshot) const;
   void captureContact(Snapshot& snapshot) const;
+  void captureForFields(Snapshot& snapshot) const;
+  /// Whether the snapshots have what fields need.
+  [[nodiscard]] bool isObserved() const { return observed_ || settings_.view.colourMap != "off"; }
   void reportOverlap();
 
   std::shared_ptr<const scene::Scene> scene_;
@@ -124,7 +143,9 @@ class Simulation {
   std::int64_t stepsTaken_ = 0;  // since the scene was loaded
   std::int64_t version_ = 0;
   bool paused_ = false;
+  bool observed_ = false;
   bool blewUp_ = false;
+  Timeline timeline_;
   std::string message_;
   std::string overlapMessage_;  // while part of the cloth is inside a body
   double lastOutside_ = 0.0;    // last time without overlap [s]

@@ -55,6 +55,22 @@ void SimulationThread::post(Command command) {
   queue_.post(std::move(command));
 }
 
+void SimulationThread::inspect(std::function<void(const Simulation&)> look) {
+  const std::scoped_lock lock(inspectionLock_);
+  inspections_.push_back(std::move(look));
+}
+
+void SimulationThread::answerInspections() {
+  std::vector<std::function<void(const Simulation&)>> taken;
+  {
+    const std::scoped_lock lock(inspectionLock_);
+    taken.swap(inspections_);
+  }
+  for (const auto& look : taken) {
+    look(simulation_);
+  }
+}
+
 const Snapshot& SimulationThread::latest() {
   return snapshots_.latest();
 }
@@ -81,6 +97,7 @@ void SimulationThread::run() {
   auto last = Clock::now();
   while (!stop_.stop_requested() && !finish_) {
     const bool changed = drain(commands);
+    answerInspections();
     const double elapsed = secondsSince(last);
     last = Clock::now();
     const settings::Settings& settings = simulation_.settings();

@@ -6,7 +6,10 @@
 #include "session/snapshot.hpp"
 #include "session/triple_buffer.hpp"
 
+#include <atomic>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <stop_token>
 #include <thread>
 #include <vector>
@@ -25,6 +28,10 @@ class SimulationThread {
   /// Posts a command; it takes effect at the next step boundary. Any thread may call it.
   void post(Command command);
 
+  /// Posts a function that the thread calls at the next step boundary. Any thread may call it. The function is dropped
+  /// when the thread ends first.
+  void inspect(std::function<void(const Simulation&)> look);
+
   /// Ends the thread after the step in progress and returns its simulation.
   [[nodiscard]] const Simulation& finish();
 
@@ -34,11 +41,14 @@ class SimulationThread {
  private:
   void run();
   void publish();
+  void answerInspections();
   /// Applies the posted commands; whether there were any.
   bool drain(std::vector<Command>& commands);
 
   Simulation simulation_;
   CommandQueue queue_;
+  std::mutex inspectionLock_;  // of the next line
+  std::vector<std::function<void(const Simulation&)>> inspections_;
   TripleBuffer<Snapshot> snapshots_;
   double realTimeFactor_ = 0.0;
   std::atomic<bool> finish_{false};  // after the step in progress

@@ -2,6 +2,7 @@
 
 #include "scene/scene.hpp"
 #include "session/stretch_cause.hpp"
+#include "session/timeline.hpp"
 #include "sim/contact/exact/intersection_contours.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/measures/energy_balance.hpp"
@@ -32,7 +33,8 @@ struct GhostStatus {
 /// The current state of a body.
 struct BodyStatus {
   sim::contact::Pose pose;
-  Vec3 shift = Vec3::Zero();  ///< set by the user, relative to its own motion [m]
+  Vec3 shift = Vec3::Zero();        ///< set by the user, relative to its own motion [m]
+  Vec3 targetShift = Vec3::Zero();  ///< that the body approaches [m]
   bool on = true;
   sim::contact::SurfaceProperties surface;
   std::vector<Vec3> vertices;  ///< of a deforming mesh, in its own frame [m]; otherwise empty
@@ -43,10 +45,13 @@ struct Snapshot {
   std::shared_ptr<const scene::Scene> scene;
   std::shared_ptr<const sim::ClothModel> model;  ///< the scene's model, or a successor with other masses or pins
   std::vector<Vec3> positions;                   ///< one per vertex [m]
-  std::int64_t step = 0;                         ///< steps since the scene was loaded or reset
-  std::int64_t version = 0;                      ///< increases with every snapshot that differs from the one before
-  double time = 0.0;                             ///< simulated [s]
-  settings::Settings settings;                   ///< the current values
+  std::vector<Vec3> velocities;                  ///< one per vertex [m/s]; only with view.colour_map or when observed
+  /// Of the last step, one per vertex, see ContactLoads [N s]; likewise, and empty before the next step.
+  std::vector<double> contactImpulses;
+  std::int64_t step = 0;        ///< steps since the scene was loaded or reset
+  std::int64_t version = 0;     ///< increases with every snapshot that differs from the one before
+  double time = 0.0;            ///< simulated [s]
+  settings::Settings settings;  ///< the current values
   bool paused = false;
   sim::Energy energy;
   std::optional<sim::EnergyBalance> balance;      ///< since the balance was switched on or the cloth was reset
@@ -54,6 +59,7 @@ struct Snapshot {
   std::optional<StretchDiagnosis> overstretched;  ///< the cause, when maxStretch is above implausibleStretch
   double stepSeconds = 0.0;                       ///< duration of the last step, without the ghost's [s]
   sim::StepReport stepReport;                     ///< of the last step
+  std::optional<TimelineStatus> timeline;         ///< while states are recorded
   double realTimeFactor = 0.0;  ///< simulated time divided by real time, recently [-]; 0 while paused or not timed
   std::optional<AttachmentStatus> attachment;
   std::optional<GhostStatus> ghost;

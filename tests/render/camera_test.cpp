@@ -56,6 +56,31 @@ TEST(Camera, RayThroughAPixelProjectsBackToIt) {
   }
 }
 
+TEST(Camera, AnOrthographicViewAgreesWithItsMatricesAndItsRays) {
+  Camera camera = slantedCamera();
+  const Vec3 focus = camera.pose().focalPoint;
+  const Vec3 beside = focus + Vec3(0.3, 0.2, -0.1);
+  camera.useOrthographic(true);
+  for (const Vec3& point : {focus, beside, Vec3(1.5, 2.3, 3.0)}) {
+    const Vec2 place = camera.project(point, width, height);
+    EXPECT_LT((place - projectWithMatrices(camera, point)).norm(), 1e-2);
+    const Ray ray = camera.rayThrough(place.x(), place.y(), width, height);
+    EXPECT_LT((point - ray.origin).cross(ray.direction).norm(), 1e-9);
+    EXPECT_GT((point - ray.origin).dot(ray.direction), 0.0) << "also behind the camera";
+    EXPECT_LT((camera.pointAtDepthOf(point, place.x(), place.y(), width, height) - point).norm(), 1e-9);
+  }
+}
+
+TEST(Camera, AnOrthographicViewShowsTheFocalPlaneAtTheSameSizeAndDepthDoesNotMatter) {
+  Camera camera = slantedCamera();
+  const scene::CameraBasis basis = scene::basisOf(camera.pose());
+  const Vec3 beside = camera.pose().focalPoint + 0.4 * basis.right;
+  const Vec2 before = camera.project(beside, width, height);
+  camera.useOrthographic(true);
+  EXPECT_LT((camera.project(beside, width, height) - before).norm(), 1e-9);
+  EXPECT_LT((camera.project(beside + 0.7 * basis.back, width, height) - before).norm(), 1e-9);
+}
+
 TEST(Camera, UpIsUpAndRightIsRight) {
   const Camera camera = slantedCamera();
   const Vec3 focal = camera.pose().focalPoint;

@@ -171,7 +171,7 @@ TEST(Fabric, isRefusedWithASolverThatTakesSpringsOnly) {
   set(simulation, "solver", std::string("verlet"));
   set(simulation, "material.model", std::string("fabric"));
   EXPECT_NE(simulation.model().fabric, nullptr) << simulation.message();
-  set(simulation, "ghost.solver", std::string("xpbd"));
+  set(simulation, "ghost.solver", std::string("kang"));
   EXPECT_EQ(simulation.settings().ghost.solver, "off");
   EXPECT_THROW(Simulation(smallGrid(9, {"solver=kang", "material.model=fabric"})), messages::InputError);
 }
